@@ -1,0 +1,53 @@
+# One place for every command: a person and CI call the same targets.
+SHELL := /bin/bash
+PYTHON ?= python3
+PORT ?= 8000
+VENV := .venv
+PY := $(VENV)/bin/python
+PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
+
+.PHONY: help serve test lint bench lock browser clean vendor
+
+help: ## this list
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
+
+$(VENV)/bin/python:
+	$(PYTHON) -m venv $(VENV)
+
+$(VENV)/.runtime: requirements.lock | $(VENV)/bin/python
+	$(PIP) -r requirements.lock
+	@touch $@
+
+$(VENV)/.dev: requirements-dev.lock | $(VENV)/bin/python
+	$(PIP) -r requirements-dev.lock
+	@touch $@ $(VENV)/.runtime
+
+serve: $(VENV)/.runtime vendor ## run the service on http://127.0.0.1:8000 (PORT= changes it)
+	$(PY) -m service --port $(PORT)
+
+test: $(VENV)/.dev vendor lint ## every check and test
+	$(PY) -m pytest -n 2 --dist loadgroup
+
+lint: $(VENV)/.dev ## style, types and import arrows
+	$(PY) -m ruff check .
+	$(PY) -m ruff format --check .
+	$(PY) -m mypy
+	$(PY) -c "from importlinter.cli import lint_imports_command as main; main()"
+
+lock: $(VENV)/.dev ## renew the hash locks from pyproject.toml
+	for lock in "requirements.lock" "requirements-dev.lock --group dev" ; do \
+	  $(PY) -m uv pip compile pyproject.toml --universal --generate-hashes --no-header --no-annotate \
+	    --python-version 3.11 --quiet -o $$lock ; done
+	$(PY) -m uv pip compile --group node --universal --generate-hashes --no-header --no-annotate \
+	    --python-version 3.11 --quiet -o requirements-node.lock
+
+browser: ## Chromium for the end-to-end tests (Debian; needs root)
+	apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium wrk
+
+vendor: static/vendor/.complete
+
+static/vendor/.complete: package-lock.json | $(VENV)/.runtime
+	$(PY) tools/vendor.py
+
+clean: ## remove everything that make built
+	rm -rf $(VENV) .venv-peers node_modules static/vendor .mypy_cache .ruff_cache .pytest_cache .hypothesis

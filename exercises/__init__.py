@@ -1,0 +1,1 @@
+"""Exercises: what is asked, and how an answer is judged."""

@@ -1,0 +1,1 @@
+"""Denavit–Hartenberg kinematics: pure mathematics, SI units and radians."""

@@ -1,0 +1,78 @@
+"""What goes wrong in kinematics, and where.
+
+    KinematicsError
+    ├── CellError          a cell of a DH table cannot be read
+    ├── TableError         the rows do not form a DH table
+    ├── ParameterError     a parameter is missing, unused or not finite
+    ├── JointValueError    joint values of the wrong number, or not finite
+    ├── PoseError          a 4x4 matrix is not a rigid motion, or a pose notation is malformed
+    └── DescriptionError   a robot described otherwise (axes, SCM chain, URDF, catalogue file) is malformed
+
+An error carries one or more faults, so that a caller sees all of them at once. Unreachable, singular and
+"not the same robot" are results, never errors. No error knows an HTTP status.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+ParamValue = str | int | float | tuple[str, ...]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Fault:
+    """One thing that is wrong.
+
+    Attributes:
+        code: stable identifier in snake_case; the key of the message in every language.
+        where: path from the object that was read to the offending value, such as ("rows", 2, "alpha").
+        message: the sentence in English: what is wrong and what would be right.
+        params: the values that the message speaks of, by name.
+    """
+
+    code: str
+    message: str
+    where: tuple[str | int, ...] = ()
+    params: Mapping[str, ParamValue] = field(default_factory=dict)
+
+    def within(self, *prefix: str | int) -> Fault:
+        """The same fault, seen from an enclosing object that holds the read one at `prefix`."""
+        return Fault(code=self.code, message=self.message, where=(*prefix, *self.where), params=self.params)
+
+
+class KinematicsError(Exception):
+    """Root of this package's errors: one or more faults."""
+
+    def __init__(self, faults: Fault | Iterable[Fault]) -> None:
+        self.faults: tuple[Fault, ...] = (faults,) if isinstance(faults, Fault) else tuple(faults)
+        super().__init__("; ".join(fault.message for fault in self.faults))
+
+    @property
+    def code(self) -> str:
+        """The code of the first fault."""
+        return self.faults[0].code
+
+
+class CellError(KinematicsError):
+    """A cell of a DH table cannot be read."""
+
+
+class TableError(KinematicsError):
+    """The rows do not form a DH table."""
+
+
+class ParameterError(KinematicsError):
+    """A parameter is missing, unused or not finite."""
+
+
+class JointValueError(KinematicsError):
+    """Joint values of the wrong number or shape, or not finite."""
+
+
+class PoseError(KinematicsError):
+    """A matrix is not a rigid motion, or a pose notation is malformed."""
+
+
+class DescriptionError(KinematicsError):
+    """A robot described by axes, an SCM chain, URDF or a catalogue file is malformed."""

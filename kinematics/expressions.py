@@ -1,0 +1,315 @@
+"""Exact expressions: what a cell of a DH table holds and what a closed form is made of.
+
+An expression is an immutable tree. The constructors `add`, `multiply`, `power` and `call` fold what is exact
+(rational numbers, rational multiples of π, nested sums and products) and leave the rest as written, so a
+lecturer's `L1*cos(alpha)` stays what it is. Angles are in radians: a degree never gets this far.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from fractions import Fraction
+from typing import TypeAlias
+
+from kinematics.errors import Fault, ParameterError
+
+
+class Function(StrEnum):
+    """Functions that may stand in an expression; angles in [rad]."""
+
+    SQRT = "sqrt"
+    SIN = "sin"
+    COS = "cos"
+    TAN = "tan"
+    ASIN = "asin"
+    ACOS = "acos"
+    ATAN = "atan"
+    ATAN2 = "atan2"
+    ABS = "abs"
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A rational number; decimals as typed are rational (0.1 is 1/10)."""
+
+    value: Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Pi:
+    """The number π."""
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A length or an angle known only by name, such as L1."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class JointVariable:
+    """The joint variable q_index; index counts from 1."""
+
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
+class Sum:
+    """Sum of two or more terms."""
+
+    terms: tuple[Expression, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Product:
+    """Product of two or more factors."""
+
+    factors: tuple[Expression, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Power:
+    """base ** exponent, the exponent rational and constant."""
+
+    base: Expression
+    exponent: Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A function applied to its arguments."""
+
+    function: Function
+    arguments: tuple[Expression, ...]
+
+
+Expression: TypeAlias = Number | Pi | Parameter | JointVariable | Sum | Product | Power | Call
+
+ZERO = Number(Fraction(0))
+ONE = Number(Fraction(1))
+MINUS_ONE = Number(Fraction(-1))
+PI = Pi()
+
+_FUNCTIONS: dict[Function, Callable[..., float]] = {
+    Function.SQRT: math.sqrt,
+    Function.SIN: math.sin,
+    Function.COS: math.cos,
+    Function.TAN: math.tan,
+    Function.ASIN: math.asin,
+    Function.ACOS: math.acos,
+    Function.ATAN: math.atan,
+    Function.ATAN2: math.atan2,
+    Function.ABS: abs,
+}
+
+
+def number(value: int | Fraction | str) -> Number:
+    """A rational number, from an integer, a fraction or a decimal literal such as "0.4318"."""
+    return Number(Fraction(value))
+
+
+def pi_times(factor: int | Fraction) -> Expression:
+    """The exact angle factor·π [rad]."""
+    return multiply((Number(Fraction(factor)), PI))
+
+
+def rational_value(expression: Expression) -> Fraction | None:
+    """The value of a rational number, or None of anything else."""
+    return expression.value if isinstance(expression, Number) else None
+
+
+def pi_fraction(expression: Expression) -> Fraction | None:
+    """The r of an exact angle r·π (0 included), or None of anything else."""
+    match expression:
+        case Number(value) if value == 0:
+            return Fraction(0)
+        case Pi():
+            return Fraction(1)
+        case Product((Number(value), Pi())):
+            return value
+    return None
+
+
+def add(terms: Iterable[Expression]) -> Expression:
+    """Sum of the terms: flattened, numbers and rational multiples of π added exactly, like terms merged."""
+    weights: dict[Expression, Fraction] = {}
+    constant = Fraction(0)
+    for term in _flat_terms(terms):
+        if isinstance(term, Number):
+            constant += term.value
+            continue
+        weight, rest = _split_weight(term)
+        weights[rest] = weights.get(rest, Fraction(0)) + weight
+    kept = [multiply((Number(weight), rest)) for rest, weight in weights.items() if weight]
+    if constant:
+        kept.append(Number(constant))
+    if not kept:
+        return ZERO
+    return kept[0] if len(kept) == 1 else Sum(tuple(kept))
+
+
+def multiply(factors: Iterable[Expression]) -> Expression:
+    """Product of the factors: flattened, rational numbers multiplied exactly and put first."""
+    weight = Fraction(1)
+    rest: list[Expression] = []
+    for factor in _flat_factors(factors):
+        if isinstance(factor, Number):
+            weight *= factor.value
+        else:
+            rest.append(factor)
+    if not weight:
+        return ZERO
+    if not rest:
+        return Number(weight)
+    if weight != 1:
+        rest.insert(0, Number(weight))
+    return rest[0] if len(rest) == 1 else Product(tuple(rest))
+
+
+def negate(expression: Expression) -> Expression:
+    """The expression with the opposite sign; a sum is negated term by term."""
+    if isinstance(expression, Sum):
+        return add(multiply((MINUS_ONE, term)) for term in expression.terms)
+    return multiply((MINUS_ONE, expression))
+
+
+def power(base: Expression, exponent: Fraction | int) -> Expression:
+    """Power with a constant exponent; an integer power of a rational number is folded.
+
+    Raises:
+        ZeroDivisionError: zero to a negative power.
+    """
+    exponent = Fraction(exponent)
+    if exponent == 1:
+        return base
+    if exponent == 0:
+        return ONE
+    if isinstance(base, Number) and exponent.denominator == 1:
+        return Number(base.value ** int(exponent))
+    if isinstance(base, Power) and base.exponent.denominator == exponent.denominator == 1:
+        return power(base.base, base.exponent * exponent)
+    return Power(base, exponent)
+
+
+def call(function: Function, *arguments: Expression) -> Expression:
+    """Value of a function; the square root of a rational square and the absolute value of a number are folded."""
+    value = rational_value(arguments[0])
+    if value is not None:
+        if function is Function.ABS:
+            return Number(abs(value))
+        if function is Function.SQRT and value >= 0:
+            root = Fraction(math.isqrt(value.numerator), math.isqrt(value.denominator))
+            if root * root == value:
+                return Number(root)
+    return Call(function, arguments)
+
+
+def evaluate(
+    expression: Expression, parameters: Mapping[str, float] | None = None, joints: Sequence[float] = ()
+) -> float:
+    """Numerical value of an expression.
+
+    Args:
+        expression: what to evaluate.
+        parameters: value of each parameter by name [m or rad].
+        joints: q_1 … q_n [rad or m].
+
+    Raises:
+        ParameterError: a parameter has no value, or the value does not exist (1/0, sqrt(-1)) or is infinite.
+    """
+    try:
+        value = _value(expression, parameters or {}, joints)
+    except KeyError as missing:
+        name = str(missing.args[0])
+        raise ParameterError(
+            Fault(
+                code="parameter_missing",
+                message=f"the parameter {name} has no value",
+                where=("parameters", name),
+                params={"name": name},
+            )
+        ) from None
+    except (ValueError, ZeroDivisionError, OverflowError, TypeError):
+        value = math.nan
+    if isinstance(value, complex) or not math.isfinite(value):
+        raise ParameterError(
+            Fault(code="value_undefined", message="the expression has no finite value for these parameters")
+        )
+    return value
+
+
+def parameters_in(expression: Expression) -> frozenset[str]:
+    """Names of the parameters that an expression contains."""
+    return frozenset(node.name for node in walk(expression) if isinstance(node, Parameter))
+
+
+def joint_variables_in(expression: Expression) -> frozenset[int]:
+    """Indices of the joint variables that an expression contains."""
+    return frozenset(node.index for node in walk(expression) if isinstance(node, JointVariable))
+
+
+def walk(expression: Expression) -> Iterator[Expression]:
+    """Every node of the tree, the root first."""
+    stack = [expression]
+    while stack:
+        node = stack.pop()
+        yield node
+        stack.extend(_children(node))
+
+
+def _children(node: Expression) -> tuple[Expression, ...]:
+    match node:
+        case Sum(children) | Product(children) | Call(_, children):
+            return children
+        case Power(base, _):
+            return (base,)
+    return ()
+
+
+def _value(node: Expression, parameters: Mapping[str, float], joints: Sequence[float]) -> float:
+    match node:
+        case Number(value):
+            return value.numerator / value.denominator
+        case Pi():
+            return math.pi
+        case Parameter(name):
+            return parameters[name]
+        case JointVariable(index):
+            return joints[index - 1]
+        case Sum(terms):
+            return sum(_value(term, parameters, joints) for term in terms)
+        case Product((Number(value), Pi())):
+            return math.pi * value.numerator / value.denominator
+        case Product(factors):
+            return math.prod(_value(factor, parameters, joints) for factor in factors)
+        case Power(base, exponent):
+            return float(_value(base, parameters, joints) ** (exponent.numerator / exponent.denominator))
+        case Call(function, arguments):
+            return _FUNCTIONS[function](*(_value(argument, parameters, joints) for argument in arguments))
+
+
+def _flat_terms(terms: Iterable[Expression]) -> Iterator[Expression]:
+    for term in terms:
+        if isinstance(term, Sum):
+            yield from term.terms
+        else:
+            yield term
+
+
+def _flat_factors(factors: Iterable[Expression]) -> Iterator[Expression]:
+    for factor in factors:
+        if isinstance(factor, Product):
+            yield from factor.factors
+        else:
+            yield factor
+
+
+def _split_weight(term: Expression) -> tuple[Fraction, Expression]:
+    if isinstance(term, Product) and isinstance(term.factors[0], Number):
+        rest = term.factors[1:]
+        return term.factors[0].value, rest[0] if len(rest) == 1 else Product(rest)
+    return Fraction(1), term

@@ -1,0 +1,135 @@
+"""The DH table: conventions, joint types, rows.
+
+A table exists twice: with exact entries in parameters (`SymbolicTable`, what a person writes) and with
+numbers (`NumericTable`, what is computed with). `bind` leads from the first to the second.
+
+Angles are in radians. Lengths are in one unit throughout a table (metres unless the caller chose another):
+nothing in this package depends on which one it is, and results come out in the same unit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import cached_property
+from typing import Generic, TypeAlias, TypeVar
+
+from kinematics.errors import Fault, ParameterError
+from kinematics.expressions import Expression, evaluate, parameters_in
+
+Entry = TypeVar("Entry", float, Expression)
+
+CELLS = ("alpha", "a", "d", "theta")
+
+
+class Convention(StrEnum):
+    """Which four elementary motions make a link, and in which order.
+
+    STANDARD: A_i = Rot_z(θ_i) Trans_z(d_i) Trans_x(a_i) Rot_x(α_i); joint i moves about or along z_{i-1}.
+    MODIFIED: A_i = Rot_x(α_{i-1}) Trans_x(a_{i-1}) Rot_z(θ_i) Trans_z(d_i); joint i moves about or along z_i.
+    """
+
+    STANDARD = "standard"
+    MODIFIED = "modified"
+
+
+class JointType(StrEnum):
+    """What varies in a row: θ (revolute), d (prismatic) or nothing (fixed)."""
+
+    REVOLUTE = "revolute"
+    PRISMATIC = "prismatic"
+    FIXED = "fixed"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class DHRow(Generic[Entry]):
+    """One row of a DH table.
+
+    Attributes:
+        joint: the joint's type.
+        theta: joint angle θ [rad]; in a revolute row the offset, θ = sign·q + theta.
+        d: link offset [m]; in a prismatic row the offset, d = sign·q + d.
+        a: link length [m] (of link i-1 in a modified table).
+        alpha: link twist [rad] (of link i-1 in a modified table).
+        sign: +1, or -1 where the joint variable enters reversed.
+    """
+
+    joint: JointType
+    theta: Entry
+    d: Entry
+    a: Entry
+    alpha: Entry
+    sign: int = 1
+
+
+@dataclass(frozen=True, kw_only=True)
+class DHTable(Generic[Entry]):
+    """A DH table: a convention and its rows, base first. Fixed rows may stand anywhere.
+
+    Attributes:
+        convention: how each row is read.
+        rows: the rows, base first.
+    """
+
+    convention: Convention
+    rows: tuple[DHRow[Entry], ...]
+
+    @cached_property
+    def joint_rows(self) -> tuple[int, ...]:
+        """For joint 1 … n the index of its row, counted from 0."""
+        return tuple(i for i, row in enumerate(self.rows) if row.joint is not JointType.FIXED)
+
+    @cached_property
+    def joint_types(self) -> tuple[JointType, ...]:
+        """Types of joint 1 … n, fixed rows not counted."""
+        return tuple(self.rows[i].joint for i in self.joint_rows)
+
+    @property
+    def n_joints(self) -> int:
+        """Number of joint variables."""
+        return len(self.joint_rows)
+
+
+NumericRow: TypeAlias = DHRow[float]
+NumericTable: TypeAlias = DHTable[float]
+SymbolicRow: TypeAlias = DHRow[Expression]
+SymbolicTable: TypeAlias = DHTable[Expression]
+
+
+def table_parameters(table: SymbolicTable) -> tuple[str, ...]:
+    """Names of the parameters of a table, in the order in which they first stand in it."""
+    names: dict[str, None] = {}
+    for row in table.rows:
+        for cell in CELLS:
+            names.update(dict.fromkeys(sorted(parameters_in(getattr(row, cell)))))
+    return tuple(names)
+
+
+def bind(table: SymbolicTable, parameters: Mapping[str, float] | None = None) -> NumericTable:
+    """The table with a number in every cell.
+
+    Args:
+        table: entries exact, possibly with parameters.
+        parameters: value of every parameter [m or rad]; names that the table does not hold are ignored.
+
+    Raises:
+        ParameterError: a parameter has no value, or a cell has no finite value; all faults at once, each
+            at ("parameters", name) or at ("rows", i, cell).
+    """
+    faults: dict[tuple[str | int, ...], Fault] = {}
+    rows: list[NumericRow] = []
+    for i, row in enumerate(table.rows):
+        values = {}
+        for cell in CELLS:
+            try:
+                values[cell] = evaluate(getattr(row, cell), parameters)
+            except ParameterError as error:
+                for fault in error.faults:
+                    placed = fault if fault.where else fault.within("rows", i, cell)
+                    faults[placed.where] = placed
+                values[cell] = 0.0
+        rows.append(DHRow(joint=row.joint, sign=row.sign, **values))
+    if faults:
+        raise ParameterError(faults.values())
+    return DHTable(convention=table.convention, rows=tuple(rows))
