@@ -46,7 +46,7 @@ browser: ## Chromium for the end-to-end tests (Debian; needs root)
 
 vendor: static/vendor/.complete
 
-static/vendor/.complete: package-lock.json | $(VENV)/.runtime
+static/vendor/.complete: package.json package-lock.json tools/vendor.py | $(VENV)/.runtime
 	$(PY) tools/vendor.py
 
 clean: ## remove everything that make built
