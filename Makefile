@@ -3,6 +3,7 @@ SHELL := /bin/bash
 PYTHON ?= python3
 PORT ?= 8000
 VENV := .venv
+PEERS := .venv-peers
 PY := $(VENV)/bin/python
 PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
@@ -40,6 +41,18 @@ lock: $(VENV)/.dev ## renew the hash locks from pyproject.toml
 	    --python-version 3.11 --quiet -o $$lock ; done
 	$(PY) -m uv pip compile --group node --universal --generate-hashes --no-header --no-annotate \
 	    --python-version 3.11 --quiet -o requirements-node.lock
+	$(PY) -m uv pip compile bench/requirements-peers.txt pyproject.toml --constraint requirements.lock --universal \
+	    --generate-hashes --no-header --no-annotate --python-version 3.11 --quiet -o bench/requirements-peers.lock
+
+bench: $(PEERS)/.peers ## measure beside the peers, write docs/performance.md (ONLY="forward jacobian": some)
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=1 $(PEERS)/bin/python -m bench $(ONLY)
+
+$(PEERS)/bin/python:
+	$(PYTHON) -m venv $(PEERS)
+
+$(PEERS)/.peers: bench/requirements-peers.lock | $(PEERS)/bin/python
+	$(PEERS)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes -r $<
+	@touch $@
 
 browser: ## Chromium for the end-to-end tests (Debian; needs root)
 	apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium wrk

@@ -1,0 +1,90 @@
+"""Reports: a table for the terminal and a section of docs/performance.md."""
+
+from __future__ import annotations
+
+import datetime
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+from bench.machine import describe
+from bench.measure import Outcome, Row, Skipped
+
+PAGE = Path(__file__).resolve().parent.parent / "docs" / "performance.md"
+
+HEADER = """\
+# Performance
+
+Written by `make bench`: every figure is a median of interleaved repetitions, taken beside a peer's in the same
+process on one thread, because a ratio travels between machines and seconds do not. `ratio` says how many times
+better than the peer we are (0.5 is half as fast), `bar` the least that was promised. Peers live in an environment
+of their own; the project depends on none of them. One module alone: `make bench ONLY=forward`.
+"""
+
+COLUMNS = ("work", "ours", "peer", "theirs", "ratio", "bar", "met")
+
+
+def quantity(value: float, unit: str) -> str:
+    """A figure with its unit; seconds in the unit that suits them."""
+    if unit != "s":
+        return f"{value:,.4g} {unit}" if value < 1000 else f"{value:,.0f} {unit}"
+    for name, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
+        if value >= size:
+            return f"{value / size:.3g} {name}"
+    return f"{value / 1e-9:.3g} ns"
+
+
+def cells(row: Row) -> tuple[str, ...]:
+    """One row of the report as text."""
+    met = {True: "yes", False: "NO", None: "–"}[row.met]
+    bar = "–" if row.bar is None else f"≥ {row.bar:g}"
+    ours, theirs = quantity(row.ours, row.unit), quantity(row.theirs, row.unit)
+    return row.work, ours, row.peer, theirs, f"{row.ratio:.3g}", bar, met
+
+
+def terminal(outcomes: Sequence[Outcome]) -> str:
+    """The rows in aligned columns."""
+    lines = [COLUMNS, *(cells(row) for row in outcomes if isinstance(row, Row))]
+    widths = [max(len(line[i]) for line in lines) for i in range(len(COLUMNS))]
+    text = ["  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)) for line in lines]
+    text += [f"skipped: {skip.work}: {skip.reason}" for skip in outcomes if isinstance(skip, Skipped)]
+    return "\n".join(line.rstrip() for line in text)
+
+
+def section(name: str, title: str, about: str, outcomes: Sequence[Outcome]) -> str:
+    """The module's section of the page, in Markdown between markers."""
+    lines = [f"<!-- bench:{name} -->", f"## {title}", "", about.strip(), ""]
+    lines += ["| " + " | ".join(COLUMNS) + " |", "|---|--:|---|--:|--:|--:|---|"]
+    lines += ["| " + " | ".join(cells(row)) + " |" for row in outcomes if isinstance(row, Row)]
+    skipped = [
+        f"- not measured: {skip.work} ({skip.reason})" for skip in outcomes if isinstance(skip, Skipped)
+    ]
+    today = datetime.datetime.now(tz=datetime.UTC).date().isoformat()
+    lines += ["", *skipped, *([""] if skipped else [])]
+    lines += [f"{today}; {describe()}.", "", f"<!-- /bench:{name} -->"]
+    return "\n".join(lines)
+
+
+def write(name: str, text: str, page: Path = PAGE) -> None:
+    """Put a section into the page, in place of its older self; sections stand in alphabetical order."""
+    sections = _sections(page.read_text(encoding="utf-8")) if page.exists() else {}
+    sections[name] = text
+    body = "\n\n".join([HEADER.strip(), *(sections[key] for key in sorted(sections))]) + "\n"
+    page.parent.mkdir(exist_ok=True)
+    fresh = page.with_suffix(f".{os.getpid()}")
+    fresh.write_text(body, encoding="utf-8")
+    fresh.replace(page)
+
+
+def _sections(text: str) -> dict[str, str]:
+    found: dict[str, list[str]] = {}
+    name = None
+    for line in text.splitlines():
+        if line.startswith("<!-- bench:"):
+            name = line.removeprefix("<!-- bench:").removesuffix(" -->")
+            found[name] = []
+        if name is not None:
+            found[name].append(line)
+        if line.startswith("<!-- /bench:"):
+            name = None
+    return {key: "\n".join(lines) for key, lines in found.items()}
