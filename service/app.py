@@ -1,0 +1,146 @@
+"""The application: routes, the one way from an error to a problem document, and the outermost layer."""
+
+from __future__ import annotations
+
+import functools
+from importlib.metadata import PackageNotFoundError, version
+
+from fastapi import FastAPI, Request, Response
+from fastapi.exceptions import RequestValidationError
+from fastapi.routing import APIRoute
+from starlette.exceptions import HTTPException
+from starlette.middleware.cors import CORSMiddleware
+from starlette.routing import Match
+
+from kinematics.errors import Fault, KinematicsError
+from service import openapi
+from service.edge import REQUEST_ID, Edge
+from service.errors import (
+    PROBLEM_JSON,
+    BodyError,
+    MethodError,
+    NotFoundError,
+    Place,
+    Problem,
+    ServiceError,
+    problem_of,
+)
+from service.messages import language_for
+from service.routes import routers
+from service.settings import Settings
+from service.validation import request_error
+
+DESCRIPTION = """\
+Denavit–Hartenberg kinematics over HTTP: a table and joint values in; poses, Jacobians, closed forms and other
+descriptions of the same robot out. Angles and lengths come and go in the units that the table names. Every
+refusal is an `application/problem+json` document with a stable code, the place of the fault and a sentence in
+the caller's language (`Accept-Language`).
+"""
+
+
+def package_version() -> str:
+    """The installed version, or 0 in a tree that was never installed."""
+    try:
+        return version("framewise")
+    except PackageNotFoundError:
+        return "0"
+
+
+def create_app(settings: Settings | None = None) -> FastAPI:
+    """The service with the given settings; those of the environment if left out."""
+    settings = settings or Settings()
+    app = FastAPI(
+        title="Framewise",
+        summary="DH kinematics, and an exercise checker that accepts every valid frame choice.",
+        description=DESCRIPTION,
+        version=package_version(),
+        license_info={"name": "Apache-2.0", "identifier": "Apache-2.0"},
+        openapi_url=None,
+        docs_url=None,
+        redoc_url=None,
+        redirect_slashes=False,
+    )
+    app.state.settings = settings
+    for router in routers():
+        app.router.routes.extend(router.routes)
+    app.add_exception_handler(KinematicsError, _refuse)
+    app.add_exception_handler(ServiceError, _refuse)
+    app.add_exception_handler(RequestValidationError, _refuse_invalid)
+    app.add_exception_handler(HTTPException, _refuse_http)
+    if settings.cors_origins:
+        app.add_middleware(
+            CORSMiddleware,
+            allow_origins=list(settings.cors_origins),
+            allow_methods=["GET", "POST"],
+            allow_headers=["*"],
+            expose_headers=["X-Request-Id", "Content-Language"],
+        )
+    app.add_middleware(Edge, settings=settings)
+    app.openapi = functools.cache(lambda: openapi.document(app, ()))  # type: ignore[method-assign]
+    return app
+
+
+def problem_response(request: Request, problem: Problem) -> Response:
+    """The problem document in the caller's language."""
+    language = language_for(request.headers.get("accept-language"))
+    settings: Settings = request.app.state.settings
+    body = problem.encoded(
+        language, prefix=request.scope.get("root_path", ""), fault_limit=settings.fault_limit
+    )
+    headers = {
+        **problem.headers,
+        "Content-Language": language,
+        "Vary": "Accept-Language",
+        "Cache-Control": "no-store",
+    }
+    return Response(body, problem.status, headers, PROBLEM_JSON)
+
+
+async def _refuse(request: Request, error: Exception) -> Response:
+    assert isinstance(error, (ServiceError, KinematicsError))
+    return problem_response(request, problem_of(error, request.scope.get(REQUEST_ID, "")))
+
+
+async def _refuse_invalid(request: Request, error: Exception) -> Response:
+    assert isinstance(error, RequestValidationError)
+    route = request.scope.get("route")
+    field = route.body_field if isinstance(route, APIRoute) else None
+    model = field.field_info.annotation if field else None
+    return await _refuse(request, request_error(error.errors(), model))
+
+
+async def _refuse_http(request: Request, error: Exception) -> Response:
+    """Answer what the framework refuses by itself; OPTIONS is answered with what the address allows."""
+    assert isinstance(error, HTTPException)
+    if error.status_code == 405:
+        methods = _methods_at(request)
+        allow = ", ".join(methods)
+        if request.method == "OPTIONS":
+            return Response(status_code=204, headers={"Allow": allow})
+        fault = Fault(
+            code="method_not_allowed",
+            message=f"this address knows {allow}, and no {request.method}",
+            params={"method": request.method, "allowed": methods},
+        )
+        return await _refuse(request, MethodError(fault, headers={"Allow": allow}))
+    if error.status_code == 404:
+        fault = Fault(
+            code="address_unknown",
+            message=f"nothing is at {request.url.path}; /api/v1/openapi.json lists every call",
+            params={"path": request.url.path},
+        )
+        return await _refuse(request, NotFoundError(fault, place=Place.PATH))
+    if error.status_code == 400:
+        return await _refuse(request, BodyError(Fault(code="body_invalid", message=str(error.detail))))
+    raise error
+
+
+def _methods_at(request: Request) -> tuple[str, ...]:
+    """Every method that some route knows at the request's path."""
+    methods = {"OPTIONS"}
+    for route in request.app.routes:
+        if route.matches(request.scope)[0] is not Match.NONE:
+            methods |= set(getattr(route, "methods", None) or ())
+    if "GET" in methods:
+        methods.add("HEAD")
+    return tuple(sorted(methods))

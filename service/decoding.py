@@ -1,0 +1,100 @@
+"""JSON bodies, read strictly: UTF-8, finite numbers, no key twice."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import orjson
+
+from kinematics.errors import Fault
+from service.errors import BodyError
+
+_BYTE_ORDER_MARK = b"\xef\xbb\xbf"
+_NOT_FINITE = ("NaN", "Infinity", "-Infinity", "inf", "nan", "-inf")
+_DEPTH_MESSAGE = "depth limit"
+_INFINITE_MESSAGE = "infinity"
+_UTF8_MESSAGE = "UTF-8"
+
+
+def decode_json(body: bytes) -> Any:
+    """The value of a JSON document.
+
+    A byte order mark is ignored, as RFC 8259 §8.1 allows.
+
+    Raises:
+        BodyError: the document is empty, not UTF-8, not JSON, too deep, holds NaN or an infinite number, or
+            names a key twice in one object.
+    """
+    try:
+        value = orjson.loads(body)
+    except orjson.JSONDecodeError as error:
+        if body.startswith(_BYTE_ORDER_MARK):
+            return decode_json(body[len(_BYTE_ORDER_MARK) :])
+        raise BodyError(_syntax_fault(body, error)) from None
+    if body.count(b'"') != _quotes_written(value, body):
+        raise BodyError(
+            Fault(
+                code="json_duplicate_key",
+                message=f"the key “{where[-1]}” stands twice in one object; keep one of the two",
+                where=where,
+                params={"key": str(where[-1])},
+            )
+            for where in _duplicates(body)
+        )
+    return value
+
+
+def _quotes_written(value: Any, body: bytes) -> int:
+    """How many quotation marks the value needs: fewer than the body has when a key was overwritten."""
+    if b"\\" in body:
+        return body.count(b'"') if next(_duplicates(body), None) is None else -1
+    return orjson.dumps(value).count(b'"')
+
+
+def _duplicates(body: bytes) -> Iterator[tuple[str | int, ...]]:
+    """Where a key stands for the second time."""
+    repeated: dict[int, list[str]] = {}
+    objects: list[dict[str, Any]] = []
+
+    def keep(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        found: dict[str, Any] = {}
+        for key, item in pairs:
+            if key in found:
+                repeated.setdefault(id(found), []).append(key)
+            found[key] = item
+        objects.append(found)
+        return found
+
+    stack: list[tuple[tuple[str | int, ...], Any]] = [((), json.loads(body, object_pairs_hook=keep))]
+    while stack:
+        where, node = stack.pop()
+        if isinstance(node, dict):
+            yield from ((*where, key) for key in repeated.get(id(node), ()))
+            stack.extend(((*where, key), item) for key, item in node.items())
+        elif isinstance(node, list):
+            stack.extend(((*where, index), item) for index, item in enumerate(node))
+
+
+def _syntax_fault(body: bytes, error: orjson.JSONDecodeError) -> Fault:
+    if not body.strip():
+        return Fault(code="body_missing", message="the request has no body; send a JSON object")
+    if _UTF8_MESSAGE in error.msg:
+        return Fault(code="json_not_utf8", message="the body is not UTF-8, as JSON must be")
+    if _DEPTH_MESSAGE in error.msg:
+        return Fault(code="json_too_deep", message="the JSON document is nested too deeply")
+    place = {"line": error.lineno, "column": error.colno}
+    rest = error.doc[error.pos : error.pos + 9]
+    if rest.startswith(_NOT_FINITE) or _INFINITE_MESSAGE in error.msg:
+        return Fault(
+            code="json_not_finite",
+            message=f"line {error.lineno}, column {error.colno}: a number must be finite; "
+            "JSON has no NaN and no infinity",
+            params=place,
+        )
+    return Fault(
+        code="json_invalid",
+        message=f"the body is not JSON: {error.msg} at line {error.lineno}, column {error.colno}",
+        params={**place, "reason": error.msg},
+    )

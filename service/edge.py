@@ -1,0 +1,136 @@
+"""The outermost layer: request ids, security headers, HEAD, the proxy's prefix, and no unhandled error.
+
+Pure ASGI and thin, because every request passes through it.
+"""
+
+from __future__ import annotations
+
+import itertools
+import logging
+import re
+import secrets
+from collections.abc import Callable
+
+from starlette.requests import ClientDisconnect
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from kinematics.errors import Fault
+from service.errors import INTERNAL, PROBLEM_JSON, Problem
+from service.messages import language_for
+from service.settings import Settings
+
+REQUEST_ID = "request_id"
+_SANE_REQUEST_ID = re.compile(rb"[A-Za-z0-9._:-]{1,64}")
+_SANE_PREFIX = re.compile(r"(/[A-Za-z0-9._~-]+)+")
+_HEADERS = (
+    (b"x-content-type-options", b"nosniff"),
+    (b"referrer-policy", b"no-referrer"),
+)
+
+_log = logging.getLogger("framewise")
+
+
+class Edge:
+    """Wraps the application."""
+
+    def __init__(self, app: ASGIApp, settings: Settings) -> None:
+        self._app = app
+        self._settings = settings
+        self._next_id = _request_ids()
+        ancestors = " ".join(settings.frame_ancestors)
+        self._policy = (
+            b"content-security-policy",
+            f"default-src 'none'; frame-ancestors {ancestors}".encode("latin-1"),
+        )
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Serve one connection."""
+        if scope["type"] != "http":
+            await self._app(scope, receive, send)
+            return
+        request_id = self._open(scope)
+        is_head = scope["method"] == "HEAD"
+        if is_head:
+            scope = {**scope, "method": "GET"}
+        started = False
+
+        async def send_with_headers(message: Message) -> None:
+            nonlocal started
+            if message["type"] == "http.response.start":
+                started = True
+                headers = message["headers"] = list(message.get("headers", ()))
+                headers.extend(_HEADERS)
+                headers.append((b"x-request-id", request_id))
+                if not any(name == b"content-security-policy" for name, _ in headers):
+                    headers.append(self._policy)
+            elif is_head and message["type"] == "http.response.body":
+                message = {**message, "body": b""}
+            await send(message)
+
+        try:
+            await self._app(scope, receive, send_with_headers)
+        except ClientDisconnect:
+            _log.info("request %s: the caller went away", request_id.decode())
+        except Exception:
+            _log.exception("request %s: unhandled error", request_id.decode())
+            if started:
+                raise
+            await self._send_internal_error(scope, send_with_headers, request_id.decode())
+
+    def _open(self, scope: Scope) -> bytes:
+        """Read what a proxy says about the request; name the request."""
+        request_id = b""
+        forwarded_prefix = b""
+        for name, value in scope["headers"]:
+            if name == b"x-request-id" and _SANE_REQUEST_ID.fullmatch(value):
+                request_id = value
+            elif name == b"x-forwarded-prefix":
+                forwarded_prefix = value
+        request_id = request_id or self._next_id()
+        scope[REQUEST_ID] = request_id.decode()
+        prefix = self._settings.prefix or self._believed_prefix(scope, forwarded_prefix)
+        if prefix:
+            _place_under(scope, prefix)
+        return request_id
+
+    def _believed_prefix(self, scope: Scope, forwarded: bytes) -> str:
+        if not forwarded or not scope.get("client"):
+            return ""
+        trusted = self._settings.trusted_proxies
+        if "*" not in trusted and scope["client"][0] not in trusted:
+            return ""
+        prefix = forwarded.decode("latin-1").split(",")[0].strip().rstrip("/")
+        return prefix if _SANE_PREFIX.fullmatch(prefix) else ""
+
+    async def _send_internal_error(self, scope: Scope, send: Send, request_id: str) -> None:
+        fault = Fault(
+            code="internal_error",
+            message=f"the service failed on this request; report it with the id {request_id}",
+            params={"id": request_id},
+        )
+        languages = [value for name, value in scope["headers"] if name == b"accept-language"]
+        language = language_for(languages[0].decode("latin-1") if languages else None)
+        body = Problem(status=INTERNAL, faults=(fault,), request_id=request_id).encoded(
+            language, prefix=scope.get("root_path", "")
+        )
+        headers = [
+            (b"content-type", PROBLEM_JSON.encode()),
+            (b"content-language", language.encode()),
+            (b"content-length", str(len(body)).encode()),
+        ]
+        await send({"type": "http.response.start", "status": INTERNAL, "headers": headers})
+        await send({"type": "http.response.body", "body": body})
+
+
+def _place_under(scope: Scope, prefix: str) -> None:
+    """Tell the application its prefix, whether or not the proxy has already taken it off the path."""
+    scope["root_path"] = prefix
+    if not scope["path"].startswith(prefix + "/") and scope["path"] != prefix:
+        scope["path"] = prefix + scope["path"]
+
+
+def _request_ids() -> Callable[[], bytes]:
+    """Names for requests: unique to this process, cheap, and not guessable from outside."""
+    process = secrets.token_hex(6).encode()
+    counter = itertools.count(1)
+    return lambda: b"%s-%x" % (process, next(counter))

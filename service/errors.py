@@ -1,0 +1,192 @@
+"""What goes wrong over HTTP, the one table of statuses, and the problem document (RFC 9457).
+
+    ServiceError
+    ├── BodyError            the body is not what its media type says
+    ├── NotFoundError        nothing is at this address
+    ├── MethodError          this address knows no such method
+    ├── NotAcceptableError   no representation that the caller accepts
+    ├── BodySizeError        the body, or what it asks for, is larger than a limit
+    ├── MediaTypeError       the body comes in a form that is not read
+    ├── RequestError         the body is well formed and does not say what is needed
+    └── BusyError            no place is free; try again later
+
+Errors of `kinematics` and `exercises` carry faults of the same shape and know no status: this table does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+import orjson
+
+from kinematics.errors import Fault, KinematicsError
+from service.messages import sentence
+
+PROBLEM_JSON = "application/problem+json"
+
+
+class Place(StrEnum):
+    """The part of a request that a fault points into."""
+
+    BODY = "body"
+    QUERY = "query"
+    PATH = "path"
+    HEADER = "header"
+
+
+class ServiceError(Exception):
+    """Root of the errors of this package: one or more faults, and the part of the request they speak of."""
+
+    def __init__(
+        self,
+        faults: Fault | Iterable[Fault],
+        *,
+        place: Place = Place.BODY,
+        headers: Mapping[str, str] | None = None,
+    ) -> None:
+        self.faults: tuple[Fault, ...] = (faults,) if isinstance(faults, Fault) else tuple(faults)
+        self.place = place
+        self.headers = dict(headers or {})
+        super().__init__("; ".join(fault.message for fault in self.faults))
+
+
+class BodyError(ServiceError):
+    """The body cannot be read as what its media type says."""
+
+
+class NotFoundError(ServiceError):
+    """Nothing is at this address."""
+
+
+class MethodError(ServiceError):
+    """This address knows no such method."""
+
+
+class NotAcceptableError(ServiceError):
+    """There is no representation that the caller accepts."""
+
+
+class BodySizeError(ServiceError):
+    """The body, or what it asks for, is larger than a limit."""
+
+
+class MediaTypeError(ServiceError):
+    """The body comes in a form that is not read here."""
+
+
+class RequestError(ServiceError):
+    """The body is well formed, and what it says cannot be done."""
+
+
+class BusyError(ServiceError):
+    """No place is free; the caller may try again later."""
+
+
+STATUS: dict[type[Exception], int] = {
+    BodyError: 400,
+    NotFoundError: 404,
+    MethodError: 405,
+    NotAcceptableError: 406,
+    BodySizeError: 413,
+    MediaTypeError: 415,
+    RequestError: 422,
+    KinematicsError: 422,
+    BusyError: 503,
+}
+INTERNAL = 500
+
+
+def status_of(error: Exception) -> int:
+    """The HTTP status of an error: that of its nearest ancestor in `STATUS`, 500 if there is none."""
+    return next((STATUS[kind] for kind in type(error).__mro__ if kind in STATUS), INTERNAL)
+
+
+@contextmanager
+def located(*prefix: str | int) -> Iterator[None]:
+    """Place the faults of what is read inside: an object at `prefix` of the request's body."""
+    try:
+        yield
+    except KinematicsError as error:
+        raise type(error)(fault.within(*prefix) for fault in error.faults) from error
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Problem:
+    """A refusal, ready to be written in any language.
+
+    Attributes:
+        status: HTTP status.
+        faults: what is wrong; the first one gives the document its code and detail.
+        place: the part of the request that the faults point into.
+        headers: further headers of the response.
+        request_id: what the log calls this request.
+    """
+
+    status: int
+    faults: tuple[Fault, ...]
+    place: Place = Place.BODY
+    headers: Mapping[str, str] = field(default_factory=dict)
+    request_id: str = ""
+
+    def document(self, language: str, *, prefix: str = "", fault_limit: int = 50) -> dict[str, object]:
+        """The problem document of RFC 9457 in the given language."""
+        listed = [self._entry(fault, language) for fault in self.faults[:fault_limit]]
+        first = listed[0]
+        document: dict[str, object] = {
+            "type": f"{prefix}/api/v1/problems/{first['code']}",
+            "title": sentence(language, f"problem-title-{self.status}") or "Problem",
+            "status": self.status,
+            "detail": first["detail"],
+            "code": first["code"],
+            "pointer": first["pointer"],
+            "errors": listed,
+        }
+        if len(self.faults) > fault_limit:
+            document["errors_total"] = len(self.faults)
+        if self.request_id:
+            document["request_id"] = self.request_id
+        return document
+
+    def encoded(self, language: str, *, prefix: str = "", fault_limit: int = 50) -> bytes:
+        """The problem document as JSON."""
+        return orjson.dumps(self.document(language, prefix=prefix, fault_limit=fault_limit), default=str)
+
+    def _entry(self, fault: Fault, language: str) -> dict[str, object]:
+        entry: dict[str, object] = {
+            "code": fault.code,
+            "pointer": json_pointer(fault.where) if self.place is Place.BODY else "",
+            "detail": sentence(language, f"error-{fault.code}", fault.params) or fault.message,
+            "params": {name: _writable(value) for name, value in fault.params.items()},
+        }
+        if self.place is not Place.BODY:
+            entry["in"] = self.place.value
+            entry["name"] = ".".join(str(part) for part in fault.where)
+        return entry
+
+
+def problem_of(error: ServiceError | KinematicsError, request_id: str = "") -> Problem:
+    """The problem that tells of an error."""
+    own = error if isinstance(error, ServiceError) else None
+    return Problem(
+        status=status_of(error),
+        faults=error.faults,
+        place=own.place if own else Place.BODY,
+        headers=own.headers if own else {},
+        request_id=request_id,
+    )
+
+
+def json_pointer(where: Iterable[str | int]) -> str:
+    """RFC 6901 pointer of a path of keys and indices; the empty string is the whole document."""
+    return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in where)
+
+
+def _writable(value: object) -> object:
+    if isinstance(value, int) and not -(2**63) <= value < 2**64:
+        return str(value)
+    if isinstance(value, str) and len(value) > 200:
+        return value[:199] + "…"
+    return value

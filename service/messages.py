@@ -1,0 +1,68 @@
+"""Sentences in the caller's language, from the Fluent files in `locales/<language>/*.ftl`."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Mapping
+from functools import cache, lru_cache
+from pathlib import Path
+
+from fluent.runtime import FluentBundle, FluentResource
+
+from service.negotiation import preferred_language
+
+LOCALES = Path(__file__).parent / "locales"
+DEFAULT_LANGUAGE = "en"
+_TEXT_LIMIT = 200
+_EXACT_INTEGER = 2**53
+
+_log = logging.getLogger(__name__)
+
+
+@cache
+def languages() -> tuple[str, ...]:
+    """The languages that have a folder, in alphabetical order."""
+    return tuple(sorted(folder.name for folder in LOCALES.iterdir() if folder.is_dir()))
+
+
+def language_for(accept_language: str | None) -> str:
+    """The language to answer in, from the header Accept-Language; English when there is no better one."""
+    return preferred_language(accept_language, languages()) if accept_language else DEFAULT_LANGUAGE
+
+
+@lru_cache(maxsize=32)
+def bundle(language: str) -> FluentBundle:
+    """All messages of a language: every file of its folder, read once."""
+    messages = FluentBundle([language, DEFAULT_LANGUAGE], use_isolating=False)
+    for path in sorted((LOCALES / language).glob("*.ftl")):
+        messages.add_resource(FluentResource(path.read_text(encoding="utf-8")))
+    return messages
+
+
+def sentence(language: str, identifier: str, params: Mapping[str, object] | None = None) -> str | None:
+    """The message with its parameters in place, in the language or else in English; None if there is none."""
+    arguments = {name: _argument(value) for name, value in (params or {}).items()}
+    for candidate in dict.fromkeys((language, DEFAULT_LANGUAGE)):
+        messages = bundle(candidate)
+        if not messages.has_message(identifier):
+            continue
+        pattern = messages.get_message(identifier).value
+        if pattern is None:
+            continue
+        text, faults = messages.format_pattern(pattern, arguments)
+        for fault in faults:
+            _log.warning("message %s in %s: %s", identifier, candidate, fault)
+        return str(text)
+    return None
+
+
+def _argument(value: object) -> str | int:
+    """A parameter as Fluent should print it: counts by the language's rules, everything else as it stands."""
+    if isinstance(value, int) and not isinstance(value, bool) and abs(value) < _EXACT_INTEGER:
+        return value
+    if isinstance(value, float):
+        return format(value, ".10g")
+    if isinstance(value, (tuple, list)):
+        value = ", ".join(str(item) for item in value)
+    text = str(value)
+    return text if len(text) <= _TEXT_LIMIT else text[: _TEXT_LIMIT - 1] + "…"

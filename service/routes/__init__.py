@@ -1,0 +1,23 @@
+"""One noun a file. Each module has a `router`, made by `service.routing.api_router("tag")`.
+
+The application mounts every module of this package, in alphabetical order, as it stands: the paths of an API
+router already begin with /api/v1, and a page's router says its own. Nothing is registered elsewhere.
+
+Errors: raise `KinematicsError` or `ServiceError` with faults (inside `service.errors.located("table")` when
+what is read stands at a place of the body); they become problem documents. No route catches them or names a
+status.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from collections.abc import Iterator
+
+from fastapi import APIRouter
+
+
+def routers() -> Iterator[APIRouter]:
+    """The router of every module of this package."""
+    for module in sorted(pkgutil.iter_modules(__path__), key=lambda found: found.name):
+        yield importlib.import_module(f"{__name__}.{module.name}").router

@@ -1,0 +1,192 @@
+"""Routes that read their requests strictly, before FastAPI validates them."""
+
+from __future__ import annotations
+
+from collections.abc import AsyncGenerator, Awaitable, Callable, Coroutine
+from enum import Enum
+from typing import Any
+
+from fastapi import APIRouter, Response
+from fastapi.routing import APIRoute
+from starlette.requests import Request
+from starlette.types import Receive, Scope, Send
+
+from kinematics.errors import Fault
+from service.decoding import decode_json
+from service.errors import BodySizeError, MediaTypeError, NotAcceptableError, Place
+from service.negotiation import preferred_media_type
+from service.settings import Settings
+
+API_PREFIX = "/api/v1"
+JSON = "application/json"
+NPY = "application/x-npy"
+_UTF8 = ("", "utf-8", "utf8", "us-ascii", "ascii")
+
+
+class ApiRequest(Request):
+    """A request whose body is bounded and whose JSON is read strictly."""
+
+    body_limit: int = 0
+
+    @property
+    def settings(self) -> Settings:
+        """The settings of the application that serves this request."""
+        settings: Settings = self.scope["app"].state.settings
+        return settings
+
+    async def stream(self) -> AsyncGenerator[bytes, None]:
+        """The body in pieces.
+
+        Raises:
+            BodySizeError: it is, or says that it is, longer than this route's limit.
+        """
+        if hasattr(self, "_body"):
+            yield self._body
+            return
+        limit = self.body_limit or self.settings.body_limit
+        announced = self.headers.get("content-length", "")
+        if announced.isdecimal() and int(announced) > limit:
+            raise _too_large(limit)
+        received = 0
+        async for chunk in super().stream():
+            received += len(chunk)
+            if received > limit:
+                raise _too_large(limit)
+            yield chunk
+
+    def media_type(self) -> str:
+        """The media type of the body, without parameters.
+
+        Raises:
+            MediaTypeError: the body is compressed, or in a character set other than UTF-8.
+        """
+        if self.headers.get("content-encoding", "identity") != "identity":
+            raise MediaTypeError(
+                Fault(
+                    code="content_encoding_unsupported",
+                    message="compressed bodies are not read; send it without Content-Encoding",
+                    where=("Content-Encoding",),
+                ),
+                place=Place.HEADER,
+                headers={"Accept-Encoding": "identity"},
+            )
+        media_type, _, parameters = self.headers.get("content-type", "").partition(";")
+        for parameter in parameters.split(";"):
+            name, _, value = parameter.partition("=")
+            if name.strip().lower() == "charset" and value.strip(' "').lower() not in _UTF8:
+                raise MediaTypeError(
+                    Fault(
+                        code="charset_unsupported",
+                        message="JSON is read as UTF-8 only",
+                        where=("Content-Type",),
+                        params={"charset": value.strip(' "')},
+                    ),
+                    place=Place.HEADER,
+                )
+        return media_type.strip().lower()
+
+    async def json(self) -> Any:
+        """The body's value, from a body that says it is JSON.
+
+        Raises:
+            MediaTypeError: the body does not say that it is JSON.
+            BodyError: it is not JSON.
+        """
+        if not hasattr(self, "_json"):
+            if self.headers.get("content-type") != JSON:
+                self._require_json()
+            self._json = decode_json(await self.body())
+        return self._json
+
+    def accepts(self, *offers: str) -> str:
+        """The offered media type that the caller prefers.
+
+        Raises:
+            NotAcceptableError: the caller accepts none of them.
+        """
+        header = self.headers.get("accept")
+        if header is None or header == "*/*":
+            return offers[0]
+        chosen = preferred_media_type(header, offers)
+        if chosen is None:
+            raise NotAcceptableError(
+                Fault(
+                    code="not_acceptable",
+                    message=f"this call answers in {', '.join(offers)}, which the header Accept leaves out",
+                    where=("Accept",),
+                    params={"offers": offers},
+                ),
+                place=Place.HEADER,
+            )
+        return chosen
+
+    def _require_json(self) -> None:
+        media_type = self.media_type()
+        if media_type != JSON and not (
+            media_type.startswith("application/") and media_type.endswith("+json")
+        ):
+            raise unsupported_media_type(media_type, JSON)
+
+
+class ApiRoute(APIRoute):
+    """A route of the API: strict JSON in, JSON out."""
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """The handler that FastAPI made, given a request whose body has been read strictly."""
+        inner = super().get_route_handler()
+        has_body = self.body_field is not None
+
+        async def handler(request: Request) -> Response:
+            strict = ApiRequest(request.scope, request.receive, request._send)
+            if has_body:
+                await strict.json()
+            return await inner(strict)
+
+        return handler
+
+
+class DirectRoute(ApiRoute):
+    """A route whose endpoint takes an `ApiRequest` and gives a `Response`, with nothing in between.
+
+    For the calls whose own work takes microseconds. What OpenAPI says of them is declared beside the endpoint
+    (`service.openapi.request_body` and `response_model`).
+    """
+
+    def __init__(self, path: str, endpoint: Callable[..., Awaitable[Response]], **options: Any) -> None:
+        super().__init__(path, endpoint, **options)
+
+        async def direct(scope: Scope, receive: Receive, send: Send) -> None:
+            response = await endpoint(ApiRequest(scope, receive, send))
+            await response(scope, receive, send)
+
+        self.app = direct
+
+
+def api_router(*tags: str | Enum, route_class: type[ApiRoute] = ApiRoute) -> APIRouter:
+    """A router under /api/v1 whose routes read their requests strictly."""
+    return APIRouter(prefix=API_PREFIX, tags=list(tags), route_class=route_class)
+
+
+def unsupported_media_type(media_type: str, *offers: str) -> MediaTypeError:
+    """The refusal of a body in a media type that a call does not read."""
+    return MediaTypeError(
+        Fault(
+            code="media_type_unsupported",
+            message=f"the body is {media_type or 'of no stated type'}; this call reads {', '.join(offers)}: "
+            "say so in the header Content-Type",
+            where=("Content-Type",),
+            params={"given": media_type or "none", "offers": offers},
+        ),
+        place=Place.HEADER,
+        headers={"Accept-Post": ", ".join(offers)},
+    )
+
+
+def _too_large(limit: int) -> BodySizeError:
+    return BodySizeError(
+        Fault(
+            code="body_too_large",
+            message=f"the body is larger than {limit} bytes, the most that this call reads",
+            params={"limit": limit},
+        )
+    )

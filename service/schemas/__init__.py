@@ -1,0 +1,1 @@
+"""The wire's shapes: strict pydantic models, and nothing computed."""

@@ -1,0 +1,48 @@
+"""What every shape on the wire shares: unknown keys and numbers in disguise are refused."""
+
+from __future__ import annotations
+
+from typing import Annotated, TypeAlias
+
+from pydantic import BaseModel, ConfigDict, Field
+
+
+class Wire(BaseModel):
+    """Base of all request and response models.
+
+    Strict: `false` is no number and `"1"` is no integer. For an enumeration, write the field's type as
+    `Annotated[TheEnum, Field(strict=False)]`; for a sequence, use `list`.
+    """
+
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+
+
+Real: TypeAlias = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+Vector3: TypeAlias = Annotated[list[Real], Field(min_length=3, max_length=3)]
+Row4: TypeAlias = Annotated[list[Real], Field(min_length=4, max_length=4)]
+Matrix4: TypeAlias = Annotated[list[Row4], Field(min_length=4, max_length=4, description="4×4, row by row")]
+
+
+class FaultEntry(Wire):
+    """One thing that is wrong."""
+
+    code: str = Field(description="stable identifier, in snake_case")
+    pointer: str = Field(description="JSON pointer (RFC 6901) into the request's body; empty: all of it")
+    detail: str = Field(description="what is wrong and what would be right, in the caller's language")
+    params: dict[str, str | int | float | list[str]] = Field(description="the values in the detail")
+    in_: str | None = Field(None, alias="in", description="query, path or header, if it is not in the body")
+    name: str | None = Field(None, description="the query parameter, path parameter or header")
+
+
+class ProblemDocument(Wire):
+    """A refusal (RFC 9457, application/problem+json)."""
+
+    type: str = Field(description="where the code is explained")
+    title: str = Field(description="what kind of refusal it is")
+    status: int = Field(description="the HTTP status")
+    detail: str = Field(description="the first fault's sentence")
+    code: str = Field(description="the first fault's code")
+    pointer: str = Field(description="the first fault's place")
+    errors: list[FaultEntry] = Field(description="every fault that was found")
+    errors_total: int | None = Field(None, description="number of faults, if more were found than are listed")
+    request_id: str | None = Field(None, description="what the server's log calls this request")

@@ -1,0 +1,67 @@
+"""Settings: every limit and every choice of the operator, from the environment (`FRAMEWISE_…`)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from pydantic import Field, PositiveFloat, PositiveInt, field_validator
+from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
+
+KIB = 1024
+MIB = 1024 * KIB
+
+Names = Annotated[tuple[str, ...], NoDecode]
+
+
+class Settings(BaseSettings):
+    """Everything that may differ between two installations.
+
+    Read from environment variables with the prefix `FRAMEWISE_`; lists are separated by spaces or commas.
+    """
+
+    model_config = SettingsConfigDict(env_prefix="FRAMEWISE_", frozen=True, extra="forbid")
+
+    host: str = Field("127.0.0.1", description="address that the server listens on")
+    port: int = Field(8000, ge=0, le=65535, description="port that the server listens on; 0 takes a free one")
+    workers: PositiveInt = Field(1, description="server processes")
+    access_log: bool = Field(False, description="log a line for each request")
+    prefix: str = Field("", description="path under which a reverse proxy serves this, such as /dh")
+    trusted_proxies: Names = Field(
+        ("127.0.0.1",), description="addresses whose X-Forwarded-Proto, -For and -Prefix headers are believed"
+    )
+    frame_ancestors: Names = Field(
+        ("'self'",), description="origins that may show the pages in a frame (CSP frame-ancestors)"
+    )
+    cors_origins: Names = Field((), description="origins whose pages may call the API from a browser")
+    static_directory: Path | None = Field(None, description="folder of the web form, if not the packaged one")
+
+    body_limit: PositiveInt = Field(1 * MIB, description="largest request body [byte]")
+    batch_body_limit: PositiveInt = Field(
+        32 * MIB, description="largest request body of a call that takes batches [byte]"
+    )
+    batch_limit: PositiveInt = Field(200_000, description="most configurations in one request")
+    batch_threads: PositiveInt = Field(2, description="batches that are computed at the same time")
+    batch_queue: PositiveInt = Field(16, description="batches that may wait for their turn")
+    row_limit: PositiveInt = Field(64, description="most rows of a DH table")
+    expression_length: PositiveInt = Field(200, description="longest expression in a cell [character]")
+    expression_depth: PositiveInt = Field(32, description="deepest nesting of an expression")
+    fault_limit: PositiveInt = Field(50, description="most faults listed in one problem document")
+    table_cache: PositiveInt = Field(512, description="tables that are kept parsed")
+    symbolic_workers: PositiveInt = Field(1, description="processes for closed forms")
+    symbolic_queue: PositiveInt = Field(8, description="closed forms that may wait for their turn")
+    symbolic_seconds: PositiveFloat = Field(5.0, description="time that one closed form may take [s]")
+    symbolic_memory: PositiveInt = Field(
+        1024 * MIB, description="memory that one process for closed forms may take [byte]"
+    )
+
+    @field_validator("trusted_proxies", "frame_ancestors", "cors_origins", mode="before")
+    @classmethod
+    def _split(cls, value: object) -> object:
+        return tuple(value.replace(",", " ").split()) if isinstance(value, str) else value
+
+    @field_validator("prefix")
+    @classmethod
+    def _one_leading_slash(cls, value: str) -> str:
+        trimmed = value.strip("/")
+        return f"/{trimmed}" if trimmed else ""
