@@ -1,1 +1,3 @@
 """The HTTP service: translate, call, translate back."""
+
+__version__ = "0.1.0"

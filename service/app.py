@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-from importlib.metadata import PackageNotFoundError, version
 
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
@@ -13,7 +12,7 @@ from starlette.middleware.cors import CORSMiddleware
 from starlette.routing import Match
 
 from kinematics.errors import Fault, KinematicsError
-from service import openapi
+from service import __version__, openapi
 from service.edge import REQUEST_ID, Edge
 from service.errors import (
     PROBLEM_JSON,
@@ -38,14 +37,6 @@ the caller's language (`Accept-Language`).
 """
 
 
-def package_version() -> str:
-    """The installed version, or 0 in a tree that was never installed."""
-    try:
-        return version("framewise")
-    except PackageNotFoundError:
-        return "0"
-
-
 def create_app(settings: Settings | None = None) -> FastAPI:
     """The service with the given settings; those of the environment if left out."""
     settings = settings or Settings()
@@ -53,7 +44,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         title="Framewise",
         summary="DH kinematics, and an exercise checker that accepts every valid frame choice.",
         description=DESCRIPTION,
-        version=package_version(),
+        version=__version__,
         license_info={"name": "Apache-2.0", "identifier": "Apache-2.0"},
         openapi_url=None,
         docs_url=None,

@@ -1,0 +1,44 @@
+# The base image is a build argument, so that an installation pins it to a digest it has checked:
+#   docker build --build-arg PYTHON_IMAGE=python:3.12-slim-bookworm@sha256:… .
+ARG PYTHON_IMAGE=python:3.12-slim-bookworm
+
+# What the pages load in the browser, from npm. Node comes as a Python wheel, under the same hash locks.
+FROM ${PYTHON_IMAGE} AS vendor
+WORKDIR /build
+COPY requirements-node.lock ./
+RUN python -m venv /opt/node \
+    && /opt/node/bin/pip install --no-cache-dir --disable-pip-version-check --require-hashes \
+       --only-binary :all: -r requirements-node.lock
+COPY package.json package-lock.json .npmrc ./
+COPY tools/vendor.py tools/vendor.py
+RUN /opt/node/bin/python tools/vendor.py --omit-dev
+
+# What the service imports.
+FROM ${PYTHON_IMAGE} AS packages
+WORKDIR /build
+COPY requirements.lock ./
+RUN python -m venv /opt/framewise \
+    && /opt/framewise/bin/pip install --no-cache-dir --disable-pip-version-check --require-hashes \
+       --only-binary :all: -r requirements.lock \
+    && /opt/framewise/bin/python -m pip uninstall --yes pip
+
+FROM ${PYTHON_IMAGE} AS service
+RUN useradd --uid 10001 --user-group --no-create-home --shell /usr/sbin/nologin framewise
+COPY --from=packages /opt/framewise /opt/framewise
+WORKDIR /app
+COPY LICENSE README.md ./
+COPY kinematics kinematics
+COPY exercises exercises
+COPY service service
+COPY static static
+COPY --from=vendor /build/static/vendor static/vendor
+RUN /opt/framewise/bin/python -m compileall -q kinematics exercises service
+ENV PATH=/opt/framewise/bin:$PATH \
+    PYTHONUNBUFFERED=1 \
+    PYTHONDONTWRITEBYTECODE=1 \
+    FRAMEWISE_HOST=0.0.0.0 \
+    FRAMEWISE_PORT=8000
+USER 10001:10001
+EXPOSE 8000
+HEALTHCHECK --interval=30s --timeout=5s --start-period=10s --retries=3 CMD ["python", "-m", "service.probe"]
+CMD ["python", "-m", "service"]

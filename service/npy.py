@@ -1,0 +1,122 @@
+"""Arrays as `application/x-npy`: numpy's own file format, read without trust.
+
+The header is a Python literal; it is checked here before a byte of data is touched, and objects are never
+unpickled. Format: numpy.lib.format, versions 1.0 to 3.0.
+"""
+
+from __future__ import annotations
+
+import ast
+import io
+import math
+import re
+from typing import Any
+
+import numpy as np
+from numpy.lib import format as npy_format
+from numpy.typing import NDArray
+
+from kinematics.errors import Fault
+from service.errors import BodyError
+
+_MAGIC = b"\x93NUMPY"
+_LENGTH_BYTES = {(1, 0): 2, (2, 0): 4, (3, 0): 4}
+_LONGEST_HEADER = 4096
+_NUMBER = re.compile(r"[<>|=]?(f[248]|[iu][1248])")
+_OBJECT = re.compile(r"[<>|=]?O\d*")
+_KEYS = {"descr", "fortran_order", "shape"}
+
+
+def read_npy(body: bytes) -> NDArray[np.float64]:
+    """The array in an npy file, as native float64 in C order.
+
+    Integers and floats of every size and byte order are read, in C and in Fortran order.
+
+    Raises:
+        BodyError: not an npy file; a type that is not a number; a header whose shape is not that of the data.
+    """
+    header, start = _header(body)
+    dtype = _dtype(header["descr"])
+    shape = _shape(header["shape"])
+    if type(header["fortran_order"]) is not bool:
+        raise _invalid("fortran_order is True or False")
+    promised, present = math.prod(shape) * dtype.itemsize, len(body) - start
+    if promised != present:
+        raise BodyError(
+            Fault(
+                code="npy_length_mismatch",
+                message=f"the npy header promises {promised} bytes of data and {present} follow it",
+                params={"promised": promised, "present": present},
+            )
+        )
+    flat = np.frombuffer(body, dtype=dtype, offset=start)
+    array = flat.reshape(shape, order="F" if header["fortran_order"] else "C")
+    return np.ascontiguousarray(array, dtype=np.float64).reshape(shape)
+
+
+def npy_header(shape: tuple[int, ...]) -> bytes:
+    """The header of an npy file of little-endian float64 in C order; the data follows it."""
+    stream = io.BytesIO()
+    npy_format.write_array_header_1_0(stream, {"descr": "<f8", "fortran_order": False, "shape": shape})
+    return stream.getvalue()
+
+
+def npy_data(array: NDArray[np.float64]) -> bytes:
+    """The data of an npy file of little-endian float64 in C order."""
+    return np.ascontiguousarray(array, dtype="<f8").tobytes()
+
+
+def _header(body: bytes) -> tuple[dict[str, Any], int]:
+    if not body.startswith(_MAGIC) or len(body) < 10:
+        raise _invalid("it begins with \\x93NUMPY, a version and the length of the header")
+    version = (body[6], body[7])
+    size = _LENGTH_BYTES.get(version)
+    if size is None:
+        raise _invalid("the version is 1.0, 2.0 or 3.0")
+    length = int.from_bytes(body[8 : 8 + size], "little")
+    start = 8 + size + length
+    if length > _LONGEST_HEADER or start > len(body):
+        raise _invalid(f"the header is at most {_LONGEST_HEADER} bytes long, and all there")
+    try:
+        header = ast.literal_eval(body[8 + size : start].decode("utf-8").strip())
+    except (ValueError, SyntaxError, TypeError, MemoryError, RecursionError):
+        raise _invalid("the header is a dictionary written in Python") from None
+    if not isinstance(header, dict) or set(header) != _KEYS:
+        raise _invalid("the header names descr, fortran_order and shape")
+    return header, start
+
+
+def _dtype(description: object) -> np.dtype[Any]:
+    if isinstance(description, str) and _NUMBER.fullmatch(description):
+        return np.dtype(description)
+    if isinstance(description, str) and _OBJECT.fullmatch(description):
+        raise BodyError(
+            Fault(
+                code="npy_object_refused",
+                message="the npy file holds Python objects, which are never unpickled; send an array of float64",
+            )
+        )
+    shown = str(description)[:40]
+    raise BodyError(
+        Fault(
+            code="npy_type_unsupported",
+            message=f"the npy file holds {shown}; send real numbers, such as float64 (<f8)",
+            params={"type": shown},
+        )
+    )
+
+
+def _shape(shape: object) -> tuple[int, ...]:
+    if not isinstance(shape, tuple) or not all(type(size) is int and size >= 0 for size in shape):
+        raise _invalid("the shape is a tuple of sizes")
+    return shape
+
+
+def _invalid(rule: str) -> BodyError:
+    return BodyError(
+        Fault(
+            code="npy_header_invalid",
+            message=f"the body is not an npy file as numpy.save writes it: {rule}",
+            params={"rule": rule},
+        )
+    )
