@@ -6,7 +6,8 @@
     ├── ParameterError     a parameter is missing, unused or not finite
     ├── JointValueError    joint values of the wrong number, or not finite
     ├── PoseError          a 4x4 matrix is not a rigid motion, or a pose notation is malformed
-    └── DescriptionError   a robot described otherwise (axes, SCM chain, URDF, catalogue file) is malformed
+    ├── DescriptionError   a robot described otherwise (axes, SCM chain, URDF, catalogue file) is malformed
+    └── FormSizeError      a closed form would be larger than its limit
 
 An error carries one or more faults, so that a caller sees all of them at once. Unreachable, singular and
 "not the same robot" are results, never errors. No error knows an HTTP status.
@@ -76,3 +77,7 @@ class PoseError(KinematicsError):
 
 class DescriptionError(KinematicsError):
     """A robot described by axes, an SCM chain, URDF or a catalogue file is malformed."""
+
+
+class FormSizeError(KinematicsError):
+    """A closed form would be larger than its limit."""
