@@ -1,0 +1,108 @@
+"""From a read table to numbers, and from one length unit to another."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from functools import lru_cache
+
+from kinematics.cells.refusals import fault
+from kinematics.cells.scanner import canonical_name
+from kinematics.cells.scaling import scaled_cell
+from kinematics.cells.tables import ReadTable
+from kinematics.cells.units import AngleUnit, LengthUnit, ParameterKind
+from kinematics.errors import Fault, ParameterError
+from kinematics.table import DHRow, DHTable, NumericTable, SymbolicRow, bind
+
+
+def bind_parameters(read: ReadTable, parameters: Mapping[str, float]) -> NumericTable:
+    """The table with a number in every cell: angles in [rad], lengths in the table's unit.
+
+    Args:
+        read: the table.
+        parameters: the value of each of its parameters, in the table's own units (an angle parameter of a
+            table in degrees in degrees); names may be spelled as in a cell, L_1 is L1.
+
+    Raises:
+        ParameterError: a parameter is missing, given twice, unknown to the table or not a finite number, at
+            ("parameters", name as given); or a cell has no finite value, at ("rows", i, cell).
+    """
+    if not parameters and not read.parameters:
+        return _bound(read, ())
+    values, faults = _values(read, parameters)
+    if faults:
+        raise ParameterError(faults)
+    return _bound(read, tuple(values.items()))
+
+
+def in_length_unit(read: ReadTable, unit: LengthUnit) -> ReadTable:
+    """The same mechanism with its lengths, and its length parameters, in another unit; exact.
+
+    A cell that gives the length c(p) of length parameters p becomes c(p·s)/s, with s old units in a new one; a cell
+    that gives an angle becomes c(p·s).
+    """
+    ratio = unit.metres_per_unit / read.length_unit.metres_per_unit
+    if ratio == 1:
+        return read
+    table = DHTable(
+        convention=read.table.convention,
+        rows=tuple(_scaled_row(row, read.parameters, ratio) for row in read.table.rows),
+    )
+    return ReadTable(table=table, angle_unit=read.angle_unit, length_unit=unit, parameters=read.parameters)
+
+
+def _scaled_row(row: SymbolicRow, kinds: Mapping[str, ParameterKind], ratio: Fraction) -> SymbolicRow:
+    return DHRow(
+        joint=row.joint,
+        sign=row.sign,
+        theta=scaled_cell(row.theta, ParameterKind.ANGLE, kinds, ratio),
+        alpha=scaled_cell(row.alpha, ParameterKind.ANGLE, kinds, ratio),
+        d=scaled_cell(row.d, ParameterKind.LENGTH, kinds, ratio),
+        a=scaled_cell(row.a, ParameterKind.LENGTH, kinds, ratio),
+    )
+
+
+@lru_cache(maxsize=4096)
+def _bound(read: ReadTable, values: tuple[tuple[str, float], ...]) -> NumericTable:
+    return bind(read.table, dict(values))
+
+
+def _values(read: ReadTable, parameters: Mapping[str, float]) -> tuple[dict[str, float], list[Fault]]:
+    values: dict[str, float] = {}
+    spelled: dict[str, str] = {}
+    faults: list[Fault] = []
+    for given, value in parameters.items():
+        name = canonical_name(given)
+        found = _fault(read, given, name, value, spelled)
+        if found:
+            faults.append(found)
+        if name is not None and name not in spelled:
+            spelled[name] = given
+            values[name] = value
+    faults.extend(
+        fault("parameter_missing", "parameters", name, name=name)
+        for name in read.parameters
+        if name not in spelled
+    )
+    return dict(_in_radians(read, values)) if not faults else {}, faults
+
+
+def _fault(
+    read: ReadTable, given: str, name: str | None, value: object, spelled: Mapping[str, str]
+) -> Fault | None:
+    if name is None:
+        return fault("parameter_name_invalid", "parameters", given, name=given[:40])
+    if name not in read.parameters:
+        return fault("parameter_unused", "parameters", given, name=given)
+    if name in spelled:
+        return fault("parameter_given_twice", "parameters", given, name=given, other=spelled[name])
+    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+        return fault("parameter_not_finite", "parameters", given, name=given)
+    return None
+
+
+def _in_radians(read: ReadTable, values: Mapping[str, float]) -> Iterator[tuple[str, float]]:
+    for name, kind in read.parameters.items():
+        in_degrees = kind is ParameterKind.ANGLE and read.angle_unit is AngleUnit.DEG
+        yield name, math.radians(values[name]) if in_degrees else float(values[name])

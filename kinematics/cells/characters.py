@@ -1,0 +1,95 @@
+"""The characters of a cell: what pasted text is translated to, and what is refused.
+
+Text copied from a PDF, a word processor or a spreadsheet holds typographic minus signs, thin spaces, ring
+signs for degrees. `translated` maps each of them to the one character that means it, one for one, so that
+columns stay those of the text as typed.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+from kinematics.cells.refusals import Refusal
+
+_TRANSLATED = {
+    **dict.fromkeys(
+        "\t\n\r\u00a0\u2002\u2003\u2004\u2005\u2006\u2007\u2008\u2009\u200a\u202f\u205f\u3000", " "
+    ),
+    **dict.fromkeys("\u2212\u2010\u2011\u2012\u2013\u2014\ufe63", "-"),
+    **dict.fromkeys("\u00d7\u00b7\u22c5\u2219\u2022\u2217\u22c6", "*"),
+    **dict.fromkeys("\u00f7\u2215\u2044", "/"),
+    **dict.fromkeys("\u00ba\u02da", "°"),
+    **{"\u03c2": "σ", "\u03d1": "θ", "\u03d5": "φ", "\u03f5": "ε", "\u03f1": "ρ", "\u03f0": "κ"},
+    **{"\u00b5": "μ", "\u2126": "Ω", "\u207b": "⁻", "\u208b": "₋"},
+}
+
+GREEK = dict(
+    zip(
+        "αβγδεζηθικλμνξοπρστυφχψωΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩ",
+        [
+            name
+            for names in (
+                "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau "
+                "upsilon phi chi psi omega".split(),
+                "Alpha Beta Gamma Delta Epsilon Zeta Eta Theta Iota Kappa Lambda Mu Nu Xi Omicron Pi Rho Sigma Tau "
+                "Upsilon Phi Chi Psi Omega".split(),
+            )
+            for name in names
+        ],
+        strict=True,
+    )
+)
+"""Greek letters and the names that they are spelled with."""
+
+SUPERSCRIPTS = {"⁰": "0", "¹": "1", "²": "2", "³": "3"} | {chr(0x2070 + n): str(n) for n in range(4, 10)}
+SUPERSCRIPT_MINUS = "⁻"
+SUBSCRIPTS = {chr(0x2080 + n): str(n) for n in range(10)} | dict(
+    zip("ₐₑₒₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ", "aeoxhklmnpstijruv", strict=True)
+)
+
+_MATHEMATICAL_LETTERS = range(0x1D400, 0x1D800)
+_FULL_WIDTH = range(0xFF01, 0xFF5F)
+_LOOKALIKES = dict(zip("АВЕКМНОРСТХаеорсухіІјЈѕЅԁԛһԚ", "ABEKMHOPCTXaeopcyxiIjJsSdqhQ", strict=True))
+_ALLOWED = re.compile(
+    "[A-Za-z0-9+\\-*/^()._, {}$\\\\°√;:!"
+    + "".join(GREEK)
+    + "".join(SUPERSCRIPTS)
+    + "⁻"
+    + "".join(SUBSCRIPTS)
+    + "]*"
+)
+
+
+def translated(text: str) -> str:
+    """The text in the characters that the scanner knows, as many as before.
+
+    Raises:
+        Refusal: a character has no meaning in a cell; the first such one, with its column.
+    """
+    plain = "".join(_TRANSLATED.get(character, character) for character in text)
+    if any(ord(character) >= _MATHEMATICAL_LETTERS.start for character in plain):
+        plain = "".join(
+            unicodedata.normalize("NFKC", character) if ord(character) in _MATHEMATICAL_LETTERS else character
+            for character in plain
+        )
+        plain = "".join(_TRANSLATED.get(character, character) for character in plain)
+    match = _ALLOWED.match(plain)
+    reached = match.end() if match else 0
+    if reached < len(plain):
+        raise _refusal(plain[reached], reached + 1)
+    return plain
+
+
+def _refusal(character: str, column: int) -> Refusal:
+    code_point = f"U+{ord(character):04X}"
+    if character in _LOOKALIKES:
+        return Refusal(
+            "character_lookalike", column=column, character=code_point, latin=_LOOKALIKES[character]
+        )
+    if ord(character) in _FULL_WIDTH:
+        latin = unicodedata.normalize("NFKC", character)
+        return Refusal("character_full_width", column=column, character=code_point, latin=latin)
+    if unicodedata.category(character) in {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp", "Mn", "Me"}:
+        return Refusal("character_invisible", column=column, character=code_point)
+    return Refusal("character_not_allowed", column=column, character=f"{character} ({code_point})")

@@ -1,0 +1,152 @@
+"""Exact values of numbers, sines and angles, as far as a square root reaches."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+from kinematics.errors import ParameterError
+from kinematics.expressions import (
+    ONE,
+    ZERO,
+    Call,
+    Expression,
+    Function,
+    Number,
+    Power,
+    Product,
+    call,
+    evaluate,
+    joint_variables_in,
+    multiply,
+    negate,
+    number,
+    parameters_in,
+    pi_fraction,
+    pi_times,
+    power,
+    rational_value,
+)
+
+_HALF = Fraction(1, 2)
+_SINES: dict[Fraction, Expression] = {
+    Fraction(0): ZERO,
+    Fraction(1, 6): Number(_HALF),
+    Fraction(1, 4): multiply((Number(_HALF), call(Function.SQRT, number(2)))),
+    Fraction(1, 3): multiply((Number(_HALF), call(Function.SQRT, number(3)))),
+    Fraction(1, 2): ONE,
+}
+_TANGENTS: dict[Fraction, Expression] = {
+    Fraction(0): ZERO,
+    Fraction(1, 6): multiply((number(Fraction(1, 3)), call(Function.SQRT, number(3)))),
+    Fraction(1, 4): ONE,
+    Fraction(1, 3): call(Function.SQRT, number(3)),
+}
+_SNAP_RELATIVE = 4e-16
+_SNAP_STEPS = 12 * 64
+
+
+def reciprocal(value: Expression) -> Expression:
+    """1/value, factor by factor; 1/sqrt(n) becomes sqrt(n)/n.
+
+    Raises:
+        ZeroDivisionError: the value is zero.
+    """
+    match value:
+        case Product(factors):
+            return multiply(reciprocal(factor) for factor in factors)
+        case Call(Function.SQRT, (Number(radicand),)) if radicand > 0:
+            return multiply((Number(1 / radicand), value))
+        case Power(base, exponent):
+            return power(base, -exponent)
+    return power(value, -1)
+
+
+def raised(base: Expression, exponent: Fraction) -> Expression:
+    """base ** exponent; halves become square roots, sqrt(n) ** 2 becomes n.
+
+    Raises:
+        ZeroDivisionError: zero to a negative power.
+    """
+    if exponent < 0:
+        return reciprocal(raised(base, -exponent))
+    if exponent == _HALF:
+        return call(Function.SQRT, base)
+    if isinstance(base, Call) and base.function is Function.SQRT and exponent == 2:
+        return base.arguments[0]
+    return power(base, exponent)
+
+
+def trigonometric(function: Function, angle: Expression) -> Expression:
+    """Sine, cosine or tangent; exact for multiples of π/6 and π/4.
+
+    Raises:
+        ZeroDivisionError: the tangent of a right angle.
+    """
+    turns = pi_fraction(angle)
+    if turns is None:
+        return call(function, angle)
+    if function is Function.COS:
+        turns += _HALF
+    if function is Function.TAN:
+        return _tangent(turns % 1, angle)
+    turns %= 2
+    sign, turns = (-1, turns - 1) if turns >= 1 else (1, turns)
+    value = _SINES.get(min(turns, 1 - turns))
+    if value is None:
+        return call(function, angle)
+    return value if sign > 0 else negate(value)
+
+
+def inverse_trigonometric(function: Function, *arguments: Expression) -> Expression:
+    """asin, acos, atan or atan2; exact where the angle is a multiple of π/6 or π/4 and provably so."""
+    plain = call(function, *arguments)
+    if any(_is_symbolic(argument) for argument in arguments):
+        return plain
+    try:
+        steps = Fraction(round(evaluate(plain) * 12 / math.pi), 12)
+    except ParameterError:  # no real value: reported where the whole cell is evaluated
+        return plain
+    candidate = pi_times(steps)
+    return candidate if _proves(function, arguments, candidate) else plain
+
+
+def snapped(value: Fraction) -> Expression:
+    """An angle [rad] as a multiple of π/12 if it is one to the last digit of a double, else the number itself."""
+    approximate = float(value)
+    steps = round(approximate * 12 / math.pi)
+    if 0 < abs(steps) <= _SNAP_STEPS and math.isclose(
+        approximate, steps * math.pi / 12, rel_tol=_SNAP_RELATIVE, abs_tol=0.0
+    ):
+        return pi_times(Fraction(steps, 12))
+    return Number(value)
+
+
+def _tangent(turns: Fraction, angle: Expression) -> Expression:
+    if turns == _HALF:
+        raise ZeroDivisionError
+    value = _TANGENTS.get(min(turns, 1 - turns))
+    if value is None:
+        return call(Function.TAN, angle)
+    return value if turns < _HALF else negate(value)
+
+
+def _proves(function: Function, arguments: tuple[Expression, ...], angle: Expression) -> bool:
+    sine, cosine = trigonometric(Function.SIN, angle), trigonometric(Function.COS, angle)
+    match function:
+        case Function.ASIN:
+            return arguments[0] == sine
+        case Function.ACOS:
+            return arguments[0] == cosine
+        case Function.ATAN:
+            return cosine != ZERO and arguments[0] == trigonometric(Function.TAN, angle)
+    y, x = arguments
+    if ZERO in (sine, cosine):
+        return (y == ZERO) == (sine == ZERO) and (x == ZERO) == (cosine == ZERO)
+    return rational_value(x) is not None and multiply((y, reciprocal(x))) == trigonometric(
+        Function.TAN, angle
+    )
+
+
+def _is_symbolic(expression: Expression) -> bool:
+    return bool(parameters_in(expression) or joint_variables_in(expression))

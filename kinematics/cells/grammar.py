@@ -1,0 +1,240 @@
+"""The grammar of a cell: from its tokens to its syntax tree.
+
+The parser is LALR(1), so neither depth nor length of what it is given can exhaust the stack. It builds the
+tree while it reads; sums and products come out flat.
+
+    sum      = product { ("+" | "-") product }
+    product  = signed { ("*" | "/") signed }
+    signed   = ["-" | "+"] signed | run
+    run      = power { power }                 an implicit product, which binds more tightly than "*"
+    power    = marked ["^" exponent | superscript]
+    marked   = atom ["°"]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+from lark import Lark, Token, Transformer, UnexpectedToken, v_args
+
+from kinematics.cells.limits import Limits
+from kinematics.cells.refusals import Refusal
+from kinematics.cells.scanner import scan
+from kinematics.cells.syntax import (
+    Addition,
+    Application,
+    Degrees,
+    Group,
+    HalfTurn,
+    Literal,
+    Multiplication,
+    Name,
+    Negation,
+    Node,
+    Raised,
+    Reciprocal,
+    names_in,
+)
+from kinematics.expressions import Function
+
+_GRAMMAR = r"""
+?start: sum
+?sum: product | sum PLUS product -> plus | sum MINUS product -> minus
+?product: signed | product STAR signed -> times | product SLASH signed -> over
+?signed: run | MINUS signed -> negative | PLUS signed -> positive
+?run: power | run power -> beside
+?power: marked | marked POW exponent -> raised | marked SUPERSCRIPT -> superscript
+?exponent: power | LBRACE sum RBRACE -> braced | MINUS exponent -> negative | PLUS exponent -> positive
+?marked: atom | atom DEGREE -> degrees
+?atom: NUMBER -> number | NAME -> name | PI -> half_turn | ROOT atom -> root
+     | LPAR sum RPAR -> group
+     | FUNCTION LPAR arguments RPAR -> application
+     | FUNCTION LBRACE sum RBRACE -> command
+     | FRACTION LBRACE sum RBRACE LBRACE sum RBRACE -> fraction
+arguments: sum (COMMA sum)*
+%declare NUMBER NAME PI ROOT FUNCTION FRACTION PLUS MINUS STAR SLASH POW SUPERSCRIPT DEGREE
+%declare LPAR RPAR LBRACE RBRACE COMMA
+"""
+
+
+def _deepest(nodes: Iterable[Node]) -> int:
+    return max(node.depth for node in nodes)
+
+
+def _column(token: Token) -> int:
+    return token.column or 1
+
+
+@v_args(inline=True)
+class _Builder(Transformer[Token, Node]):
+    def number(self, token: Token) -> Node:
+        mantissa, _, exponent = token.lower().partition("e")
+        if exponent and abs(int(exponent)) > 400:  # the range proper is checked with the value
+            exponent = "400" if int(exponent) > 0 else "-400"
+        value = Fraction(mantissa.rstrip(".") or "0") * Fraction(10) ** int(exponent or 0)
+        return Literal(column=_column(token), value=value)
+
+    def name(self, token: Token) -> Node:
+        return Name(column=_column(token), name=str(token))
+
+    def half_turn(self, token: Token) -> Node:
+        return HalfTurn(column=_column(token))
+
+    def plus(self, left: Node, _: Token, right: Node) -> Node:
+        terms = (*(left.terms if isinstance(left, Addition) else (left,)), right)
+        return Addition(column=left.column, depth=_deepest(terms), terms=terms)
+
+    def minus(self, left: Node, sign: Token, right: Node) -> Node:
+        return self.plus(left, sign, Negation(column=_column(sign), depth=right.depth, operand=right))
+
+    def times(self, left: Node, _: Token, right: Node) -> Node:
+        factors = (*(left.factors if isinstance(left, Multiplication) else (left,)), right)
+        return Multiplication(column=left.column, depth=_deepest(factors), factors=factors)
+
+    def over(self, left: Node, sign: Token, right: Node) -> Node:
+        divisor = right
+        while isinstance(divisor, Negation):
+            divisor = divisor.operand
+        if isinstance(divisor, Multiplication):
+            raise Refusal("division_ambiguous", column=_column(sign))
+        return self.times(left, sign, Reciprocal(column=_column(sign), depth=right.depth, operand=right))
+
+    def beside(self, left: Node, right: Node) -> Node:
+        first = right.operand if isinstance(right, Raised | Degrees) else right
+        if isinstance(first, Literal):
+            raise Refusal("number_after_value", column=first.column)
+        factors = (*(left.factors if isinstance(left, Multiplication) else (left,)), right)
+        return Multiplication(column=left.column, depth=_deepest(factors), factors=factors)
+
+    def negative(self, sign: Token, operand: Node) -> Node:
+        return Negation(column=_column(sign), depth=operand.depth + 1, operand=operand)
+
+    def positive(self, sign: Token, operand: Node) -> Node:
+        return Group(column=_column(sign), depth=operand.depth + 1, operand=operand)
+
+    def raised(self, base: Node, _: Token, exponent: Node) -> Node:
+        depth = _deepest((base, exponent)) + 1
+        return Raised(column=base.column, depth=depth, operand=base, exponent=exponent)
+
+    def superscript(self, base: Node, token: Token) -> Node:
+        exponent = Literal(column=_column(token), value=Fraction(str(token)))
+        return Raised(column=base.column, depth=base.depth + 1, operand=base, exponent=exponent)
+
+    def braced(self, _: Token, value: Node, __: Token) -> Node:
+        return value
+
+    def group(self, opening: Token, value: Node, _: Token) -> Node:
+        return Group(column=_column(opening), depth=value.depth + 1, operand=value)
+
+    def degrees(self, operand: Node, _: Token) -> Node:
+        return Degrees(column=operand.column, depth=operand.depth, operand=operand)
+
+    def root(self, sign: Token, operand: Node) -> Node:
+        return Application(
+            column=_column(sign), depth=operand.depth + 1, function=Function.SQRT, arguments=(operand,)
+        )
+
+    def arguments(self, *parts: Node | Token) -> tuple[Node, ...]:
+        return tuple(part for part in parts if isinstance(part, Node))
+
+    def application(self, name: Token, _: Token, arguments: tuple[Node, ...], __: Token) -> Node:
+        function = Function(str(name))
+        expected = 2 if function is Function.ATAN2 else 1
+        if len(arguments) != expected:
+            raise Refusal(
+                "function_arity",
+                column=_column(name),
+                name=str(name),
+                expected=expected,
+                given=len(arguments),
+            )
+        depth = _deepest(arguments) + 1
+        return Application(column=_column(name), depth=depth, function=function, arguments=arguments)
+
+    def command(self, name: Token, opening: Token, argument: Node, closing: Token) -> Node:
+        return self.application(name, opening, (argument,), closing)
+
+    def fraction(
+        self, command: Token, _: Token, top: Node, __: Token, ___: Token, bottom: Node, ____: Token
+    ) -> Node:
+        divisor = Reciprocal(column=bottom.column, depth=bottom.depth, operand=bottom)
+        product = Multiplication(
+            column=_column(command), depth=_deepest((top, bottom)) + 1, factors=(top, divisor)
+        )
+        return Group(column=product.column, depth=product.depth, operand=product)
+
+
+_PARSER = Lark(_GRAMMAR, parser="lalr", lexer="basic", transformer=_Builder())
+
+
+@lru_cache(maxsize=8192)
+def parse(text: str, limits: Limits) -> Node:
+    """The syntax tree of a cell.
+
+    Raises:
+        Refusal: the text is not a cell, or passes a limit.
+    """
+    tokens = scan(text, limits)
+    parser = _PARSER.parse_interactive("")
+    try:
+        for token in tokens:
+            parser.feed_token(token)
+        node: Any = parser.feed_eof(tokens[-1])
+    except UnexpectedToken as error:
+        raise _refusal(error.token, tokens) from None
+    assert isinstance(node, Node)
+    if node.depth > limits.cell_depth:
+        raise Refusal("cell_too_deep", column=node.column, limit=limits.cell_depth)
+    names = dict.fromkeys(name.name for name in names_in(node))
+    if len(names) > limits.cell_symbols:
+        raise Refusal("cell_too_many_symbols", column=node.column, limit=limits.cell_symbols)
+    return node
+
+
+def _refusal(token: Token, tokens: list[Token]) -> Refusal:
+    column = _column(token)
+    opened = _open_brackets(tokens, token)
+    if token.type == "$END":
+        if opened and tokens[-1].type not in {
+            "PLUS",
+            "MINUS",
+            "STAR",
+            "SLASH",
+            "POW",
+            "COMMA",
+            "LPAR",
+            "LBRACE",
+        }:
+            return Refusal("parenthesis_not_closed", column=_column(opened[-1]))
+        return Refusal("cell_incomplete", column=_column(tokens[-1]) + len(tokens[-1]))
+    if token.type == "COMMA":
+        return _comma_refusal(token, tokens)
+    if token.type in {"RPAR", "RBRACE"}:
+        code = "value_missing" if opened else "parenthesis_not_opened"
+        return Refusal(code, column=column, **({"symbol": str(token)} if opened else {}))
+    if token.type in {"STAR", "SLASH", "POW"}:
+        return Refusal("value_missing", column=column, symbol=str(token))
+    return Refusal("symbol_misplaced", column=column, symbol=str(token))
+
+
+def _open_brackets(tokens: list[Token], until: Token) -> list[Token]:
+    opened: list[Token] = []
+    for token in tokens:
+        if token is until:
+            break
+        if token.type in {"LPAR", "LBRACE"}:
+            opened.append(token)
+        elif token.type in {"RPAR", "RBRACE"} and opened:
+            opened.pop()
+    return opened
+
+
+def _comma_refusal(comma: Token, tokens: list[Token]) -> Refusal:
+    index = next(i for i, token in enumerate(tokens) if token is comma)
+    around = tokens[max(index - 1, 0) : index + 2]
+    if len(around) == 3 and around[0].type == around[2].type == "NUMBER" and "." not in around[0] + around[2]:
+        return Refusal("decimal_comma", column=_column(comma), suggestion=f"{around[0]}.{around[2]}")
+    return Refusal("comma_misplaced", column=_column(comma))

@@ -1,0 +1,105 @@
+"""A cell in another unit of length, exact."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from kinematics.cells.exact import inverse_trigonometric, raised, trigonometric
+from kinematics.cells.units import ParameterKind
+from kinematics.expressions import (
+    Call,
+    Expression,
+    Function,
+    Number,
+    Parameter,
+    Power,
+    Product,
+    Sum,
+    add,
+    call,
+    multiply,
+)
+
+Kinds = Mapping[str, ParameterKind]
+
+
+def scaled_cell(expression: Expression, kind: ParameterKind, kinds: Kinds, ratio: Fraction) -> Expression:
+    """c(p·ratio)/ratio of a length, c(p·ratio) of an angle, where p are the length parameters.
+
+    Args:
+        expression: the cell, its lengths in the old unit.
+        kind: what the cell gives.
+        kinds: what each parameter measures.
+        ratio: old units in a new one, 1000 from millimetres to metres.
+    """
+    weight = 1 / ratio if kind is ParameterKind.LENGTH else Fraction(1)
+    terms = expression.terms if isinstance(expression, Sum) else (expression,)
+    return add(_scaled_term(term, weight, kinds, ratio) for term in terms)
+
+
+def _scaled_term(term: Expression, weight: Fraction, kinds: Kinds, ratio: Fraction) -> Expression:
+    degree = _degree(term, kinds)
+    if degree is not None and degree.denominator == 1:
+        return multiply((Number(weight * ratio ** int(degree)), term))
+    return multiply((Number(weight), _substituted(term, kinds, ratio)))
+
+
+def _degree(expression: Expression, kinds: Kinds) -> Fraction | None:
+    """The k of c(s·p) = s^k·c(p), if the expression is so homogeneous in its length parameters p."""
+    match expression:
+        case Parameter(name):
+            return Fraction(kinds.get(name) is ParameterKind.LENGTH)
+        case Sum(terms):
+            degrees = {_degree(term, kinds) for term in terms}
+            return degrees.pop() if len(degrees) == 1 else None
+        case Product(factors):
+            factor_degrees = [_degree(factor, kinds) for factor in factors]
+            known = [degree for degree in factor_degrees if degree is not None]
+            return sum(known, Fraction(0)) if len(known) == len(factor_degrees) else None
+        case Power(base, exponent):
+            degree = _degree(base, kinds)
+            return None if degree is None else degree * exponent
+        case Call(function, arguments):
+            return _call_degree(function, [_degree(argument, kinds) for argument in arguments])
+    return Fraction(0)
+
+
+def _call_degree(function: Function, degrees: list[Fraction | None]) -> Fraction | None:
+    first = degrees[0]
+    if any(degree != first for degree in degrees) or first is None:
+        return None
+    match function:
+        case Function.SQRT:
+            return first / 2
+        case Function.ABS:
+            return first
+        case Function.ATAN2:
+            return Fraction(0)
+    return Fraction(0) if first == 0 else None
+
+
+def _substituted(expression: Expression, kinds: Kinds, ratio: Fraction) -> Expression:
+    def inner(part: Expression) -> Expression:
+        return _substituted(part, kinds, ratio)
+
+    match expression:
+        case Parameter(name) if kinds.get(name) is ParameterKind.LENGTH:
+            return multiply((Number(ratio), expression))
+        case Sum(terms):
+            return add(inner(term) for term in terms)
+        case Product(factors):
+            return multiply(inner(factor) for factor in factors)
+        case Power(base, exponent):
+            return raised(inner(base), exponent)
+        case Call(function, arguments):
+            return _called(function, [inner(argument) for argument in arguments])
+    return expression
+
+
+def _called(function: Function, arguments: list[Expression]) -> Expression:
+    if function in {Function.SIN, Function.COS, Function.TAN}:
+        return trigonometric(function, arguments[0])
+    if function in {Function.ASIN, Function.ACOS, Function.ATAN, Function.ATAN2}:
+        return inverse_trigonometric(function, *arguments)
+    return call(function, *arguments)

@@ -1,0 +1,272 @@
+"""From the text of a cell to its tokens.
+
+Every token knows its column, counted from 1 in the text as typed. What people paste is understood here:
+Greek letters, subscripts, superscripts, a little LaTeX. The grammar proper is in `grammar`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from functools import lru_cache
+
+from lark import Token
+
+from kinematics.cells.characters import GREEK, SUBSCRIPTS, SUPERSCRIPT_MINUS, SUPERSCRIPTS, translated
+from kinematics.cells.limits import DEFAULT, Limits
+from kinematics.cells.refusals import Refusal
+from kinematics.expressions import Function
+
+FUNCTION_NAMES = {function.value: function for function in Function} | {
+    "arcsin": Function.ASIN,
+    "arccos": Function.ACOS,
+    "arctan": Function.ATAN,
+    "arctan2": Function.ATAN2,
+    "arctg": Function.ATAN,
+    "arcsen": Function.ASIN,
+    "sen": Function.SIN,
+    "tg": Function.TAN,
+}
+"""Names of functions, those of the documents' languages included."""
+
+_NAME_CHARACTERS = 32
+_NOT_VALUES = {"nan", "inf", "infinity"}
+_UNITS = {"m", "mm", "cm", "in", "rad", "grad"}
+_OPERATORS = {
+    "+": "PLUS",
+    "-": "MINUS",
+    "*": "STAR",
+    "/": "SLASH",
+    "^": "POW",
+    "(": "LPAR",
+    ")": "RPAR",
+    "{": "LBRACE",
+    "}": "RBRACE",
+    ",": "COMMA",
+    "°": "DEGREE",
+    "√": "ROOT",
+}
+_COMMANDS = {
+    "pi": "PI",
+    "cdot": "STAR",
+    "times": "STAR",
+    "div": "SLASH",
+    "circ": "DEGREE",
+    "degree": "DEGREE",
+}
+_FRACTIONS = {"frac", "dfrac", "tfrac"}
+_SPACING = {"left", "right", "quad", "qquad", ",", ";", ":", "!", " "}
+_GREEK_NAMES = set(GREEK.values()) - {"pi"}
+
+_SPACE = re.compile(r" *")
+_NUMBER = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+_SUBSCRIPT = "[" + "".join(SUBSCRIPTS) + "]+|_(?:[A-Za-z0-9]+|\\{ *[A-Za-z0-9]+ *\\})"
+_NAME = re.compile(f"([A-Za-z]+|[{''.join(GREEK)}])([0-9]*)((?:{_SUBSCRIPT})*)")
+_INDEX = re.compile(f"([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
+_SEGMENT = re.compile(_SUBSCRIPT)
+_COMMAND = re.compile(r"\\([A-Za-z]+|.?)", re.DOTALL)
+_DEGREE_POWER = re.compile(r"\^ *(?:\{ *(?:\\circ|°) *\}|\\circ(?![A-Za-z])|°)")
+_SUPERSCRIPT = re.compile(f"{SUPERSCRIPT_MINUS}?[{''.join(SUPERSCRIPTS)}]+")
+_ALIEN_NUMBER = re.compile(r"0[xXbBoO][0-9A-Fa-f]+|[0-9.]+_[0-9_.]*|[0-9]*\.[0-9]*\.[0-9.]*")
+
+
+def scan(text: str, limits: Limits = DEFAULT) -> list[Token]:
+    """The tokens of a cell.
+
+    Raises:
+        Refusal: a character, a number or a name is none of a cell's; the first one, with its column.
+    """
+    if len(text) > limits.cell_characters:
+        raise Refusal("cell_too_long", length=len(text), limit=limits.cell_characters)
+    plain = _without_dollars(translated(text))
+    tokens: list[Token] = []
+    position = 0
+    while position < len(plain):
+        if plain[position] == " ":
+            position += 1
+            continue
+        scanned, position = _handler(plain[position])(plain, position, limits)
+        tokens.extend(scanned)
+    if not tokens:
+        raise Refusal("cell_empty")
+    _refuse_units(tokens)
+    _refuse_calls(tokens)
+    return tokens
+
+
+@lru_cache(maxsize=4096)
+def canonical_name(text: str) -> str | None:
+    """The one spelling of a name: L1 for L_1, L_{1}, L₁; None if the text is not one name."""
+    try:
+        tokens = scan(text)
+    except Refusal:
+        return None
+    return str(tokens[0]) if len(tokens) == 1 and tokens[0].type == "NAME" else None
+
+
+Scanned = tuple[list[Token], int]
+
+
+def _handler(first: str) -> Callable[[str, int, Limits], Scanned]:
+    if first in "0123456789.":
+        return _number
+    if first.isalpha() and (first in GREEK or first.isascii()):
+        return _name
+    if first == "\\":
+        return _command
+    if first in SUPERSCRIPTS or first == SUPERSCRIPT_MINUS:
+        return _superscript
+    return _operator
+
+
+def _number(plain: str, start: int, limits: Limits) -> Scanned:
+    alien = _ALIEN_NUMBER.match(plain, start)
+    match = _NUMBER.match(plain, start)
+    if alien or not match:
+        text = alien.group() if alien else plain[start]
+        raise Refusal("number_malformed", column=start + 1, text=text)
+    text = match.group()
+    if sum(character.isdigit() for character in text) > limits.digits:
+        raise Refusal("number_too_long", column=start + 1, limit=limits.digits)
+    return [_token("NUMBER", text, start)], match.end()
+
+
+def _name(plain: str, start: int, limits: Limits) -> Scanned:
+    match = _NAME.match(plain, start)
+    assert match is not None
+    word, digits, scripts = match.groups()
+    _refuse_what_runs_on(plain, match.group(), start, match.end())
+    word = GREEK.get(word, word)
+    if not digits and not scripts:
+        if word.lower() == "pi":
+            return [_token("PI", "pi", start)], _past_empty_call(plain, match.end())
+        if word == "deg":
+            return [_token("DEGREE", "°", start)], match.end()
+        if word.lower() in _NOT_VALUES:
+            raise Refusal("name_is_not_a_number", column=start + 1, name=word)
+    function = _function(word + digits) if not scripts else None
+    if function is not None:
+        return [_token("FUNCTION", function.value, start)], match.end()
+    return [_token("NAME", _spelled(word, digits, scripts, start), start)], match.end()
+
+
+def _command(plain: str, start: int, limits: Limits) -> Scanned:
+    match = _COMMAND.match(plain, start)
+    assert match is not None
+    word, end = match.group(1), match.end()
+    if word in _SPACING:
+        return [], end
+    if word in _COMMANDS:
+        return [_token(_COMMANDS[word], word, start)], end
+    if word in _FRACTIONS:
+        return [_token("FRACTION", word, start)], end
+    if word in FUNCTION_NAMES:
+        return [_token("FUNCTION", FUNCTION_NAMES[word].value, start)], end
+    word = word.removeprefix("var")
+    if word not in _GREEK_NAMES:
+        raise Refusal("command_unknown", column=start + 1, command=word)
+    index = _INDEX.match(plain, end)
+    assert index is not None
+    _refuse_what_runs_on(
+        plain, plain[start : index.end()], start, index.end(), after_digits=bool(index.group())
+    )
+    return [_token("NAME", _spelled(word, index.group(1), index.group(2), start), start)], index.end()
+
+
+def _superscript(plain: str, start: int, limits: Limits) -> Scanned:
+    match = _SUPERSCRIPT.match(plain, start)
+    if not match:
+        raise Refusal("script_misplaced", column=start + 1, character=plain[start])
+    sign = "-" if match.group().startswith(SUPERSCRIPT_MINUS) else ""
+    digits = "".join(SUPERSCRIPTS.get(character, "") for character in match.group())
+    if len(digits) > limits.digits:
+        raise Refusal("number_too_long", column=start + 1, limit=limits.digits)
+    return [_token("SUPERSCRIPT", sign + digits, start)], match.end()
+
+
+def _operator(plain: str, start: int, limits: Limits) -> Scanned:
+    if plain.startswith("**", start):
+        return [_token("POW", "**", start)], start + 2
+    degree = _DEGREE_POWER.match(plain, start)
+    if degree:
+        return [_token("DEGREE", "°", start)], degree.end()
+    character = plain[start]
+    if character in SUBSCRIPTS:
+        raise Refusal("script_misplaced", column=start + 1, character=character)
+    if character == "_":
+        raise Refusal("name_malformed", column=start + 1)
+    if character not in _OPERATORS:
+        raise Refusal(
+            "character_not_allowed", column=start + 1, character=f"{character} (U+{ord(character):04X})"
+        )
+    return [_token(_OPERATORS[character], character, start)], start + 1
+
+
+def _token(kind: str, text: str, start: int) -> Token:
+    return Token(kind, text, column=start + 1)
+
+
+def _function(word: str) -> Function | None:
+    lower = word.lower()
+    # A spreadsheet's ATAN2 takes x before y: only the lower-case name is the mathematical atan2(y, x).
+    return FUNCTION_NAMES.get(lower if lower not in {"atan2", "arctan2"} else word)
+
+
+def _spelled(word: str, digits: str, scripts: str, start: int) -> str:
+    name = word + digits
+    for segment in _SEGMENT.finditer(scripts):
+        text = segment.group()
+        plain = text.strip("_{} ") if text.startswith("_") else "".join(SUBSCRIPTS[c] for c in text)
+        name += plain if plain[0].isdigit() and name[-1].isalpha() else f"_{plain}"
+    if len(name) > _NAME_CHARACTERS:
+        raise Refusal("name_too_long", column=start + 1, limit=_NAME_CHARACTERS)
+    return name
+
+
+def _refuse_what_runs_on(plain: str, text: str, start: int, end: int, *, after_digits: bool = True) -> None:
+    following = plain[end : end + 1]
+    if following == "_":
+        raise Refusal("name_malformed", column=end + 1)
+    if (
+        following.isascii()
+        and following.isalnum()
+        and (after_digits and text[-1] not in GREEK or following.isdigit())
+    ):
+        raise Refusal("names_run_together", column=start + 1, text=text)
+
+
+def _past_empty_call(plain: str, end: int) -> int:
+    # A spreadsheet writes PI().
+    match = re.compile(r" *\( *\)").match(plain, end)
+    return match.end() if match else end
+
+
+def _without_dollars(plain: str) -> str:
+    stripped = plain.strip(" ")
+    while len(stripped) >= 2 and stripped[0] == stripped[-1] == "$":
+        stripped = stripped[1:-1]
+    first = plain.find(stripped) if stripped else len(plain)
+    inner = stripped.find("$")
+    if inner >= 0:
+        raise Refusal("dollar_misplaced", column=first + inner + 1)
+    return " " * first + stripped
+
+
+def _refuse_units(tokens: list[Token]) -> None:
+    for value, unit in _pairs(tokens):
+        if value.type == "NUMBER" and unit.type == "NAME" and unit in _UNITS:
+            raise Refusal("unit_in_cell", column=unit.column or 0, name=str(unit))
+
+
+def _refuse_calls(tokens: list[Token]) -> None:
+    for name, bracket in _pairs(tokens):
+        if name.type == "NAME" and bracket.type == "LPAR":
+            functions = tuple(function.value for function in Function)
+            raise Refusal("function_unknown", column=name.column or 0, name=str(name), functions=functions)
+    for token, following in _pairs([*tokens, Token("END", "")]):
+        if token.type == "FUNCTION" and following.type not in {"LPAR", "LBRACE"}:
+            raise Refusal("function_without_parentheses", column=token.column or 0, name=str(token))
+
+
+def _pairs(tokens: list[Token]) -> Iterator[tuple[Token, Token]]:
+    return zip(tokens, tokens[1:], strict=False)

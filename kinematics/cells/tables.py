@@ -1,0 +1,111 @@
+"""A DH table as it is handed in, and as it is read."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from kinematics.cells.units import AngleUnit, LengthUnit, ParameterKind
+from kinematics.table import Convention, JointType, SymbolicTable
+
+Cell: TypeAlias = int | float | str
+
+
+@dataclass(frozen=True, slots=True)
+class NoCell:
+    """What stood in the place of a cell and is none, such as a list."""
+
+    kind: str
+
+
+_CELL_TYPES = {int, float, str}
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RawRow:
+    """A row as handed in.
+
+    Attributes:
+        joint: the joint's type; None leaves it to the cells.
+        alpha: link twist, in the table's angle unit.
+        a: link length, in the table's length unit.
+        d: link offset, in the table's length unit.
+        theta: joint angle, in the table's angle unit.
+    """
+
+    joint: JointType | None = None
+    alpha: Cell
+    a: Cell
+    d: Cell
+    theta: Cell
+
+    def __post_init__(self) -> None:
+        # True equals 1, so a wrong type must be put aside before a table is looked up among those read before.
+        if _CELL_TYPES.issuperset(map(type, (self.alpha, self.a, self.d, self.theta))):
+            return
+        for name in ("alpha", "a", "d", "theta"):
+            object.__setattr__(self, name, as_cell(getattr(self, name)))
+
+
+def as_cell(value: object) -> Cell | NoCell:
+    """The value as a cell: a plain int, float or str; of any other type, what is said about it."""
+    if type(value) in _CELL_TYPES:
+        return value  # type: ignore[return-value]
+    if isinstance(value, bool):
+        return NoCell("true or false")
+    if value is None:
+        return NoCell("nothing")
+    for kind in (float, str):
+        if isinstance(value, kind):
+            return kind(value)
+    return NoCell(type(value).__name__)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RawTable:
+    """A DH table as handed in; two of them are equal if they hold the same.
+
+    Attributes:
+        convention: how each row is read.
+        rows: the rows, base first.
+        angle_unit: unit of plain numbers where an angle stands.
+        length_unit: unit of the lengths.
+    """
+
+    convention: Convention
+    rows: tuple[RawRow, ...]
+    angle_unit: AngleUnit = AngleUnit.RAD
+    length_unit: LengthUnit = LengthUnit.M
+    _content: tuple[object, ...] = field(init=False, repr=False)
+    _hash: int = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "rows", tuple(self.rows))
+        cells = [(row.joint, row.alpha, row.a, row.d, row.theta) for row in self.rows]
+        content = (self.convention, self.angle_unit, self.length_unit, *cells)
+        object.__setattr__(self, "_content", content)
+        object.__setattr__(self, "_hash", hash(content))
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, RawTable) and self._content == other._content
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ReadTable:
+    """A DH table, understood.
+
+    Attributes:
+        table: exact entries; angles in [rad], lengths in `length_unit`.
+        angle_unit: the unit in which its angle parameters are given.
+        length_unit: the unit of its lengths and length parameters.
+        parameters: what each parameter measures, in the order in which they stand in the table.
+    """
+
+    table: SymbolicTable
+    angle_unit: AngleUnit
+    length_unit: LengthUnit
+    parameters: Mapping[str, ParameterKind]

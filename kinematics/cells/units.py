@@ -1,0 +1,42 @@
+"""Units that a DH table is written in, and kinds of parameter."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from fractions import Fraction
+
+
+class AngleUnit(StrEnum):
+    """Unit of the angles of a table."""
+
+    RAD = "rad"
+    DEG = "deg"
+
+
+class LengthUnit(StrEnum):
+    """Unit of the lengths of a table."""
+
+    M = "m"
+    CM = "cm"
+    MM = "mm"
+    IN = "in"
+
+    @property
+    def metres_per_unit(self) -> Fraction:
+        """Length of one unit [m], exact."""
+        return _METRES[self]
+
+
+class ParameterKind(StrEnum):
+    """What a parameter, or the value of a cell, measures."""
+
+    LENGTH = "length"
+    ANGLE = "angle"
+
+
+_METRES = {
+    LengthUnit.M: Fraction(1),
+    LengthUnit.CM: Fraction(1, 100),
+    LengthUnit.MM: Fraction(1, 1000),
+    LengthUnit.IN: Fraction(254, 10000),
+}
