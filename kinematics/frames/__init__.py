@@ -1,0 +1,16 @@
+"""Frame assignment: from the axes of a robot to its DH table, and the rules that the assignment follows.
+
+axes        what is given: joint axes, the gripper frame, and what may be wrong with them
+vectors     products of 3-vectors as tuples
+normals     how two axes lie to each other, and their common normal
+parallels   axes that are parallel but for a tiny tilt
+placement   where the line of a prismatic joint is drawn
+ends        whether a given frame can be frame 0 or frame N
+levels      where the origins stand along parallel axes
+directions  which way the x axes point
+exactness   right angles and short decimals come out exact
+assignment  the whole procedure
+remarks     what a caller should know about an assignment that succeeded
+rules       the rules for a student's frames, one by one
+candidates  origins and directions to choose from
+"""

@@ -1,0 +1,311 @@
+"""Joint axes in, a DH table out, by the procedure of the lecture documents.
+
+The common normals of neighbouring axes carry the whole table: a_i and α_i lie along normal i, d_i and θ_i
+lead along and about axis i from normal i-1 to normal i. Both conventions read the same figure; they differ
+in where frame i sits (modified: where normal i leaves axis i; standard: where it reaches axis i+1) and in
+what the first and the last frame leave free.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from itertools import pairwise
+
+import numpy as np
+
+from kinematics.errors import DescriptionError, Fault
+from kinematics.forward import forward_kinematics
+from kinematics.frames.axes import Gripper, JointAxis, Line, Pose, gripper_frame, matrix, pose_of, read_axes
+from kinematics.frames.directions import choose_directions
+from kinematics.frames.ends import entering, leaving, may_end, may_start
+from kinematics.frames.exactness import clean_angle, clean_length
+from kinematics.frames.levels import settle_levels
+from kinematics.frames.normals import EXACT_ANGLE, CommonNormal, Relation, common_normal
+from kinematics.frames.parallels import (
+    MAX_PARALLEL_TOLERANCE,
+    PARALLEL_TOLERANCE,
+    NearParallel,
+    straighten,
+    with_dummies,
+)
+from kinematics.frames.placement import draw_prismatic_axes
+from kinematics.frames.remarks import tilt_remarks, tolerance_fault, unfit_base, unfit_tool
+from kinematics.frames.vectors import Vector, cross, dot, minus, norm, turn
+from kinematics.links import Transform
+from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
+
+
+class Rule(StrEnum):
+    """The rule by which a frame was placed.
+
+    FIRST, LAST: chosen so that parameters vanish. GIVEN: the caller's own frame 0 or N.
+    SKEW … COINCIDENT: by the common normal of the two axes. PRISMATIC: by a normal that depends on where the
+    line of a sliding joint was drawn.
+    """
+
+    FIRST = "first"
+    LAST = "last"
+    GIVEN = "given"
+    SKEW = "skew"
+    INTERSECTING = "intersecting"
+    PARALLEL = "parallel"
+    ANTIPARALLEL = "antiparallel"
+    COINCIDENT = "coincident"
+    PRISMATIC = "prismatic"
+
+
+class Freedom(StrEnum):
+    """What the rules left free at a frame; each choice leaves fewest parameters different from zero.
+
+    FRAME: frame 0 may stand anywhere its convention allows; it is put on frame 1 at zero (standard: on axis 1
+    where d_1 and θ_1 vanish). ORIGIN: the origin may slide along the axis; put where d vanishes.
+    X_SIGN: x may point either way across two intersecting axes; turned so that θ vanishes, or the twist is
+    positive. X_DIRECTION: x may point anywhere across the axis; put along the x before it. LINE: the line of
+    a sliding joint may be drawn anywhere; drawn through the neighbouring origin.
+    """
+
+    FRAME = "frame"
+    ORIGIN = "origin"
+    X_SIGN = "x_sign"
+    X_DIRECTION = "x_direction"
+    LINE = "line"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class AssignedFrame:
+    """One frame at the robot's zero position, in the coordinates of the axes.
+
+    Attributes:
+        origin: the origin [m].
+        x: direction of x.
+        y: direction of y.
+        z: direction of z.
+        rule: the rule that placed it.
+        relation: how the two axes lie that it belongs to; None at the first and the last frame.
+        free: what was free there.
+    """
+
+    origin: Vector
+    x: Vector
+    y: Vector
+    z: Vector
+    rule: Rule
+    relation: Relation | None
+    free: tuple[Freedom, ...]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FrameAssignment:
+    """A DH table with the frames that it came from.
+
+    Attributes:
+        table: the table; at q = 0 its frames are `frames`.
+        base: (4, 4) pose of frame 0 in the coordinates of the axes.
+        tool: (4, 4) pose of the given tool in frame N; the identity if none was given.
+        frames: frame 0 … N.
+        warnings: near-parallel axes, and a given frame that the convention cannot take as frame 0 or N.
+    """
+
+    table: NumericTable
+    base: Transform
+    tool: Transform
+    frames: tuple[AssignedFrame, ...]
+    warnings: tuple[Fault, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Geometry:
+    """The figure that both conventions read: axes, normals, their feet, the x directions, the end frames."""
+
+    lines: Sequence[Line]
+    normals: Sequence[CommonNormal]
+    feet: Sequence[tuple[Vector, Vector]]
+    x: Sequence[Vector]
+    first: Pose | None
+    last: Pose | None
+    entry: Vector | None
+    exit: Vector | None
+    size: float
+
+
+def assign_frames(
+    axes: Sequence[JointAxis],
+    convention: Convention,
+    *,
+    base: Transform | None = None,
+    tool: Transform | Gripper | None = None,
+    parallel_tolerance: float = PARALLEL_TOLERANCE,
+    near_parallel: NearParallel = NearParallel.PARALLEL,
+) -> FrameAssignment:
+    """A DH table for a robot of which the joint axes are known.
+
+    base · table · tool reproduces every axis and the tool at every q: exactly (to 1e-10 rad and 1e-10 of the
+    robot's size) unless axes are near-parallel; those are taken as parallel, with a warning that states the
+    tilt, or joined by a fixed dummy row.
+
+    Args:
+        axes: the axes, base first, at the zero position: the joint variables count from there.
+        convention: which table to make.
+        base: (4, 4) frame wanted as frame 0; taken where the convention can hold it (standard: z along
+            axis 1, origin on it; modified: x across axis 1 and through it), otherwise left with a warning.
+        tool: (4, 4) pose of the tool, or the gripper, at the zero position; it becomes frame N where the
+            convention can hold it (standard: x across axis N and through it; modified: z along axis N, origin
+            on it); what is left over is returned as `tool`.
+        parallel_tolerance: tilt [rad] below which axes are near-parallel; 1e-10 turns it off.
+        near_parallel: what becomes of near-parallel axes.
+
+    Raises:
+        DescriptionError: malformed axes, frames or tolerance.
+
+    Source: seed 000 §3.2.4; seed 002 steps 1 to 8; seed 004.
+    """
+    if not EXACT_ANGLE <= parallel_tolerance <= MAX_PARALLEL_TOLERANCE:
+        raise DescriptionError(tolerance_fault(EXACT_ANGLE, MAX_PARALLEL_TOLERANCE))
+    lines = read_axes(axes)
+    first = None if base is None else pose_of(base, "base")
+    tool_matrix = gripper_frame(tool) if isinstance(tool, Gripper) else tool
+    last = None if tool_matrix is None else pose_of(tool_matrix, "tool")
+    size = _size(lines, first, last)
+    if near_parallel is NearParallel.PARALLEL:
+        lines, tilts = straighten(lines, parallel_tolerance)
+    else:
+        lines, tilts = with_dummies(lines, parallel_tolerance, size)
+    geometry = _geometry(lines, convention, first, last, size)
+    table = _table(geometry, convention)
+    frames = _frames(geometry, convention)
+    base_pose = geometry.first or _pose(frames[0])
+    on_axis = [frame.origin for frame in frames[convention is Convention.MODIFIED :]]
+    warnings = tilt_remarks(tilts, table, on_axis, near_parallel)
+    if first is not None and geometry.first is None:
+        warnings.append(unfit_base(convention))
+    if last is not None and geometry.last is None:
+        warnings.append(unfit_tool(convention))
+    T_w_0 = matrix(base_pose)
+    return FrameAssignment(
+        table=table,
+        base=T_w_0,
+        tool=_remainder(geometry, table, T_w_0, last),
+        frames=frames,
+        warnings=tuple(warnings),
+    )
+
+
+def _size(lines: Sequence[Line], first: Pose | None, last: Pose | None) -> float:
+    points = [line.point for line in lines if line.joint is not JointType.PRISMATIC]
+    points += [pose.origin for pose in (first, last) if pose is not None]
+    if not points:
+        return 1.0
+    spread = max(norm(minus(point, points[0])) for point in points)
+    return max(spread, 1e-5 * max(map(norm, points))) or 1.0
+
+
+def _geometry(
+    lines: Sequence[Line], convention: Convention, first: Pose | None, last: Pose | None, size: float
+) -> _Geometry:
+    start = first.origin if first and may_start(first, lines[0], convention) else None
+    end = last.origin if last and may_end(last, lines[-1], convention) else None
+    lines = draw_prismatic_axes(lines, size, start=start, end=end)
+    entry = entering(first, lines[0], convention, size) if first and start else None
+    exit_ = leaving(last, lines[-1], convention, size) if last and end else None
+    normals = [common_normal(one, other, size) for one, other in pairwise(lines)]
+    taken_first, taken_last = first if entry else None, last if exit_ else None
+    x = choose_directions(
+        lines,
+        normals,
+        start=taken_first.x if taken_first else None,
+        end=taken_last.x if taken_last else None,
+    )
+    feet = settle_levels(lines, normals, start=entry, end=exit_)
+    return _Geometry(lines, normals, feet, x, taken_first, taken_last, entry, exit_, size)
+
+
+def _ends(g: _Geometry) -> tuple[Vector, Vector]:
+    """Where axis 1 is entered and axis N is left; at the neighbouring feet if no frame is given there."""
+    if g.feet:
+        return g.entry or g.feet[0][0], g.exit or g.feet[-1][1]
+    point = g.entry or g.exit or g.lines[0].point
+    return point, g.exit or point
+
+
+def _table(g: _Geometry, convention: Convention) -> NumericTable:
+    n = len(g.lines)
+    entry, exit_ = _ends(g)
+    reached = [entry, *(far for _, far in g.feet)]
+    left = [*(near for near, _ in g.feet), exit_]
+    u = [line.direction for line in g.lines]
+    theta = [clean_angle(turn(g.x[k], g.x[k + 1], u[k])) for k in range(n)]
+    d = [clean_length(dot(minus(left[k], reached[k]), u[k]), g.size) for k in range(n)]
+    a = [clean_length(normal.length, g.size) for normal in g.normals]
+    alpha = [clean_angle(turn(u[k], u[k + 1], g.x[k + 1])) for k in range(n - 1)]
+    if convention is Convention.MODIFIED:
+        a.insert(0, clean_length(dot(minus(entry, g.first.origin), g.first.x), g.size) if g.first else 0.0)
+        alpha.insert(0, clean_angle(turn(g.first.z, u[0], g.first.x)) if g.first else 0.0)
+    else:
+        a.append(clean_length(dot(minus(g.last.origin, exit_), g.last.x), g.size) if g.last else 0.0)
+        alpha.append(clean_angle(turn(u[-1], g.last.z, g.last.x)) if g.last else 0.0)
+    return DHTable(
+        convention=convention,
+        rows=tuple(
+            DHRow(joint=g.lines[k].joint, theta=theta[k], d=d[k], a=a[k], alpha=alpha[k]) for k in range(n)
+        ),
+    )
+
+
+def _frames(g: _Geometry, convention: Convention) -> tuple[AssignedFrame, ...]:
+    n = len(g.lines)
+    entry, exit_ = _ends(g)
+    u = [line.direction for line in g.lines]
+    first = g.first or Pose(entry, g.x[0], u[0])
+    last = g.last or Pose(exit_, g.x[n], u[-1])
+    frames = [_frame(first, Rule.GIVEN if g.first else Rule.FIRST, None, () if g.first else (Freedom.FRAME,))]
+    for k, normal in enumerate(g.normals):
+        modified = convention is Convention.MODIFIED
+        pose = Pose(g.feet[k][0 if modified else 1], g.x[k + 1], u[k if modified else k + 1])
+        drawn = JointType.PRISMATIC in (g.lines[k].joint, g.lines[k + 1].joint)
+        rule = Rule.PRISMATIC if drawn else Rule(normal.relation.value)
+        frames.append(_frame(pose, rule, normal.relation, _freedom(normal, drawn)))
+    free = (Freedom.FRAME,) if convention is Convention.STANDARD else (Freedom.ORIGIN, Freedom.X_DIRECTION)
+    frames.append(_frame(last, Rule.GIVEN if g.last else Rule.LAST, None, () if g.last else free))
+    return tuple(frames)
+
+
+def _freedom(normal: CommonNormal, drawn: bool) -> tuple[Freedom, ...]:
+    free = [Freedom.LINE] if drawn else []
+    if normal.relation.slides:
+        free.append(Freedom.ORIGIN)
+    if normal.relation is Relation.COINCIDENT:
+        free.append(Freedom.X_DIRECTION)
+    elif normal.relation is Relation.INTERSECTING:
+        free.append(Freedom.X_SIGN)
+    return tuple(free)
+
+
+def _frame(pose: Pose, rule: Rule, relation: Relation | None, free: tuple[Freedom, ...]) -> AssignedFrame:
+    return AssignedFrame(
+        origin=pose.origin,
+        x=pose.x,
+        y=cross(pose.z, pose.x),
+        z=pose.z,
+        rule=rule,
+        relation=relation,
+        free=free,
+    )
+
+
+def _pose(frame: AssignedFrame) -> Pose:
+    return Pose(frame.origin, frame.x, frame.z)
+
+
+def _remainder(g: _Geometry, table: NumericTable, T_w_0: Transform, last: Pose | None) -> Transform:
+    """Pose of the given tool in frame N."""
+    if last is None or g.last is not None:
+        return np.eye(4)
+    T_w_n = forward_kinematics(table, [0.0] * table.n_joints, base=T_w_0).transform
+    R = T_w_n[:3, :3].T
+    T_w_t = matrix(last)
+    T_n_t = np.eye(4)
+    T_n_t[:3, :3] = R @ T_w_t[:3, :3]
+    T_n_t[:3, 3] = R @ (T_w_t[:3, 3] - T_w_n[:3, 3])
+    return T_n_t

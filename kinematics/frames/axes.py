@@ -1,0 +1,207 @@
+"""What frame assignment starts from: the joint axes of a robot at its zero position."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinematics.errors import DescriptionError, Fault
+from kinematics.frames.vectors import ORIGIN, Vector, cross, dot, norm, unit
+from kinematics.links import Transform
+from kinematics.table import JointType
+
+MAX_AXES = 64
+MAX_COORDINATE = 1e12
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class JointAxis:
+    """The axis of one joint, with the robot at its zero position, in one fixed coordinate system.
+
+    Attributes:
+        joint: revolute or prismatic.
+        direction: direction of the positive motion; any length but zero.
+        point: a point of the axis [m]; only the direction of a prismatic joint means anything, so its point
+            may be left out.
+    """
+
+    joint: JointType
+    direction: Sequence[float]
+    point: Sequence[float] = ORIGIN
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Gripper:
+    """A gripper, from which the end frame follows.
+
+    The frame has its origin between the jaws, z towards the object, y in the direction in which the jaws
+    slide, and x = y × z.
+
+    Attributes:
+        point: the middle between the jaws [m].
+        approach: direction towards the object.
+        jaws: direction in which the jaws slide; its part across the approach is used.
+
+    Source: seed 002, the gripper as end effector.
+    """
+
+    point: Sequence[float]
+    approach: Sequence[float]
+    jaws: Sequence[float]
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A directed line with the joint that moves about or along it; the direction is a unit vector."""
+
+    joint: JointType
+    point: Vector
+    direction: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """A frame: origin and the directions of its x and z axes."""
+
+    origin: Vector
+    x: Vector
+    z: Vector
+
+
+def read_axes(axes: Sequence[JointAxis]) -> list[Line]:
+    """The axes as directed lines.
+
+    Raises:
+        DescriptionError: no axes or more than 64, an unknown joint, three finite numbers missing, a zero
+            direction; all faults at once, each at ("axes", i, name).
+    """
+    if not 1 <= len(axes) <= MAX_AXES:
+        raise DescriptionError(
+            Fault(
+                code="axes_wrong_number",
+                where=("axes",),
+                message=f"a chain has 1 to {MAX_AXES} axes; this one has {len(axes)}",
+                params={"count": len(axes), "limit": MAX_AXES},
+            )
+        )
+    faults: list[Fault] = []
+    lines = []
+    for i, axis in enumerate(axes):
+        if axis.joint not in (JointType.REVOLUTE, JointType.PRISMATIC):
+            faults.append(
+                Fault(
+                    code="axis_joint_unknown",
+                    where=("axes", i, "joint"),
+                    message="the joint of an axis is revolute or prismatic",
+                )
+            )
+        point = _vector(axis.point, ("axes", i, "point"), faults)
+        direction = _direction(axis.direction, ("axes", i, "direction"), faults)
+        lines.append(Line(axis.joint, point, direction))
+    if faults:
+        raise DescriptionError(faults)
+    return lines
+
+
+def gripper_frame(gripper: Gripper) -> Transform:
+    """The end frame of a gripper: z towards the object, y across the jaws, x = y × z.
+
+    Returns:
+        (4, 4) pose, in the coordinates in which the gripper is given.
+
+    Raises:
+        DescriptionError: three finite numbers missing, or the jaws slide along the approach.
+
+    Source: seed 002, the gripper as end effector.
+    """
+    faults: list[Fault] = []
+    point = _vector(gripper.point, ("tool", "point"), faults)
+    z = _direction(gripper.approach, ("tool", "approach"), faults)
+    jaws = _direction(gripper.jaws, ("tool", "jaws"), faults)
+    if faults:
+        raise DescriptionError(faults)
+    x = cross(jaws, z)
+    if norm(x) < 1e-6:
+        raise DescriptionError(
+            Fault(
+                code="gripper_jaws_along_approach",
+                where=("tool", "jaws"),
+                message="the jaws slide across the approach direction, not along it",
+            )
+        )
+    x = unit(x)
+    return matrix(Pose(point, x, z))
+
+
+def pose_of(transform: ArrayLike, name: str) -> Pose:
+    """The frame that a 4×4 matrix describes.
+
+    Raises:
+        DescriptionError: not the matrix of a rigid motion (to 1e-6); at (name,).
+    """
+    T = np.asarray(transform, dtype=np.float64)
+    rigid = T.shape == (4, 4) and bool(np.isfinite(T).all())
+    if rigid:
+        R = T[:3, :3]
+        rigid = (
+            float(np.abs(R.T @ R - np.eye(3)).max()) < 1e-6
+            and float(np.linalg.det(R)) > 0.0
+            and bool(np.array_equal(T[3], (0.0, 0.0, 0.0, 1.0)))
+        )
+    if not rigid:
+        raise DescriptionError(
+            Fault(
+                code="frame_not_rigid",
+                where=(name,),
+                message="a frame is a 4×4 matrix: a rotation, a position and the last row 0 0 0 1",
+            )
+        )
+    x, _, z, origin = (tuple(column) for column in T[:3].T.tolist())
+    z = unit(z)
+    x = unit((x[0] - dot(x, z) * z[0], x[1] - dot(x, z) * z[1], x[2] - dot(x, z) * z[2]))
+    return Pose(origin, x, z)
+
+
+def matrix(pose: Pose) -> Transform:
+    """The 4×4 matrix of a frame."""
+    y = cross(pose.z, pose.x)
+    (ox, oy, oz), (xx, xy, xz), (zx, zy, zz) = pose.origin, pose.x, pose.z
+    return np.array([[xx, y[0], zx, ox], [xy, y[1], zy, oy], [xz, y[2], zz, oz], [0.0, 0.0, 0.0, 1.0]])
+
+
+def _vector(value: Sequence[float], where: tuple[str | int, ...], faults: list[Fault]) -> Vector:
+    try:
+        x, y, z = (float(component) for component in value)
+    except (TypeError, ValueError, OverflowError):
+        x = y = z = math.nan
+    if max(abs(x), abs(y), abs(z)) <= MAX_COORDINATE and x == x and y == y and z == z:
+        return (x, y, z)
+    faults.append(
+        Fault(
+            code="vector_malformed",
+            where=where,
+            message=f"give three finite numbers x, y, z, none larger than {MAX_COORDINATE:g}",
+            params={"limit": f"{MAX_COORDINATE:g}"},
+        )
+    )
+    return ORIGIN
+
+
+def _direction(value: Sequence[float], where: tuple[str | int, ...], faults: list[Fault]) -> Vector:
+    before = len(faults)
+    vector = _vector(value, where, faults)
+    if any(vector):
+        return unit(vector)
+    if len(faults) == before:
+        faults.append(
+            Fault(
+                code="direction_zero",
+                where=where,
+                message="a direction needs a length: 0, 0, 0 points nowhere",
+            )
+        )
+    return (0.0, 0.0, 1.0)

@@ -1,0 +1,93 @@
+"""Which way the x axes point.
+
+Along a common normal, x points from one axis to the next. Where axes intersect, x may point either way; where
+they coincide, anywhere across. The choice is the one that leaves fewest joint angles θ different from zero;
+between equals the one with positive twists, from the base on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from kinematics.frames.axes import Line
+from kinematics.frames.normals import EXACT_ANGLE, CommonNormal, Relation
+from kinematics.frames.vectors import Vector, cross, dot, norm, perpendicular, scaled
+
+_HALF_TURN = 1e-3
+_NEGATIVE_TWIST = 1e-6
+
+
+def choose_directions(
+    lines: Sequence[Line],
+    normals: Sequence[CommonNormal],
+    *,
+    start: Vector | None,
+    end: Vector | None,
+) -> list[Vector]:
+    """Directions x of the N+1 normals: at the given or chosen frame 0, between the axes, at frame N.
+
+    Args:
+        lines: the N axes.
+        normals: the N-1 common normals.
+        start: x of a given frame 0; left out, θ_1 is made zero.
+        end: x of a given frame N; left out, θ_N is made zero.
+
+    Source: seed 000 §3.2.1 and §3.2.2; seed 002 steps 4, 6 and 7.
+    """
+    options = [_options(normal) for normal in normals]
+    options = [() if start is None else (start,), *options, () if end is None else (end,)]
+    chosen: list[Vector | None] = list(_cheapest(options))
+    return _inherit(chosen, lines)
+
+
+def _options(normal: CommonNormal) -> tuple[Vector, ...]:
+    if normal.direction is None:
+        return ()
+    if normal.relation is Relation.INTERSECTING:
+        return (normal.direction, scaled(-1.0, normal.direction))
+    return (normal.direction,)
+
+
+def _cheapest(options: Sequence[tuple[Vector, ...]]) -> list[Vector | None]:
+    """One of the options at each place, the sum of the costs between neighbours least (Viterbi)."""
+    costs: list[float] = [0.0]
+    back: list[list[int]] = []
+    places = [i for i, choices in enumerate(options) if choices]
+    for at, i in enumerate(places):
+        choices = options[i]
+        if at == 0:
+            costs = [_NEGATIVE_TWIST * j for j in range(len(choices))]
+            back.append([0] * len(choices))
+            continue
+        previous = options[places[at - 1]]
+        totals: list[float] = []
+        sources: list[int] = []
+        for j, x in enumerate(choices):
+            through = [costs[m] + _angle_cost(previous[m], x) for m in range(len(previous))]
+            best = min(range(len(through)), key=through.__getitem__)
+            totals.append(through[best] + _NEGATIVE_TWIST * j)
+            sources.append(best)
+        costs = totals
+        back.append(sources)
+    chosen: list[Vector | None] = [None] * len(options)
+    j = min(range(len(costs)), key=costs.__getitem__)
+    for at in range(len(places) - 1, -1, -1):
+        chosen[places[at]] = options[places[at]][j]
+        j = back[at][j]
+    return chosen
+
+
+def _angle_cost(u: Vector, v: Vector) -> float:
+    if norm(cross(u, v)) > EXACT_ANGLE:
+        return 1.0
+    return 0.0 if dot(u, v) > 0 else 1.0 + _HALF_TURN
+
+
+def _inherit(chosen: list[Vector | None], lines: Sequence[Line]) -> list[Vector]:
+    known = next((x for x in chosen if x is not None), None)
+    current = perpendicular(lines[0].direction) if known is None else known
+    directions = []
+    for x in chosen:
+        current = current if x is None else x
+        directions.append(current)
+    return directions

@@ -1,0 +1,69 @@
+"""Right angles and short decimals come out exact.
+
+Geometry in floating point leaves 1.5707963267948963 where a right angle was meant and 0.43179999999999996
+where 0.4318 was. Entries that differ from such a value by no more than rounding are that value.
+"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+from kinematics.expressions import Expression, number, pi_times
+from kinematics.frames.normals import EXACT_ANGLE, EXACT_LENGTH
+from kinematics.table import DHRow, DHTable, NumericTable, SymbolicTable
+
+STEPS = 12
+"""Angles snap to multiples of π/12 [rad], that is 15°."""
+
+_ROUNDING = 1e-14
+_ANGLES = {
+    k: math.pi * Fraction(k, STEPS).numerator / Fraction(k, STEPS).denominator
+    for k in range(-STEPS, STEPS + 1)
+}
+
+
+def clean_angle(angle: float) -> float:
+    """The angle, or the multiple of π/12 within 1e-10 of it; in (-π, π] for an angle in [-π, π]."""
+    step = round(angle * STEPS / math.pi)
+    exact = _ANGLES.get(step)
+    if exact is None or abs(angle - exact) > EXACT_ANGLE:
+        return angle
+    return math.pi if step == -STEPS else exact
+
+
+def clean_length(length: float, size: float) -> float:
+    """The length; zero if it is below 1e-10 of the robot's size; the short decimal that it rounds to."""
+    if abs(length) <= EXACT_LENGTH * size:
+        return 0.0
+    short = float(f"{length:.12g}")
+    return short if abs(short - length) <= _ROUNDING * size else length
+
+
+def exact_table(table: NumericTable) -> SymbolicTable:
+    """The table with exact entries: multiples of π/12 as such, all else as the decimal it is."""
+    return DHTable(
+        convention=table.convention,
+        rows=tuple(
+            DHRow(
+                joint=row.joint,
+                theta=_exact_angle(row.theta),
+                d=_exact_length(row.d),
+                a=_exact_length(row.a),
+                alpha=_exact_angle(row.alpha),
+                sign=row.sign,
+            )
+            for row in table.rows
+        ),
+    )
+
+
+def _exact_angle(angle: float) -> Expression:
+    step = round(angle * STEPS / math.pi)
+    if _ANGLES.get(step) == angle:
+        return pi_times(Fraction(step, STEPS))
+    return number(repr(angle))
+
+
+def _exact_length(length: float) -> Expression:
+    return number(repr(length))

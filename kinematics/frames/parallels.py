@@ -1,0 +1,136 @@
+"""Axes that are parallel but for a tiny tilt.
+
+A calibrated robot has axes that are parallel by design and tilted by a fraction of a degree in fact. Their
+common normal exists and is useless: with a tilt of 0.0007 rad it lies hundreds of metres away, and so do the
+origins and the d of the table. Denavit–Hartenberg rows have four numbers, a tilt needs a fifth (Hayati's β).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from kinematics.frames.axes import Line
+from kinematics.frames.normals import EXACT_ANGLE
+from kinematics.frames.vectors import (
+    Vector,
+    cross,
+    dot,
+    foot,
+    minus,
+    norm,
+    perpendicular,
+    rejected,
+    scaled,
+    unit,
+)
+from kinematics.table import JointType
+
+PARALLEL_TOLERANCE = 5e-3
+"""Axes whose directions differ by less than this [rad] are near-parallel; 0.29°."""
+
+MAX_PARALLEL_TOLERANCE = 0.1
+
+
+class NearParallel(StrEnum):
+    """What becomes of two near-parallel axes.
+
+    PARALLEL: the second is taken as parallel to the first, turned about its point nearest to the middle of
+    the robot.
+    DUMMY_ROW: a fixed row between the two carries the tilt, and the table reproduces the axes exactly.
+    """
+
+    PARALLEL = "parallel"
+    DUMMY_ROW = "dummy_row"
+
+
+@dataclass(frozen=True, slots=True)
+class Tilt:
+    """A tilt that was found between axis `joint` and the one before it, both counted from 1.
+
+    Attributes:
+        joint: the later of the two joints.
+        angle: the tilt [rad].
+        pivot: point of its axis about which it was turned, or through which the dummy axis passes.
+    """
+
+    joint: int
+    angle: float
+    pivot: Vector
+
+
+def straighten(lines: Sequence[Line], tolerance: float) -> tuple[list[Line], list[Tilt]]:
+    """The axes with near-parallel neighbours made parallel.
+
+    Every axis of a run is compared with the first of the run, so tilts do not add up unnoticed.
+
+    Args:
+        lines: the axes.
+        tolerance: largest tilt [rad] that counts as near-parallel.
+    """
+    straight = [lines[0]]
+    tilts: list[Tilt] = []
+    centre: Vector | None = None
+    reference = lines[0].direction
+    for k in range(1, len(lines)):
+        line = lines[k]
+        tilt = _tilt(reference, line.direction)
+        step = _tilt(lines[k - 1].direction, line.direction)
+        if tilt <= EXACT_ANGLE:
+            straight.append(line)
+        elif tilt <= tolerance or (step <= tolerance and tilt <= 2 * tolerance):
+            centre = middle(lines) if centre is None else centre
+            pivot = foot(centre, line.point, line.direction)
+            sense = 1.0 if dot(reference, line.direction) > 0 else -1.0
+            straight.append(Line(line.joint, pivot, scaled(sense, reference)))
+            tilts.append(Tilt(k + 1, tilt, pivot))
+        else:
+            straight.append(line)
+            reference = line.direction
+    return straight, tilts
+
+
+def with_dummies(lines: Sequence[Line], tolerance: float, size: float) -> tuple[list[Line], list[Tilt]]:
+    """The axes with a fixed, crossing axis between near-parallel neighbours.
+
+    The dummy axis runs from one to the other across both, through their points nearest to the robot's middle.
+    """
+    chain = [lines[0]]
+    tilts: list[Tilt] = []
+    for k in range(1, len(lines)):
+        before, line = lines[k - 1], lines[k]
+        tilt = _tilt(before.direction, line.direction)
+        if EXACT_ANGLE < tilt <= tolerance:
+            start = foot(middle(lines), before.point, before.direction)
+            end = foot(start, line.point, line.direction)
+            across = rejected(minus(end, start), before.direction)
+            apart = norm(across) > 1e-6 * size
+            direction = unit(minus(end, start)) if apart else perpendicular(before.direction)
+            chain.append(Line(JointType.FIXED, start, direction))
+            tilts.append(Tilt(k + 1, tilt, end))
+        chain.append(line)
+    return chain, tilts
+
+
+def middle(lines: Sequence[Line]) -> Vector:
+    """The point with the least sum of squared distances to the axes; prismatic axes have no place and no say.
+
+    It does not depend on which points of the axes were given, but for a pull of 1e-6 towards their mean,
+    which decides where the axes alone do not.
+    """
+    placed = [line for line in lines if line.joint is not JointType.PRISMATIC] or list(lines)
+    points = np.array([line.point for line in placed])
+    directions = np.array([line.direction for line in placed])
+    across = np.eye(3) - directions[:, :, None] * directions[:, None, :]
+    mean = points.mean(axis=0)
+    A = across.sum(axis=0) + 1e-6 * np.eye(3)
+    b = np.einsum("kij,kj->i", across, points) + 1e-6 * mean
+    x, y, z = np.linalg.solve(A, b).tolist()
+    return (x, y, z)
+
+
+def _tilt(u: Vector, v: Vector) -> float:
+    return norm(cross(u, v))

@@ -1,0 +1,104 @@
+"""What a caller should know about an assignment that succeeded."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from kinematics.errors import Fault
+from kinematics.frames.parallels import NearParallel, Tilt
+from kinematics.frames.vectors import Vector, minus, norm
+from kinematics.table import Convention, NumericTable
+
+
+def tilt_remarks(
+    tilts: Sequence[Tilt], table: NumericTable, axis_points: Sequence[Vector], policy: NearParallel
+) -> list[Fault]:
+    """One warning for each tilt.
+
+    A turn about an axis that is tilted by ε moves a point at distance r from the pivot by at most 2 ε r; r is
+    bounded by the lengths of the rows from that joint on.
+
+    Args:
+        tilts: the tilts that were found.
+        table: the table that was made.
+        axis_points: for each axis the origin that the table has on it.
+        policy: what was done about them.
+    """
+    remarks = []
+    for tilt in tilts:
+        i = tilt.joint - 1
+        angle = float(f"{tilt.angle:.6g}")
+        where = ("axes", i, "direction")
+        if policy is NearParallel.DUMMY_ROW:
+            remarks.append(
+                Fault(
+                    code="near_parallel_dummy_row",
+                    where=where,
+                    message=f"axes {i} and {i + 1} are parallel but for {angle} rad; a fixed row between"
+                    " them carries the tilt, so that no common normal lies far away",
+                    params={"joint": i + 1, "previous": i, "angle": angle},
+                )
+            )
+            continue
+        reach = norm(minus(tilt.pivot, axis_points[i]))
+        reach += sum(abs(row.a) + abs(row.d) for row in table.rows[i:])
+        displacement = float(f"{2.0 * tilt.angle * reach:.3g}")
+        remarks.append(
+            Fault(
+                code="near_parallel",
+                where=where,
+                message=f"axes {i} and {i + 1} are parallel but for {angle} rad and were taken as"
+                " parallel; poses"
+                f" may differ by twice that angle and by {displacement} in the position of the last frame",
+                params={"joint": i + 1, "previous": i, "angle": angle, "displacement": displacement},
+            )
+        )
+    return remarks
+
+
+def unfit_base(convention: Convention) -> Fault:
+    """The warning that a given frame cannot be frame 0."""
+    if convention is Convention.STANDARD:
+        return Fault(
+            code="base_not_frame_zero_standard",
+            where=("base",),
+            message="frame 0 of a standard table has z along axis 1 and its origin on it; the given frame"
+            " has not,"
+            " so frame 0 was chosen by the rule for the first frame",
+        )
+    return Fault(
+        code="base_not_frame_zero_modified",
+        where=("base",),
+        message="frame 0 of a modified table has an x axis that crosses axis 1 at right angles; the given"
+        " frame has"
+        " not, so frame 0 was chosen by the rule for the first frame",
+    )
+
+
+def unfit_tool(convention: Convention) -> Fault:
+    """The warning that a given frame cannot be frame N."""
+    if convention is Convention.STANDARD:
+        return Fault(
+            code="tool_not_last_frame_standard",
+            where=("tool",),
+            message="the last frame of a standard table has an x axis that crosses the last joint axis at"
+            " right"
+            " angles; the given tool has not, so its constant pose in the last frame is returned as tool",
+        )
+    return Fault(
+        code="tool_not_last_frame_modified",
+        where=("tool",),
+        message="the last frame of a modified table has z along the last joint axis and its origin on it;"
+        " the given"
+        " tool has not, so its constant pose in the last frame is returned as tool",
+    )
+
+
+def tolerance_fault(least: float, greatest: float) -> Fault:
+    """The fault of a tolerance outside its range."""
+    return Fault(
+        code="parallel_tolerance_out_of_range",
+        where=("parallel_tolerance",),
+        message=f"the tolerance for parallel axes lies between {least:g} and {greatest:g} rad",
+        params={"least": f"{least:g}", "greatest": f"{greatest:g}"},
+    )
