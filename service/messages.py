@@ -8,6 +8,7 @@ from functools import cache, lru_cache
 from pathlib import Path
 
 from fluent.runtime import FluentBundle, FluentResource
+from fluent.syntax import FluentParser, ast
 
 from service.negotiation import preferred_language
 
@@ -66,3 +67,43 @@ def _argument(value: object) -> str | int:
         value = ", ".join(str(item) for item in value)
     text = str(value)
     return text if len(text) <= _TEXT_LIMIT else text[: _TEXT_LIMIT - 1] + "…"
+
+
+@cache
+def refusal_codes() -> frozenset[str]:
+    """Every code that has a message."""
+    identifiers = _patterns(DEFAULT_LANGUAGE)
+    return frozenset(name.removeprefix("error-") for name in identifiers if name.startswith("error-"))
+
+
+def template(language: str, identifier: str) -> str:
+    """The message with the names of its parameters in braces; of a choice, the usual form."""
+    return _patterns(language)[identifier]
+
+
+@lru_cache(maxsize=32)
+def _patterns(language: str) -> dict[str, str]:
+    parser = FluentParser()
+    found: dict[str, str] = {}
+    for path in sorted((LOCALES / language).glob("*.ftl")):
+        for entry in parser.parse(path.read_text(encoding="utf-8")).body:
+            if isinstance(entry, ast.Message) and entry.value:
+                found[entry.id.name] = _plain(entry.value)
+    return found
+
+
+def _plain(pattern: ast.Pattern) -> str:
+    return "".join(
+        element.value if isinstance(element, ast.TextElement) else _shown(element.expression)
+        for element in pattern.elements
+    ).strip()
+
+
+def _shown(expression: object) -> str:
+    if isinstance(expression, ast.SelectExpression):
+        return _plain(next(variant.value for variant in expression.variants if variant.default))
+    if isinstance(expression, ast.VariableReference):
+        return "{" + expression.id.name + "}"
+    if isinstance(expression, ast.FunctionReference):
+        return _shown(expression.arguments.positional[0])
+    return str(getattr(expression, "value", ""))

@@ -24,6 +24,15 @@ _LENGTH_BYTES = {(1, 0): 2, (2, 0): 4, (3, 0): 4}
 _LONGEST_HEADER = 4096
 _NUMBER = re.compile(r"[<>|=]?(f[248]|[iu][1248])")
 _OBJECT = re.compile(r"[<>|=]?O\d*")
+_RULES = {
+    "magic": "it must begin with \\x93NUMPY, a version and the length of the header",
+    "version": "its version must be 1.0, 2.0 or 3.0",
+    "length": f"its header must be complete, and at most {_LONGEST_HEADER} bytes long",
+    "literal": "its header must be a dictionary written in Python",
+    "keys": "its header must name descr, fortran_order and shape",
+    "order": "fortran_order must be True or False",
+    "shape": "its shape must be a tuple of sizes",
+}
 _KEYS = {"descr", "fortran_order", "shape"}
 
 
@@ -39,7 +48,7 @@ def read_npy(body: bytes) -> NDArray[np.float64]:
     dtype = _dtype(header["descr"])
     shape = _shape(header["shape"])
     if type(header["fortran_order"]) is not bool:
-        raise _invalid("fortran_order is True or False")
+        raise _invalid("order")
     promised, present = math.prod(shape) * dtype.itemsize, len(body) - start
     if promised != present:
         raise BodyError(
@@ -68,21 +77,21 @@ def npy_data(array: NDArray[np.float64]) -> bytes:
 
 def _header(body: bytes) -> tuple[dict[str, Any], int]:
     if not body.startswith(_MAGIC) or len(body) < 10:
-        raise _invalid("it begins with \\x93NUMPY, a version and the length of the header")
+        raise _invalid("magic")
     version = (body[6], body[7])
     size = _LENGTH_BYTES.get(version)
     if size is None:
-        raise _invalid("the version is 1.0, 2.0 or 3.0")
+        raise _invalid("version")
     length = int.from_bytes(body[8 : 8 + size], "little")
     start = 8 + size + length
     if length > _LONGEST_HEADER or start > len(body):
-        raise _invalid(f"the header is at most {_LONGEST_HEADER} bytes long, and all there")
+        raise _invalid("length")
     try:
         header = ast.literal_eval(body[8 + size : start].decode("utf-8").strip())
     except (ValueError, SyntaxError, TypeError, MemoryError, RecursionError):
-        raise _invalid("the header is a dictionary written in Python") from None
+        raise _invalid("literal") from None
     if not isinstance(header, dict) or set(header) != _KEYS:
-        raise _invalid("the header names descr, fortran_order and shape")
+        raise _invalid("keys")
     return header, start
 
 
@@ -93,7 +102,7 @@ def _dtype(description: object) -> np.dtype[Any]:
         raise BodyError(
             Fault(
                 code="npy_object_refused",
-                message="the npy file holds Python objects, which are never unpickled; send an array of float64",
+                message="the npy file holds Python objects, which are never unpickled; send numbers",
             )
         )
     shown = str(description)[:40]
@@ -108,7 +117,7 @@ def _dtype(description: object) -> np.dtype[Any]:
 
 def _shape(shape: object) -> tuple[int, ...]:
     if not isinstance(shape, tuple) or not all(type(size) is int and size >= 0 for size in shape):
-        raise _invalid("the shape is a tuple of sizes")
+        raise _invalid("shape")
     return shape
 
 
@@ -116,7 +125,7 @@ def _invalid(rule: str) -> BodyError:
     return BodyError(
         Fault(
             code="npy_header_invalid",
-            message=f"the body is not an npy file as numpy.save writes it: {rule}",
+            message=f"the body is not an npy file as numpy.save writes it: {_RULES[rule]}",
             params={"rule": rule},
         )
     )

@@ -1,4 +1,4 @@
-"""Is the server on this machine alive? For a container's health check: standard library only, exit code 0 or 1."""
+"""Is the server on this machine alive? For a container: standard library only, exit code 0 or 1."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def main() -> int:
     prefix = os.environ.get("FRAMEWISE_PREFIX", "").strip("/")
     address = f"http://127.0.0.1:{port}/{prefix}{'/' if prefix else ''}healthz"
     try:
-        with urllib.request.urlopen(address, timeout=_TIMEOUT_SECONDS) as response:  # noqa: S310 - fixed scheme
+        with urllib.request.urlopen(address, timeout=_TIMEOUT_SECONDS) as response:
             return 0 if response.status == 200 else 1
     except (urllib.error.URLError, OSError):
         return 1

@@ -8,6 +8,8 @@ from typing import Annotated
 from pydantic import Field, PositiveFloat, PositiveInt, field_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
+from kinematics.cells import Limits
+
 KIB = 1024
 MIB = 1024 * KIB
 
@@ -44,8 +46,10 @@ class Settings(BaseSettings):
     batch_threads: PositiveInt = Field(2, description="batches that are computed at the same time")
     batch_queue: PositiveInt = Field(16, description="batches that may wait for their turn")
     row_limit: PositiveInt = Field(64, description="most rows of a DH table")
-    expression_length: PositiveInt = Field(200, description="longest expression in a cell [character]")
-    expression_depth: PositiveInt = Field(32, description="deepest nesting of an expression")
+    parameter_limit: PositiveInt = Field(64, description="most different parameters of a DH table")
+    cell_characters: PositiveInt = Field(200, description="longest expression in a cell [character]")
+    cell_depth: PositiveInt = Field(32, description="deepest nesting of an expression")
+    cell_symbols: PositiveInt = Field(16, description="most different names in a cell")
     fault_limit: PositiveInt = Field(50, description="most faults listed in one problem document")
     table_cache: PositiveInt = Field(512, description="tables that are kept parsed")
     symbolic_workers: PositiveInt = Field(1, description="processes for closed forms")
@@ -65,3 +69,14 @@ class Settings(BaseSettings):
     def _one_leading_slash(cls, value: str) -> str:
         trimmed = value.strip("/")
         return f"/{trimmed}" if trimmed else ""
+
+    @property
+    def cell_limits(self) -> Limits:
+        """The bounds on DH tables, as their reader takes them."""
+        return Limits(
+            rows=self.row_limit,
+            table_parameters=self.parameter_limit,
+            cell_characters=self.cell_characters,
+            cell_depth=self.cell_depth,
+            cell_symbols=self.cell_symbols,
+        )

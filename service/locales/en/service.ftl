@@ -1,0 +1,75 @@
+# Refusals of the HTTP service itself.
+
+problem-title-400 = The request cannot be read
+problem-title-404 = Nothing is here
+problem-title-405 = This method is not available here
+problem-title-406 = No acceptable form of the answer
+problem-title-413 = The request is too large
+problem-title-415 = This kind of body is not read here
+problem-title-422 = The request cannot be carried out as it stands
+problem-title-500 = The service failed
+problem-title-503 = The service is busy
+
+error-body_missing = The request has no body. Send a JSON object.
+error-body_invalid = The body cannot be read. Send a JSON object in UTF-8.
+error-json_not_utf8 = The body is not UTF-8, as JSON must be.
+error-json_too_deep = The JSON document is nested too deeply.
+error-json_not_finite = Line { $line }, column { $column }: a number must be finite. JSON has no NaN and no infinity.
+error-json_invalid = The body is not JSON: line { $line }, column { $column }. The parser says: { $reason }.
+error-json_duplicate_key = The key “{ $key }” stands twice in one object. Keep one of the two.
+error-content_encoding_unsupported = Compressed bodies are not read. Send the body without Content-Encoding.
+error-charset_unsupported = The body is announced as { $charset }. JSON is read as UTF-8 only.
+error-media_type_unsupported =
+    { $given ->
+        [none] The request does not say what its body is.
+       *[other] The body is announced as { $given }.
+    } This call reads { $offers }: say so in the header Content-Type.
+error-not_acceptable = This call answers in { $offers }; the header Accept leaves all of it out.
+error-body_too_large = The body is larger than { $limit } bytes, the most that this call reads.
+error-method_not_allowed = This address knows { $allowed }, and no { $method }.
+error-address_unknown = Nothing is at { $path }. The document /api/v1/openapi.json lists every call.
+error-problem_unknown = No refusal has the code { $code }.
+error-internal_error = The service failed on this request. Report it with the id { $id }.
+error-busy = All places are taken. Try again in { $seconds } s.
+
+error-field_missing = The field “{ $field }” is missing.
+error-field_unknown = There is no field “{ $field }” here. The fields are: { $allowed }.
+error-table_or_robot = Give either “table” or “robot”, exactly one of them.
+error-number_expected = “{ $field }” must be a number.
+error-number_not_finite = “{ $field }” must be a finite number.
+error-number_too_small = The number is too small; the bound is { $limit }.
+error-number_too_large = The number is too large; the bound is { $limit }.
+error-integer_expected = “{ $field }” must be a whole number.
+error-boolean_expected = “{ $field }” must be true or false.
+error-string_expected = “{ $field }” must be text.
+error-string_too_long = The text is too long: at most { $limit } characters are read.
+error-string_too_short = The text is too short: at least { $limit } characters are needed.
+error-string_pattern = The text does not have the expected form, { $pattern }.
+error-list_expected = “{ $field }” must be a list.
+error-list_too_long = The list is too long: it may have at most { $limit } items.
+error-list_too_short = The list is too short: it needs at least { $limit } items.
+error-object_expected = “{ $field }” must be an object with named fields.
+error-null_expected = “{ $field }” must be null or left out.
+error-value_not_allowed = This must be one of: { $expected }.
+error-value_invalid = This value cannot be used: { $reason }.
+
+error-joints_not_a_list = “joints” must be a list of numbers (one configuration) or a list of such lists (a batch).
+error-joints_wrong_dimensions = An array of joints has one or two dimensions, not { $dimensions }: (joints) or (configurations, joints).
+error-batch_too_large = The batch has { $given } configurations; at most { $limit } are computed in one request.
+error-batch_empty = The batch holds no configuration; at least one is needed.
+error-result_not_finite = The result is not finite: the lengths or joint values are too large to compute with.
+error-query_missing = The joints came as npy; the rest of the request belongs, as JSON, in the query parameter “request”.
+error-npy_header_invalid =
+    The body is not an npy file as numpy.save writes it: { $rule ->
+        [magic] it must begin with \x93NUMPY, a version and the length of the header
+        [version] its version must be 1.0, 2.0 or 3.0
+        [length] its header must be complete, and at most 4096 bytes long
+        [literal] its header must be a dictionary written in Python
+        [keys] its header must name descr, fortran_order and shape
+        [order] fortran_order must be True or False
+       *[shape] its shape must be a tuple of sizes
+    }.
+error-npy_length_mismatch = The npy header promises { $promised } bytes of data; { $present } follow it.
+error-npy_object_refused = The npy file holds Python objects, which are never unpickled. Send an array of numbers.
+error-npy_type_unsupported = The npy file holds { $type }. Send real numbers, such as float64 (<f8).
+error-npy_not_finite = The array holds NaN or an infinite value; joint values are finite.

@@ -1,0 +1,75 @@
+# Recusas do serviço HTTP.
+
+problem-title-400 = O pedido não pode ser lido
+problem-title-404 = Não há nada neste endereço
+problem-title-405 = Este método não está disponível aqui
+problem-title-406 = Nenhuma forma aceitável da resposta
+problem-title-413 = O pedido é grande demais
+problem-title-415 = Este tipo de corpo não é lido aqui
+problem-title-422 = O pedido não pode ser executado tal como está
+problem-title-500 = O serviço falhou
+problem-title-503 = O serviço está ocupado
+
+error-body_missing = O pedido não tem corpo. Envie um objeto JSON.
+error-body_invalid = O corpo não pode ser lido. Envie um objeto JSON em UTF-8.
+error-json_not_utf8 = O corpo não está em UTF-8, como o JSON exige.
+error-json_too_deep = O documento JSON tem níveis de aninhamento demais.
+error-json_not_finite = Linha { $line }, coluna { $column }: um número tem de ser finito. O JSON não tem NaN nem infinito.
+error-json_invalid = O corpo não é JSON: linha { $line }, coluna { $column }. O analisador diz: { $reason }.
+error-json_duplicate_key = A chave “{ $key }” aparece duas vezes no mesmo objeto. Mantenha só uma.
+error-content_encoding_unsupported = Corpos comprimidos não são lidos. Envie o corpo sem Content-Encoding.
+error-charset_unsupported = O corpo é anunciado como { $charset }. O JSON é lido apenas em UTF-8.
+error-media_type_unsupported =
+    { $given ->
+        [none] O pedido não diz o que é o seu corpo.
+       *[other] O corpo é anunciado como { $given }.
+    } Esta chamada lê { $offers }: indique-o no cabeçalho Content-Type.
+error-not_acceptable = Esta chamada responde em { $offers }; o cabeçalho Accept exclui tudo isso.
+error-body_too_large = O corpo tem mais de { $limit } bytes, o máximo que esta chamada lê.
+error-method_not_allowed = Este endereço conhece { $allowed }, mas não { $method }.
+error-address_unknown = Não há nada em { $path }. O documento /api/v1/openapi.json lista todas as chamadas.
+error-problem_unknown = Nenhuma recusa tem o código { $code }.
+error-internal_error = O serviço falhou neste pedido. Comunique-o com o identificador { $id }.
+error-busy = Todos os lugares estão ocupados. Tente de novo dentro de { $seconds } s.
+
+error-field_missing = Falta o campo “{ $field }”.
+error-field_unknown = Não existe aqui o campo “{ $field }”. Os campos são: { $allowed }.
+error-table_or_robot = Dê “table” ou “robot”: exatamente um dos dois.
+error-number_expected = “{ $field }” tem de ser um número.
+error-number_not_finite = “{ $field }” tem de ser um número finito.
+error-number_too_small = O número é pequeno demais; o limite é { $limit }.
+error-number_too_large = O número é grande demais; o limite é { $limit }.
+error-integer_expected = “{ $field }” tem de ser um número inteiro.
+error-boolean_expected = “{ $field }” tem de ser true ou false.
+error-string_expected = “{ $field }” tem de ser texto.
+error-string_too_long = O texto é longo demais: leem-se no máximo { $limit } caracteres.
+error-string_too_short = O texto é curto demais: são necessários pelo menos { $limit } caracteres.
+error-string_pattern = O texto não tem a forma esperada, { $pattern }.
+error-list_expected = “{ $field }” tem de ser uma lista.
+error-list_too_long = A lista é longa demais: pode ter no máximo { $limit } itens.
+error-list_too_short = A lista é curta demais: precisa de pelo menos { $limit } itens.
+error-object_expected = “{ $field }” tem de ser um objeto com campos nomeados.
+error-null_expected = “{ $field }” tem de ser null ou ser omitido.
+error-value_not_allowed = O valor tem de ser um destes: { $expected }.
+error-value_invalid = Este valor não pode ser usado: { $reason }.
+
+error-joints_not_a_list = “joints” tem de ser uma lista de números (uma configuração) ou uma lista dessas listas (um lote).
+error-joints_wrong_dimensions = Uma matriz de variáveis de junta tem uma ou duas dimensões, não { $dimensions }: (juntas) ou (configurações, juntas).
+error-batch_too_large = O lote tem { $given } configurações; calculam-se no máximo { $limit } num pedido.
+error-batch_empty = O lote não tem nenhuma configuração; é necessária pelo menos uma.
+error-result_not_finite = O resultado não é finito: os comprimentos ou os valores das juntas são grandes demais para calcular.
+error-query_missing = As juntas vieram como npy; o resto do pedido vai, como JSON, no parâmetro de consulta “request”.
+error-npy_header_invalid =
+    O corpo não é um ficheiro npy como numpy.save o escreve: { $rule ->
+        [magic] tem de começar por \x93NUMPY, uma versão e o comprimento do cabeçalho
+        [version] a versão tem de ser 1.0, 2.0 ou 3.0
+        [length] o cabeçalho tem de estar completo e ter no máximo 4096 bytes
+        [literal] o cabeçalho tem de ser um dicionário escrito em Python
+        [keys] o cabeçalho tem de indicar descr, fortran_order e shape
+        [order] fortran_order tem de ser True ou False
+       *[shape] shape tem de ser um tuplo de dimensões
+    }.
+error-npy_length_mismatch = O cabeçalho npy promete { $promised } bytes de dados; seguem-se { $present }.
+error-npy_object_refused = O ficheiro npy contém objetos Python, que nunca são desserializados. Envie uma matriz de números.
+error-npy_type_unsupported = O ficheiro npy contém { $type }. Envie números reais, como float64 (<f8).
+error-npy_not_finite = A matriz contém NaN ou um valor infinito; os valores das juntas são finitos.

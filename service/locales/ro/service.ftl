@@ -1,0 +1,75 @@
+# Refuzurile serviciului HTTP.
+
+problem-title-400 = Cererea nu poate fi citită
+problem-title-404 = La această adresă nu există nimic
+problem-title-405 = Metoda nu este disponibilă aici
+problem-title-406 = Nicio formă acceptabilă a răspunsului
+problem-title-413 = Cererea este prea mare
+problem-title-415 = Acest tip de corp nu este citit aici
+problem-title-422 = Cererea nu poate fi executată în forma actuală
+problem-title-500 = Serviciul a eșuat
+problem-title-503 = Serviciul este ocupat
+
+error-body_missing = Cererea nu are corp. Trimiteți un obiect JSON.
+error-body_invalid = Corpul cererii nu poate fi citit. Trimiteți un obiect JSON în UTF-8.
+error-json_not_utf8 = Corpul cererii nu este UTF-8, așa cum cere JSON.
+error-json_too_deep = Documentul JSON are prea multe niveluri de imbricare.
+error-json_not_finite = Linia { $line }, coloana { $column }: un număr trebuie să fie finit. JSON nu cunoaște NaN și nici infinit.
+error-json_invalid = Corpul cererii nu este JSON: linia { $line }, coloana { $column }. Analizorul spune: { $reason }.
+error-json_duplicate_key = Cheia „{ $key }” apare de două ori în același obiect. Păstrați una singură.
+error-content_encoding_unsupported = Corpurile comprimate nu sunt citite. Trimiteți corpul fără Content-Encoding.
+error-charset_unsupported = Corpul este anunțat ca { $charset }. JSON este citit numai în UTF-8.
+error-media_type_unsupported =
+    { $given ->
+        [none] Cererea nu spune ce conține corpul ei.
+       *[other] Corpul este anunțat ca { $given }.
+    } Acest apel citește { $offers }: precizați aceasta în antetul Content-Type.
+error-not_acceptable = Acest apel răspunde în { $offers }; antetul Accept le exclude pe toate.
+error-body_too_large = Corpul are mai mult de { $limit } octeți, cât citește cel mult acest apel.
+error-method_not_allowed = Această adresă cunoaște { $allowed }, dar nu și { $method }.
+error-address_unknown = La { $path } nu există nimic. Documentul /api/v1/openapi.json enumeră toate apelurile.
+error-problem_unknown = Niciun refuz nu are codul { $code }.
+error-internal_error = Serviciul a eșuat la această cerere. Semnalați problema cu identificatorul { $id }.
+error-busy = Toate locurile sunt ocupate. Încercați din nou peste { $seconds } s.
+
+error-field_missing = Câmpul „{ $field }” lipsește.
+error-field_unknown = Aici nu există câmpul „{ $field }”. Câmpurile sunt: { $allowed }.
+error-table_or_robot = Dați fie „table”, fie „robot”: exact unul dintre ele.
+error-number_expected = „{ $field }” trebuie să fie un număr.
+error-number_not_finite = „{ $field }” trebuie să fie un număr finit.
+error-number_too_small = Numărul este prea mic; limita este { $limit }.
+error-number_too_large = Numărul este prea mare; limita este { $limit }.
+error-integer_expected = „{ $field }” trebuie să fie un număr întreg.
+error-boolean_expected = „{ $field }” trebuie să fie true sau false.
+error-string_expected = „{ $field }” trebuie să fie text.
+error-string_too_long = Textul este prea lung: se citesc cel mult { $limit } caractere.
+error-string_too_short = Textul este prea scurt: sunt necesare cel puțin { $limit } caractere.
+error-string_pattern = Textul nu are forma așteptată, { $pattern }.
+error-list_expected = „{ $field }” trebuie să fie o listă.
+error-list_too_long = Lista este prea lungă: poate avea cel mult { $limit } elemente.
+error-list_too_short = Lista este prea scurtă: are nevoie de cel puțin { $limit } elemente.
+error-object_expected = „{ $field }” trebuie să fie un obiect cu câmpuri numite.
+error-null_expected = „{ $field }” trebuie să fie null sau să lipsească.
+error-value_not_allowed = Valoarea trebuie să fie una dintre: { $expected }.
+error-value_invalid = Această valoare nu poate fi folosită: { $reason }.
+
+error-joints_not_a_list = „joints” trebuie să fie o listă de numere (o configurație) sau o listă de astfel de liste (un lot).
+error-joints_wrong_dimensions = Un tablou de variabile articulare are una sau două dimensiuni, nu { $dimensions }: (articulații) sau (configurații, articulații).
+error-batch_too_large = Lotul are { $given } configurații; într-o cerere se calculează cel mult { $limit }.
+error-batch_empty = Lotul nu conține nicio configurație; este nevoie de cel puțin una.
+error-result_not_finite = Rezultatul nu este finit: lungimile sau valorile articulare sunt prea mari pentru calcul.
+error-query_missing = Variabilele articulare au venit ca npy; restul cererii se dă ca JSON în parametrul de interogare „request”.
+error-npy_header_invalid =
+    Corpul nu este un fișier npy așa cum îl scrie numpy.save: { $rule ->
+        [magic] trebuie să înceapă cu \x93NUMPY, versiunea și lungimea antetului
+        [version] versiunea trebuie să fie 1.0, 2.0 sau 3.0
+        [length] antetul trebuie să fie complet și să aibă cel mult 4096 de octeți
+        [literal] antetul trebuie să fie un dicționar scris în Python
+        [keys] antetul trebuie să numească descr, fortran_order și shape
+        [order] fortran_order trebuie să fie True sau False
+       *[shape] shape trebuie să fie un tuplu de dimensiuni
+    }.
+error-npy_length_mismatch = Antetul npy promite { $promised } octeți de date; urmează { $present }.
+error-npy_object_refused = Fișierul npy conține obiecte Python, care nu sunt niciodată deserializate. Trimiteți un tablou de numere.
+error-npy_type_unsupported = Fișierul npy conține { $type }. Trimiteți numere reale, de exemplu float64 (<f8).
+error-npy_not_finite = Tabloul conține NaN sau o valoare infinită; valorile articulare sunt finite.

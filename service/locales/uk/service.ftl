@@ -1,0 +1,75 @@
+# Відмови самої служби HTTP.
+
+problem-title-400 = Запит неможливо прочитати
+problem-title-404 = За цією адресою нічого немає
+problem-title-405 = Цей метод тут недоступний
+problem-title-406 = Немає прийнятної форми відповіді
+problem-title-413 = Запит завеликий
+problem-title-415 = Такий вид тіла запиту тут не читається
+problem-title-422 = Запит неможливо виконати в такому вигляді
+problem-title-500 = Збій служби
+problem-title-503 = Служба зайнята
+
+error-body_missing = Запит не має тіла. Надішліть об’єкт JSON.
+error-body_invalid = Тіло запиту неможливо прочитати. Надішліть об’єкт JSON у кодуванні UTF-8.
+error-json_not_utf8 = Тіло запиту не в UTF-8, як цього вимагає JSON.
+error-json_too_deep = Документ JSON має завелику глибину вкладеності.
+error-json_not_finite = Рядок { $line }, стовпець { $column }: число має бути скінченним. У JSON немає NaN і нескінченності.
+error-json_invalid = Тіло запиту не є JSON: рядок { $line }, стовпець { $column }. Аналізатор повідомляє: { $reason }.
+error-json_duplicate_key = Ключ «{ $key }» трапляється двічі в одному об’єкті. Залиште один із них.
+error-content_encoding_unsupported = Стиснені тіла запитів не читаються. Надішліть тіло без Content-Encoding.
+error-charset_unsupported = Тіло запиту оголошено як { $charset }. JSON читається лише в UTF-8.
+error-media_type_unsupported =
+    { $given ->
+        [none] Запит не повідомляє, що є його тілом.
+       *[other] Тіло запиту оголошено як { $given }.
+    } Цей виклик читає { $offers }: зазначте це в заголовку Content-Type.
+error-not_acceptable = Цей виклик відповідає у форматі { $offers }; заголовок Accept виключає все це.
+error-body_too_large = Тіло запиту більше за { $limit } байт — найбільше, що читає цей виклик.
+error-method_not_allowed = Ця адреса знає { $allowed }, але не { $method }.
+error-address_unknown = За адресою { $path } нічого немає. Усі виклики перелічено в документі /api/v1/openapi.json.
+error-problem_unknown = Жодна відмова не має коду { $code }.
+error-internal_error = Служба не змогла виконати цей запит. Повідомте про це, вказавши ідентифікатор { $id }.
+error-busy = Усі місця зайняті. Спробуйте знову через { $seconds } с.
+
+error-field_missing = Бракує поля «{ $field }».
+error-field_unknown = Поля «{ $field }» тут немає. Можливі поля: { $allowed }.
+error-table_or_robot = Задайте або «table», або «robot» — рівно одне з двох.
+error-number_expected = «{ $field }» має бути числом.
+error-number_not_finite = «{ $field }» має бути скінченним числом.
+error-number_too_small = Число замале; межа — { $limit }.
+error-number_too_large = Число завелике; межа — { $limit }.
+error-integer_expected = «{ $field }» має бути цілим числом.
+error-boolean_expected = «{ $field }» має бути true або false.
+error-string_expected = «{ $field }» має бути текстом.
+error-string_too_long = Текст задовгий: читається не більше ніж { $limit } символів.
+error-string_too_short = Текст закороткий: потрібно щонайменше { $limit } символів.
+error-string_pattern = Текст не має очікуваного вигляду, { $pattern }.
+error-list_expected = «{ $field }» має бути списком.
+error-list_too_long = Список задовгий: у ньому може бути не більше ніж { $limit } елементів.
+error-list_too_short = Список закороткий: потрібно щонайменше { $limit } елементів.
+error-object_expected = «{ $field }» має бути об’єктом з іменованими полями.
+error-null_expected = «{ $field }» має бути null або відсутнє.
+error-value_not_allowed = Значення має бути одним із таких: { $expected }.
+error-value_invalid = Це значення неможливо використати: { $reason }.
+
+error-joints_not_a_list = «joints» має бути списком чисел (одна конфігурація) або списком таких списків (пакет).
+error-joints_wrong_dimensions = Масив змінних з’єднань має один або два виміри, а не { $dimensions }: (з’єднання) або (конфігурації, з’єднання).
+error-batch_too_large = У пакеті { $given } конфігурацій; за один запит обчислюється не більше ніж { $limit }.
+error-batch_empty = У пакеті немає жодної конфігурації; потрібна щонайменше одна.
+error-result_not_finite = Результат не є скінченним: довжини або значення змінних завеликі для обчислення.
+error-query_missing = Змінні з’єднань надійшли як npy; решту запиту подайте як JSON у параметрі запиту «request».
+error-npy_header_invalid =
+    Тіло запиту не є файлом npy, як його записує numpy.save: { $rule ->
+        [magic] він має починатися з \x93NUMPY, версії та довжини заголовка
+        [version] його версія має бути 1.0, 2.0 або 3.0
+        [length] його заголовок має бути повним і не довшим за 4096 байт
+        [literal] його заголовок має бути словником, записаним мовою Python
+        [keys] його заголовок має називати descr, fortran_order і shape
+        [order] fortran_order має бути True або False
+       *[shape] shape має бути кортежем розмірів
+    }.
+error-npy_length_mismatch = Заголовок npy обіцяє { $promised } байт даних; за ним іде { $present }.
+error-npy_object_refused = Файл npy містить об’єкти Python, які ніколи не десеріалізуються. Надішліть масив чисел.
+error-npy_type_unsupported = Файл npy містить { $type }. Надішліть дійсні числа, наприклад float64 (<f8).
+error-npy_not_finite = Масив містить NaN або нескінченне значення; значення змінних з’єднань скінченні.

@@ -1,0 +1,55 @@
+"""What the API says of itself: the OpenAPI document, and what each refusal means."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import orjson
+from fastapi import Path, Request, Response
+
+from kinematics.errors import Fault
+from service.errors import NotFoundError, Place
+from service.messages import language_for, refusal_codes, template
+from service.openapi import problems
+from service.routing import JSON, api_router
+from service.schemas.base import Wire
+
+router = api_router("service")
+
+
+class Refusal(Wire):
+    """What a refusal's code means."""
+
+    code: str
+    language: str
+    message: str
+
+
+@router.get("/openapi.json", include_in_schema=False)
+async def openapi_document(request: Request) -> Response:
+    """The OpenAPI document, with the address under which the caller reached it."""
+    document = request.app.openapi()
+    prefix = request.scope.get("root_path", "")
+    body = orjson.dumps({**document, "servers": [{"url": prefix or "/"}]})
+    return Response(body, media_type=JSON, headers={"Cache-Control": "no-cache"})
+
+
+@router.get("/problems/{code}", responses=problems(404), summary="What a refusal's code means")
+async def problem(
+    request: Request,
+    response: Response,
+    code: Annotated[str, Path(max_length=80, openapi_examples={"a cell": {"value": "parameter_missing"}})],
+) -> Refusal:
+    """The sentence behind a code, its parameters in braces: where the `type` of a problem leads."""
+    language = language_for(request.headers.get("accept-language"))
+    if code not in refusal_codes():
+        fault = Fault(
+            code="problem_unknown",
+            message=f"no refusal has the code {code[:80]}",
+            where=("code",),
+            params={"code": code[:80]},
+        )
+        raise NotFoundError(fault, place=Place.PATH)
+    response.headers["Content-Language"] = language
+    response.headers["Vary"] = "Accept-Language"
+    return Refusal(code=code, language=language, message=template(language, f"error-{code}"))

@@ -1,0 +1,25 @@
+"""Which robot a call speaks of: a table, or a robot of the catalogue."""
+
+from __future__ import annotations
+
+from typing import Self
+
+from pydantic import Field, model_validator
+from pydantic_core import PydanticCustomError
+
+from service.schemas.base import Wire
+from service.schemas.tables import Parameters, Table
+
+
+class RobotQuestion(Wire):
+    """Base of the calls that take a robot: exactly one of `table` and `robot`."""
+
+    table: Table | None = Field(None, description="the robot's DH table")
+    robot: str | None = Field(None, max_length=64, description="or the id of a robot of the catalogue")
+    parameters: Parameters = Field(default_factory=dict)
+
+    @model_validator(mode="after")
+    def _one_robot(self) -> Self:
+        if (self.table is None) == (self.robot is None):
+            raise PydanticCustomError("table_or_robot", "give either table or robot, exactly one of them")
+        return self

@@ -1,0 +1,76 @@
+"""The DH table on the wire."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal, TypeAlias
+
+from pydantic import Field, WithJsonSchema
+
+from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable
+from kinematics.table import Convention, JointType
+from service.schemas.base import Real, Wire
+
+Cell: TypeAlias = Annotated[
+    Any,
+    WithJsonSchema(
+        {
+            "anyOf": [{"type": "number"}, {"type": "string", "minLength": 1, "maxLength": 200}],
+            "description": "a number or an expression",
+        }
+    ),
+]
+"""Checked by the cell grammar, which says of every cell at once what is wrong with it."""
+
+
+class Row(Wire):
+    """One row of a DH table."""
+
+    joint: Annotated[JointType, Field(strict=False)] | None = Field(
+        None, description="what varies; left out, it follows from the cell that holds the row's variable"
+    )
+    alpha: Cell = Field(description="link twist α_i, or α_{i-1} in a modified table")
+    a: Cell = Field(description="link length a_i, or a_{i-1} in a modified table")
+    d: Cell = Field(description="link offset d_i; in a prismatic row it holds the variable or the offset")
+    theta: Cell = Field(description="joint angle θ_i; in a revolute row it holds the variable or the offset")
+
+
+class Table(Wire):
+    """A Denavit–Hartenberg table: a convention and its rows, base first."""
+
+    convention: Annotated[Convention, Field(strict=False)] = Field(
+        description="standard (a_i, α_i) or modified (a_{i-1}, α_{i-1})"
+    )
+    angle_unit: Annotated[AngleUnit, Field(strict=False)] = Field(
+        AngleUnit.RAD,
+        description="unit of every angle: table, joints, parameters and answer",
+    )
+    length_unit: Annotated[LengthUnit, Field(strict=False)] = Field(
+        LengthUnit.M,
+        description="unit of every length: table, joints, parameters and answer",
+    )
+    rows: list[Row] = Field(min_length=1, description="the rows, base first")
+
+    def raw(self) -> RawTable:
+        """The table as the cell grammar reads it."""
+        return RawTable(
+            convention=self.convention,
+            rows=tuple(
+                RawRow(joint=row.joint, alpha=row.alpha, a=row.a, d=row.d, theta=row.theta)
+                for row in self.rows
+            ),
+            angle_unit=self.angle_unit,
+            length_unit=self.length_unit,
+        )
+
+
+class Units(Wire):
+    """The units of an answer: those of the request's table."""
+
+    angle_unit: Literal["rad", "deg"] = Field(description="unit of every angle in this answer")
+    length_unit: Literal["m", "cm", "mm", "in"] = Field(description="unit of every length in this answer")
+
+
+Parameters: TypeAlias = Annotated[
+    dict[str, Real],
+    Field(description="the value of every parameter in the table, in its units"),
+]
