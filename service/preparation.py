@@ -1,7 +1,7 @@
 """From what a request says of a robot to a table that can be computed with; what was read is kept.
 
-Clients send the same table again and again: a table and its parameters are read and validated once, and looked
-up by their JSON after that.
+Clients send the same table again and again: a table and its parameters are read and validated once, and then
+looked up by their JSON.
 """
 
 from __future__ import annotations

@@ -46,6 +46,9 @@ CODES: dict[str, str] = {
     "less_than_equal": "number_too_large",
     "none_required": "null_expected",
 }
+CHOICE = "\0"
+"""Begins the tags of a union's branches, which are no part of the place of a fault."""
+
 _PYDANTIC_TYPES = frozenset(get_args(ErrorType))
 _BOUNDS = ("ge", "gt", "le", "lt")
 _PLACES = {place.value: place for place in Place}
@@ -65,7 +68,7 @@ def validated(adapter: TypeAdapter[Any], value: object) -> Any:
 
 def faults_of(errors: Iterable[ErrorDetails], model: Any = None) -> tuple[Fault, ...]:
     """One fault for each of pydantic's findings, at its place below the validated value."""
-    return tuple(_fault(error, tuple(error["loc"]), model) for error in errors)
+    return tuple(_fault(error, _place(error["loc"]), model) for error in errors)
 
 
 def request_error(errors: Sequence[Any], body_model: Any = None) -> RequestError:
@@ -75,7 +78,7 @@ def request_error(errors: Sequence[Any], body_model: Any = None) -> RequestError
         head, *rest = error["loc"] or ("body",)
         place = _PLACES.get(str(head), Place.BODY)
         model = body_model if place is Place.BODY else None
-        faults.setdefault(place, []).append(_fault(error, tuple(rest), model))
+        faults.setdefault(place, []).append(_fault(error, _place(rest), model))
     first = next(iter(faults))
     return RequestError(faults[first], place=first)
 
@@ -101,6 +104,10 @@ def _fault(error: ErrorDetails, where: tuple[int | str, ...], model: Any) -> Fau
     elif code == "value_invalid":
         params = {"reason": error["msg"]}
     return Fault(code=code, message=error["msg"], where=where, params=params)
+
+
+def _place(loc: Iterable[int | str]) -> tuple[int | str, ...]:
+    return tuple(step for step in loc if not str(step).startswith(CHOICE))
 
 
 def _plain(value: object) -> ParamValue:

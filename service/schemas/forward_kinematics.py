@@ -1,0 +1,112 @@
+"""POST /forward-kinematics on the wire."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Annotated, Any, TypeAlias
+
+from pydantic import Discriminator, Field, Tag, WithJsonSchema
+
+from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.robots import RobotQuestion
+from service.schemas.tables import Units
+from service.validation import CHOICE
+
+
+class Part(StrEnum):
+    """A part of the answer that may be asked for."""
+
+    TRANSFORM = "transform"
+    LINKS = "links"
+    FRAMES = "frames"
+    POSITION = "position"
+    ORIENTATION = "orientation"
+    INVERSE = "inverse"
+
+
+STANDARD_PARTS = (Part.TRANSFORM, Part.LINKS, Part.FRAMES, Part.POSITION, Part.ORIENTATION)
+
+
+def _shape_of(joints: Any) -> str:
+    batch = isinstance(joints, list) and joints and isinstance(joints[0], list)
+    return CHOICE + ("batch" if batch else "one")
+
+
+Joints: TypeAlias = Annotated[
+    Annotated[list[Real], Tag(CHOICE + "one")] | Annotated[list[list[Real]], Tag(CHOICE + "batch")],
+    Discriminator(_shape_of),
+    WithJsonSchema(
+        {
+            "anyOf": [
+                {"type": "array", "items": {"type": "number"}},
+                {"type": "array", "minItems": 1, "items": {"type": "array", "items": {"type": "number"}}},
+            ]
+        }
+    ),
+    Field(description="q_1 … q_n in joint order (fixed rows not counted), or a list of such configurations"),
+]
+
+
+class ForwardKinematicsQuestion(RobotQuestion):
+    """What is asked of a robot, without the joint values."""
+
+    base: Matrix4 | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: Matrix4 | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+    inverse: bool = Field(False, description="whether the inverse of the transform is wanted as well")
+    parts: list[Annotated[Part, Field(strict=False)]] | None = Field(
+        None,
+        min_length=1,
+        description="the parts of the answer that are wanted; all but the inverse if left out",
+    )
+
+    def wanted(self) -> tuple[Part, ...]:
+        """The parts of the answer, in the order of the enumeration."""
+        chosen = set(self.parts if self.parts is not None else STANDARD_PARTS)
+        if self.inverse:
+            chosen.add(Part.INVERSE)
+        return tuple(part for part in Part if part in chosen)
+
+
+class ForwardKinematicsRequest(ForwardKinematicsQuestion):
+    """A robot, and one configuration or a batch of them."""
+
+    joints: Joints
+
+
+class AxisAngle(Wire):
+    """A rotation by an angle about a unit vector."""
+
+    axis: Vector3 | list[Vector3] = Field(description="unit vector")
+    angle: Real | list[Real] = Field(description="0 … π, in the answer's angle unit")
+
+
+Quaternion: TypeAlias = Annotated[list[Real], Field(min_length=4, max_length=4)]
+SixNumbers: TypeAlias = Annotated[list[Real], Field(min_length=6, max_length=6)]
+
+
+class Orientation(Wire):
+    """The orientation of the end frame, in four notations."""
+
+    quaternion: Quaternion | list[Quaternion] = Field(description="unit quaternion [w, x, y, z], w ≥ 0")
+    rpy: Vector3 | list[Vector3] = Field(
+        description="[roll, pitch, yaw]: R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll)"
+    )
+    axis_angle: AxisAngle
+    xyzabc: SixNumbers | list[SixNumbers] = Field(
+        description="[X, Y, Z, A, B, C]: T = Trans(X, Y, Z) Rot_z(A) Rot_y(B) Rot_x(C)"
+    )
+
+
+class ForwardKinematicsAnswer(Units):
+    """Poses. Of a batch, every part has one more axis in front, the configuration."""
+
+    transform: Matrix4 | list[Matrix4] | None = Field(None, description="⁰T_N, base and tool included")
+    links: list[Matrix4] | list[list[Matrix4]] | None = Field(
+        None, description="for each row the pose of frame i in frame i-1"
+    )
+    frames: list[Matrix4] | list[list[Matrix4]] | None = Field(
+        None, description="for each row the pose of frame i in the world, base included"
+    )
+    position: Vector3 | list[Vector3] | None = Field(None, description="origin of the end frame")
+    orientation: Orientation | None = None
+    inverse: Matrix4 | list[Matrix4] | None = Field(None, description="the inverse of the transform")
