@@ -1,0 +1,217 @@
+"""From an SCM chain to a modified DH table: the toolbox's SCM2DH, exactly.
+
+In a chain that passes `verify`, no joint turns by an offset, so at zero every frame is parallel to frame 0:
+joint i's axis is a coordinate direction through a point whose coordinates are sums of the row's lengths. The
+common normals are coordinate directions too, and every α and θ is a multiple of π/2, exact even when the
+lengths are symbols.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import TypeAlias
+
+from kinematics.errors import DescriptionError
+from kinematics.expressions import (
+    ZERO,
+    Expression,
+    Number,
+    Product,
+    Sum,
+    add,
+    multiply,
+    negate,
+    number,
+    pi_times,
+)
+from kinematics.scm.chain import Placement, ScmChain, verify
+from kinematics.table import Convention, DHRow, DHTable, JointType, SymbolicRow, SymbolicTable
+
+Direction: TypeAlias = tuple[int, int, int]
+Point: TypeAlias = tuple[Expression, Expression, Expression]
+
+_X: Direction = (1, 0, 0)
+_Z: Direction = (0, 0, 1)
+_ORIGIN: Point = (ZERO, ZERO, ZERO)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Frame:
+    """A frame parallel to the coordinate axes: origin, x and z directions."""
+
+    origin: Point
+    x: Direction
+    z: Direction
+
+    @property
+    def y(self) -> Direction:
+        return _cross(self.z, self.x)
+
+
+def modified_dh_from_scm(chain: ScmChain) -> SymbolicTable:
+    """The modified DH table whose ⁰T_N equals the chain's, base and tool included, for every q.
+
+    Every joint keeps its number, its sign and its zero (θ offsets are multiples of π/2). Rows that no joint
+    needs (a base turned away from the first axis, two parallel axes offset in two directions, the Final
+    Transformation, the tool) become fixed rows, so nothing is lost and no 4x4 remains to be carried along.
+
+    Args:
+        chain: an SCM chain that passes `verify`.
+
+    Raises:
+        DescriptionError: the chain does not pass `verify`; its faults.
+
+    Source: seed 001 §3.1 (SCM2DH), eq. 2.14.
+    """
+    faults = verify(chain)
+    if faults:
+        raise DescriptionError(faults)
+    rows: list[SymbolicRow] = []
+    here = _Frame(origin=_ORIGIN, x=_X, z=_Z)
+    point = _ORIGIN
+    for row in chain.rows:
+        revolute = row.joint is JointType.REVOLUTE
+        if revolute:
+            point = _moved(point, row.constant)
+        axis = tuple(row.sign if k == row.variable.axis else 0 for k in range(3))
+        there = _frame_on_axis(here, point, (axis[0], axis[1], axis[2]))
+        *lead, link = _links(here, there)
+        rows = _joined(rows, lead)
+        rows = _appended(rows, replace(link, joint=row.joint))
+        here = there
+    flange = _Frame(origin=_moved(point, chain.final), x=_X, z=_Z)
+    rows = _joined(rows, _links(here, flange))
+    for step in (*_turn_rows(chain.final), *_shift_rows(chain.tool), *_turn_rows(chain.tool)):
+        rows = _joined(rows, step)
+    return DHTable(convention=Convention.MODIFIED, rows=tuple(rows))
+
+
+def _frame_on_axis(here: _Frame, point: Point, z: Direction) -> _Frame:
+    """A frame on the axis through `point` along `z`, its x on the common normal with the previous axis."""
+    if abs(_dot(here.z, z)) == 1:
+        return _Frame(origin=point, x=here.x, z=z)
+    x = _cross(here.z, z)
+    shift = add((_along(point, x), negate(_along(here.origin, x))))
+    turned_back = shift == ZERO and _dot(x, here.x) < 0
+    return _Frame(origin=point, x=_opposite(x) if turned_back or _starts_negative(shift) else x, z=z)
+
+
+def _links(here: _Frame, there: _Frame) -> list[SymbolicRow]:
+    """Rows whose product is the pose of `there` in `here`; all but the last may be motions along z only."""
+    offset = tuple(add((there.origin[k], negate(here.origin[k]))) for k in range(3))
+    p: Point = (offset[0], offset[1], offset[2])
+    if abs(_dot(here.z, there.z)) == 1:
+        return _parallel_links(here, there, p)
+    normal = there.x if _dot(there.x, here.z) == 0 else _cross(here.z, there.z)
+    return [
+        _row(theta=_angle(here.x, normal, here.z), d=_along(p, here.z)),
+        _row(
+            a=_along(p, normal),
+            alpha=_angle(here.z, there.z, normal),
+            d=_along(p, there.z),
+            theta=_angle(normal, there.x, there.z),
+        ),
+    ]
+
+
+def _parallel_links(here: _Frame, there: _Frame, p: Point) -> list[SymbolicRow]:
+    along_x, along_y = _along(p, here.x), _along(p, here.y)
+    lead: list[SymbolicRow] = []
+    normal = here.x
+    length = along_x
+    if along_y != ZERO:
+        if along_x != ZERO:
+            lead.append(_row(a=along_x))
+        normal, length = here.y, along_y
+        lead.append(_row(theta=pi_times(Fraction(1, 2))))
+    lead = lead or [_row()]
+    alpha = _angle(here.z, there.z, normal)
+    last = _row(a=length, alpha=alpha, d=_along(p, there.z), theta=_angle(normal, there.x, there.z))
+    return [*lead, last]
+
+
+def _turn_rows(turn: Placement) -> list[list[SymbolicRow]]:
+    """Rot_z(A) Rot_y(B) Rot_x(C) as rows; Rot_y(B) = Rot_z(π/2) Rot_x(B) Rot_z(-π/2)."""
+    right = pi_times(Fraction(1, 2))
+    steps = [[_row(theta=turn.a)]] if turn.a != ZERO else []
+    if turn.b != ZERO:
+        steps += [[_row(theta=right)], [_row(alpha=turn.b, theta=negate(right))]]
+    if turn.c != ZERO:
+        steps.append([_row(alpha=turn.c)])
+    return steps
+
+
+def _shift_rows(shift: Placement) -> list[list[SymbolicRow]]:
+    """Trans(x, y, z) as rows; Trans_y(y) = Rot_z(π/2) Trans_x(y) Rot_z(-π/2)."""
+    right = pi_times(Fraction(1, 2))
+    steps = [[_row(a=shift.x)]] if shift.x != ZERO else []
+    if shift.y != ZERO:
+        steps += [[_row(theta=right)], [_row(a=shift.y, theta=negate(right))]]
+    if shift.z != ZERO:
+        steps.append([_row(d=shift.z)])
+    return steps
+
+
+def _appended(rows: list[SymbolicRow], row: SymbolicRow) -> list[SymbolicRow]:
+    """The rows with one more row behind them; a row that only turns and shifts along x flows into it."""
+    if rows and _is_still(rows[-1]):
+        *rows, last = rows
+        row = replace(row, a=add((last.a, row.a)), alpha=add((last.alpha, row.alpha)))
+    return [*rows, row]
+
+
+def _joined(rows: list[SymbolicRow], more: list[SymbolicRow]) -> list[SymbolicRow]:
+    """The rows with more behind them: rows without a and α flow into the row before, empty ones vanish."""
+    result = list(rows)
+    for row in more:
+        if row.a == ZERO and row.alpha == ZERO and result:
+            last = result[-1]
+            result[-1] = replace(last, theta=add((last.theta, row.theta)), d=add((last.d, row.d)))
+        else:
+            result = _appended(result, row)
+    return result
+
+
+def _is_still(row: SymbolicRow) -> bool:
+    return row.joint is JointType.FIXED and row.theta == ZERO and row.d == ZERO
+
+
+def _row(
+    *, alpha: Expression = ZERO, a: Expression = ZERO, d: Expression = ZERO, theta: Expression = ZERO
+) -> SymbolicRow:
+    return DHRow(joint=JointType.FIXED, alpha=alpha, a=a, d=d, theta=theta)
+
+
+def _moved(point: Point, shift: Placement) -> Point:
+    return add((point[0], shift.x)), add((point[1], shift.y)), add((point[2], shift.z))
+
+
+def _along(p: Point, direction: Direction) -> Expression:
+    return add(multiply((number(direction[k]), p[k])) for k in range(3))
+
+
+def _angle(start: Direction, end: Direction, about: Direction) -> Expression:
+    """Angle from `start` to `end` about `about`, both perpendicular to it: a multiple of π/2."""
+    cosine, sine = _dot(start, end), _dot(_cross(start, end), about)
+    quarter_turns = {(1, 0): 0, (0, 1): 1, (-1, 0): 2, (0, -1): -1}[(cosine, sine)]
+    return pi_times(Fraction(quarter_turns, 2))
+
+
+def _opposite(u: Direction) -> Direction:
+    return -u[0], -u[1], -u[2]
+
+
+def _starts_negative(expression: Expression) -> bool:
+    match expression:
+        case Number(value) | Product((Number(value), *_)) | Sum((Product((Number(value), *_)), *_)):
+            return value < 0
+    return False
+
+
+def _dot(u: Direction, v: Direction) -> int:
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+
+
+def _cross(u: Direction, v: Direction) -> Direction:
+    return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]

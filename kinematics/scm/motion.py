@@ -1,0 +1,169 @@
+"""Motion of an SCM chain in numbers: direct kinematics, its inverse, and the Jacobians by inspection.
+
+Nothing here goes through a DH table, so the two derivations of a robot can be held against each other.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.errors import Fault, JointValueError, ParameterError
+from kinematics.expressions import evaluate
+from kinematics.links import Transform
+from kinematics.poses import transform_from_xyzabc
+from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain
+from kinematics.table import JointType
+
+_ENTRIES = tuple(Entry)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ScmKinematics:
+    """Poses of an SCM chain at one configuration.
+
+    Attributes:
+        transform: (4, 4) pose of the tool in frame 0: ⁰H_FT of seed 001, FT = Final Transformation · Tool.
+        links: (n, 4, 4) pose of frame i in frame i-1.
+        frames: (n, 4, 4) pose of frame i in frame 0.
+        end: (4, 4) pose of the tool in frame n.
+    """
+
+    transform: Transform
+    links: NDArray[np.float64]
+    frames: NDArray[np.float64]
+    end: Transform
+
+
+def forward_kinematics_scm(
+    chain: ScmChain, joints: Sequence[float], parameters: Mapping[str, float] | None = None
+) -> ScmKinematics:
+    """Poses of every frame: H = H_1 ⋯ H_n · FT with H_i = Trans(x, y, z) Rot_z(A) Rot_y(B) Rot_x(C).
+
+    Args:
+        chain: the chain; it need not pass `verify`.
+        joints: (n,) joint variables [rad, or m of a prismatic joint].
+        parameters: value of every parameter [m or rad].
+
+    Raises:
+        JointValueError: not n finite values.
+        ParameterError: a parameter has no value.
+
+    Source: seed 001 eq. 2.4, 2.5 and 3.1.
+    """
+    _check_joints(chain, joints)
+    values = parameters or {}
+    links = np.stack(
+        [_row_transform(row, q, values, i) for i, (row, q) in enumerate(zip(chain.rows, joints, strict=True))]
+    )
+    end = _placement(chain.final, values, "final") @ _placement(chain.tool, values, "tool")
+    frames = np.empty_like(links)
+    pose = np.eye(4)
+    for i, link in enumerate(links):
+        pose = pose @ link
+        frames[i] = pose
+    return ScmKinematics(transform=pose @ end, links=links, frames=frames, end=end)
+
+
+def jacobian_base_by_inspection(
+    chain: ScmChain, joints: Sequence[float], parameters: Mapping[str, float] | None = None
+) -> NDArray[np.float64]:
+    """Jacobian J0 of the tool, in frame 0, column by column without differentiating.
+
+    Column i is [R u × (R p) ; R u] of a revolute joint and [R u ; 0] of a prismatic one, with u the joint's
+    unit vector in frame i, p from frame i to the tool and R the rotation of frame i.
+
+    Returns:
+        (6, n): velocity above, angular velocity below.
+
+    Source: seed 001 eq. 3.20–3.22.
+    """
+    motion = forward_kinematics_scm(chain, joints, parameters)
+    columns = []
+    for i, row in enumerate(chain.rows):
+        rotation = motion.frames[i, :3, :3]
+        axis = rotation @ _unit_vector(row, parameters or {})
+        arm = motion.transform[:3, 3] - motion.frames[i, :3, 3]
+        columns.append(_column(row, axis, arm))
+    return np.stack(columns, axis=1)
+
+
+def jacobian_end_by_inspection(
+    chain: ScmChain, joints: Sequence[float], parameters: Mapping[str, float] | None = None
+) -> NDArray[np.float64]:
+    """Jacobian Jn of the tool, in the tool's own frame, column by column without differentiating.
+
+    Returns:
+        (6, n): velocity above, angular velocity below.
+
+    Source: seed 001 eq. 3.23.
+    """
+    motion = forward_kinematics_scm(chain, joints, parameters)
+    to_tool = np.eye(4)
+    columns = []
+    for row, link in zip(reversed(chain.rows), reversed(motion.links), strict=True):
+        pose = to_tool @ motion.end
+        rotation = pose[:3, :3].T
+        arm = rotation @ pose[:3, 3]
+        columns.append(_column(row, rotation @ _unit_vector(row, parameters or {}), arm))
+        to_tool = link @ to_tool
+    return np.stack(columns[::-1], axis=1)
+
+
+def _column(row: ChainRow, axis: NDArray[np.float64], arm: NDArray[np.float64]) -> NDArray[np.float64]:
+    if row.joint is JointType.PRISMATIC:
+        return np.concatenate([axis, np.zeros(3)])
+    return np.concatenate([np.cross(axis, arm), axis])
+
+
+def _unit_vector(row: ChainRow, values: Mapping[str, float]) -> NDArray[np.float64]:
+    """The joint's unit vector u_i in frame i: what the turns that follow the variable leave of its axis."""
+    unit = np.zeros(3)
+    unit[row.variable.axis] = row.sign
+    following = {Entry.B: (Entry.C,), Entry.C: ()}.get(row.variable, (Entry.B, Entry.C))
+    if row.variable in (Entry.X, Entry.Y, Entry.Z):
+        following = (Entry.A, Entry.B, Entry.C)
+    turns = [evaluate(row.constant.entry(e), values) if e in following else 0.0 for e in _ENTRIES]
+    return transform_from_xyzabc(turns)[:3, :3].T @ unit
+
+
+def _row_transform(row: ChainRow, q: float, values: Mapping[str, float], i: int) -> Transform:
+    numbers = _numbers(row.constant, values, ("joints", i))
+    numbers[_ENTRIES.index(row.variable)] += row.sign * q
+    return transform_from_xyzabc(numbers)
+
+
+def _placement(placement: Placement, values: Mapping[str, float], name: str) -> Transform:
+    return transform_from_xyzabc(_numbers(placement, values, (name,)))
+
+
+def _numbers(placement: Placement, values: Mapping[str, float], where: tuple[str | int, ...]) -> list[float]:
+    numbers, faults = [], []
+    for entry in _ENTRIES:
+        try:
+            numbers.append(evaluate(placement.entry(entry), values))
+        except ParameterError as error:
+            faults += [f if f.where else f.within(*where, entry.value) for f in error.faults]
+    if faults:
+        raise ParameterError(faults)
+    return numbers
+
+
+def _check_joints(chain: ScmChain, joints: Sequence[float]) -> None:
+    if len(joints) != chain.n_joints:
+        raise JointValueError(
+            Fault(
+                code="joints_wrong_length",
+                message=f"the chain has {chain.n_joints} joints; give as many values",
+                params={"expected": chain.n_joints},
+            )
+        )
+    for i, q in enumerate(joints):
+        if not math.isfinite(q):
+            raise JointValueError(
+                Fault(code="joints_not_finite", message="a joint value must be a finite number", where=(i,))
+            )
