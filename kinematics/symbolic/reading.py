@@ -1,0 +1,268 @@
+"""From expression trees to forms: sines and cosines become exponentials, roots of numbers roots of unity."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import gcd, lcm
+
+from kinematics.expressions import (
+    Call,
+    Expression,
+    Function,
+    JointVariable,
+    Number,
+    Parameter,
+    Pi,
+    Power,
+    Product,
+    Sum,
+)
+from kinematics.symbolic.ring import (
+    IMAGINARY_UNIT,
+    ONE_FORM,
+    UNIT,
+    ZERO_FORM,
+    Form,
+    Monomial,
+    Ring,
+    Symbol,
+    Terms,
+)
+from kinematics.symbolic.roots import has_large_prime
+from kinematics.symbolic.surds import algebraic_reciprocal, denested_root, root_of_rational, tidy
+
+PI_SYMBOL = Symbol("power", Pi())
+_PI_MONOMIAL = Monomial(Fraction(0), frozenset({(PI_SYMBOL, Fraction(1))}))
+_STEPS = 24
+
+
+@dataclass(slots=True)
+class Reader:
+    """Reads expressions into one ring.
+
+    Attributes:
+        ring: where the forms live.
+        decisive: whether every form that was found not to vanish is certainly not the zero function.
+    """
+
+    ring: Ring = field(default_factory=Ring)
+    decisive: bool = True
+    _constant_exponentials: bool = False
+    _known: dict[Expression, Form] = field(default_factory=dict)
+    _circle: dict[Expression, tuple[Form, Form]] = field(default_factory=dict)
+    _arcs: dict[Monomial, tuple[Form, Form]] = field(default_factory=dict)
+
+    def form(self, expression: Expression) -> Form:
+        """The form of an expression.
+
+        Raises:
+            FormSizeError: expanding it would pass the ring's limit.
+            ZeroDivisionError: it divides by zero.
+        """
+        known = self._known.get(expression)
+        if known is None:
+            known = self._known[expression] = self._read(expression)
+        return known
+
+    def cosine_and_sine(self, angle: Expression) -> tuple[Form, Form]:
+        """Cosine and sine of an angle [rad]."""
+        known = self._circle.get(angle)
+        if known is None:
+            known = self._circle[angle] = self._cosine_and_sine(self.form(angle))
+        return known
+
+    def vanishes(self, form: Form) -> bool:
+        """Whether a form is zero; a doubtful no is noted in `decisive`."""
+        if self.ring.is_zero(form):
+            return True
+        if not self.ring.complete or (self._constant_exponentials and self._holds_pi(form)):
+            self.decisive = False
+        return False
+
+    def _holds_pi(self, form: Form) -> bool:
+        """Whether π occurs; that it is independent of e^i is known from Schanuel's conjecture only."""
+        symbols = (symbol for monomial in self.ring.terms(form) for symbol, _ in monomial.exponents)
+        return any(symbol == PI_SYMBOL for symbol in symbols)
+
+    def _cosine_and_sine(self, angle: Form) -> tuple[Form, Form]:
+        ring, half = self.ring, Fraction(1, 2)
+        forward = self._exponential(angle)
+        if ring.is_term(forward):
+            backward = ring.power(forward, -1)
+        else:
+            backward = self._exponential(ring.scale(angle, -1))
+        cosine = ring.scale(ring.add(forward, backward), half)
+        sine = ring.scale(ring.multiply(ring.turn(Fraction(3, 4)), ring.add(forward, backward, -1)), half)
+        if ring.is_constant(forward):
+            return tidy(ring, cosine), tidy(ring, sine)
+        return cosine, sine
+
+    def _exponential(self, angle: Form) -> Form:
+        """e^(i·angle)."""
+        ring, result, turn = self.ring, ONE_FORM, Fraction(0)
+        for monomial, weight in ring.terms(angle).items():
+            arc = self._arcs.get(monomial)
+            if monomial == _PI_MONOMIAL:
+                turn += weight / 2
+            elif arc is not None and weight.denominator == 1:
+                result = ring.multiply(result, ring.power(arc[weight < 0], abs(weight.numerator)))
+            else:
+                self._note(monomial)
+                result = ring.multiply(result, ring.symbol(Symbol("exponential", monomial), weight))
+        if has_large_prime(turn):
+            ring.complete = False
+        return ring.multiply(result, ring.turn(turn))
+
+    def _note(self, monomial: Monomial) -> None:
+        """Remember when exponentials are used about which independence isn't known."""
+        kinds = {symbol.kind for symbol, _ in monomial.exponents}
+        names = {symbol.of for symbol, _ in monomial.exponents if symbol.kind == "power"}
+        if "exponential" in kinds or names == {PI_SYMBOL.of}:
+            self.ring.complete = False
+        elif not names:
+            self._constant_exponentials = True
+
+    def _read(self, expression: Expression) -> Form:
+        ring = self.ring
+        match expression:
+            case Number(value):
+                return ring.rational(value)
+            case Pi() | Parameter() | JointVariable():
+                return ring.symbol(Symbol("power", expression))
+            case Sum(terms):
+                total = ZERO_FORM
+                for term in terms:
+                    total = ring.add(total, self.form(term))
+                return total
+            case Product(factors):
+                result = ONE_FORM
+                for factor in factors:
+                    result = ring.multiply(result, self.form(factor))
+                return result
+            case Power(base, exponent):
+                return self._power(self.form(base), exponent)
+            case Call(function, arguments):
+                return self._call(function, arguments)
+
+    def _call(self, function: Function, arguments: tuple[Expression, ...]) -> Form:
+        match function:
+            case Function.COS:
+                return self.cosine_and_sine(arguments[0])[0]
+            case Function.SIN:
+                return self.cosine_and_sine(arguments[0])[1]
+            case Function.TAN:
+                cosine, sine = self.cosine_and_sine(arguments[0])
+                return self.ring.multiply(sine, self._integer_power(cosine, -1))
+        values = tuple(self.form(argument) for argument in arguments)
+        match function:
+            case Function.SQRT:
+                return self._square_root(values[0])
+            case Function.ABS:
+                return self._square_root(self.ring.power(values[0], 2))
+        return self._arc(function, values)
+
+    def _power(self, base: Form, exponent: Fraction) -> Form:
+        if exponent.denominator == 1:
+            return self._integer_power(base, exponent.numerator)
+        if exponent.denominator == 2:
+            return self._integer_power(self._square_root(base), exponent.numerator)
+        root = self._opaque("root", (exponent.denominator,), base, degree=exponent.denominator)
+        return self._integer_power(root, exponent.numerator)
+
+    def _integer_power(self, base: Form, exponent: int) -> Form:
+        if exponent >= 0 or self.ring.is_term(base):
+            return self.ring.power(base, exponent)
+        return self.ring.power(self._reciprocal(base), -exponent)
+
+    def _reciprocal(self, base: Form) -> Form:
+        ring, terms = self.ring, self.ring.terms(base)
+        if not terms:
+            raise ZeroDivisionError
+        base = ring.form(terms)
+        if ring.is_term(base):
+            return ring.power(base, -1)
+        inverse = algebraic_reciprocal(ring, terms)
+        if inverse is not None:
+            return inverse
+        content = _content(terms)
+        divisor = self._opaque("divisor", (), ring.scale(base, 1 / content), degree=1)
+        return ring.scale(ring.power(divisor, -1), 1 / content)
+
+    def _square_root(self, base: Form) -> Form:
+        ring, terms = self.ring, self.ring.terms(base)
+        if not terms:
+            return ZERO_FORM
+        if terms.keys() == {UNIT} and terms[UNIT] > 0:
+            return root_of_rational(ring, terms[UNIT])
+        denested = denested_root(ring, terms)
+        if denested is not None:
+            return denested
+        content = abs(_content(terms))
+        root = self._opaque("root", (2,), ring.scale(ring.form(terms), 1 / content), degree=2)
+        return ring.multiply(root_of_rational(ring, content), root)
+
+    def _arc(self, function: Function, values: tuple[Form, ...]) -> Form:
+        """An inverse trigonometric function: an angle whose cosine and sine are known."""
+        ring, x = self.ring, values[0]
+        match function:
+            case Function.ASIN:
+                cosine, sine = self._square_root(ring.add(ONE_FORM, ring.power(x, 2), -1)), x
+            case Function.ACOS:
+                cosine, sine = x, self._square_root(ring.add(ONE_FORM, ring.power(x, 2), -1))
+            case Function.ATAN:
+                cosine, sine = self._on_circle(ONE_FORM, x)
+            case _:
+                if not ring.terms(x) and not ring.terms(values[1]):
+                    return ZERO_FORM
+                cosine, sine = self._on_circle(values[1], x)
+        imaginary = ring.multiply(IMAGINARY_UNIT, sine)
+        pair = ring.add(cosine, imaginary), ring.add(cosine, imaginary, -1)
+        exact = self._exact_turn(pair[0])
+        if exact is not None:
+            return ring.scale(ring.symbol(PI_SYMBOL), 2 * exact)
+        angle = self._opaque(function.value, (), *values)
+        ((monomial, _),) = ring.terms(angle).items()
+        self._arcs[monomial] = pair
+        return angle
+
+    def _on_circle(self, x: Form, y: Form) -> tuple[Form, Form]:
+        ring = self.ring
+        radius = self._square_root(ring.add(ring.power(x, 2), ring.power(y, 2)))
+        inverse = self._integer_power(radius, -1)
+        return ring.multiply(x, inverse), ring.multiply(y, inverse)
+
+    def _exact_turn(self, point: Form) -> Fraction | None:
+        """The turn in (-1/2, 1/2] of a point of the unit circle, if it is a multiple of 1/24."""
+        ring = self.ring
+        if not ring.is_constant(point):
+            return None
+        terms = ring.terms(point)
+        for step in range(1 - _STEPS // 2, _STEPS // 2 + 1):
+            if ring.terms(ring.turn(Fraction(step, _STEPS))) == terms:
+                return Fraction(step, _STEPS)
+        return None
+
+    def _opaque(self, name: str, detail: tuple[int, ...], *arguments: Form, degree: int = 0) -> Form:
+        """A symbol for what cannot be taken apart, named by the normal forms of its arguments."""
+        self.ring.complete = False
+        key = (name, detail, *(frozenset(self.ring.terms(argument).items()) for argument in arguments))
+        value = arguments[0] if degree else ZERO_FORM
+        return self.ring.symbol(Symbol("power", key), degree=degree, value=value)
+
+
+def _content(terms: Terms) -> Fraction:
+    """A rational number by which a form can be divided so that its multiples become one and the same."""
+    numerator = gcd(*(weight.numerator for weight in terms.values()))
+    denominator = lcm(*(weight.denominator for weight in terms.values()))
+    lead = terms[min(terms, key=_order)]
+    return Fraction(numerator if lead > 0 else -numerator, denominator)
+
+
+def _order(part: object) -> str:
+    """A text by which monomials are put in an order that depends on nothing else."""
+    if isinstance(part, frozenset):
+        return "{" + ",".join(sorted(map(_order, part))) + "}"
+    if isinstance(part, tuple):
+        return "(" + ",".join(map(_order, part)) + ")"
+    return repr(part)

@@ -1,0 +1,324 @@
+"""Arithmetic in the ring where every entry of a closed form lives.
+
+An element (a `Form`) is a finite sum of terms
+
+    c · ζ · √p ⋯ · L1^a L2^b ⋯ · e^(i(k1·q1 + k2·α + ⋯)),
+
+c rational, ζ a root of unity, √p roots of primes, then powers of lengths (and of whatever cannot be taken
+apart), and exponentials of joint variables and angles. Sines and cosines are (e^(iφ) ± e^(-iφ))/2, so every
+trigonometric identity is an identity between such sums, and multiplication is addition of exponents: the
+exponents of a term are packed into the bits of one integer, its key.
+
+Keys mean something only within one `Ring`. `Ring.terms` writes a form without reference to the ring.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import gcd
+from typing import NamedTuple, TypeAlias
+
+from kinematics.errors import Fault, FormSizeError
+from kinematics.symbolic.roots import basis_terms
+
+Exponents: TypeAlias = frozenset[tuple["Symbol", Fraction]]
+
+_FIELD_BITS = 40
+_ROOT_MASK = 0xFF
+_ROOT_BITS = 8
+_HALF_TURN = 12
+
+
+class Symbol(NamedTuple):
+    """What a factor of a term is a power of.
+
+    kind "power": `of` itself (a parameter, π, something opaque). "radical": the root of the prime `of`.
+    "exponential": e^(i·of), `of` a `Monomial`. "root": e^(2πi), its exponent a turn.
+    """
+
+    kind: str
+    of: Hashable
+
+
+class Monomial(NamedTuple):
+    """A term without its rational coefficient: ζ^turn times powers of symbols."""
+
+    turn: Fraction
+    exponents: Exponents
+
+
+Terms: TypeAlias = dict[Monomial, Fraction]
+UNIT = Monomial(Fraction(0), frozenset())
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """An element of the ring: integer coefficients by key, over a common denominator."""
+
+    coefficients: Mapping[int, int]
+    denominator: int = 1
+
+    def __bool__(self) -> bool:
+        return bool(self.coefficients)
+
+
+ZERO_FORM = Form({})
+ONE_FORM = Form({0: 1})
+IMAGINARY_UNIT = Form({6: 1})
+
+
+@dataclass(slots=True)
+class _Field:
+    symbol: Symbol
+    shift: int
+    width: int
+    unit: Fraction
+    degree: int = 0
+    value: Form = ZERO_FORM
+
+
+@dataclass(slots=True)
+class Ring:
+    """Symbols in use, their places in a key, and the account of work done.
+
+    Attributes:
+        limit: products of terms that may be formed before a `FormSizeError`.
+        complete: whether different normal forms are certainly different functions; symbols that cannot be
+            taken apart (square roots of sums, arctangents of lengths) make it false.
+    """
+
+    limit: int = 200_000
+    complete: bool = True
+    _fields: list[_Field] = field(default_factory=list)
+    _places: dict[tuple[Symbol, Fraction], _Field] = field(default_factory=dict)
+    _end: int = _ROOT_BITS
+    _spent: int = 0
+
+    def rational(self, value: Fraction | int) -> Form:
+        """A rational number."""
+        if not value:
+            return ZERO_FORM
+        return Form({0: value.numerator}, value.denominator)
+
+    def turn(self, turn: Fraction) -> Form:
+        """The root of unity e^(2πi·turn)."""
+        turn %= 1
+        steps = turn * 24
+        if steps.denominator != 1:
+            return self.symbol(Symbol("root", None), turn)
+        if steps >= _HALF_TURN:
+            return Form({int(steps) - _HALF_TURN: -1})
+        return Form({int(steps): 1})
+
+    def symbol(
+        self, symbol: Symbol, exponent: Fraction = Fraction(1), *, degree: int = 0, value: Form = ZERO_FORM
+    ) -> Form:
+        """symbol^exponent; with a degree, a symbol whose power of that degree is `value`."""
+        unit = Fraction(1, exponent.denominator)
+        place = self._places.get((symbol, unit))
+        if place is None or exponent.numerator.bit_length() + _FIELD_BITS > place.width:
+            width = exponent.numerator.bit_length() + _FIELD_BITS
+            place = _Field(symbol, self._end, width, unit, degree, value)
+            self._fields.append(place)
+            self._places[symbol, unit] = place
+            self._end += width
+        return Form({exponent.numerator << place.shift: 1})
+
+    def add(self, a: Form, b: Form, sign: int = 1) -> Form:
+        """Sum a + sign·b."""
+        if not b.coefficients:
+            return a
+        if not a.coefficients and sign == 1:
+            return b
+        da, db = a.denominator, b.denominator
+        common = da if da == db else da * db // gcd(da, db)
+        scale = common // da
+        out = dict(a.coefficients) if scale == 1 else {k: c * scale for k, c in a.coefficients.items()}
+        scale = sign * (common // db)
+        for key, coefficient in b.coefficients.items():
+            total = out.get(key, 0) + coefficient * scale
+            if total:
+                out[key] = total
+            else:
+                del out[key]
+        return Form(out, common)
+
+    def multiply(self, a: Form, b: Form) -> Form:
+        """Product a · b."""
+        left, right = a.coefficients, b.coefficients
+        if not left or not right:
+            return ZERO_FORM
+        if a is ONE_FORM:
+            return b
+        if b is ONE_FORM:
+            return a
+        self._spend(len(left) * len(right))
+        out: dict[int, int] = {}
+        for key_a, x in left.items():
+            for key_b, y in right.items():
+                key, product = key_a + key_b, x * y
+                if key & _ROOT_MASK >= _HALF_TURN:
+                    key, product = key - _HALF_TURN, -product
+                out[key] = out.get(key, 0) + product
+        return _lowest(out, a.denominator * b.denominator)
+
+    def scale(self, a: Form, factor: Fraction | int) -> Form:
+        """A rational multiple of a form."""
+        if not factor:
+            return ZERO_FORM
+        numerator = factor.numerator
+        out = {k: c * numerator for k, c in a.coefficients.items()}
+        return _lowest(out, a.denominator * factor.denominator)
+
+    def power(self, a: Form, exponent: int) -> Form:
+        """A non-negative integer power, or any integer power of a single term."""
+        if exponent < 0:
+            a, exponent = self._reciprocal_of_term(a), -exponent
+        if exponent > 1:
+            self._check_exponents(a, exponent)
+        result = ONE_FORM
+        while exponent:
+            if exponent & 1:
+                result = self.multiply(result, a)
+            exponent >>= 1
+            if exponent:
+                a = self.multiply(a, a)
+        return result
+
+    def is_term(self, a: Form) -> bool:
+        """Whether a form is one term, which has a reciprocal."""
+        return len(a.coefficients) == 1
+
+    def _reciprocal_of_term(self, a: Form) -> Form:
+        ((key, coefficient),) = a.coefficients.items()
+        steps = key & _ROOT_MASK
+        inverse, sign = -(key - steps), -1 if coefficient < 0 else 1
+        if steps:
+            inverse, sign = inverse + _HALF_TURN - steps, -sign
+        return _lowest({inverse: sign * a.denominator}, abs(coefficient))
+
+    def is_constant(self, a: Form) -> bool:
+        """Whether a form is a combination of 24th roots of unity, seen from its keys alone."""
+        return not any(key >> _ROOT_BITS for key in a.coefficients)
+
+    def is_zero(self, a: Form) -> bool:
+        """Whether a form is zero; denominators are cleared first, for they never are."""
+        if len(a.coefficients) < 2:
+            return not a.coefficients
+        return not self.terms(self._cleared(a))
+
+    def terms(self, a: Form) -> Terms:
+        """A form in its normal form: monomials in the basis, and their rational coefficients."""
+        out: Terms = {}
+        for key, coefficient in self._reduced(a).coefficients.items():
+            turn, exponents, factor = self._decode(key)
+            weight = Fraction(coefficient, a.denominator)
+            if factor != 1:
+                weight *= factor
+            for piece, sign in basis_terms(turn):
+                monomial = Monomial(piece, exponents)
+                out[monomial] = out.get(monomial, Fraction(0)) + sign * weight
+        return {monomial: weight for monomial, weight in out.items() if weight}
+
+    def form(self, terms: Terms) -> Form:
+        """The form of which `terms` is the normal form."""
+        total = ZERO_FORM
+        for monomial, weight in terms.items():
+            product = self.multiply(self.turn(monomial.turn), self.rational(weight))
+            for symbol, exponent in monomial.exponents:
+                product = self.multiply(product, self.symbol(symbol, exponent))
+            total = self.add(total, product)
+        return total
+
+    def _decode(self, key: int) -> tuple[Fraction, Exponents, Fraction]:
+        steps = key & _ROOT_MASK
+        turn, factor = Fraction(steps, 24), Fraction(1)
+        key >>= _ROOT_BITS
+        found: dict[Symbol, Fraction] = {}
+        for place in self._fields:
+            if not key:
+                break
+            half = 1 << (place.width - 1)
+            raw = ((key + half) & ((1 << place.width) - 1)) - half
+            key = (key - raw) >> place.width
+            if raw:
+                found[place.symbol] = found.get(place.symbol, Fraction(0)) + raw * place.unit
+        for symbol, exponent in list(found.items()):
+            if symbol.kind == "root":
+                turn += exponent
+                del found[symbol]
+            elif symbol.kind == "radical":
+                pairs, rest = divmod(exponent.numerator, 2)
+                assert isinstance(symbol.of, int)
+                factor *= Fraction(symbol.of) ** pairs
+                found[symbol] = Fraction(rest)
+        return turn % 1, frozenset(item for item in found.items() if item[1]), factor
+
+    def _reduced(self, a: Form) -> Form:
+        """The form with every related symbol's exponent below the degree of its relation."""
+        for place in reversed([place for place in self._fields if place.degree]):
+            parts: dict[int, dict[int, int]] = {}
+            for key, coefficient in a.coefficients.items():
+                steps = max(self._raw(key, place), 0) // place.degree
+                rest = key - ((steps * place.degree) << place.shift)
+                parts.setdefault(steps, {})[rest] = coefficient
+            if any(parts.keys() - {0}):
+                total = ZERO_FORM
+                for steps, coefficients in parts.items():
+                    replaced = self.multiply(
+                        Form(coefficients, a.denominator), self.power(place.value, steps)
+                    )
+                    total = self.add(total, replaced)
+                a = total
+        return a
+
+    def _cleared(self, a: Form) -> Form:
+        """The form times the powers of related symbols that leave none in a denominator."""
+        for place in reversed([place for place in self._fields if place.degree]):
+            lowest = min((self._raw(key, place) for key in a.coefficients), default=0)
+            if lowest < 0:
+                shift = (-lowest) << place.shift
+                a = Form({key + shift: c for key, c in a.coefficients.items()}, a.denominator)
+            a = self._reduced(a)
+        return a
+
+    def _raw(self, key: int, place: _Field) -> int:
+        """The exponent that a key holds in one place."""
+        low = key & ((1 << place.shift) - 1)
+        # exponents in lower places may be negative together: they have then borrowed from this one
+        upper = (key >> place.shift) + (low >> (place.shift - 1))
+        half = 1 << (place.width - 1)
+        return ((upper + half) & ((1 << place.width) - 1)) - half
+
+    def _check_exponents(self, a: Form, exponent: int) -> None:
+        for place in self._fields:
+            room = 1 << (place.width - _FIELD_BITS // 2)
+            if any(abs(self._raw(key, place)) * exponent > room for key in a.coefficients):
+                raise self._too_large()
+
+    def _spend(self, products: int) -> None:
+        self._spent += products
+        if self._spent > self.limit:
+            raise self._too_large()
+
+    def _too_large(self) -> FormSizeError:
+        return FormSizeError(
+            Fault(
+                code="form_too_large",
+                message=f"the expanded form needs more than {self.limit} products of terms",
+                params={"limit": self.limit},
+            )
+        )
+
+
+def _lowest(out: dict[int, int], denominator: int) -> Form:
+    """The form without zero coefficients, in lowest terms."""
+    kept = {key: coefficient for key, coefficient in out.items() if coefficient}
+    if denominator == 1:
+        return Form(kept)
+    divisor = gcd(denominator, *kept.values())
+    if divisor == 1:
+        return Form(kept, denominator)
+    return Form({key: coefficient // divisor for key, coefficient in kept.items()}, denominator // divisor)

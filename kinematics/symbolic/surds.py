@@ -1,0 +1,97 @@
+"""Square roots and reciprocals of algebraic numbers, as forms."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from itertools import product
+from math import gcd, isqrt
+
+from kinematics.symbolic.ring import ONE_FORM, UNIT, ZERO_FORM, Form, Monomial, Ring, Symbol, Terms
+from kinematics.symbolic.roots import LARGEST_PRIME, square_free, square_root_of_prime
+
+_CONJUGATES_LIMIT = 64
+_LARGEST_ORDER = 1000
+
+
+def tidy(ring: Ring, form: Form) -> Form:
+    """The same form, written from its normal form: cos(π/3) is 1/2, not a sum of two roots of unity."""
+    return ring.form(ring.terms(form))
+
+
+def root_of_rational(ring: Ring, value: Fraction) -> Form:
+    """The square root of a positive rational number: √(2/9) = √2/3, √12 = 2√3.
+
+    Roots of small primes are sums of roots of unity, where they meet the cosines of π/12; roots of large
+    primes are symbols of their own.
+    """
+    root, primes, certain = square_free(value.numerator * value.denominator)
+    if not certain:
+        ring.complete = False
+    result = ring.rational(Fraction(root, value.denominator))
+    for prime in primes:
+        factor = ZERO_FORM
+        if prime > LARGEST_PRIME:
+            factor = ring.symbol(Symbol("radical", prime))
+        else:
+            for turn, sign in square_root_of_prime(prime):
+                factor = ring.add(factor, ring.turn(turn), sign)
+        result = ring.multiply(result, factor)
+    return tidy(ring, result)
+
+
+def denested_root(ring: Ring, terms: Terms) -> Form | None:
+    """√(a + b√c) = √((a+d)/2) ± √((a-d)/2) where d² = a² - b²c is the square of a rational number."""
+    rational = terms.get(UNIT, Fraction(0))
+    surd = ring.form({monomial: weight for monomial, weight in terms.items() if monomial != UNIT})
+    squared = ring.terms(ring.multiply(surd, surd))
+    if rational <= 0 or squared.keys() != {UNIT} or squared[UNIT] <= 0:
+        return None
+    d = _rational_root(rational**2 - squared[UNIT])
+    if d is None:
+        return None
+    larger = root_of_rational(ring, (rational + d) / 2)
+    smaller = root_of_rational(ring, (rational - d) / 2)
+    for sign in (1, -1):
+        candidate = ring.add(larger, smaller, sign)
+        if ring.terms(ring.multiply(candidate, candidate)) == terms:
+            return candidate
+    return None
+
+
+def algebraic_reciprocal(ring: Ring, terms: Terms) -> Form | None:
+    """1/x of an algebraic number: the product of its other conjugates over its norm, if they are few."""
+    symbols = {symbol for monomial in terms for symbol, _ in monomial.exponents}
+    if any(symbol.kind != "radical" for symbol in symbols):
+        return None
+    order = 1
+    for monomial in terms:
+        order *= monomial.turn.denominator // gcd(order, monomial.turn.denominator)
+    if order > _LARGEST_ORDER:
+        return None
+    units = [k for k in range(1, order + 1) if gcd(k, order) == 1]
+    if len(units) * 2 ** len(symbols) > _CONJUGATES_LIMIT:
+        return None
+    others = ONE_FORM
+    for unit, signs in product(units, product((1, -1), repeat=len(symbols))):
+        if unit != 1 or -1 in signs:
+            flips = dict(zip(sorted(symbols), signs, strict=True))
+            others = tidy(ring, ring.multiply(others, _conjugate(ring, terms, unit, flips)))
+    norm = ring.terms(ring.multiply(ring.form(terms), others))
+    return ring.scale(others, 1 / norm[UNIT]) if norm.keys() == {UNIT} else None
+
+
+def _conjugate(ring: Ring, terms: Terms, unit: int, flips: dict[Symbol, int]) -> Form:
+    total = ZERO_FORM
+    for monomial, weight in terms.items():
+        for symbol, _ in monomial.exponents:
+            weight *= flips[symbol]
+        rotated = {Monomial(monomial.turn * unit % 1, monomial.exponents): weight}
+        total = ring.add(total, ring.form(rotated))
+    return total
+
+
+def _rational_root(value: Fraction) -> Fraction | None:
+    if value < 0:
+        return None
+    root = Fraction(isqrt(value.numerator), isqrt(value.denominator))
+    return root if root * root == value else None
