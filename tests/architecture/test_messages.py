@@ -1,0 +1,153 @@
+"""Every refusal has a sentence in every language, with the same parameters; no sentence is left over."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+from fluent.syntax import FluentParser
+from fluent.syntax import ast as fluent
+
+from tests.architecture.sources import ROOT, modules, shown, tracked
+
+LOCALES = ROOT / "service" / "locales"
+LANGUAGES = ("en", "es", "fr", "pt", "ro", "uk")
+ROOMS = sorted(path.name for path in (LOCALES / "en").glob("*.ftl"))
+MAKERS = {"fault", "_fault", "Refusal", "Fault"}
+
+
+@cache
+def entries(language: str, room: str) -> dict[str, fluent.Message | fluent.Term]:
+    path = LOCALES / language / room
+    if not path.exists():
+        return {}
+    resource = FluentParser().parse(path.read_text(encoding="utf-8"))
+    return {
+        entry.id.name: entry for entry in resource.body if isinstance(entry, fluent.Message | fluent.Term)
+    }
+
+
+def variables(entry: fluent.BaseNode) -> set[str]:
+    found: set[str] = set()
+    pending: list[object] = [entry]
+    while pending:
+        node = pending.pop()
+        if isinstance(node, fluent.VariableReference):
+            found.add(node.id.name)
+        if isinstance(node, fluent.BaseNode):
+            pending.extend(vars(node).values())
+        elif isinstance(node, list):
+            pending.extend(node)
+    return found
+
+
+@cache
+def codes_in_source() -> dict[str, str]:
+    """Codes that are given to faults by name, and where."""
+    return {code: place for path, tree in modules().items() for code, place in _codes(path, tree)}
+
+
+def _codes(path: Path, tree: ast.Module) -> Iterator[tuple[str, str]]:
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.Call):
+            continue
+        name = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
+        if name not in MAKERS:
+            continue
+        given = [keyword.value for keyword in node.keywords if keyword.arg == "code"]
+        if not given and name != "Fault":
+            given = node.args[:1]
+        for value in given:
+            if isinstance(value, ast.Constant) and isinstance(value.value, str):
+                yield value.value, f"{shown(path)}:{node.lineno}"
+
+
+@cache
+def strings_in_source() -> frozenset[str]:
+    return frozenset(
+        node.value
+        for tree in modules().values()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    )
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("room", ROOMS)
+def test_every_file_is_sound(language: str, room: str) -> None:
+    resource = FluentParser().parse((LOCALES / language / room).read_text(encoding="utf-8"))
+    junk = [entry.content for entry in resource.body if isinstance(entry, fluent.Junk)]
+    names = [entry.id.name for entry in resource.body if isinstance(entry, fluent.Message | fluent.Term)]
+    assert not junk
+    assert len(names) == len(set(names))
+
+
+@pytest.mark.parametrize("language", LANGUAGES[1:])
+@pytest.mark.parametrize("room", ROOMS)
+def test_languages_have_the_same_messages_with_the_same_parameters(language: str, room: str) -> None:
+    english = {name: variables(entry) for name, entry in entries("en", room).items()}
+    other = {name: variables(entry) for name, entry in entries(language, room).items()}
+    assert other == english
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_language_has_a_file_of_its_own(language: str) -> None:
+    assert sorted(path.name for path in (LOCALES / language).iterdir()) == ROOMS
+
+
+def test_every_refusal_has_a_message() -> None:
+    known = {name for room in ROOMS for name in entries("en", room)}
+    silent = {code: place for code, place in codes_in_source().items() if f"error-{code}" not in known}
+    assert not silent
+
+
+def test_no_message_is_about_nothing() -> None:
+    spoken = {name for room in ROOMS for name in entries("en", room) if name.startswith("error-")}
+    unused = sorted(name for name in spoken if name.removeprefix("error-") not in strings_in_source())
+    assert not unused
+
+
+def test_no_message_is_defined_in_two_rooms() -> None:
+    seen: dict[str, str] = {}
+    twice = []
+    for room in ROOMS:
+        for name in entries("en", room):
+            if name in seen:
+                twice.append(f"{name}: {seen[name]} and {room}")
+            seen[name] = room
+    assert not twice
+
+
+def test_translations_are_translations() -> None:
+    """A sentence of some length that equals the English one was forgotten."""
+    forgotten = []
+    for room in ROOMS:
+        english = {name: _text(entry) for name, entry in entries("en", room).items()}
+        for language in LANGUAGES[1:]:
+            for name, entry in entries(language, room).items():
+                text = _text(entry)
+                if len(text) > 40 and text == english.get(name):
+                    forgotten.append(f"{language}/{room}: {name}")
+    assert not forgotten
+
+
+def _text(entry: fluent.BaseNode) -> str:
+    found: list[str] = []
+    pending: list[object] = [entry]
+    while pending:
+        node = pending.pop()
+        if isinstance(node, fluent.TextElement):
+            found.append(node.value)
+        if isinstance(node, fluent.BaseNode):
+            pending.extend(vars(node).values())
+        elif isinstance(node, list):
+            pending.extend(node)
+    return "".join(sorted(found))
+
+
+def test_locales_hold_nothing_else() -> None:
+    strays = [shown(path) for path in tracked() if path.is_relative_to(LOCALES) and path.suffix != ".ftl"]
+    assert not strays
