@@ -1,0 +1,14 @@
+# El método SCM: cadenas de filas [X Y Z A B C].
+
+error-scm_chain_empty = La cadena no tiene articulaciones. Hace falta al menos una fila.
+error-scm_too_many_joints = La cadena tiene { $joints } articulaciones; se leen como máximo { $limit }.
+error-scm_no_variable = La fila { $joint } no contiene ninguna variable articular. Escriba q{ $joint } en el elemento que se mueve.
+error-scm_two_variables = La fila { $joint } contiene su variable en { $first } y en { $second }. Una fila tiene exactamente una.
+error-scm_variable_of_other_row = { $name } no es la variable de la fila { $joint }; lo es q{ $joint }.
+error-scm_variable_form = La variable debe entrar como +q{ $joint } o −q{ $joint }, más una constante como mucho.
+error-scm_variable_outside_joints = { $name } es una variable articular; solo las filas de las articulaciones pueden contener una.
+error-scm_parameter_two_kinds = { $name } mide una longitud en un elemento y un ángulo en otro. Use dos nombres.
+error-scm_prismatic_turns = La articulación { $joint } es prismática: su fila no puede girar el sistema de coordenadas. Ponga los giros constantes en la Transformación Final.
+error-scm_prismatic_second_length = La articulación { $joint } es prismática: su fila contiene la variable y ninguna otra longitud. Ponga esta longitud en una fila anterior o posterior.
+error-scm_revolute_offset = La articulación { $joint } es de revolución: su ángulo no admite desfase. Ponga los giros constantes en la Transformación Final.
+error-scm_revolute_second_turn = La articulación { $joint } gira alrededor de un solo eje. Ponga los giros constantes en la Transformación Final.

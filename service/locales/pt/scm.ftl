@@ -1,0 +1,14 @@
+# O método SCM: cadeias de linhas [X Y Z A B C].
+
+error-scm_chain_empty = A cadeia não tem juntas. É preciso pelo menos uma linha.
+error-scm_too_many_joints = A cadeia tem { $joints } juntas; são lidas no máximo { $limit }.
+error-scm_no_variable = A linha { $joint } não contém variável de junta. Escreva q{ $joint } no elemento que se move.
+error-scm_two_variables = A linha { $joint } contém a sua variável em { $first } e em { $second }. Uma linha tem exatamente uma.
+error-scm_variable_of_other_row = { $name } não é a variável da linha { $joint }; a variável é q{ $joint }.
+error-scm_variable_form = A variável deve entrar como +q{ $joint } ou −q{ $joint }, mais uma constante no máximo.
+error-scm_variable_outside_joints = { $name } é uma variável de junta; só as linhas das juntas podem conter uma.
+error-scm_parameter_two_kinds = { $name } mede um comprimento num elemento e um ângulo noutro. Use dois nomes.
+error-scm_prismatic_turns = A junta { $joint } é prismática: a sua linha não pode girar o sistema de coordenadas. Ponha as rotações constantes na Transformação Final.
+error-scm_prismatic_second_length = A junta { $joint } é prismática: a sua linha contém a variável e nenhum outro comprimento. Ponha este comprimento numa linha anterior ou posterior.
+error-scm_revolute_offset = A junta { $joint } é rotativa: o seu ângulo não admite offset. Ponha as rotações constantes na Transformação Final.
+error-scm_revolute_second_turn = A junta { $joint } gira em torno de um único eixo. Ponha as rotações constantes na Transformação Final.

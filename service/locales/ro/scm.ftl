@@ -1,0 +1,14 @@
+# Metoda SCM: lanțuri de rânduri [X Y Z A B C].
+
+error-scm_chain_empty = Lanțul nu are nicio cuplă. Este nevoie de cel puțin un rând.
+error-scm_too_many_joints = Lanțul are { $joints } cuple; se citesc cel mult { $limit }.
+error-scm_no_variable = Rândul { $joint } nu conține nicio variabilă de cuplă. Scrieți q{ $joint } în elementul care se mișcă.
+error-scm_two_variables = Rândul { $joint } își conține variabila și în { $first }, și în { $second }. Un rând are exact una.
+error-scm_variable_of_other_row = { $name } nu este variabila rândului { $joint }; aceasta este q{ $joint }.
+error-scm_variable_form = Variabila trebuie să apară ca +q{ $joint } sau −q{ $joint }, cel mult plus o constantă.
+error-scm_variable_outside_joints = { $name } este o variabilă de cuplă; numai rândurile cuplelor pot conține una.
+error-scm_parameter_two_kinds = { $name } măsoară o lungime într-un element și un unghi în altul. Folosiți două nume.
+error-scm_prismatic_turns = Cupla { $joint } este de translație: rândul ei nu poate roti sistemul de coordonate. Puneți rotațiile constante în Transformarea Finală.
+error-scm_prismatic_second_length = Cupla { $joint } este de translație: rândul ei conține variabila și nicio altă lungime. Puneți această lungime într-un rând dinainte sau de după.
+error-scm_revolute_offset = Cupla { $joint } este de rotație: unghiul ei nu poate conține un decalaj. Puneți rotațiile constante în Transformarea Finală.
+error-scm_revolute_second_turn = Cupla { $joint } se rotește în jurul unei singure axe. Puneți rotațiile constante în Transformarea Finală.
