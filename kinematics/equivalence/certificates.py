@@ -1,0 +1,168 @@
+"""From the motions that aligned the axes to the certificate (σ, δ, B, E)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import cos, sin
+
+from kinematics.equivalence.chains import Chain
+from kinematics.equivalence.groups import Rotations, outside
+from kinematics.equivalence.plan import Plan, Step
+from kinematics.equivalence.policy import ZeroRule
+from kinematics.equivalence.rigid import (
+    Motion,
+    Vector,
+    angle_about,
+    compose,
+    dot,
+    inverse,
+    position,
+    rotation_about,
+    scale,
+    subtract,
+    translation,
+)
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A certificate that has yet to be verified.
+
+    Attributes:
+        signs: σ_1 … σ_n.
+        offsets: δ_1 … δ_n [rad or length].
+        base: B.
+        tool: E.
+    """
+
+    signs: tuple[int, ...]
+    offsets: tuple[float, ...]
+    base: Motion
+    tool: Motion
+
+
+@dataclass(frozen=True, slots=True)
+class Path:
+    """How the axes were aligned, joint by joint.
+
+    Attributes:
+        start: the motion begun with.
+        signs: the sign taken at each joint.
+        motions: h_i ∈ H_{i-1}, the motion applied at joint i, on top of all earlier ones.
+        totals: their products h_i ⋯ h_1 · start.
+        last: the motion in H_n that placed the end frame.
+    """
+
+    start: Motion
+    signs: tuple[int, ...]
+    motions: tuple[Motion, ...]
+    totals: tuple[Motion, ...]
+    last: Motion
+
+
+def joint_motion(step: Step, value: float) -> Motion:
+    """exp(S_i · value) for the reference's joint."""
+    axis = step.axis
+    if axis.prismatic:
+        return translation(scale(axis.direction, value))
+    return rotation_about(axis.point, axis.direction, cos(value), sin(value))
+
+
+def split(step: Step, motion: Motion, zero: ZeroRule) -> tuple[float, Motion]:
+    """Write a motion of H_i as exp(S_i ε) · k with k in Stab_i, ε zero wherever it may be."""
+    stabiliser, direction = step.stabiliser, step.axis.direction
+    if zero is ZeroRule.FIGURE:
+        return 0.0, motion
+    if step.axis.prismatic:
+        if len(stabiliser.translations) == 3 or _holds(stabiliser.translations, direction):
+            return 0.0, motion
+        value = _along(step, motion)
+        return value, compose(joint_motion(step, -value), motion)
+    if stabiliser.rotations is Rotations.ABOUT_LINE:
+        return 0.0, motion
+    value = angle_about(motion, direction)
+    return value, compose(joint_motion(step, -value), motion)
+
+
+def _holds(basis: tuple[Vector, ...], direction: Vector) -> bool:
+    rest = outside(direction, basis)
+    return dot(rest, rest) < 1e-12
+
+
+def _along(step: Step, motion: Motion) -> float:
+    """How far a motion slides along the joint, over and above what the stabiliser does."""
+    stabiliser, direction = step.stabiliser, step.axis.direction
+    if stabiliser.rotations is Rotations.ABOUT_LINE:
+        return dot(direction, position(motion))
+    rest = outside(direction, stabiliser.translations)
+    return dot(rest, position(motion)) / dot(rest, rest)
+
+
+def offsets_and_first(plan: Plan, path: Path, zero: ZeroRule) -> tuple[list[float], list[Motion]]:
+    """The ε_i with g_i = exp(S_i ε_i) g_{i-1}, and the g_i themselves.
+
+    Every motion is pushed down the chain: its part in exp(S_i ℝ) stays as ε_i, the rest goes on to joint i-1.
+
+    Returns:
+        ε_1 … ε_n and g_0 … g_n.
+    """
+    n = len(plan.steps)
+    values = [0.0] * n
+    g: list[Motion] = [path.start] * (n + 1)
+    rest = path.last
+    for i in range(n - 1, -1, -1):
+        g[i + 1] = compose(rest, path.totals[i])
+        values[i], k = split(plan.steps[i], rest, zero)
+        rest = compose(k, path.motions[i])
+    g[0] = compose(rest, path.start)
+    return values, g
+
+
+def candidate_from(
+    chains: tuple[Chain, Chain], plan: Plan, path: Path, zero: ZeroRule, *, tool_turns: bool
+) -> Candidate:
+    """The certificate that a path of alignments amounts to.
+
+    Where a turn of frame 0 about the first joint's axis, or of frame N about the last one's, does the same as an
+    offset of that joint, the offset is chosen such that B and E come as near to the identity as they can.
+
+    Args:
+        chains: the reference's and the submission's.
+        plan: the groups.
+        path: the alignments.
+        zero: whether the policy fixes the zeros.
+        tool_turns: the policy lets frame N move with the last joint.
+    """
+    reference, submission = chains
+    values, g = offsets_and_first(plan, path, zero)
+    first, last = g[0], compose(g[-1], submission.end)
+    if values and zero is ZeroRule.FREE:
+        if _keeps_all_of(plan.steps[0]):
+            value = -_share(plan.steps[0], first)
+            first = compose(joint_motion(plan.steps[0], value), first)
+            values[0] -= value
+        if tool_turns:
+            value = -_share(plan.steps[-1], compose(last, inverse(reference.end)), last, reference.end)
+            last = compose(joint_motion(plan.steps[-1], value), last)
+            values[-1] += value
+    return Candidate(
+        signs=path.signs,
+        offsets=tuple(s * v for s, v in zip(path.signs, values, strict=True)),
+        base=inverse(first),
+        tool=compose(inverse(reference.end), last),
+    )
+
+
+def _keeps_all_of(step: Step) -> bool:
+    """Whether the stabiliser of a joint's screw holds that joint's own motions."""
+    if step.axis.prismatic:
+        return _holds(step.stabiliser.translations, step.axis.direction)
+    return step.stabiliser.rotations is Rotations.ABOUT_LINE
+
+
+def _share(step: Step, motion: Motion, end: Motion | None = None, goal: Motion | None = None) -> float:
+    """How much of the joint's own motion there is in a motion [rad or length]."""
+    if not step.axis.prismatic:
+        return angle_about(motion, step.axis.direction)
+    if end is None or goal is None:
+        return dot(step.axis.direction, position(motion))
+    return dot(step.axis.direction, subtract(position(end), position(goal)))

@@ -1,0 +1,194 @@
+"""A table as joint axes in frame 0 at q = 0, which is all that the decision needs to know of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.equivalence.rigid import (
+    IDENTITY,
+    ORIGIN,
+    Motion,
+    Vector,
+    across,
+    cross,
+    dot,
+    from_matrix,
+    move,
+    norm,
+    plus,
+    position,
+    scale,
+    subtract,
+    to_matrix,
+    z_axis,
+)
+from kinematics.links import link_transform
+from kinematics.table import Convention, JointType, NumericTable
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """A joint axis in frame 0 at q = 0, pointing the way the joint variable counts.
+
+    Attributes:
+        prismatic: the joint slides along the axis; only its direction has a meaning then.
+        direction: unit vector.
+        point: some point of the axis.
+    """
+
+    prismatic: bool
+    direction: Vector
+    point: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Chain:
+    """F(q) = exp(S_1 q_1) ⋯ exp(S_n q_n) M, with the joint screws S_i at q = 0.
+
+    Attributes:
+        axes: the joint axes, base first.
+        end: M, the pose of frame N at q = 0.
+        extent: sum of all |a| and |d| of the table.
+    """
+
+    axes: tuple[Axis, ...]
+    end: Motion
+    extent: float
+
+
+def chain_of(table: NumericTable) -> Chain:
+    """The joint axes of a table and the pose of its last frame, all at q = 0."""
+    standard = table.convention is Convention.STANDARD
+    pose = None
+    here = IDENTITY
+    axes: list[Axis] = []
+    extent = 0.0
+    for row in table.rows:
+        link = link_transform(row, table.convention)
+        pose = link if pose is None else pose @ link
+        after = from_matrix(pose)
+        if row.joint is not JointType.FIXED:
+            g = here if standard else after
+            direction = z_axis(g) if row.sign > 0 else scale(z_axis(g), -1.0)
+            axes.append(Axis(row.joint is JointType.PRISMATIC, direction, position(g)))
+        here = after
+        extent += abs(row.a) + abs(row.d)
+    return Chain(tuple(axes), here, extent)
+
+
+def joint_frames(table: NumericTable) -> tuple[Motion, ...]:
+    """The frame whose z axis is joint i's axis, for i = 1 … n, in frame 0 at q = 0.
+
+    That is frame i-1 of a standard table and frame i of a modified one (rows counted, not joints).
+    """
+    standard = table.convention is Convention.STANDARD
+    here = IDENTITY
+    frames: list[Motion] = []
+    pose = np.eye(4)
+    for row in table.rows:
+        pose = pose @ link_transform(row, table.convention)
+        after = from_matrix(pose)
+        if row.joint is not JointType.FIXED:
+            frames.append(here if standard else after)
+        here = after
+    return tuple(frames)
+
+
+def size_of(chain: Chain) -> float:
+    """A length that is typical of the robot, whatever its frames: what relative tolerances refer to.
+
+    Starting on the first revolute axis, go to the nearest point of the next one and so on, and at last to the
+    origin of frame N; the lengths of these steps do not change with q, and neither a far-away world frame nor
+    the huge offsets of nearly parallel axes inflate them. Where there are none, the sum of all |a| and |d|.
+
+    Returns:
+        A length, in the table's unit; 0 if all its lengths are zero.
+    """
+    here: Vector | None = None
+    total = 0.0
+    for axis in chain.axes:
+        if axis.prismatic:
+            continue
+        if here is None:
+            here = plus(axis.point, scale(axis.direction, -dot(axis.point, axis.direction)))
+            continue
+        step = across(subtract(axis.point, here), axis.direction)
+        total += norm(step)
+        here = plus(here, step)
+    if here is not None:
+        total += norm(subtract(position(chain.end), here))
+    return total if total > 1e-12 * chain.extent else chain.extent
+
+
+def screw_bases(chain: Chain) -> NDArray[np.float64]:
+    """Matrices from which the joint motions are made: exp(S_i q) = 1 + sin q · A_i + (1 - cos q) · B_i, or 1 + q · A_i.
+
+    Returns:
+        (n, 2, 16) the A_i and B_i, each flattened by rows; B_i is zero for a prismatic joint.
+    """
+    flat: list[float] = []
+    for axis in chain.axes:
+        x, y, z = axis.direction
+        if axis.prismatic:
+            flat += (0, 0, 0, x, 0, 0, 0, y, 0, 0, 0, z, 0, 0, 0, 0)
+            flat += (0,) * 16
+            continue
+        p = axis.point
+        velocity = cross(p, axis.direction)
+        pull = cross(axis.direction, velocity)
+        flat += (0, -z, y, velocity[0], z, 0, -x, velocity[1], -y, x, 0, velocity[2], 0, 0, 0, 0)
+        flat += (
+            x * x - 1.0, x * y, x * z, pull[0],
+            x * y, y * y - 1.0, y * z, pull[1],
+            x * z, y * z, z * z - 1.0, pull[2],
+            0, 0, 0, 0,
+        )  # fmt: skip
+    return np.array(flat, dtype=np.float64).reshape(len(chain.axes), 2, 16)
+
+
+def joint_motions(chain: Chain, joints: NDArray[np.float64]) -> NDArray[np.float64]:
+    """exp(S_i q_i) for every joint and configuration.
+
+    Args:
+        chain: the joint axes.
+        joints: (n, samples) joint variables.
+
+    Returns:
+        (n, samples, 4, 4)
+    """
+    n, samples = joints.shape
+    weights = np.empty((n, samples, 2))
+    np.sin(joints, out=weights[:, :, 0])
+    np.subtract(1.0, np.cos(joints), out=weights[:, :, 1])
+    for i, axis in enumerate(chain.axes):
+        if axis.prismatic:
+            weights[i, :, 0] = joints[i]
+    motions = (weights @ screw_bases(chain)).reshape(n, samples, 4, 4)
+    motions += np.eye(4)
+    return motions
+
+
+def poses(chain: Chain, joints: NDArray[np.float64]) -> NDArray[np.float64]:
+    """F(q) for a batch of configurations.
+
+    Args:
+        chain: the joint axes.
+        joints: (n, samples) joint variables [rad, or a length for a prismatic joint].
+
+    Returns:
+        (samples, 4, 4)
+    """
+    end = to_matrix(chain.end)
+    if not chain.axes:
+        return np.broadcast_to(end, (joints.shape[1], 4, 4)).copy()
+    motions = joint_motions(chain, joints)
+    product = motions[0]
+    for motion in motions[1:]:
+        product = product @ motion
+    return np.asarray(product @ end, dtype=np.float64)
+
+
+__all__ = ["ORIGIN", "Axis", "Chain", "chain_of", "joint_frames", "joint_motions", "poses", "screw_bases", "size_of"]

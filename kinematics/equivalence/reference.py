@@ -1,0 +1,87 @@
+"""A reference table, prepared once for all the submissions that are compared with it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.equivalence.chains import Chain, chain_of, poses, size_of
+from kinematics.equivalence.groups import Nearness
+from kinematics.equivalence.plan import Plan, plans_for
+from kinematics.equivalence.policy import BaseRule, Tolerance, ZeroRule
+from kinematics.table import NumericTable
+
+SAMPLES = 64
+EXACTLY = 1e-9
+LOOSELY = 2.0
+
+_PRIMES = [p for p in range(2, 400) if all(p % k for k in range(2, int(p**0.5) + 1))]
+
+
+def sample_joints(n: int) -> NDArray[np.float64]:
+    """Configurations that fill the joint space evenly and lie on no grid: a Kronecker sequence in √2, √3, √5, …
+
+    Returns:
+        (n, SAMPLES) values in [-1, 1).
+    """
+    steps = np.sqrt(np.array(_PRIMES[:n], dtype=np.float64))[:, None]
+    return np.asarray(2.0 * ((0.5 + steps * np.arange(1, SAMPLES + 1)) % 1.0) - 1.0, dtype=np.float64)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Reference:
+    """A reference table, prepared.
+
+    Attributes:
+        table: the table.
+        chain: its joint axes.
+        size: the length that relative lengths refer to; never zero.
+        scaleless: all lengths of the table are zero, and `size` is 1 for want of anything better.
+        joints: (n, samples) sampled configurations.
+        poses: (samples, 4, 4) the reference's end frame there.
+    """
+
+    table: NumericTable
+    chain: Chain
+    size: float
+    scaleless: bool
+    joints: NDArray[np.float64]
+    poses: NDArray[np.float64]
+    _plans: dict[tuple[BaseRule, ZeroRule, float, float], tuple[Plan, ...]] = field(default_factory=dict)
+
+    def plans(self, base: BaseRule, zero: ZeroRule, near: Nearness) -> tuple[Plan, ...]:
+        """The chains of groups, as `plans_for` makes them."""
+        key = (base, zero, near.angle, near.length)
+        found = self._plans.get(key)
+        if found is None:
+            found = self._plans[key] = plans_for(self.chain, base, zero, near, self.size)
+        return found
+
+    def nearnesses(self, tolerance: Tolerance) -> tuple[Nearness, ...]:
+        """Which axes count as parallel or meeting: first those that do exactly, then those within the tolerance."""
+        return (
+            Nearness(EXACTLY, EXACTLY * self.size),
+            Nearness(LOOSELY * tolerance.angle, LOOSELY * tolerance.length * self.size),
+        )
+
+
+@lru_cache(maxsize=1024)
+def prepared(table: NumericTable) -> Reference:
+    """The reference of a table; remembered, for the same one is asked for again and again."""
+    chain = chain_of(table)
+    size = size_of(chain)
+    scale = size or 1.0
+    joints = sample_joints(len(chain.axes))
+    for i, axis in enumerate(chain.axes):
+        joints[i] *= scale if axis.prismatic else np.pi
+    return Reference(
+        table=table,
+        chain=chain,
+        size=scale,
+        scaleless=size == 0.0,
+        joints=joints,
+        poses=poses(chain, joints),
+    )

@@ -1,0 +1,186 @@
+"""The last feature of the chain: where frame N must lie."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinematics.equivalence.alignment import align
+from kinematics.equivalence.chains import Axis, Chain
+from kinematics.equivalence.groups import (
+    Group,
+    Nearness,
+    Rotations,
+    are_parallel,
+    distance_to_line,
+    outside,
+)
+from kinematics.equivalence.plan import Step, prepare
+from kinematics.equivalence.policy import ToolRule
+from kinematics.equivalence.refinement import (
+    DIRECTION_TWISTS,
+    FREE_TWISTS,
+    LINE_TWISTS,
+    NO_TWISTS,
+    POINT_TWISTS,
+    Matrix,
+)
+from kinematics.equivalence.rigid import (
+    IDENTITY,
+    ORIGIN,
+    Motion,
+    Vector,
+    across,
+    angle_about,
+    compose,
+    cross,
+    dot,
+    inverse,
+    move,
+    norm,
+    plus,
+    position,
+    rotate,
+    rotation_about,
+    scale,
+    subtract,
+    translation,
+    turn_onto,
+    x_axis,
+    z_axis,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class ToolChoice:
+    """One way in which the policy lets frame N lie.
+
+    Attributes:
+        rule: the policy's rule.
+        step: the line or direction that z_N must lie on, prepared; None for `free` and `point`.
+        group: H_N.
+        target: the reference's M.
+        turns: frame N may move with the last joint, and the rule still holds.
+    """
+
+    rule: ToolRule
+    step: Step | None
+    group: Group
+    target: Motion
+    turns: bool
+
+    @property
+    def twists(self) -> Matrix:
+        """The twists by which E may change from the right, in the submission's frame N."""
+        if self.rule is ToolRule.FREE:
+            return FREE_TWISTS
+        if self.rule is ToolRule.POINT:
+            return POINT_TWISTS
+        if self.rule is ToolRule.FRAME or self.step is None:
+            return NO_TWISTS
+        return DIRECTION_TWISTS if self.step.axis.prismatic else LINE_TWISTS
+
+
+def tool_choices(chain: Chain, group: Group, rule: ToolRule, near: Nearness, size: float) -> tuple[ToolChoice, ...]:
+    """The ways in which a rule lets frame N of the submission lie, for a reference and its H_N."""
+    end = chain.end
+    if rule is ToolRule.FREE:
+        return (ToolChoice(rule, None, group, end, turns=True),)
+    own = Axis(False, z_axis(end), position(end))
+    last = chain.axes[-1] if chain.axes else None
+    if rule is ToolRule.POINT:
+        turns = last is not None and not last.prismatic and _on(position(end), last, near)
+        return (ToolChoice(rule, None, group, end, turns=turns),)
+    step = prepare(own, group, near, size)
+    if rule is ToolRule.FRAME or last is None:
+        return (ToolChoice(rule, step, group, end, turns=False),)
+    along = are_parallel(last.direction, own.direction, near)
+    same = along and (last.prismatic or _on(own.point, last, near))
+    found = [ToolChoice(rule, prepare(last, group, near, size), group, end, turns=True)]
+    if not same:
+        found.insert(0, ToolChoice(rule, step, group, end, turns=along and last.prismatic))
+    return tuple(found)
+
+
+def _on(point: Vector, axis: Axis, near: Nearness) -> bool:
+    return distance_to_line(point, axis.point, axis.direction) <= near.length
+
+
+def placements(choice: ToolChoice, here: Motion) -> list[Motion]:
+    """The motions of H_N that place the submission's frame N as the choice wants it, as nearly as they can.
+
+    Args:
+        choice: what the policy wants.
+        here: pose of the submission's frame N after all alignments.
+    """
+    if choice.rule is ToolRule.FREE:
+        return [IDENTITY]
+    if choice.rule is ToolRule.POINT:
+        return [_point_onto(choice.group, position(here), position(choice.target))]
+    assert choice.step is not None
+    if choice.rule is ToolRule.FRAME:
+        first = align(choice.step, z_axis(here), position(here), 1).motion
+        return [compose(_settle(choice.step.stabiliser, compose(first, here), choice.target), first)]
+    return [align(choice.step, z_axis(here), position(here), sign).motion for sign in (1, -1)]
+
+
+def _point_onto(group: Group, point: Vector, target: Vector) -> Motion:
+    turn = IDENTITY
+    if group.rotations is Rotations.ABOUT_POINT:
+        turn = IDENTITY if group.translations else _turn_point(group.point, point, target)
+    elif group.rotations is Rotations.ABOUT_LINE and len(group.translations) < 3:
+        turn = _turn_about_line(group, point, target)
+    gap = subtract(target, move(turn, point))
+    return compose(translation(subtract(gap, outside(gap, group.translations))), turn)
+
+
+def _turn_point(centre: Vector, point: Vector, target: Vector) -> Motion:
+    a, b = subtract(point, centre), subtract(target, centre)
+    if norm(a) < 1e-12 or norm(b) < 1e-12:
+        return IDENTITY
+    return turn_onto(centre, scale(a, 1.0 / norm(a)), scale(b, 1.0 / norm(b)))
+
+
+def _turn_about_line(group: Group, point: Vector, target: Vector) -> Motion:
+    a = across(subtract(point, group.point), group.axis)
+    b = across(subtract(target, group.point), group.axis)
+    size = norm(a) * norm(b)
+    if size < 1e-24:
+        return IDENTITY
+    return rotation_about(group.point, group.axis, dot(a, b) / size, dot(group.axis, cross(a, b)) / size)
+
+
+def _settle(group: Group, here: Motion, target: Motion) -> Motion:
+    """Turn and slide, by what keeps the line of z_N, until x_N and the origin lie as they should."""
+    turn = IDENTITY
+    if group.rotations is not Rotations.NONE:
+        x, goal = x_axis(here), x_axis(target)
+        cosine, sine = dot(across(x, group.axis), goal), dot(group.axis, cross(x, goal))
+        size = (cosine * cosine + sine * sine) ** 0.5
+        if size > 1e-12:
+            turn = rotation_about(group.point, group.axis, cosine / size, sine / size)
+    gap = subtract(position(target), move(turn, position(here)))
+    return compose(translation(subtract(gap, outside(gap, group.translations))), turn)
+
+
+def obeying(choice: ToolChoice, tool: Motion) -> Motion:
+    """The E nearest to a given one that keeps the rule to the letter; what is left over goes into the residual."""
+    if choice.rule is ToolRule.FREE:
+        return tool
+    if choice.rule is ToolRule.FRAME:
+        return IDENTITY
+    if choice.rule is ToolRule.POINT:
+        return (*tool[:9], 0.0, 0.0, 0.0)
+    assert choice.step is not None
+    back = inverse(choice.target)
+    axis = choice.step.axis
+    direction = rotate(back, axis.direction)
+    if dot(direction, z_axis(tool)) < 0.0:
+        direction = scale(direction, -1.0)
+    tool = compose(turn_onto(position(tool), z_axis(tool), direction), tool)
+    if axis.prismatic:
+        return tool
+    gap = across(subtract(move(back, axis.point), position(tool)), direction)
+    return compose(translation(gap), tool)
+
+
+__all__ = ["ORIGIN", "ToolChoice", "angle_about", "obeying", "placements", "plus", "tool_choices"]
