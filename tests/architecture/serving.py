@@ -1,0 +1,84 @@
+"""Start the service as a person would, in a process of its own."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import signal
+import subprocess
+import threading
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+LISTENING = re.compile(r"running on (http://[^\s]+)")
+PATIENCE = 60.0
+
+
+@contextlib.contextmanager
+def serving(
+    command: Sequence[str],
+    *,
+    cwd: Path,
+    environment: Mapping[str, str] | None = None,
+    user: int | None = None,
+) -> Iterator[str]:
+    """Run a command that serves on a free port (0); yields the address that it prints."""
+    process = subprocess.Popen(
+        command,
+        cwd=cwd,
+        env={**os.environ, **(environment or {})},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        start_new_session=True,
+        user=user,
+        group=user,
+        extra_groups=[] if user is not None else None,
+    )
+    printed: list[str] = []
+    reader = threading.Thread(target=_collect, args=(process, printed), daemon=True)
+    reader.start()
+    try:
+        yield _address(process, printed)
+    finally:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGTERM)
+        try:
+            process.wait(timeout=10)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait(timeout=10)
+        reader.join(timeout=10)
+        assert process.stdout is not None
+        process.stdout.close()
+
+
+def fetched(address: str, path: str) -> tuple[int, bytes]:
+    """Status and body of a GET."""
+    try:
+        with urllib.request.urlopen(address + path, timeout=10) as response:
+            return response.status, response.read()
+    except urllib.error.HTTPError as error:
+        with error:
+            return error.code, error.read()
+
+
+def _collect(process: subprocess.Popen[str], printed: list[str]) -> None:
+    assert process.stdout is not None
+    printed.extend(iter(process.stdout.readline, ""))
+
+
+def _address(process: subprocess.Popen[str], printed: list[str]) -> str:
+    deadline = time.monotonic() + PATIENCE
+    while time.monotonic() < deadline:
+        found = LISTENING.search("".join(printed))
+        if found:
+            return found.group(1).replace("0.0.0.0", "127.0.0.1")
+        if process.poll() is not None:
+            break
+        time.sleep(0.02)
+    raise AssertionError("the service did not start:\n" + "".join(printed))
