@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Sequence
 
 import uvicorn
+from pydantic import ValidationError
 
 from service.app import create_app
 from service.settings import Settings
@@ -13,7 +15,7 @@ from service.settings import Settings
 
 def main(arguments: Sequence[str] | None = None) -> None:
     """Serve until interrupted; options on the command line go before the environment."""
-    settings = Settings()
+    settings = _settings()
     parser = argparse.ArgumentParser(prog="framewise", description="Serve kinematics over HTTP.")
     parser.add_argument("--host", default=settings.host, help="address to listen on (%(default)s)")
     parser.add_argument("--port", default=settings.port, type=int, help="port to listen on (%(default)s)")
@@ -31,6 +33,15 @@ def main(arguments: Sequence[str] | None = None) -> None:
         uvicorn.run("service.app:create_app", factory=True, workers=chosen.workers, **options)  # type: ignore[arg-type]
     else:
         uvicorn.run(create_app(settings), **options)  # type: ignore[arg-type]
+
+
+def _settings() -> Settings:
+    """The settings of the environment; a value that cannot be understood ends the program with its name."""
+    try:
+        return Settings()
+    except ValidationError as error:
+        faults = (f"  FRAMEWISE_{str(fault['loc'][0]).upper()}: {fault['msg']}" for fault in error.errors())
+        sys.exit("\n".join(("These settings cannot be understood:", *faults)))
 
 
 if __name__ == "__main__":
