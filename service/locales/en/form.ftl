@@ -1,0 +1,121 @@
+# The student web form: what every page says.
+
+form-skip = Skip to the content
+form-nav-label = Pages
+form-nav-exercises = Exercises
+form-nav-playground = Playground
+form-language = Language
+form-language-go = Change
+form-needs-script = This page needs JavaScript: it draws the robot and checks the table while you type.
+form-unreachable = The service cannot be reached. What you typed is kept; try again in a moment.
+form-retry = Try again
+form-cancel = Cancel
+form-close = Close
+form-loading = Loading …
+
+form-home-title = Exercises
+form-home-heading = Describe the robot. Any valid choice of frames counts.
+form-home-lead = Denavit–Hartenberg tables with a robot that moves while you type, and a checker that proves whether your table describes the same mechanism.
+form-home-exercises = Exercises
+form-home-more = More
+form-home-playground = Any table: poses, Jacobians, closed forms, conversions.
+form-home-api = Programming interface
+form-home-api-text = The same over HTTP, as an OpenAPI document.
+form-home-best = Best score { $score } %
+form-home-trainer = Practise assigning frames
+
+form-scene-role = 3-D view
+form-scene-label = Robot
+form-scene-tools = View
+form-scene-view = Look from
+form-scene-view-corner = Corner
+form-scene-view-front = Front
+form-scene-view-side = Side
+form-scene-view-top = Top
+form-scene-view-now = View: { $view }
+form-scene-turn-left = Turn left
+form-scene-turn-right = Turn right
+form-scene-turn-up = Tilt up
+form-scene-turn-down = Tilt down
+form-scene-zoom-in = Zoom in
+form-scene-zoom-out = Zoom out
+form-scene-reset = Show everything
+form-scene-keys = Arrow keys turn the view, Shift with arrow keys moves it, + and − zoom, 0 shows everything.
+
+form-joint = Joint
+form-joint-revolute = revolute
+form-joint-prismatic = prismatic
+form-joint-fixed = fixed
+form-joint-of-row = Joint type, row { $row }
+form-joint-turn = Joint angle { $name }
+form-joint-slide = Joint displacement { $name }
+form-joint-value = { $name } in { $unit }
+form-joints-reset = Put the joints back
+
+form-convention = Convention
+form-convention-standard = standard
+form-convention-modified = modified
+form-convention-now-standard = Your entries stay as they are and are now read in the standard convention: a and α belong to link i, joint i moves about z of frame i−1.
+form-convention-now-modified = Your entries stay as they are and are now read in the modified convention: a and α belong to link i−1, joint i moves about z of frame i.
+form-angle-unit = Unit of angles
+form-degrees = degrees
+form-radians = radians
+form-length-unit = Unit of lengths
+form-unit-now-deg = Numbers in the angle columns are now read as degrees.
+form-unit-now-rad = Numbers in the angle columns are now read as radians.
+form-unit-convert = Convert the numbers
+form-unit-converted = Numbers converted
+
+form-table-caption = DH table, { $convention } convention
+form-row-actions = Actions
+form-row-add = Add a row
+form-row-added = Row { $row } added
+form-row-remove = Remove row { $row }
+form-row-removed = Row { $row } removed
+form-row-up = Move row { $row } up
+form-row-down = Move row { $row } down
+form-row-moved = Row { $row } is now row { $to }
+form-row-cell = row { $row }, { $name }
+form-cell-label = Row { $row }, { $name } [{ $unit }]
+form-cell-empty = Something must stand here; write 0 if it is zero.
+form-faults =
+    { $count ->
+        [one] One cell needs your attention:
+       *[other] { $count } cells need your attention:
+    }
+form-undo = Undo
+form-undone = Undone
+form-redo = Redo
+form-redone = Redone
+form-symbols = Symbols
+form-symbol-insert = Insert { $symbol }
+form-keys = Arrow up and down change rows · Alt with an arrow moves the row · Alt+Enter adds one · Alt+Delete removes it · Ctrl+Z takes back.
+form-paste-title = Paste a table
+form-paste-label = A table from a spreadsheet, LaTeX, Markdown or a PDF
+form-paste-order = Columns without headings are read as: { $order }
+form-paste-found =
+    { $rows ->
+        [one] One row found:
+       *[other] { $rows } rows found:
+    }
+form-paste-nothing = No table is recognised in this text: each row needs the four DH parameters.
+form-paste-preview = What was found
+form-paste-apply = Use this table
+form-pasted =
+    { $rows ->
+        [one] One row pasted.
+       *[other] { $rows } rows pasted.
+    }
+
+form-matrix-mode = Matrices as
+form-matrix-numbers = Numbers
+form-matrix-symbols = Symbols
+form-matrix-notation = Notation
+form-matrix-short = short
+form-matrix-full = full
+form-matrix-none = The matrices appear as soon as every row can be read.
+form-matrix-name = Pose of frame { $to } in frame { $from }
+form-copy = Copy as
+form-copy-group = Copy: { $what }
+form-copied = Copied as { $format }
+form-copy-failed = The browser does not allow copying

@@ -1,0 +1,1 @@
+"""The student web form: its pages and the files they load."""

@@ -1,0 +1,96 @@
+"""Pages as responses: language, content security policy, validators, compression."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+from collections.abc import Mapping
+from functools import cache, lru_cache
+from pathlib import Path
+
+from fastapi import Request, Response
+
+from service.messages import language_for, languages, sentence
+from service.negotiation import weighted
+from service.settings import Settings
+from service.web.assets import Assets, static_root
+from service.web.shell import Page, render
+
+
+def content_security_policy(settings: Settings) -> str:
+    """What a page may load and who may frame it: only this origin; no inline script or style at all."""
+    return "; ".join(
+        (
+            "default-src 'none'",
+            "script-src 'self'",
+            "style-src 'self'",
+            "img-src 'self' data: blob:",
+            "font-src 'self'",
+            "connect-src 'self'",
+            "base-uri 'none'",
+            "form-action 'self'",
+            "frame-ancestors " + (" ".join(settings.frame_ancestors) or "'none'"),
+        )
+    )
+
+
+@cache
+def assets(root: Path | None) -> Assets:
+    """The served files: the folder named by the settings, or the packaged one."""
+    return Assets(root or static_root())
+
+
+def page_language(request: Request) -> str:
+    """The language that the address asks for (`?lang=`), or the browser."""
+    asked = request.query_params.get("lang", "")
+    return asked if asked in languages() else language_for(request.headers.get("accept-language"))
+
+
+def page_response(
+    request: Request, page: Page, values: Mapping[str, str] | None = None, *, status: int = 200
+) -> Response:
+    """A page in the reader's language, with the headers that every page has.
+
+    Args:
+        request: the request that it answers.
+        page: which kind of page.
+        values: what its template asks for as `${.name}`; `title` overrides the page's title.
+        status: the HTTP status.
+    """
+    settings: Settings = request.app.state.settings
+    language = page_language(request)
+
+    def translate(identifier: str) -> str:
+        return sentence(language, identifier) or identifier
+
+    version = assets(settings.static_directory).version
+    text = render(page, language=language, version=version, translate=translate, values=values)
+    headers = {
+        "Content-Security-Policy": content_security_policy(settings),
+        "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
+        "Cache-Control": "no-cache",
+        "Content-Language": language,
+        "Vary": "Accept-Language, Accept-Encoding",
+    }
+    return text_response(request, text, "text/html; charset=utf-8", headers, status)
+
+
+def text_response(
+    request: Request, text: str, media_type: str, headers: Mapping[str, str], status: int = 200
+) -> Response:
+    """Text with a validator, compressed if the client takes it; 304 if it has it already."""
+    body = text.encode()
+    tag = f'W/"{hashlib.sha256(body).hexdigest()[:20]}"'
+    sent = {**headers, "ETag": tag}
+    if status == 200 and tag in request.headers.get("if-none-match", ""):
+        return Response(status_code=304, headers=sent)
+    accepted = weighted(request.headers.get("accept-encoding", ""))
+    if any(name == "gzip" and quality > 0.0 for name, quality in accepted):
+        sent["Content-Encoding"] = "gzip"
+        body = _compressed(body)
+    return Response(body, status_code=status, media_type=media_type, headers=sent)
+
+
+@lru_cache(maxsize=128)
+def _compressed(body: bytes) -> bytes:
+    return gzip.compress(body, 6, mtime=0)

@@ -1,0 +1,121 @@
+"""HTML pages from templates: every text in the reader's language, every address relative.
+
+A template holds `${message-id}` for a message of `locales/*/form.ftl` (or another room's) and `${.name}` for
+a value that the page is made with. Both are escaped; `${.name!}` takes markup that is already safe.
+Addresses start with `${.root}`, the relative way from the page to the service's root ("./" or "../"), so a
+page works under any prefix of a reverse proxy without knowing it.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+TEMPLATES = Path(__file__).resolve().parent / "templates"
+FIELD = re.compile(r"\$\{(?P<value>\.)?(?P<name>[a-z][a-z0-9_-]*)(?P<safe>!)?\}")
+
+LANGUAGE_NAMES: Mapping[str, str] = {
+    "en": "English",
+    "ro": "Română",
+    "pt": "Português",
+    "fr": "Français",
+    "uk": "Українська",
+    "es": "Español",
+}
+"""Languages of the form, each under its own name, in the order of the switch."""
+
+Translate = Callable[[str], str]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Page:
+    """One kind of page.
+
+    Attributes:
+        name: stem of its template, and of its module under `static/js/pages/`.
+        title: id of the message that is its title.
+        rooms: message files that its script needs, besides `form`.
+        depth: how many folders below the root its address stands.
+        styles: style sheets besides the ones every page has.
+        preload: modules that the page's own module imports, to be fetched at once.
+    """
+
+    name: str
+    title: str
+    rooms: tuple[str, ...] = ()
+    depth: int = 0
+    styles: tuple[str, ...] = ()
+    preload: tuple[str, ...] = ()
+
+
+@lru_cache(maxsize=64)
+def _template(name: str, stamp: int) -> str:
+    return (TEMPLATES / f"{name}.html").read_text(encoding="utf-8")
+
+
+def template(name: str) -> str:
+    """Text of a template, read again when its file changes."""
+    return _template(name, (TEMPLATES / f"{name}.html").stat().st_mtime_ns)
+
+
+def fill(text: str, translate: Translate, values: Mapping[str, str]) -> str:
+    """A template with its messages and values put in, escaped."""
+
+    def put(match: re.Match[str]) -> str:
+        name = match["name"]
+        if not match["value"]:
+            return html.escape(translate(name))
+        return values[name] if match["safe"] else html.escape(values[name])
+
+    return FIELD.sub(put, text)
+
+
+def render(
+    page: Page, *, language: str, version: str, translate: Translate, values: Mapping[str, str] | None = None
+) -> str:
+    """A whole page.
+
+    Args:
+        page: which kind.
+        language: one of LANGUAGE_NAMES.
+        version: the assets' version.
+        translate: message id → text in that language.
+        values: what the page's own template asks for; `title` overrides the page's title.
+    """
+    root = "../" * page.depth or "./"
+    own = {"root": root, "assets": f"{root}static/{version}", "lang": language, **(values or {})}
+    body = fill(template(page.name), translate, own)
+    return fill(
+        template("shell"),
+        translate,
+        {
+            "title": translate(page.title),
+            **own,
+            "page": page.name,
+            "rooms": " ".join(("form", *page.rooms)),
+            "body": body,
+            "styles": "".join(_style(own["assets"], name) for name in page.styles),
+            "preload": "".join(_preload(own["assets"], name) for name in page.preload),
+            "languages": _language_options(language),
+        },
+    )
+
+
+def _style(assets: str, name: str) -> str:
+    return f'<link rel="stylesheet" href="{assets}/css/{name}.css">\n'
+
+
+def _preload(assets: str, name: str) -> str:
+    return f'<link rel="modulepreload" href="{assets}/{name}">\n'
+
+
+def _language_options(language: str) -> str:
+    options = []
+    for code, name in LANGUAGE_NAMES.items():
+        chosen = " selected" if code == language else ""
+        options.append(f'<option value="{code}" lang="{code}"{chosen}>{html.escape(name)}</option>')
+    return "".join(options)

@@ -1,0 +1,146 @@
+/** Calls to the service: JSON in, JSON out, problems as errors, and never an answer out of order. */
+
+/**
+ * @typedef {{code: string, pointer: string, detail: string, params: Record<string, unknown>}} Fault
+ *   one thing that is wrong: stable code, JSON pointer into the request, sentence in the reader's language
+ */
+
+/** An answer that says what is wrong (RFC 9457). */
+export class Problem extends Error {
+  /** @param {number} status @param {Record<string, any>} body */
+  constructor(status, body) {
+    super(body.detail || body.title || `HTTP ${status}`);
+    this.name = "Problem";
+    this.status = status;
+    this.code = body.code || "";
+    this.body = body;
+    /** @type {Fault[]} */
+    this.faults = body.errors?.length ? body.errors : [{ code: this.code, pointer: "", detail: this.message, params: {} }];
+  }
+}
+
+/** The service could not be reached. */
+export class Unreachable extends Error {
+  /** @param {unknown} cause */
+  constructor(cause) {
+    super("unreachable", { cause });
+    this.name = "Unreachable";
+  }
+}
+
+export class Api {
+  /** @param {string} base address of the API, with a slash at its end @param {string} language */
+  constructor(base, language) {
+    this.base = base;
+    this.language = language;
+  }
+
+  /** @param {string} path @param {{signal?: AbortSignal}} [options] */
+  get(path, options) {
+    return this.#send("GET", path, undefined, options);
+  }
+
+  /** @param {string} path @param {unknown} body @param {{signal?: AbortSignal}} [options] */
+  post(path, body, options) {
+    return this.#send("POST", path, body, options);
+  }
+
+  /** Address of something that is loaded by the browser itself, such as a figure. @param {string} path */
+  address(path) {
+    return `${this.base}${path}`;
+  }
+
+  async #send(method, path, body, { signal } = {}) {
+    const headers = { Accept: "application/json", "Accept-Language": this.language };
+    if (body !== undefined) headers["Content-Type"] = "application/json";
+    let answer, text;
+    try {
+      answer = await fetch(this.base + path, {
+        method,
+        headers,
+        signal,
+        body: body === undefined ? undefined : JSON.stringify(body),
+        credentials: "omit",
+      });
+      text = await answer.text();
+    } catch (error) {
+      if (error?.name === "AbortError") throw error;
+      throw new Unreachable(error);
+    }
+    let json = {};
+    try {
+      json = text ? JSON.parse(text) : {};
+    } catch (error) {
+      if (answer.ok) throw new Unreachable(error);
+    }
+    if (!answer.ok) throw new Problem(answer.status, json);
+    return json;
+  }
+}
+
+/**
+ * Runs only the latest of a series of calls: a new one aborts the one under way, and an answer that was
+ * overtaken is dropped, whatever order answers arrive in.
+ */
+export class Latest {
+  #number = 0;
+  /** @type {AbortController | null} */
+  #controller = null;
+
+  /**
+   * @template T
+   * @param {(signal: AbortSignal) => Promise<T>} call
+   * @returns {Promise<{value: T} | null>} the answer, or null if a later call was made in the meantime
+   */
+  async run(call) {
+    this.cancel();
+    const number = this.#number;
+    this.#controller = new AbortController();
+    try {
+      const value = await call(this.#controller.signal);
+      return number === this.#number ? { value } : null;
+    } catch (error) {
+      if (number !== this.#number) return null;
+      throw error;
+    }
+  }
+
+  /** Drops the call under way. */
+  cancel() {
+    this.#number += 1;
+    this.#controller?.abort();
+    this.#controller = null;
+  }
+}
+
+/**
+ * Runs calls one after another, and of those that come while one is under way only the last: while a slider
+ * is dragged, answers keep coming and the final one is for the final value.
+ */
+export class Throttled {
+  /** @type {(() => Promise<void>) | null} */
+  #next = null;
+  #running = false;
+
+  /** @param {number} pause milliseconds between the end of one call and the start of the next */
+  constructor(pause) {
+    this.pause = pause;
+  }
+
+  /** @param {() => Promise<void>} call */
+  async run(call) {
+    this.#next = call;
+    if (this.#running) return;
+    this.#running = true;
+    try {
+      while (this.#next) {
+        const current = this.#next;
+        this.#next = null;
+        await current();
+        if (this.#next) await new Promise((resolve) => setTimeout(resolve, this.pause));
+      }
+    } finally {
+      this.#running = false;
+    }
+  }
+}

@@ -1,0 +1,27 @@
+/**
+ * History of attempts. Pages talk to an `AttemptStore`; today's keeps them in the browser, and one that keeps
+ * them at the service can take its place.
+ *
+ * @typedef {{at: string, part: string, score: number, correct: boolean, submission: unknown, verdict: unknown}} Attempt
+ *   `at` is an ISO 8601 time
+ * @typedef {{list: (exercise: string) => Promise<Attempt[]>, add: (exercise: string, attempt: Attempt) => Promise<void>,
+ *   clear: (exercise: string) => Promise<void>}} AttemptStore
+ */
+
+import { keep, recall } from "./storage.js";
+
+const MOST = 50;
+
+/** @type {AttemptStore} */
+export const browserAttempts = {
+  async list(exercise) {
+    return recall(`attempts:${exercise}`, []);
+  },
+  async add(exercise, attempt) {
+    const attempts = recall(`attempts:${exercise}`, []);
+    keep(`attempts:${exercise}`, [...attempts, attempt].slice(-MOST));
+  },
+  async clear(exercise) {
+    keep(`attempts:${exercise}`, null);
+  },
+};

@@ -1,0 +1,76 @@
+/** A dialog that takes a whole table as text, for keyboards and phones that cannot paste into cells. */
+
+import { el, fill, uniqueId } from "../dom.js";
+import { t } from "../i18n.js";
+import { columnText } from "./grid.js";
+import { readPasted } from "./paste.js";
+
+/**
+ * Asks for a table; calls back with what was read.
+ * @param {HTMLElement} parent @param {import("./model.js").CellName[]} order @param {string} convention
+ * @param {(pasted: import("./paste.js").Pasted) => void} take
+ */
+export function askForTable(parent, order, convention, take) {
+  const area = uniqueId("paste");
+  const title = uniqueId("paste-title");
+  const preview = el("div", { class: "paste-preview", role: "status" });
+  const text = /** @type {HTMLTextAreaElement} */ (
+    el("textarea", { id: area, rows: 8, spellcheck: "false", autocapitalize: "off", oninput: () => show() })
+  );
+  const apply = el("button", { type: "submit", class: "primary", text: t("form-paste-apply") });
+  /** @type {import("./paste.js").Pasted | null} */
+  let pasted = null;
+  const show = () => {
+    pasted = text.value.trim() ? readPasted(text.value, order) : null;
+    apply.disabled = !pasted;
+    fill(preview, pasted ? previewOf(pasted, order, pasted.convention ?? convention) : text.value.trim() ? el("p", { class: "fault", text: t("form-paste-nothing") }) : null);
+  };
+  const dialog = /** @type {HTMLDialogElement} */ (
+    el(
+      "dialog",
+      { class: "dialog", "aria-labelledby": title, onclose: () => dialog.remove() },
+      el(
+        "form",
+        {
+          method: "dialog",
+          class: "stack",
+          onsubmit: () => pasted && take(pasted),
+        },
+        el("h2", { id: title, text: t("form-paste-title") }),
+        el("div", { class: "field" }, el("label", { for: area, text: t("form-paste-label") }), text),
+        el("p", { class: "hint", text: t("form-paste-order", { order: order.map((cell) => columnText(cell, convention)).join("  ") }) }),
+        preview,
+        el(
+          "div",
+          { class: "row" },
+          apply,
+          el("button", { type: "button", onclick: () => dialog.close(), text: t("form-cancel") }),
+        ),
+      ),
+    )
+  );
+  parent.append(dialog);
+  show();
+  dialog.showModal();
+  text.focus();
+}
+
+function previewOf(pasted, order, convention) {
+  return [
+    el("p", { class: "hint", text: t("form-paste-found", { rows: pasted.rows.length }) }),
+    el(
+      "div",
+      { class: "scroller", tabindex: "0", role: "region", "aria-label": t("form-paste-preview") },
+      el(
+        "table",
+        { class: "data" },
+        el("thead", {}, el("tr", {}, order.map((cell) => el("th", { scope: "col", text: columnText(cell, convention) })))),
+        el(
+          "tbody",
+          {},
+          pasted.rows.map((row) => el("tr", {}, order.map((cell) => el("td", { class: "mono", text: row.cells[cell] ?? "" })))),
+        ),
+      ),
+    ),
+  ];
+}

@@ -1,0 +1,213 @@
+/**
+ * Tables as people paste them: from a spreadsheet, LaTeX, Markdown, a CSV file, the text of a PDF.
+ * What a cell means is for the API to say; here text is only cut into cells, and LaTeX spelled out.
+ *
+ * @typedef {import("./model.js").CellName} CellName
+ * @typedef {import("./model.js").JointType} JointType
+ * @typedef {{format: string, convention: "standard" | "modified" | null,
+ *   rows: {joint: JointType | null, cells: Partial<Record<CellName, string>>}[]}} Pasted
+ */
+
+import { inferredJoint } from "./model.js";
+
+/** Whether a text is more than one cell. @param {string} text */
+export function isTable(text) {
+  const trimmed = text.trim();
+  return /\t/.test(trimmed) || /\n/.test(trimmed) || /\\\\/.test(trimmed) || (trimmed.match(/\|/g) ?? []).length > 1 || /&/.test(trimmed);
+}
+
+/**
+ * Cuts a text into rows of cells.
+ * @param {string} text
+ * @returns {{format: "latex" | "markdown" | "tabs" | "csv" | "text", grid: string[][]}}
+ */
+export function gridOf(text) {
+  const clean = text.replace(/\r\n?/g, "\n").replace(/\u00a0/g, " ").replace(/[\u200b\ufeff]/g, "");
+  if (/&/.test(clean)) return { format: "latex", grid: latexGrid(clean) };
+  const lines = clean.split("\n").filter((line) => line.trim() !== "");
+  if (lines.filter((line) => (line.match(/\|/g) ?? []).length > 1).length >= Math.max(1, lines.length / 2)) {
+    return { format: "markdown", grid: markdownGrid(lines) };
+  }
+  if (lines.some((line) => line.includes("\t"))) return { format: "tabs", grid: lines.map((line) => line.split("\t").map(cleaned)) };
+  if (lines.every((line) => line.includes(";"))) return { format: "csv", grid: lines.map((line) => separated(line, ";")) };
+  if (lines.every((line) => (line.match(/,/g) ?? []).length >= 3)) return { format: "csv", grid: lines.map((line) => separated(line, ",")) };
+  return { format: "text", grid: lines.map(textCells) };
+}
+
+/** @param {string} text */
+function latexGrid(text) {
+  const inner = /\\begin\{(?:tabular|array|matrix|[bp]matrix|tabularx|longtable)\*?\}(?:\[[^\]]*\])?(?:\{(?:[^{}]|\{[^{}]*\})*\})*([\s\S]*?)\\end\{/.exec(text);
+  return (inner ? inner[1] : text)
+    .replace(/(?<!\\)%.*$/gm, "")
+    .replace(/\\(?:hline|toprule|midrule|bottomrule|centering|cline\{[^}]*\}|rule\{[^}]*\}\{[^}]*\})/g, "")
+    .split(/\\\\(?:\[[^\]]*\])?|\\tabularnewline/)
+    .filter((line) => line.includes("&"))
+    .map((line) => line.split(/(?<!\\)&/).map((cell) => cleaned(fromLatex(cell))));
+}
+
+/** @param {string[]} lines */
+function markdownGrid(lines) {
+  return lines
+    .filter((line) => line.includes("|") && !/^[\s|:+-]+$/.test(line.replace(/[–—]/g, "-")))
+    .map((line) => line.trim().replace(/^\|/, "").replace(/\|$/, "").split("|").map((cell) => cleaned(fromLatex(cell))));
+}
+
+/** @param {string} line @param {string} separator */
+function separated(line, separator) {
+  const cells = [];
+  let cell = "";
+  let quoted = false;
+  let depth = 0;
+  for (const character of line) {
+    if (character === '"') quoted = !quoted;
+    else if (character === separator && !quoted && depth === 0) {
+      cells.push(cell);
+      cell = "";
+      continue;
+    } else {
+      depth += character === "(" ? 1 : character === ")" ? -1 : 0;
+      cell += character;
+    }
+  }
+  return [...cells, cell].map(cleaned);
+}
+
+/** Cells parted by blanks; a sign with blanks on both sides joins, one before a number parts. @param {string} line */
+function textCells(line) {
+  const joined = line
+    .trim()
+    .replace(/\s+([+*/^·×])\s+/g, "$1")
+    .replace(/(\S)\s+([-−–])\s+(?=\S)/g, "$1$2")
+    .replace(/\(\s+/g, "(")
+    .replace(/\s+\)/g, ")")
+    .replace(/,\s+(?=[^()]*\))/g, ",")
+    .replace(/\s+°/g, "°");
+  return joined.split(/\s+/).map(cleaned);
+}
+
+const FUNCTIONS = "sin|cos|tan|arcsin|arccos|arctan|sqrt";
+
+/** A piece of LaTeX as a cell would have it. @param {string} cell */
+export function fromLatex(cell) {
+  let text = cell
+    .replace(/\$+|\\[(){}[\]]/g, (found) => (found === "\\{" || found === "\\}" ? found.slice(1) : " "))
+    .replace(/\\(?:left|right|displaystyle|textstyle|,|;|:|!|quad|qquad|limits)(?![A-Za-z])/g, " ")
+    .replace(/\\(?:mathrm|text|textbf|mathbf|mathit|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}/g, "$1")
+    .replace(/\^\s*\{?\s*\\circ\s*\}?|\\degree|\\textdegree/g, "°")
+    .replace(/\\(?:cdot|times)(?![A-Za-z])/g, "*")
+    .replace(/\\(?:var)?theta(?![A-Za-z])/g, "θ")
+    .replace(/\\alpha(?![A-Za-z])/g, "α")
+    .replace(/\\pi(?![A-Za-z])/g, "π");
+  for (let previous = ""; previous !== text; ) {
+    previous = text;
+    text = text
+      .replace(/\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}/g, (_, top, bottom) => `${bracketed(top)}/${bracketed(bottom)}`)
+      .replace(/\\[dt]?frac\s*(\d)\s*(\d)/g, "$1/$2")
+      .replace(/\\sqrt\s*\{([^{}]*)\}/g, "sqrt($1)")
+      .replace(/_\s*\{\s*([^{}]*?)\s*\}/g, (_, index) => `_${index.replace(/\s+/g, "")}`)
+      .replace(/\^\s*\{\s*([^{}]*?)\s*\}/g, "^($1)");
+  }
+  return text.replace(new RegExp(`\\\\(${FUNCTIONS})`, "g"), "$1").replace(/[{}]/g, " ").replace(/\\ /g, " ");
+}
+
+function bracketed(text) {
+  const inner = text.trim();
+  return /^[\w.πθα°]+$/u.test(inner) ? inner : `(${inner})`;
+}
+
+/** A cell without blanks, emphasis or quotes around it, and with a decimal point. @param {string} cell */
+function cleaned(cell) {
+  const text = cell.trim().replace(/^["'*_`]+|["'*`]+$/g, "").replace(/\s+/g, " ").trim();
+  return /^[+\-−–]?\d+,\d+\s*°?$/.test(text) ? text.replace(",", ".") : text;
+}
+
+const HEADINGS = /** @type {[CellName | "joint" | "index", RegExp][]} */ ([
+  ["alpha", /^(α|alpha|alfa|twist|al)(?![a-z])/i],
+  ["theta", /^(θ|ϑ|theta|th)(?![a-z])/i],
+  ["a", /^a(?![a-z])|^(length|longueur|lungime|comprimento|longitud)/i],
+  ["d", /^(d|r)(?![a-z])|^offset/i],
+  ["joint", /^(joint|type|tip|tipo|σ|sigma|articulation|articula|тип|cuplă|cupla|junta|з'єднання)/i],
+  ["index", /^(i|j|n|#|№|no\.?|nr\.?|link|row|elo|lien|ланка|eslab[oó]n|element)$/i],
+]);
+
+/** What a heading says. @param {string} heading */
+function meaningOf(heading) {
+  const text = heading.replace(/\s/g, "").replace(/[[(].*$/, "");
+  return HEADINGS.find(([, pattern]) => pattern.test(text))?.[0] ?? null;
+}
+
+const TYPES = /** @type {[JointType, RegExp][]} */ ([
+  ["revolute", /^(r|rev|revolute|rotational|rotary|rotoid[eă]?|rotați[ae]|rotativ[aăo]?|rota(ç|c)i?[ãa]?o?|rotaci[oó]n|revoluta|обертальн\S*|0)$/i],
+  ["prismatic", /^(p|t|pris|prismatic|prismati[cq]\S*|sliding|translați[ae]|transla\S*|prismática|призматичн\S*|поступальн\S*|1)$/i],
+  ["fixed", /^(f|fix|fixed|fix[eăoа]\S*|fij[oa]|нерухом\S*|-|–|—|2)$/i],
+]);
+
+/** @param {string} text @returns {JointType | null} */
+function jointOf(text) {
+  return TYPES.find(([, pattern]) => pattern.test(text.trim()))?.[0] ?? null;
+}
+
+/**
+ * Reads a pasted table.
+ * @param {string} text
+ * @param {CellName[]} order the columns as the form shows them: what four columns without headings are
+ * @returns {Pasted | null} null if there is no table in it
+ */
+export function readPasted(text, order) {
+  const { format, grid } = gridOf(text);
+  const rows = grid.filter((row) => row.some((cell) => cell !== ""));
+  if (rows.length === 0) return null;
+  const heading = headingOf(rows[0]);
+  const body = heading ? rows.slice(1) : rows;
+  if (body.length === 0) return null;
+  const columns = heading?.columns ?? guessedColumns(body, order);
+  if (!columns) return null;
+  const read = body.map((row) => readRow(row, columns));
+  return { format, convention: heading?.convention ?? null, rows: read };
+}
+
+function headingOf(row) {
+  const columns = row.map(meaningOf);
+  const found = columns.filter((name) => ["alpha", "a", "d", "theta"].includes(name));
+  if (new Set(found).size < 3 || found.length !== new Set(found).size) return null;
+  if (row.some((cell, i) => columns[i] && /^[θq][_ ]?\d/.test(cell))) return null;
+  const lengths = row.filter((_, i) => columns[i] === "alpha" || columns[i] === "a").join(" ");
+  const before = /[ijn]\s*[-−–]\s*1|[ijn]₋₁/i.test(lengths);
+  const same = /[_\s]*[ijn]\b|[ᵢⱼₙ]/i.test(lengths.replace(/alpha|alfa|α/gi, ""));
+  return { columns, convention: before ? "modified" : same ? "standard" : null };
+}
+
+function guessedColumns(body, order) {
+  const width = Math.max(...body.map((row) => row.length));
+  if (width === 4) return order;
+  if (width < 4 || width > 6) return null;
+  const extra = width - 4;
+  const lead = [];
+  for (let i = 0; i < extra; i += 1) {
+    const column = body.map((row) => row[i] ?? "");
+    if (column.every((cell, k) => cell === String(k + 1) || cell === `${k + 1}.`)) lead.push("index");
+    else if (column.every((cell) => jointOf(cell))) lead.push("joint");
+    else break;
+  }
+  if (lead.length === extra) return [...lead, ...order];
+  const tail = body.map((row) => row[width - 1] ?? "");
+  if (lead.length === extra - 1 && tail.every((cell) => jointOf(cell))) return [...lead, ...order, "joint"];
+  return null;
+}
+
+function readRow(row, columns) {
+  /** @type {Partial<Record<CellName, string>>} */
+  const cells = {};
+  /** @type {JointType | null} */
+  let joint = null;
+  columns.forEach((name, i) => {
+    const text = row[i] ?? "";
+    if (name === "joint") joint = jointOf(text);
+    else if (name && name !== "index") cells[name] = text;
+  });
+  if (!joint) {
+    const inferred = inferredJoint({ d: cells.d ?? "", theta: cells.theta ?? "" });
+    joint = inferred === "fixed" ? null : inferred;
+  }
+  return { joint, cells };
+}

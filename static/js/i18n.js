@@ -1,0 +1,42 @@
+/** Messages in the reader's language: the same Fluent files that the API answers with. */
+
+import fluent from "../vendor/fluent/bundle.js";
+
+/** @type {import("@fluent/bundle").FluentBundle | null} */
+let bundle = null;
+
+export const language = document.documentElement?.lang || "en";
+
+/**
+ * Loads the messages of the page's language. Texts asked for before that come out as their ids.
+ * @param {string} root address of the service's root
+ * @param {string[]} rooms message files to load
+ */
+export async function loadMessages(root, rooms) {
+  const query = rooms.length ? `?rooms=${rooms.map(encodeURIComponent).join("+")}` : "";
+  const answer = await fetch(`${root}locales/${language}.ftl${query}`);
+  if (!answer.ok) throw new Error(`messages: HTTP ${answer.status}`);
+  useMessages(await answer.text(), language);
+}
+
+/** Takes messages from text; what loadMessages does after loading. @param {string} text @param {string} locale */
+export function useMessages(text, locale) {
+  bundle = new fluent.FluentBundle(locale, { useIsolating: false });
+  bundle.addResource(new fluent.FluentResource(text));
+}
+
+/**
+ * A message with its parameters in place.
+ * @param {string} id @param {Record<string, string | number>} [parameters]
+ * @returns {string}
+ */
+export function t(id, parameters) {
+  const message = bundle?.getMessage(id);
+  if (!message?.value) return id;
+  return bundle.formatPattern(message.value, parameters, []);
+}
+
+/** Whether there is such a message. @param {string} id */
+export function knows(id) {
+  return Boolean(bundle?.getMessage(id)?.value);
+}

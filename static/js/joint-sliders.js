@@ -1,0 +1,171 @@
+/**
+ * `<joint-sliders>`: a slider and a number for each joint.
+ *
+ * Property `joints`: `[{name, type: "revolute" | "prismatic", min, max, value?}]`, angles in radians.
+ * Property `values`: the joint values, angles in radians. Property `units`: `{angle: "rad" | "deg", length: "m"}`
+ * says what the fields show. Event `joints-change` with `detail.values`, on every movement.
+ */
+
+import { el, fill, iconButton, uniqueId } from "./dom.js";
+import { t } from "./i18n.js";
+import { degrees, plain, radians } from "./numbers.js";
+
+const STEPS = 360;
+
+/** @typedef {{name: string, type: string, min: number, max: number, value?: number}} JointRange */
+
+export class JointSliders extends HTMLElement {
+  /** @type {JointRange[]} */
+  #joints = [];
+  /** @type {number[]} */
+  #values = [];
+  #units = { angle: "deg", length: "m" };
+  /** @type {{range: HTMLInputElement, number: HTMLInputElement}[]} */
+  #inputs = [];
+
+  get joints() {
+    return this.#joints;
+  }
+
+  set joints(joints) {
+    const same = joints.length === this.#joints.length && joints.every((joint, i) => joint.type === this.#joints[i].type);
+    this.#values = joints.map((joint, i) => clamp(joint, same ? this.#values[i] : (joint.value ?? 0)));
+    this.#joints = joints;
+    this.#build();
+  }
+
+  get values() {
+    return [...this.#values];
+  }
+
+  set values(values) {
+    this.#values = this.#joints.map((joint, i) => values[i] ?? joint.value ?? 0);
+    this.#show();
+  }
+
+  get units() {
+    return this.#units;
+  }
+
+  set units(units) {
+    this.#units = { ...this.#units, ...units };
+    this.#build();
+  }
+
+  /** Back to the values that the joints came with. */
+  reset() {
+    this.#values = this.#joints.map((joint) => clamp(joint, joint.value ?? 0));
+    this.#show();
+    this.#tell();
+  }
+
+  #build() {
+    this.#inputs = [];
+    fill(
+      this,
+      this.#joints.map((joint, i) => this.#line(joint, i)),
+    );
+    this.#show();
+  }
+
+  #line(joint, i) {
+    const id = uniqueId("joint");
+    const [min, max] = [this.#outward(joint, joint.min), this.#outward(joint, joint.max)];
+    const step = niceStep((max - min) / STEPS);
+    const label = t(joint.type === "prismatic" ? "form-joint-slide" : "form-joint-turn", { name: joint.name });
+    const range = el("input", {
+      id,
+      type: "range",
+      min,
+      max,
+      step,
+      "aria-label": `${label} [${this.#unit(joint)}]`,
+      oninput: () => this.#take(i, Number(range.value), range),
+    });
+    const number = el("input", {
+      type: "number",
+      step: "any",
+      inputmode: "decimal",
+      "aria-label": t("form-joint-value", { name: joint.name, unit: this.#unit(joint) }),
+      oninput: () => number.value !== "" && this.#take(i, Number(number.value), number),
+      onchange: () => this.#show(),
+    });
+    this.#inputs.push(/** @type {any} */ ({ range, number }));
+    return el(
+      "div",
+      { class: "joint-line" },
+      el("label", { for: id, class: "joint-name" }, nameOf(joint.name)),
+      range,
+      el("span", { class: "joint-number" }, number, el("span", { class: "hint", text: this.#unit(joint) })),
+    );
+  }
+
+  #take(i, shown, source) {
+    if (!Number.isFinite(shown)) return;
+    this.#values[i] = this.#inward(this.#joints[i], shown);
+    this.#show(source);
+    this.#tell();
+  }
+
+  #show(except) {
+    this.#inputs.forEach(({ range, number }, i) => {
+      const value = this.#outward(this.#joints[i], this.#values[i]);
+      if (range !== except) range.value = String(value);
+      if (number !== except) number.value = plain(value, this.#units.angle === "deg" ? 2 : 4);
+      range.setAttribute("aria-valuetext", `${plain(value, 2)} ${this.#unit(this.#joints[i])}`);
+    });
+  }
+
+  #tell() {
+    this.dispatchEvent(new CustomEvent("joints-change", { detail: { values: this.values }, bubbles: true }));
+  }
+
+  #outward(joint, value) {
+    return joint.type === "revolute" && this.#units.angle === "deg" ? degrees(value) : value;
+  }
+
+  #inward(joint, value) {
+    return joint.type === "revolute" && this.#units.angle === "deg" ? radians(value) : value;
+  }
+
+  #unit(joint) {
+    if (joint.type === "prismatic") return this.#units.length;
+    return this.#units.angle === "deg" ? "°" : "rad";
+  }
+}
+
+function clamp(joint, value) {
+  return Math.min(joint.max, Math.max(joint.min, value ?? 0));
+}
+
+/** @param {string} name */
+function nameOf(name) {
+  const match = /^([^\d_]+)_?(\d+)$/.exec(name);
+  return match ? [el("i", { text: match[1] }), el("sub", { text: match[2] })] : name;
+}
+
+function niceStep(step) {
+  const power = 10 ** Math.floor(Math.log10(step || 1));
+  const lead = step / power;
+  return Number(((lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10) * power).toPrecision(3));
+}
+
+/** A bar with a reset button for sliders. @param {JointSliders} sliders */
+export function resetButton(sliders) {
+  return iconButton("home", t("form-joints-reset"), () => sliders.reset());
+}
+
+/**
+ * Ranges for a robot's joints where nothing else is known: a turn either way, a slide of half the robot's size.
+ * @param {{type: string, name: string}[]} joints @param {number} size
+ * @returns {JointRange[]}
+ */
+export function usualRanges(joints, size) {
+  return joints.map((joint) =>
+    joint.type === "prismatic"
+      ? { ...joint, min: -size / 2, max: size / 2 }
+      : { ...joint, min: -Math.PI, max: Math.PI },
+  );
+}
+
+customElements.define("joint-sliders", JointSliders);

@@ -1,0 +1,40 @@
+/** Numbers as people read them. The decimal sign is a point everywhere: these are things to copy into programs. */
+
+const MINUS = "\u2212";
+
+/**
+ * A number with so many decimals at most, no trailing zeros, a true minus sign, and no negative zero.
+ * @param {number} value @param {number} [decimals]
+ */
+export function shown(value, decimals = 4) {
+  const text = plain(value, decimals);
+  return text.startsWith("-") ? MINUS + text.slice(1) : text;
+}
+
+/** The same with an ASCII hyphen, for programs. @param {number} value @param {number} [decimals] */
+export function plain(value, decimals = 4) {
+  if (!Number.isFinite(value)) return "–";
+  const fixed = Math.abs(value) >= 1e6 ? value.toPrecision(7) : value.toFixed(decimals);
+  const trimmed = fixed.includes(".") && !fixed.includes("e") ? fixed.replace(/\.?0+$/, "") : fixed;
+  return trimmed === "-0" ? "0" : trimmed;
+}
+
+/** A number with all its digits, for programs. @param {number} value */
+export function exactly(value) {
+  return Object.is(value, -0) ? "0" : String(value);
+}
+
+const SUBSCRIPTS = "₀₁₂₃₄₅₆₇₈₉";
+const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/** @param {number | string} index */
+export const subscript = (index) => String(index).replace(/\d/g, (digit) => SUBSCRIPTS[Number(digit)]);
+
+/** @param {number | string} index */
+export const superscript = (index) => String(index).replace(/\d/g, (digit) => SUPERSCRIPTS[Number(digit)]);
+
+/** @param {number} degrees */
+export const radians = (degrees) => (degrees * Math.PI) / 180;
+
+/** @param {number} rad */
+export const degrees = (rad) => (rad * 180) / Math.PI;

@@ -1,0 +1,75 @@
+/** What every page starts with: addresses, messages, the language switch. */
+
+import { Api } from "./api.js";
+import { language, loadMessages } from "./i18n.js";
+import { carried, takeCarried } from "./storage.js";
+
+const { root: relativeRoot, rooms, page: pageName, assets: relativeAssets } = document.documentElement.dataset;
+
+/** Address of the service's root, ending in a slash. */
+export const root = new URL(relativeRoot || "./", location.href).href;
+
+/** Address of the folder that this version's files stand in, without a slash at its end. */
+export const assets = new URL(relativeAssets || "./static/dev", location.href).href;
+
+export const api = new Api(`${root}api/v1/`, language);
+
+/** Address of another page, in the same language. @param {string} path relative to the root */
+export function pageAddress(path) {
+  const address = new URL(path, root);
+  address.searchParams.set("lang", language);
+  return address.href;
+}
+
+/**
+ * Makes the page ready and runs it.
+ * @param {() => void | Promise<void>} run
+ */
+export async function startPage(run) {
+  takeCarried();
+  if (window.self !== window.top) document.documentElement.classList.add("embedded");
+  for (const link of document.querySelectorAll("[data-nav]")) {
+    if (link.dataset.nav === pageName) link.setAttribute("aria-current", "page");
+  }
+  document.getElementById("language")?.addEventListener("change", switchLanguage);
+  await loadMessages(root, (rooms || "form").split(" "));
+  await run();
+  document.documentElement.dataset.ready = "true";
+}
+
+function switchLanguage(event) {
+  const address = new URL(location.href);
+  address.searchParams.set("lang", event.target.value);
+  address.hash = location.hash;
+  const fragment = carried();
+  if (fragment) address.hash = fragment;
+  location.assign(address.href);
+}
+
+let sheets = new Map();
+
+/** Loads a style sheet once. @param {string} path below the assets' folder @returns {Promise<void>} */
+export function loadStyle(path) {
+  if (!sheets.has(path)) {
+    sheets.set(
+      path,
+      new Promise((resolve, reject) => {
+        const link = document.createElement("link");
+        link.rel = "stylesheet";
+        link.href = `${assets}/${path}`;
+        link.addEventListener("load", () => resolve());
+        link.addEventListener("error", () => reject(new Error(path)));
+        document.head.append(link);
+      }),
+    );
+  }
+  return sheets.get(path);
+}
+
+/** Resolves when the browser has painted and is idle: the time to load what is heavy. */
+export function whenIdle() {
+  return new Promise((resolve) => {
+    const idle = window.requestIdleCallback ?? ((run) => setTimeout(run, 200));
+    requestAnimationFrame(() => idle(() => resolve(undefined), { timeout: 1500 }));
+  });
+}

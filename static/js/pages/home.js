@@ -1,0 +1,55 @@
+/** The list of exercises. */
+
+import { browserAttempts } from "../attempts.js";
+import { el, fill } from "../dom.js";
+import { t } from "../i18n.js";
+import { api, pageAddress, startPage } from "../page.js";
+import { problemNotice } from "../problem.js";
+
+async function run() {
+  const list = document.getElementById("exercises");
+  try {
+    const { exercises } = await api.get("exercises");
+    fill(list, await Promise.all(exercises.map(entry)));
+  } catch (error) {
+    fill(document.getElementById("exercises-problem"), problemNotice(error));
+  } finally {
+    list.removeAttribute("aria-busy");
+  }
+}
+
+async function entry({ id, title, summary }) {
+  const attempts = await browserAttempts.list(id);
+  const best = attempts.reduce((most, attempt) => Math.max(most, attempt.score), 0);
+  return el(
+    "li",
+    { class: "card exercise-card" },
+    el("img", {
+      src: api.address(`exercises/${id}/figure.svg`),
+      alt: "",
+      width: 320,
+      height: 220,
+      loading: "lazy",
+      class: "figure-paper",
+    }),
+    el(
+      "div",
+      { class: "exercise-text" },
+      el("h3", {}, el("a", { href: pageAddress(`exercises/${id}`), text: title })),
+      summary ? el("p", { class: "hint", text: summary }) : null,
+      el(
+        "p",
+        { class: "row" },
+        attempts.length
+          ? el("span", {
+              class: `badge ${best >= 1 ? "good" : "warn"}`,
+              text: t("form-home-best", { score: Math.round(best * 100) }),
+            })
+          : null,
+        el("a", { class: "trainer-link", href: pageAddress(`trainer/${id}`), text: t("form-home-trainer") }),
+      ),
+    ),
+  );
+}
+
+startPage(run);

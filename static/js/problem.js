@@ -1,0 +1,24 @@
+/** A refusal or a failure, as something to read. */
+
+import { Problem } from "./api.js";
+import { el } from "./dom.js";
+import { t } from "./i18n.js";
+
+/** What to say of an error. @param {unknown} error @returns {string[]} */
+export function sentencesOf(error) {
+  if (error instanceof Problem) return error.faults.map((fault) => fault.detail);
+  return [t("form-unreachable")];
+}
+
+/** @param {unknown} error @param {{retry?: () => void}} [options] */
+export function problemNotice(error, { retry } = {}) {
+  const sentences = sentencesOf(error);
+  return el(
+    "div",
+    { class: "notice notice-problem", role: "alert" },
+    sentences.length === 1
+      ? el("p", { text: sentences[0] })
+      : el("ul", {}, sentences.map((sentence) => el("li", { text: sentence }))),
+    retry ? el("button", { type: "button", onclick: retry, text: t("form-retry") }) : null,
+  );
+}

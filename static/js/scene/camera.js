@@ -1,0 +1,66 @@
+/** From where a scene is seen: parallel projection, so that what is parallel looks parallel. */
+
+import { cross, dot, minus, plus, times } from "./matrix.js";
+
+/**
+ * @typedef {import("./matrix.js").Vector} Vector
+ * @typedef {{azimuth: number, elevation: number, scale: number, target: Vector, width: number, height: number}} Camera
+ *   angles of the eye [rad], pixels per length unit, the point in the middle, size of the picture [px]
+ */
+
+/** Named directions to look from. @type {Record<string, {azimuth: number, elevation: number}>} */
+export const VIEWS = {
+  corner: { azimuth: -1.05, elevation: 0.44 },
+  front: { azimuth: -Math.PI / 2, elevation: 0 },
+  side: { azimuth: 0, elevation: 0 },
+  top: { azimuth: -Math.PI / 2, elevation: Math.PI / 2 },
+};
+
+const STEEPEST = Math.PI / 2;
+const MARGIN = 1.12;
+
+/** Directions to the eye, to the right and up in the picture. @param {Camera} camera */
+export function directions({ azimuth, elevation }) {
+  const eye = /** @type {Vector} */ ([
+    Math.cos(elevation) * Math.cos(azimuth),
+    Math.cos(elevation) * Math.sin(azimuth),
+    Math.sin(elevation),
+  ]);
+  const right = /** @type {Vector} */ ([-Math.sin(azimuth), Math.cos(azimuth), 0]);
+  return { eye, right, up: cross(eye, right) };
+}
+
+/** Where a point appears [px] and how near it is. @param {Camera} camera @param {Vector} point */
+export function project(camera, point) {
+  const { eye, right, up } = directions(camera);
+  const away = minus(point, camera.target);
+  return {
+    x: camera.width / 2 + dot(away, right) * camera.scale,
+    y: camera.height / 2 - dot(away, up) * camera.scale,
+    near: dot(away, eye),
+  };
+}
+
+/** The camera that shows a whole ball. @param {Camera} camera @param {{centre: Vector, radius: number}} ball @returns {Camera} */
+export function fitted(camera, { centre, radius }) {
+  const room = Math.max(1, Math.min(camera.width, camera.height)) / 2;
+  return { ...camera, target: centre, scale: room / (radius * MARGIN) };
+}
+
+/** @param {Camera} camera @param {number} right [rad] @param {number} up [rad] @returns {Camera} */
+export function orbited(camera, right, up) {
+  const elevation = Math.max(-STEEPEST, Math.min(STEEPEST, camera.elevation + up));
+  return { ...camera, azimuth: camera.azimuth + right, elevation };
+}
+
+/** @param {Camera} camera @param {number} factor @returns {Camera} */
+export function zoomed(camera, factor) {
+  return { ...camera, scale: camera.scale * factor };
+}
+
+/** Moves what is seen by so many pixels. @param {Camera} camera @param {number} dx @param {number} dy @returns {Camera} */
+export function panned(camera, dx, dy) {
+  const { right, up } = directions(camera);
+  const shift = plus(times(right, -dx / camera.scale), times(up, dy / camera.scale));
+  return { ...camera, target: plus(camera.target, shift) };
+}

@@ -1,0 +1,178 @@
+/**
+ * Robots as models: the exercise's from its figure's geometry, the student's from the API's link matrices.
+ * No DH formula stands here. A joint turns or slides about its own z between constant transforms:
+ * standard T_i(q) = motion(q) · A_i(0), modified A_i(q) = A_i(0) · motion(q).
+ *
+ * @typedef {import("./model.js").Model} Model
+ * @typedef {import("./model.js").Item} Item
+ * @typedef {import("./matrix.js").Matrix} Matrix
+ * @typedef {import("./matrix.js").Vector} Vector
+ */
+
+import { triad } from "./model.js";
+import { column, dot, identity, inverse, minus, multiply, norm, plus, poseAlong, times, unit } from "./matrix.js";
+
+/** How large things are drawn, relative to the robot. */
+const SIZE = { joint: 0.042, jointLength: 0.13, tube: 0.014, triad: 0.15, axis: 0.2, point: 0.018 };
+
+/** Size of a robot from its constant transforms: the sum of its link lengths. @param {Matrix[]} links */
+export function reach(links) {
+  return links.reduce((sum, link) => sum + norm(column(link, 3)), 0) || 1;
+}
+
+/**
+ * The robot of a DH table.
+ * @param {{convention: "standard" | "modified", rows: {joint: string, sign: number}[], links: Matrix[],
+ *   size?: number, prime?: string}} table
+ *   `links` are the API's link matrices with all joints at zero; `size` sets how large symbols are drawn
+ * @returns {Model}
+ */
+export function tableRobot({ convention, rows, links, size = reach(links), prime = "" }) {
+  /** @type {Model} */
+  const model = { nodes: [{ parent: -1, constant: identity() }], items: [], joints: 0 };
+  let frame = 0;
+  model.items.push(...triad(0, size * SIZE.triad, "0", { prime }));
+  rows.forEach((row, i) => {
+    const before = frame;
+    const motion = row.joint === "fixed" ? null : { index: model.joints, type: row.joint, sign: row.sign };
+    if (motion) model.joints += 1;
+    frame = convention === "standard" ? addStandard(model, before, motion, links[i], size) : addModified(model, before, motion, links[i], size);
+    const stagger = 1 - 0.12 * ((i + 1) % 3);
+    model.items.push(...triad(frame, size * SIZE.triad * stagger, String(i + 1), { prime }));
+  });
+  return model;
+}
+
+function addStandard(model, before, motion, link, size) {
+  const origin = column(link, 3);
+  const corner = /** @type {Vector} */ ([0, 0, origin[2]]);
+  const joint = model.nodes.push({ parent: before, constant: identity(), motion }) - 1;
+  const frame = model.nodes.push({ parent: joint, constant: link }) - 1;
+  addTube(model, before, [0, 0, 0], joint, corner, size);
+  addTube(model, joint, corner, frame, [0, 0, 0], size);
+  addJoint(model, motion, before, joint, size);
+  return frame;
+}
+
+function addModified(model, before, motion, link, size) {
+  const origin = column(link, 3);
+  const axis = column(link, 2);
+  const corner = minus(origin, times(axis, dot(origin, axis)));
+  const frame = model.nodes.push({ parent: before, constant: link, motion }) - 1;
+  addTube(model, before, [0, 0, 0], before, corner, size);
+  addTube(model, before, corner, frame, [0, 0, 0], size);
+  addJoint(model, motion, frame, frame, size);
+  return frame;
+}
+
+function addTube(model, fromNode, from, toNode, to, size) {
+  const still = fromNode === toNode && norm(minus(from, to)) < size * 1e-6;
+  if (still) return;
+  const tube = { kind: "tube", from: { node: fromNode, at: from }, to: { node: toNode, at: to } };
+  model.items.push({ ...tube, radius: size * SIZE.tube, tone: "own" });
+}
+
+function addJoint(model, motion, turning, sliding, size) {
+  if (!motion) return;
+  const axis = /** @type {Vector} */ ([0, 0, 1]);
+  const length = size * SIZE.jointLength;
+  if (motion.type === "prismatic") {
+    const width = size * SIZE.joint * 1.6;
+    model.items.push({ kind: "block", at: { node: sliding, at: [0, 0, 0] }, axis, length, width, tone: "own-joint" });
+  } else {
+    const radius = size * SIZE.joint;
+    model.items.push({ kind: "cylinder", at: { node: turning, at: [0, 0, 0] }, axis, length, radius, tone: "own-joint" });
+  }
+}
+
+/**
+ * The robot of an exercise, from the geometry that its figure is drawn from. Each joint is a node with its z
+ * along the axis, so that the robot can be moved from the posture of its figure.
+ * @param {{axes: {joint: number, type: string, point: Vector, direction: Vector}[], links: Vector[][],
+ *   bodies?: number[], dimensions?: {name: string, from: Vector, to: Vector}[], points?: {name: string, at: Vector}[],
+ *   size?: number}} figure
+ *   `bodies` says for each link which joint it follows, 0 being the base
+ * @param {{dimensions?: boolean, still?: boolean}} [options]
+ * @returns {Model}
+ */
+export function figureRobot(figure, { dimensions = true } = {}) {
+  const size = figure.size || extent(figure);
+  /** @type {Model} */
+  const model = { nodes: [], items: [], joints: 0 };
+  /** @type {Matrix[]} */
+  const world = [];
+  figure.axes.forEach((axis, i) => {
+    const pose = poseAlong(axis.point, axis.direction);
+    const constant = i === 0 ? pose : multiply(inverse(world[i - 1]), pose);
+    world.push(pose);
+    const motion = axis.type === "fixed" ? null : { index: i, type: axis.type, sign: 1 };
+    model.nodes.push({ parent: i - 1, constant, motion });
+  });
+  model.joints = figure.bodies ? figure.axes.length : 0;
+  const at = (body, point) => bodyPlace(world, body, point);
+  figure.links.forEach((chain, i) => {
+    const body = figure.bodies?.[i] ?? 0;
+    for (let k = 1; k < chain.length; k += 1) {
+      const ends = { from: at(body, chain[k - 1]), to: at(body, chain[k]) };
+      model.items.push({ kind: "tube", ...ends, radius: size * SIZE.tube * 1.4, tone: "body" });
+    }
+  });
+  figure.axes.forEach((axis, i) => model.items.push(...axisItems(axis, i, world[i], size)));
+  for (const point of figure.points ?? []) {
+    const place = at(figure.bodies ? figure.axes.length : 0, point.at);
+    model.items.push({ kind: "ball", at: place, radius: size * SIZE.point, tone: "pick" });
+    model.items.push({ kind: "label", at: place, text: point.name, tone: "pick" });
+  }
+  if (dimensions) for (const mark of figure.dimensions ?? []) model.items.push(...dimensionItems(mark, size));
+  return model;
+}
+
+function bodyPlace(world, body, point) {
+  if (body === 0) return { node: -1, at: point };
+  const local = inverse(world[body - 1]);
+  const at = /** @type {Vector} */ ([0, 1, 2].map((k) => local[k][0] * point[0] + local[k][1] * point[1] + local[k][2] * point[2] + local[k][3]));
+  return { node: body - 1, at };
+}
+
+/** @returns {Item[]} */
+function axisItems(axis, i, pose, size) {
+  const half = size * SIZE.axis;
+  const length = size * SIZE.jointLength;
+  const z = /** @type {Vector} */ ([0, 0, 1]);
+  const middle = { node: i, at: /** @type {Vector} */ ([0, 0, 0]) };
+  const body =
+    axis.type === "prismatic"
+      ? { kind: "block", at: middle, axis: z, length, width: size * SIZE.joint * 2, tone: "joint" }
+      : { kind: "cylinder", at: middle, axis: z, length, radius: size * SIZE.joint * 1.15, tone: "joint" };
+  return /** @type {Item[]} */ ([
+    body,
+    { kind: "line", from: { node: i, at: [0, 0, -half] }, to: { node: i, at: [0, 0, half] }, tone: "line", dashed: true },
+    { kind: "label", at: { node: i, at: [0, 0, half * 1.12] }, text: String(axis.joint), tone: "line" },
+  ]);
+}
+
+/** @returns {Item[]} */
+function dimensionItems(mark, size) {
+  const middle = times(plus(mark.from, mark.to), 0.5);
+  const along = unit(minus(mark.to, mark.from));
+  return /** @type {Item[]} */ ([
+    { kind: "line", from: { node: -1, at: mark.from }, to: { node: -1, at: mark.to }, tone: "muted" },
+    ...[mark.from, mark.to].map((end, k) => ({
+      kind: "arrow",
+      from: { node: -1, at: plus(end, times(along, (k ? -1 : 1) * size * 0.03)) },
+      to: { node: -1, at: end },
+      radius: size * 0.004,
+      tone: "muted",
+    })),
+    { kind: "label", at: { node: -1, at: middle }, text: mark.name, tone: "muted" },
+  ]);
+}
+
+function extent(figure) {
+  const points = [...figure.links.flat(), ...figure.axes.map((axis) => axis.point)];
+  const spans = [0, 1, 2].map((k) => {
+    const values = points.map((p) => p[k]);
+    return Math.max(...values) - Math.min(...values);
+  });
+  return Math.hypot(...spans) || 1;
+}

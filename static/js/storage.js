@@ -1,0 +1,75 @@
+/**
+ * Where drafts live: the browser's storage, or memory where a frame or a private window forbids it.
+ * What is kept in memory survives a change of language through the address (see `carried`).
+ */
+
+const PREFIX = "framewise:";
+
+/** @type {Map<string, string>} */
+const memory = new Map();
+
+/** @returns {Storage | null} */
+function browserStorage() {
+  try {
+    const storage = window.localStorage;
+    storage.setItem(`${PREFIX}probe`, "1");
+    storage.removeItem(`${PREFIX}probe`);
+    return storage;
+  } catch {
+    return null;
+  }
+}
+
+const storage = typeof window === "undefined" ? null : browserStorage();
+
+/** Whether what is kept outlives the page. */
+export const isLasting = storage !== null;
+
+/**
+ * @template T
+ * @param {string} key @param {T} otherwise
+ * @returns {T}
+ */
+export function recall(key, otherwise) {
+  const text = memory.get(key) ?? storage?.getItem(PREFIX + key);
+  if (text === undefined || text === null) return otherwise;
+  try {
+    return JSON.parse(text);
+  } catch {
+    return otherwise;
+  }
+}
+
+/** Keeps a value; null forgets it. @param {string} key @param {unknown} value */
+export function keep(key, value) {
+  if (value === null) {
+    memory.delete(key);
+    storage?.removeItem(PREFIX + key);
+    return;
+  }
+  const text = JSON.stringify(value);
+  try {
+    if (storage === null) throw new Error("no storage");
+    storage.setItem(PREFIX + key, text);
+    memory.delete(key);
+  } catch {
+    memory.set(key, text);
+  }
+}
+
+/** What only memory holds, as text for the address's fragment. */
+export function carried() {
+  return memory.size ? `#kept=${encodeURIComponent(JSON.stringify([...memory]))}` : "";
+}
+
+/** Takes back what `carried` put into the address, and clears it there. */
+export function takeCarried() {
+  const match = /^#kept=(.*)$/.exec(location.hash);
+  if (!match) return;
+  try {
+    for (const [key, text] of JSON.parse(decodeURIComponent(match[1]))) memory.set(key, text);
+  } catch {
+    return;
+  }
+  history.replaceState(history.state, "", location.pathname + location.search);
+}

@@ -1,0 +1,75 @@
+/** Formulas: LaTeX from the API through KaTeX (loaded when first needed), numbers as plain MathML. */
+
+import { math } from "./dom.js";
+import { loadStyle } from "./page.js";
+import { shown } from "./numbers.js";
+
+/** @type {Promise<any> | null} */
+let loading = null;
+
+/** KaTeX, with its style sheet. */
+function katex() {
+  loading ??= Promise.all([import("../vendor/katex/katex.js"), loadStyle("vendor/katex/katex.css")]).then(
+    ([module]) => module.default,
+    (error) => {
+      loading = null;
+      throw error;
+    },
+  );
+  return loading;
+}
+
+/**
+ * Writes a formula into an element, with MathML inside for screen readers. Built node by node, so that no
+ * inline style has to be allowed.
+ * @param {HTMLElement} element @param {string} latex @param {{display?: boolean}} [options]
+ */
+export async function typeset(element, latex, { display = false } = {}) {
+  element.dataset.latex = latex;
+  const { render } = await katex();
+  if (element.dataset.latex !== latex) return;
+  render(latex, element, { displayMode: display, throwOnError: false, strict: "ignore", trust: false });
+}
+
+/**
+ * A matrix of numbers as MathML, and a way to change its numbers.
+ * @param {number[][]} values
+ */
+export function numericMatrix(values) {
+  const cells = values.map((row) => row.map((value) => math("mn", {}, shown(value))));
+  const table = math(
+    "mtable",
+    {},
+    cells.map((row) => math("mtr", {}, row.map((cell) => math("mtd", {}, cell)))),
+  );
+  const element = math(
+    "math",
+    { display: "block" },
+    math("mrow", {}, math("mo", { stretchy: "true" }, "["), table, math("mo", { stretchy: "true" }, "]")),
+  );
+  return {
+    element,
+    /** @param {number[][]} next */
+    update(next) {
+      next.forEach((row, i) => row.forEach((value, k) => (cells[i][k].textContent = shown(value))));
+    },
+  };
+}
+
+/** ⁱ⁻¹Tᵢ or the like. @param {string | number} from @param {string | number} to */
+export function transformName(from, to) {
+  return math(
+    "math",
+    {},
+    math(
+      "mmultiscripts",
+      {},
+      math("mi", {}, "T"),
+      math("mn", {}, to),
+      math("none"),
+      math("mprescripts"),
+      math("none"),
+      math("mn", {}, from),
+    ),
+  );
+}
