@@ -32,7 +32,8 @@ from kinematics.frames.parallels import (
 )
 from kinematics.frames.placement import draw_prismatic_axes
 from kinematics.frames.remarks import tilt_remarks, tolerance_fault, unfit_base, unfit_tool
-from kinematics.frames.vectors import Vector, cross, dot, minus, norm, turn
+from kinematics.frames.size import robot_size
+from kinematics.frames.vectors import Vector, cross, dot, minus, turn
 from kinematics.links import Transform
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
 
@@ -167,7 +168,7 @@ def assign_frames(
     first = None if base is None else pose_of(base, "base")
     tool_matrix = gripper_frame(tool) if isinstance(tool, Gripper) else tool
     last = None if tool_matrix is None else pose_of(tool_matrix, "tool")
-    size = _size(lines, first, last)
+    size = robot_size(lines, first, last)
     if near_parallel is NearParallel.PARALLEL:
         lines, tilts = straighten(lines, parallel_tolerance)
     else:
@@ -190,15 +191,6 @@ def assign_frames(
         frames=frames,
         warnings=tuple(warnings),
     )
-
-
-def _size(lines: Sequence[Line], first: Pose | None, last: Pose | None) -> float:
-    points = [line.point for line in lines if line.joint is not JointType.PRISMATIC]
-    points += [pose.origin for pose in (first, last) if pose is not None]
-    if not points:
-        return 1.0
-    spread = max(norm(minus(point, points[0])) for point in points)
-    return max(spread, 1e-5 * max(map(norm, points))) or 1.0
 
 
 def _geometry(

@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinematics.errors import DescriptionError, Fault
-from kinematics.frames.vectors import ORIGIN, Vector, cross, dot, norm, unit
+from kinematics.frames.vectors import ORIGIN, Vector, cross, norm, rejected, unit
 from kinematics.links import Transform
 from kinematics.table import JointType
+from kinematics.transforms import check_transform
 
 MAX_AXES = 64
 MAX_COORDINATE = 1e12
@@ -72,6 +73,15 @@ class Pose:
     z: Vector
 
 
+@dataclass(frozen=True, slots=True)
+class PartialPose:
+    """A frame of which origin, x or z may still be missing."""
+
+    origin: Vector | None
+    x: Vector | None
+    z: Vector | None
+
+
 def read_axes(axes: Sequence[JointAxis]) -> list[Line]:
     """The axes as directed lines.
 
@@ -99,8 +109,8 @@ def read_axes(axes: Sequence[JointAxis]) -> list[Line]:
                     message="the joint of an axis is revolute or prismatic",
                 )
             )
-        point = _vector(axis.point, ("axes", i, "point"), faults)
-        direction = _direction(axis.direction, ("axes", i, "direction"), faults)
+        point = read_point(axis.point, ("axes", i, "point"), faults)
+        direction = read_direction(axis.direction, ("axes", i, "direction"), faults)
         lines.append(Line(axis.joint, point, direction))
     if faults:
         raise DescriptionError(faults)
@@ -119,9 +129,9 @@ def gripper_frame(gripper: Gripper) -> Transform:
     Source: seed 002, the gripper as end effector.
     """
     faults: list[Fault] = []
-    point = _vector(gripper.point, ("tool", "point"), faults)
-    z = _direction(gripper.approach, ("tool", "approach"), faults)
-    jaws = _direction(gripper.jaws, ("tool", "jaws"), faults)
+    point = read_point(gripper.point, ("tool", "point"), faults)
+    z = read_direction(gripper.approach, ("tool", "approach"), faults)
+    jaws = read_direction(gripper.jaws, ("tool", "jaws"), faults)
     if faults:
         raise DescriptionError(faults)
     x = cross(jaws, z)
@@ -138,32 +148,15 @@ def gripper_frame(gripper: Gripper) -> Transform:
 
 
 def pose_of(transform: ArrayLike, name: str) -> Pose:
-    """The frame that a 4×4 matrix describes.
+    """The frame that a 4×4 matrix describes, its axes made exactly perpendicular.
 
     Raises:
-        DescriptionError: not the matrix of a rigid motion (to 1e-6); at (name,).
+        PoseError: not the matrix of a rigid motion; at (name,).
     """
-    T = np.asarray(transform, dtype=np.float64)
-    rigid = T.shape == (4, 4) and bool(np.isfinite(T).all())
-    if rigid:
-        R = T[:3, :3]
-        rigid = (
-            float(np.abs(R.T @ R - np.eye(3)).max()) < 1e-6
-            and float(np.linalg.det(R)) > 0.0
-            and bool(np.array_equal(T[3], (0.0, 0.0, 0.0, 1.0)))
-        )
-    if not rigid:
-        raise DescriptionError(
-            Fault(
-                code="frame_not_rigid",
-                where=(name,),
-                message="a frame is a 4×4 matrix: a rotation, a position and the last row 0 0 0 1",
-            )
-        )
+    T = check_transform(transform, where=(name,))
     x, _, z, origin = (tuple(column) for column in T[:3].T.tolist())
     z = unit(z)
-    x = unit((x[0] - dot(x, z) * z[0], x[1] - dot(x, z) * z[1], x[2] - dot(x, z) * z[2]))
-    return Pose(origin, x, z)
+    return Pose(origin, unit(rejected(x, z)), z)
 
 
 def matrix(pose: Pose) -> Transform:
@@ -173,7 +166,8 @@ def matrix(pose: Pose) -> Transform:
     return np.array([[xx, y[0], zx, ox], [xy, y[1], zy, oy], [xz, y[2], zz, oz], [0.0, 0.0, 0.0, 1.0]])
 
 
-def _vector(value: Sequence[float], where: tuple[str | int, ...], faults: list[Fault]) -> Vector:
+def read_point(value: Sequence[float], where: tuple[str | int, ...], faults: list[Fault]) -> Vector:
+    """Three finite numbers; if they are not, a fault is added to the list."""
     try:
         x, y, z = (float(component) for component in value)
     except (TypeError, ValueError, OverflowError):
@@ -191,9 +185,10 @@ def _vector(value: Sequence[float], where: tuple[str | int, ...], faults: list[F
     return ORIGIN
 
 
-def _direction(value: Sequence[float], where: tuple[str | int, ...], faults: list[Fault]) -> Vector:
+def read_direction(value: Sequence[float], where: tuple[str | int, ...], faults: list[Fault]) -> Vector:
+    """The unit vector along three numbers, not all zero; if there is none, a fault is added to the list."""
     before = len(faults)
-    vector = _vector(value, where, faults)
+    vector = read_point(value, where, faults)
     if any(vector):
         return unit(vector)
     if len(faults) == before:

@@ -1,0 +1,266 @@
+"""A student's frames against the rules, and the table that follows from them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinematics.errors import DescriptionError, Fault
+from kinematics.forward import forward_kinematics
+from kinematics.frames.advice import direction_advice, first_advice, last_advice, vanishing_advice
+from kinematics.frames.axes import (
+    Gripper,
+    JointAxis,
+    Line,
+    PartialPose,
+    Pose,
+    gripper_frame,
+    matrix,
+    pose_of,
+    read_axes,
+    read_direction,
+    read_point,
+)
+from kinematics.frames.candidates import Candidates, candidates
+from kinematics.frames.exactness import clean_angle, clean_length
+from kinematics.frames.parallels import PARALLEL_TOLERANCE, straighten
+from kinematics.frames.placement import draw_prismatic_axes
+from kinematics.frames.rules import Finding, Place, broken_rules, own_axis, partner_axis
+from kinematics.frames.size import robot_size
+from kinematics.frames.vectors import dot, minus, turn
+from kinematics.links import Transform
+from kinematics.table import Convention, DHRow, DHTable, JointType, NumericRow, NumericTable
+from kinematics.transforms import inverse_transform
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ChosenFrame:
+    """A frame as far as a student has chosen it, at the robot's zero position; y follows from z and x.
+
+    Attributes:
+        origin: the origin [m], or None.
+        x: direction of x, or None.
+        z: direction of z, or None.
+    """
+
+    origin: Sequence[float] | None = None
+    x: Sequence[float] | None = None
+    z: Sequence[float] | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class JudgedFrame:
+    """What is to be said about one frame.
+
+    Attributes:
+        index: number of the frame, 0 … N.
+        complete: whether origin, x and z have been chosen; what has been chosen is judged before.
+        findings: the rules it breaks; if none, what would make the table simpler.
+        candidates: origins and directions to choose from.
+    """
+
+    index: int
+    complete: bool
+    findings: tuple[Finding, ...]
+    candidates: Candidates
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class JudgedFrames:
+    """A student's frames, judged.
+
+    Attributes:
+        frames: frame 0 … N.
+        rows: row 1 … N; None while a frame beside it is missing or breaks a rule.
+        table: the table, once every row is there.
+        base: (4, 4) pose of frame 0; None without a table.
+        tool: (4, 4) pose of the given tool in frame N, the identity if none was given; None without a table.
+    """
+
+    frames: tuple[JudgedFrame, ...]
+    rows: tuple[NumericRow | None, ...]
+    table: NumericTable | None
+    base: Transform | None
+    tool: Transform | None
+
+
+def check_frames(
+    axes: Sequence[JointAxis],
+    convention: Convention,
+    chosen: Sequence[ChosenFrame | None],
+    *,
+    base: ArrayLike | None = None,
+    tool: ArrayLike | Gripper | None = None,
+) -> JudgedFrames:
+    """The rules that chosen frames break, what to choose from, and the table that follows.
+
+    The line of a sliding joint is where the student draws it: through the origin of the frame whose z is that
+    axis. A z against the positive direction of its joint is allowed; the joint variable then enters the table
+    with a minus sign.
+
+    Args:
+        axes: the joint axes at the zero position.
+        convention: whose rules apply.
+        chosen: frame 0 … N, as far as chosen; shorter lists are filled up with None.
+        base: (4, 4) prescribed frame 0, if any: no advice is given on frame 0 then.
+        tool: (4, 4) tool, or the gripper, if any: no advice is given on frame N then.
+
+    Raises:
+        DescriptionError: malformed axes or frames, or more than N+1 frames.
+        PoseError: base or tool is not a rigid motion.
+    """
+    lines, _ = straighten(read_axes(axes), PARALLEL_TOLERANCE)
+    frames = _read_frames(chosen, len(lines))
+    first = None if base is None else pose_of(base, "base")
+    end = gripper_frame(tool) if isinstance(tool, Gripper) else tool
+    last = None if end is None else pose_of(end, "tool")
+    size = robot_size(lines, first, last)
+    drawn = _drawn_lines(lines, frames, convention)
+    places = [_place(i, lines, drawn, convention, size) for i in range(len(lines) + 1)]
+    broken = [broken_rules(frame, place) for frame, place in zip(frames, places, strict=True)]
+    sound = [None if faults else _whole(frame) for frame, faults in zip(frames, broken, strict=True)]
+    shown = _shown_lines(lines, drawn, size)
+    prescribed = {0: first, len(lines): last}
+    judged = tuple(
+        JudgedFrame(
+            index=i,
+            complete=_whole(frames[i]) is not None,
+            findings=tuple(broken[i] or _advice(sound, places[i], prescribed.get(i))),
+            candidates=candidates(i, shown, frames, first=first, last=last, size=size),
+        )
+        for i in range(len(frames))
+    )
+    rows = tuple(_row(i, lines[i - 1], sound, convention, size) for i in range(1, len(frames)))
+    return _judged(judged, rows, sound, last, convention)
+
+
+def _read_frames(chosen: Sequence[ChosenFrame | None], count: int) -> list[PartialPose]:
+    if len(chosen) > count + 1:
+        raise DescriptionError(
+            Fault(
+                code="frames_too_many",
+                where=("frames",),
+                message=f"a chain of {count} joints has the frames 0 to {count}",
+                params={"count": count},
+            )
+        )
+    faults: list[Fault] = []
+    frames = []
+    for i in range(count + 1):
+        frame = chosen[i] if i < len(chosen) else None
+        frame = ChosenFrame() if frame is None else frame
+        where = ("frames", i)
+        frames.append(
+            PartialPose(
+                None if frame.origin is None else read_point(frame.origin, (*where, "origin"), faults),
+                None if frame.x is None else read_direction(frame.x, (*where, "x"), faults),
+                None if frame.z is None else read_direction(frame.z, (*where, "z"), faults),
+            )
+        )
+    if faults:
+        raise DescriptionError(faults)
+    return frames
+
+
+def _drawn_lines(
+    lines: Sequence[Line], frames: Sequence[PartialPose], convention: Convention
+) -> list[Line | None]:
+    """The axes that have a place: turning joints, and sliding joints whose frame has an origin."""
+    drawn: list[Line | None] = list(lines)
+    for k, line in enumerate(lines):
+        if line.joint is JointType.PRISMATIC:
+            origin = frames[k if convention is Convention.STANDARD else k + 1].origin
+            drawn[k] = None if origin is None else Line(line.joint, origin, line.direction)
+    return drawn
+
+
+def _shown_lines(lines: Sequence[Line], drawn: Sequence[Line | None], size: float) -> list[Line]:
+    """The axes for choosing from: sliding axes where the student or else the assignment draws them."""
+    proposed = draw_prismatic_axes(lines, size)
+    return [own or other for own, other in zip(drawn, proposed, strict=True)]
+
+
+def _place(
+    i: int, lines: Sequence[Line], drawn: Sequence[Line | None], convention: Convention, size: float
+) -> Place:
+    own, partner = own_axis(i, len(lines), convention), partner_axis(i, len(lines), convention)
+    own_line = None
+    if own is not None:
+        own_line = drawn[own - 1] or lines[own - 1]
+    return Place(
+        index=i,
+        convention=convention,
+        own=own,
+        own_line=own_line,
+        partner=partner,
+        partner_direction=None if partner is None else lines[partner - 1].direction,
+        partner_line=None if partner is None else drawn[partner - 1],
+        size=size,
+    )
+
+
+def _whole(frame: PartialPose) -> Pose | None:
+    if frame.origin is None or frame.x is None or frame.z is None:
+        return None
+    return Pose(frame.origin, frame.x, frame.z)
+
+
+def _advice(sound: Sequence[Pose | None], place: Place, prescribed: Pose | None) -> list[Finding]:
+    i = place.index
+    frame = sound[i]
+    if frame is None:
+        return []
+    findings = direction_advice(frame, place)
+    before = sound[i - 1] if i else None
+    after = sound[i + 1] if i + 1 < len(sound) else None
+    if i == 0:
+        if after is not None and prescribed is None:
+            findings.extend(first_advice(frame, after, place))
+    elif before is not None and i == len(sound) - 1:
+        if prescribed is None:
+            findings.extend(last_advice(frame, before, place))
+    elif before is not None and i > 1:
+        findings.extend(vanishing_advice(frame, before, place))
+    return findings
+
+
+def _row(
+    i: int, line: Line, sound: Sequence[Pose | None], convention: Convention, size: float
+) -> NumericRow | None:
+    """Row i, from frames i-1 and i."""
+    before, frame = sound[i - 1], sound[i]
+    if before is None or frame is None:
+        return None
+    w = minus(frame.origin, before.origin)
+    x, z = (frame.x, before.z) if convention is Convention.STANDARD else (before.x, frame.z)
+    return DHRow(
+        joint=line.joint,
+        theta=clean_angle(turn(before.x, frame.x, z)),
+        d=clean_length(dot(w, z), size),
+        a=clean_length(dot(w, x), size),
+        alpha=clean_angle(turn(before.z, frame.z, x)),
+        sign=1 if dot(z, line.direction) > 0 else -1,
+    )
+
+
+def _judged(
+    judged: tuple[JudgedFrame, ...],
+    rows: tuple[NumericRow | None, ...],
+    sound: Sequence[Pose | None],
+    last: Pose | None,
+    convention: Convention,
+) -> JudgedFrames:
+    whole = tuple(row for row in rows if row is not None)
+    first = sound[0]
+    if len(whole) < len(rows) or first is None:
+        return JudgedFrames(frames=judged, rows=rows, table=None, base=None, tool=None)
+    table: NumericTable = DHTable(convention=convention, rows=whole)
+    T_w_0 = matrix(first)
+    tool = np.eye(4)
+    if last is not None:
+        T_w_n = forward_kinematics(table, [0.0] * len(rows), base=T_w_0).transform
+        tool = inverse_transform(T_w_n) @ matrix(last)
+    return JudgedFrames(frames=judged, rows=rows, table=table, base=T_w_0, tool=tool)
