@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Sequence
 
@@ -36,12 +37,20 @@ def main(arguments: Sequence[str] | None = None) -> None:
 
 
 def _settings() -> Settings:
-    """The settings of the environment; a value that cannot be understood ends the program with its name."""
+    """The settings of the environment; what cannot be understood ends the program with its name."""
+    known = {f"FRAMEWISE_{name.upper()}" for name in Settings.model_fields}
+    faults = [
+        f"  {name}: there is no such setting"
+        for name in sorted(os.environ)
+        if name.upper().startswith("FRAMEWISE_") and name.upper() not in known
+    ]
     try:
-        return Settings()
+        settings = Settings()
     except ValidationError as error:
-        faults = (f"  FRAMEWISE_{str(fault['loc'][0]).upper()}: {fault['msg']}" for fault in error.errors())
+        faults += [f"  FRAMEWISE_{str(fault['loc'][0]).upper()}: {fault['msg']}" for fault in error.errors()]
+    if faults:
         sys.exit("\n".join(("These settings cannot be understood:", *faults)))
+    return settings
 
 
 if __name__ == "__main__":

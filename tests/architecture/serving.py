@@ -13,9 +13,9 @@ import urllib.error
 import urllib.request
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 
 LISTENING = re.compile(r"running on (http://[^\s]+)")
-PATIENCE = 60.0
 
 
 @contextlib.contextmanager
@@ -23,14 +23,19 @@ def serving(
     command: Sequence[str],
     *,
     cwd: Path,
-    environment: Mapping[str, str] | None = None,
+    environment: Mapping[str, str] = MappingProxyType({}),
+    bare: bool = False,
     user: int | None = None,
+    patience: float = 60.0,
 ) -> Iterator[str]:
-    """Run a command that serves on a free port (0); yields the address that it prints."""
+    """Run a command that serves on a free port (0); yields the address that it prints.
+
+    The environment is added to this process's, or, when bare, stands instead of it.
+    """
     process = subprocess.Popen(
         command,
         cwd=cwd,
-        env={**os.environ, **(environment or {})},
+        env=dict(environment) if bare else {**os.environ, **environment},
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
@@ -43,7 +48,7 @@ def serving(
     reader = threading.Thread(target=_collect, args=(process, printed), daemon=True)
     reader.start()
     try:
-        yield _address(process, printed)
+        yield _address(process, printed, patience)
     finally:
         with contextlib.suppress(ProcessLookupError):
             os.killpg(process.pid, signal.SIGTERM)
@@ -72,8 +77,8 @@ def _collect(process: subprocess.Popen[str], printed: list[str]) -> None:
     printed.extend(iter(process.stdout.readline, ""))
 
 
-def _address(process: subprocess.Popen[str], printed: list[str]) -> str:
-    deadline = time.monotonic() + PATIENCE
+def _address(process: subprocess.Popen[str], printed: list[str], patience: float) -> str:
+    deadline = time.monotonic() + patience
     while time.monotonic() < deadline:
         found = LISTENING.search("".join(printed))
         if found:

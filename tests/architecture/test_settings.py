@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import sys
 
+import pytest
+
+from service.__main__ import main
 from service.settings import Settings
 from tests.architecture.sources import ROOT
 
@@ -34,6 +37,25 @@ def test_every_setting_is_explained() -> None:
     assert all(field.description for field in Settings.model_fields.values())
 
 
+@pytest.mark.parametrize(
+    ("name", "value"), [("PORT", "many"), ("BODY_LIMIT", "-1"), ("PROT", "8000"), ("WORKERS", "0")]
+)
+def test_a_setting_that_is_wrong_stops_the_service_and_is_named(
+    monkeypatch: pytest.MonkeyPatch, name: str, value: str
+) -> None:
+    monkeypatch.setenv(f"FRAMEWISE_{name}", value)
+    with pytest.raises(SystemExit, match=f"FRAMEWISE_{name}"):
+        main(["--port", "0"])
+
+
+def test_lists_are_separated_by_spaces_or_commas(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("FRAMEWISE_FRAME_ANCESTORS", "'self', https://a.example https://b.example")
+    monkeypatch.setenv("FRAMEWISE_PREFIX", "dh/")
+    assert Settings().frame_ancestors == ("'self'", "https://a.example", "https://b.example")
+    assert Settings().prefix == "/dh"
+
+
 if __name__ == "__main__" and "--update" in sys.argv:
     text = PAGE.read_text(encoding="utf-8")
-    PAGE.write_text(text[: text.index(BEGIN) + len(BEGIN)] + table() + text[text.index(END) :], encoding="utf-8")
+    head, tail = text[: text.index(BEGIN) + len(BEGIN)], text[text.index(END) :]
+    PAGE.write_text(head + table() + tail, encoding="utf-8")
