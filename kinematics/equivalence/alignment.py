@@ -1,4 +1,4 @@
-"""One alignment: move the submission's axis onto plus or minus the reference's, with a motion of a given group."""
+"""One alignment: move the submission's axis onto plus or minus the reference's by a motion of a group."""
 
 from __future__ import annotations
 
@@ -18,10 +18,8 @@ from kinematics.equivalence.rigid import (
     dot,
     move,
     norm,
-    plus,
     rotate,
     rotation_about,
-    scale,
     subtract,
     translation,
     turn_onto,
@@ -112,6 +110,3 @@ def _turn(step: Step, axis: Vector, direction: Vector, point: Vector, by_directi
     if size < 1e-14:
         return IDENTITY
     return rotation_about(step.group.point, axis, cosine / size, sine / size)
-
-
-__all__ = ["Alignment", "align", "plus", "scale"]

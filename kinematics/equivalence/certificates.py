@@ -23,6 +23,7 @@ from kinematics.equivalence.rigid import (
     translation,
 )
 
+
 @dataclass(frozen=True, slots=True)
 class Candidate:
     """A certificate that has yet to be verified.
@@ -122,8 +123,8 @@ def candidate_from(
 ) -> Candidate:
     """The certificate that a path of alignments amounts to.
 
-    Where a turn of frame 0 about the first joint's axis, or of frame N about the last one's, does the same as an
-    offset of that joint, the offset is chosen such that B and E come as near to the identity as they can.
+    Where a turn of frame 0 about the first joint's axis, or of frame N about the last one's, does the same as
+    an offset of that joint, the offset is chosen such that B and E come as near to the identity as they can.
 
     Args:
         chains: the reference's and the submission's.

@@ -9,14 +9,12 @@ from numpy.typing import NDArray
 
 from kinematics.equivalence.rigid import (
     IDENTITY,
-    ORIGIN,
     Motion,
     Vector,
     across,
     cross,
     dot,
     from_matrix,
-    move,
     norm,
     plus,
     position,
@@ -124,7 +122,9 @@ def size_of(chain: Chain) -> float:
 
 
 def screw_bases(chain: Chain) -> NDArray[np.float64]:
-    """Matrices from which the joint motions are made: exp(S_i q) = 1 + sin q · A_i + (1 - cos q) · B_i, or 1 + q · A_i.
+    """Matrices that the joint motions are made of.
+
+    exp(S_i q) = 1 + sin q · A_i + (1 - cos q) · B_i for a revolute joint, 1 + q · A_i for a prismatic one.
 
     Returns:
         (n, 2, 16) the A_i and B_i, each flattened by rows; B_i is zero for a prismatic joint.
@@ -189,6 +189,3 @@ def poses(chain: Chain, joints: NDArray[np.float64]) -> NDArray[np.float64]:
     for motion in motions[1:]:
         product = product @ motion
     return np.asarray(product @ end, dtype=np.float64)
-
-
-__all__ = ["ORIGIN", "Axis", "Chain", "chain_of", "joint_frames", "joint_motions", "poses", "screw_bases", "size_of"]

@@ -1,9 +1,11 @@
 """The subgroups of SE(3) in which the admissible frame choices live.
 
-At every joint the motions g that may still be applied to the submission form a coset of one of these groups, and
-which one it is depends on the reference alone: SE(3), the rotations about a point, the translations and rotations
-about a direction, a cylinder group (rotations about and translations along a line), the rotations about a line,
-and the translations in a subspace. Each is a set of rotations together with a space of translations.
+At every joint the motions g that may still be applied to the submission form a coset of one of these groups,
+and
+which one it is depends on the reference alone: SE(3), the rotations about a point, the translations and
+rotations about a direction, a cylinder group (rotations about and translations along a line), the rotations
+about a line, and the translations in a subspace. Each is a set of rotations together with a space of
+translations.
 """
 
 from __future__ import annotations
@@ -13,18 +15,16 @@ from enum import Enum, auto
 
 from kinematics.equivalence.rigid import (
     ORIGIN,
+    Z_AXIS,
     Motion,
     Vector,
-    Z_AXIS,
     across,
     angle_between,
-    dot,
     move,
     norm,
     normalised,
     rotate,
     rotation_angle,
-    scale,
     subtract,
 )
 
@@ -188,26 +188,3 @@ def contains_screw(group: Group, point: Vector, direction: Vector, *, slides: bo
         are_parallel(group.axis, direction, near)
         and distance_to_line(point, group.point, group.axis) <= near.length
     )
-
-
-__all__ = [
-    "EVERYTHING",
-    "NOTHING",
-    "Group",
-    "Nearness",
-    "Rotations",
-    "about_direction",
-    "about_point",
-    "are_parallel",
-    "contains_screw",
-    "cylinder",
-    "departure",
-    "distance_to_line",
-    "dot",
-    "fixing_direction",
-    "fixing_line",
-    "outside",
-    "scale",
-    "with_rotations_about",
-    "with_translations_along",
-]

@@ -4,8 +4,8 @@ With the joint screws S_i of the reference, H_0 as the policy on frame 0 says an
 
     Stab_i = the motions of H_{i-1} that keep S_i,        H_i = exp(S_i ℝ) · Stab_i,
 
-the motions that may still be applied to the submission after joint i form a coset of H_i. Where the policy fixes
-the zeros of the variables there is no exp(S_i ℝ), and H_i = Stab_i.
+the motions that may still be applied to the submission after joint i form a coset of H_i. Where the policy
+fixes the zeros of the variables there is no exp(S_i ℝ), and H_i = Stab_i.
 """
 
 from __future__ import annotations
@@ -39,10 +39,8 @@ from kinematics.equivalence.rigid import (
     across,
     compose,
     cross,
-    move,
     norm,
     rotation_about,
-    scale,
     subtract,
     translation,
     turn_onto,
@@ -59,10 +57,12 @@ class Step:
         axis: the reference's joint axis, the target.
         group: H_{i-1}, the motions that may be used.
         stabiliser: Stab_i, the motions that keep the target.
-        by_direction: weight of the direction in finding the angle of a rotation about the group's line (0 or 1).
+        by_direction: weight of the direction in finding the angle of a rotation about the group's line (0 or
+            1).
         by_moment: weight of the line's moment in that [1/length²]; 0 where it says nothing.
         moment: moment of the target about the group's point.
-        slide: 3x3 by rows; takes the displacement still needed to the translation of the group that does most of it.
+        slide: 3x3 by rows; takes the displacement still needed to the translation of the group that does most
+            of it.
         amplification: how much larger than the submission's own errors the misfits may be here.
     """
 
@@ -93,12 +93,17 @@ class Plan:
     @property
     def shape(self) -> tuple[object, ...]:
         """The kinds of the groups, so that two plans can be told apart."""
-        return tuple((s.group.rotations, len(s.group.translations), s.by_direction > 0, s.by_moment > 0) for s in self.steps)
+        return tuple(
+            (s.group.rotations, len(s.group.translations), s.by_direction > 0, s.by_moment > 0)
+            for s in self.steps
+        )
 
 
 def plans_for(chain: Chain, base: BaseRule, zero: ZeroRule, near: Nearness, size: float) -> tuple[Plan, ...]:
     """The chains of groups of a reference, one per way in which the policy lets frame 0 lie."""
-    return tuple(_plan(chain, group, starts, zero, near, size) for group, starts in _beginnings(chain, base, near))
+    return tuple(
+        _plan(chain, group, starts, zero, near, size) for group, starts in _beginnings(chain, base, near)
+    )
 
 
 def _beginnings(chain: Chain, base: BaseRule, near: Nearness) -> list[tuple[Group, tuple[Motion, ...]]]:
@@ -110,14 +115,17 @@ def _beginnings(chain: Chain, base: BaseRule, near: Nearness) -> list[tuple[Grou
     if base is BaseRule.ORIGIN:
         return [(about_point(ORIGIN), (IDENTITY,))]
     upside_down = rotation_about(ORIGIN, (1.0, 0.0, 0.0), -1.0, 0.0)
-    found = [(cylinder(ORIGIN, Z_AXIS), (IDENTITY, upside_down))]
+    found: list[tuple[Group, tuple[Motion, ...]]] = [(cylinder(ORIGIN, Z_AXIS), (IDENTITY, upside_down))]
     if chain.axes:
         first = chain.axes[0]
         onto = compose(translation(first.point), turn_onto(ORIGIN, Z_AXIS, first.direction))
         both = (onto, compose(onto, upside_down))
         if first.prismatic:
             found.insert(0, (about_direction(first.direction), both))
-        elif norm(across(first.direction, Z_AXIS)) > near.angle or norm(across(first.point, Z_AXIS)) > near.length:
+        elif (
+            norm(across(first.direction, Z_AXIS)) > near.angle
+            or norm(across(first.point, Z_AXIS)) > near.length
+        ):
             found.append((cylinder(first.point, first.direction), both))
     return found
 
@@ -157,7 +165,9 @@ def prepare(axis: Axis, group: Group, near: Nearness, size: float) -> Step:
         if sine > near.angle:
             by_direction = 1.0
             levers.append(sine)
-        if not axis.prismatic and (not group.translations or (not by_direction and len(group.translations) == 1)):
+        if not axis.prismatic and (
+            not group.translations or (not by_direction and len(group.translations) == 1)
+        ):
             moment = cross(subtract(axis.point, group.point), direction)
             lever = norm(across(moment, group.axis))
             if lever > near.length:
@@ -180,7 +190,9 @@ def prepare(axis: Axis, group: Group, near: Nearness, size: float) -> Step:
     )
 
 
-def _slide(basis: tuple[Vector, ...], direction: Vector, near: Nearness) -> tuple[tuple[float, ...] | None, float]:
+def _slide(
+    basis: tuple[Vector, ...], direction: Vector, near: Nearness
+) -> tuple[tuple[float, ...] | None, float]:
     """The least-squares map from a displacement across a line to a translation in a space."""
     if not basis:
         return None, 1.0
@@ -193,6 +205,3 @@ def _slide(basis: tuple[Vector, ...], direction: Vector, near: Nearness) -> tupl
         return None, 1.0
     matrix = space @ vt[kept].T @ np.diag(1.0 / s[kept]) @ u[:, kept].T
     return tuple(matrix.ravel().tolist()), float(1.0 / s[kept].min())
-
-
-__all__ = ["Plan", "Step", "move", "plans_for", "prepare", "scale"]

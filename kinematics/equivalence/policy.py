@@ -18,8 +18,8 @@ class BaseRule(StrEnum):
     """Where frame 0 of the submission must lie.
 
     FREE: anywhere.
-    AXIS: z_0 on the first joint's axis or on the reference's z_0, either way round, its origin anywhere along it
-        (parallel to it, if the first joint is prismatic).
+    AXIS: z_0 on the first joint's axis or on the reference's z_0, either way round, its origin anywhere along
+        it (parallel to it, if the first joint is prismatic).
     ORIGIN: its origin at the reference's frame 0, turned as it likes.
     FRAME: exactly on the reference's frame 0.
     """
@@ -35,8 +35,8 @@ class ToolRule(StrEnum):
 
     FREE: anywhere.
     POINT: its origin at the origin of the reference's frame N (the marked tool point).
-    AXIS: z_N on the last joint's axis or on the reference's z_N, either way round, its origin anywhere along it
-        (parallel to it, if the last joint is prismatic).
+    AXIS: z_N on the last joint's axis or on the reference's z_N, either way round, its origin anywhere along
+        it (parallel to it, if the last joint is prismatic).
     FRAME: exactly on the reference's frame N.
     """
 
@@ -83,7 +83,7 @@ class Tolerance:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Policy:
-    """What the submission is held to, beyond being the same mechanism. The defaults are those of an exercise."""
+    """What the submission is held to, beyond being the same mechanism; the defaults are an exercise's."""
 
     convention: ConventionRule = ConventionRule.ANY
     base: BaseRule = BaseRule.FREE

@@ -22,7 +22,9 @@ _PRIMES = [p for p in range(2, 400) if all(p % k for k in range(2, int(p**0.5) +
 
 
 def sample_joints(n: int) -> NDArray[np.float64]:
-    """Configurations that fill the joint space evenly and lie on no grid: a Kronecker sequence in √2, √3, √5, …
+    """Configurations that fill the joint space evenly and lie on no grid.
+
+    A Kronecker sequence in √2, √3, √5, …
 
     Returns:
         (n, SAMPLES) values in [-1, 1).
@@ -61,7 +63,7 @@ class Reference:
         return found
 
     def nearnesses(self, tolerance: Tolerance) -> tuple[Nearness, ...]:
-        """Which axes count as parallel or meeting: first those that do exactly, then those within the tolerance."""
+        """Which axes count as parallel or meeting: those that do exactly; those within the tolerance."""
         return (
             Nearness(EXACTLY, EXACTLY * self.size),
             Nearness(LOOSELY * tolerance.angle, LOOSELY * tolerance.length * self.size),

@@ -1,8 +1,9 @@
 """Gauss–Newton on δ, B and E with σ held fixed.
 
 Entries rounded to a few decimals are wrong by a little each, and an alignment, made joint by joint, may lever
-that up (axes that are nearly parallel, long chains). The certificate that fits all sampled configurations best is
-what such an answer deserves to be judged by. What the policy fixes stays fixed: only motions that keep it are used.
+that up (axes that are nearly parallel, long chains). The certificate that fits all sampled configurations
+best is what such an answer deserves to be judged by. What the policy fixes stays fixed: only motions that
+keep it are used.
 """
 
 from __future__ import annotations
@@ -84,7 +85,7 @@ def refine(
 
 
 def _left_side(submission: Chain, joints: Matrix) -> tuple[Matrix, Matrix]:
-    """F_s, (samples, 4, 4), and how it moves with each joint: (samples, 6, n) rotation and displacement of frame N."""
+    """F_s (samples, 4, 4), and how frame N turns and moves with each joint (samples, 6, n)."""
     n, samples = joints.shape
     motions = joint_motions(submission, joints) if n else np.empty((0, samples, 4, 4))
     prefix = np.broadcast_to(np.eye(4), (samples, 4, 4))

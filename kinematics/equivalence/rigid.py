@@ -1,7 +1,8 @@
 """Rigid motions and vectors in plain floats.
 
-One decision moves a handful of lines a handful of times; at that size tuples are several times faster than arrays.
-A motion is the tuple (r00, r01, r02, r10, …, r22, x, y, z) of its rotation matrix by rows and its translation.
+One decision moves a handful of lines a handful of times; at that size tuples are several times faster than
+arrays. A motion is the tuple (r00, r01, r02, r10, …, r22, x, y, z) of its rotation matrix by rows and its
+translation.
 """
 
 from __future__ import annotations
@@ -34,17 +35,17 @@ def cross(a: Vector, b: Vector) -> Vector:
 
 
 def subtract(a: Vector, b: Vector) -> Vector:
-    """a - b."""
+    """A - b."""
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
 def plus(a: Vector, b: Vector) -> Vector:
-    """a + b."""
+    """A + b."""
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 
 def scale(a: Vector, factor: float) -> Vector:
-    """factor · a."""
+    """Factor · a."""
     return (a[0] * factor, a[1] * factor, a[2] * factor)
 
 
@@ -93,7 +94,7 @@ def move(g: Motion, p: Vector) -> Vector:
 
 
 def compose(g: Motion, h: Motion) -> Motion:
-    """g · h: first h, then g."""
+    """G · h: first h, then g."""
     a, b, c, d, e, f, k, l, m, x, y, z = g  # noqa: E741
     p, q, r, s, t, u, v, w, o, i, j, n = h
     return (
@@ -156,7 +157,7 @@ def turn_onto(point: Vector, source: Vector, target: Vector) -> Motion:
 
 
 def angle_about(g: Motion, axis: Vector) -> float:
-    """The angle of the rotation about a unit axis that comes nearest to the rotation of g [rad], in (-π, π]."""
+    """The angle of the rotation about a unit axis that is nearest to that of g [rad], in (-π, π]."""
     x, y, z = axis
     sine = x * (g[7] - g[5]) + y * (g[2] - g[6]) + z * (g[3] - g[1])
     trace = g[0] + g[4] + g[8]

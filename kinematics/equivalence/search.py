@@ -104,7 +104,12 @@ class Search:
         for sign, alignment in self._options(plan, depth, here):
             h = alignment.motion
             yield from self._descend(
-                index, plan, start, (*signs, sign), (*motions, h), (*totals, h if here is IDENTITY else compose(h, here))
+                index,
+                plan,
+                start,
+                (*signs, sign),
+                (*motions, h),
+                (*totals, h if here is IDENTITY else compose(h, here)),
             )
 
     def _options(self, plan: Plan, depth: int, here: Motion) -> Iterator[tuple[int, Alignment]]:
@@ -112,7 +117,9 @@ class Search:
         step = plan.steps[depth]
         axis = self.submissions[0].axes[depth]
         direction, point = (
-            (axis.direction, axis.point) if here is IDENTITY else (rotate(here, axis.direction), move(here, axis.point))
+            (axis.direction, axis.point)
+            if here is IDENTITY
+            else (rotate(here, axis.direction), move(here, axis.point))
         )
         tolerance, size = self.policy.tolerance, self.references[0].size
         gate_angle = min(GATE * step.amplification * tolerance.angle + FLOOR, WIDEST_GATE)
@@ -155,11 +162,16 @@ class Search:
         for which, choice in enumerate(choices):
             for turn, last in enumerate(placements(choice, here)):
                 self.tried += 1
-                first = self._judge(0, plan, choice, Path(path.start, path.signs, path.motions, path.totals, last))
+                first = self._judge(
+                    0, plan, choice, Path(path.start, path.signs, path.motions, path.totals, last)
+                )
                 if first is None:
                     continue
                 start = plan.starts.index(path.start)
-                others = [self._follow(draw, index, start, path.signs, which, turn) for draw in range(1, len(self.references))]
+                others = [
+                    self._follow(draw, index, start, path.signs, which, turn)
+                    for draw in range(1, len(self.references))
+                ]
                 if all(other is not None for other in others):
                     all_found = [first, *(other for other in others if other is not None)]
                     return Found(tuple(f[0] for f in all_found), tuple(f[1] for f in all_found))
@@ -178,13 +190,17 @@ class Search:
         last = placements(choice, here)[turn]
         return self._judge(draw, plan, choice, Path(path.start, path.signs, path.motions, path.totals, last))
 
-    def _judge(self, draw: int, plan: Plan, choice: ToolChoice, path: Path) -> tuple[Candidate, Residual] | None:
+    def _judge(
+        self, draw: int, plan: Plan, choice: ToolChoice, path: Path
+    ) -> tuple[Candidate, Residual] | None:
         """The certificate of a path, if equation (1) holds with it; refined, if it nearly does."""
         reference, submission, policy = self.references[draw], self.submissions[draw], self.policy
         candidate = candidate_from(
             (reference.chain, submission), plan, path, policy.zero, tool_turns=choice.turns
         )
-        candidate = Candidate(candidate.signs, candidate.offsets, candidate.base, obeying(choice, candidate.tool))
+        candidate = Candidate(
+            candidate.signs, candidate.offsets, candidate.base, obeying(choice, candidate.tool)
+        )
         found = residual(reference, submission, candidate)
         if found.within(policy.tolerance):
             return candidate, found

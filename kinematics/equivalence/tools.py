@@ -26,18 +26,15 @@ from kinematics.equivalence.refinement import (
 )
 from kinematics.equivalence.rigid import (
     IDENTITY,
-    ORIGIN,
     Motion,
     Vector,
     across,
-    angle_about,
     compose,
     cross,
     dot,
     inverse,
     move,
     norm,
-    plus,
     position,
     rotate,
     rotation_about,
@@ -80,7 +77,9 @@ class ToolChoice:
         return DIRECTION_TWISTS if self.step.axis.prismatic else LINE_TWISTS
 
 
-def tool_choices(chain: Chain, group: Group, rule: ToolRule, near: Nearness, size: float) -> tuple[ToolChoice, ...]:
+def tool_choices(
+    chain: Chain, group: Group, rule: ToolRule, near: Nearness, size: float
+) -> tuple[ToolChoice, ...]:
     """The ways in which a rule lets frame N of the submission lie, for a reference and its H_N."""
     end = chain.end
     if rule is ToolRule.FREE:
@@ -163,7 +162,7 @@ def _settle(group: Group, here: Motion, target: Motion) -> Motion:
 
 
 def obeying(choice: ToolChoice, tool: Motion) -> Motion:
-    """The E nearest to a given one that keeps the rule to the letter; what is left over goes into the residual."""
+    """The E nearest to a given one that keeps the rule to the letter; the rest goes into the residual."""
     if choice.rule is ToolRule.FREE:
         return tool
     if choice.rule is ToolRule.FRAME:
@@ -181,6 +180,3 @@ def obeying(choice: ToolChoice, tool: Motion) -> Motion:
         return tool
     gap = across(subtract(move(back, axis.point), position(tool)), direction)
     return compose(translation(gap), tool)
-
-
-__all__ = ["ORIGIN", "ToolChoice", "angle_about", "obeying", "placements", "plus", "tool_choices"]

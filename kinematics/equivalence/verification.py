@@ -35,7 +35,7 @@ class Residual(NamedTuple):
 
 
 def size_for(reference: Reference, submission: Chain) -> float:
-    """The length that relative lengths refer to: the reference's size, or the submission's if that has none."""
+    """What relative lengths refer to: the reference's size, or the submission's if that has none."""
     return submission.extent if reference.scaleless and submission.extent > 0.0 else reference.size
 
 
@@ -55,7 +55,7 @@ def residual(reference: Reference, submission: Chain, candidate: Candidate) -> R
 
 
 def largest(difference: NDArray[np.float64], size: float) -> Residual:
-    """The largest rotation and the largest relative displacement among differences of poses (samples, 4, 4)."""
+    """The largest rotation and relative displacement among differences of poses (samples, 4, 4)."""
     squares = np.einsum("sij,sij->sj", difference, difference)
     rotation = squares[:, :3].sum(axis=1).max()
     # ‖R - R'‖_F = 2√2 sin(angle/2); the chord √2·2 sin(angle/2)/2 is the angle to third order, and at most 2

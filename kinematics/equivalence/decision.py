@@ -1,0 +1,168 @@
+"""The decision: do two tables describe the same robot?
+
+With F_r and F_s the forward kinematics of the reference and the submission, they do when there are joint
+signs σ, joint offsets δ and constant rigid motions B and E with
+
+    F_s(σ∘q + δ) = B · F_r(q) · E      for all q,                                    (1)
+
+which is so exactly when motions g_0, …, g_n exist with g_{i-1} S_i^s = σ_i S_i^r and g_i ∈ exp(S_i^r ℝ)
+g_{i-1}. docs/checker.md gives the argument; the modules beside this one are its steps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from kinematics.equivalence.chains import Chain, chain_of
+from kinematics.equivalence.diagnosis import diagnose
+from kinematics.equivalence.policy import BaseRule, ConventionRule, DirectionRule, Policy, ToolRule, ZeroRule
+from kinematics.equivalence.reference import SAMPLES, Reference, prepared
+from kinematics.equivalence.results import Certificate, Decision, Kind, Mismatch
+from kinematics.equivalence.rigid import to_matrix
+from kinematics.equivalence.search import Found, Search
+from kinematics.table import Convention, DHTable, NumericTable
+
+
+def decide(reference: NumericTable, submission: NumericTable, policy: Policy) -> Decision:
+    """Decide whether a submission describes the reference robot and keeps the policy.
+
+    Args:
+        reference: the key, in the same length unit as the submission.
+        submission: the table to judge.
+        policy: what is left free and what is fixed.
+    """
+    return decide_draws((reference,), (submission,), policy)
+
+
+def decide_draws(
+    references: Sequence[NumericTable], submissions: Sequence[NumericTable], policy: Policy
+) -> Decision:
+    """Decide for tables with parameters, given at several draws of the parameters.
+
+    The draws must agree on the signs; structure and diagnosis follow the first one.
+
+    Args:
+        references: the key at each draw.
+        submissions: the submission at the same draws.
+        policy: what is left free and what is fixed.
+    """
+    prepared_references = [prepared(table) for table in references]
+    chains = [chain_of(table) for table in submissions]
+    if convention_fits(submissions[0].convention, policy.convention):
+        certificate = certify(prepared_references, chains, policy)
+        if certificate is not None:
+            return Decision(certificate=certificate, mismatches=(), same_robot=True)
+    return _explained(prepared_references, submissions[0], chains, policy)
+
+
+def convention_fits(convention: Convention, rule: ConventionRule) -> bool:
+    """Whether a table's convention is one that the rule allows."""
+    return rule is ConventionRule.ANY or rule.value == convention.value
+
+
+def certify(
+    references: Sequence[Reference], submissions: Sequence[Chain], policy: Policy
+) -> Certificate | None:
+    """The verified certificate of a submission, whatever its convention; None if there is none."""
+    types = [axis.prismatic for axis in references[0].chain.axes]
+    if types != [axis.prismatic for axis in submissions[0].axes]:
+        return None
+    for level in _levels(references[0], policy):
+        found = Search(references, submissions, policy, level).run()
+        if found is not None:
+            return _certificate(found)
+    return None
+
+
+def _levels(reference: Reference, policy: Policy) -> Sequence[int]:
+    """Whether axes that are parallel or meet only within the tolerance make a second chain of groups."""
+    exact, loose = (
+        [plan.shape for plan in reference.plans(policy.base, policy.zero, near)]
+        for near in reference.nearnesses(policy.tolerance)
+    )
+    return (0,) if exact == loose else (0, 1)
+
+
+def _certificate(found: Found) -> Certificate:
+    first = found.candidates[0]
+    return Certificate(
+        joint_signs=first.signs,
+        joint_offsets=first.offsets,
+        base=to_matrix(first.base),
+        tool=to_matrix(first.tool),
+        residual=max(max(residual) for residual in found.residuals),
+        samples=SAMPLES * len(found.residuals),
+        draws=found.candidates,
+    )
+
+
+_RULES: tuple[tuple[Kind, str, BaseRule | ToolRule | ZeroRule | DirectionRule], ...] = (
+    (Kind.BASE, "base", BaseRule.FREE),
+    (Kind.TOOL, "tool", ToolRule.FREE),
+    (Kind.ZERO, "zero", ZeroRule.FREE),
+    (Kind.DIRECTION, "direction", DirectionRule.FREE),
+)
+
+
+def mechanism_only(policy: Policy) -> Policy:
+    """The policy that asks for nothing but the same mechanism, at the same tolerance."""
+    return Policy(tool=ToolRule.FREE, tolerance=policy.tolerance)
+
+
+def _explained(
+    references: Sequence[Reference], table: NumericTable, chains: Sequence[Chain], policy: Policy
+) -> Decision:
+    wrong_convention = not convention_fits(table.convention, policy.convention)
+    named = (Mismatch(kind=Kind.CONVENTION),) if wrong_convention else ()
+    if certify(references, chains, mechanism_only(policy)) is not None:
+        return Decision(
+            certificate=None, mismatches=(*named, *_broken_rules(references, chains, policy)), same_robot=True
+        )
+    expected, got = len(references[0].chain.axes), len(chains[0].axes)
+    if expected != got:
+        return Decision(
+            certificate=None, mismatches=(*named, Mismatch(kind=Kind.JOINT_COUNT)), same_robot=False
+        )
+    found = diagnose(references[0], table, chains[0], policy)
+    if certify([prepared(mirrored(r.table)) for r in references], chains, mechanism_only(policy)) is not None:
+        found = (Mismatch(kind=Kind.HANDEDNESS), *found)
+    return Decision(certificate=None, mismatches=(*named, *found), same_robot=False)
+
+
+def _broken_rules(
+    references: Sequence[Reference], chains: Sequence[Chain], policy: Policy
+) -> tuple[Mismatch, ...]:
+    """The rules that a submission of the right robot does not keep, each judged with the others left free."""
+    free = mechanism_only(policy)
+    asked = [(kind, name) for kind, name, rule in _RULES if getattr(policy, name) is not rule]
+    broken = [
+        kind
+        for kind, name in asked
+        if certify(references, chains, replace(free, **{name: getattr(policy, name)})) is None
+    ]
+    if not broken and certify(references, chains, policy) is None:
+        broken = _not_together(references, chains, policy, asked)
+    return tuple(Mismatch(kind=kind) for kind in broken)
+
+
+def _not_together(
+    references: Sequence[Reference], chains: Sequence[Chain], policy: Policy, asked: list[tuple[Kind, str]]
+) -> list[Kind]:
+    """Of rules that can be kept singly but not together, the last one without which the others can."""
+    free = mechanism_only(policy)
+    for kind, name in reversed(asked):
+        if certify(references, chains, replace(policy, **{name: getattr(free, name)})) is not None:
+            return [kind]
+    return [kind for kind, _ in asked]
+
+
+def mirrored(table: NumericTable) -> NumericTable:
+    """The mirror image of a robot, in the plane z_0 = 0: every d, every α and every slider changes sign."""
+    rows = tuple(
+        replace(
+            row, d=-row.d, alpha=-row.alpha, sign=-row.sign if row.joint.value == "prismatic" else row.sign
+        )
+        for row in table.rows
+    )
+    return DHTable(convention=table.convention, rows=rows)

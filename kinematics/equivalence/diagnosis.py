@@ -1,0 +1,219 @@
+"""What does not fit, fact by fact: force the best alignment at an axis that cannot be aligned, and go on."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from kinematics.equivalence.alignment import Alignment, align
+from kinematics.equivalence.chains import Axis, Chain
+from kinematics.equivalence.groups import Group, Rotations, departure
+from kinematics.equivalence.plan import Plan, Step
+from kinematics.equivalence.policy import Policy, ToolRule, ZeroRule
+from kinematics.equivalence.reference import Reference
+from kinematics.equivalence.results import Kind, Mismatch
+from kinematics.equivalence.rigid import (
+    Motion,
+    Vector,
+    across,
+    angle_between,
+    compose,
+    cross,
+    dot,
+    inverse,
+    move,
+    norm,
+    position,
+    rotate,
+    rotation_angle,
+    scale,
+    subtract,
+    translation,
+    turn_onto,
+)
+from kinematics.equivalence.tools import placements, tool_choices
+from kinematics.table import Convention, NumericTable
+
+WIDTH = 8
+NOTICEABLE = 2.0
+PARALLEL = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Trail:
+    """The facts found on the way down the chain, with one choice of signs.
+
+    Attributes:
+        cost: number of wrong facts, and a little for what is left of the right ones.
+        here: the motion of the submission so far.
+        mismatches: the wrong facts.
+        signs: the signs taken.
+    """
+
+    cost: float
+    here: Motion
+    mismatches: tuple[Mismatch, ...]
+    signs: tuple[int, ...]
+
+
+def diagnose(
+    reference: Reference, table: NumericTable, submission: Chain, policy: Policy
+) -> tuple[Mismatch, ...]:
+    """The smallest set of wrong facts that explains a submission with as many joints as the reference.
+
+    Args:
+        reference: the reference.
+        table: the submission, to say in which row a fact stands.
+        submission: its chain.
+        policy: the base and tool rules are judged as well; zeros and directions are left free.
+    """
+    near = reference.nearnesses(policy.tolerance)[0]
+    best: Trail | None = None
+    for plan in reference.plans(policy.base, ZeroRule.FREE, near):
+        for trail in _trails(plan, reference, submission, policy):
+            trail = _end(trail, plan, reference, submission, policy)
+            if best is None or trail.cost < best.cost:
+                best = trail
+    assert best is not None
+    return tuple(_placed(mismatch, table) for mismatch in best.mismatches)
+
+
+def _trails(plan: Plan, reference: Reference, submission: Chain, policy: Policy) -> list[Trail]:
+    """The best few ways down the chain."""
+    trails = [Trail(0.0, start, (), ()) for start in plan.starts]
+    for depth, step in enumerate(plan.steps):
+        axis = submission.axes[depth]
+        following = plan.steps[depth + 1].group if depth + 1 < len(plan.steps) else plan.last
+        longer = [_onward(trail, step, axis, sign, reference, policy) for trail in trails for sign in (1, -1)]
+        longer.sort(key=lambda trail: trail.cost)
+        trails = []
+        for trail in longer:
+            if not any(_same(following, trail.here, other.here, reference.size) for other in trails):
+                trails.append(trail)
+            if len(trails) == WIDTH:
+                break
+    return trails
+
+
+def _same(group: Group, here: Motion, other: Motion, size: float) -> bool:
+    angle, length = departure(group, compose(here, inverse(other)))
+    return angle < 1e-6 and length < 1e-6 * size
+
+
+def _onward(trail: Trail, step: Step, axis: Axis, sign: int, reference: Reference, policy: Policy) -> Trail:
+    direction, point = rotate(trail.here, axis.direction), move(trail.here, axis.point)
+    target = step.axis
+    joint = len(trail.signs) + 1
+    found = align(step, direction, point, sign)
+    here = compose(found.motion, trail.here)
+    limit_angle = NOTICEABLE * policy.tolerance.angle
+    limit_length = NOTICEABLE * policy.tolerance.length * reference.size
+    mismatches: list[Mismatch] = []
+    leftover = found.angle / math.pi
+    if axis.prismatic is not target.prismatic:
+        mismatches.append(Mismatch(kind=Kind.JOINT_TYPE, joint=joint))
+    if found.angle > limit_angle:
+        previous = reference.chain.axes[joint - 2] if joint > 1 else None
+        mismatches += _angles(step, previous, found, joint, limit_angle)
+    judged_by_place = not axis.prismatic and not target.prismatic
+    if judged_by_place:
+        leftover += found.distance / (found.distance + reference.size)
+        if found.distance > limit_length:
+            mismatches += _lengths(step, found.gap, joint, limit_length)
+    turn = turn_onto(target.point, found.direction, target.direction)
+    here = compose(turn, here)
+    if not target.prismatic:
+        gap = subtract(target.point, move(here, axis.point))
+        gap = subtract(gap, scale(target.direction, dot(gap, target.direction)))
+        here = compose(translation(gap), here)
+    cost = trail.cost + len(mismatches) + 1e-3 * leftover + (1e-6 if sign < 0 else 0.0)
+    return Trail(cost, here, (*trail.mismatches, *mismatches), (*trail.signs, sign))
+
+
+def _angles(step: Step, previous: Axis | None, found: Alignment, joint: int, limit: float) -> list[Mismatch]:
+    """An angle that is left: between two axes (twist), or about the earlier one (θ of a slider)."""
+    if previous is None:
+        return [Mismatch(kind=Kind.BASE, joint=1, angle=found.angle)]
+    if step.group.rotations is not Rotations.NONE:
+        return [Mismatch(kind=Kind.TWIST, joint=joint, angle=found.angle)]
+    axis, goal = previous.direction, step.axis.direction
+    twist = abs(angle_between(found.direction, axis) - angle_between(goal, axis))
+    one, two = across(found.direction, axis), across(goal, axis)
+    turn = math.atan2(norm(cross(one, two)), dot(one, two))
+    mismatches = []
+    if twist > limit:
+        mismatches.append(Mismatch(kind=Kind.TWIST, joint=joint, angle=twist))
+    if turn * min(norm(one), norm(two)) > limit or not mismatches:
+        mismatches.append(Mismatch(kind=Kind.OFFSET, joint=joint - 1, angle=turn))
+    return mismatches
+
+
+def _lengths(step: Step, gap: Vector, joint: int, limit: float) -> list[Mismatch]:
+    """A displacement that is left: along the common normal (length) or the last joint's axis (offset)."""
+    size = norm(gap)
+    if joint == 1:
+        return [Mismatch(kind=Kind.BASE, joint=1, length=size)]
+    group, direction = step.group, step.axis.direction
+    if group.rotations is Rotations.ABOUT_LINE and not group.translations:
+        normal = cross(group.axis, direction)
+        sine = norm(normal)
+        if sine > PARALLEL:
+            normal = scale(normal, 1.0 / sine)
+            length = abs(dot(gap, normal))
+            offset = abs(dot(gap, cross(normal, direction)))
+            found = []
+            if length > limit:
+                found.append(Mismatch(kind=Kind.LENGTH, joint=joint, length=length))
+            if offset > limit or not found:
+                found.append(Mismatch(kind=Kind.OFFSET, joint=joint - 1, length=offset / sine))
+            return found
+    return [Mismatch(kind=Kind.LENGTH, joint=joint, length=size)]
+
+
+def _end(trail: Trail, plan: Plan, reference: Reference, submission: Chain, policy: Policy) -> Trail:
+    """Judge where frame N lies."""
+    if policy.tool is ToolRule.FREE:
+        return trail
+    here = compose(trail.here, submission.end)
+    near = reference.nearnesses(policy.tolerance)[0]
+    best = (math.inf, math.inf, math.inf)
+    for choice in tool_choices(reference.chain, plan.last, policy.tool, near, reference.size):
+        for motion in placements(choice, here):
+            angle, length = _tool_error(choice.rule, compose(motion, here), choice.target, choice.step)
+            worst = max(angle / policy.tolerance.angle, length / (policy.tolerance.length * reference.size))
+            best = min(best, (worst, angle, length))
+    if best[0] <= NOTICEABLE:
+        return trail
+    mismatch = Mismatch(kind=Kind.TOOL, joint=len(trail.signs) or None, angle=best[1], length=best[2])
+    return Trail(trail.cost + 1.0, trail.here, (*trail.mismatches, mismatch), trail.signs)
+
+
+def _tool_error(rule: ToolRule, here: Motion, target: Motion, step: Step | None) -> tuple[float, float]:
+    gap = subtract(position(target), position(here))
+    if rule is ToolRule.POINT:
+        return 0.0, norm(gap)
+    if rule is ToolRule.FRAME or step is None:
+        return rotation_angle(compose(inverse(here), target)), norm(gap)
+    axis = step.axis
+    z: Vector = (here[2], here[5], here[8])
+    angle = math.atan2(norm(cross(z, axis.direction)), abs(dot(z, axis.direction)))
+    if axis.prismatic:
+        return angle, 0.0
+    gap = subtract(axis.point, position(here))
+    return angle, norm(subtract(gap, scale(axis.direction, dot(gap, axis.direction))))
+
+
+def _placed(mismatch: Mismatch, table: NumericTable) -> Mismatch:
+    """The mismatch, with the row of the submission in which that fact stands."""
+    joint = mismatch.joint
+    if joint is None:
+        return mismatch
+    standard = table.convention is Convention.STANDARD
+    if mismatch.kind in (Kind.LENGTH, Kind.TWIST) and standard:
+        joint = max(joint - 1, 1)
+    row = table.joint_rows[joint - 1]
+    if mismatch.kind is Kind.TOOL:
+        row = len(table.rows) - 1
+    return Mismatch(
+        kind=mismatch.kind, joint=mismatch.joint, row=row, angle=mismatch.angle, length=mismatch.length
+    )
