@@ -23,6 +23,7 @@ from kinematics.expressions import (
     multiply,
     negate,
     number,
+    pi_fraction,
     pi_times,
 )
 from kinematics.scm.chain import Placement, ScmChain, verify
@@ -32,6 +33,7 @@ Direction: TypeAlias = tuple[int, int, int]
 Point: TypeAlias = tuple[Expression, Expression, Expression]
 
 _X: Direction = (1, 0, 0)
+_Y: Direction = (0, 1, 0)
 _Z: Direction = (0, 0, 1)
 _ORIGIN: Point = (ZERO, ZERO, ZERO)
 
@@ -80,11 +82,30 @@ def modified_dh_from_scm(chain: ScmChain) -> SymbolicTable:
         rows = _joined(rows, lead)
         rows = _appended(rows, replace(link, joint=row.joint))
         here = there
-    flange = _Frame(origin=_moved(point, chain.final), x=_X, z=_Z)
-    rows = _joined(rows, _links(here, flange))
-    for step in (*_turn_rows(chain.final), *_shift_rows(chain.tool), *_turn_rows(chain.tool)):
+    exact = _quarter_turns(chain.final)
+    x, z = (_turned(_X, exact), _turned(_Z, exact)) if exact else (_X, _Z)
+    rows = _joined(rows, _links(here, _Frame(origin=_moved(point, chain.final), x=x, z=z)))
+    turns = [] if exact else _turn_rows(chain.final)
+    for step in (*turns, *_shift_rows(chain.tool), *_turn_rows(chain.tool)):
         rows = _joined(rows, step)
     return DHTable(convention=Convention.MODIFIED, rows=tuple(rows))
+
+
+def _quarter_turns(turn: Placement) -> tuple[int, int, int] | None:
+    """A, B and C in quarter turns, if all three are whole numbers of them."""
+    halves = [pi_fraction(angle) for angle in (turn.a, turn.b, turn.c)]
+    quarters = [2 * half for half in halves if half is not None and (2 * half).denominator == 1]
+    return (int(quarters[0]), int(quarters[1]), int(quarters[2])) if len(quarters) == 3 else None
+
+
+def _turned(u: Direction, quarters: tuple[int, int, int]) -> Direction:
+    """Rot_z(A) Rot_y(B) Rot_x(C) u, the angles in quarter turns."""
+    for axis, count in zip((_X, _Y, _Z), reversed(quarters), strict=True):
+        for _ in range(count % 4):
+            along = _dot(u, axis)
+            turned = _cross(axis, u)
+            u = turned[0] + along * axis[0], turned[1] + along * axis[1], turned[2] + along * axis[2]
+    return u
 
 
 def _frame_on_axis(here: _Frame, point: Point, z: Direction) -> _Frame:
@@ -167,7 +188,8 @@ def _joined(rows: list[SymbolicRow], more: list[SymbolicRow]) -> list[SymbolicRo
     for row in more:
         if row.a == ZERO and row.alpha == ZERO and result:
             last = result[-1]
-            result[-1] = replace(last, theta=add((last.theta, row.theta)), d=add((last.d, row.d)))
+            theta = _principal(add((last.theta, row.theta)))
+            result[-1] = replace(last, theta=theta, d=add((last.d, row.d)))
         else:
             result = _appended(result, row)
     return result
@@ -196,6 +218,12 @@ def _angle(start: Direction, end: Direction, about: Direction) -> Expression:
     cosine, sine = _dot(start, end), _dot(_cross(start, end), about)
     quarter_turns = {(1, 0): 0, (0, 1): 1, (-1, 0): 2, (0, -1): -1}[(cosine, sine)]
     return pi_times(Fraction(quarter_turns, 2))
+
+
+def _principal(angle: Expression) -> Expression:
+    """An exact angle brought into (-π, π]."""
+    half_turns = pi_fraction(angle)
+    return angle if half_turns is None else pi_times(1 - (1 - half_turns) % 2)
 
 
 def _opposite(u: Direction) -> Direction:

@@ -1,0 +1,95 @@
+"""What the catalogue knows of a robot."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from kinematics.cells import RawTable, ReadTable
+from kinematics.links import Transform
+from kinematics.scm import ReadChain
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Source:
+    """Where a robot comes from.
+
+    Attributes:
+        document: title, author and year.
+        place: figure, equation, table or script within it.
+        figures: where the lengths come from, as printed.
+    """
+
+    document: str
+    place: str
+    figures: str
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Configuration:
+    """Joint values that mean something.
+
+    Attributes:
+        joints: q_1 … q_n, in the units of the robot's table.
+        meaning: what the arm looks like there.
+    """
+
+    joints: tuple[float, ...]
+    meaning: str
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Chain:
+    """The same robot as an SCM chain.
+
+    Attributes:
+        read: the chain, its joint variables those of the table.
+        parameters: for each of the chain's lengths the table's parameter that it is.
+    """
+
+    read: ReadChain
+    parameters: Mapping[str, str]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ReferencePose:
+    """A pose that was derived without the DH table.
+
+    Attributes:
+        derivation: how.
+        joints: q_1 … q_n, in the units of the robot's table.
+        transform: (4, 4) ⁰T_N, translation in the table's length unit.
+    """
+
+    derivation: str
+    joints: tuple[float, ...]
+    transform: Transform
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Robot:
+    """A robot of the catalogue.
+
+    Attributes:
+        id: name of its file, and of its exercise.
+        name: what people call it.
+        source: where it comes from.
+        raw: its DH table as written.
+        table: its DH table as read.
+        parameters: the value of every parameter, in the table's units.
+        configurations: named joint values.
+        limits: (low, high) of every joint in the table's units, or None where they aren't known.
+        chain: the robot as an SCM chain.
+        reference: a pose from a second derivation.
+    """
+
+    id: str
+    name: str
+    source: Source
+    raw: RawTable
+    table: ReadTable
+    parameters: Mapping[str, float]
+    configurations: Mapping[str, Configuration]
+    limits: tuple[tuple[float, float], ...] | None
+    chain: Chain | None
+    reference: ReferencePose
