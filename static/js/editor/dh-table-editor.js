@@ -6,9 +6,11 @@
  * Event: `table-change` with `detail: {table, complete}` whenever something was typed.
  */
 
-import { announce, el, fill, iconButton, segmented, uniqueId } from "../dom.js";
+import { announce, el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
-import { columnText, Grid } from "./grid.js";
+import { Bar, editorFoot } from "./bar.js";
+import { faultSummary, placedFaults } from "./faults.js";
+import { Grid } from "./grid.js";
 import {
   CELLS,
   COLUMNS,
@@ -25,11 +27,8 @@ import {
   setJoint,
   toWire,
 } from "./model.js";
-import { isTable, readPasted } from "./paste.js";
+import { isTable, readPasted, withBlock, withPasted } from "./paste.js";
 import { askForTable } from "./paste-dialog.js";
-
-const SYMBOLS = ["θ", "π", "√", "°", "−", "/"];
-const LENGTHS = ["m", "cm", "mm", "in"];
 
 /** @typedef {import("./model.js").CellName} CellName */
 /** @typedef {import("./model.js").Table} Table */
@@ -37,6 +36,7 @@ const LENGTHS = ["m", "cm", "mm", "in"];
 export class DhTableEditor extends HTMLElement {
   #history = new History(newTable("modified", 1));
   #grid = /** @type {Grid} */ (/** @type {unknown} */ (null));
+  #bar = /** @type {Bar} */ (/** @type {unknown} */ (null));
   #faults = /** @type {{row: number, cell: string, text: string}[]} */ ([]);
   #lastInput = /** @type {HTMLInputElement | null} */ (null);
   /** @type {("standard" | "modified")[]} */
@@ -45,7 +45,11 @@ export class DhTableEditor extends HTMLElement {
   connectedCallback() {
     if (this.#grid) return;
     this.id ||= uniqueId("table");
-    this.bar = el("div", { class: "editor-bar no-print" });
+    this.#bar = new Bar(this.id, {
+      undo: () => this.#step("undo"),
+      redo: () => this.#step("redo"),
+      paste: () => this.#openPaste(),
+    });
     this.notice = el("div", { class: "editor-notice" });
     this.summary = el("div", { class: "editor-summary", tabindex: "-1" });
     this.#grid = new Grid(this.id, {
@@ -59,7 +63,9 @@ export class DhTableEditor extends HTMLElement {
       focus: (input) => (this.#lastInput = input),
     });
     this.addEventListener("keydown", (event) => this.#undoKeys(event));
-    fill(this, this.bar, this.notice, this.summary, el("div", { class: "dh-frame" }, this.#grid.element), this.#foot());
+    const frame = el("div", { class: "dh-frame" }, this.#grid.element);
+    const foot = editorFoot(() => this.#add(this.#table.rows.length), () => this.#lastInput);
+    fill(this, this.#bar.element, this.notice, this.summary, frame, foot);
     this.#show();
   }
 
@@ -121,10 +127,7 @@ export class DhTableEditor extends HTMLElement {
    * @param {{summary?: boolean}} [options] with a summary that links to each, and takes the focus
    */
   showFaults(faults, { summary = false } = {}) {
-    this.#faults = faults.map((fault) => {
-      const match = /\/rows\/(\d+)(?:\/(\w+))?$/.exec(fault.pointer);
-      return { row: match ? Number(match[1]) : -1, cell: match?.[2] ?? "theta", text: fault.detail };
-    });
+    this.#faults = placedFaults(faults);
     this.#placeFaults();
     if (summary && faults.length) this.#summarize();
     else fill(this.summary);
@@ -197,24 +200,8 @@ export class DhTableEditor extends HTMLElement {
   }
 
   #summarize() {
-    const line = ({ row, cell, text }) => {
-      const name = cell === "joint" ? t("form-joint") : columnText(/** @type {CellName} */ (cell), this.#table.convention);
-      const place = row < 0 ? "" : `${t("form-row-cell", { row: row + 1, name })}: `;
-      const go = (event) => {
-        event.preventDefault();
-        this.focusCell(row, /** @type {any} */ (cell));
-      };
-      return el("li", {}, row < 0 ? text : el("a", { href: `#${this.id}-${row}-${cell}`, onclick: go, text: place + text }));
-    };
-    fill(
-      this.summary,
-      el(
-        "div",
-        { class: "notice notice-problem", role: "alert" },
-        el("p", {}, el("strong", { text: t("form-faults", { count: this.#faults.length }) })),
-        el("ul", {}, this.#faults.map(line)),
-      ),
-    );
+    const go = (row, cell) => this.focusCell(row, cell);
+    fill(this.summary, faultSummary(this.#faults, this.id, this.#table.convention, go));
     this.#placeFaults();
     this.summary.focus();
   }
@@ -229,67 +216,16 @@ export class DhTableEditor extends HTMLElement {
 
   #showBar() {
     const table = this.#table;
-    const choice = (stem, value, options, onchange) => segmented({ name: `${this.id}-${stem}`, label: t(`form-${stem}`), value, options, onchange });
-    this.undoButton = iconButton("undo", t("form-undo"), () => this.#step("undo"));
-    this.redoButton = iconButton("redo", t("form-redo"), () => this.#step("redo"));
-    const focused = this.bar.contains(document.activeElement) ? document.activeElement : null;
-    const again = focused instanceof HTMLInputElement ? `input[name="${focused.name}"]:checked` : focused?.getAttribute("aria-label") ? `[aria-label="${focused.getAttribute("aria-label")}"]` : null;
-    fill(
-      this.bar,
-      choice("convention", table.convention, this.#allowed.map((value) => ({ value, label: t(`form-convention-${value}`) })), (value) => this.#setConvention(value)),
-      choice("angle-unit", table.angleUnit, [{ value: "deg", label: t("form-degrees") }, { value: "rad", label: t("form-radians") }], (value) => this.#setAngleUnit(value)),
-      el(
-        "label",
-        { class: "editor-length" },
-        el("span", { class: "visually-hidden", text: t("form-length-unit") }),
-        el(
-          "select",
-          { onchange: (event) => this.#change({ ...table, lengthUnit: event.target.value }) },
-          LENGTHS.map((unit) => el("option", { value: unit, selected: unit === table.lengthUnit, text: unit })),
-        ),
-      ),
-      el("span", { class: "grow" }),
-      el(
-        "div",
-        { class: "editor-steps" },
-        this.undoButton,
-        this.redoButton,
-        iconButton("paste", t("form-paste-title"), () => this.#openPaste()),
-      ),
-    );
-    if (again) /** @type {HTMLElement} */ (this.bar.querySelector(again))?.focus();
+    this.#bar.show(table, this.#allowed, {
+      convention: (value) => this.#setConvention(value),
+      angleUnit: (value) => this.#setAngleUnit(value),
+      lengthUnit: (value) => this.#change({ ...table, lengthUnit: value }),
+    });
     this.#showUndo();
   }
 
   #showUndo() {
-    const set = (button, able) => (able ? button.removeAttribute("aria-disabled") : button.setAttribute("aria-disabled", "true"));
-    set(this.undoButton, this.#history.past.length > 0);
-    set(this.redoButton, this.#history.future.length > 0);
-  }
-
-  #foot() {
-    const insert = (symbol) => {
-      const input = this.#lastInput;
-      if (!input?.isConnected) return;
-      const text = symbol === "√" ? "sqrt()" : symbol;
-      input.setRangeText(text, input.selectionStart ?? 0, input.selectionEnd ?? 0, "end");
-      if (symbol === "√") input.setSelectionRange(input.selectionEnd - 1, input.selectionEnd - 1);
-      input.dispatchEvent(new Event("input", { bubbles: true }));
-      input.focus();
-    };
-    return el(
-      "div",
-      { class: "editor-foot no-print" },
-      el("button", { type: "button", class: "add-row", onclick: () => this.#add(this.#table.rows.length) }, "+ ", t("form-row-add")),
-      el(
-        "div",
-        { class: "symbols", role: "group", "aria-label": t("form-symbols") },
-        SYMBOLS.map((symbol) =>
-          el("button", { type: "button", class: "quiet symbol", "aria-label": t("form-symbol-insert", { symbol }), onpointerdown: (event) => event.preventDefault(), onclick: () => insert(symbol), text: symbol }),
-        ),
-      ),
-      el("p", { class: "hint editor-keys", text: t("form-keys") }),
-    );
+    this.#bar.enable(this.#history.past.length > 0, this.#history.future.length > 0);
   }
 
   #add(at) {
@@ -393,48 +329,20 @@ export class DhTableEditor extends HTMLElement {
   #paste(event, row, cell) {
     const text = event.clipboardData?.getData("text/plain") ?? "";
     if (!isTable(text)) return;
-    const order = COLUMNS[this.#table.convention];
-    const pasted = readPasted(text, order);
-    if (pasted) {
-      event.preventDefault();
-      const whole = pasted.rows.length >= this.#table.rows.length - row;
-      this.#take(pasted, row, row === 0 && whole);
-      return;
-    }
-    this.#pasteBlock(event, text, row, cell, order);
-  }
-
-  /** Fewer than four columns: fill the cells to the right and below, as a spreadsheet does. */
-  #pasteBlock(event, text, row, cell, order) {
-    const lines = text.replace(/\r/g, "").replace(/\n$/, "").split("\n").map((line) => line.split("\t"));
-    if (lines.length < 2 && lines[0].length < 2) return;
+    const pasted = readPasted(text, COLUMNS[this.#table.convention]);
+    const table = pasted ? null : withBlock(this.#table, text, row, cell);
+    if (!pasted && !table) return;
     event.preventDefault();
-    let table = this.#table;
-    lines.forEach((line, i) => {
-      if (row + i >= table.rows.length) table = insertRow(table, table.rows.length);
-      line.forEach((piece, k) => {
-        const name = order[order.indexOf(cell) + k];
-        if (name) table = setCell(table, row + i, name, piece.trim());
-      });
-    });
-    this.#change(table, { focus: [row, cell] });
+    if (table) this.#change(table, { focus: [row, cell] });
+    else this.#take(pasted, row, row === 0 && pasted.rows.length >= this.#table.rows.length);
   }
 
   #take(pasted, at, replace) {
     const before = this.#table;
-    const anyJoint = pasted.rows.some((row) => row.joint);
-    const rows = pasted.rows.map((row, i) => {
-      const old = before.rows[at + i];
-      const joint = row.joint ?? (anyJoint ? "fixed" : (old?.joint ?? "revolute"));
-      const cells = Object.fromEntries(CELLS.map((cell) => [cell, row.cells[cell] ?? old?.[cell] ?? ""]));
-      return { ...newRow(0, "fixed"), ...cells, joint };
-    });
-    const kept = replace ? [] : before.rows.slice(at + rows.length);
-    const convention = pasted.convention && this.#allowed.includes(pasted.convention) ? pasted.convention : before.convention;
-    const next = { ...before, convention, rows: [...before.rows.slice(0, at), ...rows, ...kept].slice(0, 64) };
-    this.#change(next, { focus: [at, COLUMNS[convention][0]] });
-    const changed = convention !== before.convention ? ` ${t(`form-convention-now-${convention}`)}` : "";
-    this.#say(t("form-pasted", { rows: rows.length }) + changed, []);
+    const next = withPasted(before, pasted, at, replace, this.#allowed);
+    this.#change(next, { focus: [at, COLUMNS[next.convention][0]] });
+    const changed = next.convention !== before.convention ? ` ${t(`form-convention-now-${next.convention}`)}` : "";
+    this.#say(t("form-pasted", { rows: pasted.rows.length }) + changed, []);
   }
 }
 

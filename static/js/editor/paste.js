@@ -8,7 +8,7 @@
  *   rows: {joint: JointType | null, cells: Partial<Record<CellName, string>>}[]}} Pasted
  */
 
-import { inferredJoint } from "./model.js";
+import { CELLS, COLUMNS, inferredJoint, insertRow, MOST_ROWS, newRow, setCell } from "./model.js";
 
 /** Whether a text is more than one cell. @param {string} text */
 export function isTable(text) {
@@ -210,4 +210,45 @@ function readRow(row, columns) {
     joint = inferred === "fixed" ? null : inferred;
   }
   return { joint, cells };
+}
+
+/**
+ * A table with pasted rows in it. Where some pasted rows hold a joint variable, the others are fixed; where
+ * none does (a table of numbers only), rows keep the joint type that the form has for them.
+ * @param {import("./model.js").Table} table @param {Pasted} pasted @param {number} at first row that is replaced
+ * @param {boolean} whole leave nothing of the rows after them
+ * @param {("standard" | "modified")[]} allowed conventions that the headings may choose
+ * @returns {import("./model.js").Table}
+ */
+export function withPasted(table, pasted, at, whole, allowed) {
+  const anyJoint = pasted.rows.some((row) => row.joint);
+  const rows = pasted.rows.map((row, i) => {
+    const old = table.rows[at + i];
+    const joint = row.joint ?? (anyJoint ? "fixed" : (old?.joint ?? "revolute"));
+    const cells = Object.fromEntries(CELLS.map((cell) => [cell, row.cells[cell] ?? old?.[cell] ?? ""]));
+    return { ...newRow(0, "fixed"), ...cells, joint };
+  });
+  const kept = whole ? [] : table.rows.slice(at + rows.length);
+  const convention = pasted.convention && allowed.includes(pasted.convention) ? pasted.convention : table.convention;
+  return { ...table, convention, rows: [...table.rows.slice(0, at), ...rows, ...kept].slice(0, MOST_ROWS) };
+}
+
+/**
+ * A table with a block of cells pasted into it, as a spreadsheet does: to the right and down from one cell.
+ * @param {import("./model.js").Table} table @param {string} text @param {number} row @param {CellName} cell
+ * @returns {import("./model.js").Table | null} null if the text is one cell
+ */
+export function withBlock(table, text, row, cell) {
+  const lines = text.replace(/\r/g, "").replace(/\n$/, "").split("\n").map((line) => line.split("\t"));
+  if (lines.length < 2 && lines[0].length < 2) return null;
+  const order = COLUMNS[table.convention];
+  let changed = table;
+  lines.forEach((line, i) => {
+    if (row + i >= changed.rows.length) changed = insertRow(changed, changed.rows.length);
+    line.forEach((piece, k) => {
+      const name = order[order.indexOf(cell) + k];
+      if (name && row + i < changed.rows.length) changed = setCell(changed, row + i, name, cleaned(piece));
+    });
+  });
+  return changed;
 }

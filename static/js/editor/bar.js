@@ -1,0 +1,96 @@
+/** What stands above and below the table: convention, units, undo, paste; a new row, symbols, keys. */
+
+import { el, fill, iconButton, segmented } from "../dom.js";
+import { t } from "../i18n.js";
+
+const SYMBOLS = ["θ", "π", "√", "°", "−", "/"];
+const LENGTHS = ["m", "cm", "mm", "in"];
+
+export class Bar {
+  /** @param {string} id of the editor @param {{undo: () => void, redo: () => void, paste: () => void}} actions */
+  constructor(id, actions) {
+    this.id = id;
+    this.undo = iconButton("undo", t("form-undo"), actions.undo);
+    this.redo = iconButton("redo", t("form-redo"), actions.redo);
+    const paste = iconButton("paste", t("form-paste-title"), actions.paste);
+    this.choices = el("div", { class: "row" });
+    this.element = el(
+      "div",
+      { class: "editor-bar no-print" },
+      this.choices,
+      el("div", { class: "editor-steps" }, this.undo, this.redo, paste),
+    );
+  }
+
+  /**
+   * @param {import("./model.js").Table} table @param {string[]} allowed conventions
+   * @param {{convention: (value: string) => void, angleUnit: (value: string) => void, lengthUnit: (value: string) => void}} set
+   */
+  show(table, allowed, set) {
+    const focused = this.choices.contains(document.activeElement) ? document.activeElement : null;
+    const again = focused?.getAttribute("name");
+    const conventions = allowed.map((value) => ({ value, label: t(`form-convention-${value}`) }));
+    const angles = [
+      { value: "deg", label: t("form-degrees") },
+      { value: "rad", label: t("form-radians") },
+    ];
+    fill(
+      this.choices,
+      this.#choice("convention", table.convention, conventions, set.convention),
+      this.#choice("angle-unit", table.angleUnit, angles, set.angleUnit),
+      el(
+        "select",
+        {
+          name: `${this.id}-length-unit`,
+          class: "editor-length",
+          "aria-label": t("form-length-unit"),
+          onchange: (event) => set.lengthUnit(event.target.value),
+        },
+        LENGTHS.map((unit) => el("option", { value: unit, selected: unit === table.lengthUnit, text: unit })),
+      ),
+    );
+    if (again) /** @type {HTMLElement} */ (this.choices.querySelector(`select[name="${again}"], [name="${again}"]:checked`))?.focus();
+  }
+
+  /** @param {boolean} undo @param {boolean} redo whether there is something to take back or do again */
+  enable(undo, redo) {
+    const set = (button, able) => (able ? button.removeAttribute("aria-disabled") : button.setAttribute("aria-disabled", "true"));
+    set(this.undo, undo);
+    set(this.redo, redo);
+  }
+
+  #choice(stem, value, options, onchange) {
+    return segmented({ name: `${this.id}-${stem}`, label: t(`form-${stem}`), value, options, onchange });
+  }
+}
+
+/** @param {() => void} add @param {() => HTMLInputElement | null} lastInput the field that symbols go into */
+export function editorFoot(add, lastInput) {
+  const insert = (symbol) => {
+    const input = lastInput();
+    if (!input?.isConnected) return;
+    input.focus();
+    const text = symbol === "√" ? "sqrt()" : symbol;
+    input.setRangeText(text, input.selectionStart ?? 0, input.selectionEnd ?? 0, "end");
+    const inside = (input.selectionEnd ?? 1) - 1;
+    if (symbol === "√") input.setSelectionRange(inside, inside);
+    input.dispatchEvent(new Event("input", { bubbles: true }));
+  };
+  const button = (symbol) =>
+    el("button", {
+      type: "button",
+      class: "quiet symbol",
+      "aria-label": t("form-symbol-insert", { symbol }),
+      // The field keeps the focus, so that a phone's keyboard stays open.
+      onpointerdown: (event) => event.preventDefault(),
+      onclick: () => insert(symbol),
+      text: symbol,
+    });
+  return el(
+    "div",
+    { class: "editor-foot no-print" },
+    el("button", { type: "button", class: "add-row", onclick: add }, "+ ", t("form-row-add")),
+    el("div", { class: "symbols", role: "group", "aria-label": t("form-symbols") }, SYMBOLS.map(button)),
+    el("p", { class: "hint editor-keys", text: t("form-keys") }),
+  );
+}

@@ -1,0 +1,92 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import * as model from "../../../static/js/editor/model.js";
+
+const texts = (table, cell) => table.rows.map((row) => row[cell]);
+
+test("a new table holds the variables of revolute joints and nothing else", () => {
+  const table = model.newTable("modified", 3);
+  assert.deepEqual(texts(table, "theta"), ["θ1", "θ2", "θ3"]);
+  assert.equal(model.emptyCells(table).length, 9);
+});
+
+test("columns stand in the order of each convention's textbooks", () => {
+  assert.deepEqual(model.COLUMNS.modified, ["alpha", "a", "d", "theta"]);
+  assert.deepEqual(model.COLUMNS.standard, ["theta", "d", "a", "alpha"]);
+});
+
+test("a change of joint type moves a bare variable and keeps what was typed", () => {
+  let table = model.setCell(model.newTable("standard", 2), 1, "alpha", "90");
+  table = model.setJoint(table, 1, "prismatic");
+  assert.equal(table.rows[1].d, "d2");
+  assert.equal(table.rows[1].theta, "");
+  assert.equal(table.rows[1].alpha, "90");
+  table = model.setCell(table, 1, "d", "d2 + L1");
+  table = model.setJoint(table, 1, "revolute");
+  assert.equal(table.rows[1].d, "d2 + L1", "an expression is never thrown away");
+  assert.equal(table.rows[1].theta, "θ2");
+});
+
+test("moved and removed rows keep their own variable, under its new number", () => {
+  let table = model.newTable("modified", 3);
+  table = model.setCell(table, 2, "theta", "θ₃ - pi/2");
+  table = model.setCell(table, 0, "d", "d3");
+  table = model.moveRow(table, 2, 0);
+  assert.deepEqual(texts(table, "theta"), ["θ₁ - pi/2", "θ2", "θ3"]);
+  assert.equal(table.rows[1].d, "d3", "a parameter is not a variable");
+  table = model.removeRow(table, 0);
+  assert.deepEqual(texts(table, "theta"), ["θ1", "θ2"]);
+});
+
+test("a fixed row does not count as a joint", () => {
+  let table = model.setJoint(model.newTable("modified", 3), 1, "fixed");
+  assert.deepEqual(texts(table, "theta"), ["θ1", "", "θ2"]);
+  assert.deepEqual(model.jointNumbers(table.rows), [1, 2, 2]);
+  table = model.setJoint(table, 1, "prismatic");
+  assert.equal(table.rows[1].d, "d2");
+  assert.equal(table.rows[2].theta, "θ3");
+});
+
+test("a table numbered by row goes on being numbered by row", () => {
+  const rows = ["θ1", "0", "θ3"].map((theta, i) => ({
+    key: 900 + i, joint: i === 1 ? "fixed" : "revolute", alpha: "0", a: "0", d: "0", theta,
+  }));
+  const table = model.moveRow({ ...model.newTable("modified", 1), rows }, 1, 0);
+  assert.deepEqual(texts(table, "theta"), ["0", "θ2", "θ3"]);
+});
+
+test("the last row stays, and rows stay within the limit", () => {
+  const one = model.newTable("modified", 1);
+  assert.equal(model.removeRow(one, 0), one);
+  const full = model.newTable("modified", model.MOST_ROWS);
+  assert.equal(model.insertRow(full, 3), full);
+});
+
+test("a table survives the way to the API and back", () => {
+  const wire = model.toWire(model.setCell(model.newTable("standard", 2), 0, "a", "L1"));
+  assert.deepEqual(model.toWire(model.fromWire(wire)), wire);
+  assert.equal(model.fromWire({ convention: "modified", rows: [{ alpha: 0, a: 0, d: "q1", theta: 0 }] }).rows[0].joint, "prismatic");
+});
+
+test("plain angles are converted exactly, expressions are left alone", () => {
+  const cases = [["90", "rad", "pi/2"], ["-90", "rad", "-pi/2"], ["−45", "rad", "-pi/4"], ["0", "rad", "0"], ["120", "rad", "2*pi/3"],
+    ["θ1", "rad", "θ1"], ["pi/2", "deg", "90"], ["-π/2", "deg", "-90"], ["2*pi/3", "deg", "120"], ["q2 + pi/2", "deg", "q2 + pi/2"]];
+  for (const [text, unit, expected] of cases) assert.equal(model.convertedAngle(text, unit), expected);
+  assert.ok(Math.abs(Number(model.convertedAngle("10", "rad")) - Math.PI / 18) < 1e-11);
+});
+
+test("undo and redo step over runs of typing", () => {
+  const start = model.newTable("modified", 1);
+  const history = new model.History(start);
+  history.change(model.setCell(history.table, 0, "a", "L"), "0/a");
+  history.change(model.setCell(history.table, 0, "a", "L1"), "0/a");
+  history.change(model.setCell(history.table, 0, "d", "5"), "0/d");
+  assert.ok(history.undo());
+  assert.deepEqual([history.table.rows[0].a, history.table.rows[0].d], ["L1", ""]);
+  assert.ok(history.undo());
+  assert.equal(history.table, start);
+  assert.ok(!history.undo());
+  assert.ok(history.redo() && history.redo());
+  assert.equal(history.table.rows[0].d, "5");
+  assert.ok(!history.redo());
+});
