@@ -1,8 +1,8 @@
 """The cells of a DH table: what may stand in one, and what it means.
 
-A table is handed in as text and numbers (`RawTable`), read into exact entries (`read_table`) and given numbers
-(`bind_parameters`). No text ever reaches an interpreter of Python: the grammar is in `grammar`, its meaning in
-`meaning`, and docs/notation.md shows both.
+A table is handed in as text and numbers (`RawTable`), read into exact entries (`read_table`) and given
+numbers (`bind_parameters`). No text ever reaches an interpreter of Python: the grammar is in `grammar`, its
+meaning in `meaning`.
 """
 
 from kinematics.cells.binding import bind_parameters, in_length_unit

@@ -8,8 +8,8 @@ from fractions import Fraction
 from functools import lru_cache
 
 from kinematics.cells.refusals import fault
-from kinematics.cells.scanner import canonical_name
 from kinematics.cells.scaling import scaled_cell
+from kinematics.cells.scanner import canonical_name
 from kinematics.cells.tables import ReadTable
 from kinematics.cells.units import AngleUnit, LengthUnit, ParameterKind
 from kinematics.errors import Fault, ParameterError
@@ -39,8 +39,8 @@ def bind_parameters(read: ReadTable, parameters: Mapping[str, float]) -> Numeric
 def in_length_unit(read: ReadTable, unit: LengthUnit) -> ReadTable:
     """The same mechanism with its lengths, and its length parameters, in another unit; exact.
 
-    A cell that gives the length c(p) of length parameters p becomes c(p·s)/s, with s old units in a new one; a cell
-    that gives an angle becomes c(p·s).
+    With s old units in a new one and length parameters p, a cell that gives a length becomes c(p·s)/s and a
+    cell that gives an angle c(p·s).
     """
     ratio = unit.metres_per_unit / read.length_unit.metres_per_unit
     if ratio == 1:
@@ -97,9 +97,18 @@ def _fault(
         return fault("parameter_unused", "parameters", given, name=given)
     if name in spelled:
         return fault("parameter_given_twice", "parameters", given, name=given, other=spelled[name])
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+    if not _is_finite(value):
         return fault("parameter_not_finite", "parameters", given, name=given)
     return None
+
+
+def _is_finite(value: object) -> bool:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return False
+    try:
+        return math.isfinite(value)
+    except OverflowError:  # an integer beyond every double
+        return False
 
 
 def _in_radians(read: ReadTable, values: Mapping[str, float]) -> Iterator[tuple[str, float]]:

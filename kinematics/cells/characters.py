@@ -20,23 +20,26 @@ _TRANSLATED = {
     **dict.fromkeys("\u00d7\u00b7\u22c5\u2219\u2022\u2217\u22c6", "*"),
     **dict.fromkeys("\u00f7\u2215\u2044", "/"),
     **dict.fromkeys("\u00ba\u02da", "°"),
-    **{"\u03c2": "σ", "\u03d1": "θ", "\u03d5": "φ", "\u03f5": "ε", "\u03f1": "ρ", "\u03f0": "κ"},
-    **{"\u00b5": "μ", "\u2126": "Ω", "\u207b": "⁻", "\u208b": "₋"},
+    "\u03c2": "σ",
+    "\u03d1": "θ",
+    "\u03d5": "φ",
+    "\u03f5": "ε",
+    "\u03f1": "ρ",
+    "\u03f0": "κ",
+    "\u00b5": "μ",
+    "\u2126": "Ω",
+    "\u207b": "⁻",
+    "\u208b": "₋",
 }
 
+_GREEK_NAMES = (
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu "
+    "nu xi omicron pi rho sigma tau upsilon phi chi psi omega"
+)
 GREEK = dict(
     zip(
         "αβγδεζηθικλμνξοπρστυφχψωΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩ",
-        [
-            name
-            for names in (
-                "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau "
-                "upsilon phi chi psi omega".split(),
-                "Alpha Beta Gamma Delta Epsilon Zeta Eta Theta Iota Kappa Lambda Mu Nu Xi Omicron Pi Rho Sigma Tau "
-                "Upsilon Phi Chi Psi Omega".split(),
-            )
-            for name in names
-        ],
+        f"{_GREEK_NAMES} {_GREEK_NAMES.title()}".split(),
         strict=True,
     )
 )

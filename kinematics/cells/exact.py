@@ -63,7 +63,7 @@ def reciprocal(value: Expression) -> Expression:
 
 
 def raised(base: Expression, exponent: Fraction) -> Expression:
-    """base ** exponent; halves become square roots, sqrt(n) ** 2 becomes n.
+    """Base ** exponent; halves become square roots, sqrt(n) ** 2 becomes n.
 
     Raises:
         ZeroDivisionError: zero to a negative power.
@@ -75,6 +75,12 @@ def raised(base: Expression, exponent: Fraction) -> Expression:
     if isinstance(base, Call) and base.function is Function.SQRT and exponent == 2:
         return base.arguments[0]
     return power(base, exponent)
+
+
+def absolute(value: Expression) -> Expression:
+    """The absolute value; folded for numbers and multiples of π."""
+    turns = pi_fraction(value)
+    return call(Function.ABS, value) if turns is None else pi_times(abs(turns))
 
 
 def trigonometric(function: Function, angle: Expression) -> Expression:
@@ -112,7 +118,7 @@ def inverse_trigonometric(function: Function, *arguments: Expression) -> Express
 
 
 def snapped(value: Fraction) -> Expression:
-    """An angle [rad] as a multiple of π/12 if it is one to the last digit of a double, else the number itself."""
+    """An angle [rad]: a multiple of π/12 if it is one to a double's last digit, else the number itself."""
     approximate = float(value)
     steps = round(approximate * 12 / math.pi)
     if 0 < abs(steps) <= _SNAP_STEPS and math.isclose(

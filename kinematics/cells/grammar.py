@@ -182,7 +182,7 @@ def parse(text: str, limits: Limits) -> Node:
     try:
         for token in tokens:
             parser.feed_token(token)
-        node: Any = parser.feed_eof(tokens[-1])
+        node: Any = parser.feed_token(Token.new_borrow_pos("$END", "", tokens[-1]))
     except UnexpectedToken as error:
         raise _refusal(error.token, tokens) from None
     assert isinstance(node, Node)

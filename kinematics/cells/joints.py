@@ -99,7 +99,8 @@ Place = tuple[int, str, Name]
 
 def _agreement(joints: Sequence[RowJoint], syntax: Sequence[Syntax]) -> tuple[int, list[Place]]:
     """How many rows hold their own variable, and the variables that are not their row's."""
-    named, foreign = 0, []
+    named = 0
+    foreign: list[Place] = []
     for i, (joint, cells) in enumerate(zip(joints, syntax, strict=True)):
         if joint.joint is JointType.FIXED:
             continue

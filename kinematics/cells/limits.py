@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -30,6 +32,17 @@ class Limits:
     digits: int = 32
     smallest: float = 1e-30
     largest: float = 1e15
+
+    def admits(self, value: Fraction) -> bool:
+        """Whether a number is of a size that is read."""
+        smallest, largest = _exact_range(self.smallest, self.largest)
+        return not value or smallest <= abs(value) <= largest
+
+
+@lru_cache(maxsize=64)
+def _exact_range(smallest: float, largest: float) -> tuple[Fraction, Fraction]:
+    # 1e-30 is meant, not the double nearest to it
+    return Fraction(repr(smallest)), Fraction(repr(largest))
 
 
 DEFAULT = Limits()

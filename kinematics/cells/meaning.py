@@ -1,9 +1,10 @@
 """What a cell means: from its syntax tree to an exact expression in radians.
 
-A cell stands in a *position*: an angle (theta, alpha, the argument of a sine), a length (d, a), or a ratio (the
-argument of atan2 or of a root). In a table in degrees an angle is made of angles (π, the half turn; values marked
-°; angle parameters; inverse functions) and of plain numbers, which are degrees: `pi/2 + 90` is a half turn. A
-number times an angle is an angle; a product of two angles is refused. In a table in radians π is a number.
+A cell stands in a *position*: an angle (theta, alpha, the argument of a sine), a length (d, a), or a ratio
+(the argument of atan2 or of a root). In a table in degrees an angle is made of angles (π, the half turn;
+values marked °; angle parameters; inverse functions) and of plain numbers, which are degrees: `pi/2 + 90` is
+a half turn. A number times an angle is an angle; a product of two angles is refused. In a table in radians π
+is a number.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from fractions import Fraction
 
-from kinematics.cells.exact import inverse_trigonometric, raised, reciprocal, snapped, trigonometric
+from kinematics.cells.exact import absolute, inverse_trigonometric, raised, reciprocal, snapped, trigonometric
 from kinematics.cells.limits import Limits
 from kinematics.cells.refusals import Refusal
 from kinematics.cells.syntax import (
@@ -233,7 +234,7 @@ class _Interpreter:
     ) -> _Value:
         if function is Function.ABS:
             inner = self.value(arguments[0], position)
-            return _Value(call(function, inner.expression), inner.is_angle)
+            return _Value(absolute(inner.expression), inner.is_angle)
         if function in _TRIGONOMETRIC:
             angle = self.angle(self.value(arguments[0], Position.ANGLE))
             try:
@@ -257,8 +258,7 @@ def _from_degrees(expression: Expression) -> Expression:
 
 
 def _refuse_size(value: Fraction, node: Node, limits: Limits) -> None:
-    size = abs(value)
-    if size and not limits.smallest <= size <= limits.largest:
+    if not limits.admits(value):
         raise Refusal(
             "number_out_of_range", column=node.column, smallest=limits.smallest, largest=limits.largest
         )

@@ -20,15 +20,13 @@ from kinematics.cells.syntax import Node
 from kinematics.cells.tables import Cell, NoCell, RawRow, RawTable, ReadTable, as_cell
 from kinematics.cells.units import AngleUnit, ParameterKind
 from kinematics.cells.variables import Use, refuse_numberless, uses, variable_index
-from kinematics.errors import CellError, Fault, TableError
+from kinematics.errors import CellError, Fault, ParamValue, TableError
 from kinematics.expressions import ZERO, Expression, JointVariable, Number, pi_times
 from kinematics.table import CELLS, DHRow, DHTable, JointType, SymbolicRow
 
 POSITIONS = {"alpha": Position.ANGLE, "a": Position.LENGTH, "d": Position.LENGTH, "theta": Position.ANGLE}
 
-_PLAIN_NUMBER = re.compile(
-    r"\s*([+-]?(?:[0-9]{1,20}(?:\.[0-9]{0,20})?|\.[0-9]{1,20})(?:[eE][+-]?[0-9]{1,2})?)\s*"
-)
+_PLAIN_NUMBER = re.compile(r"\s*([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,2})?)\s*", re.ASCII)
 
 
 def read_table(raw: RawTable, limits: Limits = DEFAULT) -> ReadTable:
@@ -104,7 +102,8 @@ def cell_syntax(cell: Cell | NoCell, limits: Limits) -> Node | Fraction:
     if isinstance(value, NoCell):
         raise Refusal("cell_not_a_value", kind=value.kind)
     if isinstance(value, str):
-        plain = _PLAIN_NUMBER.fullmatch(value) if len(value) <= limits.cell_characters else None
+        short = len(value) <= min(limits.digits, limits.cell_characters)
+        plain = _PLAIN_NUMBER.fullmatch(value) if short else None
         return _sized(Fraction(plain.group(1)), limits) if plain else parse(value, limits)
     if isinstance(value, float):
         if not math.isfinite(value):
@@ -114,7 +113,7 @@ def cell_syntax(cell: Cell | NoCell, limits: Limits) -> Node | Fraction:
 
 
 def _sized(value: Fraction, limits: Limits) -> Fraction:
-    if value and not limits.smallest <= abs(value) <= limits.largest:
+    if not limits.admits(value):
         raise Refusal("number_out_of_range", column=1, smallest=limits.smallest, largest=limits.largest)
     return value
 
@@ -223,7 +222,7 @@ class _TableReader:
         if not found:
             return 1
         first = found[0].name
-        place = {"column": first.column, "name": first.name}
+        place: dict[str, ParamValue] = {"column": first.column, "name": first.name}
         if cell in {"alpha", "a"}:
             raise Refusal("variable_in_constant_cell", cell=cell, **place)
         if joint.joint is JointType.FIXED:
@@ -254,7 +253,7 @@ class _TableReader:
 def _sign_of(found: list[Use], joint: RowJoint, cell: str) -> int:
     for use in found:
         if use.fault:
-            place = {"column": use.name.column, "name": use.name.name}
+            place: dict[str, ParamValue] = {"column": use.name.column, "name": use.name.name}
             factor = {"factor": str(abs(use.weight))} if use.fault == "variable_scaled" else {}
             raise Refusal(use.fault, **place, **factor)
     numbers = [joint.variable(use.name.name, cell) for use in found]

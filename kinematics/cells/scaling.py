@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from kinematics.cells.exact import inverse_trigonometric, raised, trigonometric
+from kinematics.cells.exact import absolute, inverse_trigonometric, raised, trigonometric
 from kinematics.cells.units import ParameterKind
 from kinematics.expressions import (
     Call,
@@ -102,4 +102,4 @@ def _called(function: Function, arguments: list[Expression]) -> Expression:
         return trigonometric(function, arguments[0])
     if function in {Function.ASIN, Function.ACOS, Function.ATAN, Function.ATAN2}:
         return inverse_trigonometric(function, *arguments)
-    return call(function, *arguments)
+    return absolute(arguments[0]) if function is Function.ABS else call(function, *arguments)

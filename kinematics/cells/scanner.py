@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from functools import lru_cache
+from itertools import pairwise
 
 from lark import Token
 
@@ -137,6 +138,8 @@ def _name(plain: str, start: int, limits: Limits) -> Scanned:
     word, digits, scripts = match.groups()
     _refuse_what_runs_on(plain, match.group(), start, match.end())
     word = GREEK.get(word, word)
+    if word.lower() == "pi" and (digits or scripts):
+        raise Refusal("names_run_together", column=start + 1, text=word)
     if not digits and not scripts:
         if word.lower() == "pi":
             return [_token("PI", "pi", start)], _past_empty_call(plain, match.end())
@@ -230,7 +233,7 @@ def _refuse_what_runs_on(plain: str, text: str, start: int, end: int, *, after_d
     if (
         following.isascii()
         and following.isalnum()
-        and (after_digits and text[-1] not in GREEK or following.isdigit())
+        and ((after_digits and text[-1] not in GREEK) or following.isdigit())
     ):
         raise Refusal("names_run_together", column=start + 1, text=text)
 
@@ -269,4 +272,4 @@ def _refuse_calls(tokens: list[Token]) -> None:
 
 
 def _pairs(tokens: list[Token]) -> Iterator[tuple[Token, Token]]:
-    return zip(tokens, tokens[1:], strict=False)
+    return pairwise(tokens)

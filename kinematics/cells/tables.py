@@ -41,7 +41,7 @@ class RawRow:
     theta: Cell
 
     def __post_init__(self) -> None:
-        # True equals 1, so a wrong type must be put aside before a table is looked up among those read before.
+        # True equals 1: a wrong type is put aside before the table is looked up among those read before.
         if _CELL_TYPES.issuperset(map(type, (self.alpha, self.a, self.d, self.theta))):
             return
         for name in ("alpha", "a", "d", "theta"):
@@ -53,9 +53,9 @@ def as_cell(value: object) -> Cell | NoCell:
     if type(value) in _CELL_TYPES:
         return value  # type: ignore[return-value]
     if isinstance(value, bool):
-        return NoCell("true or false")
+        return NoCell("true/false")
     if value is None:
-        return NoCell("nothing")
+        return NoCell("null")
     for kind in (float, str):
         if isinstance(value, kind):
             return kind(value)

@@ -1,7 +1,7 @@
 """Joint variables in cells: which name is one, and how it may enter.
 
-In a revolute row θ_i = ±q_i + offset, in a prismatic row d_i = ±q_i + offset. Anything else is not a DH table: were
-a variable scaled, squared or shared, the row would no longer be one elementary motion of one joint.
+In a revolute row θ_i = ±q_i + offset, in a prismatic row d_i = ±q_i + offset. Anything else is not a DH
+table: were a variable scaled, squared or shared, the row would no longer be one motion of one joint.
 """
 
 from __future__ import annotations
@@ -121,11 +121,11 @@ def _rational(node: Node) -> Fraction | None:
         case Group(operand=operand):
             return _rational(operand)
         case Negation(operand=operand):
-            value = _rational(operand)
-            return None if value is None else -value
+            negated = _rational(operand)
+            return None if negated is None else -negated
         case Reciprocal(operand=operand):
-            value = _rational(operand)
-            return 1 / value if value else None
+            divisor = _rational(operand)
+            return 1 / divisor if divisor else None
         case Multiplication(factors=factors):
             return _constant(factors)
     return None

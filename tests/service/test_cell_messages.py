@@ -1,0 +1,50 @@
+"""Every refusal of a cell has its sentence in every language, with every value in place."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinematics.cells.refusals import MESSAGES
+from service.messages import LOCALES, languages, sentence
+
+PARAMS = {
+    "column": 3,
+    "limit": 5,
+    "length": 7,
+    "kind": "angle",
+    "other": "length",
+    "character": "U+200B",
+    "latin": "a",
+    "command": "foo",
+    "text": "L1",
+    "smallest": 1e-30,
+    "largest": 1e15,
+    "suggestion": "0.5",
+    "name": "q1",
+    "functions": ("sin", "cos"),
+    "expected": 2,
+    "given": 3,
+    "symbol": "+",
+    "factor": "2",
+    "cell": "alpha",
+    "joint": "prismatic",
+    "joints": 4,
+    "rows": 65,
+}
+
+
+@pytest.mark.parametrize("language", ["en", "ro", "pt", "fr", "uk", "es"])
+@pytest.mark.parametrize("code", sorted(MESSAGES))
+def test_every_code_has_a_sentence(code, language, caplog):
+    assert language in languages()
+    english = MESSAGES[code]
+    params = {name: value for name, value in PARAMS.items() if "{" + name in english}
+    text = sentence(language, f"error-{code}", params)
+    assert text
+    assert not caplog.records  # a parameter that the message lacks, or one that it does not know
+    source = (LOCALES / language / "cells.ftl").read_text(encoding="utf-8")
+    assert f"error-{code} =" in source
+    for name, value in params.items():
+        if name not in {"kind", "other", "joint", "expected", "functions"}:
+            shown = format(value, ".10g") if isinstance(value, float) else str(value)
+            assert shown in text, name
