@@ -1,10 +1,38 @@
 """Closed forms of DH tables: matrices as a lecturer writes them, and exact decisions about them.
 
-`identity` proves that two tables are the same robot; `canonical` gives every function one normal form;
-`closed_form`, `differential` write matrices to be read. All work on the expression trees of
+`closed_form` and `differential` write matrices to be read; `canonical` gives every function one normal form;
+`identity` proves that two tables are the same robot. All work on the expression trees of
 `kinematics.expressions`; no computer algebra system is involved.
 """
 
-from kinematics.symbolic.identity import Proof, Verdict, prove_identity
+from kinematics.symbolic.canonical import (
+    Canonical,
+    CanonicalMatrix,
+    canonical,
+    canonical_transform,
+    compare,
+    same_function,
+)
+from kinematics.symbolic.closed_form import ClosedForm, Matrix, closed_form
+from kinematics.symbolic.differential import inverse, jacobian
+from kinematics.symbolic.identity import Proof, prove_identity
+from kinematics.symbolic.size import count_operations
+from kinematics.symbolic.verdict import Verdict
 
-__all__ = ["Proof", "Verdict", "prove_identity"]
+__all__ = [
+    "Canonical",
+    "CanonicalMatrix",
+    "ClosedForm",
+    "Matrix",
+    "Proof",
+    "Verdict",
+    "canonical",
+    "canonical_transform",
+    "closed_form",
+    "compare",
+    "count_operations",
+    "inverse",
+    "jacobian",
+    "prove_identity",
+    "same_function",
+]

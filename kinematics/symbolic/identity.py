@@ -4,30 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 from itertools import chain
 
 from kinematics.errors import FormSizeError
 from kinematics.expressions import Expression, multiply, number
-from kinematics.symbolic.motions import Kind, Motion, motions_of
+from kinematics.symbolic.motions import Motion, motions_of
+from kinematics.symbolic.poses import ExactPose, read_matrix
 from kinematics.symbolic.reading import Reader
-from kinematics.symbolic.ring import ONE_FORM, ZERO_FORM, Form
+from kinematics.symbolic.verdict import Verdict
 from kinematics.table import SymbolicTable
-
-_IDENTITY = tuple(tuple(ONE_FORM if i == j else ZERO_FORM for j in range(4)) for i in range(3))
-
-
-class Verdict(StrEnum):
-    """What is known of an identity.
-
-    PROVED: it holds for all joint and parameter values. REFUTED: it does not. UNDECIDED: it was not proved,
-    and the entries hold what has no unique normal form (a square root of lengths, an arctangent), or their
-    expansion is too large.
-    """
-
-    PROVED = "proved"
-    REFUTED = "refuted"
-    UNDECIDED = "undecided"
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -97,7 +82,7 @@ def _first_failure(
     tool: Sequence[Sequence[Expression]] | None,
 ) -> int | None:
     """The first joint at which the identity fails, 0 for the end frames, None if it holds."""
-    X = _Pose(reader, _read(reader, base))
+    X = ExactPose(reader, read_matrix(reader, base))
     expected, given = _by_joint(reference), _by_joint(submission)
     for index, (ours, theirs) in enumerate(zip(expected, given, strict=True)):
         for motion in ours:
@@ -113,7 +98,8 @@ def _first_failure(
         if mine.kind is not other.kind or not X.carries(mine.kind, sign):
             return index + 1
         X.undo(Motion(other.kind, multiply((number(other.sign), offsets[index]))))
-    return None if X.ends_with(_read(reader, tool)) else 0
+        X.tidy()
+    return None if X.ends_with(read_matrix(reader, tool)) else 0
 
 
 def _by_joint(table: SymbolicTable) -> list[list[Motion]]:
@@ -124,74 +110,3 @@ def _by_joint(table: SymbolicTable) -> list[list[Motion]]:
         if motion.joint:
             parts.append([])
     return parts
-
-
-def _read(reader: Reader, matrix: Sequence[Sequence[Expression]] | None) -> list[list[Form]]:
-    if matrix is None:
-        return [list(row) for row in _IDENTITY]
-    return [[reader.form(entry) for entry in row] for row in matrix[:3]]
-
-
-@dataclass(slots=True)
-class _Pose:
-    """X: the reference's moving frame seen from the submission's, as the chains are followed."""
-
-    reader: Reader
-    m: list[list[Form]]
-
-    def then(self, motion: Motion) -> None:
-        """X ← X · motion."""
-        ring = self.reader.ring
-        if motion.kind in (Kind.SLIDE_X, Kind.SLIDE_Z):
-            amount = self.reader.form(motion.amount)
-            for row in self.m:
-                along = row[0 if motion.kind is Kind.SLIDE_X else 2]
-                row[3] = ring.add(row[3], ring.multiply(amount, along))
-            return
-        i, j = (0, 1) if motion.kind is Kind.ROTATE_Z else (1, 2)
-        circle = self.reader.cosine_and_sine(motion.amount)
-        for row in self.m:
-            row[i], row[j] = self._mixed(circle, row[i], row[j])
-
-    def undo(self, motion: Motion) -> None:
-        """X ← motion^(-1) · X."""
-        ring = self.reader.ring
-        if motion.kind in (Kind.SLIDE_X, Kind.SLIDE_Z):
-            row = self.m[0 if motion.kind is Kind.SLIDE_X else 2]
-            row[3] = ring.add(row[3], self.reader.form(motion.amount), -1)
-            return
-        i, j = (0, 1) if motion.kind is Kind.ROTATE_Z else (1, 2)
-        circle = self.reader.cosine_and_sine(motion.amount)
-        upper, lower = self.m[i], self.m[j]
-        for k in range(4):
-            upper[k], lower[k] = self._mixed(circle, upper[k], lower[k])
-
-    def carries(self, kind: Kind, sign: int) -> bool:
-        """Whether X takes the joint's axis, or its direction if it slides, onto sign times the z-axis."""
-        m, ring = self.m, self.reader.ring
-        vanishing = [m[0][2], m[1][2]]
-        if kind is Kind.ROTATE_Z:
-            vanishing += [m[2][0], m[2][1], m[0][3], m[1][3]]
-            vanishing += [ring.add(m[0][0], m[1][1], -sign), ring.add(m[0][1], m[1][0], sign)]
-        else:
-            vanishing.append(ring.add(m[2][2], ring.rational(sign), -1))
-        return all(map(self.reader.vanishes, vanishing))
-
-    def ends_with(self, tool: list[list[Form]]) -> bool:
-        """Whether X · tool is the identity."""
-        ring = self.reader.ring
-        for i, row in enumerate(self.m):
-            for j in range(4):
-                entry = row[3] if j == 3 else ZERO_FORM
-                for k in range(3):
-                    entry = ring.add(entry, ring.multiply(row[k], tool[k][j]))
-                if not self.reader.vanishes(ring.add(entry, _IDENTITY[i][j], -1)):
-                    return False
-        return True
-
-    def _mixed(self, circle: tuple[Form, Form], u: Form, v: Form) -> tuple[Form, Form]:
-        ring, (c, s) = self.reader.ring, circle
-        return (
-            ring.add(ring.multiply(c, u), ring.multiply(s, v)),
-            ring.add(ring.multiply(c, v), ring.multiply(s, u), -1),
-        )

@@ -1,22 +1,15 @@
-"""A DH table as a product of elementary motions about and along x and z."""
+"""A DH table as a product of elementary motions about and along x and z, with exact amounts."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
-from enum import StrEnum
 
 from kinematics.expressions import ZERO, Expression
+from kinematics.links import MOTIONS, Kind
 from kinematics.table import Convention, JointType, SymbolicRow, SymbolicTable
 
-
-class Kind(StrEnum):
-    """Rotation about, or translation along, an axis of the moving frame."""
-
-    ROTATE_Z = "Rz"
-    SLIDE_Z = "Tz"
-    ROTATE_X = "Rx"
-    SLIDE_X = "Tx"
+_KINDS = {"theta": Kind.TURN_Z, "d": Kind.SHIFT_Z, "a": Kind.SHIFT_X, "alpha": Kind.TURN_X}
+_VARIABLE = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d", JointType.FIXED: ""}
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,37 +30,21 @@ class Motion:
 
 
 def motions_of(table: SymbolicTable) -> list[list[Motion]]:
-    """The factors of each row, in the order of the product; those that do nothing are left out.
-
-    standard:  Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)
-    modified:  Rot_x(alpha) Trans_x(a) Rot_z(theta) Trans_z(d)
-
-    Source: seed 000 eq. 3.2 (modified); seed 003 eq. 2 (standard).
-    """
+    """The factors of each row, base side first; constant ones that do not move are left out."""
     joint = 0
     rows = []
     for row in table.rows:
         joint += row.joint is not JointType.FIXED
-        rows.append(list(_row_motions(row, table.convention, joint)))
+        rows.append(_row_motions(row, table.convention, joint))
     return rows
 
 
-def _row_motions(row: SymbolicRow, convention: Convention, joint: int) -> Iterator[Motion]:
-    about_z = (
-        *_constant(Kind.ROTATE_Z, row.theta),
-        *((Motion(Kind.ROTATE_Z, joint=joint, sign=row.sign),) if row.joint is JointType.REVOLUTE else ()),
-        *((Motion(Kind.SLIDE_Z, joint=joint, sign=row.sign),) if row.joint is JointType.PRISMATIC else ()),
-        *_constant(Kind.SLIDE_Z, row.d),
-    )
-    if convention is Convention.STANDARD:
-        yield from about_z
-        yield from _constant(Kind.SLIDE_X, row.a)
-        yield from _constant(Kind.ROTATE_X, row.alpha)
-    else:
-        yield from _constant(Kind.ROTATE_X, row.alpha)
-        yield from _constant(Kind.SLIDE_X, row.a)
-        yield from about_z
-
-
-def _constant(kind: Kind, amount: Expression) -> tuple[Motion, ...]:
-    return () if amount == ZERO else (Motion(kind, amount),)
+def _row_motions(row: SymbolicRow, convention: Convention, joint: int) -> list[Motion]:
+    motions = []
+    for cell in MOTIONS[convention]:
+        amount = getattr(row, cell)
+        if amount != ZERO:
+            motions.append(Motion(_KINDS[cell], amount))
+        if cell == _VARIABLE[row.joint]:
+            motions.append(Motion(_KINDS[cell], joint=joint, sign=row.sign))
+    return motions

@@ -72,18 +72,34 @@ class Reader:
             known = self._circle[angle] = self._cosine_and_sine(self.form(angle))
         return known
 
+    def half_turns(self, angle: Expression) -> Fraction | None:
+        """The r of an angle r·π, such as that of atan2(1, 1); None of any other angle."""
+        try:
+            terms = self.ring.terms(self.form(angle))
+        except ZeroDivisionError:
+            return None
+        if not terms:
+            return Fraction(0)
+        return terms[_PI_MONOMIAL] if terms.keys() == {_PI_MONOMIAL} else None
+
     def vanishes(self, form: Form) -> bool:
         """Whether a form is zero; a doubtful no is noted in `decisive`."""
         if self.ring.is_zero(form):
             return True
-        if not self.ring.complete or (self._constant_exponentials and self._holds_pi(form)):
+        if not self.is_exact(form):
             self.decisive = False
         return False
 
-    def _holds_pi(self, form: Form) -> bool:
-        """Whether π occurs; that it is independent of e^i is known from Schanuel's conjecture only."""
-        symbols = (symbol for monomial in self.ring.terms(form) for symbol, _ in monomial.exponents)
-        return any(symbol == PI_SYMBOL for symbol in symbols)
+    def is_exact(self, form: Form) -> bool:
+        """Whether forms that differ from this one are certainly other functions.
+
+        That π and e^i are independent is known from Schanuel's conjecture only: they may not stand together.
+        """
+        if self._constant_exponentials:
+            symbols = (symbol for monomial in self.ring.terms(form) for symbol, _ in monomial.exponents)
+            if any(symbol == PI_SYMBOL for symbol in symbols):
+                return False
+        return self.ring.complete
 
     def _cosine_and_sine(self, angle: Form) -> tuple[Form, Form]:
         ring, half = self.ring, Fraction(1, 2)

@@ -1,0 +1,152 @@
+"""One normal form for every function, and equality of functions as equality of normal forms."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import chain
+from typing import TypeAlias, cast
+
+from kinematics.expressions import (
+    Expression,
+    Function,
+    JointVariable,
+    Number,
+    add,
+    call,
+    multiply,
+    number,
+    pi_times,
+    power,
+)
+from kinematics.symbolic.angles import angle_of, cosine_and_sine
+from kinematics.symbolic.motions import Motion, motions_of
+from kinematics.symbolic.poses import ExactPose, read_matrix
+from kinematics.symbolic.reading import Reader
+from kinematics.symbolic.ring import Form, Monomial, Ring, Symbol
+from kinematics.symbolic.verdict import Verdict
+from kinematics.table import SymbolicTable
+
+LIMIT = 2_000_000
+"""Products of terms that may be formed for one canonical form."""
+
+Term: TypeAlias = tuple[Monomial, Fraction]
+
+
+@dataclass(frozen=True, slots=True)
+class Canonical:
+    """The normal form of a function of joint variables and parameters.
+
+    Two functions with equal forms are equal. If `exact` holds for both, the converse is true as well.
+
+    Attributes:
+        terms: monomials ζ·(lengths)·e^(i·angle) in the basis, each with its rational coefficient.
+        exact: whether nothing in it had to be left as it was (a root of lengths, an arctangent of them, a
+            quotient by a sum); docs/symbolic.md has the list.
+    """
+
+    terms: frozenset[Term]
+    exact: bool
+
+    def expression(self) -> Expression:
+        """The form as an expression: a sum of cosines of sums of angles, for the function is real."""
+        return _real_sum(self.terms)
+
+
+CanonicalMatrix: TypeAlias = tuple[tuple[Canonical, ...], ...]
+
+
+def canonical(expression: Expression, *, limit: int = LIMIT) -> Canonical:
+    """The normal form of an expression.
+
+    Raises:
+        FormSizeError: the expansion needs more products of terms than `limit`.
+        ZeroDivisionError: the expression divides by zero.
+    """
+    reader = Reader(Ring(limit=limit))
+    return _export(reader, reader.form(expression))
+
+
+def canonical_transform(
+    table: SymbolicTable,
+    *,
+    base: Sequence[Sequence[Expression]] | None = None,
+    tool: Sequence[Sequence[Expression]] | None = None,
+    limit: int = LIMIT,
+) -> CanonicalMatrix:
+    """The normal forms of the upper three rows of base · A_1 ⋯ A_N · tool.
+
+    Raises:
+        FormSizeError: the expansion needs more products of terms than `limit`: it doubles with each general
+            twist.
+    """
+    reader = Reader(Ring(limit=limit))
+    pose = ExactPose(reader, read_matrix(reader, base))
+    for motion in chain.from_iterable(motions_of(table)):
+        if motion.joint:
+            amount = multiply((number(motion.sign), JointVariable(motion.joint)))
+            motion = Motion(motion.kind, amount)
+        pose.then(motion)
+        pose.tidy()
+    if tool is not None:
+        pose.multiply(read_matrix(reader, tool))
+    return tuple(tuple(_export(reader, entry) for entry in row) for row in pose.m)
+
+
+def compare(a: Expression, b: Expression, *, limit: int = LIMIT) -> Verdict:
+    """Whether two expressions are the same function of joint variables and parameters, where both exist.
+
+    Raises:
+        FormSizeError: the expansion needs more products of terms than `limit`.
+        ZeroDivisionError: an expression divides by zero.
+    """
+    reader = Reader(Ring(limit=limit))
+    if reader.vanishes(reader.ring.add(reader.form(a), reader.form(b), -1)):
+        return Verdict.PROVED
+    return Verdict.REFUTED if reader.decisive else Verdict.UNDECIDED
+
+
+def same_function(a: Expression, b: Expression, *, limit: int = LIMIT) -> bool:
+    """Whether two expressions were proved to be the same function; see `compare` for the third answer."""
+    return compare(a, b, limit=limit) is Verdict.PROVED
+
+
+def _export(reader: Reader, form: Form) -> Canonical:
+    return Canonical(frozenset(reader.ring.terms(form).items()), reader.is_exact(form))
+
+
+def _real_sum(terms: frozenset[Term]) -> Expression:
+    parts = [multiply((Number(weight), _real_part(monomial))) for monomial, weight in terms]
+    return add(sorted(parts, key=repr))
+
+
+def _real_part(monomial: Monomial) -> Expression:
+    """Re(ζ · e^(i·angle)) · (powers) as an expression."""
+    angle = [pi_times(2 * monomial.turn)]
+    factors = []
+    for symbol, exponent in monomial.exponents:
+        if symbol.kind == "exponential":
+            assert isinstance(symbol.of, Monomial)
+            angle.append(multiply((Number(exponent), _real_part(symbol.of))))
+        else:
+            factors.append(power(_symbol(symbol), exponent))
+    cosine, _ = cosine_and_sine(angle_of(add(sorted(angle, key=repr))))
+    return multiply((*sorted(factors, key=repr), cosine))
+
+
+def _symbol(symbol: Symbol) -> Expression:
+    """A parameter, π, the root of a prime, or something opaque, named by its function and arguments."""
+    if symbol.kind == "radical":
+        assert isinstance(symbol.of, int)
+        return call(Function.SQRT, number(symbol.of))
+    if not isinstance(symbol.of, tuple):
+        return cast(Expression, symbol.of)
+    name, detail, *arguments = symbol.of
+    values = [_real_sum(argument) for argument in arguments]
+    match name:
+        case "root":
+            return power(values[0], Fraction(1, detail[0]))
+        case "divisor":
+            return values[0]
+    return call(Function(name), *values)

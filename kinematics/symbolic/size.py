@@ -1,0 +1,73 @@
+"""How large an expression is, and its nodes in an order in which they can be worked through."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from kinematics.expressions import Call, Expression, Number, Power, Product, Sum
+
+
+def bottom_up(*expressions: Expression) -> list[Expression]:
+    """Every node, each object once, children before parents; however deep the trees are."""
+    order: list[Expression] = []
+    seen: set[int] = set()
+    stack: list[tuple[Expression, bool]] = [(root, False) for root in reversed(expressions)]
+    while stack:
+        node, ready = stack.pop()
+        if ready:
+            order.append(node)
+        elif id(node) not in seen:
+            seen.add(id(node))
+            stack.append((node, True))
+            stack.extend((child, False) for child in reversed(children(node)) if id(child) not in seen)
+    return order
+
+
+def children(node: Expression) -> tuple[Expression, ...]:
+    """The nodes directly below a node."""
+    match node:
+        case Sum(parts) | Product(parts) | Call(_, parts):
+            return parts
+        case Power(base, _):
+            return (base,)
+    return ()
+
+
+def count_operations(expressions: Iterable[Expression]) -> int:
+    """Additions, subtractions, signs, multiplications, divisions, powers and function calls, as written.
+
+    Counted as SymPy's `count_ops` does. What occurs several times counts each time but is visited once, so
+    the count is cheap however large the written form would be.
+    """
+    roots = tuple(expressions)
+    known: dict[int, int] = {}
+    for node in bottom_up(*roots):
+        known[id(node)] = _operations(node, known)
+    return sum(known[id(root)] for root in roots)
+
+
+def _operations(node: Expression, known: dict[int, int]) -> int:
+    match node:
+        case Number(value):
+            return (value < 0) + (value.denominator != 1)
+        case Sum(terms):
+            negative = sum(map(is_negative, terms))
+            inner = sum(known[id(term)] for term in terms) - negative
+            return inner + len(terms) - 1 + (negative == len(terms))
+        case Product(factors):
+            written, total = len(factors), sum(known[id(factor)] for factor in factors)
+            if isinstance(factors[0], Number):
+                written -= abs(factors[0].value.numerator) == 1
+            return total + written - 1
+        case Power(base, exponent):
+            return known[id(base)] + (exponent != -1) + (exponent < 0)
+        case Call(_, arguments):
+            return 1 + sum(known[id(argument)] for argument in arguments)
+    return 0
+
+
+def is_negative(term: Expression) -> bool:
+    """Whether a term is written with a minus sign."""
+    if isinstance(term, Product):
+        term = term.factors[0]
+    return isinstance(term, Number) and term.value < 0
