@@ -3,10 +3,8 @@
 import math
 
 import numpy as np
-import pytest
 
 from kinematics.cells import AngleUnit, RawRow, RawTable, read_table
-from kinematics.errors import KinematicsError
 from kinematics.links import link_transform
 from kinematics.scm import RawChain, read_chain, verify
 from kinematics.scm.motion import forward_kinematics_scm
@@ -57,9 +55,12 @@ def test_document_002_variable_of_the_slider():
             angle_unit=AngleUnit.DEG,
         )
 
-    with pytest.raises(KinematicsError):
-        read_table(scara("d2"))
-    assert read_table(scara("d3")).table.joint_types[2] is JointType.PRISMATIC
+    printed = read_table(scara("d2"))
+    assert printed.table.joint_types == (JointType.REVOLUTE,) * 3
+    assert "d2" in printed.parameters
+    corrected = read_table(scara("d3"))
+    assert corrected.table.joint_types[2] is JointType.PRISMATIC
+    assert set(corrected.parameters) == {"a2", "a3"}
 
 
 def test_document_003_link_matrices():
