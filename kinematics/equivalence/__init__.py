@@ -1,5 +1,11 @@
-"""When are two DH tables the same robot? The decision, with a certificate or the first mismatch."""
+"""When are two DH tables the same robot? The decision, with a certificate or what does not fit.
 
+`policy` says what is asked, `decision` decides it, `proof` turns a verified certificate into a proved one.
+The theory stands in docs/checker.md; `chains`, `groups`, `plan`, `alignment`, `search`, `certificates`,
+`verification` and `refinement` are its steps, `diagnosis` what follows when a step fails.
+"""
+
+from kinematics.equivalence.decision import decide, decide_draws, mirrored
 from kinematics.equivalence.policy import (
     BaseRule,
     ConventionRule,
@@ -9,5 +15,24 @@ from kinematics.equivalence.policy import (
     ToolRule,
     ZeroRule,
 )
+from kinematics.equivalence.proof import ExactCertificate, prove
+from kinematics.equivalence.results import Certificate, Decision, Kind, Mismatch
 
-__all__ = ["BaseRule", "ConventionRule", "DirectionRule", "Policy", "Tolerance", "ToolRule", "ZeroRule"]
+__all__ = [
+    "BaseRule",
+    "Certificate",
+    "ConventionRule",
+    "Decision",
+    "DirectionRule",
+    "ExactCertificate",
+    "Kind",
+    "Mismatch",
+    "Policy",
+    "Tolerance",
+    "ToolRule",
+    "ZeroRule",
+    "decide",
+    "decide_draws",
+    "mirrored",
+    "prove",
+]
