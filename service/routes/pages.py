@@ -14,13 +14,26 @@ router = APIRouter(include_in_schema=False)
 
 YEAR = 365 * 24 * 3600
 
-HOME = Page(name="home", title="form-home-title")
+HOME = Page(name="home", title="form-home-title", styles=("exercise",))
+EXERCISE = Page(
+    name="exercise",
+    title="form-exercise-title",
+    depth=1,
+    styles=("scene", "editor", "exercise"),
+    preload=("js/page.js", "js/dom.js", "js/i18n.js", "js/editor/dh-table-editor.js", "js/scene/robot-scene.js"),
+)
 
 
 @router.get("/")
 async def home(request: Request) -> Response:
     """The list of exercises."""
     return page_response(request, HOME)
+
+
+@router.get("/exercises/{exercise}")
+async def exercise_page(request: Request, exercise: str) -> Response:
+    """The page of an exercise."""
+    return page_response(request, EXERCISE, {"id": exercise, "title": exercise, "statement": "", "query": ""})
 
 
 @router.get("/static/{version}/{name:path}")

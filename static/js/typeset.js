@@ -1,6 +1,6 @@
 /** Formulas: LaTeX from the API through KaTeX (loaded when first needed), numbers as plain MathML. */
 
-import { math } from "./dom.js";
+import { el, math } from "./dom.js";
 import { loadStyle } from "./page.js";
 import { shown } from "./numbers.js";
 
@@ -32,7 +32,8 @@ export async function typeset(element, latex, { display = false } = {}) {
 }
 
 /**
- * A matrix of numbers as MathML, and a way to change its numbers.
+ * A matrix of numbers as MathML, and a way to change its numbers. Its brackets are drawn by the style sheet,
+ * because few systems have a font whose brackets stretch.
  * @param {number[][]} values
  */
 export function numericMatrix(values) {
@@ -42,11 +43,7 @@ export function numericMatrix(values) {
     {},
     cells.map((row) => math("mtr", {}, row.map((cell) => math("mtd", {}, cell)))),
   );
-  const element = math(
-    "math",
-    { display: "block" },
-    math("mrow", {}, math("mo", { stretchy: "true" }, "["), table, math("mo", { stretchy: "true" }, "]")),
-  );
+  const element = el("span", { class: "bracketed" }, math("math", { display: "block" }, table));
   return {
     element,
     /** @param {number[][]} next */

@@ -119,3 +119,108 @@ form-copy = Copy as
 form-copy-group = Copy: { $what }
 form-copied = Copied as { $format }
 form-copy-failed = The browser does not allow copying
+
+form-exercise-title = Exercise
+form-exercise-task = Task
+form-exercise-robot = The robot
+form-exercise-description = Description in words
+form-exercise-answer = Your answer
+form-exercise-givens = Given
+form-figure-mode = Show the robot
+form-figure-drawing = Drawing
+form-figure-space = 3-D
+form-figure-alt = Drawing of the robot: { $title }. A description in words follows.
+form-figure-label = { $title } in space
+form-choose = Choose …
+form-points = { $points } of { $total } points
+form-row = Row { $row }
+form-row-heading = Row
+form-submit = Check my answer
+form-submitting = Checking …
+form-submit-hint = Ctrl+Enter does the same.
+
+form-part-table = DH table
+form-part-schematic = Structure
+form-part-schematic-hint = The type of each joint, and how each axis lies to the next.
+form-part-link-matrices = Link matrices
+form-part-link-matrices-hint = The matrix of each row of your table. You may write c1, s23 and the like. Leave a matrix empty to skip it.
+form-part-transform = Pose of the last frame, in symbols
+form-part-transform-hint = Judged by its value, so any equivalent form counts; it may also follow from your own table.
+form-part-pose = Pose of the last frame, in numbers
+form-part-pose-hint = At { $joints }.
+form-part-workspace = Workspace
+form-part-workspace-hint = How far the marked point can come, at the least and at the most.
+form-part-wrong = To look at again:
+form-radius-inner = Inner radius
+form-radius-outer = Outer radius
+form-matrix-cell = { $name }, row { $row }, column { $column }
+form-schematic-joint = Joint { $joint }
+form-schematic-relation = Axis { $joint } to axis { $next }
+form-relation-coincident = coincident
+form-relation-parallel = parallel
+form-relation-intersecting-perpendicular = intersecting, perpendicular
+form-relation-intersecting-oblique = intersecting, oblique
+form-relation-skew-perpendicular = skew, perpendicular
+form-relation-skew-oblique = skew, oblique
+
+form-own-heading = Your robot
+form-own-scene = Your robot, as your table describes it
+form-own-empty = Your robot appears here as soon as every row can be read.
+form-own-missing =
+    { $count ->
+        [one] One cell is still empty.
+       *[other] { $count } cells are still empty.
+    }
+form-own-unread =
+    { $count ->
+        [one] One cell cannot be read yet; the picture shows the last table that could.
+       *[other] { $count } cells cannot be read yet; the picture shows the last table that could.
+    }
+form-own-values = To draw your robot, give a value to: { $names }.
+form-own-shown =
+    { $joints ->
+        [one] Drawn from your table: one joint.
+       *[other] Drawn from your table: { $joints } joints.
+    }
+form-own-description = The frames of your table with their axes x, y and z. Joints: { $joints }.
+form-own-parameters = Values for drawing
+form-joints = Joints
+form-matrices = Matrices
+
+form-verdict-heading = Verdict
+form-verdict-correct = Your table describes this robot.
+form-verdict-wrong = Your table describes another robot.
+form-verdict-outdated = You have changed your answer since.
+form-basis-proved = Proved: the identity holds for all joint values.
+form-basis-verified = Verified on many configurations.
+form-basis-refuted = No choice of frames makes it the same mechanism.
+form-score = { $score } %
+form-links-caption = What is right in each row
+form-fact-twist = Twist α
+form-fact-length = Length a
+form-fact-offset = Offset
+form-fact-joint = Joint type
+form-finding-ok = right
+form-finding-wrong = wrong
+form-finding-missing = missing
+form-finding-unknown = open
+form-finding-hidden = –
+form-repairs =
+    { $count ->
+        [one] What would make it right
+       *[other] What would make it right
+    }
+form-repair-or = or
+form-both-label = The exercise's robot and yours, moving together
+form-both-text = Both robots move together: yours with your frames, the exercise's in grey and orange.
+form-both-description = Your frames lie on the exercise's robot, and both follow the same motion.
+form-both-position = Point of the motion
+form-play = Play
+form-pause = Pause
+
+form-history-heading = Your attempts
+form-history-restore = Take back into the form
+form-history-restore-label = Take attempt { $number } back into the form
+form-history-restored = The attempt is in the form again
+form-history-kept = Kept in this browser only.
+form-history-clear = Forget all

@@ -11,8 +11,9 @@
 import { announce, el, fill, iconButton, svg, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { whenIdle } from "../page.js";
-import { fitted, orbited, panned, project, VIEWS, zoomed } from "./camera.js";
-import { bounds, emptyModel, poses, position } from "./model.js";
+import { fitted, orbited, panned, VIEWS, zoomed } from "./camera.js";
+import { labelElement, placeLabels } from "./labels.js";
+import { bounds, emptyModel, poses } from "./model.js";
 import { pickAt } from "./picking.js";
 import { SvgRenderer } from "./svg-renderer.js";
 
@@ -263,10 +264,7 @@ export class RobotScene extends HTMLElement {
       }
       const found = poses(this.#model, this.#joints);
       this.#renderer.draw(found, this.#camera);
-      for (const { element, item } of this.#labels) {
-        const { x, y } = project(this.#camera, position(found, item.at));
-        element.style.transform = `translate(-50%, -50%) translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
-      }
+      placeLabels(this.#labels, found, this.#camera);
       this.dataset.drawn = String(Number(this.dataset.drawn || 0) + 1);
     });
   }
@@ -315,10 +313,6 @@ function mirrored(drawing) {
   return drawing;
 }
 
-function labelElement(item) {
-  return el("span", { class: `scene-label tone-${item.tone}` }, item.text, item.sub ? el("sub", { text: item.sub }) : null);
-}
-
 let webgl = /** @type {boolean | null} */ (null);
 
 function hasWebGL() {
@@ -328,40 +322,6 @@ function hasWebGL() {
     context?.getExtension("WEBGL_lose_context")?.loseContext();
   }
   return webgl;
-}
-
-/** Runs motions: calls back with a phase that goes round, unless motion is unwelcome. */
-export class Player {
-  #frame = 0;
-  #phase = 0;
-  #last = 0;
-
-  /** @param {(phase: number) => void} step phase in [0, 1) @param {number} period seconds a round */
-  constructor(step, period = 9) {
-    this.step = step;
-    this.period = period;
-  }
-
-  get playing() {
-    return this.#frame !== 0;
-  }
-
-  play() {
-    if (this.playing) return;
-    this.#last = performance.now();
-    const tick = (now) => {
-      this.#phase = (this.#phase + (now - this.#last) / 1000 / this.period) % 1;
-      this.#last = now;
-      this.step(this.#phase);
-      this.#frame = requestAnimationFrame(tick);
-    };
-    this.#frame = requestAnimationFrame(tick);
-  }
-
-  pause() {
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
-  }
 }
 
 customElements.define("robot-scene", RobotScene);

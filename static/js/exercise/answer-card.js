@@ -1,0 +1,199 @@
+/** Everything that is handed in: the table, and what else the exercise asks. */
+
+import { el, fill } from "../dom.js";
+import { newTable } from "../editor/model.js";
+import { t } from "../i18n.js";
+import { subscript, superscript } from "../numbers.js";
+import { MatrixField, MatrixListField, NumbersField, SchematicField } from "./part-fields.js";
+
+/** @typedef {{kind: string, points: number}} Part */
+
+export class AnswerCard {
+  /**
+   * @param {HTMLElement} place @param {any} exercise
+   * @param {{changed: () => void, submit: () => void}} listeners
+   */
+  constructor(place, exercise, { changed, submit }) {
+    this.exercise = exercise;
+    this.changed = changed;
+    this.editor = /** @type {any} */ (document.createElement("dh-table-editor"));
+    this.editor.allowed = exercise.conventions ?? ["modified", "standard"];
+    const { angle_unit: angleUnit, length_unit: lengthUnit } = exercise;
+    const joints = exercise.figure.axes.length;
+    this.editor.state = newTable(this.editor.allowed[0], joints, { angleUnit, lengthUnit });
+    this.editor.addEventListener("table-change", () => this.#edited());
+    this.parts = exercise.parts.filter(({ kind }) => kind !== "table").map((part) => ({ part, field: fieldFor(part, exercise) }));
+    this.button = el("button", { type: "submit", class: "primary", text: t("form-submit") });
+    this.problem = el("div", { id: "submit-problem" });
+    const table = exercise.parts.find(({ kind }) => kind === "table");
+    const form = el(
+      "form",
+      {
+        class: "stack",
+        novalidate: true,
+        onsubmit: (event) => {
+          event.preventDefault();
+          submit();
+        },
+        onkeydown: (event) => {
+          if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) {
+            event.preventDefault();
+            submit();
+          }
+        },
+      },
+      section("table", table, exercise, this.editor, this.parts.length > 0),
+      this.parts.map(({ part, field }) => section(part.kind, part, exercise, field.element, true)),
+      el("div", { class: "row submit-row no-print" }, this.button, el("span", { class: "hint", text: t("form-submit-hint") })),
+      this.problem,
+    );
+    for (const { field } of this.parts) field.onchange = () => this.changed();
+    fill(place, form);
+    this.#resize();
+  }
+
+  get table() {
+    return this.editor.table;
+  }
+
+  get convention() {
+    return this.editor.state.convention;
+  }
+
+  get units() {
+    const { angleUnit, lengthUnit } = this.editor.state;
+    return { angle: angleUnit, length: lengthUnit };
+  }
+
+  /** Number of empty cells of the table. */
+  get missing() {
+    return this.editor.missing.length;
+  }
+
+  get state() {
+    return { table: this.editor.state, parts: Object.fromEntries(this.parts.map(({ part, field }) => [part.kind, field.state])) };
+  }
+
+  set state({ table, parts }) {
+    this.editor.state = table;
+    this.#resize();
+    for (const { part, field } of this.parts) if (parts?.[part.kind]) field.state = parts[part.kind];
+  }
+
+  /** @param {boolean} busy */
+  set busy(busy) {
+    fill(this.problem);
+    if (busy) this.button.setAttribute("aria-disabled", "true");
+    else this.button.removeAttribute("aria-disabled");
+    this.button.textContent = t(busy ? "form-submitting" : "form-submit");
+  }
+
+  /** What is sent, or null if the table has empty cells, which are then pointed out. */
+  request() {
+    if (this.button.getAttribute("aria-disabled") === "true") return null;
+    if (!this.editor.complete) {
+      this.editor.showMissing();
+      return null;
+    }
+    const others = this.parts.map(({ part, field }) => [part.kind, field.value]).filter(([, value]) => value !== null);
+    return { table: this.editor.table, ...Object.fromEntries(others) };
+  }
+
+  /** What the service understood. @param {{reading: any, rows: any[], faults: any[]}} answer */
+  showReading({ reading, rows, faults }) {
+    this.editor.showMeaning((reading?.rows ?? rows).map((row) => row?.latex ?? null));
+    const empty = new Set(this.editor.missing.map(({ row, cell }) => `/rows/${row}/${cell}`));
+    this.editor.showFaults(faults.filter((fault) => !empty.has(fault.pointer.replace(/^\/table/, ""))));
+  }
+
+  /** @param {import("../api.js").Fault[]} faults @param {{summary?: boolean}} [options] */
+  showFaults(faults, options = {}) {
+    const ofTable = [];
+    const ofParts = new Map(this.parts.map(({ part }) => [part.kind, []]));
+    for (const fault of faults) {
+      const [, kind, ...rest] = fault.pointer.split("/");
+      const where = rest.map((step) => (/^\d+$/.test(step) ? Number(step) : step));
+      if (ofParts.has(kind)) ofParts.get(kind).push({ where, text: fault.detail });
+      else ofTable.push(fault);
+    }
+    this.editor.showFaults(ofTable, options);
+    for (const { part, field } of this.parts) field.showFaults(ofParts.get(part.kind));
+    const first = this.parts.find(({ part }) => ofParts.get(part.kind).length);
+    if (options.summary && !ofTable.length && first) first.field.focus();
+  }
+
+  focus() {
+    this.editor.focusCell(0, this.convention === "standard" ? "theta" : "alpha");
+  }
+
+  /** @param {number} row @param {string} [cell] */
+  focusRow(row, cell) {
+    this.editor.focusCell(row, cell ?? (this.convention === "standard" ? "theta" : "alpha"));
+  }
+
+  #edited() {
+    this.#resize();
+    this.changed();
+  }
+
+  #resize() {
+    const rows = this.editor.state.rows.length;
+    for (const { field } of this.parts) if (field instanceof MatrixListField && field.count !== rows) field.resize(rows);
+  }
+}
+
+function section(kind, part, exercise, content, titled) {
+  const total = exercise.parts.reduce((sum, { points }) => sum + points, 0);
+  const name = t(`form-part-${kind.replaceAll("_", "-")}`);
+  const share = titled && part ? el("span", { class: "badge", text: t("form-points", { points: part.points, total }) }) : null;
+  const hint = kind === "table" ? null : partHint(kind, part, exercise);
+  return el(
+    "section",
+    { class: "part", id: `part-${kind}`, "aria-label": name },
+    titled ? el("h3", { class: "row" }, name, share) : null,
+    hint ? el("p", { class: "hint", text: hint }) : null,
+    content,
+  );
+}
+
+function partHint(kind, part, exercise) {
+  const id = `form-part-${kind.replaceAll("_", "-")}-hint`;
+  if (kind !== "pose") return t(id);
+  const unit = exercise.angle_unit === "deg" ? "°" : " rad";
+  const types = exercise.figure.axes.map((axis) => axis.type);
+  const values = part.joints.map((value, i) => `q${subscript(i + 1)} = ${value}${types[i] === "prismatic" ? ` ${exercise.length_unit}` : unit}`);
+  return t(id, { joints: values.join(", ") });
+}
+
+function fieldFor(part, exercise) {
+  const joints = exercise.figure.axes.length;
+  switch (part.kind) {
+    case "schematic":
+      return new SchematicField(joints);
+    case "link_matrices":
+      return new MatrixListField();
+    case "transform":
+      return new MatrixField({ from: 0, to: joints });
+    case "pose":
+      return new MatrixField({ from: 0, to: joints, numeric: true });
+    default:
+      return new NumbersField([
+        { name: "inner", label: t("form-radius-inner"), unit: exercise.length_unit },
+        { name: "outer", label: t("form-radius-outer"), unit: exercise.length_unit },
+      ]);
+  }
+}
+
+/** How a place of a part's answer is called. @param {string} kind @param {(string | number)[]} where */
+export function placeName(kind, where) {
+  if (kind === "link_matrices") {
+    const matrix = `${superscript(where[0])}T${subscript(Number(where[0]) + 1)}`;
+    return where.length > 1 ? `${matrix} (${Number(where[1]) + 1}, ${Number(where[2]) + 1})` : matrix;
+  }
+  if (kind === "schematic" && where.length > 1) {
+    const number = Number(where[1]) + 1;
+    return where[0] === "joints" ? t("form-schematic-joint", { joint: number }) : t("form-schematic-relation", { joint: number, next: number + 1 });
+  }
+  if (where.length === 2) return `(${Number(where[0]) + 1}, ${Number(where[1]) + 1})`;
+  return t(`form-radius-${where[0]}`);
+}

@@ -1,0 +1,288 @@
+/**
+ * Fields for what is asked besides the table. Each has the same interface:
+ * `element`, `value` (as it goes to the API, or null if nothing was typed), `state` (get and set: what was
+ * typed), `showFaults(faults)`, `onchange`.
+ */
+
+import { el, fill, uniqueId } from "../dom.js";
+import { t } from "../i18n.js";
+import { transformName } from "../typeset.js";
+
+const RELATIONS = ["coincident", "parallel", "intersecting_perpendicular", "intersecting_oblique", "skew_perpendicular", "skew_oblique"];
+
+/** A fault's message below a field. @param {string} id */
+function faultLine(id) {
+  return el("div", { class: "fault", id, hidden: true });
+}
+
+function setFault(input, line, text) {
+  line.textContent = text;
+  line.hidden = !text;
+  if (text) input.setAttribute("aria-invalid", "true");
+  else input.removeAttribute("aria-invalid");
+}
+
+/** A 4×4 of cells. */
+export class MatrixField {
+  onchange = () => {};
+
+  /** @param {{from: number, to: number, numeric?: boolean}} ends */
+  constructor({ from, to, numeric = false }) {
+    this.numeric = numeric;
+    const id = uniqueId("matrix");
+    const name = t("form-matrix-name", { from, to });
+    this.cells = [0, 1, 2, 3].map((i) =>
+      [0, 1, 2, 3].map((k) => {
+        const line = faultLine(`${id}-${i}${k}-fault`);
+        const input = /** @type {HTMLInputElement} */ (
+          el("input", {
+            id: `${id}-${i}${k}`,
+            type: "text",
+            inputmode: numeric ? "decimal" : null,
+            autocomplete: "off",
+            autocapitalize: "off",
+            spellcheck: "false",
+            "aria-label": t("form-matrix-cell", { name, row: i + 1, column: k + 1 }),
+            "aria-describedby": line.id,
+            value: i === 3 ? (k === 3 ? "1" : "0") : "",
+            oninput: () => (setFault(input, line, ""), this.onchange()),
+            onpaste: (event) => this.#paste(event, i, k),
+          })
+        );
+        return { input, line };
+      }),
+    );
+    this.element = el(
+      "fieldset",
+      { class: "matrix-field" },
+      el("legend", {}, transformName(from, to), el("span", { class: "visually-hidden", text: name })),
+      el(
+        "div",
+        { class: "scroller", tabindex: "0", role: "region", "aria-label": name },
+        el("table", { class: "matrix-cells", role: "presentation" }, el("tbody", {}, this.cells.map((row) => el("tr", {}, row.map(({ input, line }) => el("td", {}, input, line)))))),
+      ),
+    );
+  }
+
+  /** Whether something besides the last row was typed. */
+  get touched() {
+    return this.cells.slice(0, 3).some((row) => row.some(({ input }) => input.value.trim() !== ""));
+  }
+
+  get value() {
+    if (!this.touched) return null;
+    return this.cells.map((row) => row.map(({ input }) => cellValue(input.value, this.numeric)));
+  }
+
+  get state() {
+    return this.cells.map((row) => row.map(({ input }) => input.value));
+  }
+
+  set state(values) {
+    values.forEach((row, i) => row.forEach((text, k) => (this.cells[i][k].input.value = text)));
+  }
+
+  /** @param {{where: number[], text: string}[]} faults */
+  showFaults(faults) {
+    for (const row of this.cells) for (const { input, line } of row) setFault(input, line, "");
+    for (const { where, text } of faults) {
+      const cell = this.cells[where[0] ?? 0]?.[where[1] ?? 0];
+      if (cell) setFault(cell.input, cell.line, text);
+    }
+  }
+
+  focus() {
+    this.cells[0][0].input.focus();
+  }
+
+  #paste(event, row, column) {
+    const text = event.clipboardData?.getData("text/plain") ?? "";
+    const lines = text.replace(/\r/g, "").trim().split(/\n|;\s*/).map((line) => line.trim().replace(/^[[{(]+|[\]})]+,?$/g, "").split(/\t|,(?![^()]*\))\s*|\s+(?![^()]*\))/));
+    if (lines.length < 2 && lines[0].length < 2) return;
+    event.preventDefault();
+    lines.forEach((line, i) => line.forEach((piece, k) => {
+      const cell = this.cells[row + i]?.[column + k];
+      if (cell) cell.input.value = piece.trim();
+    }));
+    this.onchange();
+  }
+}
+
+function cellValue(text, numeric) {
+  const trimmed = text.trim();
+  if (!numeric) return trimmed;
+  const value = Number(trimmed.replace("−", "-").replace(",", "."));
+  return trimmed !== "" && Number.isFinite(value) ? value : trimmed;
+}
+
+/** Several matrices, one for each row of the student's table. */
+export class MatrixListField {
+  onchange = () => {};
+
+  constructor() {
+    /** @type {MatrixField[]} */
+    this.fields = [];
+    this.element = el("div", { class: "stack" });
+  }
+
+  /** @param {number} count */
+  resize(count) {
+    while (this.fields.length < count) {
+      const field = new MatrixField({ from: this.fields.length, to: this.fields.length + 1 });
+      field.onchange = () => this.onchange();
+      this.fields.push(field);
+    }
+    fill(this.element, this.fields.slice(0, count).map((field) => field.element));
+    this.count = count;
+  }
+
+  get touched() {
+    return this.fields.slice(0, this.count).some((field) => field.touched);
+  }
+
+  get value() {
+    return this.touched ? this.fields.slice(0, this.count).map((field) => field.value) : null;
+  }
+
+  get state() {
+    return this.fields.map((field) => field.state);
+  }
+
+  set state(states) {
+    this.resize(Math.max(states.length, this.count ?? 0));
+    states.forEach((state, i) => (this.fields[i].state = state));
+  }
+
+  showFaults(faults) {
+    this.fields.forEach((field, i) => field.showFaults(faults.filter(({ where }) => where[0] === i).map(({ where, text }) => ({ where: where.slice(1), text }))));
+  }
+
+  focus() {
+    this.fields[0]?.focus();
+  }
+}
+
+/** Numbers with names: the radii of a workspace. */
+export class NumbersField {
+  onchange = () => {};
+
+  /** @param {{name: string, label: string, unit: string}[]} numbers */
+  constructor(numbers) {
+    this.inputs = new Map();
+    this.element = el(
+      "div",
+      { class: "row end" },
+      numbers.map(({ name, label, unit }) => {
+        const line = faultLine(uniqueId("fault"));
+        const input = /** @type {HTMLInputElement} */ (
+          el("input", { id: uniqueId("number"), type: "text", inputmode: "decimal", autocomplete: "off", size: 10, "aria-describedby": line.id, oninput: () => (setFault(input, line, ""), this.onchange()) })
+        );
+        this.inputs.set(name, { input, line });
+        return el("div", { class: "field" }, el("label", { for: input.id, text: `${label} [${unit}]` }), input, line);
+      }),
+    );
+  }
+
+  get touched() {
+    return [...this.inputs.values()].some(({ input }) => input.value.trim() !== "");
+  }
+
+  get value() {
+    if (!this.touched) return null;
+    return Object.fromEntries([...this.inputs].map(([name, { input }]) => [name, cellValue(input.value, true)]));
+  }
+
+  get state() {
+    return Object.fromEntries([...this.inputs].map(([name, { input }]) => [name, input.value]));
+  }
+
+  set state(values) {
+    for (const [name, text] of Object.entries(values)) {
+      const field = this.inputs.get(name);
+      if (field) field.input.value = text;
+    }
+  }
+
+  showFaults(faults) {
+    for (const { input, line } of this.inputs.values()) setFault(input, line, "");
+    for (const { where, text } of faults) {
+      const field = this.inputs.get(where[0]) ?? [...this.inputs.values()][0];
+      setFault(field.input, field.line, text);
+    }
+  }
+
+  focus() {
+    [...this.inputs.values()][0].input.focus();
+  }
+}
+
+/** The structure: the type of each joint, and how each axis lies to the next. */
+export class SchematicField {
+  onchange = () => {};
+
+  /** @param {number} joints */
+  constructor(joints) {
+    const select = (label, options) => {
+      const input = /** @type {HTMLSelectElement} */ (
+        el(
+          "select",
+          { "aria-label": label, onchange: () => this.onchange() },
+          el("option", { value: "", text: t("form-choose") }),
+          options.map(([value, text]) => el("option", { value, text })),
+        )
+      );
+      return { input, line: faultLine(uniqueId("fault")) };
+    };
+    const types = ["revolute", "prismatic"].map((joint) => [joint, t(`form-joint-${joint}`)]);
+    const relations = RELATIONS.map((relation) => [relation, t(`form-relation-${relation.replaceAll("_", "-")}`)]);
+    this.joints = Array.from({ length: joints }, (_, i) => select(t("form-schematic-joint", { joint: i + 1 }), types));
+    this.relations = Array.from({ length: Math.max(0, joints - 1) }, (_, i) =>
+      select(t("form-schematic-relation", { joint: i + 1, next: i + 2 }), relations),
+    );
+    this.element = el(
+      "ol",
+      { class: "schematic" },
+      this.joints.map((joint, i) =>
+        el(
+          "li",
+          {},
+          el("span", { class: "schematic-line" }, el("span", { text: t("form-schematic-joint", { joint: i + 1 }) }), joint.input, joint.line),
+          this.relations[i]
+            ? el("span", { class: "schematic-line" }, el("span", { class: "hint", text: t("form-schematic-relation", { joint: i + 1, next: i + 2 }) }), this.relations[i].input, this.relations[i].line)
+            : null,
+        ),
+      ),
+    );
+  }
+
+  get touched() {
+    return [...this.joints, ...this.relations].some(({ input }) => input.value !== "");
+  }
+
+  get value() {
+    if (!this.touched) return null;
+    return { joints: this.joints.map(({ input }) => input.value), relations: this.relations.map(({ input }) => input.value) };
+  }
+
+  get state() {
+    return this.value ?? { joints: [], relations: [] };
+  }
+
+  set state({ joints, relations }) {
+    joints.forEach((value, i) => this.joints[i] && (this.joints[i].input.value = value));
+    relations.forEach((value, i) => this.relations[i] && (this.relations[i].input.value = value));
+  }
+
+  showFaults(faults) {
+    for (const { input, line } of [...this.joints, ...this.relations]) setFault(input, line, "");
+    for (const { where, text } of faults) {
+      const list = where[0] === "relations" ? this.relations : this.joints;
+      const field = list[Number(where[1] ?? 0)] ?? this.joints[0];
+      setFault(field.input, field.line, text);
+    }
+  }
+
+  focus() {
+    this.joints[0]?.input.focus();
+  }
+}

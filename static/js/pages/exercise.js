@@ -1,0 +1,129 @@
+/** The page of an exercise: read, look, type, watch, submit, learn. */
+
+import { Problem } from "../api.js";
+import { browserAttempts } from "../attempts.js";
+import { announce, fill } from "../dom.js";
+import "../editor/dh-table-editor.js";
+import { AnswerCard } from "../exercise/answer-card.js";
+import { showFigure } from "../exercise/figure-card.js";
+import { showHistory } from "../exercise/history.js";
+import { OwnCard } from "../exercise/own-card.js";
+import { VerdictCard } from "../exercise/verdict-card.js";
+import { t } from "../i18n.js";
+import "../joint-sliders.js";
+import { LiveRobot } from "../live-robot.js";
+import "../matrix-panel.js";
+import { api, startPage } from "../page.js";
+import { problemNotice, sentencesOf } from "../problem.js";
+import "../scene/robot-scene.js";
+import { keep, recall } from "../storage.js";
+
+const $ = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+const id = $("exercise").dataset.id;
+const seed = new URLSearchParams(location.search).get("seed");
+const query = seed ? `?seed=${encodeURIComponent(seed)}` : "";
+const draftKey = `draft:${id}${seed ? `:${seed}` : ""}`;
+const attempts = browserAttempts;
+
+async function run() {
+  let exercise;
+  try {
+    exercise = await api.get(`exercises/${id}${query}`);
+  } catch (error) {
+    fill($("answer"), problemNotice(error, { retry: () => location.reload() }));
+    return;
+  }
+  arrange();
+  showFigure(exercise, {
+    mode: $("figure-mode"),
+    body: $("figure-body"),
+    drawing: /** @type {HTMLImageElement} */ ($("figure-drawing")),
+    description: $("figure-description"),
+  });
+  const robot = new LiveRobot(api, { size: exercise.figure.size });
+  const own = new OwnCard($("own"), robot, { api, parameters: exercise.parameters });
+  const verdict = new VerdictCard($("verdict-card"), $("verdict"));
+  const answer = new AnswerCard($("answer"), exercise, {
+    changed: () => {
+      keep(draftKey, answer.state);
+      verdict.outdated();
+      follow();
+    },
+    submit: () => submit(),
+  });
+  robot.addEventListener("reading", (event) => answer.showReading(/** @type {CustomEvent} */ (event).detail));
+  robot.addEventListener("robot", (event) => (verdict.ownRobot = /** @type {CustomEvent} */ (event).detail));
+
+  const draft = recall(draftKey, null);
+  if (draft) answer.state = draft;
+  follow({ now: true });
+  await listAttempts();
+
+  function follow(options) {
+    const { table, units, missing } = answer;
+    own.units = units;
+    if (missing) own.waitFor(missing);
+    robot.take(table, options);
+  }
+
+  async function submit() {
+    const request = answer.request();
+    if (!request) return;
+    answer.busy = true;
+    try {
+      const graded = await api.post(`exercises/${id}/grade`, { ...request, ...(seed ? { seed } : {}) });
+      answer.showFaults([]);
+      await attempts.add(id, {
+        at: new Date().toISOString(),
+        score: graded.score,
+        correct: graded.correct,
+        submission: answer.state,
+        verdict: graded,
+      });
+      verdict.show(graded, { exercise, answer });
+      await listAttempts();
+    } catch (error) {
+      if (error instanceof Problem && error.status < 500) answer.showFaults(error.faults, { summary: true });
+      else fill($("submit-problem"), problemNotice(error));
+      announce(sentencesOf(error)[0]);
+    } finally {
+      answer.busy = false;
+    }
+  }
+
+  async function listAttempts() {
+    const list = await attempts.list(id);
+    $("history-card").hidden = list.length === 0;
+    showHistory(
+      $("history"),
+      list,
+      (attempt) => {
+        answer.state = /** @type {any} */ (attempt.submission);
+        keep(draftKey, answer.state);
+        follow({ now: true });
+        answer.focus();
+        announce(t("form-history-restored"));
+      },
+      async () => {
+        await attempts.clear(id);
+        await listAttempts();
+      },
+    );
+  }
+}
+
+/** On wide screens the figure stands beside the answer; in the document it always stands where it is read. */
+function arrange() {
+  const wide = matchMedia("(min-width: 64rem)");
+  const side = $("own-side");
+  const place = () => {
+    if (wide.matches) side.prepend($("figure-card"));
+    else {
+      $("statement-card").after($("figure-card"));
+    }
+  };
+  wide.addEventListener("change", place);
+  place();
+}
+
+startPage(run);

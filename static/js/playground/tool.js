@@ -1,0 +1,63 @@
+/**
+ * One answer about the robot: closed until asked for, and then kept up to date.
+ *
+ * A tool is shown as a `<details>`; while it is open it is run again whenever the robot or its joints change,
+ * one call at a time and the last one always.
+ */
+
+import { Throttled } from "../api.js";
+import { el, fill } from "../dom.js";
+import { problemNotice } from "../problem.js";
+
+const PAUSE = 120;
+
+/**
+ * @typedef {{table: any, parameters: Record<string, number>, joints: number[], units: {angle: string, length: string}}} Subject
+ *   the robot in question as it goes to the API, its joint values in the table's units
+ */
+
+export class Tool {
+  #throttled = new Throttled(PAUSE);
+  /** @type {Subject | null} */
+  #subject = null;
+
+  /**
+   * @param {string} title @param {(subject: Subject, body: HTMLElement) => Promise<Node[]>} answer
+   * @param {{controls?: Node[]}} [options] what stands above the answer
+   */
+  constructor(title, answer, { controls = [] } = {}) {
+    this.answer = answer;
+    this.body = el("div", { class: "tool-answer", "aria-live": "off" });
+    this.element = el("details", { class: "tool" }, el("summary", {}, title), ...controls, this.body);
+    this.element.addEventListener("toggle", () => this.refresh());
+  }
+
+  /** @param {Subject | null} subject */
+  take(subject) {
+    this.#subject = subject;
+    this.refresh();
+  }
+
+  /** Asks again, if the tool is open and there is something to ask about. */
+  refresh() {
+    if (!(/** @type {HTMLDetailsElement} */ (this.element).open) || !this.#subject) return;
+    this.#throttled.run(() => this.#run()).catch(() => undefined);
+  }
+
+  async #run() {
+    const subject = this.#subject;
+    if (!subject) return;
+    let shown;
+    try {
+      shown = await this.answer(subject, this.body);
+    } catch (error) {
+      shown = [problemNotice(error)];
+    }
+    if (subject === this.#subject) fill(this.body, ...shown);
+  }
+}
+
+/** What every call about a robot starts with. @param {Subject} subject */
+export function asked({ table, parameters }) {
+  return Object.keys(parameters).length ? { table, parameters } : { table };
+}
