@@ -13,6 +13,7 @@ from starlette.routing import Match
 
 from kinematics.errors import Fault, KinematicsError
 from service import __version__, openapi
+from service.batches import Gate
 from service.edge import REQUEST_ID, Edge
 from service.errors import (
     PROBLEM_JSON,
@@ -25,7 +26,9 @@ from service.errors import (
     problem_of,
 )
 from service.messages import language_for
+from service.preparation import Preparation
 from service.routes import routers
+from service.routing import DirectRoute
 from service.settings import Settings
 from service.validation import request_error
 
@@ -50,10 +53,13 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         docs_url=None,
         redoc_url=None,
         redirect_slashes=False,
+        telemetry={"tracing": False, "metrics": False, "logs": False},
     )
     app.state.settings = settings
-    for router in routers():
-        app.router.routes.extend(router.routes)
+    app.state.preparation = Preparation(settings)
+    app.state.gate = Gate(settings)
+    found = [route for router in routers() for route in router.routes]
+    app.router.routes.extend(sorted(found, key=lambda route: not isinstance(route, DirectRoute)))
     app.add_exception_handler(KinematicsError, _refuse)
     app.add_exception_handler(ServiceError, _refuse)
     app.add_exception_handler(RequestValidationError, _refuse_invalid)

@@ -22,6 +22,8 @@ from service.settings import Settings
 REQUEST_ID = "request_id"
 _SANE_REQUEST_ID = re.compile(rb"[A-Za-z0-9._:-]{1,64}")
 _SANE_PREFIX = re.compile(r"(/[A-Za-z0-9._~-]+)+")
+_REQUEST_ID = b"x-request-id"
+_POLICY = b"content-security-policy"
 _HEADERS = (
     (b"x-content-type-options", b"nosniff"),
     (b"referrer-policy", b"no-referrer"),
@@ -39,7 +41,7 @@ class Edge:
         self._next_id = _request_ids()
         ancestors = " ".join(settings.frame_ancestors)
         self._policy = (
-            b"content-security-policy",
+            _POLICY,
             f"default-src 'none'; frame-ancestors {ancestors}".encode("latin-1"),
         )
 
@@ -58,10 +60,12 @@ class Edge:
             nonlocal started
             if message["type"] == "http.response.start":
                 started = True
-                headers = message["headers"] = list(message.get("headers", ()))
-                headers.extend(_HEADERS)
-                headers.append((b"x-request-id", request_id))
-                if not any(name == b"content-security-policy" for name, _ in headers):
+                headers = message["headers"] = [
+                    *message.get("headers", ()),
+                    *_HEADERS,
+                    (_REQUEST_ID, request_id),
+                ]
+                if _POLICY not in dict(headers):
                     headers.append(self._policy)
             elif is_head and message["type"] == "http.response.body":
                 message = {**message, "body": b""}
@@ -79,21 +83,18 @@ class Edge:
 
     def _open(self, scope: Scope) -> bytes:
         """Read what a proxy says about the request; name the request."""
-        request_id = b""
-        forwarded_prefix = b""
-        for name, value in scope["headers"]:
-            if name == b"x-request-id" and _SANE_REQUEST_ID.fullmatch(value):
-                request_id = value
-            elif name == b"x-forwarded-prefix":
-                forwarded_prefix = value
+        fields = dict(scope["headers"])
+        request_id = fields.get(_REQUEST_ID, b"")
+        if request_id and not _SANE_REQUEST_ID.fullmatch(request_id):
+            request_id = b""
         request_id = request_id or self._next_id()
         scope[REQUEST_ID] = request_id.decode()
-        prefix = self._settings.prefix or self._believed_prefix(scope, forwarded_prefix)
+        prefix = self._settings.prefix or self._believed_prefix(scope, fields.get(b"x-forwarded-prefix"))
         if prefix:
             _place_under(scope, prefix)
         return request_id
 
-    def _believed_prefix(self, scope: Scope, forwarded: bytes) -> str:
+    def _believed_prefix(self, scope: Scope, forwarded: bytes | None) -> str:
         if not forwarded or not scope.get("client"):
             return ""
         trusted = self._settings.trusted_proxies

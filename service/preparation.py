@@ -14,7 +14,7 @@ from typing import Any
 
 import orjson
 
-from kinematics.cells import AngleUnit, LengthUnit, Limits, ReadTable, bind_parameters, read_table
+from kinematics.cells import AngleUnit, Limits, ReadTable, bind_parameters, read_table
 from kinematics.errors import KinematicsError
 from kinematics.table import JointType, NumericTable
 from service.errors import located
@@ -34,22 +34,14 @@ class Robot:
         table: its table in numbers, angles in [rad].
         joint_units: for joint 1 … n what one unit of the request is in [rad], or in the table's length unit.
         angle: what one unit of the request's angles is in [rad].
+        units: the names of its units, as an answer states them.
     """
 
     read: ReadTable
     table: NumericTable
     joint_units: tuple[float, ...]
     angle: float
-
-    @property
-    def angle_unit(self) -> AngleUnit:
-        """Unit of the angles in the request and in the answer."""
-        return self.read.angle_unit
-
-    @property
-    def length_unit(self) -> LengthUnit:
-        """Unit of the lengths in the request and in the answer."""
-        return self.read.length_unit
+    units: Mapping[str, str]
 
 
 class Preparation:
@@ -112,6 +104,7 @@ def robot_of(read: ReadTable, parameters: Mapping[str, float]) -> Robot:
         table=table,
         joint_units=_joint_units(table.joint_types, angle),
         angle=angle,
+        units={"angle_unit": read.angle_unit.value, "length_unit": read.length_unit.value},
     )
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncGenerator, Awaitable, Callable, Coroutine
+from collections.abc import AsyncGenerator, Awaitable, Callable, Coroutine, Sequence
 from enum import Enum
 from typing import Any
 
 from fastapi import APIRouter, Response
 from fastapi.routing import APIRoute
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.types import Receive, Scope, Send
 
 from kinematics.errors import Fault
@@ -20,6 +20,8 @@ from service.settings import Settings
 API_PREFIX = "/api/v1"
 JSON = "application/json"
 NPY = "application/x-npy"
+_JSON = JSON.encode()
+_ANYTHING = b"*/*"
 _UTF8 = ("", "utf-8", "utf8", "us-ascii", "ascii")
 
 
@@ -34,25 +36,47 @@ class ApiRequest(Request):
         settings: Settings = self.scope["app"].state.settings
         return settings
 
-    async def stream(self) -> AsyncGenerator[bytes, None]:
-        """The body in pieces.
+    @property
+    def fields(self) -> dict[bytes, bytes]:
+        """The header fields by their names in lower case; of a repeated one, the last."""
+        try:
+            return self._fields
+        except AttributeError:
+            self._fields: dict[bytes, bytes] = dict(self.scope["headers"])
+            return self._fields
+
+    async def body(self) -> bytes:
+        """The whole body.
 
         Raises:
             BodySizeError: it is, or says that it is, longer than this route's limit.
         """
-        if hasattr(self, "_body"):
-            yield self._body
-            return
-        limit = self.body_limit or self.settings.body_limit
-        announced = self.headers.get("content-length", "")
-        if announced.isdecimal() and int(announced) > limit:
+        if not hasattr(self, "_body"):
+            self._body = await self._bounded(self.body_limit or self.settings.body_limit)
+        return self._body
+
+    async def stream(self) -> AsyncGenerator[bytes, None]:
+        """The body in one piece, bounded like `body`."""
+        yield await self.body()
+
+    async def _bounded(self, limit: int) -> bytes:
+        announced = self.fields.get(b"content-length", b"")
+        if len(announced) > len(str(limit)) or (announced.isdigit() and int(announced) > limit):
             raise _too_large(limit)
+        pieces: list[bytes] = []
         received = 0
-        async for chunk in super().stream():
-            received += len(chunk)
+        more = True
+        while more:
+            message = await self._receive()
+            if message["type"] == "http.disconnect":
+                raise ClientDisconnect
+            piece = message.get("body", b"")
+            received += len(piece)
             if received > limit:
                 raise _too_large(limit)
-            yield chunk
+            pieces.append(piece)
+            more = message.get("more_body", False)
+        return pieces[0] if len(pieces) == 1 else b"".join(pieces)
 
     def media_type(self) -> str:
         """The media type of the body, without parameters.
@@ -85,16 +109,19 @@ class ApiRequest(Request):
                 )
         return media_type.strip().lower()
 
-    async def json(self) -> Any:
+    async def json(self, *others: str) -> Any:
         """The body's value, from a body that says it is JSON.
+
+        Args:
+            others: further media types that the call reads, for the refusal to name.
 
         Raises:
             MediaTypeError: the body does not say that it is JSON.
             BodyError: it is not JSON.
         """
         if not hasattr(self, "_json"):
-            if self.headers.get("content-type") != JSON:
-                self._require_json()
+            if self.fields.get(b"content-type") != _JSON or b"content-encoding" in self.fields:
+                self._require_json(others)
             self._json = decode_json(await self.body())
         return self._json
 
@@ -104,10 +131,9 @@ class ApiRequest(Request):
         Raises:
             NotAcceptableError: the caller accepts none of them.
         """
-        header = self.headers.get("accept")
-        if header is None or header == "*/*":
+        if self.fields.get(b"accept", _ANYTHING) == _ANYTHING:
             return offers[0]
-        chosen = preferred_media_type(header, offers)
+        chosen = preferred_media_type(", ".join(self.headers.getlist("accept")), offers)
         if chosen is None:
             raise NotAcceptableError(
                 Fault(
@@ -120,12 +146,26 @@ class ApiRequest(Request):
             )
         return chosen
 
-    def _require_json(self) -> None:
+    def _require_json(self, others: Sequence[str]) -> None:
         media_type = self.media_type()
-        if media_type != JSON and not (
+        is_json = media_type == JSON or (
             media_type.startswith("application/") and media_type.endswith("+json")
-        ):
-            raise unsupported_media_type(media_type, JSON)
+        )
+        if not is_json:
+            raise unsupported_media_type(media_type, JSON, *others)
+
+
+class Written(Response):
+    """A response of known bytes, made with no more work than that."""
+
+    def __init__(self, body: bytes, media_type: str = JSON) -> None:
+        self.status_code = 200
+        self.body = body
+        self.background = None
+        self.raw_headers = [
+            (b"content-length", b"%d" % len(body)),
+            (b"content-type", media_type.encode("latin-1")),
+        ]
 
 
 class ApiRoute(APIRoute):

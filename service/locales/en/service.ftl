@@ -53,11 +53,8 @@ error-null_expected = “{ $field }” must be null or left out.
 error-value_not_allowed = This must be one of: { $expected }.
 error-value_invalid = This value cannot be used: { $reason }.
 
-error-joints_not_a_list = “joints” must be a list of numbers (one configuration) or a list of such lists (a batch).
 error-joints_wrong_dimensions = An array of joints has one or two dimensions, not { $dimensions }: (joints) or (configurations, joints).
 error-batch_too_large = The batch has { $given } configurations; at most { $limit } are computed in one request.
-error-batch_empty = The batch holds no configuration; at least one is needed.
-error-result_not_finite = The result is not finite: the lengths or joint values are too large to compute with.
 error-query_missing = The joints came as npy; the rest of the request belongs, as JSON, in the query parameter “request”.
 error-npy_header_invalid =
     The body is not an npy file as numpy.save writes it: { $rule ->
@@ -72,4 +69,4 @@ error-npy_header_invalid =
 error-npy_length_mismatch = The npy header promises { $promised } bytes of data; { $present } follow it.
 error-npy_object_refused = The npy file holds Python objects, which are never unpickled. Send an array of numbers.
 error-npy_type_unsupported = The npy file holds { $type }. Send real numbers, such as float64 (<f8).
-error-npy_not_finite = The array holds NaN or an infinite value; joint values are finite.
+error-npy_one_part = An npy file holds one array. Name one part: { $allowed }.

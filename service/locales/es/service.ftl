@@ -53,11 +53,8 @@ error-null_expected = «{ $field }» debe ser null o faltar.
 error-value_not_allowed = El valor debe ser uno de estos: { $expected }.
 error-value_invalid = Este valor no se puede usar: { $reason }.
 
-error-joints_not_a_list = «joints» debe ser una lista de números (una configuración) o una lista de tales listas (un lote).
 error-joints_wrong_dimensions = Una matriz de variables articulares tiene una o dos dimensiones, no { $dimensions }: (articulaciones) o (configuraciones, articulaciones).
 error-batch_too_large = El lote tiene { $given } configuraciones; en una petición se calculan como máximo { $limit }.
-error-batch_empty = El lote no contiene ninguna configuración; hace falta al menos una.
-error-result_not_finite = El resultado no es finito: las longitudes o los valores articulares son demasiado grandes para calcular.
 error-query_missing = Las articulaciones llegaron como npy; el resto de la petición va, como JSON, en el parámetro de consulta «request».
 error-npy_header_invalid =
     El cuerpo no es un archivo npy como lo escribe numpy.save: { $rule ->
@@ -72,4 +69,4 @@ error-npy_header_invalid =
 error-npy_length_mismatch = La cabecera npy promete { $promised } bytes de datos; le siguen { $present }.
 error-npy_object_refused = El archivo npy contiene objetos de Python, que nunca se deserializan. Envíe una matriz de números.
 error-npy_type_unsupported = El archivo npy contiene { $type }. Envíe números reales, como float64 (<f8).
-error-npy_not_finite = La matriz contiene NaN o un valor infinito; los valores articulares son finitos.
+error-npy_one_part = Un archivo npy contiene una sola matriz. Nombre una parte: { $allowed }.

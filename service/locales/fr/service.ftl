@@ -53,11 +53,8 @@ error-null_expected = « { $field } » doit être null ou absent.
 error-value_not_allowed = La valeur doit être l’une de celles-ci : { $expected }.
 error-value_invalid = Cette valeur ne peut pas être utilisée : { $reason }.
 
-error-joints_not_a_list = « joints » doit être une liste de nombres (une configuration) ou une liste de telles listes (un lot).
 error-joints_wrong_dimensions = Un tableau de variables articulaires a une ou deux dimensions, pas { $dimensions } : (articulations) ou (configurations, articulations).
 error-batch_too_large = Le lot compte { $given } configurations ; une requête en calcule au plus { $limit }.
-error-batch_empty = Le lot ne contient aucune configuration ; il en faut au moins une.
-error-result_not_finite = Le résultat n’est pas fini : les longueurs ou les valeurs articulaires sont trop grandes pour le calcul.
 error-query_missing = Les variables articulaires sont venues en npy ; le reste de la requête va, en JSON, dans le paramètre d’URL « request ».
 error-npy_header_invalid =
     Le corps n’est pas un fichier npy tel que numpy.save l’écrit : { $rule ->
@@ -72,4 +69,4 @@ error-npy_header_invalid =
 error-npy_length_mismatch = L’en-tête npy promet { $promised } octets de données ; il en suit { $present }.
 error-npy_object_refused = Le fichier npy contient des objets Python, qui ne sont jamais désérialisés. Envoyez un tableau de nombres.
 error-npy_type_unsupported = Le fichier npy contient { $type }. Envoyez des nombres réels, par exemple float64 (<f8).
-error-npy_not_finite = Le tableau contient NaN ou une valeur infinie ; les valeurs articulaires sont finies.
+error-npy_one_part = Un fichier npy contient un seul tableau. Nommez une partie : { $allowed }.

@@ -53,11 +53,8 @@ error-null_expected = “{ $field }” tem de ser null ou ser omitido.
 error-value_not_allowed = O valor tem de ser um destes: { $expected }.
 error-value_invalid = Este valor não pode ser usado: { $reason }.
 
-error-joints_not_a_list = “joints” tem de ser uma lista de números (uma configuração) ou uma lista dessas listas (um lote).
 error-joints_wrong_dimensions = Uma matriz de variáveis de junta tem uma ou duas dimensões, não { $dimensions }: (juntas) ou (configurações, juntas).
 error-batch_too_large = O lote tem { $given } configurações; calculam-se no máximo { $limit } num pedido.
-error-batch_empty = O lote não tem nenhuma configuração; é necessária pelo menos uma.
-error-result_not_finite = O resultado não é finito: os comprimentos ou os valores das juntas são grandes demais para calcular.
 error-query_missing = As juntas vieram como npy; o resto do pedido vai, como JSON, no parâmetro de consulta “request”.
 error-npy_header_invalid =
     O corpo não é um ficheiro npy como numpy.save o escreve: { $rule ->
@@ -72,4 +69,4 @@ error-npy_header_invalid =
 error-npy_length_mismatch = O cabeçalho npy promete { $promised } bytes de dados; seguem-se { $present }.
 error-npy_object_refused = O ficheiro npy contém objetos Python, que nunca são desserializados. Envie uma matriz de números.
 error-npy_type_unsupported = O ficheiro npy contém { $type }. Envie números reais, como float64 (<f8).
-error-npy_not_finite = A matriz contém NaN ou um valor infinito; os valores das juntas são finitos.
+error-npy_one_part = Um ficheiro npy contém uma só matriz. Indique uma parte: { $allowed }.

@@ -53,11 +53,8 @@ error-null_expected = „{ $field }” trebuie să fie null sau să lipsească.
 error-value_not_allowed = Valoarea trebuie să fie una dintre: { $expected }.
 error-value_invalid = Această valoare nu poate fi folosită: { $reason }.
 
-error-joints_not_a_list = „joints” trebuie să fie o listă de numere (o configurație) sau o listă de astfel de liste (un lot).
 error-joints_wrong_dimensions = Un tablou de variabile articulare are una sau două dimensiuni, nu { $dimensions }: (articulații) sau (configurații, articulații).
 error-batch_too_large = Lotul are { $given } configurații; într-o cerere se calculează cel mult { $limit }.
-error-batch_empty = Lotul nu conține nicio configurație; este nevoie de cel puțin una.
-error-result_not_finite = Rezultatul nu este finit: lungimile sau valorile articulare sunt prea mari pentru calcul.
 error-query_missing = Variabilele articulare au venit ca npy; restul cererii se dă ca JSON în parametrul de interogare „request”.
 error-npy_header_invalid =
     Corpul nu este un fișier npy așa cum îl scrie numpy.save: { $rule ->
@@ -72,4 +69,4 @@ error-npy_header_invalid =
 error-npy_length_mismatch = Antetul npy promite { $promised } octeți de date; urmează { $present }.
 error-npy_object_refused = Fișierul npy conține obiecte Python, care nu sunt niciodată deserializate. Trimiteți un tablou de numere.
 error-npy_type_unsupported = Fișierul npy conține { $type }. Trimiteți numere reale, de exemplu float64 (<f8).
-error-npy_not_finite = Tabloul conține NaN sau o valoare infinită; valorile articulare sunt finite.
+error-npy_one_part = Un fișier npy conține un singur tablou. Numiți o singură parte: { $allowed }.

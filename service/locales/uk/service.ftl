@@ -53,11 +53,8 @@ error-null_expected = «{ $field }» має бути null або відсутн�
 error-value_not_allowed = Значення має бути одним із таких: { $expected }.
 error-value_invalid = Це значення неможливо використати: { $reason }.
 
-error-joints_not_a_list = «joints» має бути списком чисел (одна конфігурація) або списком таких списків (пакет).
 error-joints_wrong_dimensions = Масив змінних з’єднань має один або два виміри, а не { $dimensions }: (з’єднання) або (конфігурації, з’єднання).
 error-batch_too_large = У пакеті { $given } конфігурацій; за один запит обчислюється не більше ніж { $limit }.
-error-batch_empty = У пакеті немає жодної конфігурації; потрібна щонайменше одна.
-error-result_not_finite = Результат не є скінченним: довжини або значення змінних завеликі для обчислення.
 error-query_missing = Змінні з’єднань надійшли як npy; решту запиту подайте як JSON у параметрі запиту «request».
 error-npy_header_invalid =
     Тіло запиту не є файлом npy, як його записує numpy.save: { $rule ->
@@ -72,4 +69,4 @@ error-npy_header_invalid =
 error-npy_length_mismatch = Заголовок npy обіцяє { $promised } байт даних; за ним іде { $present }.
 error-npy_object_refused = Файл npy містить об’єкти Python, які ніколи не десеріалізуються. Надішліть масив чисел.
 error-npy_type_unsupported = Файл npy містить { $type }. Надішліть дійсні числа, наприклад float64 (<f8).
-error-npy_not_finite = Масив містить NaN або нескінченне значення; значення змінних з’єднань скінченні.
+error-npy_one_part = Файл npy містить один масив. Назвіть одну частину: { $allowed }.

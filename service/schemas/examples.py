@@ -1,0 +1,46 @@
+"""Requests that the OpenAPI document shows; a test sends every one of them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+PUMA_560: dict[str, Any] = {
+    "convention": "standard",
+    "angle_unit": "deg",
+    "length_unit": "m",
+    "rows": [
+        {"joint": "revolute", "alpha": 90, "a": 0, "d": 0, "theta": "q1"},
+        {"joint": "revolute", "alpha": 0, "a": 0.4318, "d": 0, "theta": "q2"},
+        {"joint": "revolute", "alpha": -90, "a": 0.0203, "d": 0.15005, "theta": "q3"},
+        {"joint": "revolute", "alpha": 90, "a": 0, "d": 0.4318, "theta": "q4"},
+        {"joint": "revolute", "alpha": -90, "a": 0, "d": 0, "theta": "q5"},
+        {"joint": "revolute", "alpha": 0, "a": 0, "d": 0, "theta": "q6"},
+    ],
+}
+
+CYLINDRICAL: dict[str, Any] = {
+    "convention": "modified",
+    "angle_unit": "deg",
+    "length_unit": "mm",
+    "rows": [
+        {"alpha": 0, "a": 0, "d": "L1", "theta": "θ1"},
+        {"alpha": "-90", "a": 0, "d": "d2 + L2", "theta": 0},
+        {"alpha": 90, "a": "2L3", "d": 0, "theta": 0},
+    ],
+}
+
+FORWARD_KINEMATICS: dict[str, Any] = {
+    "PUMA 560, one configuration": {"table": PUMA_560, "joints": [0, 45, -90, 0, 30, 0]},
+    "a batch with parameters, base and inverse": {
+        "table": CYLINDRICAL,
+        "parameters": {"L1": 400, "L2": 120, "L3": 75.5},
+        "joints": [[0, 100], [90, 250], [-45, 0]],
+        "base": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 850], [0, 0, 0, 1]],
+        "inverse": True,
+    },
+    "two parts of the answer": {
+        "table": PUMA_560,
+        "joints": [10, 20, 30, 40, 50, 60],
+        "parts": ["position", "orientation"],
+    },
+}
