@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from kinematics.cells import RawTable, ReadTable
+from kinematics.expressions import Expression
 from kinematics.links import Transform
-from kinematics.scm import ReadChain
+from kinematics.scm import RawChain, ReadChain
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -32,10 +33,12 @@ class Configuration:
     Attributes:
         joints: q_1 … q_n, in the units of the robot's table.
         meaning: what the arm looks like there.
+        position: origin of the end frame there, derived by hand from the figure, in the table's parameters.
     """
 
     joints: tuple[float, ...]
     meaning: str
+    position: tuple[Expression, Expression, Expression] | None
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -43,10 +46,12 @@ class Chain:
     """The same robot as an SCM chain.
 
     Attributes:
+        raw: the chain as the document prints it.
         read: the chain, its joint variables those of the table.
         parameters: for each of the chain's lengths the table's parameter that it is.
     """
 
+    raw: RawChain
     read: ReadChain
     parameters: Mapping[str, str]
 
@@ -79,6 +84,7 @@ class Robot:
         parameters: the value of every parameter, in the table's units.
         configurations: named joint values.
         limits: (low, high) of every joint in the table's units, or None where they aren't known.
+        limits_source: where the limits come from.
         chain: the robot as an SCM chain.
         reference: a pose from a second derivation.
     """
@@ -91,5 +97,6 @@ class Robot:
     parameters: Mapping[str, float]
     configurations: Mapping[str, Configuration]
     limits: tuple[tuple[float, float], ...] | None
+    limits_source: str | None
     chain: Chain | None
     reference: ReferencePose

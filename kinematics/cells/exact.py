@@ -63,7 +63,7 @@ def reciprocal(value: Expression) -> Expression:
 
 
 def raised(base: Expression, exponent: Fraction) -> Expression:
-    """Base ** exponent; halves become square roots, sqrt(n) ** 2 becomes n.
+    """Base ** exponent; halves become square roots; sqrt(n) ** 2 of a number n becomes n.
 
     Raises:
         ZeroDivisionError: zero to a negative power.
@@ -72,8 +72,9 @@ def raised(base: Expression, exponent: Fraction) -> Expression:
         return reciprocal(raised(base, -exponent))
     if exponent == _HALF:
         return call(Function.SQRT, base)
-    if isinstance(base, Call) and base.function is Function.SQRT and exponent == 2:
-        return base.arguments[0]
+    match base:
+        case Call(Function.SQRT, (Number(radicand),)) if exponent == 2 and radicand >= 0:
+            return Number(radicand)
     return power(base, exponent)
 
 

@@ -107,7 +107,7 @@ def cell_syntax(cell: Cell | NoCell, limits: Limits) -> Node | Fraction:
         return _sized(Fraction(plain.group(1)), limits) if plain else parse(value, limits)
     if isinstance(value, float):
         if not math.isfinite(value):
-            raise Refusal("number_not_finite")
+            raise Refusal("cell_not_finite")
         return _sized(Fraction(repr(value)), limits)
     return _sized(Fraction(value), limits)
 

@@ -29,7 +29,7 @@ MESSAGES: Mapping[str, str] = {
     "number_too_long": "at character {column}: a number may have at most {limit} digits",
     "number_out_of_range": "at character {column}: a number is 0 or between {smallest:g} and {largest:g} "
     "in size",
-    "number_not_finite": "a cell holds finite numbers only; NaN and infinity are refused",
+    "cell_not_finite": "a cell holds finite numbers only; NaN and infinity are refused",
     "decimal_comma": "at character {column}: write a decimal point instead of the comma: {suggestion}",
     # its names
     "names_run_together": "at character {column}: {text} runs into what follows; write a product with *",

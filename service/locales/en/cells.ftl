@@ -17,7 +17,7 @@ error-script_misplaced = At character { $column }: { $character } follows nothin
 error-number_malformed = At character { $column }: { $text } is not a decimal number. Write digits and one point, without separators.
 error-number_too_long = At character { $column }: a number may have at most { $limit } digits.
 error-number_out_of_range = At character { $column }: a number is 0 or between { $smallest } and { $largest } in size.
-error-number_not_finite = A cell holds finite numbers only; NaN and infinity are refused.
+error-cell_not_finite = A cell holds finite numbers only; NaN and infinity are refused.
 error-decimal_comma = At character { $column }: write a decimal point instead of the comma: { $suggestion }.
 
 error-names_run_together = At character { $column }: { $text } runs into what follows. Write a product with *.

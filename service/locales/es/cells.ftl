@@ -17,7 +17,7 @@ error-script_misplaced = En el carácter { $column }: { $character } no sigue a 
 error-number_malformed = En el carácter { $column }: { $text } no es un número decimal. Escriba cifras y un solo punto, sin separadores.
 error-number_too_long = En el carácter { $column }: un número puede tener como máximo { $limit } cifras.
 error-number_out_of_range = En el carácter { $column }: un número es 0 o tiene valor absoluto entre { $smallest } y { $largest }.
-error-number_not_finite = Una celda contiene solo números finitos; NaN e infinito se rechazan.
+error-cell_not_finite = Una celda contiene solo números finitos; NaN e infinito se rechazan.
 error-decimal_comma = En el carácter { $column }: escriba punto decimal en lugar de coma: { $suggestion }.
 
 error-names_run_together = En el carácter { $column }: { $text } está pegado a lo que sigue. Escriba el producto con *.

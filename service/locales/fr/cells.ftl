@@ -17,7 +17,7 @@ error-script_misplaced = Au caractère { $column } : { $character } ne suit rien
 error-number_malformed = Au caractère { $column } : { $text } n’est pas un nombre décimal. Écrivez des chiffres et un seul point, sans séparateurs.
 error-number_too_long = Au caractère { $column } : un nombre a au plus { $limit } chiffres.
 error-number_out_of_range = Au caractère { $column } : un nombre vaut 0 ou est compris, en valeur absolue, entre { $smallest } et { $largest }.
-error-number_not_finite = Une cellule ne contient que des nombres finis ; NaN et l’infini sont refusés.
+error-cell_not_finite = Une cellule ne contient que des nombres finis ; NaN et l’infini sont refusés.
 error-decimal_comma = Au caractère { $column } : écrivez un point décimal au lieu de la virgule : { $suggestion }.
 
 error-names_run_together = Au caractère { $column } : { $text } est accolé à ce qui suit. Écrivez le produit avec *.

@@ -17,7 +17,7 @@ error-script_misplaced = No caractere { $column }: { $character } não segue nad
 error-number_malformed = No caractere { $column }: { $text } não é um número decimal. Escreva algarismos e um só ponto, sem separadores.
 error-number_too_long = No caractere { $column }: um número pode ter no máximo { $limit } algarismos.
 error-number_out_of_range = No caractere { $column }: um número é 0 ou tem módulo entre { $smallest } e { $largest }.
-error-number_not_finite = Uma célula contém apenas números finitos; NaN e infinito são recusados.
+error-cell_not_finite = Uma célula contém apenas números finitos; NaN e infinito são recusados.
 error-decimal_comma = No caractere { $column }: escreva ponto decimal em vez de vírgula: { $suggestion }.
 
 error-names_run_together = No caractere { $column }: { $text } está colado ao que vem a seguir. Escreva o produto com *.

@@ -17,7 +17,7 @@ error-script_misplaced = La caracterul { $column }: { $character } nu urmează d
 error-number_malformed = La caracterul { $column }: { $text } nu este un număr zecimal. Scrieți cifre și un singur punct, fără separatori.
 error-number_too_long = La caracterul { $column }: un număr poate avea cel mult { $limit } cifre.
 error-number_out_of_range = La caracterul { $column }: un număr este 0 sau are valoarea absolută între { $smallest } și { $largest }.
-error-number_not_finite = O celulă conține doar numere finite; NaN și infinit sunt respinse.
+error-cell_not_finite = O celulă conține doar numere finite; NaN și infinit sunt respinse.
 error-decimal_comma = La caracterul { $column }: scrieți punct zecimal în loc de virgulă: { $suggestion }.
 
 error-names_run_together = La caracterul { $column }: { $text } este lipit de ceea ce urmează. Scrieți produsul cu *.

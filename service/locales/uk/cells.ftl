@@ -17,7 +17,7 @@ error-script_misplaced = Символ { $column }: перед { $character } н�
 error-number_malformed = Символ { $column }: { $text } не є десятковим числом. Пишіть цифри й одну крапку, без роздільників.
 error-number_too_long = Символ { $column }: число може мати щонайбільше { $limit } цифр.
 error-number_out_of_range = Символ { $column }: число дорівнює 0 або за модулем лежить між { $smallest } і { $largest }.
-error-number_not_finite = Комірка містить лише скінченні числа; NaN і нескінченність не приймаються.
+error-cell_not_finite = Комірка містить лише скінченні числа; NaN і нескінченність не приймаються.
 error-decimal_comma = Символ { $column }: замість коми пишіть десяткову крапку: { $suggestion }.
 
 error-names_run_together = Символ { $column }: { $text } зливається з наступним. Пишіть добуток через *.

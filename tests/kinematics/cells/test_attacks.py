@@ -227,7 +227,7 @@ def test_a_cell_of_another_type_is_refused(cell, kind):
 
 @pytest.mark.parametrize("number", [float("nan"), float("inf"), -float("inf")])
 def test_numbers_that_are_none_are_refused(number):
-    assert faults_of(raw_row(a=number)) == [("number_not_finite", ("rows", 0, "a"))]
+    assert faults_of(raw_row(a=number)) == [("cell_not_finite", ("rows", 0, "a"))]
 
 
 @pytest.mark.parametrize("number", [1e16, -1e300, 10**400, 5e-324, -1e-31])
