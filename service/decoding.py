@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -13,6 +14,7 @@ from service.errors import BodyError
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _NOT_FINITE = ("NaN", "Infinity", "-Infinity", "inf", "nan", "-inf")
+_MOST_FAULTS = 50
 _DEPTH_MESSAGE = "depth limit"
 _INFINITE_MESSAGE = "infinity"
 _UTF8_MESSAGE = "UTF-8"
@@ -32,7 +34,7 @@ def decode_json(body: bytes) -> Any:
     except orjson.JSONDecodeError as error:
         if body.startswith(_BYTE_ORDER_MARK):
             return decode_json(body[len(_BYTE_ORDER_MARK) :])
-        raise BodyError(_syntax_fault(body, error)) from None
+        raise BodyError(_syntax_faults(body, error)) from None
     if body.count(b'"') != _quotes_written(value, body):
         raise BodyError(
             Fault(
@@ -77,6 +79,40 @@ def _duplicates(body: bytes) -> Iterator[tuple[str | int, ...]]:
             stack.extend(((*where, index), item) for index, item in enumerate(node))
 
 
+def _syntax_faults(body: bytes, error: orjson.JSONDecodeError) -> Iterator[Fault]:
+    place = {"line": error.lineno, "column": error.colno}
+    rest = error.doc[error.pos : error.pos + 9]
+    if not rest.startswith(_NOT_FINITE) and _INFINITE_MESSAGE not in error.msg:
+        yield _syntax_fault(body, error)
+        return
+    for where in _not_finite(body) or [()]:
+        yield Fault(
+            code="json_not_finite",
+            message=f"line {error.lineno}, column {error.colno}: a number must be finite; "
+            "JSON has no NaN and no infinity",
+            where=where,
+            params=place,
+        )
+
+
+def _not_finite(body: bytes) -> list[tuple[str | int, ...]]:
+    """Where NaN and infinite numbers stand, as far as Python's lenient reader can tell."""
+    try:
+        stack: list[tuple[tuple[str | int, ...], Any]] = [((), json.loads(body))]
+    except (ValueError, RecursionError):
+        return []
+    found: list[tuple[str | int, ...]] = []
+    while stack and len(found) < _MOST_FAULTS:
+        where, node = stack.pop()
+        if isinstance(node, float) and not math.isfinite(node):
+            found.append(where)
+        elif isinstance(node, dict):
+            stack.extend(reversed([((*where, key), item) for key, item in node.items()]))
+        elif isinstance(node, list):
+            stack.extend(reversed([((*where, index), item) for index, item in enumerate(node)]))
+    return found
+
+
 def _syntax_fault(body: bytes, error: orjson.JSONDecodeError) -> Fault:
     if not body.strip():
         return Fault(code="body_missing", message="the request has no body; send a JSON object")
@@ -84,17 +120,8 @@ def _syntax_fault(body: bytes, error: orjson.JSONDecodeError) -> Fault:
         return Fault(code="json_not_utf8", message="the body is not UTF-8, as JSON must be")
     if _DEPTH_MESSAGE in error.msg:
         return Fault(code="json_too_deep", message="the JSON document is nested too deeply")
-    place = {"line": error.lineno, "column": error.colno}
-    rest = error.doc[error.pos : error.pos + 9]
-    if rest.startswith(_NOT_FINITE) or _INFINITE_MESSAGE in error.msg:
-        return Fault(
-            code="json_not_finite",
-            message=f"line {error.lineno}, column {error.colno}: a number must be finite; "
-            "JSON has no NaN and no infinity",
-            params=place,
-        )
     return Fault(
         code="json_invalid",
         message=f"the body is not JSON: {error.msg} at line {error.lineno}, column {error.colno}",
-        params={**place, "reason": error.msg},
+        params={"line": error.lineno, "column": error.colno, "reason": error.msg},
     )

@@ -86,7 +86,9 @@ def request_error(errors: Sequence[Any], body_model: Any = None) -> RequestError
 def _fault(error: ErrorDetails, where: tuple[int | str, ...], model: Any) -> Fault:
     kind, context = error["type"], error.get("ctx") or {}
     code = CODES.get(kind, kind if kind not in _PYDANTIC_TYPES else "value_invalid")
-    params: dict[str, ParamValue] = {"field": str(where[-1]) if where else ""}
+    if code == "object_expected" and not where:
+        code = "body_not_object"
+    params: dict[str, ParamValue] = {"field": _name(where)}
     params |= {name: _plain(value) for name, value in context.items() if name != "error"}
     if code == "field_unknown":
         allowed = _fields_at(model, where[:-1])
@@ -104,6 +106,12 @@ def _fault(error: ErrorDetails, where: tuple[int | str, ...], model: Any) -> Fau
     elif code == "value_invalid":
         params = {"reason": error["msg"]}
     return Fault(code=code, message=error["msg"], where=where, params=params)
+
+
+def _name(where: Sequence[int | str]) -> str:
+    """The innermost named field, with the indices below it: joints[3][0]."""
+    named = max((i for i, step in enumerate(where) if isinstance(step, str)), default=0)
+    return "".join(f"[{step}]" if isinstance(step, int) else str(step) for step in where[named:])
 
 
 def _place(loc: Iterable[int | str]) -> tuple[int | str, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, TypeAlias
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema
 
 
 class Wire(BaseModel):
@@ -19,8 +19,20 @@ class Wire(BaseModel):
 
 Real: TypeAlias = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 Vector3: TypeAlias = Annotated[list[Real], Field(min_length=3, max_length=3)]
-Row4: TypeAlias = Annotated[list[Real], Field(min_length=4, max_length=4)]
-Matrix4: TypeAlias = Annotated[list[Row4], Field(min_length=4, max_length=4, description="4×4, row by row")]
+
+_FOUR = {"minItems": 4, "maxItems": 4}
+Matrix4: TypeAlias = Annotated[
+    list[list[Real]],
+    WithJsonSchema(
+        {
+            "type": "array",
+            "items": {"type": "array", "items": {"type": "number"}, **_FOUR},
+            **_FOUR,
+            "description": "4×4, row by row",
+        }
+    ),
+]
+"""Its shape is checked with its meaning, by `kinematics.transforms.check_transform`."""
 
 
 class FaultEntry(Wire):

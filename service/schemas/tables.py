@@ -48,7 +48,7 @@ class Table(Wire):
         LengthUnit.M,
         description="unit of every length: table, joints, parameters and answer",
     )
-    rows: list[Row] = Field(min_length=1, description="the rows, base first")
+    rows: list[Row] = Field(json_schema_extra={"minItems": 1}, description="the rows, base first")
 
     def raw(self) -> RawTable:
         """The table as the cell grammar reads it."""

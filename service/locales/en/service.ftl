@@ -42,13 +42,30 @@ error-number_too_large = The number is too large; the bound is { $limit }.
 error-integer_expected = “{ $field }” must be a whole number.
 error-boolean_expected = “{ $field }” must be true or false.
 error-string_expected = “{ $field }” must be text.
-error-string_too_long = The text is too long: at most { $limit } characters are read.
-error-string_too_short = The text is too short: at least { $limit } characters are needed.
+error-string_too_long =
+    The text is too long: at most { $limit ->
+        [one] one character is
+       *[other] { $limit } characters are
+    } read.
+error-string_too_short =
+    The text is too short: at least { $limit ->
+        [one] one character is
+       *[other] { $limit } characters are
+    } needed.
 error-string_pattern = The text does not have the expected form, { $pattern }.
 error-list_expected = “{ $field }” must be a list.
-error-list_too_long = The list is too long: it may have at most { $limit } items.
-error-list_too_short = The list is too short: it needs at least { $limit } items.
+error-list_too_long =
+    The list is too long: it may have at most { $limit ->
+        [one] one item
+       *[other] { $limit } items
+    }.
+error-list_too_short =
+    The list is too short: it needs at least { $limit ->
+        [one] one item
+       *[other] { $limit } items
+    }.
 error-object_expected = “{ $field }” must be an object with named fields.
+error-body_not_object = The body must be a JSON object with named fields.
 error-null_expected = “{ $field }” must be null or left out.
 error-value_not_allowed = This must be one of: { $expected }.
 error-value_invalid = This value cannot be used: { $reason }.

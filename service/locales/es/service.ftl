@@ -42,13 +42,30 @@ error-number_too_large = El número es demasiado grande; el límite es { $limit 
 error-integer_expected = «{ $field }» debe ser un número entero.
 error-boolean_expected = «{ $field }» debe ser true o false.
 error-string_expected = «{ $field }» debe ser texto.
-error-string_too_long = El texto es demasiado largo: se leen como máximo { $limit } caracteres.
-error-string_too_short = El texto es demasiado corto: hacen falta al menos { $limit } caracteres.
+error-string_too_long =
+    El texto es demasiado largo: { $limit ->
+        [one] se lee como máximo un carácter
+       *[other] se leen como máximo { $limit } caracteres
+    }.
+error-string_too_short =
+    El texto es demasiado corto: { $limit ->
+        [one] hace falta al menos un carácter
+       *[other] hacen falta al menos { $limit } caracteres
+    }.
 error-string_pattern = El texto no tiene la forma esperada, { $pattern }.
 error-list_expected = «{ $field }» debe ser una lista.
-error-list_too_long = La lista es demasiado larga: puede tener como máximo { $limit } elementos.
-error-list_too_short = La lista es demasiado corta: necesita al menos { $limit } elementos.
+error-list_too_long =
+    La lista es demasiado larga: puede tener como máximo { $limit ->
+        [one] un elemento
+       *[other] { $limit } elementos
+    }.
+error-list_too_short =
+    La lista es demasiado corta: necesita al menos { $limit ->
+        [one] un elemento
+       *[other] { $limit } elementos
+    }.
 error-object_expected = «{ $field }» debe ser un objeto con campos con nombre.
+error-body_not_object = El cuerpo debe ser un objeto JSON con campos con nombre.
 error-null_expected = «{ $field }» debe ser null o faltar.
 error-value_not_allowed = El valor debe ser uno de estos: { $expected }.
 error-value_invalid = Este valor no se puede usar: { $reason }.

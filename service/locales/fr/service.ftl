@@ -42,13 +42,30 @@ error-number_too_large = Le nombre est trop grand ; la limite est { $limit }.
 error-integer_expected = « { $field } » doit être un nombre entier.
 error-boolean_expected = « { $field } » doit être true ou false.
 error-string_expected = « { $field } » doit être du texte.
-error-string_too_long = Le texte est trop long : { $limit } caractères au plus sont lus.
-error-string_too_short = Le texte est trop court : il faut au moins { $limit } caractères.
+error-string_too_long =
+    Le texte est trop long : au plus { $limit ->
+        [one] un caractère est lu
+       *[other] { $limit } caractères sont lus
+    }.
+error-string_too_short =
+    Le texte est trop court : il faut au moins { $limit ->
+        [one] un caractère
+       *[other] { $limit } caractères
+    }.
 error-string_pattern = Le texte n’a pas la forme attendue, { $pattern }.
 error-list_expected = « { $field } » doit être une liste.
-error-list_too_long = La liste est trop longue : elle peut avoir au plus { $limit } éléments.
-error-list_too_short = La liste est trop courte : il lui faut au moins { $limit } éléments.
+error-list_too_long =
+    La liste est trop longue : elle peut avoir au plus { $limit ->
+        [one] un élément
+       *[other] { $limit } éléments
+    }.
+error-list_too_short =
+    La liste est trop courte : il lui faut au moins { $limit ->
+        [one] un élément
+       *[other] { $limit } éléments
+    }.
 error-object_expected = « { $field } » doit être un objet à champs nommés.
+error-body_not_object = Le corps doit être un objet JSON à champs nommés.
 error-null_expected = « { $field } » doit être null ou absent.
 error-value_not_allowed = La valeur doit être l’une de celles-ci : { $expected }.
 error-value_invalid = Cette valeur ne peut pas être utilisée : { $reason }.

@@ -42,13 +42,30 @@ error-number_too_large = O número é grande demais; o limite é { $limit }.
 error-integer_expected = “{ $field }” tem de ser um número inteiro.
 error-boolean_expected = “{ $field }” tem de ser true ou false.
 error-string_expected = “{ $field }” tem de ser texto.
-error-string_too_long = O texto é longo demais: leem-se no máximo { $limit } caracteres.
-error-string_too_short = O texto é curto demais: são necessários pelo menos { $limit } caracteres.
+error-string_too_long =
+    O texto é longo demais: { $limit ->
+        [one] lê-se no máximo um caractere
+       *[other] leem-se no máximo { $limit } caracteres
+    }.
+error-string_too_short =
+    O texto é curto demais: { $limit ->
+        [one] é necessário pelo menos um caractere
+       *[other] são necessários pelo menos { $limit } caracteres
+    }.
 error-string_pattern = O texto não tem a forma esperada, { $pattern }.
 error-list_expected = “{ $field }” tem de ser uma lista.
-error-list_too_long = A lista é longa demais: pode ter no máximo { $limit } itens.
-error-list_too_short = A lista é curta demais: precisa de pelo menos { $limit } itens.
+error-list_too_long =
+    A lista é longa demais: pode ter no máximo { $limit ->
+        [one] um item
+       *[other] { $limit } itens
+    }.
+error-list_too_short =
+    A lista é curta demais: precisa de pelo menos { $limit ->
+        [one] um item
+       *[other] { $limit } itens
+    }.
 error-object_expected = “{ $field }” tem de ser um objeto com campos nomeados.
+error-body_not_object = O corpo tem de ser um objeto JSON com campos nomeados.
 error-null_expected = “{ $field }” tem de ser null ou ser omitido.
 error-value_not_allowed = O valor tem de ser um destes: { $expected }.
 error-value_invalid = Este valor não pode ser usado: { $reason }.

@@ -42,13 +42,34 @@ error-number_too_large = Numărul este prea mare; limita este { $limit }.
 error-integer_expected = „{ $field }” trebuie să fie un număr întreg.
 error-boolean_expected = „{ $field }” trebuie să fie true sau false.
 error-string_expected = „{ $field }” trebuie să fie text.
-error-string_too_long = Textul este prea lung: se citesc cel mult { $limit } caractere.
-error-string_too_short = Textul este prea scurt: sunt necesare cel puțin { $limit } caractere.
+error-string_too_long =
+    Textul este prea lung: se { $limit ->
+        [one] citește cel mult un caracter
+        [few] citesc cel mult { $limit } caractere
+       *[other] citesc cel mult { $limit } de caractere
+    }.
+error-string_too_short =
+    Textul este prea scurt: { $limit ->
+        [one] este necesar cel puțin un caracter
+        [few] sunt necesare cel puțin { $limit } caractere
+       *[other] sunt necesare cel puțin { $limit } de caractere
+    }.
 error-string_pattern = Textul nu are forma așteptată, { $pattern }.
 error-list_expected = „{ $field }” trebuie să fie o listă.
-error-list_too_long = Lista este prea lungă: poate avea cel mult { $limit } elemente.
-error-list_too_short = Lista este prea scurtă: are nevoie de cel puțin { $limit } elemente.
+error-list_too_long =
+    Lista este prea lungă: poate avea cel mult { $limit ->
+        [one] un element
+        [few] { $limit } elemente
+       *[other] { $limit } de elemente
+    }.
+error-list_too_short =
+    Lista este prea scurtă: are nevoie de cel puțin { $limit ->
+        [one] un element
+        [few] { $limit } elemente
+       *[other] { $limit } de elemente
+    }.
 error-object_expected = „{ $field }” trebuie să fie un obiect cu câmpuri numite.
+error-body_not_object = Corpul trebuie să fie un obiect JSON cu câmpuri numite.
 error-null_expected = „{ $field }” trebuie să fie null sau să lipsească.
 error-value_not_allowed = Valoarea trebuie să fie una dintre: { $expected }.
 error-value_invalid = Această valoare nu poate fi folosită: { $reason }.

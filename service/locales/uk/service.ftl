@@ -42,13 +42,34 @@ error-number_too_large = Число завелике; межа — { $limit }.
 error-integer_expected = «{ $field }» має бути цілим числом.
 error-boolean_expected = «{ $field }» має бути true або false.
 error-string_expected = «{ $field }» має бути текстом.
-error-string_too_long = Текст задовгий: читається не більше ніж { $limit } символів.
-error-string_too_short = Текст закороткий: потрібно щонайменше { $limit } символів.
+error-string_too_long =
+    Текст задовгий: читається не більше ніж { $limit ->
+        [one] { $limit } символ
+        [few] { $limit } символи
+       *[other] { $limit } символів
+    }.
+error-string_too_short =
+    Текст закороткий: потрібно щонайменше { $limit ->
+        [one] { $limit } символ
+        [few] { $limit } символи
+       *[other] { $limit } символів
+    }.
 error-string_pattern = Текст не має очікуваного вигляду, { $pattern }.
 error-list_expected = «{ $field }» має бути списком.
-error-list_too_long = Список задовгий: у ньому може бути не більше ніж { $limit } елементів.
-error-list_too_short = Список закороткий: потрібно щонайменше { $limit } елементів.
+error-list_too_long =
+    Список задовгий: у ньому може бути не більше ніж { $limit ->
+        [one] { $limit } елемент
+        [few] { $limit } елементи
+       *[other] { $limit } елементів
+    }.
+error-list_too_short =
+    Список закороткий: потрібно щонайменше { $limit ->
+        [one] { $limit } елемент
+        [few] { $limit } елементи
+       *[other] { $limit } елементів
+    }.
 error-object_expected = «{ $field }» має бути об’єктом з іменованими полями.
+error-body_not_object = Тіло запиту має бути об’єктом JSON з іменованими полями.
 error-null_expected = «{ $field }» має бути null або відсутнє.
 error-value_not_allowed = Значення має бути одним із таких: { $expected }.
 error-value_invalid = Це значення неможливо використати: { $reason }.
