@@ -1,7 +1,7 @@
 """`python -m bench [module …]`: measure, print, and write docs/performance.md.
 
-Without arguments every `bench_*.py` runs, each in a process of its own; the peers' environment must be the one
-that runs it (`make bench` sees to that). `--quiet-page` prints without touching the page.
+Without arguments every `bench_*.py` runs, each in a process of its own; the peers' environment must be the
+one that runs it (`make bench` sees to that). `--quiet-page` prints without touching the page.
 """
 
 from __future__ import annotations

@@ -119,7 +119,7 @@ def race(
 def measured(
     work: str, *, peer: str, ours: float, theirs: float, unit: str, better: Better, bar: float | None = None
 ) -> Row:
-    """A row whose figures were taken elsewhere: requests per second by a load tool, a share of solved cases."""
+    """A row whose figures were taken elsewhere: requests per second by a load tool, a share of cases."""
     return Row(work=work, peer=peer, ours=ours, theirs=theirs, unit=unit, better=better, bar=bar)
 
 

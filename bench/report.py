@@ -15,10 +15,10 @@ PAGE = Path(__file__).resolve().parent.parent / "docs" / "performance.md"
 HEADER = """\
 # Performance
 
-Written by `make bench`: every figure is a median of interleaved repetitions, taken beside a peer's in the same
-process on one thread, because a ratio travels between machines and seconds do not. `ratio` says how many times
-better than the peer we are (0.5 is half as fast), `bar` the least that was promised. Peers live in an environment
-of their own; the project depends on none of them. One module alone: `make bench ONLY=forward`.
+Written by `make bench`: every figure is a median of interleaved repetitions, taken beside a peer's in the
+same process on one thread, because a ratio travels between machines and seconds do not. `ratio` says how many
+times better than the peer we are (0.5 is half as fast), `bar` the least that was promised. Peers live in an
+environment of their own; the project depends on none of them. One module alone: `make bench ONLY=forward`.
 """
 
 COLUMNS = ("work", "ours", "peer", "theirs", "ratio", "bar", "met")

@@ -2,35 +2,90 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from kinematics.errors import Fault, JointValueError
-from kinematics.links import Transform, link_transform
+from kinematics.evaluation.plan import Floats, Plan, Quantity, plan_of
+from kinematics.joint_values import is_batch, many_configurations, one_configuration
+from kinematics.links import Transform
 from kinematics.table import NumericTable
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
 class ForwardKinematics:
-    """Poses of a serial chain at one configuration.
+    """Poses of a serial chain at one configuration, or at m of them (each array then has a leading axis m).
+
+    Links and frames are computed when they are first asked for; nothing here ever changes.
 
     Attributes:
         transform: (4, 4) pose of the end frame, base and tool included.
         links: (rows, 4, 4) pose of frame i in frame i-1.
-        frames: (rows, 4, 4) pose of frame i in the world (frame 0 if there is no base).
+        frames: (rows, 4, 4) pose of frame i in the world (frame 0 if there is no base), the tool left out.
     """
 
-    transform: Transform
-    links: NDArray[np.float64]
-    frames: NDArray[np.float64]
+    __slots__ = ("_frames", "_joints", "_links", "_plan", "transform")
+
+    def __init__(self, plan: Plan, joints: list[float] | Floats, transform: Transform) -> None:
+        self.transform = transform
+        self._plan = plan
+        self._joints = joints
+
+    @property
+    def links(self) -> Floats:
+        """(rows, 4, 4) pose of frame i in frame i-1, or (m, rows, 4, 4)."""
+        links: Floats | None = getattr(self, "_links", None)
+        if links is None:
+            links = self._links = self._of(Quantity.LINKS)
+        return links
+
+    @property
+    def frames(self) -> Floats:
+        """(rows, 4, 4) pose of frame i in the world, or (m, rows, 4, 4)."""
+        frames: Floats | None = getattr(self, "_frames", None)
+        if frames is None:
+            frames = self._of(Quantity.FRAMES)
+            if not self._plan.has_tool and frames.shape[-3]:
+                # The same pose, but summed in another order: without this the last digits would differ.
+                frames[..., -1, :, :] = self.transform
+            self._frames = frames
+        return frames
+
+    def _of(self, quantity: Quantity) -> Floats:
+        computation = self._plan.of(quantity)
+        if isinstance(self._joints, np.ndarray):
+            return computation.many(self._joints)
+        return computation.once(self._joints)
 
 
 def forward_kinematics(
-    table: NumericTable, joints: ArrayLike, *, base: Transform | None = None, tool: Transform | None = None
+    table: NumericTable, joints: ArrayLike, *, base: ArrayLike | None = None, tool: ArrayLike | None = None
 ) -> ForwardKinematics:
-    """Poses of every frame at one configuration: T = base · A_1 ⋯ A_N · tool.
+    """Poses of every frame: T = base · A_1 ⋯ A_N · tool.
+
+    Args:
+        table: the DH table.
+        joints: (n,) joint variables in joint order [rad, or m for a prismatic joint], or (m, n) for a batch.
+        base: (4, 4) pose of frame 0 in the world; the identity if left out.
+        tool: (4, 4) pose of the tool in frame N; the identity if left out.
+
+    Raises:
+        JointValueError: not n finite values, or lengths so large that the result overflows.
+        PoseError: base or tool is not a rigid transform.
+        TableError: an entry of the table is NaN or infinite.
+
+    Source: seed 000 eq. 3.3.
+    """
+    plan = plan_of(table, base, tool)
+    if is_batch(joints):
+        batch = many_configurations(joints, plan.n_joints).copy()
+        return ForwardKinematics(plan, batch, plan.pose.many(batch))
+    values = one_configuration(joints, plan.n_joints)
+    return ForwardKinematics(plan, values, plan.pose.once(values))
+
+
+def end_pose(
+    table: NumericTable, joints: ArrayLike, *, base: ArrayLike | None = None, tool: ArrayLike | None = None
+) -> Transform:
+    """Pose of the end frame alone, (4, 4): what `forward_kinematics` calls `transform`.
 
     Args:
         table: the DH table.
@@ -39,25 +94,35 @@ def forward_kinematics(
         tool: (4, 4) pose of the tool in frame N; the identity if left out.
 
     Raises:
-        JointValueError: not n finite values.
-
-    Source: seed 000 eq. 3.3.
+        JointValueError: not n finite values, or lengths so large that the result overflows.
+        PoseError: base or tool is not a rigid transform.
+        TableError: an entry of the table is NaN or infinite.
     """
-    q = np.asarray(joints, dtype=np.float64)
-    if q.shape != (table.n_joints,):
-        raise JointValueError(
-            Fault(
-                code="joints_wrong_length",
-                message=f"the table has {table.n_joints} joints; give as many values",
-                params={"expected": table.n_joints},
-            )
-        )
-    values = dict(zip(table.joint_rows, q.tolist(), strict=True))
-    links = np.empty((len(table.rows), 4, 4))
-    frames = np.empty_like(links)
-    pose = np.eye(4) if base is None else np.asarray(base, dtype=np.float64)
-    for i, row in enumerate(table.rows):
-        links[i] = link_transform(row, table.convention, values.get(i, 0.0))
-        pose = pose @ links[i]
-        frames[i] = pose
-    return ForwardKinematics(transform=pose if tool is None else pose @ tool, links=links, frames=frames)
+    plan = plan_of(table, base, tool)
+    return plan.pose.once(one_configuration(joints, plan.n_joints))
+
+
+def end_poses(
+    table: NumericTable, joints: ArrayLike, *, base: ArrayLike | None = None, tool: ArrayLike | None = None
+) -> Transform:
+    """Poses of the end frame at many configurations.
+
+    Cosine and sine come from one tangent here (see `kinematics.angles`), so a pose may differ from that of
+    `end_pose` in the last digits: by less than 1e-15 times the length of the chain.
+
+    Args:
+        table: the DH table.
+        joints: (m, n) joint variables, one configuration a row [rad, or m for a prismatic joint].
+        base: (4, 4) pose of frame 0 in the world; the identity if left out.
+        tool: (4, 4) pose of the tool in frame N; the identity if left out.
+
+    Returns:
+        (m, 4, 4) transforms.
+
+    Raises:
+        JointValueError: not m rows of n finite values, or lengths so large that a result overflows.
+        PoseError: base or tool is not a rigid transform.
+        TableError: an entry of the table is NaN or infinite.
+    """
+    plan = plan_of(table, base, tool)
+    return plan.pose.many(many_configurations(joints, plan.n_joints))

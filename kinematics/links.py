@@ -1,16 +1,167 @@
-"""The link transform: the two DH products, written once."""
+"""The link transform: what a row of a DH table means, written once.
+
+A link is a product of four elementary motions, one for each cell of its row: Rot_z(theta), Trans_z(d),
+Trans_x(a), Rot_x(alpha). The two conventions differ in their order alone (`MOTIONS`). Whatever is computed
+from a table, for one configuration or many, is derived from this order and from the two rotations `turn_z`
+and `turn_x`.
+"""
 
 from __future__ import annotations
 
 import math
-from typing import TypeAlias
+from collections.abc import Iterable, Sequence
+from enum import StrEnum
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.angles import cos_sin
+from kinematics.errors import Fault, JointValueError, TableError
 from kinematics.table import Convention, JointType, NumericRow
 
 Transform: TypeAlias = NDArray[np.float64]
+
+# A number of any kind that knows + - *: a float, or a symbol of a computation that is being recorded.
+Scalar: TypeAlias = Any
+Vector: TypeAlias = tuple[Scalar, Scalar, Scalar]
+Row: TypeAlias = tuple[Scalar, Scalar, Scalar, Scalar]
+
+# (cos q, sin q) of a revolute joint, q of a prismatic one.
+JointValue: TypeAlias = Any
+
+# Base side first. The cells theta and d move along z, a and alpha along x.
+MOTIONS = {
+    Convention.STANDARD: ("theta", "d", "a", "alpha"),
+    Convention.MODIFIED: ("alpha", "a", "theta", "d"),
+}
+
+ORIGIN: Vector = (0.0, 0.0, 0.0)
+X_AXIS: Vector = (1.0, 0.0, 0.0)
+Z_AXIS: Vector = (0.0, 0.0, 1.0)
+
+
+class Kind(StrEnum):
+    """The four elementary motions."""
+
+    TURN_Z = "turn_z"
+    SHIFT_Z = "shift_z"
+    SHIFT_X = "shift_x"
+    TURN_X = "turn_x"
+
+
+class Motion(NamedTuple):
+    """An elementary motion.
+
+    Attributes:
+        kind: which one.
+        first: cosine of a turn's angle, or the length of a shift.
+        second: sine of a turn's angle.
+        joint: number of the joint that moves so, from 0; None of a constant motion.
+        sign: −1 of a joint whose variable enters reversed.
+    """
+
+    kind: Kind
+    first: Scalar
+    second: Scalar = 0.0
+    joint: int | None = None
+    sign: int = 1
+
+
+_KINDS = {"theta": Kind.TURN_Z, "d": Kind.SHIFT_Z, "a": Kind.SHIFT_X, "alpha": Kind.TURN_X}
+_VARIABLE = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d", JointType.FIXED: None}
+
+
+def turn_z(v: Vector, c: Scalar, s: Scalar) -> Vector:
+    """Rot_z(angle) · v, from the angle's cosine and sine; with −s, Rot_z(angle)ᵀ · v."""
+    x, y, z = v
+    return x * c - y * s, x * s + y * c, z
+
+
+def turn_x(v: Vector, c: Scalar, s: Scalar) -> Vector:
+    """Rot_x(angle) · v, from the angle's cosine and sine; with −s, Rot_x(angle)ᵀ · v."""
+    x, y, z = v
+    return x, y * c - z * s, y * s + z * c
+
+
+def cross(u: Vector, v: Vector) -> Vector:
+    """Vector product."""
+    return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
+
+
+def link_motions(
+    row: NumericRow, convention: Convention, joint: int = 0, where: tuple[str | int, ...] = ()
+) -> list[Motion]:
+    """The elementary motions of a row, base side first, without constant ones that do not move.
+
+    Args:
+        row: the row.
+        convention: their order.
+        joint: number of the row's joint, from 0; ignored of a fixed row.
+        where: place of the row, for the faults.
+
+    Raises:
+        TableError: an entry is NaN or infinite.
+    """
+    faults: list[Fault] = []
+    motions: list[Motion] = []
+    for cell in MOTIONS[convention]:
+        kind, value = _KINDS[cell], float(getattr(row, cell))
+        if not math.isfinite(value):
+            message = f"{cell} is not a finite number"
+            faults.append(Fault(code="entry_not_finite", message=message, where=(*where, cell)))
+        elif value:
+            turns = kind is Kind.TURN_Z or kind is Kind.TURN_X
+            motions.append(Motion(kind, *cos_sin(value)) if turns else Motion(kind, value))
+        if cell == _VARIABLE[row.joint]:
+            motions.append(Motion(kind, 0.0, 0.0, joint, row.sign))
+    if faults:
+        raise TableError(faults)
+    return motions
+
+
+def set_joints(motions: Iterable[Motion], values: Sequence[JointValue]) -> list[Motion]:
+    """The same motions with the joints' values in place."""
+    placed = []
+    for motion in motions:
+        if motion.joint is None:
+            placed.append(motion)
+        elif motion.kind is Kind.TURN_Z:
+            cos, sin = values[motion.joint]
+            placed.append(
+                Motion(Kind.TURN_Z, cos, sin if motion.sign > 0 else -sin, motion.joint, motion.sign)
+            )
+        else:
+            by = values[motion.joint]
+            placed.append(
+                Motion(Kind.SHIFT_Z, by if motion.sign > 0 else -by, 0.0, motion.joint, motion.sign)
+            )
+    return placed
+
+
+def pose_of_motions(motions: Sequence[Motion]) -> tuple[Row, Row, Row]:
+    """The 3×4 pose that a product of elementary motions makes, by rows, for any kind of number.
+
+    Columns x and z of the rotation and the origin p are carried from the tip to the base. Turns about
+    parallel axes are put together (by the rule for the cosine and sine of a sum) before the columns are
+    turned, and y = z × x.
+    """
+    x, z, p = X_AXIS, Z_AXIS, ORIGIN
+    c, s = 1.0, 0.0
+    for kind, first, second, _, _ in reversed(motions):
+        if kind is Kind.TURN_Z:
+            c, s, _ = turn_z((c, s, 0.0), first, second)
+            p = turn_z(p, first, second)
+        elif kind is Kind.TURN_X:
+            x, z, p = (turn_x(v, first, second) for v in (turn_z(x, c, s), turn_z(z, c, s), p))
+            c, s = 1.0, 0.0
+        elif kind is Kind.SHIFT_Z:
+            p = (p[0], p[1], p[2] + first)
+        else:
+            p = (p[0] + first, p[1], p[2])
+    x, z = turn_z(x, c, s), turn_z(z, c, s)
+    y = cross(z, x)
+    return (x[0], y[0], z[0], p[0]), (x[1], y[1], z[1], p[1]), (x[2], y[2], z[2], p[2])
 
 
 def link_transform(row: NumericRow, convention: Convention, q: float = 0.0) -> Transform:
@@ -26,28 +177,18 @@ def link_transform(row: NumericRow, convention: Convention, q: float = 0.0) -> T
         q: the joint variable [rad], or [m] of a prismatic row; a fixed row ignores it.
 
     Returns:
-        (4, 4) homogeneous transform, translation in [m].
+        (4, 4) homogeneous transform, translation in [m]. Constant angles that are multiples of π/12 count as
+        exact.
+
+    Raises:
+        TableError: an entry of the row is NaN or infinite.
+        JointValueError: q is NaN or infinite.
 
     Source: seed 000 eq. 3.2 (modified); seed 003 eq. 2 (standard).
     """
-    theta = row.theta + row.sign * q if row.joint is JointType.REVOLUTE else row.theta
-    d = row.d + row.sign * q if row.joint is JointType.PRISMATIC else row.d
-    a, ca, sa = row.a, math.cos(row.alpha), math.sin(row.alpha)
-    ct, st = math.cos(theta), math.sin(theta)
-    if convention is Convention.STANDARD:
-        return np.array(
-            [
-                [ct, -st * ca, st * sa, a * ct],
-                [st, ct * ca, -ct * sa, a * st],
-                [0.0, sa, ca, d],
-                [0.0, 0.0, 0.0, 1.0],
-            ]
-        )
-    return np.array(
-        [
-            [ct, -st, 0.0, a],
-            [st * ca, ct * ca, -sa, -sa * d],
-            [st * sa, ct * sa, ca, ca * d],
-            [0.0, 0.0, 0.0, 1.0],
-        ]
-    )
+    if not math.isfinite(q):
+        message = "the joint variable is not a finite number"
+        raise JointValueError(Fault(code="joint_not_finite", message=message, where=("joints", 0)))
+    value = (math.cos(q), math.sin(q)) if row.joint is JointType.REVOLUTE else q
+    motions = set_joints(link_motions(row, convention), (value,))
+    return np.array([*pose_of_motions(motions), (0.0, 0.0, 0.0, 1.0)])

@@ -1,0 +1,232 @@
+"""Plans: what is kept of a table so that its second evaluation is faster than the first.
+
+A first evaluation walks the recurrences on floats. From the `WARM`th on, the computation is recorded and made
+a straight-line function; batches are recorded at once. A plan hangs on the table object it was made for, and
+equal tables share it, so a caller who reads the same table again and again need not keep the object.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from enum import StrEnum
+from functools import cached_property, lru_cache
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from kinematics.chains import (
+    Chain,
+    base_jacobian,
+    chain_of_table,
+    end_jacobian,
+    end_pose,
+    frame_poses,
+    link_poses,
+)
+from kinematics.errors import Fault, JointValueError
+from kinematics.evaluation.blocks import run_blocks
+from kinematics.evaluation.straight_line import Evaluator, straight_line
+from kinematics.evaluation.tape import Recorder, Tape
+from kinematics.links import Scalar
+from kinematics.table import JointType, NumericTable
+from kinematics.transforms import check_transform
+
+WARM = 8
+KEPT_TABLES = 64
+KEPT_VARIANTS = 4
+LARGEST_TAPE = 4000
+SAFE_LENGTH = 1e300
+
+Floats: TypeAlias = NDArray[np.float64]
+
+
+class Quantity(StrEnum):
+    """What can be computed of a chain."""
+
+    POSE = "pose"
+    LINKS = "links"
+    FRAMES = "frames"
+    BASE_JACOBIAN = "base_jacobian"
+    END_JACOBIAN = "end_jacobian"
+
+
+class Computation:
+    """One quantity of one chain: for one configuration or many, walked, recorded or made straight.
+
+    Attributes:
+        shape: of the quantity at one configuration.
+        once: computes it at one configuration, given as a list of n finite floats.
+    """
+
+    def __init__(self, chain: Chain, quantity: Quantity) -> None:
+        n, rows = len(chain.joint_types), len(chain.links)
+        shapes = {Quantity.POSE: (4, 4), Quantity.LINKS: (rows, 4, 4), Quantity.FRAMES: (rows, 4, 4)}
+        self.shape = shapes.get(quantity, (6, n))
+        self._chain = chain
+        self._results = _RESULTS[quantity]
+        self._uses = 0
+        self.once: Evaluator = self._checked if may_overflow(chain) else self._walk
+        self._unchecked: Evaluator = self._walk
+
+    def many(self, joints: Floats) -> Floats:
+        """The quantity at many configurations, given as (m, n) finite floats; (m, …)."""
+        out = np.empty((len(joints), *self.shape))
+        if out.size:
+            flat = out.reshape(len(joints), -1)
+            run_blocks(self._tape, self._chain.joint_types, joints, flat)
+            if may_overflow(self._chain) and not np.isfinite(flat).all():
+                raise _overflow(int(np.argmin(np.isfinite(flat).all(axis=1))))
+        return out
+
+    def _checked(self, joints: Sequence[float]) -> Floats:
+        """Evaluate where lengths might add up to more than a double can hold."""
+        array = self._unchecked(joints)
+        if not np.isfinite(array).all():
+            raise _overflow()
+        return array
+
+    def _walk(self, joints: Sequence[float]) -> Floats:
+        """Evaluate without a recording the first few times, then make one."""
+        self._uses += 1
+        if self._uses > WARM and len(self._tape.operations) <= LARGEST_TAPE:
+            return self._straighten()(joints)
+        values = [
+            q if kind is JointType.PRISMATIC else (math.cos(q), math.sin(q))
+            for q, kind in zip(joints, self._chain.joint_types, strict=True)
+        ]
+        results = np.array(self._results(self._chain, values)).reshape(self.shape)
+        results += 0.0  # turns -0.0 into 0.0, as the other ways do
+        return results
+
+    def _straighten(self) -> Evaluator:
+        """Put a straight-line function in the place of `_walk`."""
+        self._unchecked = straight_line(self._tape, self._chain.joint_types, self.shape)
+        if not may_overflow(self._chain):
+            self.once = self._unchecked
+        return self._unchecked
+
+    @cached_property
+    def _tape(self) -> Tape:
+        n = len(self._chain.joint_types)
+        recorder = Recorder(2 * n)
+        values = [
+            recorder.inputs[joint]
+            if kind is JointType.PRISMATIC
+            else (recorder.inputs[joint], recorder.inputs[n + joint])
+            for joint, kind in enumerate(self._chain.joint_types)
+        ]
+        return recorder.tape(self._results(self._chain, values))
+
+
+class Plan:
+    """All computations of one table between one base and one tool."""
+
+    def __init__(self, table: NumericTable, base: Floats | None, tool: Floats | None) -> None:
+        self.chain = chain_of_table(table, base, tool)
+        self.n_joints = table.n_joints
+        self.has_tool = tool is not None
+        self.pose = Computation(self.chain, Quantity.POSE)
+        self._others: dict[Quantity, Computation] = {Quantity.POSE: self.pose}
+
+    def of(self, quantity: Quantity) -> Computation:
+        """The computation of a quantity."""
+        found = self._others.get(quantity)
+        if found is None:
+            found = self._others[quantity] = Computation(self.chain, quantity)
+        return found
+
+
+class _Plans:
+    """The plans of one table, by base and tool."""
+
+    def __init__(self, table: NumericTable) -> None:
+        self._table = table
+        self.plain = Plan(table, None, None)
+        self._variants: dict[tuple[bytes | None, bytes | None], Plan] = {}
+
+    def between(self, base: ArrayLike | None, tool: ArrayLike | None) -> Plan:
+        """The plan with a base and a tool; the few used last are kept."""
+        base, tool = (
+            None if pose is None else check_transform(pose, where=(name,))
+            for name, pose in (("base", base), ("tool", tool))
+        )
+        key = (None if base is None else base.tobytes(), None if tool is None else tool.tobytes())
+        found = self._variants.pop(key, None) or Plan(self._table, base, tool)
+        self._variants[key] = found
+        while len(self._variants) > KEPT_VARIANTS:
+            self._variants.pop(next(iter(self._variants)), None)
+        return found
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # A table that goes to another process leaves its plans behind: functions made here cannot be pickled.
+        return (_nothing, ())
+
+
+def plan_of(table: NumericTable, base: ArrayLike | None = None, tool: ArrayLike | None = None) -> Plan:
+    """The plan of a table, made if there is none yet.
+
+    Raises:
+        TableError: an entry of the table is NaN or infinite.
+        PoseError: base or tool is not a rigid transform.
+    """
+    plans: _Plans | None = table.__dict__.get("_plans")
+    if plans is None:
+        plans = table.__dict__["_plans"] = _plans_of_equal(table)
+    return plans.plain if base is None and tool is None else plans.between(base, tool)
+
+
+def _nothing() -> None:
+    return None
+
+
+@lru_cache(maxsize=KEPT_TABLES)
+def _plans_of_equal(table: NumericTable) -> _Plans:
+    return _Plans(table)
+
+
+def may_overflow(chain: Chain) -> bool:
+    """Whether finite joint values can give infinite results: rotations are bounded, but shifts add up."""
+    shifts = [
+        motion.first for motions in chain.links for motion in motions if motion.kind.startswith("shift")
+    ]
+    shifts += [row[3] for pose in (chain.base, chain.tool) if pose is not None for row in pose]
+    return JointType.PRISMATIC in chain.joint_types or sum(map(abs, shifts)) > SAFE_LENGTH
+
+
+def _overflow(*where: int) -> JointValueError:
+    message = (
+        "the result is too large for a double-precision number; lengths and joint values must be smaller"
+    )
+    return JointValueError(Fault(code="result_not_finite", message=message, where=("joints", *where)))
+
+
+def _pose(chain: Chain, values: Sequence[Any]) -> list[Scalar]:
+    r0, r1, r2 = end_pose(chain, values)
+    return [*r0, *r1, *r2, 0.0, 0.0, 0.0, 1.0]
+
+
+def _links(chain: Chain, values: Sequence[Any]) -> list[Scalar]:
+    return [x for r0, r1, r2 in link_poses(chain, values) for x in (*r0, *r1, *r2, 0.0, 0.0, 0.0, 1.0)]
+
+
+def _frames(chain: Chain, values: Sequence[Any]) -> list[Scalar]:
+    return [x for r0, r1, r2 in frame_poses(chain, values) for x in (*r0, *r1, *r2, 0.0, 0.0, 0.0, 1.0)]
+
+
+def _base_jacobian(chain: Chain, values: Sequence[Any]) -> list[Scalar]:
+    return [column[i] for columns in [base_jacobian(chain, values)] for i in range(6) for column in columns]
+
+
+def _end_jacobian(chain: Chain, values: Sequence[Any]) -> list[Scalar]:
+    return [column[i] for columns in [end_jacobian(chain, values)] for i in range(6) for column in columns]
+
+
+_RESULTS: dict[Quantity, Callable[[Chain, Sequence[Any]], list[Scalar]]] = {
+    Quantity.POSE: _pose,
+    Quantity.LINKS: _links,
+    Quantity.FRAMES: _frames,
+    Quantity.BASE_JACOBIAN: _base_jacobian,
+    Quantity.END_JACOBIAN: _end_jacobian,
+}
