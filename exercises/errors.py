@@ -1,0 +1,46 @@
+"""What goes wrong with exercises, and where.
+
+    ExerciseError
+    ├── DefinitionError        an exercise's folder is malformed; faults name the file and the path of the key
+    ├── UnknownExerciseError   there is no exercise of that name
+    └── AnswerError            an answer cannot be graded; it costs no attempt
+
+An error carries one or more faults, as in `kinematics.errors`. A wrong answer is a result, never an error.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from kinematics.errors import Fault
+
+
+class ExerciseError(Exception):
+    """Root of this package's errors: one or more faults."""
+
+    def __init__(self, faults: Fault | Iterable[Fault]) -> None:
+        self.faults: tuple[Fault, ...] = (faults,) if isinstance(faults, Fault) else tuple(faults)
+        super().__init__(
+            "\n".join(": ".join((_place(fault.where), fault.message)).lstrip(": ") for fault in self.faults)
+        )
+
+    @property
+    def code(self) -> str:
+        """The code of the first fault."""
+        return self.faults[0].code
+
+
+class DefinitionError(ExerciseError):
+    """An exercise's folder is malformed."""
+
+
+class UnknownExerciseError(ExerciseError):
+    """There is no exercise of that name."""
+
+
+class AnswerError(ExerciseError):
+    """An answer cannot be graded; it costs no attempt."""
+
+
+def _place(where: tuple[str | int, ...]) -> str:
+    return ".".join(str(step) for step in where)

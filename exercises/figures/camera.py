@@ -1,0 +1,88 @@
+"""From space to paper: parallel projection."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from exercises.figures.specification import View
+
+Array: TypeAlias = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Camera:
+    """A parallel projection with a scale.
+
+    Attributes:
+        right: unit vector in space that points right on paper.
+        up: unit vector in space that points up on paper.
+        eye: unit vector in space towards the eye.
+        scale: units of paper per unit of length.
+        shift: position on paper of the origin of space.
+    """
+
+    right: Array
+    up: Array
+    eye: Array
+    scale: float = 1.0
+    shift: tuple[float, float] = (0.0, 0.0)
+
+    def project(self, points: ArrayLike) -> Array:
+        """(…, 3) points in space as (…, 2) points on paper, y downwards."""
+        p = np.asarray(points, dtype=np.float64)
+        x = p @ self.right * self.scale + self.shift[0]
+        y = -(p @ self.up) * self.scale + self.shift[1]
+        return np.stack([x, y], axis=-1)
+
+    def depth(self, points: ArrayLike) -> Array:
+        """(…, 3) points in space as (…) distances towards the eye; the larger, the nearer."""
+        return np.asarray(np.asarray(points, dtype=np.float64) @ self.eye, dtype=np.float64)
+
+    def lift(self, points: ArrayLike) -> Array:
+        """(…, 2) points on paper as (…, 3) points of space in the plane through the origin."""
+        p = np.asarray(points, dtype=np.float64)
+        x = (p[..., 0] - self.shift[0]) / self.scale
+        y = -(p[..., 1] - self.shift[1]) / self.scale
+        return np.asarray(x[..., None] * self.right + y[..., None] * self.up, dtype=np.float64)
+
+
+def camera_for(view: View) -> Camera:
+    """The camera of a view, at scale 1."""
+    ca, sa = math.cos(view.azimuth), math.sin(view.azimuth)
+    ce, se = math.cos(view.elevation), math.sin(view.elevation)
+    return Camera(
+        right=np.array([-sa, ca, 0.0]),
+        up=np.array([-se * ca, -se * sa, ce]),
+        eye=np.array([ce * ca, ce * sa, se]),
+    )
+
+
+def fitted(
+    camera: Camera, points: Iterable[ArrayLike], *, width: float, height: float, most: float
+) -> Camera:
+    """The camera scaled so that the points fit into a box of paper with its corner at the origin.
+
+    Args:
+        camera: where from.
+        points: (3,) points that must be inside.
+        width: of the box.
+        height: greatest height of the box.
+        most: largest scale.
+    """
+    flat = replace_scale(camera, 1.0, (0.0, 0.0)).project(np.array(list(points)))
+    low, high = flat.min(axis=0), flat.max(axis=0)
+    extent = np.maximum(high - low, 1e-12)
+    scale = float(min(width / extent[0], height / extent[1], most))
+    left = (width - extent[0] * scale) / 2
+    return replace_scale(camera, scale, (float(left - low[0] * scale), float(-low[1] * scale)))
+
+
+def replace_scale(camera: Camera, scale: float, shift: tuple[float, float]) -> Camera:
+    """The same view at another scale and place."""
+    return Camera(right=camera.right, up=camera.up, eye=camera.eye, scale=scale, shift=shift)

@@ -1,0 +1,356 @@
+"""A scene as SVG."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from exercises.figures import dimensioning
+from exercises.figures.bodies import Body, body_of, corners, outline
+from exercises.figures.camera import Array, Camera, camera_for, fitted
+from exercises.figures.dimensioning import DimensionLine, halo
+from exercises.figures.geometry import JointAxis, Scene, scene_points
+from exercises.figures.placement import Candidate, Label, PaperMap, Placer
+from exercises.figures.specification import View
+from exercises.figures.strokes import in_front
+from exercises.figures.svg import Canvas, document, line, text_width
+from kinematics.table import JointType
+
+HEIGHT = 450.0
+MARGIN = 62.0
+EDGE = 8.0
+NARROWEST = 420.0
+MOST_SCALE = 2000.0
+LINK_WIDTH = 7.5
+LINK_CORE = 4.7
+REACH = 0.11
+NUMBER_SIZE = 14.0
+DISC = 10.5
+NAME_SIZE = 18.0
+FINGER = 0.05
+
+Style = dict[str, Any]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Label:
+    """A joint's number at the end of its axis, or the name of a point beside it."""
+
+    text: str
+    at: Array
+
+
+def draw_figure(
+    scene: Scene, view: View, width: float = 480.0, *, title: str, description: str, language: str
+) -> str:
+    """The figure of a scene as an SVG document.
+
+    Args:
+        scene: what is drawn.
+        view: from where it is seen.
+        width: of the paper.
+        title: what it is, in a few words.
+        description: the same in full, for those who do not see it.
+        language: language of title and description.
+    """
+    camera = fitted(
+        camera_for(view),
+        _extent(scene, camera_for(view)),
+        width=width - 2 * MARGIN,
+        height=HEIGHT - 2 * MARGIN,
+        most=MOST_SCALE,
+    )
+    drawing = _Drawing(scene, camera, width)
+    drawing.draw()
+    return document(drawing.canvas, drawing.box(), title=title, description=description, language=language)
+
+
+class _Drawing:
+    """One figure in the making."""
+
+    def __init__(self, scene: Scene, camera: Camera, width: float) -> None:
+        self.scene, self.camera = scene, camera
+        self.canvas = Canvas()
+        self.bodies = [body_of(axis, scene.size, camera) for axis in scene.axes]
+        self.links = [_trimmed(np.array(chain), scene) for chain in scene.links]
+        points = camera.project(np.array(list(_extent(scene, camera))))
+        low = points.min(axis=0)
+        high = points.max(axis=0)
+        top = float(low[1]) - 110.0
+        self.paper = PaperMap.empty(4.0 - MARGIN, top, width - 8.0, float(high[1]) + 110.0 - top)
+        self.seen: list[Array] = [points]
+
+    def draw(self) -> None:
+        """Everything, from the back to the front."""
+        axes = [self.axis_ends(axis, body) for axis, body in zip(self.scene.axes, self.bodies, strict=True)]
+        senses = [self.sense(axis, body) for axis, body in zip(self.scene.axes, self.bodies, strict=True)]
+        gripper, ground = self.gripper_lines(), self.ground_lines()
+        self.take(axes, senses, gripper, ground)
+        dimensions, labels = self.place(axes, senses)
+        for run, width in ground:
+            self.canvas.path(line(run), "ground", stroke="currentColor", stroke_width=width)
+        for dimension in dimensions:
+            dimensioning.draw_extensions(self.canvas, dimension)
+        self.strokes(axes)
+        for run in gripper:
+            self.canvas.path(line(run), "gripper", stroke="currentColor", stroke_width=3.2)
+        for sense in senses:
+            self.draw_sense(sense)
+        for dimension in dimensions:
+            dimensioning.draw(self.canvas, dimension)
+        self.draw_labels(labels)
+        for dimension in dimensions:
+            dimensioning.draw_name(self.canvas, dimension)
+            half = np.array([text_width(dimension.name, dimensioning.FONT_SIZE), dimensioning.FONT_SIZE]) / 2
+            self.seen.append(np.array([dimension.label - half, dimension.label + half]))
+            self.seen.append(np.array(dimension.drawn_line()))
+
+    def box(self) -> tuple[float, float, float, float]:
+        """Left, top, width and height of the paper: as wide as all figures, as high as needed."""
+        points = np.concatenate(self.seen)
+        low, high = points.min(axis=0) - EDGE, points.max(axis=0) + EDGE
+        missing = max(0.0, NARROWEST - float(high[0] - low[0])) / 2
+        return (
+            float(low[0]) - missing,
+            float(low[1]),
+            float(high[0] - low[0]) + 2 * missing,
+            float(high[1] - low[1]),
+        )
+
+    # what is taken, and where the rest goes
+
+    def take(
+        self,
+        axes: Sequence[tuple[Array, Array]],
+        senses: Sequence[tuple[Array, ...]],
+        gripper: Sequence[Array],
+        ground: Sequence[tuple[Array, float]],
+    ) -> None:
+        """Mark on the map what is drawn before anything is placed."""
+        paper, camera = self.paper, self.camera
+        for body in self.bodies:
+            paper.mark(paper.inside(corners(body, camera)), 3.0)
+        for chain in self.links:
+            flat = camera.project(chain)
+            for shift in ((-2.5, 0.0), (2.5, 0.0), (0.0, -2.5), (0.0, 2.5), (0.0, 0.0)):
+                paper.mark(paper.along(list(flat + np.array(shift))), 2.0)
+        for ends in axes:
+            paper.mark(paper.along(list(camera.project(np.array(ends)))), 0.8)
+        for run in (*gripper, *(run for run, _ in ground), *(s[0] for s in senses if len(s))):
+            paper.mark(paper.along(list(run)), 2.0)
+            self.seen.append(np.asarray(run))
+        for point in self.scene.points:
+            paper.mark(paper.under(camera.project(point.at), 10.0, 10.0), 4.0)
+
+    def place(
+        self, axes: Sequence[tuple[Array, Array]], senses: Sequence[tuple[Array, ...]]
+    ) -> tuple[list[DimensionLine], list[_Label]]:
+        """Places of the joints' numbers, the points' names, the variables' names and the dimensions."""
+        scene, camera = self.scene, self.camera
+        labels = [
+            self.number_places(axis, body, ends)
+            for axis, body, ends in zip(scene.axes, self.bodies, axes, strict=True)
+        ]
+        labels += [self.name_places(point.name, camera.project(point.at)) for point in scene.points]
+        labels += [
+            self.name_places(f"q{axis.joint}", sense[2])
+            for axis, sense in zip(scene.axes, senses, strict=True)
+            if sense
+        ]
+        lines = [dimensioning.candidates(dimension, camera, self.paper) for dimension in scene.dimensions]
+        placer: Placer[DimensionLine | _Label] = Placer(self.paper)
+        things: list[Sequence[Candidate[DimensionLine | _Label]]] = [*labels, *lines]  # type: ignore[list-item]
+        placed = placer.place(things)
+        return (
+            [found for found in placed if isinstance(found, DimensionLine)],
+            [found for found in placed if isinstance(found, _Label)],
+        )
+
+    def number_places(
+        self, axis: JointAxis, body: Body, ends: tuple[Array, Array]
+    ) -> list[Candidate[_Label]]:
+        """A joint's number beyond either end of its axis, or beside its body."""
+        start, end = self.camera.project(np.array(ends))
+        centre = self.camera.project(body.centre)
+        length = float(np.linalg.norm(end - start))
+        along = (end - start) / length if length > 1 else np.array([0.0, -1.0])
+        across = np.array([-along[1], along[0]])
+        found: list[tuple[Array, float]] = []
+        for side, tip in ((1, end), (-1, start)):
+            wished = 0.0 if axis.label_end in (0, side) else 40.0
+            for out, aside, cost in ((11.0, 0.0, 0.0), (0.0, 13.0, 6.0), (0.0, -13.0, 6.0), (20.0, 0.0, 9.0)):
+                found.append((tip + side * along * out + across * aside, wished + cost))
+        radius = body.radius * self.camera.scale * (1.3 if axis.type is JointType.PRISMATIC else 1.0)
+        half = body.half * self.camera.scale
+        wished = 12.0 if axis.label_end == 0 else 50.0
+        for aside in (1.0, -1.0):
+            for slide in (0.0, 0.5, -0.5, 1.0, -1.0):
+                at = centre + across * aside * (radius + DISC + 3.5) + along * slide * half
+                found.append((at, wished + 2.0 * abs(slide)))
+        return [self.label(str(axis.joint), at, 2 * DISC, 2 * DISC, cost) for at, cost in found]
+
+    def name_places(self, name: str, centre: Array) -> list[Candidate[_Label]]:
+        """A name around a point."""
+        width = text_width(name, NAME_SIZE)
+        found = []
+        for k in range(16):
+            turn = np.pi * (k / 8 - 0.25)
+            unit = np.array([np.cos(turn), np.sin(turn)])
+            for more in (7.0, 13.0, 20.0):
+                out = abs(unit[0]) * width / 2 + abs(unit[1]) * NAME_SIZE / 2 + more
+                found.append(self.label(name, centre + unit * out, width + 3, NAME_SIZE, more + k % 2))
+        return found
+
+    def label(self, text: str, at: Array, width: float, height: float, penalty: float) -> Candidate[_Label]:
+        label = Label(
+            choice=_Label(text=text, at=at), cells=self.paper.under(at, width, height), penalty=penalty
+        )
+        return Candidate(labels=(label,))
+
+    # drawing
+
+    def strokes(self, axes: Sequence[tuple[Array, Array]]) -> None:
+        """Axes and links, the bodies over them, and whatever passes before a body once more."""
+        dash: Style = {"stroke": "currentColor", "stroke_width": 1.3, "stroke_dasharray": "11 3.5 1 3.5"}
+        chains = [line(self.camera.project(chain)) for chain in self.links]
+        self.draw_links(chains, "round")
+        for ends in axes:
+            self.canvas.path(line(self.camera.project(np.array(ends))), "axis", **dash)
+        for body in sorted(self.bodies, key=lambda body: float(body.centre @ self.camera.eye)):
+            self.draw_body(body)
+        runs = [
+            line(run)
+            for chain in self.links
+            for start, end in pairwise(chain)
+            for run in in_front(start, end, self.bodies, self.camera)
+        ]
+        self.draw_links(runs, "butt")
+        for ends in axes:
+            for run in in_front(*ends, self.bodies, self.camera):
+                self.canvas.path(line(run), "axis", **dash)
+
+    def draw_links(self, runs: Sequence[str], cap: str) -> None:
+        """Tubes: all rims first, so that they run into one another."""
+        for role, colour, width in (("rim", "currentColor", LINK_WIDTH), ("core", "#fff", LINK_CORE)):
+            for run in runs:
+                self.canvas.path(run, role, stroke=colour, stroke_width=width, stroke_linecap=cap)
+
+    def draw_body(self, body: Body) -> None:
+        for role, data in outline(body, self.camera):
+            edge: Style = {"stroke": "currentColor", "stroke_width": 1.6}
+            self.canvas.path(data, "body", fill="#fff", **edge)
+            if role == "side":
+                self.canvas.path(data, "shade", fill="currentColor", fill_opacity=0.13)
+        if body.type is JointType.REVOLUTE:
+            tip = self.camera.project(body.centre + body.axis * body.half)
+            self.canvas.circle(tip, 1.6, "tip", fill="currentColor")
+
+    def draw_labels(self, labels: Sequence[_Label]) -> None:
+        for label in labels:
+            self.seen.append(np.array([label.at - 12.0, label.at + 12.0]))
+            if label.text.isdecimal():
+                self.canvas.circle(
+                    label.at, DISC, "disc", fill="#fff", stroke="currentColor", stroke_width=1.3
+                )
+                self.canvas.text(
+                    label.at, label.text, "number", NUMBER_SIZE, fill="currentColor", font_weight="bold"
+                )
+            else:
+                halo(self.canvas, label.at, label.text, NAME_SIZE, font_style="italic")
+        for point in self.scene.points:
+            self.canvas.circle(self.camera.project(point.at), 4.2, "point", fill="currentColor")
+
+    def draw_sense(self, sense: tuple[Array, ...]) -> None:
+        if sense:
+            run, head, _ = sense
+            self.canvas.path(line(run), "sense", stroke="currentColor", stroke_width=1.6)
+            self.canvas.path(line(head), "sense", stroke="currentColor", stroke_width=1.6)
+
+    # shapes
+
+    def axis_ends(self, axis: JointAxis, body: Body) -> tuple[Array, Array]:
+        """Ends in space of the axis as drawn, the first one behind."""
+        reach = body.half + REACH * self.scene.size * axis.reach
+        direction = np.array(axis.direction)
+        return body.centre - direction * reach, body.centre + direction * reach
+
+    def sense(self, axis: JointAxis, body: Body) -> tuple[Array, ...]:
+        """On paper: the run of the arrow of the positive sense, its head, and where its name belongs."""
+        if not axis.signed:
+            return ()
+        direction = np.array(axis.direction)
+        if axis.type is JointType.PRISMATIC:
+            side = body.across[0] * body.radius * 1.9
+            reach = body.half * 0.9
+            space = body.centre + side + np.outer(np.linspace(-reach, reach, 8), direction)
+        else:
+            turn = np.linspace(0.3, 0.3 + 1.5 * np.pi, 28)[:, None]
+            u = body.across[0]
+            v = np.cross(direction, u)
+            centre = body.centre + direction * (body.half + 0.03 * self.scene.size)
+            space = centre + 1.25 * body.radius * (np.cos(turn) * u + np.sin(turn) * v)
+        run = self.camera.project(space)
+        along = run[-1] - run[-2]
+        along = along / max(float(np.linalg.norm(along)), 1e-9)
+        across = np.array([-along[1], along[0]])
+        head = np.array([run[-1] - 6 * along + 4 * across, run[-1], run[-1] - 6 * along - 4 * across])
+        return run, head, run[0]
+
+    def gripper_lines(self) -> list[Array]:
+        """On paper: palm and two fingers."""
+        gripper = self.scene.gripper
+        if gripper is None:
+            return []
+        finger = FINGER * self.scene.size
+        at, direction = np.array(gripper.at), np.array(gripper.direction)
+        jaws = np.array(gripper.jaws) if gripper.jaws else _widest(direction, self.camera)
+        palm = at - direction * finger
+        side = jaws * finger * 0.62
+        tip = at + direction * finger * 0.25
+        return [self.camera.project(np.array([tip - side, palm - side, palm + side, tip + side]))]
+
+    def ground_lines(self) -> list[tuple[Array, float]]:
+        """On paper: the line of the ground and the hatches behind it, with their widths."""
+        ground = self.scene.ground
+        if ground is None:
+            return []
+        at = self.camera.project(ground.at)
+        out = self.camera.project(np.array(ground.at) + np.array(ground.normal)) - at
+        out = out / max(float(np.linalg.norm(out)), 1e-9)
+        along = np.array([-out[1], out[0]])
+        half, step, deep = 32.0, 8.0, 9.0
+        lines: list[tuple[Array, float]] = [(np.array([at - along * half, at + along * half]), 2.0)]
+        for k in np.arange(-half + 4, half + 0.1, step):
+            foot = at + along * k
+            lines.append((np.array([foot, foot - out * deep - along * deep * 0.8]), 1.0))
+        return lines
+
+
+def _extent(scene: Scene, camera: Camera) -> list[Array]:
+    """Points in space that must be on the paper: links, points, bodies and their axes."""
+    points = [np.array(point) for point in scene_points(scene)]
+    for axis in scene.axes:
+        body = body_of(axis, scene.size, camera)
+        reach = body.half + REACH * scene.size * axis.reach
+        points += [body.centre + np.array(axis.direction) * reach * side for side in (-1, 1)]
+    return points
+
+
+def _trimmed(chain: Array, scene: Scene) -> Array:
+    """The chain, ending at the palm where it would run on between the jaws of the gripper."""
+    gripper = scene.gripper
+    if gripper is None or not np.allclose(chain[-1], gripper.at):
+        return chain
+    palm = np.array(gripper.at) - np.array(gripper.direction) * (FINGER + 0.01) * scene.size
+    return np.concatenate([chain[:-1], palm[None]])
+
+
+def _widest(direction: Array, camera: Camera) -> Array:
+    """The coordinate direction square to a direction that is longest on paper."""
+    square = [axis - direction * (axis @ direction) for axis in np.eye(3)]
+    best = max(square, key=lambda v: float(np.linalg.norm(camera.project(v) - camera.project(np.zeros(3)))))
+    return np.asarray(best / np.linalg.norm(best), dtype=np.float64)

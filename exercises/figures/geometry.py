@@ -1,0 +1,261 @@
+"""The scene in space: what a specification makes of a reference."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+
+from exercises.errors import DefinitionError
+from exercises.figures.camera import Array
+from exercises.figures.points import Points
+from exercises.figures.specification import DimensionMark, FigureSpecification, Gripper, JointMark
+from kinematics.table import JointType, SymbolicTable
+
+Vector: TypeAlias = tuple[float, float, float]
+
+ON_AXIS = 1e-6
+"""How far a body may stand off its axis, and a dimension off its value, relative to the robot's size."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class JointAxis:
+    """The axis of a joint, as drawn.
+
+    Attributes:
+        joint: its number, from 1.
+        type: revolute or prismatic.
+        point: where the joint's body stands.
+        direction: unit vector along the axis; its sense means nothing unless `signed`.
+        signed: the sense is that of the positive joint variable, and the figure shows it.
+        scale: size of the body relative to the others.
+        reach: how far the axis is drawn, relative to the others.
+        label_end: the end of the axis at which the number prefers to stand.
+    """
+
+    joint: int
+    type: JointType
+    point: Vector
+    direction: Vector
+    signed: bool
+    scale: float
+    reach: float
+    label_end: int
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Dimension:
+    """A named length between two points, and where its line prefers to stand."""
+
+    name: str
+    start: Vector
+    end: Vector
+    offset: Vector | None
+    distance: float
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class NamedPoint:
+    """A point that is marked in the figure."""
+
+    name: str
+    at: Vector
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class GroundPlate:
+    """Where the robot is fixed."""
+
+    at: Vector
+    normal: Vector
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class GripperPose:
+    """A gripper: where it ends, where it points to, how its jaws lie (None: as they are seen best)."""
+
+    at: Vector
+    direction: Vector
+    jaws: Vector | None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Scene:
+    """A robot in space, in the directions of the figure (z up) and in the exercise's length unit.
+
+    Attributes:
+        axes: the joints, in joint order.
+        links: polylines.
+        dimensions: named lengths.
+        points: marked points.
+        ground: where the robot is fixed.
+        gripper: the gripper.
+        size: diagonal of the box that holds the robot.
+        to_scale: no length was drawn otherwise than it is.
+    """
+
+    axes: tuple[JointAxis, ...]
+    links: tuple[tuple[Vector, ...], ...]
+    dimensions: tuple[Dimension, ...]
+    points: tuple[NamedPoint, ...]
+    ground: GroundPlate | None
+    gripper: GripperPose | None
+    size: float
+    to_scale: bool
+
+
+def build_scene(
+    specification: FigureSpecification,
+    reference: SymbolicTable,
+    parameters: Mapping[str, float],
+    *,
+    signed_axes: bool,
+    drawn: bool,
+) -> Scene:
+    """The scene of a robot at the specification's posture.
+
+    Args:
+        specification: points, links, dimensions; what it leaves out follows from the table.
+        reference: the table whose geometry is drawn.
+        parameters: value of every parameter [length unit of the exercise, or rad].
+        signed_axes: show the positive sense of the joint variables (a policy may fix it).
+        drawn: use the lengths that the specification draws otherwise than they are.
+
+    Raises:
+        DefinitionError: a point is not known, a joint's body is off its axis, a dimension is not the length
+            that it names; all faults at once, each with its place in the figure's specification.
+    """
+    values = {**parameters, **specification.lengths} if drawn else dict(parameters)
+    points = Points(specification, reference, values)
+    spec = points.specification
+    links = tuple(
+        tuple(points.point(name, "links", i, k) for k, name in enumerate(chain))
+        for i, chain in enumerate(spec.links)
+    )
+    size = _diagonal([point for chain in links for point in chain])
+    scene = Scene(
+        axes=tuple(
+            _axis(points, joint, mark, size, signed=signed_axes)
+            for joint, mark in sorted(spec.joints.items())
+        ),
+        links=tuple(tuple(_vector(point) for point in chain) for chain in links),
+        dimensions=tuple(_dimension(points, mark, i, size) for i, mark in enumerate(spec.dimensions)),
+        points=tuple(
+            NamedPoint(name=name, at=_vector(points.point(name, "marks", i)))
+            for i, name in enumerate(spec.marks)
+        ),
+        ground=_ground(points),
+        gripper=_gripper(points, spec.gripper) if spec.gripper else None,
+        size=size,
+        to_scale=values == dict(parameters),
+    )
+    if points.faults:
+        raise DefinitionError(points.faults)
+    return scene
+
+
+def scene_points(scene: Scene) -> Iterator[Vector]:
+    """Every point that must be visible."""
+    for chain in scene.links:
+        yield from chain
+    for axis in scene.axes:
+        yield axis.point
+    for point in scene.points:
+        yield point.at
+
+
+def _axis(points: Points, joint: int, mark: JointMark, size: float, *, signed: bool) -> JointAxis:
+    pose = points.axis_pose(joint)
+    direction: Array = pose[:3, 2]
+    point = points.point(mark.at, "joints", joint, "at")
+    joint_type = points.reference.joint_types[joint - 1]
+    distance = np.linalg.norm(np.cross(point - pose[:3, 3], direction))
+    if joint_type is JointType.REVOLUTE and distance > ON_AXIS * size:
+        points.fault(
+            "joint_off_axis",
+            f"the point {mark.at} does not lie on the axis of joint {joint}",
+            ("joints", joint, "at"),
+            joint=joint,
+            point=mark.at,
+        )
+    sense = points.reference.rows[points.reference.joint_rows[joint - 1]].sign
+    return JointAxis(
+        joint=joint,
+        type=joint_type,
+        point=_vector(point),
+        direction=_vector(direction * sense) if signed else _unsigned(direction),
+        signed=signed,
+        scale=mark.scale,
+        reach=mark.reach,
+        label_end=mark.label_end,
+    )
+
+
+def _dimension(points: Points, mark: DimensionMark, index: int, size: float) -> Dimension:
+    start = points.point(mark.start, "dimensions", index, "from")
+    end = points.point(mark.end, "dimensions", index, "to")
+    value = abs(points.number(mark.value, "dimensions", index, "value"))
+    length = float(np.linalg.norm(end - start))
+    if length < ON_AXIS * size or abs(length - value) > ON_AXIS * size:
+        points.fault(
+            "dimension_disagrees",
+            f"{mark.start} and {mark.end} lie {length:.6g} apart, but {mark.name} is {value:.6g}",
+            ("dimensions", index),
+            name=mark.name,
+            length=length,
+            value=value,
+        )
+    return Dimension(
+        name=mark.name, start=_vector(start), end=_vector(end), offset=mark.offset, distance=mark.distance
+    )
+
+
+def _ground(points: Points) -> GroundPlate | None:
+    ground = points.specification.ground
+    if ground is None:
+        return None
+    return GroundPlate(at=_vector(points.point(ground.at, "ground", "at")), normal=_unit(ground.normal))
+
+
+def _gripper(points: Points, gripper: Gripper) -> GripperPose | None:
+    at = points.point(gripper.at, "gripper", "at")
+    origin = points.point(gripper.away_from, "gripper", "away_from")
+    if np.allclose(at, origin):
+        message = f"{gripper.at} and {gripper.away_from} are the same point"
+        points.fault("gripper_without_direction", message, ("gripper",))
+        return None
+    direction = (at - origin) / np.linalg.norm(at - origin)
+    if gripper.jaws is None:
+        return GripperPose(at=_vector(at), direction=_vector(direction), jaws=None)
+    jaws = np.asarray(gripper.jaws, dtype=np.float64)
+    across = jaws - direction * (jaws @ direction)
+    if np.linalg.norm(across) < ON_AXIS:
+        points.fault("jaws_along_gripper", "the jaws stand beside each other", ("gripper", "jaws"))
+        return None
+    return GripperPose(at=_vector(at), direction=_vector(direction), jaws=_unit(across))
+
+
+def _diagonal(points: list[Array]) -> float:
+    if not points:
+        return 1.0
+    cloud = np.array(points)
+    return float(np.linalg.norm(cloud.max(axis=0) - cloud.min(axis=0))) or 1.0
+
+
+def _unsigned(direction: Array) -> Vector:
+    """The direction with its largest component positive: it tells nothing of the reference's sense."""
+    rounded = np.round(direction, 9)
+    largest = rounded[int(np.argmax(np.abs(rounded)))]
+    return _vector(direction if largest > 0 else -direction)
+
+
+def _unit(vector: Array | Vector) -> Vector:
+    array = np.asarray(vector, dtype=np.float64)
+    return _vector(array / np.linalg.norm(array))
+
+
+def _vector(array: Array) -> Vector:
+    x, y, z = (float(v) + 0.0 for v in np.round(array, 12))
+    return x, y, z

@@ -1,0 +1,132 @@
+"""The points of a figure: names resolved to places in space, and every fault on the way."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from exercises.figures.camera import Array
+from exercises.figures.skeleton import completed
+from exercises.figures.specification import (
+    FigureSpecification,
+    Point,
+    PointAlongAxis,
+    PointBeside,
+    PointBetween,
+    PointInFrame,
+    Triple,
+)
+from kinematics.errors import Fault, ParameterError
+from kinematics.expressions import Expression, evaluate
+from kinematics.forward import forward_kinematics
+from kinematics.links import Transform
+from kinematics.table import Convention, SymbolicTable, bind
+
+
+class Points:
+    """Resolves the names of a specification at its posture; collects what is wrong with it.
+
+    Attributes:
+        specification: completed from the table where it says nothing.
+        reference: the table whose geometry is drawn.
+        frames: (4, 4) poses of frame 0 … N of the reference in the figure.
+        faults: what was found wrong, each with its place in the figure's specification.
+    """
+
+    def __init__(
+        self, specification: FigureSpecification, reference: SymbolicTable, values: Mapping[str, float]
+    ) -> None:
+        self.values = values
+        self.faults: list[Fault] = []
+        self.reference = reference
+        table = bind(reference, values)
+        base = rotation_rpy(*specification.upright)
+        posture = specification.posture or (0.0,) * table.n_joints
+        self.frames: list[Transform] = [base, *forward_kinematics(table, posture, base=base).frames]
+        self.specification = completed(specification, reference, values, self.frames)
+        self._resolved: dict[str, Array] = {}
+
+    def axis_pose(self, joint: int) -> Transform:
+        """The frame whose z axis is the axis of a joint."""
+        return self.frames[axis_frame(self.reference, joint)]
+
+    def point(self, name: str, *where: str | int) -> Array:
+        """(3,) the point of that name; O0, O1, … are the origins of the reference's frames."""
+        if name in self._resolved:
+            return self._resolved[name]
+        self._resolved[name] = np.zeros(3)  # a circle of names ends here
+        point = self.specification.points.get(name)
+        if point is not None:
+            value = self._locate(point, "points", name)
+        elif name[:1] == "O" and name[1:].isdecimal() and int(name[1:]) < len(self.frames):
+            value = self.frames[int(name[1:])][:3, 3]
+        else:
+            known = ", ".join([*self.specification.points, *(f"O{i}" for i in range(len(self.frames)))])
+            self.fault("unknown_point", f"there is no point {name}; known are {known}", where, name=name)
+            value = np.zeros(3)
+        self._resolved[name] = value
+        return value
+
+    def number(self, expression: Expression, *where: str | int) -> float:
+        """The value of a length."""
+        try:
+            return evaluate(expression, self.values)
+        except ParameterError as error:
+            self.faults.extend(
+                Fault(code=fault.code, message=fault.message, where=where, params=fault.params)
+                for fault in error.faults
+            )
+            return 0.0
+
+    def fault(self, code: str, message: str, where: tuple[str | int, ...], **params: str | float) -> None:
+        """Keep a fault."""
+        self.faults.append(Fault(code=code, message=message, where=where, params=params))
+
+    def _locate(self, point: Point, *where: str | int) -> Array:
+        match point:
+            case PointInFrame(frame=frame, at=at):
+                return self._in_frame(frame, at, *where)
+            case PointBetween(start=start, end=end, ratio=ratio):
+                a, b = self.point(start, *where, "between", 0), self.point(end, *where, "between", 1)
+                return a + ratio * (b - a)
+            case PointBeside(origin=origin, by=by):
+                return self.point(origin, *where, "from") + self._triple(by, *where, "by")
+            case PointAlongAxis(origin=origin, joint=joint, distance=distance):
+                if not 1 <= joint <= self.reference.n_joints:
+                    self.fault("unknown_joint", f"there is no joint {joint}", (*where, "joint"), joint=joint)
+                    return np.zeros(3)
+                length = self.number(distance, *where, "distance")
+                direction: Array = self.axis_pose(joint)[:3, 2]
+                return self.point(origin, *where, "from") + direction * length
+
+    def _in_frame(self, frame: int, at: Triple, *where: str | int) -> Array:
+        if not 0 <= frame < len(self.frames):
+            last = len(self.frames) - 1
+            self.fault("unknown_frame", f"there is no frame {frame}; the last is {last}", (*where, "frame"))
+            return np.zeros(3)
+        pose = self.frames[frame]
+        located: Array = pose[:3, :3] @ self._triple(at, *where, "at") + pose[:3, 3]
+        return located
+
+    def _triple(self, triple: Triple, *where: str | int) -> Array:
+        return np.array([self.number(entry, *where, i) for i, entry in enumerate(triple)])
+
+
+def axis_frame(table: SymbolicTable, joint: int) -> int:
+    """The frame whose z axis is a joint's axis: i-1 of row i in a standard table, i in a modified one."""
+    row = table.joint_rows[joint - 1]
+    return row if table.convention is Convention.STANDARD else row + 1
+
+
+def rotation_rpy(roll: float, pitch: float, yaw: float) -> Transform:
+    """Rotation Rot_z(yaw) Rot_y(pitch) Rot_x(roll) as a (4, 4) transform; angles in [rad]."""
+    cr, sr, cp, sp, cy, sy = (f(a) for a in (roll, pitch, yaw) for f in (math.cos, math.sin))
+    pose = np.eye(4)
+    pose[:3, :3] = [
+        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+        [-sp, cp * sr, cp * cr],
+    ]
+    return pose

@@ -1,0 +1,177 @@
+"""The [figure] of a definition, from its file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from exercises.figures.specification import (
+    DimensionMark,
+    FigureSpecification,
+    Gripper,
+    Ground,
+    JointMark,
+    Point,
+    PointAlongAxis,
+    PointBeside,
+    PointBetween,
+    PointInFrame,
+    View,
+)
+from exercises.reading import Reader
+from kinematics.expressions import ZERO, Parameter
+from kinematics.table import JointType
+
+USUAL_VIEW = View(azimuth=math.radians(-60), elevation=math.radians(24))
+_FORMS = "frame and at; between and ratio; from and by; from, joint and distance"
+
+
+def read_figure(reader: Reader, joint_types: Sequence[JointType], degrees: bool) -> FigureSpecification:
+    """What a [figure] says; faults go to the reader.
+
+    Args:
+        reader: of the [figure].
+        joint_types: types of the robot's joints.
+        degrees: the exercise gives the values of revolute joints in degrees.
+    """
+    view = reader.table("view")
+    upright = reader.table("upright")
+    specification = FigureSpecification(
+        posture=_posture(reader, joint_types, degrees),
+        view=View(
+            azimuth=math.radians(view.number("azimuth", math.degrees(USUAL_VIEW.azimuth))),
+            elevation=math.radians(view.number("elevation", math.degrees(USUAL_VIEW.elevation))),
+        ),
+        upright=(
+            math.radians(upright.number("roll", 0)),
+            math.radians(upright.number("pitch", 0)),
+            math.radians(upright.number("yaw", 0)),
+        ),
+        lengths={name: reader.table("lengths").number(name) for name in reader.table("lengths").values},
+        points={name: _point(inner) for name, inner in reader.tables("points")},
+        joints=_joints(reader, len(joint_types)),
+        links=_links(reader),
+        dimensions=tuple(_dimension(entry) for entry in reader.entries("dimensions")),
+        marks=reader.texts("marks", default=()),
+        ground=_ground(reader),
+        gripper=_gripper(reader),
+        width=_width(reader),
+    )
+    view.finish()
+    upright.finish()
+    reader.finish()
+    return specification
+
+
+def _posture(reader: Reader, joint_types: Sequence[JointType], degrees: bool) -> tuple[float, ...]:
+    values = reader.exacts("posture", [0] * len(joint_types))
+    if len(values) != len(joint_types):
+        n = len(joint_types)
+        reader.fault(
+            "joints_wrong_length", f"the robot has {n} joints; give as many values", "posture", expected=n
+        )
+        return (0.0,) * n
+    return tuple(
+        math.radians(value) if degrees and type_ is JointType.REVOLUTE else float(value)
+        for value, type_ in zip(values, joint_types, strict=True)
+    )
+
+
+def _point(reader: Reader) -> Point:
+    point = _point_of(reader)
+    reader.finish()
+    return point
+
+
+def _point_of(reader: Reader) -> Point:
+    if reader.given("frame"):
+        return PointInFrame(frame=reader.integer("frame"), at=reader.lengths("at", (0, 0, 0)))
+    if reader.given("between"):
+        ends = reader.texts("between")
+        if len(ends) == 2:
+            return PointBetween(start=ends[0], end=ends[1], ratio=reader.number("ratio", 0.5))
+        reader.fault("value_of_wrong_type", "between is a list of two points", "between")
+    elif reader.given("from"):
+        if reader.given("joint"):
+            return PointAlongAxis(
+                origin=reader.text("from"), joint=reader.integer("joint"), distance=reader.length("distance")
+            )
+        return PointBeside(origin=reader.text("from"), by=reader.lengths("by"))
+    else:
+        reader.fault("point_without_form", f"a point is given by one of: {_FORMS}")
+    return PointInFrame(frame=0, at=(ZERO, ZERO, ZERO))
+
+
+def _joints(reader: Reader, n: int) -> dict[int, JointMark]:
+    marks: dict[int, JointMark] = {}
+    for name, inner in reader.tables("joints"):
+        if not name.isdecimal() or not 1 <= int(name) <= n:
+            inner.fault("unknown_joint", f"there is no joint {name}; the robot has {n}", joint=name)
+            continue
+        label = inner.text("label", "")
+        if label not in ("", "+", "-"):
+            inner.fault(
+                "value_unknown", 'label is "+" or "-", the end of the axis that bears the number', "label"
+            )
+        marks[int(name)] = JointMark(
+            at=inner.text("at"),
+            scale=inner.number("scale", 1),
+            reach=inner.number("reach", 1),
+            label_end={"+": 1, "-": -1}.get(label, 0),
+        )
+        inner.finish()
+    return marks
+
+
+def _links(reader: Reader) -> tuple[tuple[str, ...], ...]:
+    if not reader.given("links"):
+        return ()
+    chains = reader.values["links"]
+    if not isinstance(chains, list) or not all(
+        isinstance(chain, list) and len(chain) > 1 and all(isinstance(name, str) for name in chain)
+        for chain in chains
+    ):
+        reader.fault("value_of_wrong_type", "links is a list of chains of at least two points", "links")
+        return ()
+    return tuple(tuple(chain) for chain in chains)
+
+
+def _dimension(reader: Reader) -> DimensionMark:
+    name = reader.text("name")
+    mark = DimensionMark(
+        name=name,
+        value=reader.length("value") if reader.given("value") else Parameter(reader.name(name, "name")),
+        start=reader.text("from"),
+        end=reader.text("to"),
+        offset=reader.direction("offset", None),
+        distance=reader.number("distance", 1),
+    )
+    reader.finish()
+    return mark
+
+
+def _ground(reader: Reader) -> Ground | None:
+    if not reader.given("ground"):
+        return None
+    inner = reader.table("ground")
+    ground = Ground(at=inner.text("at"), normal=inner.direction("normal", (0.0, 0.0, 1.0)) or (0.0, 0.0, 1.0))
+    inner.finish()
+    return ground
+
+
+def _gripper(reader: Reader) -> Gripper | None:
+    if not reader.given("gripper"):
+        return None
+    inner = reader.table("gripper")
+    gripper = Gripper(
+        at=inner.text("at"), away_from=inner.text("away_from"), jaws=inner.direction("jaws", None)
+    )
+    inner.finish()
+    return gripper
+
+
+def _width(reader: Reader) -> float:
+    width = reader.number("width", 480)
+    if not 320 <= width <= 960:
+        reader.fault("width_out_of_range", "width lies between 320 and 960", "width")
+    return width

@@ -1,0 +1,181 @@
+"""The figure that a DH table alone gives, for whatever a specification leaves out.
+
+Links run along the table's own common normals: O_{i-1} → foot → O_i. Bodies stand on the axes, and those that
+would stand in one another (a wrist) move apart along their axes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import NDArray
+
+from exercises.figures.specification import (
+    DimensionMark,
+    FigureSpecification,
+    Ground,
+    JointMark,
+    Point,
+    PointAlongAxis,
+    PointBeside,
+    PointBetween,
+    PointInFrame,
+)
+from kinematics.expressions import (
+    ZERO,
+    Expression,
+    Number,
+    Parameter,
+    Product,
+    negate,
+    number,
+    rational_value,
+)
+from kinematics.table import Convention, JointType, SymbolicTable, bind
+
+CLOSE = 0.05
+"""Bodies closer than this, relative to the robot's reach, move apart."""
+
+APART = 0.14
+"""How far they move, relative to the robot's reach."""
+
+
+def completed(
+    specification: FigureSpecification,
+    reference: SymbolicTable,
+    values: Mapping[str, float],
+    frames: Sequence[NDArray[np.float64]],
+) -> FigureSpecification:
+    """The specification with links, bodies, dimensions and ground from the table where it says nothing.
+
+    Args:
+        specification: what the definition says.
+        reference: the table.
+        values: value of every parameter.
+        frames: (4, 4) poses of frame 0 … N of the reference at the figure's posture.
+    """
+    points: dict[str, Point] = {**_feet(reference), **specification.points}
+    reach = _reach(reference, values)
+    joints = dict(_bodies(reference, frames, points, reach))
+    joints.update(specification.joints)
+    chain = specification.links or (_chain(reference, joints),)
+    ground = specification.ground
+    if ground is None and not specification.links:
+        drop = number(Fraction(round(0.25 * reach * 1e6), 1_000_000))
+        points.setdefault("ground", PointBeside(origin=chain[0][0], by=(ZERO, ZERO, negate(drop))))
+        chain = (("ground", *chain[0]), *chain[1:])
+        ground = Ground(at="ground")
+    return replace(
+        specification,
+        points=points,
+        joints=joints,
+        links=chain,
+        dimensions=specification.dimensions or tuple(_dimensions(reference)),
+        ground=ground,
+    )
+
+
+def _feet(table: SymbolicTable) -> dict[str, Point]:
+    """The foot of each row's common normal on the axis about which θ turns."""
+    if table.convention is Convention.STANDARD:
+        return {
+            f"foot{i}": PointInFrame(frame=i, at=(negate(row.a), ZERO, ZERO))
+            for i, row in enumerate(table.rows, 1)
+        }
+    return {
+        f"foot{i}": PointInFrame(frame=i - 1, at=(row.a, ZERO, ZERO)) for i, row in enumerate(table.rows, 1)
+    }
+
+
+def _reach(table: SymbolicTable, values: Mapping[str, float]) -> float:
+    return sum(abs(row.a) + abs(row.d) for row in bind(table, values).rows) or 1.0
+
+
+def _chain(table: SymbolicTable, joints: Mapping[int, JointMark]) -> tuple[str, ...]:
+    first, last = joints.get(1), joints.get(table.n_joints)
+    names = [first.at if first else "O0"]
+    for i in range(1, len(table.rows) + 1):
+        names += [f"foot{i}", f"O{i}"]
+    return tuple([*names, last.at] if last else names)
+
+
+def _bodies(
+    table: SymbolicTable, frames: Sequence[NDArray[np.float64]], points: dict[str, Point], reach: float
+) -> list[tuple[int, JointMark]]:
+    """A body per joint in the middle of its offset d, moved along the axis where two would meet."""
+    standard = table.convention is Convention.STANDARD
+    centres: list[NDArray[np.float64]] = []
+    for joint, i in enumerate(table.joint_rows, 1):
+        start, end = (f"O{i}", f"foot{i + 1}") if standard else (f"foot{i + 1}", f"O{i + 1}")
+        points.setdefault(f"joint{joint}", PointBetween(start=start, end=end, ratio=0.5))
+        pose = frames[i] if standard else frames[i + 1]
+        other = frames[i + 1] if standard else frames[i]
+        along = (other[:3, 3] - pose[:3, 3]) @ pose[:3, 2]
+        centres.append(pose[:3, 3] + 0.5 * along * pose[:3, 2])
+    for group in _groups(centres, CLOSE * reach):
+        _spread(group, table, frames, points, reach, centres)
+    return [(joint, JointMark(at=f"joint{joint}")) for joint in range(1, table.n_joints + 1)]
+
+
+def _groups(centres: Sequence[NDArray[np.float64]], close: float) -> list[list[int]]:
+    groups: list[list[int]] = []
+    for joint, centre in enumerate(centres, 1):
+        if groups and np.linalg.norm(centres[groups[-1][-1] - 1] - centre) < close:
+            groups[-1].append(joint)
+        else:
+            groups.append([joint])
+    return [group for group in groups if len(group) > 1]
+
+
+def _spread(
+    group: Sequence[int],
+    table: SymbolicTable,
+    frames: Sequence[NDArray[np.float64]],
+    points: dict[str, Point],
+    reach: float,
+    centres: Sequence[NDArray[np.float64]],
+) -> None:
+    """The first body moves back towards the robot before it, the last one onwards; a middle one stays."""
+    standard = table.convention is Convention.STANDARD
+    for place, joint in ((-1, group[0]), (1, group[-1])):
+        i = table.joint_rows[joint - 1]
+        axis = frames[i if standard else i + 1][:3, 2]
+        before = centres[group[0] - 2] if group[0] > 1 else centres[joint - 1] - np.array([0.0, 0.0, 1.0])
+        onwards = float(axis @ (centres[joint - 1] - before))
+        sense = place * (1 if onwards >= 0 else -1)
+        distance = number(Fraction(round(sense * APART * reach * 1e6), 1_000_000))
+        name = f"joint{joint}"
+        points[f"{name}on"] = points[name]
+        points[name] = PointAlongAxis(origin=f"{name}on", joint=joint, distance=distance)
+
+
+def _dimensions(table: SymbolicTable) -> list[DimensionMark]:
+    """One dimension for each constant length, named as in the table; a name is drawn once."""
+    standard = table.convention is Convention.STANDARD
+    marks: dict[str, DimensionMark] = {}
+    for i, row in enumerate(table.rows, 1):
+        spans = [
+            (
+                row.a,
+                f"a{i if standard else i - 1}",
+                *((f"foot{i}", f"O{i}") if standard else (f"O{i - 1}", f"foot{i}")),
+            )
+        ]
+        if row.joint is not JointType.PRISMATIC:
+            span = (f"O{i - 1}", f"foot{i}") if standard else (f"foot{i}", f"O{i}")
+            spans.append((row.d, f"d{i}", *span))
+        for value, usual, start, end in spans:
+            if rational_value(value) != 0:
+                name = _name(value) or usual
+                marks.setdefault(name, DimensionMark(name=name, value=value, start=start, end=end))
+    return list(marks.values())
+
+
+def _name(value: Expression) -> str | None:
+    match value:
+        case Parameter(name) | Product((Number(), Parameter(name))):
+            return name
+    return None

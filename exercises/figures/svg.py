@@ -1,0 +1,112 @@
+"""The SVG file: elements, escaping, the style sheet.
+
+The file holds no script and refers to nothing outside. Lines and letters have the surrounding text's colour
+(`currentColor`), bodies are filled with `--figure-paper`, names of joints have `--figure-accent`; a page
+may set both. As a file of its own (`<img>`) it follows the reader's light or dark scheme itself. The
+attributes alone give a readable black and white figure where style sheets are not allowed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from xml.sax.saxutils import escape, quoteattr
+
+from exercises.figures.camera import Array
+
+STYLE = (
+    ".framewise-figure{--ink:currentColor;--paper:var(--figure-paper,#fff);--accent:var(--figure-accent,#0b5cad)}"
+    ":root.framewise-figure{color:#1b1b1f}"
+    ".framewise-figure .body,.framewise-figure .disc{fill:var(--paper)}"
+    ".framewise-figure .halo,.framewise-figure .core{stroke:var(--paper)}"
+    ".framewise-figure .axis,.framewise-figure .disc,.framewise-figure .sense{stroke:var(--accent)}"
+    ".framewise-figure .number,.framewise-figure .tip{fill:var(--accent)}"
+    "@media (prefers-color-scheme:dark){"
+    ":root.framewise-figure{color:#e9e9ee;--figure-paper:#17181c;--figure-accent:#84bdf7}}"
+)
+
+FONT = "'Liberation Sans','DejaVu Sans',Helvetica,Arial,sans-serif"
+
+
+@dataclass(slots=True)
+class Canvas:
+    """Collects elements in the order of drawing."""
+
+    parts: list[str] = field(default_factory=list)
+
+    def path(self, data: str, role: str, **attributes: str | float) -> None:
+        """A path of a role (a class of the style sheet)."""
+        self.parts.append(f'<path class="{role}" d="{data}"{_attributes(attributes)}/>')
+
+    def circle(self, centre: Array, radius: float, role: str, **attributes: str | float) -> None:
+        """A circle."""
+        self.parts.append(
+            f'<circle class="{role}" cx="{centre[0]:.1f}" cy="{centre[1]:.1f}" r="{radius:g}"'
+            f"{_attributes(attributes)}/>"
+        )
+
+    def text(self, centre: Array, name: str, role: str, size: float, **attributes: str | float) -> None:
+        """A name, centred; digits after letters become a subscript."""
+        stem, index = split_name(name)
+        body = escape(stem)
+        if index:
+            body += (
+                f'<tspan dy="{size * 0.24:.1f}" font-size="{size * SUBSCRIPT:.1f}">{escape(index)}</tspan>'
+            )
+        self.parts.append(
+            f'<text class="{role}" x="{centre[0]:.1f}" y="{centre[1] + size * 0.34:.1f}" font-size="{size:g}"'
+            f' text-anchor="middle"{_attributes(attributes)}>{body}</text>'
+        )
+
+
+SUBSCRIPT = 0.7
+
+
+def split_name(name: str) -> tuple[str, str]:
+    """The letters of a name and the index behind them: ("L", "1") of L1 or L_1."""
+    stem = name.rstrip("0123456789")
+    return (stem.rstrip("_") or name, name[len(stem) :]) if stem else (name, "")
+
+
+def text_width(name: str, size: float) -> float:
+    """Estimated width of a name on paper."""
+    stem, index = split_name(name)
+    return size * (0.62 * len(stem) + 0.6 * SUBSCRIPT * len(index))
+
+
+def line(points: Iterable[Array]) -> str:
+    """Path data of a polyline."""
+    return "M" + "L".join(f"{p[0]:.1f} {p[1]:.1f}" for p in points)
+
+
+def document(
+    canvas: Canvas, box: tuple[float, float, float, float], *, title: str, description: str, language: str
+) -> str:
+    """The file.
+
+    Args:
+        canvas: the elements.
+        box: left, top, width and height of the paper.
+        title: what the figure shows, in a few words.
+        description: the same in full, for those who do not see it.
+        language: language of title and description.
+    """
+    left, top, width, height = box
+    body = "".join(canvas.parts)
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" class="framewise-figure" role="img"'
+        f" lang={quoteattr(language)}"
+        f' aria-labelledby="figure-title figure-description"'
+        f' viewBox="{left:.0f} {top:.0f} {width:.0f} {height:.0f}" width="{width:.0f}" height="{height:.0f}"'
+        f' fill="none" stroke-linecap="round" stroke-linejoin="round" font-family="{FONT}">'
+        f'<title id="figure-title">{escape(title)}</title>'
+        f'<desc id="figure-description">{escape(description)}</desc>'
+        f"<style>{STYLE}</style>{body}</svg>"
+    )
+
+
+def _attributes(attributes: dict[str, str | float]) -> str:
+    return "".join(
+        f" {key.replace('_', '-')}={quoteattr(value if isinstance(value, str) else f'{value:g}')}"
+        for key, value in attributes.items()
+    )

@@ -1,0 +1,275 @@
+"""From a folder to an exercise: exercise.toml and statement.<language>.md, every fault at once."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import cache
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+from types import MappingProxyType
+from typing import Any
+
+from exercises.definition import LANGUAGES, DrawnParameter, Exercise, PartKind, WorkspacePart
+from exercises.errors import DefinitionError, UnknownExerciseError
+from exercises.figures.geometry import build_scene
+from exercises.figures.reading import read_figure
+from exercises.figures.specification import FigureSpecification
+from exercises.grading import HelpLevel
+from exercises.part_reading import read_draw, read_parts
+from exercises.policy_reading import read_policy
+from exercises.reading import Reader
+from exercises.sample_reading import read_raw_table, read_samples
+from exercises.statements import names_in
+from kinematics import catalogue
+from kinematics.cells import AngleUnit, ParameterKind, ReadTable, read_table
+from kinematics.errors import Fault
+
+FILE = "exercise.toml"
+ROOT = files("exercises") / "definitions"
+
+
+@cache
+def exercise_ids() -> tuple[str, ...]:
+    """Ids of all exercises that come with the package, in alphabetical order."""
+    return tuple(sorted(folder.name for folder in ROOT.iterdir() if (folder / FILE).is_file()))
+
+
+@cache
+def exercise(exercise_id: str) -> Exercise:
+    """The exercise of that id.
+
+    Raises:
+        UnknownExerciseError: there is none.
+        DefinitionError: its folder is malformed.
+    """
+    if exercise_id not in exercise_ids():
+        known = ", ".join(exercise_ids())
+        raise UnknownExerciseError(
+            Fault(
+                code="exercise_unknown",
+                message=f"there is no exercise {exercise_id}; there are {known}",
+                where=("exercise_id",),
+                params={"id": exercise_id, "known": known},
+            )
+        )
+    return load_exercise(ROOT / exercise_id)
+
+
+def load_exercise(folder: Traversable) -> Exercise:
+    """The exercise in a folder.
+
+    Args:
+        folder: holds exercise.toml and one statement.<language>.md for each language; its name is the id.
+
+    Raises:
+        DefinitionError: every fault that was found, each at (file, key, …).
+    """
+    faults: list[Fault] = []
+    document = _document(folder)
+    statements = _statements(folder, faults)
+    exercise = _exercise(folder.name, Reader(document, (FILE,), faults), statements)
+    if exercise is not None and not faults:
+        faults += _figure_faults(exercise)
+        faults += _name_faults(exercise)
+    if faults or exercise is None:
+        raise DefinitionError(fault.within(folder.name) for fault in faults)
+    return exercise
+
+
+def _document(folder: Traversable) -> Mapping[str, Any]:
+    try:
+        return tomllib.loads((folder / FILE).read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        fault = Fault(code="file_missing", message=f"there is no {FILE}", where=(folder.name, FILE))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        fault = Fault(
+            code="file_not_toml",
+            message=f"this is not TOML: {error}",
+            where=(folder.name, FILE),
+            params={"reason": str(error)},
+        )
+    raise DefinitionError(fault)
+
+
+def _statements(folder: Traversable, faults: list[Fault]) -> Mapping[str, str]:
+    statements: dict[str, str] = {}
+    for language in LANGUAGES:
+        name = f"statement.{language}.md"
+        file = folder / name
+        text = file.read_text(encoding="utf-8").strip() if file.is_file() else ""
+        if not text:
+            faults.append(
+                Fault(
+                    code="statement_missing",
+                    message=f"there is no statement in {name}",
+                    where=(name,),
+                    params={"language": language},
+                )
+            )
+        statements[language] = text
+    return MappingProxyType(statements)
+
+
+def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -> Exercise | None:
+    robot = reader.text("robot", "") or None
+    reference, values = _reference(reader, robot)
+    version = reader.integer("version")
+    titles = reader.table("title", needed=True)
+    found_titles = {language: titles.text(language) for language in LANGUAGES}
+    titles.finish()
+    policy = read_policy(reader.table("policy"))
+    help_table = reader.table("help")
+    help_level = help_table.choice("most", HelpLevel, HelpLevel.REPAIR)
+    help_table.finish()
+    if reference is None:
+        return None
+    parameters = _parameters(reader, reference, values)
+    types = reference.table.joint_types
+    degrees = reference.angle_unit is AngleUnit.DEG
+    limits = catalogue.robot(robot).limits if robot else None
+    parts = read_parts(reader, types, degrees, limits)
+    figure = read_figure(reader.table("figure"), types, degrees)
+    tests = reader.table("tests")
+    misconceptions = tests.texts("misconceptions", default=())
+    samples = read_samples(tests, reference)
+    tests.finish()
+    reader.finish()
+    return Exercise(
+        id=exercise_id,
+        version=version,
+        titles=MappingProxyType(found_titles),
+        statements=statements,
+        robot=robot,
+        reference=reference,
+        angle_unit=reference.angle_unit,
+        length_unit=reference.length_unit,
+        parameters=parameters,
+        parts=parts,
+        policy=policy,
+        help=help_level,
+        figure=figure,
+        misconceptions=misconceptions,
+        samples=samples,
+    )
+
+
+def _reference(reader: Reader, robot: str | None) -> tuple[ReadTable | None, Mapping[str, Fraction]]:
+    """The key and the usual values of its parameters."""
+    if robot is not None and reader.given("reference"):
+        reader.fault("robot_and_reference", "give either robot or [reference], not both", "reference")
+    if robot is not None:
+        if robot not in catalogue.robot_ids():
+            known = ", ".join(catalogue.robot_ids())
+            reader.fault(
+                "robot_unknown", f"the catalogue holds no {robot}; it holds {known}", "robot", robot=robot
+            )
+            return None, {}
+        found = catalogue.robot(robot)
+        return found.table, {name: Fraction(repr(value)) for name, value in found.parameters.items()}
+    if not reader.given("reference"):
+        reader.fault(
+            "key_missing", "name a robot of the catalogue, or give its table as [reference]", "robot"
+        )
+        return None, {}
+    inner = reader.table("reference")
+    raw = read_raw_table(inner)
+    inner.finish()
+    return (inner.guarded(lambda: read_table(raw)) if raw is not None else None), {}
+
+
+def _parameters(
+    reader: Reader, reference: ReadTable, values: Mapping[str, Fraction]
+) -> tuple[DrawnParameter, ...]:
+    given: dict[str, DrawnParameter] = {}
+    for name, inner in reader.tables("parameters"):
+        spelled = inner.name(name)
+        if spelled not in reference.parameters:
+            known = ", ".join(reference.parameters) or "none"
+            inner.fault("parameter_unused", f"the table has no {name}; its parameters are {known}", name=name)
+        default = values.get(spelled)
+        value = inner.exact("value", *(() if default is None else (default,)))
+        draw = read_draw(inner, "draw")
+        given[spelled] = DrawnParameter(name=spelled, value=value, draw=draw)
+        inner.finish()
+    for name in reference.parameters:
+        if name in given:
+            continue
+        if name in values:
+            given[name] = DrawnParameter(name=name, value=values[name])
+        else:
+            reader.fault(
+                "parameter_missing", f"the parameter {name} has no value", "parameters", name, name=name
+            )
+    return tuple(given[name] for name in reference.parameters if name in given)
+
+
+def values_in_radians(
+    parameters: Mapping[str, float], kinds: Mapping[str, ParameterKind], angle_unit: AngleUnit
+) -> dict[str, float]:
+    """Parameter values as the kinematics takes them: angles in [rad], lengths in the exercise's unit."""
+    degrees = angle_unit is AngleUnit.DEG
+    return {
+        name: math.radians(value) if degrees and kinds.get(name) is ParameterKind.ANGLE else value
+        for name, value in parameters.items()
+    }
+
+
+def _figure_faults(exercise: Exercise) -> list[Fault]:
+    """What keeps the figure from being drawn, as it is and as it is drawn."""
+    values = values_in_radians(
+        {parameter.name: float(parameter.value) for parameter in exercise.parameters},
+        exercise.reference.parameters,
+        exercise.angle_unit,
+    )
+    unknown = [name for name in exercise.figure.lengths if name not in values]
+    if unknown:
+        return [
+            Fault(
+                code="parameter_unused",
+                message=f"the table has no {name}",
+                where=(FILE, "figure", "lengths", name),
+                params={"name": name},
+            )
+            for name in unknown
+        ]
+    for drawn in (False, True):
+        try:
+            build_scene(exercise.figure, exercise.reference.table, values, signed_axes=False, drawn=drawn)
+        except DefinitionError as error:
+            return [fault.within(FILE, "figure") for fault in error.faults]
+    return []
+
+
+def _name_faults(exercise: Exercise) -> list[Fault]:
+    """Names in statements that stand neither in the table nor in the figure; parts that lack their point."""
+    known = {parameter.name for parameter in exercise.parameters} | _figure_names(exercise.figure)
+    faults = [
+        Fault(
+            code="statement_name_unknown",
+            message=f"{name} is neither a dimension of the robot nor a point or dimension of the figure",
+            where=(f"statement.{language}.md",),
+            params={"name": name},
+        )
+        for language, text in exercise.statements.items()
+        for name in sorted(names_in(text) - known)
+    ]
+    workspace = exercise.part(PartKind.WORKSPACE)
+    if isinstance(workspace, WorkspacePart):
+        faults += [
+            Fault(
+                code="unknown_point",
+                message=f"the figure marks no point {name}",
+                where=(FILE, "parts", exercise.parts.index(workspace), key),
+                params={"name": name},
+            )
+            for key, name in (("point", workspace.point), ("from", workspace.origin))
+            if name is not None and name not in exercise.figure.marks
+        ]
+    return faults
+
+
+def _figure_names(figure: FigureSpecification) -> set[str]:
+    return set(figure.marks) | {mark.name for mark in figure.dimensions}

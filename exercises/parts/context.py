@@ -1,0 +1,148 @@
+"""What the parts of one answer are judged by: the key, the student's own table, values, tolerance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from exercises.grading import HelpLevel, Policy
+from kinematics.cells import AngleUnit, LengthUnit, ParameterKind, ReadTable
+from kinematics.equivalence.chains import chain_of, size_of
+from kinematics.errors import ParameterError
+from kinematics.forward import ForwardKinematics, forward_kinematics
+from kinematics.table import JointType, NumericTable, bind
+
+DRAWS = 3
+CONFIGURATIONS = 5
+_STEPS = tuple(math.sqrt(p) for p in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Context:
+    """Everything that one answer is judged by.
+
+    Attributes:
+        reference: the key, in the exercise's units.
+        parameters: values of the robot's dimensions [the exercise's units].
+        policy: what a table is held to.
+        help_level: how much may be told.
+        own: the student's own table, if one was handed in.
+        own_correct: whether it was accepted.
+        angle_unit: unit of angles in the student's answer.
+        length_unit: unit of lengths in the student's answer.
+    """
+
+    reference: ReadTable
+    parameters: Mapping[str, float]
+    policy: Policy
+    help_level: HelpLevel
+    own: ReadTable | None
+    own_correct: bool
+    angle_unit: AngleUnit
+    length_unit: LengthUnit
+
+    @cached_property
+    def reference_numbers(self) -> NumericTable:
+        """The key with its values, lengths in the exercise's unit."""
+        return bind(self.reference.table, self._in_radians(self.parameters))
+
+    @cached_property
+    def unit_ratio(self) -> float:
+        """Units of the student's answer in one unit of the exercise."""
+        return float(self.reference.length_unit.metres_per_unit / self.length_unit.metres_per_unit)
+
+    @cached_property
+    def size(self) -> float:
+        """Typical length of the robot, in the student's unit."""
+        size = size_of(chain_of(self.reference_numbers)) * self.unit_ratio
+        return size if size > 0 else 1.0
+
+    @property
+    def joint_types(self) -> tuple[JointType, ...]:
+        """Types of the joints whose variables may stand in the answer: the student's own, else the key's."""
+        return (self.own or self.reference).table.joint_types
+
+    def values(self, names: Iterable[str] = ()) -> dict[str, float]:
+        """Value of every parameter, in the student's length unit and in [rad]; other names get some value."""
+        known = self._in_radians(self.parameters)
+        values = {
+            name: value * (1.0 if self._is_angle(name) else self.unit_ratio) for name, value in known.items()
+        }
+        for k, name in enumerate(sorted(set(names) - set(values))):
+            values[name] = self.size * (0.31 + 0.47 * _fraction(k, 97))
+        return values
+
+    def draws(self, names: Iterable[str]) -> Iterator[dict[str, float]]:
+        """Other values of the parameters, all different from one another and far from zero."""
+        ordered = sorted({*self.parameters, *names})
+        for draw in range(1, DRAWS):
+            yield {
+                name: (1.0 if self._is_angle(name) else self.size) * (0.2 + _fraction(k, draw))
+                for k, name in enumerate(ordered)
+            }
+
+    def configurations(self, joint_types: Sequence[JointType]) -> NDArray[np.float64]:
+        """(CONFIGURATIONS, n) joint values on no grid, in [rad] and in the student's unit."""
+        return np.array(
+            [
+                [
+                    (2.0 * _fraction(k, sample + 1) - 1.0)
+                    * (3.0 if type_ is JointType.REVOLUTE else self.size)
+                    for k, type_ in enumerate(joint_types)
+                ]
+                for sample in range(CONFIGURATIONS)
+            ]
+        ).reshape(CONFIGURATIONS, len(joint_types))
+
+    def own_poses(self, values: Mapping[str, float], joints: Sequence[float]) -> ForwardKinematics:
+        """Poses of the student's own table; lengths in the student's unit.
+
+        Raises:
+            ParameterError: an entry has no value there.
+        """
+        assert self.own is not None
+        return forward_kinematics(bind(self.own.table, values), joints)
+
+    def own_names(self) -> frozenset[str]:
+        """The parameters of the student's own table."""
+        return frozenset(self.own.parameters) if self.own else frozenset()
+
+    def own_scales(self) -> bool:
+        """Whether the student's own table names every length, and so holds for all values of the names."""
+        if self.own is None:
+            return False
+        values = self.values(self.own_names())
+        try:
+            once, twice = bind(self.own.table, values), bind(self.own.table, self.scaled(values, 2.0))
+        except ParameterError:
+            return False
+        return all(
+            math.isclose(2.0 * a, b, rel_tol=1e-9, abs_tol=1e-12)
+            for row, other in zip(once.rows, twice.rows, strict=True)
+            for a, b in ((row.a, other.a), (row.d, other.d))
+        )
+
+    def scaled(self, values: Mapping[str, float], factor: float) -> dict[str, float]:
+        """The values with every length multiplied."""
+        return {name: value if self._is_angle(name) else value * factor for name, value in values.items()}
+
+    def _is_angle(self, name: str) -> bool:
+        kinds = {**(self.own.parameters if self.own else {}), **self.reference.parameters}
+        return kinds.get(name) is ParameterKind.ANGLE
+
+    def _in_radians(self, parameters: Mapping[str, float]) -> dict[str, float]:
+        degrees = self.reference.angle_unit is AngleUnit.DEG
+        return {
+            name: math.radians(value) if degrees and self._is_angle(name) else value
+            for name, value in parameters.items()
+        }
+
+
+def _fraction(k: int, n: int) -> float:
+    """The n-th term of the k-th Kronecker sequence, in [0, 1)."""
+    return ((n + 1) * _STEPS[k % len(_STEPS)] * (1 + k // len(_STEPS))) % 1.0

@@ -1,0 +1,180 @@
+"""Matrices as students write them: a 4×4 of cells, in the table's variables and in short forms.
+
+Besides everything that a cell of a table may hold, `c1`, `s23`, `cθ1`, `C(q1)`, `Sθ_1` and the like are
+understood: c and s stand for cosine and sine, and one-digit indices in a row for the sum of the variables.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.cells import AngleUnit, Cell, Limits
+from kinematics.cells.meaning import Position
+from kinematics.cells.reading import cell_meaning
+from kinematics.cells.refusals import Refusal
+from kinematics.cells.variables import variable_index
+from kinematics.errors import CellError, Fault, ParameterError
+from kinematics.expressions import (
+    Expression,
+    Function,
+    JointVariable,
+    add,
+    call,
+    evaluate,
+    parameters_in,
+)
+from kinematics.table import JointType
+
+CellMatrix: TypeAlias = Sequence[Sequence[Cell]]
+Where: TypeAlias = tuple[str | int, ...]
+
+CELL_LIMITS = Limits(cell_characters=2000, cell_symbols=48)
+"""A cell of ⁰T_6, multiplied out, is longer than a cell of a table."""
+
+_SHORT = re.compile(r"([cCsS])([0-9]+)")
+_GREEK = re.compile(r"(?<![A-Za-z_])([cCsS])(?:θ|ϑ|\\theta|theta)_?\{?([0-9]+)\}?")
+_CALLED = re.compile(r"(?<![A-Za-z_])([cCsS])(?= *\()")
+_FUNCTIONS = {"c": Function.COS, "s": Function.SIN}
+
+
+@dataclass(frozen=True, slots=True)
+class SymbolicMatrix:
+    """A 4×4 of expressions.
+
+    Attributes:
+        entries: row by row; angles in [rad], lengths in the unit of the answer.
+    """
+
+    entries: tuple[tuple[Expression, ...], ...]
+
+    def names(self) -> frozenset[str]:
+        """The parameters in it."""
+        return frozenset().union(*(parameters_in(entry) for row in self.entries for entry in row))
+
+    def at(self, parameters: Mapping[str, float], joints: Sequence[float]) -> NDArray[np.float64]:
+        """(4, 4) values; an entry that has none there (a division by zero) is NaN."""
+        return np.array([[_value(entry, parameters, joints) for entry in row] for row in self.entries])
+
+
+def read_matrix(
+    cells: CellMatrix,
+    joint_types: Sequence[JointType],
+    angle_unit: AngleUnit,
+    where: Where,
+    limits: Limits = CELL_LIMITS,
+) -> SymbolicMatrix:
+    """The matrix that a 4×4 of cells means.
+
+    Args:
+        cells: row by row.
+        joint_types: types of joint 1 … n, whose variables may stand in the cells.
+        angle_unit: unit of plain numbers where an angle stands.
+        where: place of the matrix in the answer, for faults.
+        limits: how large a cell may be.
+
+    Raises:
+        CellError: it is not 4×4, or cells cannot be read; every fault, each with the place of its cell.
+    """
+    if len(cells) != 4 or any(len(row) != 4 for row in cells):
+        raise CellError(
+            Fault(code="matrix_not_4x4", message="a matrix has four rows of four cells", where=where)
+        )
+    variable = _variables(joint_types)
+    faults: list[Fault] = []
+    entries: list[tuple[Expression, ...]] = []
+    for r, row in enumerate(cells):
+        values: list[Expression] = []
+        for k, cell in enumerate(row):
+            position = Position.LENGTH if k == 3 and r < 3 else Position.RATIO
+            try:
+                values.append(_read(cell, position, angle_unit, limits, variable))
+            except Refusal as refusal:
+                faults.append(refusal.at(*where, r, k))
+            except _NameError as error:
+                faults.append(error.fault.within(*where, r, k))
+        entries.append(tuple(values))
+    if faults:
+        raise CellError(faults)
+    return SymbolicMatrix(tuple(entries))
+
+
+def _read(
+    cell: Cell,
+    position: Position,
+    unit: AngleUnit,
+    limits: Limits,
+    variable: Callable[[str], Expression | None],
+) -> Expression:
+    """The expression of one cell; the columns of a refusal are those of the cell as typed."""
+    if not isinstance(cell, str):
+        return cell_meaning(cell, position, unit, limits, variable).expression
+    text = _GREEK.sub(lambda m: f"{m[1]}{m[2]}".rjust(len(m[0])), cell)
+    places = [m.start() for m in _CALLED.finditer(text)]
+    text = _CALLED.sub(lambda m: _FUNCTIONS[m[1].lower()].value, text)
+    try:
+        return cell_meaning(text, position, unit, limits, variable).expression
+    except Refusal as refusal:
+        column = refusal.params.get("column")
+        if isinstance(column, int):
+            before = sum(1 for k, place in enumerate(places) if place + 2 * (k + 1) < column)
+            refusal.params["column"] = max(1, column - 2 * before)
+        raise
+
+
+def _variables(joint_types: Sequence[JointType]) -> Callable[[str], Expression | None]:
+    n = len(joint_types)
+
+    def meaning(name: str) -> Expression | None:
+        index = variable_index(name)
+        if index is not None:
+            return JointVariable(_known(index, name, n))
+        if name[:1] == "d" and name[1:].isdecimal() and _is(joint_types, int(name[1:]), JointType.PRISMATIC):
+            return JointVariable(int(name[1:]))
+        short = _SHORT.fullmatch(name)
+        if short is None:
+            return None
+        digits = short[2]
+        joints = [int(digits)] if n > 9 or len(digits) == 1 else [int(digit) for digit in digits]
+        if not all(_is(joint_types, joint, JointType.REVOLUTE) for joint in joints):
+            raise _NameError(
+                "short_form_unknown",
+                f"{name} is read as a cosine or sine; not all of its indices are revolute joints",
+                name,
+                n,
+            )
+        return call(_FUNCTIONS[short[1].lower()], add(JointVariable(joint) for joint in joints))
+
+    return meaning
+
+
+class _NameError(Exception):
+    """A name in a cell means nothing there."""
+
+    def __init__(self, code: str, message: str, name: str, joints: int) -> None:
+        super().__init__(code)
+        self.fault = Fault(code=code, message=message, params={"name": name, "joints": joints})
+
+
+def _is(joint_types: Sequence[JointType], joint: int, joint_type: JointType) -> bool:
+    return 1 <= joint <= len(joint_types) and joint_types[joint - 1] is joint_type
+
+
+def _known(index: int, name: str, n: int) -> int:
+    if not 1 <= index <= n:
+        raise _NameError("joint_variable_unknown", f"there is no {name}; the robot has {n} joints", name, n)
+    return index
+
+
+def _value(entry: Expression, parameters: Mapping[str, float], joints: Sequence[float]) -> float:
+    try:
+        return evaluate(entry, parameters, joints)
+    except ParameterError as error:
+        if error.code == "parameter_missing":
+            raise
+        return float("nan")

@@ -1,0 +1,104 @@
+"""What is said of an answer to one part."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+from exercises.definition import PartKind
+from exercises.grading import Feedback, Finding, HelpLevel
+
+
+class Credit(StrEnum):
+    """What the marks of a part rest on.
+
+    KEY: the answer is right for the robot.
+    OWN_TABLE: it is not, or may not be, but it follows from the student's own table; an error is marked once.
+    NONE: neither.
+    """
+
+    KEY = "key"
+    OWN_TABLE = "own_table"
+    NONE = "none"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Fact:
+    """One thing that an answer says, and what was found of it.
+
+    Attributes:
+        where: path inside the part's answer, such as ("relations", 1) or (2, 0, 3).
+        finding: right, wrong, missing or hidden.
+    """
+
+    where: tuple[str | int, ...]
+    finding: Finding
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class PartReport:
+    """What is said of an answer to one part.
+
+    Attributes:
+        kind: which part.
+        correct: the answer is right for the robot.
+        score: 0 … 1, what it earns; an answer that follows from a wrong table earns its marks, too.
+        points: score times what the part is worth.
+        max_points: what the part is worth.
+        credit: what the marks rest on.
+        facts: the single findings, if the help level shows them.
+        feedback: what to tell the student.
+    """
+
+    kind: PartKind
+    correct: bool
+    score: float
+    points: float
+    max_points: float
+    credit: Credit
+    facts: tuple[Fact, ...] = ()
+    feedback: tuple[Feedback, ...] = ()
+
+
+_LEVELS = tuple(HelpLevel)
+
+
+def at_least(help_level: HelpLevel, needed: HelpLevel) -> bool:
+    """Whether a level of help includes what is told from another one on."""
+    return _LEVELS.index(help_level) >= _LEVELS.index(needed)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Disclosure:
+    """From which level of help on a feedback is told, and what is told instead below it.
+
+    Attributes:
+        level: the first level that tells it.
+        instead: code of a coarser feedback with the same parameters, or None to say nothing.
+    """
+
+    level: HelpLevel
+    instead: str | None = None
+
+
+def shown(report: PartReport, help_level: HelpLevel, disclosures: Mapping[str, Disclosure]) -> PartReport:
+    """The report as a level of help shows it; an answer that is not right is never left without a word.
+
+    Args:
+        report: everything that was found.
+        help_level: how much may be told.
+        disclosures: by code; feedback that is not listed is always told.
+    """
+    told: list[Feedback] = []
+    for entry in report.feedback:
+        code: str | None = entry.code
+        while code is not None and code in disclosures and not at_least(help_level, disclosures[code].level):
+            code = disclosures[code].instead
+        spoken = None if code is None else replace(entry, code=code)
+        if spoken is not None and spoken not in told:
+            told.append(spoken)
+    if not told and not report.correct:
+        told.append(Feedback(code="part_wrong"))
+    facts = report.facts if at_least(help_level, HelpLevel.ROW) else ()
+    return replace(report, facts=facts, feedback=tuple(told))
