@@ -224,3 +224,8 @@ form-history-restore-label = Take attempt { $number } back into the form
 form-history-restored = The attempt is in the form again
 form-history-kept = Kept in this browser only.
 form-history-clear = Forget all
+
+form-missing-title = Not found
+form-missing-text = There is no such page here. The exercises are all on the first page.
+form-missing-home = To the exercises
+form-storage-blocked = This browser keeps nothing for this page: what you type is lost when you close it.

@@ -1,0 +1,231 @@
+# El formulario web de los estudiantes: lo que dice cada página.
+
+form-skip = Ir al contenido
+form-nav-label = Páginas
+form-nav-exercises = Ejercicios
+form-nav-playground = Taller
+form-language = Idioma
+form-language-go = Cambiar
+form-needs-script = Esta página necesita JavaScript: con él dibuja el robot y comprueba la tabla mientras se escribe.
+form-unreachable = No se puede contactar con el servicio. Lo escrito se conserva; vuelva a intentarlo en un momento.
+form-retry = Reintentar
+form-cancel = Cancelar
+form-close = Cerrar
+form-loading = Cargando …
+
+form-home-title = Ejercicios
+form-home-heading = Describa el robot. Vale cualquier elección correcta de sistemas de referencia.
+form-home-lead = Tablas de Denavit–Hartenberg con un robot que se mueve mientras se escribe y un corrector que demuestra si la tabla describe el mismo mecanismo.
+form-home-exercises = Ejercicios
+form-home-more = Más
+form-home-playground = Cualquier tabla: poses, jacobianos, formas simbólicas, conversiones.
+form-home-api = Interfaz de programación
+form-home-api-text = Lo mismo por HTTP, como documento OpenAPI.
+form-home-best = Mejor puntuación { $score } %
+form-home-trainer = Practicar la asignación de sistemas
+
+form-scene-role = vista 3D
+form-scene-label = Robot
+form-scene-tools = Vista
+form-scene-view = Mirar
+form-scene-view-corner = En esquina
+form-scene-view-front = De frente
+form-scene-view-side = De lado
+form-scene-view-top = Desde arriba
+form-scene-view-now = Vista: { $view }
+form-scene-turn-left = Girar a la izquierda
+form-scene-turn-right = Girar a la derecha
+form-scene-turn-up = Inclinar hacia arriba
+form-scene-turn-down = Inclinar hacia abajo
+form-scene-zoom-in = Ampliar
+form-scene-zoom-out = Reducir
+form-scene-reset = Mostrar todo
+form-scene-keys = Las flechas giran la vista, Mayús con flechas la desplaza, + y − amplían y reducen, 0 lo muestra todo.
+
+form-joint = Articulación
+form-joint-revolute = rotación
+form-joint-prismatic = prismática
+form-joint-fixed = fija
+form-joint-of-row = Tipo de articulación, fila { $row }
+form-joint-turn = Ángulo de la articulación { $name }
+form-joint-slide = Desplazamiento de la articulación { $name }
+form-joint-value = { $name } en { $unit }
+form-joints-reset = Devolver las articulaciones a su sitio
+
+form-convention = Convención
+form-convention-standard = estándar
+form-convention-modified = modificada
+form-convention-now-standard = Sus valores quedan como están y se leen ahora en la convención estándar: a y α pertenecen al eslabón i, la articulación i se mueve según el eje z del sistema i−1.
+form-convention-now-modified = Sus valores quedan como están y se leen ahora en la convención modificada: a y α pertenecen al eslabón i−1, la articulación i se mueve según el eje z del sistema i.
+form-angle-unit = Unidad de los ángulos
+form-degrees = grados
+form-radians = radianes
+form-length-unit = Unidad de las longitudes
+form-unit-now-deg = Los números de las columnas de ángulos se leen ahora en grados.
+form-unit-now-rad = Los números de las columnas de ángulos se leen ahora en radianes.
+form-unit-convert = Convertir los números
+form-unit-converted = Números convertidos
+
+form-table-caption = Tabla DH, convención { $convention }
+form-row-actions = Acciones
+form-row-add = Añadir una fila
+form-row-added = Fila { $row } añadida
+form-row-remove = Quitar la fila { $row }
+form-row-removed = Fila { $row } quitada
+form-row-up = Subir la fila { $row }
+form-row-down = Bajar la fila { $row }
+form-row-moved = La fila { $row } es ahora la fila { $to }
+form-row-cell = fila { $row }, { $name }
+form-cell-label = Fila { $row }, { $name } [{ $unit }]
+form-cell-empty = Aquí hace falta un valor; escriba 0 si es nulo.
+form-faults =
+    { $count ->
+        [one] Hay que revisar una celda:
+       *[other] Hay que revisar { $count } celdas:
+    }
+form-undo = Deshacer
+form-undone = Deshecho
+form-redo = Rehacer
+form-redone = Rehecho
+form-symbols = Símbolos
+form-symbol-insert = Insertar { $symbol }
+form-keys = Flechas arriba y abajo cambian de fila · Alt con flecha mueve la fila · Alt+Intro añade una · Alt+Supr la quita · Ctrl+Z deshace.
+form-paste-title = Pegar una tabla
+form-paste-label = Una tabla de una hoja de cálculo, LaTeX, Markdown o PDF
+form-paste-order = Las columnas sin encabezado se leen en este orden: { $order }
+form-paste-found =
+    { $rows ->
+        [one] Se ha encontrado una fila:
+       *[other] Se han encontrado { $rows } filas:
+    }
+form-paste-nothing = No se reconoce ninguna tabla en este texto: cada fila necesita los cuatro parámetros DH.
+form-paste-preview = Lo que se ha encontrado
+form-paste-apply = Usar esta tabla
+form-pasted =
+    { $rows ->
+        [one] Se ha pegado una fila.
+       *[other] Se han pegado { $rows } filas.
+    }
+
+form-matrix-mode = Matrices como
+form-matrix-numbers = Números
+form-matrix-symbols = Símbolos
+form-matrix-notation = Notación
+form-matrix-short = abreviada
+form-matrix-full = completa
+form-matrix-none = Las matrices aparecen en cuanto se puedan leer todas las filas.
+form-matrix-name = Sistema { $to } respecto al sistema { $from }
+form-copy = Copiar como
+form-copy-group = Copiar: { $what }
+form-copied = Copiado como { $format }
+form-copy-failed = El navegador no permite copiar
+
+form-exercise-title = Ejercicio
+form-exercise-task = Enunciado
+form-exercise-robot = El robot
+form-exercise-description = Descripción con palabras
+form-exercise-answer = Su respuesta
+form-exercise-givens = Datos
+form-figure-mode = Mostrar el robot en
+form-figure-drawing = Dibujo
+form-figure-space = 3D
+form-figure-alt = Dibujo del robot: { $title }. Sigue una descripción con palabras.
+form-figure-label = { $title } en el espacio
+form-choose = Elija …
+form-points = { $points } de { $total } puntos
+form-row = Fila { $row }
+form-row-heading = Fila
+form-submit = Comprobar mi respuesta
+form-submitting = Comprobando …
+form-submit-hint = Ctrl+Intro hace lo mismo.
+
+form-part-table = Tabla DH
+form-part-schematic = Estructura
+form-part-schematic-hint = El tipo de cada articulación y la posición de cada eje respecto al siguiente.
+form-part-link-matrices = Matrices de los eslabones
+form-part-link-matrices-hint = La matriz de cada fila de su tabla. Puede escribir c1, s23, etc. Una matriz que queda vacía se omite.
+form-part-transform = Pose del último sistema, en símbolos
+form-part-transform-hint = Se juzga por su valor: vale cualquier forma equivalente; también puede derivarse de su propia tabla.
+form-part-pose = Pose del último sistema, en números
+form-part-pose-hint = Para { $joints }.
+form-part-workspace = Espacio de trabajo
+form-part-workspace-hint = Hasta dónde llega el punto marcado, como mínimo y como máximo.
+form-part-wrong = Por revisar:
+form-radius-inner = Radio interior
+form-radius-outer = Radio exterior
+form-matrix-cell = { $name }, fila { $row }, columna { $column }
+form-schematic-joint = Articulación { $joint }
+form-schematic-relation = Eje { $joint } respecto al eje { $next }
+form-relation-coincident = coincidentes
+form-relation-parallel = paralelos
+form-relation-intersecting-perpendicular = secantes, perpendiculares
+form-relation-intersecting-oblique = secantes, oblicuos
+form-relation-skew-perpendicular = cruzados, perpendiculares
+form-relation-skew-oblique = cruzados, oblicuos
+
+form-own-heading = Su robot
+form-own-scene = Su robot, tal como lo describe su tabla
+form-own-empty = Su robot aparece aquí en cuanto se puedan leer todas las filas.
+form-own-missing =
+    { $count ->
+        [one] Aún queda una celda vacía.
+       *[other] Aún quedan { $count } celdas vacías.
+    }
+form-own-unread =
+    { $count ->
+        [one] Una celda aún no se puede leer; la imagen muestra la última tabla legible.
+       *[other] { $count } celdas aún no se pueden leer; la imagen muestra la última tabla legible.
+    }
+form-own-values = Para dibujar su robot, dé un valor a: { $names }.
+form-own-shown =
+    { $joints ->
+        [one] Dibujado según su tabla: una articulación.
+       *[other] Dibujado según su tabla: { $joints } articulaciones.
+    }
+form-own-description = Los sistemas de su tabla con sus ejes x, y, z. Articulaciones: { $joints }.
+form-own-parameters = Valores para el dibujo
+form-joints = Articulaciones
+form-matrices = Matrices
+
+form-verdict-heading = Veredicto
+form-verdict-correct = Su tabla describe este robot.
+form-verdict-wrong = Su tabla describe otro robot.
+form-verdict-outdated = Desde entonces ha cambiado su respuesta.
+form-basis-proved = Demostrado: la identidad vale para todos los valores articulares.
+form-basis-verified = Verificado en muchas configuraciones.
+form-basis-refuted = Ninguna elección de sistemas lo convierte en el mismo mecanismo.
+form-score = { $score } %
+form-links-caption = Lo que está bien en cada fila
+form-fact-twist = Torsión α
+form-fact-length = Longitud a
+form-fact-offset = Desplazamiento
+form-fact-joint = Tipo de articulación
+form-finding-ok = correcto
+form-finding-wrong = erróneo
+form-finding-missing = falta
+form-finding-unknown = sin decidir
+form-finding-hidden = –
+form-repairs =
+    { $count ->
+        [one] Lo que la haría correcta
+       *[other] Lo que la haría correcta
+    }
+form-repair-or = o
+form-both-label = El robot del ejercicio y el suyo, moviéndose juntos
+form-both-text = Los dos robots se mueven juntos: el suyo con sus sistemas, el del ejercicio en gris y naranja.
+form-both-description = Sus sistemas están colocados sobre el robot del ejercicio y ambos siguen el mismo movimiento.
+form-both-position = Instante del movimiento
+form-play = Iniciar
+form-pause = Pausa
+
+form-history-heading = Sus intentos
+form-history-restore = Recuperar en el formulario
+form-history-restore-label = Recuperar el intento { $number } en el formulario
+form-history-restored = El intento está de nuevo en el formulario
+form-history-kept = Se guardan solo en este navegador.
+form-history-clear = Olvidar todo
+
+form-missing-title = No encontrado
+form-missing-text = Aquí no hay tal página. Todos los ejercicios están en la primera página.
+form-missing-home = A los ejercicios
+form-storage-blocked = Este navegador no guarda nada para esta página: lo escrito se pierde al cerrarla.

@@ -1,0 +1,231 @@
+# Le formulaire web des étudiants : ce que dit chaque page.
+
+form-skip = Aller au contenu
+form-nav-label = Pages
+form-nav-exercises = Exercices
+form-nav-playground = Atelier
+form-language = Langue
+form-language-go = Changer
+form-needs-script = Cette page a besoin de JavaScript : il dessine le robot et vérifie le tableau pendant la saisie.
+form-unreachable = Le service est injoignable. Votre saisie est conservée ; réessayez dans un instant.
+form-retry = Réessayer
+form-cancel = Annuler
+form-close = Fermer
+form-loading = Chargement …
+
+form-home-title = Exercices
+form-home-heading = Décrivez le robot. Tout choix de repères valable compte.
+form-home-lead = Des tableaux de Denavit–Hartenberg, un robot qui bouge pendant la saisie et un correcteur qui prouve si votre tableau décrit le même mécanisme.
+form-home-exercises = Exercices
+form-home-more = Autres pages
+form-home-playground = Un tableau quelconque : poses, jacobiennes, formes littérales, conversions.
+form-home-api = Interface de programmation
+form-home-api-text = La même chose par HTTP, en document OpenAPI.
+form-home-best = Meilleur score { $score } %
+form-home-trainer = S’exercer à placer les repères
+
+form-scene-role = vue 3D
+form-scene-label = Robot
+form-scene-tools = Vue
+form-scene-view = Regarder
+form-scene-view-corner = De trois quarts
+form-scene-view-front = De face
+form-scene-view-side = De côté
+form-scene-view-top = De dessus
+form-scene-view-now = Vue : { $view }
+form-scene-turn-left = Tourner à gauche
+form-scene-turn-right = Tourner à droite
+form-scene-turn-up = Incliner vers le haut
+form-scene-turn-down = Incliner vers le bas
+form-scene-zoom-in = Agrandir
+form-scene-zoom-out = Réduire
+form-scene-reset = Tout montrer
+form-scene-keys = Les flèches tournent la vue, Maj et flèches la déplacent, + et − agrandissent et réduisent, 0 montre tout.
+
+form-joint = Liaison
+form-joint-revolute = rotoïde
+form-joint-prismatic = prismatique
+form-joint-fixed = fixe
+form-joint-of-row = Type de liaison, ligne { $row }
+form-joint-turn = Angle articulaire { $name }
+form-joint-slide = Déplacement articulaire { $name }
+form-joint-value = { $name } en { $unit }
+form-joints-reset = Remettre les articulations en place
+
+form-convention = Convention
+form-convention-standard = standard
+form-convention-modified = modifiée
+form-convention-now-standard = Vos entrées restent telles quelles et se lisent maintenant dans la convention standard : a et α appartiennent au corps i, la liaison i agit selon l’axe z du repère i−1.
+form-convention-now-modified = Vos entrées restent telles quelles et se lisent maintenant dans la convention modifiée : a et α appartiennent au corps i−1, la liaison i agit selon l’axe z du repère i.
+form-angle-unit = Unité des angles
+form-degrees = degrés
+form-radians = radians
+form-length-unit = Unité des longueurs
+form-unit-now-deg = Les nombres des colonnes d’angles se lisent maintenant en degrés.
+form-unit-now-rad = Les nombres des colonnes d’angles se lisent maintenant en radians.
+form-unit-convert = Convertir les nombres
+form-unit-converted = Nombres convertis
+
+form-table-caption = Tableau DH, convention { $convention }
+form-row-actions = Actions
+form-row-add = Ajouter une ligne
+form-row-added = Ligne { $row } ajoutée
+form-row-remove = Supprimer la ligne { $row }
+form-row-removed = Ligne { $row } supprimée
+form-row-up = Monter la ligne { $row }
+form-row-down = Descendre la ligne { $row }
+form-row-moved = La ligne { $row } est maintenant la ligne { $to }
+form-row-cell = ligne { $row }, { $name }
+form-cell-label = Ligne { $row }, { $name } [{ $unit }]
+form-cell-empty = Il faut une valeur ici ; écrivez 0 si elle est nulle.
+form-faults =
+    { $count ->
+        [one] Une cellule est à revoir :
+       *[other] { $count } cellules sont à revoir :
+    }
+form-undo = Annuler la dernière action
+form-undone = Annulé
+form-redo = Rétablir
+form-redone = Rétabli
+form-symbols = Symboles
+form-symbol-insert = Insérer { $symbol }
+form-keys = Flèches haut et bas : changer de ligne · Alt et flèche : déplacer la ligne · Alt+Entrée : en ajouter une · Alt+Suppr : la supprimer · Ctrl+Z : annuler.
+form-paste-title = Coller un tableau
+form-paste-label = Un tableau issu d’un tableur, de LaTeX, de Markdown ou d’un PDF
+form-paste-order = Sans en-têtes, les colonnes se lisent dans l’ordre : { $order }
+form-paste-found =
+    { $rows ->
+        [one] Une ligne trouvée :
+       *[other] { $rows } lignes trouvées :
+    }
+form-paste-nothing = Aucun tableau n’est reconnu dans ce texte : chaque ligne doit contenir les quatre paramètres DH.
+form-paste-preview = Ce qui a été trouvé
+form-paste-apply = Utiliser ce tableau
+form-pasted =
+    { $rows ->
+        [one] Une ligne collée.
+       *[other] { $rows } lignes collées.
+    }
+
+form-matrix-mode = Matrices en
+form-matrix-numbers = Nombres
+form-matrix-symbols = Symboles
+form-matrix-notation = Notation
+form-matrix-short = abrégée
+form-matrix-full = complète
+form-matrix-none = Les matrices apparaissent dès que chaque ligne peut être lue.
+form-matrix-name = Repère { $to } dans le repère { $from }
+form-copy = Copier en
+form-copy-group = Copier : { $what }
+form-copied = Copié en { $format }
+form-copy-failed = Le navigateur ne permet pas de copier
+
+form-exercise-title = Exercice
+form-exercise-task = Énoncé
+form-exercise-robot = Le robot
+form-exercise-description = Description en mots
+form-exercise-answer = Votre réponse
+form-exercise-givens = Données
+form-figure-mode = Montrer le robot en
+form-figure-drawing = Dessin
+form-figure-space = 3D
+form-figure-alt = Dessin du robot : { $title }. Une description en mots suit.
+form-figure-label = { $title } dans l’espace
+form-choose = Choisir …
+form-points = { $points } points sur { $total }
+form-row = Ligne { $row }
+form-row-heading = Ligne
+form-submit = Vérifier ma réponse
+form-submitting = Vérification …
+form-submit-hint = Ctrl+Entrée fait de même.
+
+form-part-table = Tableau DH
+form-part-schematic = Structure
+form-part-schematic-hint = Le type de chaque liaison et la position de chaque axe par rapport au suivant.
+form-part-link-matrices = Matrices de passage
+form-part-link-matrices-hint = La matrice de chaque ligne de votre tableau. Vous pouvez écrire c1, s23, etc. Une matrice laissée vide est ignorée.
+form-part-transform = Pose du dernier repère, littérale
+form-part-transform-hint = Jugée sur sa valeur : toute forme équivalente compte ; elle peut aussi découler de votre propre tableau.
+form-part-pose = Pose du dernier repère, numérique
+form-part-pose-hint = Pour { $joints }.
+form-part-workspace = Espace de travail
+form-part-workspace-hint = Jusqu’où le point marqué peut aller, au moins et au plus.
+form-part-wrong = À revoir :
+form-radius-inner = Rayon intérieur
+form-radius-outer = Rayon extérieur
+form-matrix-cell = { $name }, ligne { $row }, colonne { $column }
+form-schematic-joint = Liaison { $joint }
+form-schematic-relation = Axe { $joint } par rapport à l’axe { $next }
+form-relation-coincident = confondus
+form-relation-parallel = parallèles
+form-relation-intersecting-perpendicular = concourants, perpendiculaires
+form-relation-intersecting-oblique = concourants, obliques
+form-relation-skew-perpendicular = non coplanaires, orthogonaux
+form-relation-skew-oblique = non coplanaires, obliques
+
+form-own-heading = Votre robot
+form-own-scene = Votre robot, tel que le décrit votre tableau
+form-own-empty = Votre robot apparaît ici dès que chaque ligne peut être lue.
+form-own-missing =
+    { $count ->
+        [one] Une cellule est encore vide.
+       *[other] { $count } cellules sont encore vides.
+    }
+form-own-unread =
+    { $count ->
+        [one] Une cellule est encore illisible ; l’image montre le dernier tableau lisible.
+       *[other] { $count } cellules sont encore illisibles ; l’image montre le dernier tableau lisible.
+    }
+form-own-values = Pour dessiner votre robot, donnez une valeur à : { $names }.
+form-own-shown =
+    { $joints ->
+        [one] Dessiné d’après votre tableau : une liaison.
+       *[other] Dessiné d’après votre tableau : { $joints } liaisons.
+    }
+form-own-description = Les repères de votre tableau avec leurs axes x, y et z. Liaisons : { $joints }.
+form-own-parameters = Valeurs pour le dessin
+form-joints = Articulations
+form-matrices = Matrices
+
+form-verdict-heading = Verdict
+form-verdict-correct = Votre tableau décrit ce robot.
+form-verdict-wrong = Votre tableau décrit un autre robot.
+form-verdict-outdated = Vous avez modifié votre réponse depuis.
+form-basis-proved = Prouvé : l’identité vaut pour toutes les valeurs articulaires.
+form-basis-verified = Vérifié sur de nombreuses configurations.
+form-basis-refuted = Aucun choix de repères n’en fait le même mécanisme.
+form-score = { $score } %
+form-links-caption = Ce qui est juste dans chaque ligne
+form-fact-twist = Torsion α
+form-fact-length = Longueur a
+form-fact-offset = Décalage
+form-fact-joint = Type de liaison
+form-finding-ok = juste
+form-finding-wrong = faux
+form-finding-missing = manque
+form-finding-unknown = indécis
+form-finding-hidden = –
+form-repairs =
+    { $count ->
+        [one] Ce qui le rendrait juste
+       *[other] Ce qui le rendrait juste
+    }
+form-repair-or = ou
+form-both-label = Le robot de l’exercice et le vôtre, en mouvement commun
+form-both-text = Les deux robots bougent ensemble : le vôtre avec vos repères, celui de l’exercice en gris et orange.
+form-both-description = Vos repères sont posés sur le robot de l’exercice ; tous deux suivent le même mouvement.
+form-both-position = Instant du mouvement
+form-play = Lancer
+form-pause = Pause
+
+form-history-heading = Vos essais
+form-history-restore = Reprendre dans le formulaire
+form-history-restore-label = Reprendre l’essai { $number } dans le formulaire
+form-history-restored = L’essai est de nouveau dans le formulaire
+form-history-kept = Conservés dans ce navigateur seulement.
+form-history-clear = Tout oublier
+
+form-missing-title = Introuvable
+form-missing-text = Il n’y a pas de telle page ici. Tous les exercices sont sur la première page.
+form-missing-home = Aux exercices
+form-storage-blocked = Ce navigateur ne conserve rien pour cette page : votre saisie est perdue à la fermeture.

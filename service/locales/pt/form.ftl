@@ -1,0 +1,231 @@
+# O formulário web dos estudantes: o que diz cada página.
+
+form-skip = Ir para o conteúdo
+form-nav-label = Páginas
+form-nav-exercises = Exercícios
+form-nav-playground = Oficina
+form-language = Língua
+form-language-go = Mudar
+form-needs-script = Esta página precisa de JavaScript: é ele que desenha o robô e verifica a tabela enquanto se escreve.
+form-unreachable = Não é possível contactar o serviço. O que escreveu foi guardado; tente de novo daqui a pouco.
+form-retry = Tentar de novo
+form-cancel = Cancelar
+form-close = Fechar
+form-loading = A carregar …
+
+form-home-title = Exercícios
+form-home-heading = Descreva o robô. Vale qualquer escolha correta de referenciais.
+form-home-lead = Tabelas de Denavit–Hartenberg com um robô que se move enquanto se escreve e um verificador que prova se a tabela descreve o mesmo mecanismo.
+form-home-exercises = Exercícios
+form-home-more = Mais
+form-home-playground = Qualquer tabela: poses, jacobianos, formas simbólicas, conversões.
+form-home-api = Interface de programação
+form-home-api-text = O mesmo por HTTP, como documento OpenAPI.
+form-home-best = Melhor pontuação { $score } %
+form-home-trainer = Praticar a atribuição de referenciais
+
+form-scene-role = vista 3D
+form-scene-label = Robô
+form-scene-tools = Vista
+form-scene-view = Ver
+form-scene-view-corner = De canto
+form-scene-view-front = De frente
+form-scene-view-side = De lado
+form-scene-view-top = De cima
+form-scene-view-now = Vista: { $view }
+form-scene-turn-left = Rodar para a esquerda
+form-scene-turn-right = Rodar para a direita
+form-scene-turn-up = Inclinar para cima
+form-scene-turn-down = Inclinar para baixo
+form-scene-zoom-in = Ampliar
+form-scene-zoom-out = Reduzir
+form-scene-reset = Mostrar tudo
+form-scene-keys = As setas rodam a vista, Shift com setas desloca-a, + e − ampliam e reduzem, 0 mostra tudo.
+
+form-joint = Junta
+form-joint-revolute = rotação
+form-joint-prismatic = prismática
+form-joint-fixed = fixa
+form-joint-of-row = Tipo de junta, linha { $row }
+form-joint-turn = Ângulo da junta { $name }
+form-joint-slide = Deslocamento da junta { $name }
+form-joint-value = { $name } em { $unit }
+form-joints-reset = Repor as juntas
+
+form-convention = Convenção
+form-convention-standard = padrão
+form-convention-modified = modificada
+form-convention-now-standard = Os valores ficam como estão e leem-se agora na convenção padrão: a e α pertencem ao elo i, a junta i move-se segundo o eixo z do referencial i−1.
+form-convention-now-modified = Os valores ficam como estão e leem-se agora na convenção modificada: a e α pertencem ao elo i−1, a junta i move-se segundo o eixo z do referencial i.
+form-angle-unit = Unidade dos ângulos
+form-degrees = graus
+form-radians = radianos
+form-length-unit = Unidade dos comprimentos
+form-unit-now-deg = Os números das colunas de ângulos leem-se agora em graus.
+form-unit-now-rad = Os números das colunas de ângulos leem-se agora em radianos.
+form-unit-convert = Converter os números
+form-unit-converted = Números convertidos
+
+form-table-caption = Tabela DH, convenção { $convention }
+form-row-actions = Ações
+form-row-add = Acrescentar uma linha
+form-row-added = Linha { $row } acrescentada
+form-row-remove = Remover a linha { $row }
+form-row-removed = Linha { $row } removida
+form-row-up = Subir a linha { $row }
+form-row-down = Descer a linha { $row }
+form-row-moved = A linha { $row } é agora a linha { $to }
+form-row-cell = linha { $row }, { $name }
+form-cell-label = Linha { $row }, { $name } [{ $unit }]
+form-cell-empty = É preciso um valor aqui; escreva 0 se for nulo.
+form-faults =
+    { $count ->
+        [one] Uma célula precisa de atenção:
+       *[other] { $count } células precisam de atenção:
+    }
+form-undo = Desfazer
+form-undone = Desfeito
+form-redo = Refazer
+form-redone = Refeito
+form-symbols = Símbolos
+form-symbol-insert = Inserir { $symbol }
+form-keys = Setas para cima e para baixo mudam de linha · Alt com seta move a linha · Alt+Enter acrescenta uma · Alt+Delete remove-a · Ctrl+Z desfaz.
+form-paste-title = Colar uma tabela
+form-paste-label = Uma tabela de uma folha de cálculo, LaTeX, Markdown ou PDF
+form-paste-order = Colunas sem cabeçalho leem-se por esta ordem: { $order }
+form-paste-found =
+    { $rows ->
+        [one] Uma linha encontrada:
+       *[other] { $rows } linhas encontradas:
+    }
+form-paste-nothing = Não se reconhece nenhuma tabela neste texto: cada linha precisa dos quatro parâmetros DH.
+form-paste-preview = O que foi encontrado
+form-paste-apply = Usar esta tabela
+form-pasted =
+    { $rows ->
+        [one] Uma linha colada.
+       *[other] { $rows } linhas coladas.
+    }
+
+form-matrix-mode = Matrizes como
+form-matrix-numbers = Números
+form-matrix-symbols = Símbolos
+form-matrix-notation = Notação
+form-matrix-short = abreviada
+form-matrix-full = completa
+form-matrix-none = As matrizes aparecem assim que todas as linhas possam ser lidas.
+form-matrix-name = Referencial { $to } no referencial { $from }
+form-copy = Copiar como
+form-copy-group = Copiar: { $what }
+form-copied = Copiado como { $format }
+form-copy-failed = O navegador não permite copiar
+
+form-exercise-title = Exercício
+form-exercise-task = Enunciado
+form-exercise-robot = O robô
+form-exercise-description = Descrição por palavras
+form-exercise-answer = A sua resposta
+form-exercise-givens = Dados
+form-figure-mode = Mostrar o robô em
+form-figure-drawing = Desenho
+form-figure-space = 3D
+form-figure-alt = Desenho do robô: { $title }. Segue-se uma descrição por palavras.
+form-figure-label = { $title } no espaço
+form-choose = Escolha …
+form-points = { $points } de { $total } pontos
+form-row = Linha { $row }
+form-row-heading = Linha
+form-submit = Verificar a resposta
+form-submitting = A verificar …
+form-submit-hint = Ctrl+Enter faz o mesmo.
+
+form-part-table = Tabela DH
+form-part-schematic = Estrutura
+form-part-schematic-hint = O tipo de cada junta e a posição de cada eixo em relação ao seguinte.
+form-part-link-matrices = Matrizes dos elos
+form-part-link-matrices-hint = A matriz de cada linha da sua tabela. Pode escrever c1, s23, etc. Uma matriz deixada vazia é ignorada.
+form-part-transform = Pose do último referencial, em símbolos
+form-part-transform-hint = Avaliada pelo valor: vale qualquer forma equivalente; também pode decorrer da sua própria tabela.
+form-part-pose = Pose do último referencial, em números
+form-part-pose-hint = Para { $joints }.
+form-part-workspace = Espaço de trabalho
+form-part-workspace-hint = Até onde chega o ponto marcado, no mínimo e no máximo.
+form-part-wrong = A rever:
+form-radius-inner = Raio interior
+form-radius-outer = Raio exterior
+form-matrix-cell = { $name }, linha { $row }, coluna { $column }
+form-schematic-joint = Junta { $joint }
+form-schematic-relation = Eixo { $joint } em relação ao eixo { $next }
+form-relation-coincident = coincidentes
+form-relation-parallel = paralelos
+form-relation-intersecting-perpendicular = concorrentes, perpendiculares
+form-relation-intersecting-oblique = concorrentes, oblíquos
+form-relation-skew-perpendicular = enviesados, perpendiculares
+form-relation-skew-oblique = enviesados, oblíquos
+
+form-own-heading = O seu robô
+form-own-scene = O seu robô, tal como a sua tabela o descreve
+form-own-empty = O seu robô aparece aqui assim que todas as linhas possam ser lidas.
+form-own-missing =
+    { $count ->
+        [one] Uma célula ainda está vazia.
+       *[other] { $count } células ainda estão vazias.
+    }
+form-own-unread =
+    { $count ->
+        [one] Uma célula ainda não pode ser lida; a imagem mostra a última tabela que o pôde ser.
+       *[other] { $count } células ainda não podem ser lidas; a imagem mostra a última tabela que o pôde ser.
+    }
+form-own-values = Para desenhar o seu robô, dê um valor a: { $names }.
+form-own-shown =
+    { $joints ->
+        [one] Desenhado a partir da sua tabela: uma junta.
+       *[other] Desenhado a partir da sua tabela: { $joints } juntas.
+    }
+form-own-description = Os referenciais da sua tabela com os eixos x, y e z. Juntas: { $joints }.
+form-own-parameters = Valores para o desenho
+form-joints = Juntas
+form-matrices = Matrizes
+
+form-verdict-heading = Veredito
+form-verdict-correct = A sua tabela descreve este robô.
+form-verdict-wrong = A sua tabela descreve outro robô.
+form-verdict-outdated = Entretanto alterou a sua resposta.
+form-basis-proved = Provado: a identidade vale para todos os valores das juntas.
+form-basis-verified = Verificado em muitas configurações.
+form-basis-refuted = Nenhuma escolha de referenciais faz dele o mesmo mecanismo.
+form-score = { $score } %
+form-links-caption = O que está certo em cada linha
+form-fact-twist = Torção α
+form-fact-length = Comprimento a
+form-fact-offset = Deslocamento
+form-fact-joint = Tipo de junta
+form-finding-ok = certo
+form-finding-wrong = errado
+form-finding-missing = falta
+form-finding-unknown = em aberto
+form-finding-hidden = –
+form-repairs =
+    { $count ->
+        [one] O que a tornaria certa
+       *[other] O que a tornaria certa
+    }
+form-repair-or = ou
+form-both-label = O robô do exercício e o seu, a moverem-se juntos
+form-both-text = Os dois robôs movem-se juntos: o seu com os seus referenciais, o do exercício a cinzento e laranja.
+form-both-description = Os seus referenciais assentam no robô do exercício e ambos seguem o mesmo movimento.
+form-both-position = Instante do movimento
+form-play = Iniciar
+form-pause = Pausa
+
+form-history-heading = As suas tentativas
+form-history-restore = Repor no formulário
+form-history-restore-label = Repor a tentativa { $number } no formulário
+form-history-restored = A tentativa está de novo no formulário
+form-history-kept = Guardadas apenas neste navegador.
+form-history-clear = Esquecer tudo
+
+form-missing-title = Não encontrado
+form-missing-text = Não há aqui tal página. Todos os exercícios estão na primeira página.
+form-missing-home = Para os exercícios
+form-storage-blocked = Este navegador não guarda nada para esta página: o que escreve perde-se ao fechá-la.

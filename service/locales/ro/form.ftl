@@ -1,0 +1,237 @@
+# Formularul web al studenților: ce spune fiecare pagină.
+
+form-skip = Sari la conținut
+form-nav-label = Pagini
+form-nav-exercises = Exerciții
+form-nav-playground = Atelier
+form-language = Limbă
+form-language-go = Schimbă
+form-needs-script = Pagina are nevoie de JavaScript: cu el desenează robotul și verifică tabelul în timp ce scrieți.
+form-unreachable = Serviciul nu poate fi contactat. Ce ați scris s-a păstrat; încercați din nou peste câteva clipe.
+form-retry = Încearcă din nou
+form-cancel = Renunță
+form-close = Închide
+form-loading = Se încarcă …
+
+form-home-title = Exerciții
+form-home-heading = Descrieți robotul. Orice alegere corectă a sistemelor de axe este acceptată.
+form-home-lead = Tabele Denavit–Hartenberg cu un robot care se mișcă în timp ce scrieți și un verificator care demonstrează dacă tabelul descrie același mecanism.
+form-home-exercises = Exerciții
+form-home-more = Mai mult
+form-home-playground = Orice tabel: poziționări, jacobieni, forme simbolice, conversii.
+form-home-api = Interfață de programare
+form-home-api-text = Același lucru prin HTTP, ca document OpenAPI.
+form-home-best = Cel mai bun scor { $score } %
+form-home-trainer = Exersează alegerea sistemelor de axe
+
+form-scene-role = vedere 3D
+form-scene-label = Robot
+form-scene-tools = Vedere
+form-scene-view = Privește
+form-scene-view-corner = Din colț
+form-scene-view-front = Din față
+form-scene-view-side = Din lateral
+form-scene-view-top = De sus
+form-scene-view-now = Vedere: { $view }
+form-scene-turn-left = Rotește la stânga
+form-scene-turn-right = Rotește la dreapta
+form-scene-turn-up = Înclină în sus
+form-scene-turn-down = Înclină în jos
+form-scene-zoom-in = Mărește
+form-scene-zoom-out = Micșorează
+form-scene-reset = Arată tot
+form-scene-keys = Tastele săgeți rotesc vederea, Shift și săgeți o deplasează, + și − o măresc și o micșorează, 0 arată tot.
+
+form-joint = Cuplă
+form-joint-revolute = rotație
+form-joint-prismatic = translație
+form-joint-fixed = fixă
+form-joint-of-row = Tipul cuplei, rândul { $row }
+form-joint-turn = Unghiul cuplei { $name }
+form-joint-slide = Deplasarea cuplei { $name }
+form-joint-value = { $name } în { $unit }
+form-joints-reset = Readu cuplele în poziția inițială
+
+form-convention = Convenție
+form-convention-standard = standard
+form-convention-modified = modificată
+form-convention-now-standard = Valorile rămân cum sunt și se citesc acum în convenția standard: a și α aparțin elementului i, cupla i se mișcă după axa z a sistemului i−1.
+form-convention-now-modified = Valorile rămân cum sunt și se citesc acum în convenția modificată: a și α aparțin elementului i−1, cupla i se mișcă după axa z a sistemului i.
+form-angle-unit = Unitatea unghiurilor
+form-degrees = grade
+form-radians = radiani
+form-length-unit = Unitatea lungimilor
+form-unit-now-deg = Numerele din coloanele de unghiuri se citesc acum în grade.
+form-unit-now-rad = Numerele din coloanele de unghiuri se citesc acum în radiani.
+form-unit-convert = Convertește numerele
+form-unit-converted = Numerele au fost convertite
+
+form-table-caption = Tabel DH, convenția { $convention }
+form-row-actions = Acțiuni
+form-row-add = Adaugă un rând
+form-row-added = Rândul { $row } a fost adăugat
+form-row-remove = Șterge rândul { $row }
+form-row-removed = Rândul { $row } a fost șters
+form-row-up = Mută rândul { $row } mai sus
+form-row-down = Mută rândul { $row } mai jos
+form-row-moved = Rândul { $row } este acum rândul { $to }
+form-row-cell = rândul { $row }, { $name }
+form-cell-label = Rândul { $row }, { $name } [{ $unit }]
+form-cell-empty = Aici trebuie să stea ceva; scrieți 0 dacă valoarea este nulă.
+form-faults =
+    { $count ->
+        [one] O celulă trebuie corectată:
+        [few] { $count } celule trebuie corectate:
+       *[other] { $count } de celule trebuie corectate:
+    }
+form-undo = Anulează
+form-undone = Anulat
+form-redo = Refă
+form-redone = Refăcut
+form-symbols = Simboluri
+form-symbol-insert = Inserează { $symbol }
+form-keys = Săgețile sus și jos schimbă rândul · Alt și săgeată mută rândul · Alt+Enter adaugă unul · Alt+Delete îl șterge · Ctrl+Z anulează.
+form-paste-title = Lipește un tabel
+form-paste-label = Un tabel din foaie de calcul, LaTeX, Markdown sau PDF
+form-paste-order = Coloanele fără antet se citesc în ordinea: { $order }
+form-paste-found =
+    { $rows ->
+        [one] S-a găsit un rând:
+        [few] S-au găsit { $rows } rânduri:
+       *[other] S-au găsit { $rows } de rânduri:
+    }
+form-paste-nothing = În acest text nu se recunoaște niciun tabel: fiecare rând are nevoie de cei patru parametri DH.
+form-paste-preview = Ce s-a găsit
+form-paste-apply = Folosește tabelul
+form-pasted =
+    { $rows ->
+        [one] S-a lipit un rând.
+        [few] S-au lipit { $rows } rânduri.
+       *[other] S-au lipit { $rows } de rânduri.
+    }
+
+form-matrix-mode = Matricele ca
+form-matrix-numbers = Numere
+form-matrix-symbols = Simboluri
+form-matrix-notation = Notație
+form-matrix-short = scurtă
+form-matrix-full = completă
+form-matrix-none = Matricele apar de îndată ce fiecare rând poate fi citit.
+form-matrix-name = Sistemul { $to } față de sistemul { $from }
+form-copy = Copiază ca
+form-copy-group = Copiază: { $what }
+form-copied = Copiat ca { $format }
+form-copy-failed = Navigatorul nu permite copierea
+
+form-exercise-title = Exercițiu
+form-exercise-task = Cerință
+form-exercise-robot = Robotul
+form-exercise-description = Descriere în cuvinte
+form-exercise-answer = Răspunsul dumneavoastră
+form-exercise-givens = Se dau
+form-figure-mode = Arată robotul ca
+form-figure-drawing = Desen
+form-figure-space = 3D
+form-figure-alt = Desenul robotului: { $title }. Urmează o descriere în cuvinte.
+form-figure-label = { $title } în spațiu
+form-choose = Alegeți …
+form-points = { $points } din { $total } puncte
+form-row = Rândul { $row }
+form-row-heading = Rând
+form-submit = Verifică răspunsul
+form-submitting = Se verifică …
+form-submit-hint = Ctrl+Enter face același lucru.
+
+form-part-table = Tabel DH
+form-part-schematic = Structură
+form-part-schematic-hint = Tipul fiecărei cuple și cum stă fiecare axă față de următoarea.
+form-part-link-matrices = Matricele elementelor
+form-part-link-matrices-hint = Matricea fiecărui rând al tabelului. Puteți scrie c1, s23 și altele asemenea. O matrice lăsată goală se sare.
+form-part-transform = Situarea ultimului sistem, în simboluri
+form-part-transform-hint = Se judecă după valoare, deci orice formă echivalentă este bună; poate decurge și din propriul tabel.
+form-part-pose = Situarea ultimului sistem, în numere
+form-part-pose-hint = Pentru { $joints }.
+form-part-workspace = Spațiu de lucru
+form-part-workspace-hint = Cât de departe poate ajunge punctul marcat, cel puțin și cel mult.
+form-part-wrong = De revăzut:
+form-radius-inner = Raza interioară
+form-radius-outer = Raza exterioară
+form-matrix-cell = { $name }, rândul { $row }, coloana { $column }
+form-schematic-joint = Cupla { $joint }
+form-schematic-relation = Axa { $joint } față de axa { $next }
+form-relation-coincident = coincidente
+form-relation-parallel = paralele
+form-relation-intersecting-perpendicular = concurente, perpendiculare
+form-relation-intersecting-oblique = concurente, oblice
+form-relation-skew-perpendicular = necoplanare, perpendiculare
+form-relation-skew-oblique = necoplanare, oblice
+
+form-own-heading = Robotul dumneavoastră
+form-own-scene = Robotul dumneavoastră, așa cum îl descrie tabelul
+form-own-empty = Robotul apare aici de îndată ce fiecare rând poate fi citit.
+form-own-missing =
+    { $count ->
+        [one] O celulă este încă goală.
+        [few] { $count } celule sunt încă goale.
+       *[other] { $count } de celule sunt încă goale.
+    }
+form-own-unread =
+    { $count ->
+        [one] O celulă nu poate fi citită încă; imaginea arată ultimul tabel care a putut fi citit.
+        [few] { $count } celule nu pot fi citite încă; imaginea arată ultimul tabel care a putut fi citit.
+       *[other] { $count } de celule nu pot fi citite încă; imaginea arată ultimul tabel care a putut fi citit.
+    }
+form-own-values = Pentru desen, dați o valoare pentru: { $names }.
+form-own-shown =
+    { $joints ->
+        [one] Desenat după tabel: o cuplă.
+        [few] Desenat după tabel: { $joints } cuple.
+       *[other] Desenat după tabel: { $joints } de cuple.
+    }
+form-own-description = Sistemele de axe ale tabelului, cu axele x, y și z. Cuple: { $joints }.
+form-own-parameters = Valori pentru desen
+form-joints = Cuple
+form-matrices = Matrice
+
+form-verdict-heading = Verdict
+form-verdict-correct = Tabelul descrie acest robot.
+form-verdict-wrong = Tabelul descrie alt robot.
+form-verdict-outdated = Între timp ați modificat răspunsul.
+form-basis-proved = Demonstrat: identitatea are loc pentru toate valorile cuplelor.
+form-basis-verified = Verificat pentru multe configurații.
+form-basis-refuted = Nicio alegere a sistemelor de axe nu îl face același mecanism.
+form-score = { $score } %
+form-links-caption = Ce este corect în fiecare rând
+form-fact-twist = Torsiunea α
+form-fact-length = Lungimea a
+form-fact-offset = Decalajul
+form-fact-joint = Tipul cuplei
+form-finding-ok = corect
+form-finding-wrong = greșit
+form-finding-missing = lipsește
+form-finding-unknown = nedecis
+form-finding-hidden = –
+form-repairs =
+    { $count ->
+        [one] Ce l-ar face corect
+       *[other] Ce l-ar face corect
+    }
+form-repair-or = sau
+form-both-label = Robotul exercițiului și al dumneavoastră, mișcându-se împreună
+form-both-text = Cei doi roboți se mișcă împreună: al dumneavoastră cu sistemele alese, cel al exercițiului în gri și portocaliu.
+form-both-description = Sistemele dumneavoastră stau pe robotul exercițiului și amândoi urmează aceeași mișcare.
+form-both-position = Momentul mișcării
+form-play = Pornește
+form-pause = Oprește
+
+form-history-heading = Încercările dumneavoastră
+form-history-restore = Readu în formular
+form-history-restore-label = Readu încercarea { $number } în formular
+form-history-restored = Încercarea este din nou în formular
+form-history-kept = Se păstrează numai în acest navigator.
+form-history-clear = Uită tot
+
+form-missing-title = Nu există
+form-missing-text = Aici nu există o asemenea pagină. Toate exercițiile sunt pe prima pagină.
+form-missing-home = La exerciții
+form-storage-blocked = Navigatorul nu păstrează nimic pentru această pagină: ce scrieți se pierde când o închideți.

@@ -1,0 +1,243 @@
+# Вебформа для студентів: що каже кожна сторінка.
+
+form-skip = Перейти до вмісту
+form-nav-label = Сторінки
+form-nav-exercises = Вправи
+form-nav-playground = Майстерня
+form-language = Мова
+form-language-go = Змінити
+form-needs-script = Ця сторінка потребує JavaScript: він малює робота й перевіряє таблицю під час введення.
+form-unreachable = Сервіс недоступний. Уведене збережено; спробуйте ще раз за мить.
+form-retry = Спробувати ще раз
+form-cancel = Скасувати
+form-close = Закрити
+form-loading = Завантаження …
+
+form-home-title = Вправи
+form-home-heading = Опишіть робота. Зараховується будь-який правильний вибір систем координат.
+form-home-lead = Таблиці Денавіта–Гартенберга з роботом, що рухається під час введення, і перевіркою, яка доводить, чи описує таблиця той самий механізм.
+form-home-exercises = Вправи
+form-home-more = Інше
+form-home-playground = Будь-яка таблиця: положення, якобіани, символьні вирази, перетворення.
+form-home-api = Програмний інтерфейс
+form-home-api-text = Те саме через HTTP, як документ OpenAPI.
+form-home-best = Найкращий результат { $score } %
+form-home-trainer = Тренування: вибір систем координат
+
+form-scene-role = тривимірний вигляд
+form-scene-label = Робот
+form-scene-tools = Вигляд
+form-scene-view = Дивитися
+form-scene-view-corner = З кута
+form-scene-view-front = Спереду
+form-scene-view-side = Збоку
+form-scene-view-top = Зверху
+form-scene-view-now = Вигляд: { $view }
+form-scene-turn-left = Повернути ліворуч
+form-scene-turn-right = Повернути праворуч
+form-scene-turn-up = Нахилити вгору
+form-scene-turn-down = Нахилити вниз
+form-scene-zoom-in = Збільшити
+form-scene-zoom-out = Зменшити
+form-scene-reset = Показати все
+form-scene-keys = Стрілки повертають вигляд, Shift зі стрілками зсуває його, + і − змінюють масштаб, 0 показує все.
+
+form-joint = Шарнір
+form-joint-revolute = обертальний
+form-joint-prismatic = поступальний
+form-joint-fixed = нерухомий
+form-joint-of-row = Тип шарніра, рядок { $row }
+form-joint-turn = Кут шарніра { $name }
+form-joint-slide = Зміщення шарніра { $name }
+form-joint-value = { $name }, { $unit }
+form-joints-reset = Повернути шарніри на місце
+
+form-convention = Угода
+form-convention-standard = стандартна
+form-convention-modified = модифікована
+form-convention-now-standard = Уведене лишається без змін і тепер читається за стандартною угодою: a й α належать ланці i, шарнір i рухається відносно осі z системи i−1.
+form-convention-now-modified = Уведене лишається без змін і тепер читається за модифікованою угодою: a й α належать ланці i−1, шарнір i рухається відносно осі z системи i.
+form-angle-unit = Одиниця кутів
+form-degrees = градуси
+form-radians = радіани
+form-length-unit = Одиниця довжин
+form-unit-now-deg = Числа в стовпцях кутів тепер читаються в градусах.
+form-unit-now-rad = Числа в стовпцях кутів тепер читаються в радіанах.
+form-unit-convert = Перерахувати числа
+form-unit-converted = Числа перераховано
+
+form-table-caption = Таблиця DH, { $convention } угода
+form-row-actions = Дії
+form-row-add = Додати рядок
+form-row-added = Рядок { $row } додано
+form-row-remove = Вилучити рядок { $row }
+form-row-removed = Рядок { $row } вилучено
+form-row-up = Підняти рядок { $row }
+form-row-down = Опустити рядок { $row }
+form-row-moved = Рядок { $row } тепер рядок { $to }
+form-row-cell = рядок { $row }, { $name }
+form-cell-label = Рядок { $row }, { $name } [{ $unit }]
+form-cell-empty = Тут має щось стояти; напишіть 0, якщо значення нульове.
+form-faults =
+    { $count ->
+        [one] { $count } клітинка потребує уваги:
+        [few] { $count } клітинки потребують уваги:
+        [many] { $count } клітинок потребують уваги:
+       *[other] { $count } клітинки потребують уваги:
+    }
+form-undo = Скасувати дію
+form-undone = Дію скасовано
+form-redo = Повторити
+form-redone = Дію повторено
+form-symbols = Символи
+form-symbol-insert = Вставити { $symbol }
+form-keys = Стрілки вгору та вниз змінюють рядок · Alt зі стрілкою пересуває рядок · Alt+Enter додає рядок · Alt+Delete вилучає · Ctrl+Z скасовує.
+form-paste-title = Вставити таблицю
+form-paste-label = Таблиця з електронної таблиці, LaTeX, Markdown або PDF
+form-paste-order = Стовпці без заголовків читаються в такому порядку: { $order }
+form-paste-found =
+    { $rows ->
+        [one] Знайдено { $rows } рядок:
+        [few] Знайдено { $rows } рядки:
+        [many] Знайдено { $rows } рядків:
+       *[other] Знайдено { $rows } рядка:
+    }
+form-paste-nothing = У цьому тексті таблиці не розпізнано: кожному рядку потрібні чотири параметри DH.
+form-paste-preview = Що знайдено
+form-paste-apply = Узяти цю таблицю
+form-pasted =
+    { $rows ->
+        [one] Вставлено { $rows } рядок.
+        [few] Вставлено { $rows } рядки.
+        [many] Вставлено { $rows } рядків.
+       *[other] Вставлено { $rows } рядка.
+    }
+
+form-matrix-mode = Матриці як
+form-matrix-numbers = Числа
+form-matrix-symbols = Символи
+form-matrix-notation = Запис
+form-matrix-short = скорочений
+form-matrix-full = повний
+form-matrix-none = Матриці з’являться, щойно кожен рядок можна буде прочитати.
+form-matrix-name = Система { $to } відносно системи { $from }
+form-copy = Копіювати як
+form-copy-group = Копіювати: { $what }
+form-copied = Скопійовано як { $format }
+form-copy-failed = Браузер не дозволяє копіювати
+
+form-exercise-title = Вправа
+form-exercise-task = Завдання
+form-exercise-robot = Робот
+form-exercise-description = Опис словами
+form-exercise-answer = Ваша відповідь
+form-exercise-givens = Дано
+form-figure-mode = Показати робота
+form-figure-drawing = Рисунок
+form-figure-space = 3D
+form-figure-alt = Рисунок робота: { $title }. Далі — опис словами.
+form-figure-label = { $title } у просторі
+form-choose = Виберіть …
+form-points = { $points } з { $total } балів
+form-row = Рядок { $row }
+form-row-heading = Рядок
+form-submit = Перевірити відповідь
+form-submitting = Перевірка …
+form-submit-hint = Ctrl+Enter робить те саме.
+
+form-part-table = Таблиця DH
+form-part-schematic = Будова
+form-part-schematic-hint = Тип кожного шарніра та розташування кожної осі відносно наступної.
+form-part-link-matrices = Матриці ланок
+form-part-link-matrices-hint = Матриця кожного рядка вашої таблиці. Можна писати c1, s23 тощо. Порожня матриця пропускається.
+form-part-transform = Положення останньої системи, у символах
+form-part-transform-hint = Оцінюється за значенням, тож зараховується будь-який рівносильний запис; він може випливати й з вашої таблиці.
+form-part-pose = Положення останньої системи, у числах
+form-part-pose-hint = За { $joints }.
+form-part-workspace = Робочий простір
+form-part-workspace-hint = Як далеко може опинитися позначена точка: найменше й найбільше.
+form-part-wrong = Варто переглянути:
+form-radius-inner = Внутрішній радіус
+form-radius-outer = Зовнішній радіус
+form-matrix-cell = { $name }, рядок { $row }, стовпець { $column }
+form-schematic-joint = Шарнір { $joint }
+form-schematic-relation = Вісь { $joint } відносно осі { $next }
+form-relation-coincident = збігаються
+form-relation-parallel = паралельні
+form-relation-intersecting-perpendicular = перетинаються, перпендикулярні
+form-relation-intersecting-oblique = перетинаються під іншим кутом
+form-relation-skew-perpendicular = мимобіжні, перпендикулярні
+form-relation-skew-oblique = мимобіжні під іншим кутом
+
+form-own-heading = Ваш робот
+form-own-scene = Ваш робот, як його описує ваша таблиця
+form-own-empty = Ваш робот з’явиться тут, щойно кожен рядок можна буде прочитати.
+form-own-missing =
+    { $count ->
+        [one] Ще порожня { $count } клітинка.
+        [few] Ще порожні { $count } клітинки.
+        [many] Ще порожні { $count } клітинок.
+       *[other] Ще порожні { $count } клітинки.
+    }
+form-own-unread =
+    { $count ->
+        [one] { $count } клітинку ще не можна прочитати; на зображенні остання прочитана таблиця.
+        [few] { $count } клітинки ще не можна прочитати; на зображенні остання прочитана таблиця.
+        [many] { $count } клітинок ще не можна прочитати; на зображенні остання прочитана таблиця.
+       *[other] { $count } клітинки ще не можна прочитати; на зображенні остання прочитана таблиця.
+    }
+form-own-values = Щоб намалювати вашого робота, задайте значення: { $names }.
+form-own-shown =
+    { $joints ->
+        [one] Намальовано за вашою таблицею: { $joints } шарнір.
+        [few] Намальовано за вашою таблицею: { $joints } шарніри.
+        [many] Намальовано за вашою таблицею: { $joints } шарнірів.
+       *[other] Намальовано за вашою таблицею: { $joints } шарніра.
+    }
+form-own-description = Системи координат вашої таблиці з осями x, y, z. Шарніри: { $joints }.
+form-own-parameters = Значення для рисунка
+form-joints = Шарніри
+form-matrices = Матриці
+
+form-verdict-heading = Висновок
+form-verdict-correct = Ваша таблиця описує цього робота.
+form-verdict-wrong = Ваша таблиця описує іншого робота.
+form-verdict-outdated = Відтоді ви змінили відповідь.
+form-basis-proved = Доведено: тотожність справджується за всіх значень узагальнених координат.
+form-basis-verified = Перевірено в багатьох конфігураціях.
+form-basis-refuted = За жодного вибору систем координат це не той самий механізм.
+form-score = { $score } %
+form-links-caption = Що правильно в кожному рядку
+form-fact-twist = Скручення α
+form-fact-length = Довжина a
+form-fact-offset = Зсув
+form-fact-joint = Тип шарніра
+form-finding-ok = правильно
+form-finding-wrong = неправильно
+form-finding-missing = бракує
+form-finding-unknown = не вирішено
+form-finding-hidden = –
+form-repairs =
+    { $count ->
+        [one] Що зробило б її правильною
+       *[other] Що зробило б її правильною
+    }
+form-repair-or = або
+form-both-label = Робот із вправи й ваш рухаються разом
+form-both-text = Обидва роботи рухаються разом: ваш — із вашими системами, робот із вправи — сірий з помаранчевим.
+form-both-description = Ваші системи накладено на робота з вправи, і обидва виконують той самий рух.
+form-both-position = Мить руху
+form-play = Запустити
+form-pause = Зупинити
+
+form-history-heading = Ваші спроби
+form-history-restore = Повернути у форму
+form-history-restore-label = Повернути спробу { $number } у форму
+form-history-restored = Спроба знову у формі
+form-history-kept = Зберігаються лише в цьому браузері.
+form-history-clear = Забути все
+
+form-missing-title = Не знайдено
+form-missing-text = Такої сторінки тут немає. Усі вправи — на першій сторінці.
+form-missing-home = До вправ
+form-storage-blocked = Цей браузер нічого не зберігає для цієї сторінки: уведене зникне, коли її закриєте.
