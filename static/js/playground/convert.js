@@ -1,0 +1,103 @@
+/** The same robot written otherwise: the other convention, the product of exponentials, URDF. */
+
+import { copyText } from "../clipboard.js";
+import { announce, el, fill } from "../dom.js";
+import { t } from "../i18n.js";
+import { shown } from "../numbers.js";
+import { problemNotice } from "../problem.js";
+import { asked } from "./tool.js";
+import { matrix } from "./values.js";
+
+const TARGETS = ["standard", "modified", "poe", "urdf"];
+
+/** @param {import("../api.js").Api} api @param {{use: (table: any) => void}} options */
+export function convertTool(api, { use }) {
+  /** @type {import("./tool.js").Subject | null} */
+  let subject = null;
+  const answer = el("div", { class: "tool-answer", role: "status" });
+  const run = async (to) => {
+    if (!subject) return;
+    try {
+      const symbolic = to === "standard" || to === "modified";
+      const request = symbolic ? { table: subject.table } : asked(subject);
+      fill(answer, ...report(await api.post("convert", { ...request, to }), to, use));
+    } catch (error) {
+      fill(answer, problemNotice(error));
+    }
+  };
+  const buttons = TARGETS.map((to) => el("button", { type: "button", onclick: () => run(to) }, t(`playground-to-${to}`)));
+  const element = el(
+    "details",
+    { class: "tool" },
+    el("summary", {}, t("playground-convert")),
+    el("div", { class: "stack" }, el("div", { class: "row" }, buttons), answer),
+  );
+  return {
+    element,
+    /** @param {import("./tool.js").Subject | null} next */
+    take(next) {
+      subject = next;
+    },
+  };
+}
+
+function report(found, to, use) {
+  if (to === "urdf") return [sourceText(found.urdf, "URDF")];
+  if (to === "poe") return [screwTable(found), matrix(t("playground-home-pose"), found.home, "M")];
+  const moved = (pose) => pose && pose.some((row, i) => row.some((value, k) => value !== (i === k ? 1 : 0)));
+  return [
+    tableView(found.table),
+    moved(found.base) ? matrix(t("playground-base"), found.base, "B") : null,
+    moved(found.tool) ? matrix(t("playground-tool"), found.tool, "E") : null,
+    el("div", {}, el("button", { type: "button", onclick: () => use(found.table) }, t("playground-use-table"))),
+  ].filter(Boolean);
+}
+
+function tableView(table) {
+  const columns = table.convention === "modified" ? ["alpha", "a", "d", "theta"] : ["theta", "d", "a", "alpha"];
+  return el(
+    "div",
+    { class: "scroller", tabindex: "0", role: "region", "aria-label": t("playground-converted") },
+    el(
+      "table",
+      { class: "solutions" },
+      el("caption", { class: "visually-hidden", text: t("form-table-caption", { convention: t(`form-convention-${table.convention}`) }) }),
+      el("thead", {}, el("tr", {}, columns.map((name) => el("th", { scope: "col", text: SIGNS[name] })))),
+      el("tbody", {}, table.rows.map((row) => el("tr", {}, columns.map((name) => el("td", { text: cellText(row[name]) }))))),
+    ),
+  );
+}
+
+const SIGNS = { alpha: "α", a: "a", d: "d", theta: "θ" };
+
+const cellText = (cell) => (typeof cell === "number" ? shown(cell, 6) : String(cell));
+
+function screwTable(found) {
+  return el(
+    "div",
+    { class: "scroller", tabindex: "0", role: "region", "aria-label": t("playground-screws") },
+    el(
+      "table",
+      { class: "solutions" },
+      el("caption", { class: "visually-hidden", text: t("playground-screws") }),
+      el("thead", {}, el("tr", {}, el("td"), ["ωx", "ωy", "ωz", "vx", "vy", "vz"].map((name) => el("th", { scope: "col", text: name })))),
+      el(
+        "tbody",
+        {},
+        found.screws.map((screw, i) =>
+          el("tr", {}, el("th", { scope: "row", text: `S${i + 1}` }), screw.map((value) => el("td", { text: shown(value) }))),
+        ),
+      ),
+    ),
+  );
+}
+
+function sourceText(text, name) {
+  const copy = async () => announce(t((await copyText(text)) ? "form-copied" : "form-copy-failed", { format: name }));
+  return el(
+    "div",
+    { class: "stack" },
+    el("div", {}, el("button", { type: "button", onclick: copy }, t("playground-copy-text", { format: name }))),
+    el("pre", { class: "source-text", tabindex: "0", role: "region", "aria-label": name }, el("code", { text })),
+  );
+}

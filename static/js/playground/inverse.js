@@ -1,0 +1,107 @@
+/** Inverse kinematics: a pose to reach, every set of joint values that reaches it, and a look at each. */
+
+import { el, fill } from "../dom.js";
+import { t } from "../i18n.js";
+import { shown } from "../numbers.js";
+import { problemNotice } from "../problem.js";
+import { Cells, cellValue } from "./cells.js";
+import { asked } from "./tool.js";
+
+const ROWS = [0, 1, 2];
+
+/**
+ * @param {import("../api.js").Api} api
+ * @param {{pose: () => number[][] | null, show: (joints: number[]) => void}} options
+ *   the robot's present pose, and how to bring it to joint values (in the table's units)
+ */
+export function inverseTool(api, { pose, show }) {
+  /** @type {import("./tool.js").Subject | null} */
+  let subject = null;
+  const columns = ["x", "y", "z", "p"].map((name) => ({ name, label: t(`playground-target-${name}`), otherwise: "0" }));
+  const target = new Cells(t("playground-target"), columns, { rows: poseRows(identity()), fixed: true });
+  const answer = el("div", { class: "tool-answer", role: "status" });
+  const take = el("button", { type: "button", onclick: () => takePose() }, t("playground-target-present"));
+  const solve = el("button", { type: "button", class: "primary", onclick: () => run() }, t("playground-solve"));
+  const element = el(
+    "details",
+    { class: "tool" },
+    el("summary", {}, t("playground-inverse")),
+    el("div", { class: "stack" }, target.element, el("div", { class: "row" }, take, solve), answer),
+  );
+  const takePose = () => {
+    const present = pose();
+    if (present) target.rows = poseRows(present);
+  };
+  const run = async () => {
+    if (!subject) return;
+    solve.setAttribute("aria-disabled", "true");
+    try {
+      const found = await api.post("inverse-kinematics", { ...asked(subject), target: matrixOf(target.rows) });
+      fill(answer, ...report(found, subject, show));
+    } catch (error) {
+      fill(answer, problemNotice(error));
+    } finally {
+      solve.removeAttribute("aria-disabled");
+    }
+  };
+  element.addEventListener("toggle", () => {
+    if (!answer.hasChildNodes()) takePose();
+  });
+  return {
+    element,
+    /** @param {import("./tool.js").Subject | null} next */
+    take(next) {
+      subject = next;
+    },
+  };
+}
+
+function report(found, subject, show) {
+  const count = found.solutions.length;
+  const status = t(`playground-status-${found.status}`, { count });
+  const complete = t(found.complete ? "playground-complete" : "playground-incomplete");
+  if (!count) return [el("p", { text: status })];
+  const names = found.solutions[0].joints.map((_, i) => `q${i + 1}`);
+  const table = el(
+    "table",
+    { class: "solutions" },
+    el("caption", { class: "visually-hidden", text: t("playground-solutions") }),
+    el("thead", {}, el("tr", {}, names.map((name) => el("th", { scope: "col", text: name })), el("th", { scope: "col", text: t("playground-residual") }), el("td"))),
+    el(
+      "tbody",
+      {},
+      found.solutions.map((solution, i) =>
+        el(
+          "tr",
+          {},
+          solution.joints.map((q) => el("td", { text: shown(q, 4) })),
+          el("td", { text: solution.residual.toExponential(1) }),
+          el(
+            "td",
+            {},
+            el("button", { type: "button", class: "small", "aria-label": t("playground-show-solution", { number: i + 1 }), onclick: () => show(solution.joints) }, t("playground-show")),
+          ),
+        ),
+      ),
+    ),
+  );
+  return [
+    el("p", { text: `${status} ${complete}` }),
+    el("div", { class: "scroller", tabindex: "0", role: "region", "aria-label": t("playground-solutions") }, table),
+  ];
+}
+
+const identity = () => [
+  [1, 0, 0, 0],
+  [0, 1, 0, 0],
+  [0, 0, 1, 0],
+  [0, 0, 0, 1],
+];
+
+function poseRows(pose) {
+  return ROWS.map((i) => ({ x: String(pose[i][0]), y: String(pose[i][1]), z: String(pose[i][2]), p: String(pose[i][3]) }));
+}
+
+function matrixOf(rows) {
+  return [...rows.map(({ x, y, z, p }) => [x, y, z, p].map(cellValue)), [0, 0, 0, 1]];
+}

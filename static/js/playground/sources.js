@@ -1,0 +1,140 @@
+/** Ways to a table other than typing it: a catalogue robot, joint axes, an SCM chain, URDF. */
+
+import { Problem } from "../api.js";
+import { el, fill, uniqueId } from "../dom.js";
+import { t } from "../i18n.js";
+import { problemNotice } from "../problem.js";
+import { Cells, cellValue } from "./cells.js";
+
+/**
+ * @typedef {{table: any, parameters?: Record<string, number>, configurations?: Record<string, {joints: number[], meaning: string}>,
+ *   limits?: [number, number][] | null, name?: string}} Found a robot as it goes into the page
+ */
+
+/** A choice of the catalogue's robots. @param {import("../api.js").Api} api @param {(found: Found) => void} use */
+export function catalogueChoice(api, use) {
+  const id = uniqueId("catalogue");
+  const select = /** @type {HTMLSelectElement} */ (el("select", { id }, el("option", { value: "", text: t("playground-catalogue-choose") })));
+  const problem = el("div", { hidden: true });
+  select.addEventListener("change", async () => {
+    if (!select.value) return;
+    try {
+      use(await api.get(`robots/${select.value}`));
+      problem.hidden = true;
+    } catch (error) {
+      problem.hidden = false;
+      fill(problem, problemNotice(error));
+    }
+  });
+  api.get("robots").then(
+    ({ robots }) => select.append(...robots.map((robot) => el("option", { value: robot.id, text: robot.name }))),
+    (error) => {
+      problem.hidden = false;
+      fill(problem, problemNotice(error));
+    },
+  );
+  return el("div", { class: "field" }, el("label", { for: id, text: t("playground-catalogue") }), select, problem);
+}
+
+const JOINTS = () => ["revolute", "prismatic"].map((value) => ({ value, label: t(`form-joint-${value}`) }));
+
+/** Joint axes in, a table out. @param {import("../api.js").Api} api @param {(found: Found) => void} use */
+export function axesSource(api, use) {
+  const columns = [
+    { name: "joint", label: t("form-joint"), options: JOINTS(), otherwise: "revolute" },
+    ...["px", "py", "pz"].map((name) => ({ name, label: t(`playground-axis-${name}`), otherwise: "0" })),
+    ...["ux", "uy", "uz"].map((name) => ({ name, label: t(`playground-axis-${name}`), otherwise: name === "uz" ? "1" : "0" })),
+  ];
+  const rows = [
+    { joint: "revolute", px: "0", py: "0", pz: "0", ux: "0", uy: "0", uz: "1" },
+    { joint: "revolute", px: "0", py: "0", pz: "0.4", ux: "0", uy: "-1", uz: "0" },
+    { joint: "revolute", px: "0.5", py: "0", pz: "0.4", ux: "0", uy: "-1", uz: "0" },
+  ];
+  const grid = new Cells(t("playground-axes"), columns, { rows });
+  const run = async (convention) => {
+    const axes = grid.rows.map((row) => ({
+      joint: row.joint,
+      point: [row.px, row.py, row.pz].map(cellValue),
+      direction: [row.ux, row.uy, row.uz].map(cellValue),
+    }));
+    const answer = await api.post("assign-frames", { axes, convention });
+    use({ table: answer.table });
+    return frameList(answer);
+  };
+  return source(t("playground-from-axes"), t("playground-axes-hint"), [grid.element], {
+    [t("playground-to-modified")]: () => run("modified"),
+    [t("playground-to-standard")]: () => run("standard"),
+  });
+}
+
+function frameList({ frames, warnings = [] }) {
+  const items = frames.map((frame, i) => {
+    const free = frame.free.map((name) => t(`playground-free-${name}`)).join(", ");
+    const rule = t(`playground-rule-${frame.rule}`);
+    return el("li", {}, el("strong", { text: t("playground-frame", { number: i }) }), ` ${rule}${free ? ` · ${free}` : ""}`);
+  });
+  return [
+    el("ul", { class: "frame-rules" }, items),
+    ...warnings.map((warning) => el("p", { class: "notice", text: warning.detail ?? warning.message })),
+  ];
+}
+
+/** An SCM chain in, a modified table out. @param {import("../api.js").Api} api @param {(found: Found) => void} use */
+export function scmSource(api, use) {
+  const entries = ["x", "y", "z", "a", "b", "c"].map((name) => ({ name, label: name.toUpperCase(), otherwise: "0" }));
+  const row = (...cells) => Object.fromEntries(entries.map(({ name }, i) => [name, String(cells[i])]));
+  const joints = new Cells(t("playground-chain"), entries, {
+    rows: [row(0, 0, "L0", "a1", 0, 0), row(0, "L1", 0, 0, "a2", 0), row(0, 0, "d3", 0, 0, 0), row(0, 0, 0, "a4", 0, 0), row(0, 0, 0, 0, "a5", 0), row(0, 0, "L2", "a6", 0, 0)],
+  });
+  const ends = new Cells(t("playground-chain-end"), entries, { rows: [row(0, 0, 0, 0, 0, 0)], fixed: true });
+  const run = async () => {
+    const chain = { joints: joints.rows.map(values), final: values(ends.rows[0]) };
+    const answer = await api.post("convert", { scm: chain, to: "modified" });
+    use({ table: answer.table });
+    return [];
+  };
+  const title = el("h3", { text: t("playground-chain-end") });
+  return source(t("playground-from-scm"), t("playground-scm-hint"), [joints.element, title, ends.element], { [t("playground-to-modified")]: run });
+}
+
+const values = (row) => Object.fromEntries(Object.entries(row).map(([name, text]) => [name, cellValue(text)]));
+
+/** URDF in, a table out. @param {import("../api.js").Api} api @param {(found: Found) => void} use */
+export function urdfSource(api, use) {
+  const id = uniqueId("urdf");
+  const area = /** @type {HTMLTextAreaElement} */ (el("textarea", { id, rows: "8", spellcheck: "false" }));
+  const field = el("div", { class: "field" }, el("label", { for: id, text: "URDF" }), area);
+  const run = async (to) => {
+    const answer = await api.post("convert", { urdf: area.value, to });
+    use({ table: answer.table });
+    return [];
+  };
+  return source(t("playground-from-urdf"), t("playground-urdf-hint"), [field], {
+    [t("playground-to-modified")]: () => run("modified"),
+    [t("playground-to-standard")]: () => run("standard"),
+  });
+}
+
+/**
+ * @param {string} title @param {string} hint @param {Node[]} fields
+ * @param {Record<string, () => Promise<Node[]>>} actions by the label of their button
+ */
+function source(title, hint, fields, actions) {
+  const answer = el("div", { class: "tool-answer", role: "status" });
+  const press = async (action) => {
+    try {
+      const shown = await action();
+      fill(answer, el("p", { text: t("playground-taken") }), ...shown);
+    } catch (error) {
+      if (!(error instanceof Problem)) console.error(error);
+      fill(answer, problemNotice(error));
+    }
+  };
+  const buttons = Object.entries(actions).map(([label, action]) => el("button", { type: "button", onclick: () => press(action) }, label));
+  return el(
+    "details",
+    { class: "tool" },
+    el("summary", {}, title),
+    el("div", { class: "stack" }, el("p", { class: "hint", text: hint }), ...fields, el("div", { class: "row" }, buttons), answer),
+  );
+}
