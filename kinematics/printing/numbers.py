@@ -1,0 +1,28 @@
+"""How an exact number is written."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+_LARGEST_POWER_OF_TWO = 8
+
+
+def decimal_text(value: Fraction) -> str | None:
+    """A rational number as the decimal that a person typed, or None if it is written as a fraction.
+
+    0.4318, 0.1 and 2.5e-5 are decimals, as is whatever else has a 5 in its denominator; 1/2, 3/4 and 1/8 are
+    fractions, as they come from cosines and averages; so are 1/3 and 5/7, which no decimal equals.
+    """
+    denominator = value.denominator
+    twos = fives = 0
+    while denominator % 2 == 0:
+        denominator //= 2
+        twos += 1
+    while denominator % 5 == 0:
+        denominator //= 5
+        fives += 1
+    if denominator != 1 or (not fives and 2**twos <= _LARGEST_POWER_OF_TWO):
+        return None
+    places = max(twos, fives)
+    digits = str(abs(value.numerator) * 10**places // value.denominator).zfill(places + 1)
+    return f"{'-' if value < 0 else ''}{digits[:-places]}.{digits[-places:]}"

@@ -1,0 +1,32 @@
+"""The parts of a parameter's name."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+from kinematics.cells.characters import GREEK
+
+_LETTERS = {name: letter for letter, name in GREEK.items()}
+_PARTS = re.compile(r"([A-Za-z]+)_?(.*)", re.DOTALL)
+
+
+class NameParts(NamedTuple):
+    """A name as it is typeset.
+
+    Attributes:
+        word: the letter or word that it begins with.
+        script: its index, or nothing.
+        greek: the Greek letter that the word names, or nothing.
+    """
+
+    word: str
+    script: str
+    greek: str
+
+
+def split_name(name: str) -> NameParts:
+    """L1 is L with the index 1, alpha2 is α with the index 2, L_x is L with the index x."""
+    match = _PARTS.fullmatch(name)
+    word, script = match.groups() if match else (name, "")
+    return NameParts(word, script, _LETTERS.get(word, ""))

@@ -1,0 +1,90 @@
+"""Expression trees as plain data, for JSON."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from typing import Any, TypeAlias
+
+from kinematics.expressions import (
+    Call,
+    Expression,
+    Function,
+    JointVariable,
+    Number,
+    Parameter,
+    Pi,
+    Power,
+    Product,
+    Sum,
+)
+from kinematics.printing.numbers import decimal_text
+from kinematics.symbolic.size import bottom_up
+
+Tree: TypeAlias = dict[str, Any]
+
+
+def to_tree(expression: Expression) -> Tree:
+    """An expression as nested dictionaries, each with a `type`.
+
+    number (value: "1/2" or "0.4318"), pi, parameter (name), variable (name q1, index), sum (terms),
+    product (factors), power (base, exponent: "2" or "1/2") and call (function, arguments). What occurs twice
+    is one and the same dictionary.
+    """
+    known: dict[int, Tree] = {}
+    for node in bottom_up(expression):
+        known[id(node)] = _tree(node, known)
+    return known[id(expression)]
+
+
+def from_tree(tree: Mapping[str, Any]) -> Expression:
+    """The expression of which `to_tree` made a tree.
+
+    Raises:
+        ValueError: it is no such tree.
+    """
+    try:
+        return _READERS[tree["type"]](tree)
+    except (KeyError, TypeError, ValueError, ZeroDivisionError) as error:
+        raise ValueError("this is not an expression tree") from error
+
+
+def _tree(node: Expression, known: Mapping[int, Tree]) -> Tree:
+    match node:
+        case Number(value):
+            return {"type": "number", "value": _rational(value)}
+        case Pi():
+            return {"type": "pi"}
+        case Parameter(name):
+            return {"type": "parameter", "name": name}
+        case JointVariable(index):
+            return {"type": "variable", "name": f"q{index}", "index": index}
+        case Sum(terms):
+            return {"type": "sum", "terms": [known[id(term)] for term in terms]}
+        case Product(factors):
+            return {"type": "product", "factors": [known[id(factor)] for factor in factors]}
+        case Power(base, exponent):
+            return {"type": "power", "base": known[id(base)], "exponent": str(exponent)}
+        case Call(function, arguments):
+            parts = [known[id(argument)] for argument in arguments]
+            return {"type": "call", "function": function.value, "arguments": parts}
+
+
+def _rational(value: Fraction) -> str:
+    return decimal_text(value) or str(value)
+
+
+def _all(trees: Sequence[Mapping[str, Any]]) -> tuple[Expression, ...]:
+    return tuple(from_tree(tree) for tree in trees)
+
+
+_READERS: dict[str, Callable[[Mapping[str, Any]], Expression]] = {
+    "number": lambda tree: Number(Fraction(tree["value"])),
+    "pi": lambda tree: Pi(),
+    "parameter": lambda tree: Parameter(tree["name"]),
+    "variable": lambda tree: JointVariable(tree["index"]),
+    "sum": lambda tree: Sum(_all(tree["terms"])),
+    "product": lambda tree: Product(_all(tree["factors"])),
+    "power": lambda tree: Power(from_tree(tree["base"]), Fraction(tree["exponent"])),
+    "call": lambda tree: Call(Function(tree["function"]), _all(tree["arguments"])),
+}
