@@ -5,7 +5,7 @@ numbers (`bind_parameters`). No text ever reaches an interpreter of Python: the 
 meaning in `meaning`.
 """
 
-from kinematics.cells.binding import bind_parameters, in_length_unit
+from kinematics.cells.binding import bind_parameters, in_length_unit, parameter_values
 from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.reading import read_cell, read_table
 from kinematics.cells.scanner import canonical_name
@@ -25,6 +25,7 @@ __all__ = [
     "bind_parameters",
     "canonical_name",
     "in_length_unit",
+    "parameter_values",
     "read_cell",
     "read_table",
 ]

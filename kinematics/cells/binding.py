@@ -30,10 +30,41 @@ def bind_parameters(read: ReadTable, parameters: Mapping[str, float]) -> Numeric
     """
     if not parameters and not read.parameters:
         return _bound(read, ())
-    values, faults = _values(read, parameters)
+    values = parameter_values(read.parameters, read.angle_unit, parameters)
+    return _bound(read, tuple(values.items()))
+
+
+def parameter_values(
+    kinds: Mapping[str, ParameterKind], angle_unit: AngleUnit, parameters: Mapping[str, float]
+) -> dict[str, float]:
+    """The value of each parameter by its canonical name, angles in [rad], in the order of `kinds`.
+
+    Args:
+        kinds: the parameters that are needed, and what each measures.
+        angle_unit: unit of the angles among the given values.
+        parameters: the given values; names may be spelled as in a cell.
+
+    Raises:
+        ParameterError: a parameter is missing, given twice, not needed or not a finite number; all faults, each
+            at ("parameters", name as given).
+    """
+    values: dict[str, float] = {}
+    spelled: dict[str, str] = {}
+    faults: list[Fault] = []
+    for given, value in parameters.items():
+        name = canonical_name(given)
+        found = _fault(kinds, given, name, value, spelled)
+        if found:
+            faults.append(found)
+        if name is not None and name not in spelled:
+            spelled[name] = given
+            values[name] = value
+    faults.extend(
+        fault("parameter_missing", "parameters", name, name=name) for name in kinds if name not in spelled
+    )
     if faults:
         raise ParameterError(faults)
-    return _bound(read, tuple(values.items()))
+    return dict(_in_radians(kinds, angle_unit, values))
 
 
 def in_length_unit(read: ReadTable, unit: LengthUnit) -> ReadTable:
@@ -68,32 +99,12 @@ def _bound(read: ReadTable, values: tuple[tuple[str, float], ...]) -> NumericTab
     return bind(read.table, dict(values))
 
 
-def _values(read: ReadTable, parameters: Mapping[str, float]) -> tuple[dict[str, float], list[Fault]]:
-    values: dict[str, float] = {}
-    spelled: dict[str, str] = {}
-    faults: list[Fault] = []
-    for given, value in parameters.items():
-        name = canonical_name(given)
-        found = _fault(read, given, name, value, spelled)
-        if found:
-            faults.append(found)
-        if name is not None and name not in spelled:
-            spelled[name] = given
-            values[name] = value
-    faults.extend(
-        fault("parameter_missing", "parameters", name, name=name)
-        for name in read.parameters
-        if name not in spelled
-    )
-    return dict(_in_radians(read, values)) if not faults else {}, faults
-
-
 def _fault(
-    read: ReadTable, given: str, name: str | None, value: object, spelled: Mapping[str, str]
+    kinds: Mapping[str, ParameterKind], given: str, name: str | None, value: object, spelled: Mapping[str, str]
 ) -> Fault | None:
     if name is None:
         return fault("parameter_name_invalid", "parameters", given, name=given[:40])
-    if name not in read.parameters:
+    if name not in kinds:
         return fault("parameter_unused", "parameters", given, name=given)
     if name in spelled:
         return fault("parameter_given_twice", "parameters", given, name=given, other=spelled[name])
@@ -111,7 +122,9 @@ def _is_finite(value: object) -> bool:
         return False
 
 
-def _in_radians(read: ReadTable, values: Mapping[str, float]) -> Iterator[tuple[str, float]]:
-    for name, kind in read.parameters.items():
-        in_degrees = kind is ParameterKind.ANGLE and read.angle_unit is AngleUnit.DEG
+def _in_radians(
+    kinds: Mapping[str, ParameterKind], angle_unit: AngleUnit, values: Mapping[str, float]
+) -> Iterator[tuple[str, float]]:
+    for name, kind in kinds.items():
+        in_degrees = kind is ParameterKind.ANGLE and angle_unit is AngleUnit.DEG
         yield name, math.radians(values[name]) if in_degrees else float(values[name])

@@ -142,7 +142,10 @@ def test_what_is_printed_reads_the_same(text, kind):
         return
     again = printed(read_cell(text, kind))
     found = value_or_refusal(again, kind) if len(again) <= 200 else value
-    if found != "number_out_of_range":  # numerator and denominator of a fraction are larger than it is
+    if found not in {
+        "number_out_of_range",
+        "number_too_long",
+    }:  # numerator and denominator of a fraction are larger than it is
         assert found == pytest.approx(value, rel=1e-9, abs=1e-12)
 
 
