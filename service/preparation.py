@@ -14,10 +14,11 @@ from typing import Any
 
 import orjson
 
+from kinematics import catalogue
 from kinematics.cells import AngleUnit, Limits, ReadTable, bind_parameters, read_table
-from kinematics.errors import KinematicsError
+from kinematics.errors import Fault, KinematicsError
 from kinematics.table import JointType, NumericTable
-from service.errors import located
+from service.errors import RequestError, located
 from service.schemas.robots import RobotQuestion
 from service.settings import Settings
 
@@ -80,10 +81,27 @@ def _key(request: Mapping[str, Any]) -> bytes:
 
 
 def _robot(question: RobotQuestion, limits: Limits) -> Robot:
-    assert question.table is not None
+    if question.table is None:
+        listed = _listed(str(question.robot))
+        return robot_of(listed.table, {**listed.parameters, **question.parameters})
     with located("table"):
         read = read_table(question.table.raw(), limits)
     return robot_of(read, question.parameters)
+
+
+def _listed(robot_id: str) -> catalogue.Robot:
+    try:
+        return catalogue.robot(robot_id)
+    except KeyError:
+        known = catalogue.robot_ids()
+        raise RequestError(
+            Fault(
+                code="robot_unknown",
+                message=f"the catalogue has no robot {robot_id}; it has {', '.join(known)}",
+                where=("robot",),
+                params={"id": robot_id, "known": known},
+            )
+        ) from None
 
 
 def robot_of(read: ReadTable, parameters: Mapping[str, float]) -> Robot:

@@ -44,3 +44,21 @@ FORWARD_KINEMATICS: dict[str, Any] = {
         "parts": ["position", "orientation"],
     },
 }
+
+TWO_LINKS: dict[str, Any] = {
+    "convention": "standard",
+    "rows": [
+        {"joint": "revolute", "alpha": 0, "a": "L1", "d": 0, "theta": "q1"},
+        {"joint": "revolute", "alpha": 0, "a": "L2", "d": 0, "theta": "q2"},
+    ],
+}
+
+JACOBIAN: dict[str, Any] = {
+    "PUMA 560, wrist stretched": {"table": PUMA_560, "joints": [0, 45, -90, 0, 0, 0]},
+    "two links, in the axes of the base alone": {
+        "table": TWO_LINKS,
+        "parameters": {"L1": 0.4, "L2": 0.3},
+        "joints": [[0.3, 1.2], [0.3, 0]],
+        "frame": "base",
+    },
+}

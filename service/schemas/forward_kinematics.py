@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, TypeAlias
 
-from pydantic import Discriminator, Field, Tag, WithJsonSchema
+from pydantic import Field
 
 from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.joints import Joints
 from service.schemas.robots import RobotQuestion
 from service.schemas.tables import Units
-from service.validation import CHOICE
 
 
 class Part(StrEnum):
@@ -25,26 +25,6 @@ class Part(StrEnum):
 
 
 STANDARD_PARTS = (Part.TRANSFORM, Part.LINKS, Part.FRAMES, Part.POSITION, Part.ORIENTATION)
-
-
-def _shape_of(joints: Any) -> str:
-    batch = isinstance(joints, list) and joints and isinstance(joints[0], list)
-    return CHOICE + ("batch" if batch else "one")
-
-
-Joints: TypeAlias = Annotated[
-    Annotated[list[Real], Tag(CHOICE + "one")] | Annotated[list[list[Real]], Tag(CHOICE + "batch")],
-    Discriminator(_shape_of),
-    WithJsonSchema(
-        {
-            "anyOf": [
-                {"type": "array", "items": {"type": "number"}},
-                {"type": "array", "minItems": 1, "items": {"type": "array", "items": {"type": "number"}}},
-            ]
-        }
-    ),
-    Field(description="q_1 … q_n in joint order (fixed rows not counted), or a list of such configurations"),
-]
 
 
 class ForwardKinematicsQuestion(RobotQuestion):

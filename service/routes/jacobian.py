@@ -1,0 +1,120 @@
+"""Joint rates to the velocity of the tool."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields
+from typing import Any
+
+import numpy as np
+import orjson
+from fastapi import Response
+from numpy.typing import NDArray
+
+from kinematics.jacobian import RANK_TOLERANCE, Dexterity, JacobianFrame, Mobility, dexterity
+from kinematics.jacobian import jacobian as jacobian_of
+from service.asking import Asked, Reader, answered
+from service.openapi import problems, request_body
+from service.routing import JSON, ApiRequest, DirectRoute, Written, api_router
+from service.schemas import examples
+from service.schemas.jacobian import JacobianAnswer, JacobianQuestion, JacobianRequest
+
+router = api_router("kinematics", route_class=DirectRoute)
+
+_READER = Reader(JacobianQuestion, JacobianRequest)
+_NAMES = {JacobianFrame.BASE: "J0", JacobianFrame.END: "Jn"}
+_BLOCK = 512
+_ARRAY = {"schema": {"type": "string", "format": "binary"}}
+
+
+@router.post(
+    "/jacobian",
+    summary="Joint rates to the velocity of the tool",
+    response_model=JacobianAnswer,
+    responses=problems(406, 503),
+    openapi_extra=request_body(JacobianRequest, examples.JACOBIAN, x_npy=_ARRAY),
+)
+async def jacobian(request: ApiRequest) -> Response:
+    """The geometric Jacobians J0 and Jn of one configuration or of a batch: (v, ω) = J(q) dq/dt.
+
+    With them the rank, the manipulability, and whether the configuration is singular: of the whole motion, of the
+    translation and of the rotation. Jacobians are per radian. A batch may come as `application/x-npy`, as in
+    `/forward-kinematics`.
+    """
+    offer = request.accepts(JSON)
+    asked = await _READER.read(request)
+    answer = _Answer(asked)
+    if not isinstance(asked.joints, np.ndarray):
+        return Written(answer.one())
+    return await answered(asked, request, offer, check=answer.prepare, blocks=answer.blocks)
+
+
+class _Answer:
+    """The answer to one question."""
+
+    def __init__(self, asked: Asked[JacobianQuestion]) -> None:
+        wire = asked.wire
+        self._asked = asked
+        self._poses = {"base": wire.base, "tool": wire.tool} if wire else {}
+        self._tolerance = wire.tolerance if wire else RANK_TOLERANCE
+        self._frames = (wire.frame,) if wire and wire.frame else tuple(JacobianFrame)
+        self._dexterity: dict[str, Any] = {}
+
+    def one(self) -> bytes:
+        """The answer at one configuration, as JSON."""
+        self._measure(self._asked.joints)
+        answer = {**self._head(), **self._dexterity}
+        for frame in self._frames:
+            answer[_NAMES[frame]] = self._jacobians(frame, self._asked.joints)
+        return orjson.dumps(answer, option=orjson.OPT_SERIALIZE_NUMPY)
+
+    def prepare(self) -> None:
+        """Measure a batch, and make sure that its Jacobians exist.
+
+        Raises:
+            JointValueError: a result overflows.
+        """
+        self._measure(self._asked.joints)
+
+    def blocks(self) -> Iterator[bytes]:
+        """The answer for a batch, in pieces."""
+        yield orjson.dumps({**self._head(), **self._dexterity}, option=orjson.OPT_SERIALIZE_NUMPY)[:-1]
+        for frame in self._frames:
+            yield f',"{_NAMES[frame]}":['.encode()
+            for start in range(0, len(self._asked.joints), _BLOCK):
+                block = self._jacobians(frame, self._asked.joints[start : start + _BLOCK])
+                written = orjson.dumps(block, option=orjson.OPT_SERIALIZE_NUMPY)
+                yield (b"," if start else b"") + written[1:-1]
+            yield b"]"
+        yield b"}"
+
+    def _head(self) -> dict[str, Any]:
+        return {**self._asked.robot.units, "joint_unit": "rad"}
+
+    def _jacobians(
+        self, frame: JacobianFrame, joints: list[float] | NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        return jacobian_of(self._asked.robot.table, joints, frame, **self._poses)
+
+    def _measure(self, joints: list[float] | NDArray[np.float64]) -> None:
+        measured = dexterity(self._asked.robot.table, joints, **self._poses, tolerance=self._tolerance)
+        self._dexterity = _measures(measured)
+
+
+def _measures(measured: Dexterity) -> dict[str, Any]:
+    whole = _mobility(measured.twist)
+    return {
+        "rank": whole["rank"],
+        "singular": whole["singular"],
+        "manipulability": whole["manipulability"],
+        "twist": whole,
+        "translation": _mobility(measured.translation),
+        "rotation": _mobility(measured.rotation),
+        "characteristic_length": measured.length,
+    }
+
+
+def _mobility(mobility: Mobility) -> dict[str, Any]:
+    """Each measure as plain numbers; orjson writes what is not finite as null."""
+    values = {field.name: getattr(mobility, field.name) for field in fields(mobility)}
+    return {name: np.asarray(value).tolist() for name, value in values.items()}
