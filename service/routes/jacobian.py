@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 import orjson
@@ -24,6 +24,8 @@ router = api_router("kinematics", route_class=DirectRoute)
 _READER = Reader(JacobianQuestion, JacobianRequest)
 _NAMES = {JacobianFrame.BASE: "J0", JacobianFrame.END: "Jn"}
 _BLOCK = 512
+
+Values: TypeAlias = list[float] | NDArray[np.float64]
 _ARRAY = {"schema": {"type": "string", "format": "binary"}}
 
 
@@ -37,9 +39,9 @@ _ARRAY = {"schema": {"type": "string", "format": "binary"}}
 async def jacobian(request: ApiRequest) -> Response:
     """The geometric Jacobians J0 and Jn of one configuration or of a batch: (v, ω) = J(q) dq/dt.
 
-    With them the rank, the manipulability, and whether the configuration is singular: of the whole motion, of the
-    translation and of the rotation. Jacobians are per radian. A batch may come as `application/x-npy`, as in
-    `/forward-kinematics`.
+    With them the rank, the manipulability, and whether the configuration is singular: of the whole motion, of
+    the translation and of the rotation. Jacobians are per radian. A batch may come as `application/x-npy`, as
+    in `/forward-kinematics`.
     """
     offer = request.accepts(JSON)
     asked = await _READER.read(request)
@@ -91,12 +93,10 @@ class _Answer:
     def _head(self) -> dict[str, Any]:
         return {**self._asked.robot.units, "joint_unit": "rad"}
 
-    def _jacobians(
-        self, frame: JacobianFrame, joints: list[float] | NDArray[np.float64]
-    ) -> NDArray[np.float64]:
+    def _jacobians(self, frame: JacobianFrame, joints: Values) -> NDArray[np.float64]:
         return jacobian_of(self._asked.robot.table, joints, frame, **self._poses)
 
-    def _measure(self, joints: list[float] | NDArray[np.float64]) -> None:
+    def _measure(self, joints: Values) -> None:
         measured = dexterity(self._asked.robot.table, joints, **self._poses, tolerance=self._tolerance)
         self._dexterity = _measures(measured)
 

@@ -55,7 +55,7 @@ class Mobility(Wire):
 
 
 class JacobianAnswer(Units):
-    """Jacobians. Of a batch, every part but the generic ranks has one more axis in front, the configuration."""
+    """Jacobians. Of a batch, every part but the generic ranks has one more axis in front."""
 
     joint_unit: str = Field(
         "rad", description="the Jacobians are per radian of a revolute joint, whatever the table's angle unit"
