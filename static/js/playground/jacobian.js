@@ -16,8 +16,8 @@ export function jacobianTool(api) {
         [t("playground-singular"), t(answer.singular ? "playground-yes" : "playground-no")],
         [t("playground-manipulability"), answer.manipulability.toPrecision(4)],
       ]),
-      matrix(t("playground-jacobian-base"), answer.base, "J0"),
-      matrix(t("playground-jacobian-end"), answer.end, "Jn"),
+      matrix(t("playground-jacobian-base"), answer.J0, "J0"),
+      matrix(t("playground-jacobian-end"), answer.Jn, "Jn"),
     ];
   });
 }
