@@ -50,9 +50,8 @@ class ContentWriter:
         """Content markup of one expression."""
         if id(expression) not in self._written:
             self._kept.append(expression)
-            for node in bottom_up(expression):
-                if id(node) not in self._written:
-                    self._written[id(node)] = self._node(node)
+            for node in bottom_up((expression,), self._written):
+                self._written[id(node)] = self._node(node)
         return self._written[id(expression)]
 
     def _node(self, node: Expression) -> str:

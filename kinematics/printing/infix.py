@@ -8,6 +8,7 @@ from enum import IntEnum
 from fractions import Fraction
 
 from kinematics.expressions import (
+    MINUS_ONE,
     Call,
     Expression,
     Function,
@@ -22,6 +23,8 @@ from kinematics.expressions import (
 from kinematics.printing.numbers import decimal_text
 from kinematics.printing.products import sorted_factors
 from kinematics.symbolic.size import bottom_up
+
+_PLAIN = {Call, Sum, Parameter, JointVariable, Pi}
 
 
 class Binding(IntEnum):
@@ -85,16 +88,26 @@ class InfixWriter:
         known = self._written.get(id(expression))
         if known is None:
             self._kept.append(expression)
-            for node in bottom_up(expression):
-                if id(node) not in self._written:
-                    self._written[id(node)] = self._node(node)
+            for node in bottom_up((expression,), self._written):
+                self._written[id(node)] = self._node(node)
             known = self._written[id(expression)]
         return known
 
+    def write_all(self, nodes: Iterable[Expression]) -> None:
+        """Write nodes of which the children come before the parents."""
+        for node in nodes:
+            self._written[id(node)] = self._node(node)
+
+    def definition(self, expression: Expression) -> str:
+        """The expression on one line, even if it has a name."""
+        self.write(expression)
+        return self._body(expression).text
+
     def _node(self, node: Expression) -> Written:
         name = self._name(node)
-        if name is not None:
-            return Written(name, Binding.ATOM)
+        return self._body(node) if name is None else Written(name, Binding.ATOM)
+
+    def _body(self, node: Expression) -> Written:
         spelling = self._spelling
         match node:
             case Product(factors):
@@ -148,6 +161,11 @@ class InfixWriter:
         return Written("".join(parts), Binding.SUM)
 
     def _product(self, factors: tuple[Expression, ...]) -> Written:
+        sign = "-" if factors[0] == MINUS_ONE else ""
+        rest = factors[1:] if sign else factors
+        if all(type(factor) in _PLAIN for factor in rest):
+            texts = [self._written[id(factor)].within(Binding.PRODUCT) for factor in rest]
+            return Written(sign + "*".join(texts), Binding.SIGN if sign else Binding.PRODUCT)
         parts = sorted_factors(factors)
         above = [self._written[id(factor)] for factor in (*parts.constants, *parts.above)]
         return self._quotient(above, [self._raised(*divisor) for divisor in parts.below], parts.weight)

@@ -55,9 +55,8 @@ class LatexWriter:
         known = self._written.get(id(expression))
         if known is None:
             self._kept.append(expression)
-            for node in bottom_up(expression):
-                if id(node) not in self._written:
-                    self._written[id(node)] = self._node(node)
+            for node in bottom_up((expression,), self._written):
+                self._written[id(node)] = self._node(node)
             known = self._written[id(expression)]
         return known.text
 

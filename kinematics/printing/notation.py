@@ -49,6 +49,11 @@ class ShortName:
         return self._joined(minus="−", between=",")
 
     @property
+    def plain(self) -> str:
+        """The name with its index as typed: c23, c1,10 or c2-3."""
+        return self.letter + self._joined(minus="-", between=",")
+
+    @property
     def is_sum(self) -> bool:
         """Whether no joint variable is subtracted, so that the name can stand in a line of text."""
         return all(sign > 0 for _, sign in self.joints)

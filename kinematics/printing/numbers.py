@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import lru_cache
 
 _LARGEST_POWER_OF_TWO = 8
 
 
+@lru_cache(maxsize=4096)
 def decimal_text(value: Fraction) -> str | None:
     """A rational number as the decimal that a person typed, or None if it is written as a fraction.
 

@@ -8,6 +8,8 @@ from typing import NamedTuple
 
 from kinematics.expressions import Call, Expression, Function, Number, Pi, Power
 
+_ONE = Fraction(1)
+
 
 class Factors(NamedTuple):
     """The factors of a product, sorted.
@@ -27,16 +29,26 @@ class Factors(NamedTuple):
 
 def sorted_factors(factors: Iterable[Expression]) -> Factors:
     """The factors of a product, sorted."""
-    found = Factors(Fraction(1), [], [], [])
-    weight = Fraction(1)
+    weight = _ONE
+    constants: list[Expression] = []
+    above: list[Expression] = []
+    below: list[tuple[Expression, Fraction]] = []
     for factor in factors:
-        match factor:
-            case Number(value):
-                weight *= value
-            case Power(base, exponent) if exponent < 0:
-                found.below.append((base, -exponent))
-            case Pi() | Call(Function.SQRT, (Number(),)):
-                found.constants.append(factor)
-            case _:
-                found.above.append(factor)
-    return found._replace(weight=weight)
+        kind = type(factor)
+        if isinstance(factor, Number):
+            weight = factor.value if weight is _ONE else weight * factor.value
+        elif isinstance(factor, Power) and factor.exponent < 0:
+            below.append((factor.base, -factor.exponent))
+        elif kind is Pi or (kind is Call and _is_root_of_number(factor)):
+            constants.append(factor)
+        else:
+            above.append(factor)
+    return Factors(weight, constants, above, below)
+
+
+def _is_root_of_number(factor: Expression) -> bool:
+    return (
+        isinstance(factor, Call)
+        and factor.function is Function.SQRT
+        and isinstance(factor.arguments[0], Number)
+    )

@@ -32,7 +32,7 @@ def to_tree(expression: Expression) -> Tree:
     is one and the same dictionary.
     """
     known: dict[int, Tree] = {}
-    for node in bottom_up(expression):
+    for node in bottom_up((expression,)):
         known[id(node)] = _tree(node, known)
     return known[id(expression)]
 

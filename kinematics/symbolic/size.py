@@ -2,34 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 
 from kinematics.expressions import Call, Expression, Number, Power, Product, Sum
 
 
-def bottom_up(*expressions: Expression) -> list[Expression]:
-    """Every node, each object once, children before parents; however deep the trees are."""
+def bottom_up(expressions: Iterable[Expression], known: Container[int] = frozenset()) -> list[Expression]:
+    """Every node, each object once, children before parents; however deep the trees are.
+
+    Args:
+        expressions: the roots.
+        known: ids of nodes that are left out, with all that is below them.
+    """
     order: list[Expression] = []
     seen: set[int] = set()
-    stack: list[tuple[Expression, bool]] = [(root, False) for root in reversed(expressions)]
+    stack: list[Expression | None] = [*expressions]
+    stack.reverse()
     while stack:
-        node, ready = stack.pop()
-        if ready:
+        node = stack.pop()
+        if node is None:
+            ready = stack.pop()
+            assert ready is not None
+            order.append(ready)
+            continue
+        name = id(node)
+        if name in seen or name in known:
+            continue
+        seen.add(name)
+        below = children(node)
+        if below:
+            stack += (node, None)
+            stack += below[::-1]
+        else:
             order.append(node)
-        elif id(node) not in seen:
-            seen.add(id(node))
-            stack.append((node, True))
-            stack.extend((child, False) for child in reversed(children(node)) if id(child) not in seen)
     return order
 
 
 def children(node: Expression) -> tuple[Expression, ...]:
     """The nodes directly below a node."""
     match node:
-        case Sum(parts) | Product(parts) | Call(_, parts):
-            return parts
-        case Power(base, _):
-            return (base,)
+        case Product():
+            return node.factors
+        case Sum():
+            return node.terms
+        case Call():
+            return node.arguments
+        case Power():
+            return (node.base,)
     return ()
 
 
@@ -41,7 +60,7 @@ def count_operations(expressions: Iterable[Expression]) -> int:
     """
     roots = tuple(expressions)
     known: dict[int, int] = {}
-    for node in bottom_up(*roots):
+    for node in bottom_up(roots):
         known[id(node)] = _operations(node, known)
     return sum(known[id(root)] for root in roots)
 

@@ -1,0 +1,161 @@
+"""Functions in Python, NumPy, C, MATLAB and JavaScript."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from kinematics.printing.infix import InfixWriter, Spelling
+from kinematics.printing.languages import JAVASCRIPT, MATLAB, NUMPY, PYTHON, C, Language
+from kinematics.printing.program import Plan, Program, Purpose, program
+
+_WORD = re.compile(r"[A-Za-z_]\w*")
+
+
+def write_function(
+    language: str, computed: Plan, purpose: Purpose, *, n_joints: int, parameters: Sequence[str]
+) -> str:
+    """The source of one function of the joint variables q and of every parameter.
+
+    Args:
+        language: python, numpy, c, matlab or javascript.
+        computed: what it computes.
+        purpose: what it is called.
+        n_joints: number of joint variables.
+        parameters: the table's parameters; each is an argument, whether this matrix holds it or not.
+    """
+    spoken, layout = _LANGUAGES[language]
+    named = program(computed, purpose, n_joints=n_joints, parameters=parameters, reserved=spoken.reserved)
+    spelling = Spelling(
+        pi=spoken.pi,
+        whole=spoken.whole,
+        functions=spoken.functions,
+        variable=spoken.variable,
+        parameter=named.arguments.__getitem__,
+        power=spoken.power,
+    )
+    writer = InfixWriter(spelling, named.name)
+    writer.write_all(computed.nodes)
+    steps = [(name, writer.definition(node)) for name, node in zip(named.steps, computed.steps, strict=True)]
+    entries = [[writer.text(entry) for entry in row] for row in computed.entries]
+    return layout(named, Body(steps, entries))
+
+
+class Body(NamedTuple):
+    """What is computed, in the words of a language: named steps and the entries."""
+
+    steps: list[tuple[str, str]]
+    entries: list[list[str]]
+
+
+def _comments(code: Program) -> list[str]:
+    """What a reader must know: the joint variables, and parameters that had to be renamed."""
+    lines = [code.purpose.meaning]
+    if code.n_joints:
+        lines.append(f"q: the {code.n_joints} joint variables, angles in radians.")
+    renamed = [f"{new} is {old}" for old, new in code.arguments.items() if new != old and old.isidentifier()]
+    if renamed:
+        lines.append(f"Renamed: {', '.join(renamed)}.")
+    return lines
+
+
+def _signature(code: Program) -> str:
+    return ", ".join(["q", *code.arguments.values()])
+
+
+def _python(code: Program, body: Body) -> str:
+    used = sorted({PYTHON.functions[function] for function in code.plan.functions} - {"abs"})
+    steps = [f"    {name} = {value}" for name, value in body.steps]
+    rows = [f"        [{', '.join(row)}]," for row in body.entries]
+    text = "\n".join([*steps, "    return [", *rows, "    ]"])
+    if "pi" in _words(text):
+        used = sorted([*used, "pi"])
+    lines = [f"from math import {', '.join(used)}", "", ""] if used else []
+    lines += [f"def {code.purpose.name}({_signature(code)}):", *_docstring(code)]
+    if code.n_joints:
+        lines += [f"    if len(q) != {code.n_joints}:", f'        raise ValueError("{_length(code)}")']
+    return "\n".join([*lines, text, ""])
+
+
+def _numpy(code: Program, body: Body) -> str:
+    result, shape = code.result, f"({len(body.entries)}, {len(body.entries[0])})"
+    lines = ["import numpy as np", "", "", f"def {code.purpose.name}({_signature(code)}):"]
+    lines += _docstring(code, "One configuration of shape (n,), or a batch (…, n).")
+    lines.append("    q = np.asarray(q, dtype=float)")
+    lines += [f"    if q.shape[-1:] != ({code.n_joints},):", f'        raise ValueError("{_length(code)}")']
+    lines += [f"    {name} = {value}" for name, value in body.steps]
+    lines.append(f"    {result} = np.empty(q.shape[:-1] + {shape})")
+    lines += [
+        f"    {result}[..., {i}, {j}] = {entry}"
+        for i, row in enumerate(body.entries)
+        for j, entry in enumerate(row)
+    ]
+    return "\n".join([*lines, f"    return {result}", ""])
+
+
+def _c(code: Program, body: Body) -> str:
+    columns = len(body.entries[0])
+    result = f"double {code.result}[{len(body.entries)}][{columns}]" if columns else f"double *{code.result}"
+    arguments = ["const double *q", *(f"double {name}" for name in code.arguments.values()), result]
+    steps = [f"    const double {name} = {value};" for name, value in body.steps]
+    entries = [
+        f"    {code.result}[{i}][{j}] = {entry};"
+        for i, row in enumerate(body.entries)
+        for j, entry in enumerate(row)
+    ]
+    used = _words("\n".join([*steps, *entries]))
+    unused = [
+        f"    (void){name};" for name in ("q", *code.arguments.values(), code.result) if name not in used
+    ]
+    comment = ["/*", *(f" * {line}" for line in _comments(code)), " */"]
+    head = [f"void {code.purpose.name}({', '.join(arguments)})", "{"]
+    return "\n".join(["#include <math.h>", "", *comment, *head, *steps, *unused, *entries, "}", ""])
+
+
+def _matlab(code: Program, body: Body) -> str:
+    comment = [f"% {line}" for line in _comments(code)]
+    lines = [f"function {code.result} = {code.purpose.name}({_signature(code)})", *comment]
+    if code.n_joints:
+        lines.append(f"assert(numel(q) == {code.n_joints}, '{_length(code)}');")
+    lines += [f"{name} = {value};" for name, value in body.steps]
+    if body.entries[0]:
+        rows = [f"    {', '.join(row)}" for row in body.entries]
+        lines += [f"{code.result} = [", ";\n".join(rows), "];"]
+    else:
+        lines.append(f"{code.result} = zeros({len(body.entries)}, 0);")
+    return "\n".join([*lines, "end", ""])
+
+
+def _javascript(code: Program, body: Body) -> str:
+    comment = ["/**", *(f" * {line}" for line in _comments(code)), " */"]
+    lines = [*comment, f"function {code.purpose.name}({_signature(code)}) {{"]
+    if code.n_joints:
+        lines.append(f'  if (q.length !== {code.n_joints}) throw new RangeError("{_length(code)}");')
+    lines += [f"  const {name} = {value};" for name, value in body.steps]
+    rows = [f"    [{', '.join(row)}]," for row in body.entries]
+    return "\n".join([*lines, "  return [", *rows, "  ];", "}", ""])
+
+
+def _docstring(code: Program, *more: str) -> list[str]:
+    first, *rest = [*_comments(code), *more]
+    if not rest:
+        return [f'    """{first}"""']
+    return [f'    """{first}', "", *(f"    {line}" for line in rest), '    """']
+
+
+def _length(code: Program) -> str:
+    return f"q holds {code.n_joints} joint variables"
+
+
+def _words(text: str) -> set[str]:
+    return set(_WORD.findall(text))
+
+
+_LANGUAGES: dict[str, tuple[Language, Callable[[Program, Body], str]]] = {
+    "python": (PYTHON, _python),
+    "numpy": (NUMPY, _numpy),
+    "c": (C, _c),
+    "matlab": (MATLAB, _matlab),
+    "javascript": (JAVASCRIPT, _javascript),
+}
