@@ -26,6 +26,7 @@ export class AnswerCard {
     this.button = el("button", { type: "submit", class: "primary", text: t("form-submit") });
     this.problem = el("div", { id: "submit-problem" });
     const table = exercise.parts.find(({ kind }) => kind === "table");
+    this.sections = this.parts.map(({ part, field }) => section(part.kind, part, exercise, field.element, true));
     const form = el(
       "form",
       {
@@ -43,7 +44,7 @@ export class AnswerCard {
         },
       },
       section("table", table, exercise, this.editor, this.parts.length > 0),
-      this.parts.map(({ part, field }) => section(part.kind, part, exercise, field.element, true)),
+      this.sections,
       el("div", { class: "row submit-row no-print" }, this.button, el("span", { class: "hint", text: t("form-submit-hint") })),
       this.problem,
     );
@@ -77,7 +78,10 @@ export class AnswerCard {
   set state({ table, parts }) {
     this.editor.state = table;
     this.#resize();
-    for (const { part, field } of this.parts) if (parts?.[part.kind]) field.state = parts[part.kind];
+    this.parts.forEach(({ part, field }, i) => {
+      if (parts?.[part.kind]) field.state = parts[part.kind];
+      if (field.touched) /** @type {HTMLDetailsElement} */ (this.sections[i]).open = true;
+    });
   }
 
   /** @param {boolean} busy */
@@ -117,7 +121,11 @@ export class AnswerCard {
       else ofTable.push(fault);
     }
     this.editor.showFaults(ofTable, options);
-    for (const { part, field } of this.parts) field.showFaults(ofParts.get(part.kind));
+    this.parts.forEach(({ part, field }, i) => {
+      const own = ofParts.get(part.kind);
+      field.showFaults(own);
+      if (own.length) /** @type {HTMLDetailsElement} */ (this.sections[i]).open = true;
+    });
     const first = this.parts.find(({ part }) => ofParts.get(part.kind).length);
     if (options.summary && !ofTable.length && first) first.field.focus();
   }
@@ -142,16 +150,20 @@ export class AnswerCard {
   }
 }
 
-function section(kind, part, exercise, content, titled) {
+/** One thing that is asked. What comes besides the table is folded, so that a phone's page stays short. */
+function section(kind, part, exercise, content, several) {
   const total = exercise.parts.reduce((sum, { points }) => sum + points, 0);
   const name = t(`form-part-${kind.replaceAll("_", "-")}`);
-  const share = titled && part ? el("span", { class: "badge", text: t("form-points", { points: part.points, total }) }) : null;
-  const hint = kind === "table" ? null : partHint(kind, part, exercise);
+  const share = several && part ? el("span", { class: "badge", text: t("form-points", { points: part.points, total }) }) : null;
+  if (kind === "table") {
+    const title = several ? el("h3", { class: "row" }, name, share) : null;
+    return el("section", { class: "part", id: "part-table", "aria-label": name }, title, content);
+  }
   return el(
-    "section",
-    { class: "part", id: `part-${kind}`, "aria-label": name },
-    titled ? el("h3", { class: "row" }, name, share) : null,
-    hint ? el("p", { class: "hint", text: hint }) : null,
+    "details",
+    { class: "part", id: `part-${kind}` },
+    el("summary", {}, el("h3", { class: "row" }, name, share)),
+    el("p", { class: "hint", text: partHint(kind, part, exercise) }),
     content,
   );
 }

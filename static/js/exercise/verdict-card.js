@@ -50,7 +50,7 @@ export class VerdictCard {
 
   #bothRobots(verdict, exercise, answer) {
     const { figure } = exercise;
-    if (!figure.bodies || !figure.base) return null;
+    if (!figure.base) return null;
     return bothRobots({
       figure,
       own: this.ownRobot.model,

@@ -10,7 +10,8 @@
  */
 
 import { triad } from "./model.js";
-import { column, dot, identity, inverse, minus, multiply, norm, plus, poseAlong, times, unit } from "./matrix.js";
+import { piecesOf } from "./bodies.js";
+import { apply, column, dot, identity, inverse, minus, multiply, norm, plus, poseAlong, times, unit } from "./matrix.js";
 
 /** How large things are drawn, relative to the robot. */
 const SIZE = { joint: 0.042, jointLength: 0.13, tube: 0.014, triad: 0.15, axis: 0.2, point: 0.018 };
@@ -89,11 +90,9 @@ function addJoint(model, motion, turning, sliding, size) {
  * The robot of an exercise, from the geometry that its figure is drawn from. Each joint is a node with its z
  * along the axis, so that the robot can be moved from the posture of its figure.
  * @param {{axes: {joint: number, type: string, point: Vector, direction: Vector}[], links: Vector[][],
- *   bodies?: number[], dimensions?: {name: string, from: Vector, to: Vector}[], points?: {name: string, at: Vector}[],
- *   size?: number}} figure
- *   `bodies` says for each link which joint it follows, 0 being the base
- * @param {{dimensions?: boolean, still?: boolean}} [options]
- * @returns {Model}
+ *   dimensions?: {name: string, from: Vector, to: Vector}[], points?: {name: string, at: Vector}[], size?: number}} figure
+ * @param {{dimensions?: boolean}} [options]
+ * @returns {Model} a model without joints if the figure does not say which piece moves with which joint
  */
 export function figureRobot(figure, { dimensions = true } = {}) {
   const size = figure.size || extent(figure);
@@ -101,25 +100,22 @@ export function figureRobot(figure, { dimensions = true } = {}) {
   const model = { nodes: [], items: [], joints: 0 };
   /** @type {Matrix[]} */
   const world = [];
+  const pieces = piecesOf(figure.links, figure.axes, size);
   figure.axes.forEach((axis, i) => {
     const pose = poseAlong(axis.point, axis.direction);
     const constant = i === 0 ? pose : multiply(inverse(world[i - 1]), pose);
     world.push(pose);
-    const motion = axis.type === "fixed" ? null : { index: i, type: axis.type, sign: 1 };
+    const motion = pieces ? { index: i, type: axis.type, sign: 1 } : null;
     model.nodes.push({ parent: i - 1, constant, motion });
   });
-  model.joints = figure.bodies ? figure.axes.length : 0;
-  const at = (body, point) => bodyPlace(world, body, point);
-  figure.links.forEach((chain, i) => {
-    const body = figure.bodies?.[i] ?? 0;
-    for (let k = 1; k < chain.length; k += 1) {
-      const ends = { from: at(body, chain[k - 1]), to: at(body, chain[k]) };
-      model.items.push({ kind: "tube", ...ends, radius: size * SIZE.tube * 1.4, tone: "body" });
-    }
-  });
-  figure.axes.forEach((axis, i) => model.items.push(...axisItems(axis, i, world[i], size)));
+  model.joints = pieces ? figure.axes.length : 0;
+  for (const { from, to, body } of pieces ?? unmoved(figure.links)) {
+    const ends = { from: bodyPlace(world, body, from), to: bodyPlace(world, body, to) };
+    model.items.push({ kind: "tube", ...ends, radius: size * SIZE.tube * 1.4, tone: "body" });
+  }
+  figure.axes.forEach((axis, i) => model.items.push(...axisItems(axis, i, size)));
   for (const point of figure.points ?? []) {
-    const place = at(figure.bodies ? figure.axes.length : 0, point.at);
+    const place = bodyPlace(world, pieces ? bodyOf(point.at, pieces, size) : 0, point.at);
     model.items.push({ kind: "ball", at: place, radius: size * SIZE.point, tone: "pick" });
     model.items.push({ kind: "label", at: place, text: point.name, tone: "pick" });
   }
@@ -127,15 +123,22 @@ export function figureRobot(figure, { dimensions = true } = {}) {
   return model;
 }
 
+function unmoved(links) {
+  return links.flatMap((chain) => chain.slice(1).map((to, k) => ({ from: chain[k], to, body: 0 })));
+}
+
+/** The body on which a marked point lies: the last that reaches it. */
+function bodyOf(point, pieces, size) {
+  const ends = pieces.filter(({ from, to }) => [from, to].some((end) => norm(minus(end, point)) < size * 1e-6));
+  return ends.at(-1)?.body ?? 0;
+}
+
 function bodyPlace(world, body, point) {
-  if (body === 0) return { node: -1, at: point };
-  const local = inverse(world[body - 1]);
-  const at = /** @type {Vector} */ ([0, 1, 2].map((k) => local[k][0] * point[0] + local[k][1] * point[1] + local[k][2] * point[2] + local[k][3]));
-  return { node: body - 1, at };
+  return body === 0 ? { node: -1, at: point } : { node: body - 1, at: apply(inverse(world[body - 1]), point) };
 }
 
 /** @returns {Item[]} */
-function axisItems(axis, i, pose, size) {
+function axisItems(axis, i, size) {
   const half = size * SIZE.axis;
   const length = size * SIZE.jointLength;
   const z = /** @type {Vector} */ ([0, 0, 1]);

@@ -3,6 +3,7 @@ import { test } from "node:test";
 import { fitted, orbited, project, VIEWS, zoomed } from "../../../static/js/scene/camera.js";
 import * as matrix from "../../../static/js/scene/matrix.js";
 import { bounds, placed, poses, position, together } from "../../../static/js/scene/model.js";
+import { piecesOf } from "../../../static/js/scene/bodies.js";
 import { pickAt } from "../../../static/js/scene/picking.js";
 import { figureRobot, tableRobot } from "../../../static/js/scene/robots.js";
 
@@ -50,14 +51,28 @@ test("the figure's robot moves about its axes, bodies and all", () => {
       { joint: 1, type: "revolute", point: [0, 0, 0], direction: [0, 0, 1] },
       { joint: 2, type: "prismatic", point: [1, 0, 0], direction: [0, 1, 0] },
     ],
-    links: [[[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [1, 1, 0]]],
-    bodies: [1, 2],
+    links: [[[0, 0, -1], [0, 0, 0], [1, 0, 0], [1, 1, 0]]],
   };
   const model = figureRobot(figure);
   const found = poses(model, [Math.PI / 2, 1]);
   const ends = model.items.filter((item) => item.kind === "tube").map((tube) => position(found, tube.to));
-  near(ends[0], [0, 1, 0]);
-  near(ends[1], [-2, 1, 0]);
+  near(ends[0], [0, 0, 0]);
+  near(ends[1], [0, 1, 0]);
+  near(ends[2], [-2, 1, 0]);
+  assert.equal(model.joints, 2);
+});
+
+test("pieces follow the last joint before them, also where joints stand inside a stretch or side by side", () => {
+  const axes = [[0, 0, 1], [0, 0, 3], [0, 0, 3]].map((point, i) => ({ joint: i + 1, point }));
+  const pieces = piecesOf([[[0, 0, 0], [0, 0, 2], [0, 0, 4]], [[0, 0, 2], [1, 0, 2]]], axes, 4);
+  assert.deepEqual(pieces.map(({ from, to, body }) => [from[2], to[2], body]), [[0, 1, 0], [1, 2, 1], [2, 3, 1], [3, 4, 3], [2, 2, 1]]);
+});
+
+test("a figure whose joints are off its links stands still", () => {
+  const axes = [{ joint: 1, type: "revolute", point: [5, 0, 0], direction: [0, 0, 1] }];
+  const model = figureRobot({ axes, links: [[[0, 0, 0], [0, 0, 2]]] });
+  assert.equal(model.joints, 0);
+  assert.equal(poses(model, [1]).length, 1);
 });
 
 test("placed and together keep what they hold", () => {

@@ -1,0 +1,58 @@
+/**
+ * Which piece of a drawn robot follows which joint. A figure draws links as chains of points from the base on;
+ * a chain passes the joints in order, and what comes after a joint moves with it.
+ */
+
+import { dot, minus, norm, plus, times } from "./matrix.js";
+
+/** @typedef {import("./matrix.js").Vector} Vector */
+
+const CLOSE = 1e-6;
+
+/**
+ * @param {Vector[][]} links @param {{joint: number, point: Vector}[]} axes in joint order @param {number} size of the robot
+ * @returns {{from: Vector, to: Vector, body: number}[] | null} pieces with the joint they follow (0: the base),
+ *   or null if the joints do not all stand on the chains, in order
+ */
+export function piecesOf(links, axes, size) {
+  const pieces = [];
+  /** @type {Set<number>} */
+  const met = new Set();
+  for (const chain of links) {
+    let body = bodyAt(chain[0], pieces, axes, size);
+    for (let k = 1; k < chain.length; k += 1) {
+      let from = chain[k - 1];
+      for (const { joint, point } of passed(from, chain[k], axes, met, size)) {
+        if (joint !== body + 1) return null;
+        if (norm(minus(point, from)) > CLOSE * size) pieces.push({ from, to: point, body });
+        met.add(joint);
+        body = joint;
+        from = point;
+      }
+      if (norm(minus(chain[k], from)) > CLOSE * size) pieces.push({ from, to: chain[k], body });
+    }
+  }
+  return met.size === axes.length ? pieces : null;
+}
+
+/** The body that a further chain starts from: that of the piece on which it starts. */
+function bodyAt(start, pieces, axes, size) {
+  const piece = [...pieces].reverse().find(({ from, to }) => distance(start, from, to).away < CLOSE * size);
+  return piece?.body ?? 0;
+}
+
+/** Joints on a stretch, in the order in which they are met. */
+function passed(from, to, axes, met, size) {
+  return axes
+    .filter(({ joint }) => !met.has(joint))
+    .map((axis) => ({ ...axis, ...distance(axis.point, from, to) }))
+    .filter(({ away }) => away < CLOSE * size)
+    .sort((a, b) => a.along - b.along || a.joint - b.joint);
+}
+
+function distance(point, from, to) {
+  const way = minus(to, from);
+  const length = dot(way, way);
+  const along = length > 0 ? Math.max(0, Math.min(1, dot(minus(point, from), way) / length)) : 0;
+  return { along, away: norm(minus(point, plus(from, times(way, along)))) };
+}

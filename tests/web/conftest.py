@@ -1,0 +1,206 @@
+"""A running service and a real Chromium for every test of the web form.
+
+Where Chromium is missing, tests that need it are skipped with the reason; in CI that is a failure.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import socket
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import uvicorn
+from playwright.sync_api import Browser, BrowserContext, Page, Response, sync_playwright
+
+from service.app import create_app
+from service.settings import Settings
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+ARGUMENTS = [
+    "--no-sandbox",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--force-prefers-reduced-motion",
+]
+LANGUAGES = ("en", "ro", "pt", "fr", "uk", "es")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """One worker drives the browser: two would share the cores and start everything twice."""
+    for item in items:
+        if Path(__file__).parent in item.path.parents:
+            item.add_marker(pytest.mark.xdist_group("web"))
+
+
+@contextlib.contextmanager
+def serving(settings: Settings) -> Iterator[str]:
+    """Serve on a free port in a thread; yields the origin."""
+    listener = socket.create_server(("127.0.0.1", 0))
+    config = uvicorn.Config(create_app(settings), log_level="warning", access_log=False, lifespan="on")
+    server = uvicorn.Server(config)
+    thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)
+    thread.start()
+    while not server.started and thread.is_alive():
+        time.sleep(0.005)
+    try:
+        yield f"http://127.0.0.1:{listener.getsockname()[1]}"
+    finally:
+        server.should_exit = True
+        thread.join(timeout=10)
+        listener.close()
+
+
+@pytest.fixture(scope="session")
+def web() -> Iterator[str]:
+    """Origin of a running service that may be shown in any frame."""
+    with serving(Settings(frame_ancestors=("*",))) as origin:
+        yield origin
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """Chromium, once for all tests."""
+    if CHROMIUM is None:
+        reason = "Chromium is not installed (`make browser` installs it)"
+        if os.environ.get("CI"):
+            pytest.fail(reason)
+        pytest.skip(reason)
+    with sync_playwright() as playwright:
+        started = playwright.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
+        yield started
+        started.close()
+
+
+class Watch:
+    """What a page said that a page should not say: errors, warnings of the console, refused loads."""
+
+    def __init__(self) -> None:
+        self.problems: list[str] = []
+        self.responses: list[Response] = []
+        self._allowed: list[str] = []
+
+    def allow(self, part: str) -> None:
+        """Expect problems that hold this text."""
+        self._allowed.append(part)
+
+    def follow(self, page: Page) -> None:
+        page.on("console", lambda message: self._console(message.type, message.text))
+        page.on("pageerror", lambda error: self.problems.append(f"error: {error}"))
+        page.on("response", self._response)
+
+    def unexpected(self) -> list[str]:
+        return [text for text in self.problems if not any(part in text for part in self._allowed)]
+
+    def _console(self, kind: str, text: str) -> None:
+        # SwiftShader remarks on reading pixels back when a picture is taken.
+        if kind in ("error", "warning") and "GL Driver Message" not in text:
+            self.problems.append(f"{kind}: {text}")
+
+    def _response(self, response: Response) -> None:
+        self.responses.append(response)
+        if response.status >= 400 and "/api/" not in response.url:
+            self.problems.append(f"{response.status}: {response.url}")
+
+
+OpenPage = Callable[..., Page]
+
+
+@pytest.fixture
+def watch() -> Watch:
+    """Collects what pages say; the `open_page` fixture fails a test whose pages complained."""
+    return Watch()
+
+
+@pytest.fixture
+def open_page(browser: Browser, web: str, watch: Watch) -> Iterator[OpenPage]:
+    """Opens pages: `open_page("/exercises/puma560", lang="ro", width=320, dark=True, **context_options)`.
+
+    Waits until the page is ready; fails the test at its end if a console error, a violation of the content
+    security policy or a failed load was seen.
+    """
+    contexts: list[BrowserContext] = []
+
+    def open_(
+        path: str,
+        *,
+        lang: str | None = "en",
+        width: int = 1280,
+        height: int = 900,
+        dark: bool = False,
+        origin: str | None = None,
+        ready: bool = True,
+        before: Callable[[Page], Any] | None = None,
+        **options: Any,
+    ) -> Page:
+        context = browser.new_context(
+            viewport={"width": width, "height": height},
+            color_scheme="dark" if dark else "light",
+            reduced_motion=options.pop("reduced_motion", "reduce"),
+            **options,
+        )
+        context.set_default_timeout(20_000)
+        contexts.append(context)
+        page = context.new_page()
+        watch.follow(page)
+        if before is not None:
+            before(page)
+        query = ("&" if "?" in path else "?") + f"lang={lang}" if lang else ""
+        page.goto((origin or web) + path + query)
+        if ready:
+            wait_ready(page)
+        return page
+
+    yield open_
+    for context in contexts:
+        context.close()
+    assert watch.unexpected() == []
+
+
+def wait_ready(page: Any) -> None:
+    """Wait until the page's script has done its first work."""
+    page.locator("html[data-ready=true]").wait_for(state="attached")
+
+
+@pytest.fixture(scope="session")
+def axe() -> str:
+    """The source of axe-core, from the development packages that `make` installs."""
+    source = ROOT / "node_modules" / "axe-core" / "axe.min.js"
+    if not source.is_file():
+        reason = "axe-core is not installed (`make vendor` installs it)"
+        if os.environ.get("CI"):
+            pytest.fail(reason)
+        pytest.skip(reason)
+    return source.read_text(encoding="utf-8")
+
+
+_RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
+
+
+@pytest.fixture
+def assert_accessible(axe: str) -> Callable[[Page], None]:
+    """Fails with axe-core's findings on the page as it stands now."""
+
+    def check(page: Page) -> None:
+        page.evaluate(axe)
+        result = page.evaluate(
+            "rules => axe.run(document, { runOnly: rules, resultTypes: ['violations'] })", _RULES
+        )
+        found = [
+            f"{violation['id']}: {violation['help']}: "
+            + "; ".join(f"{node['target']} {node['failureSummary']}" for node in violation["nodes"][:4])
+            for violation in result["violations"]
+        ]
+        assert found == []
+
+    return check

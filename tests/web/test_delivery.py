@@ -1,0 +1,176 @@
+"""How the form's files travel: policy, languages, versions, compression, prefixes, no cookies."""
+
+from __future__ import annotations
+
+import gzip
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from urllib.parse import urljoin
+
+import httpx
+import pytest
+
+from service.settings import Settings
+from service.web.assets import Assets
+from service.web.shell import LANGUAGE_NAMES
+from tests.web.conftest import LANGUAGES, serving
+
+ADDRESS = re.compile(r'(?:href|src|action)="([^"]+)"')
+
+
+@pytest.fixture(scope="module")
+def client(web: str) -> Iterator[httpx.Client]:
+    with httpx.Client(base_url=web) as connected:
+        yield connected
+
+
+def test_every_language_of_the_messages_has_a_name() -> None:
+    assert set(LANGUAGE_NAMES) == set(LANGUAGES)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_page_speaks_the_language_that_is_asked_for(client: httpx.Client, language: str) -> None:
+    by_address = client.get("/", params={"lang": language}, headers={"Accept-Language": "xx"})
+    by_browser = client.get("/", headers={"Accept-Language": f"{language}-XX,en;q=0.5"})
+    for answer in (by_address, by_browser):
+        assert answer.status_code == 200
+        assert f'<html lang="{language}"' in answer.text
+        assert answer.headers["content-language"] == language
+        assert "${" not in answer.text
+    assert "Accept-Language" in by_browser.headers["vary"]
+
+
+def test_an_unknown_language_is_the_browsers(client: httpx.Client) -> None:
+    answer = client.get("/", params={"lang": '"><script>'}, headers={"Accept-Language": "ro"})
+    assert '<html lang="ro"' in answer.text
+    assert "<script>" not in answer.text
+
+
+@pytest.mark.parametrize("path", ["/", "/exercises/puma560", "/playground", "/trainer/puma560"])
+def test_pages_allow_this_origin_only_and_set_no_cookie(client: httpx.Client, path: str) -> None:
+    answer = client.get(path)
+    assert answer.status_code == 200
+    policy = dict(part.strip().split(" ", 1) for part in answer.headers["content-security-policy"].split(";"))
+    assert policy["default-src"] == "'none'"
+    assert policy["script-src"] == "'self'"
+    assert policy["style-src"] == "'self'"
+    assert policy["connect-src"] == "'self'"
+    assert policy["base-uri"] == "'none'"
+    assert policy["frame-ancestors"] == "*"
+    assert "unsafe" not in answer.headers["content-security-policy"]
+    assert "set-cookie" not in answer.headers
+    assert answer.headers["x-content-type-options"] == "nosniff"
+    assert answer.headers["referrer-policy"] == "no-referrer"
+    assert not re.search(r"<style|style=|<script(?![^>]*src=)|\son\w+=", answer.text)
+    assert all(not address.startswith(("http", "//")) for address in ADDRESS.findall(answer.text))
+
+
+def test_frames_are_refused_where_the_settings_say_so() -> None:
+    with serving(Settings(frame_ancestors=("'self'", "https://lms.example.edu"))) as origin:
+        policy = httpx.get(origin + "/").headers["content-security-policy"]
+    assert policy.endswith("frame-ancestors 'self' https://lms.example.edu")
+
+
+@pytest.mark.parametrize("path", ["/exercises/nowhere", "/trainer/nowhere"])
+def test_a_page_that_does_not_exist_says_so_in_the_readers_language(client: httpx.Client, path: str) -> None:
+    answer = client.get(path, headers={"Accept-Language": "fr"})
+    assert answer.status_code == 404
+    assert "Introuvable" in answer.text
+    assert answer.headers["content-type"].startswith("text/html")
+
+
+def test_every_address_of_every_page_leads_somewhere(client: httpx.Client) -> None:
+    seen = set()
+    for path in ("/", "/exercises/puma560", "/playground", "/trainer/puma560"):
+        for address in ADDRESS.findall(client.get(path).text):
+            target = urljoin(path, address.replace("&amp;", "&"))
+            if target not in seen and not target.startswith(path + "#"):
+                seen.add(target)
+                assert client.get(target).status_code == 200, (path, address)
+    assert len(seen) > 15
+
+
+def test_files_are_kept_for_ever_under_the_version_that_holds_them(client: httpx.Client) -> None:
+    page = client.get("/").text
+    current = re.search(r'data-assets="\./(static/[0-9a-f]+)"', page)
+    assert current
+    kept = client.get(f"/{current[1]}/css/base.css")
+    assert "immutable" in kept.headers["cache-control"]
+    assert kept.headers["content-type"].startswith("text/css")
+    other = client.get("/static/0123456789ab/css/base.css")
+    assert other.status_code == 200
+    assert other.headers["cache-control"] == "no-cache"
+    again = client.get("/static/0123456789ab/css/base.css", headers={"If-None-Match": other.headers["etag"]})
+    assert again.status_code == 304
+    assert again.content == b""
+
+
+@pytest.mark.parametrize(
+    ("accepted", "encoding"),
+    [("gzip, br", "br"), ("gzip", "gzip"), ("br;q=0, gzip", "gzip"), ("identity", None), ("", None)],
+)
+def test_files_are_sent_in_the_smallest_encoding_that_is_accepted(
+    client: httpx.Client, accepted: str, encoding: str | None
+) -> None:
+    with client.stream(
+        "GET", "/static/x/vendor/fluent/bundle.js", headers={"Accept-Encoding": accepted}
+    ) as answer:
+        sent = b"".join(answer.iter_raw())
+    assert answer.headers.get("content-encoding") == encoding
+    assert "Accept-Encoding" in answer.headers["vary"]
+    plain = client.get("/static/x/vendor/fluent/bundle.js", headers={"Accept-Encoding": "identity"}).content
+    if encoding == "gzip":
+        assert gzip.decompress(sent) == plain
+    elif encoding is None:
+        assert sent == plain
+    else:
+        assert len(sent) < len(gzip.compress(plain))
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["../pyproject.toml", "..%2fpyproject.toml", "%2e%2e/%2e%2e/etc/passwd", "css/../../README.md",
+     "css", "", "vendor/.complete", "/etc/passwd", "css/base.css%00"],
+)  # fmt: skip
+def test_only_what_is_in_the_folder_is_served(web: str, name: str) -> None:
+    answer = httpx.get(f"{web}/static/x/{name}")
+    assert answer.status_code == 404
+
+
+def test_assets_follow_the_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("service.web.assets.SCAN_INTERVAL", 0.0)
+    (tmp_path / "a.js").write_text("1")
+    assets = Assets(tmp_path)
+    first = assets.version
+    one = assets.get("a.js", "gzip")
+    assert one is not None
+    (tmp_path / "a.js").write_text("22")
+    assert assets.version != first
+    two = assets.get("a.js", "gzip")
+    assert two is not None
+    assert gzip.decompress(two.body) == b"22"
+    assert two.etag != one.etag
+    (tmp_path / "a.js").unlink()
+    assert assets.get("a.js", "gzip") is None
+
+
+def test_messages_are_served_as_the_api_speaks_them(client: httpx.Client) -> None:
+    whole = client.get("/locales/ro.ftl").text
+    form = client.get("/locales/ro.ftl", params={"rooms": "form"}).text
+    assert "form-skip = Sari la conținut" in form
+    assert "error-" not in form
+    assert form in whole
+    assert "error-" in whole
+    assert client.get("/locales/xx.ftl").status_code == 404
+    assert client.get("/locales/..%2Fen.ftl").status_code == 404
+
+
+@pytest.mark.parametrize("prefix", ["", "/dh", "/a/b"])
+def test_pages_name_no_prefix_and_need_none(prefix: str) -> None:
+    with serving(Settings(prefix=prefix)) as origin:
+        page = httpx.get(f"{origin}{prefix}/")
+        assert page.status_code == 200
+        assert prefix == "" or prefix not in page.text
+        style = ADDRESS.findall(page.text)[1]
+        assert httpx.get(urljoin(f"{origin}{prefix}/", style)).status_code == 200
