@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from urllib.parse import urlencode
 
 from fastapi import APIRouter, Request, Response
 
+from exercises.errors import UnknownExerciseError
+from exercises.loader import exercise
+from exercises.statements import to_html
 from service.messages import LOCALES, languages
-from service.web.responses import assets, page_response, text_response
+from service.web.responses import assets, missing_page, page_language, page_response, text_response
 from service.web.shell import Page
 
 router = APIRouter(include_in_schema=False)
@@ -20,7 +24,13 @@ EXERCISE = Page(
     title="form-exercise-title",
     depth=1,
     styles=("scene", "editor", "exercise"),
-    preload=("js/page.js", "js/dom.js", "js/i18n.js", "js/editor/dh-table-editor.js", "js/scene/robot-scene.js"),
+    preload=(
+        "js/page.js",
+        "js/dom.js",
+        "js/i18n.js",
+        "js/editor/dh-table-editor.js",
+        "js/scene/robot-scene.js",
+    ),
 )
 
 
@@ -30,10 +40,22 @@ async def home(request: Request) -> Response:
     return page_response(request, HOME)
 
 
-@router.get("/exercises/{exercise}")
-async def exercise_page(request: Request, exercise: str) -> Response:
-    """The page of an exercise."""
-    return page_response(request, EXERCISE, {"id": exercise, "title": exercise, "statement": "", "query": ""})
+@router.get("/exercises/{exercise_id}")
+async def exercise_page(request: Request, exercise_id: str) -> Response:
+    """The page of an exercise: its title and statement stand in it before any script runs."""
+    try:
+        found = exercise(exercise_id)
+    except UnknownExerciseError:
+        return missing_page(request, depth=1)
+    language = page_language(request)
+    seed = request.query_params.get("seed")
+    values = {
+        "id": found.id,
+        "title": found.titles[language],
+        "statement": to_html(found.statements[language]),
+        "query": f"?{urlencode({'seed': seed})}" if seed else "",
+    }
+    return page_response(request, EXERCISE, values)
 
 
 @router.get("/static/{version}/{name:path}")

@@ -75,6 +75,11 @@ def page_response(
     return text_response(request, text, "text/html; charset=utf-8", headers, status)
 
 
+def missing_page(request: Request, *, depth: int) -> Response:
+    """The page that says that there is no such page, for an address `depth` folders below the root."""
+    return page_response(request, Page(name="missing", title="form-missing-title", depth=depth), status=404)
+
+
 def text_response(
     request: Request, text: str, media_type: str, headers: Mapping[str, str], status: int = 200
 ) -> Response:
