@@ -10,7 +10,7 @@ from kinematics.printing.infix import InfixWriter, Spelling
 from kinematics.printing.languages import JAVASCRIPT, MATLAB, NUMPY, PYTHON, C, Language
 from kinematics.printing.program import Plan, Program, Purpose, program
 
-_WORD = re.compile(r"[A-Za-z_]\w*")
+_WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 
 
 def write_function(
@@ -54,7 +54,8 @@ def _comments(code: Program) -> list[str]:
     lines = [code.purpose.meaning]
     if code.n_joints:
         lines.append(f"q: the {code.n_joints} joint variables, angles in radians.")
-    renamed = [f"{new} is {old}" for old, new in code.arguments.items() if new != old and old.isidentifier()]
+    changed = [(old, new) for old, new in code.arguments.items() if new != old]
+    renamed = [f"{new} is {old}" for old, new in changed if _WORD.fullmatch(old)]
     if renamed:
         lines.append(f"Renamed: {', '.join(renamed)}.")
     return lines

@@ -183,6 +183,8 @@ def _deserves_name(node: Expression, uses: int) -> bool:
             return False
         case Sum(terms):
             return uses > 1 and not _is_angle(terms)
+        case Power(_, exponent) if exponent < 0:
+            return False  # it is written as a division
         case Product() | Power() | Call():
             return uses > 1
     return False

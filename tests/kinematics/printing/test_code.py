@@ -1,0 +1,256 @@
+"""Functions in five languages: every one is compiled or parsed, run, and held against the numeric core."""
+
+from __future__ import annotations
+
+import ctypes
+import json
+import random
+import shutil
+import subprocess
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from kinematics.catalogue import robots
+from kinematics.expressions import Function, Parameter, add, call, multiply, number, pi_times, power
+from kinematics.forward import forward_kinematics
+from kinematics.jacobian import JacobianFrame
+from kinematics.jacobian import jacobian as numeric_jacobian
+from kinematics.printing import Format, MatrixPrinter, Purpose
+from kinematics.symbolic import closed_form, inverse, jacobian
+from kinematics.table import Convention, JointType, SymbolicTable, bind, table_parameters
+from tests.kinematics.printing import matlab
+from tests.kinematics.symbolic.tables import puma, random_table, row, table
+
+CODE = (Format.PYTHON, Format.NUMPY, Format.C, Format.MATLAB, Format.JAVASCRIPT)
+
+# Keywords, names of the libraries, macros, names that the writer itself uses, and names that differ from them
+# by what is appended to avoid them.
+_HOSTILE = """
+lambda int for in end pi PI I E e i j q T J t1 c1 s1 c23 s23 sin cos sqrt math np len float double void
+linux unix M_PI NAN gamma y0 y1 j0 struct let var new this eval arguments Math q_ c1_ t1_ lambda_ function
+assert numel ans None True false null class async await yield return ValueError inf pow M_SQRT2
+"""
+HOSTILE = _HOSTILE.split()
+
+
+@dataclass(frozen=True)
+class Case:
+    """A matrix, the names of its arguments, values for them, and what must come out."""
+
+    name: str
+    table: SymbolicTable
+    entries: Sequence[Sequence[Any]]
+    parameters: tuple[str, ...]
+    values: tuple[float, ...]
+    joints: tuple[float, ...]
+    expected: np.ndarray  # type: ignore[type-arg]
+
+    def source(self, chosen: Format) -> str:
+        printer = MatrixPrinter(n_joints=self.table.n_joints, parameters=self.parameters)
+        purpose = Purpose(name=self.name, meaning="A matrix under test.")
+        return str(printer.write(self.entries, (chosen,), purpose)[chosen.value])
+
+
+def cases_of(name: str, symbolic: SymbolicTable, rng: random.Random) -> list[Case]:
+    parameters = table_parameters(symbolic)
+    values = tuple(rng.uniform(0.2, 1.5) for _ in parameters)
+    joints = tuple(rng.uniform(-3, 3) for _ in range(symbolic.n_joints))
+    numeric = bind(symbolic, dict(zip(parameters, values, strict=True)))
+    forward = forward_kinematics(numeric, joints)
+    form = closed_form(symbolic)
+    wanted = {
+        f"T_{name}": (form.transform, forward.transform),
+        f"link_{name}": (form.links[-1], forward.links[-1]),
+        f"inverse_{name}": (inverse(symbolic), np.linalg.inv(forward.transform)),
+        f"J0_{name}": (jacobian(symbolic), numeric_jacobian(numeric, joints)),
+        f"Jn_{name}": (
+            jacobian(symbolic, JacobianFrame.END),
+            numeric_jacobian(numeric, joints, JacobianFrame.END),
+        ),
+    }
+    return [
+        Case(key, symbolic, entries, parameters, values, joints, expected)
+        for key, (entries, expected) in wanted.items()
+    ]
+
+
+def hostile_table() -> SymbolicTable:
+    names = iter(HOSTILE)
+    rows = [
+        row(kind, a=Parameter(next(names)), alpha=pi_times(Fraction(1, 2)))
+        for kind in (JointType.PRISMATIC, JointType.REVOLUTE, JointType.REVOLUTE) * 2
+    ]
+    rest = add(multiply((Parameter(name), number("0.01"))) for name in names)
+    return table(Convention.STANDARD, *rows, row(JointType.FIXED, a=rest))
+
+
+def every_construct() -> SymbolicTable:
+    """Every function, power and kind of number that a cell can hold."""
+    x, y = Parameter("x"), Parameter("y")
+    lengths = [
+        power(x, 2),
+        power(add((x, y)), 3),
+        power(x, -1),
+        multiply((number("2/7"), power(add((x, y)), -2))),
+        call(Function.SQRT, add((x, y))),
+        power(x, Fraction(1, 3)),
+        power(y, Fraction(-3, 2)),
+        call(Function.ABS, add((x, number(-9)))),
+        multiply((number("0.4318"), x)),
+        multiply((number("-1/2"), call(Function.TAN, y))),
+        multiply((pi_times(Fraction(2, 3)), x)),
+        number("123456789.5"),
+    ]
+    angles = [
+        call(Function.ATAN2, x, y),
+        call(Function.ATAN, x),
+        call(Function.ASIN, multiply((number("1/2"), x))),
+        call(Function.ACOS, multiply((number("1/2"), y))),
+        multiply((number("1/2"), y)),
+        pi_times(Fraction(37, 180)),
+        number("-0.3"),
+        pi_times(Fraction(1, 12)),
+        pi_times(Fraction(-5, 6)),
+    ]
+    rows = [
+        row(a=length, d=lengths[-i], theta=angles[i % len(angles)], alpha=angles[-1 - i % len(angles)])
+        for i, length in enumerate(lengths[:5])
+    ]
+    rows += [row(JointType.FIXED, a=length) for length in lengths]
+    rows += [row(JointType.FIXED, alpha=angle, theta=angle) for angle in angles[:3]]
+    return table(Convention.MODIFIED, *rows)
+
+
+@cache
+def cases() -> list[Case]:
+    rng = random.Random(7)
+    found = []
+    for robot in robots():
+        found += cases_of(robot.id.replace("-", "_"), robot.table.table, rng)
+    found += cases_of("puma_craig", puma(Convention.MODIFIED), rng)
+    found += cases_of("hostile", hostile_table(), rng)
+    found += cases_of("constructs", every_construct(), rng)
+    for i in range(12):
+        found += cases_of(f"random{i}", random_table(rng, rng.randrange(1, 6), fixed=rng.randrange(3)), rng)
+    return found
+
+
+def assert_agrees(case: Case, computed: Any) -> None:
+    scale = max(1.0, float(np.abs(case.expected).max()))
+    computed = np.array(computed, dtype=float)
+    np.testing.assert_allclose(computed, case.expected, rtol=0, atol=1e-12 * scale, err_msg=case.name)
+
+
+def python_function(case: Case, chosen: Format) -> Callable[..., Any]:
+    scope: dict[str, Any] = {}
+    exec(compile(case.source(chosen), case.name, "exec"), scope)
+    function: Callable[..., Any] = scope[case.name]
+    return function
+
+
+def test_python_computes_what_the_numeric_core_does() -> None:
+    for case in cases():
+        assert_agrees(case, python_function(case, Format.PYTHON)(case.joints, *case.values))
+
+
+def test_numpy_takes_one_configuration_or_a_batch() -> None:
+    for case in cases():
+        function = python_function(case, Format.NUMPY)
+        assert_agrees(case, function(case.joints, *case.values))
+        batch = np.tile(case.joints, (2, 3, 1))
+        computed = function(batch, *case.values)
+        assert computed.shape == (2, 3, *case.expected.shape)
+        assert_agrees(case, computed[1, 2])
+
+
+@pytest.mark.parametrize("chosen", [Format.PYTHON, Format.NUMPY])
+def test_python_refuses_the_wrong_number_of_joints(chosen: Format) -> None:
+    case = cases()[0]
+    with pytest.raises(ValueError, match=r"q holds \d joint variables"):
+        python_function(case, chosen)([0.0] * 9, *case.values)
+
+
+def test_c_compiles_without_a_warning_and_agrees(tmp_path: Path) -> None:
+    compiler = shutil.which("gcc")
+    if compiler is None:
+        pytest.skip("no gcc here")
+    source, library = tmp_path / "all.c", tmp_path / "all.so"
+    source.write_text("\n".join(case.source(Format.C) for case in cases()))
+    flags = ["-Wall", "-Wextra", "-Wshadow", "-pedantic", "-Werror", "-O0", "-shared", "-fPIC"]
+    for standard in ("-std=c99", "-std=gnu17"):
+        command = [compiler, standard, *flags, str(source), "-o", str(library), "-lm"]
+        subprocess.run(command, check=True)
+    loaded = ctypes.CDLL(str(library))
+    for case in cases():
+        joints = (ctypes.c_double * max(1, len(case.joints)))(*case.joints)
+        result = (ctypes.c_double * case.expected.size)()
+        getattr(loaded, case.name)(joints, *map(ctypes.c_double, case.values), result)
+        assert_agrees(case, np.array(result).reshape(case.expected.shape))
+
+
+def test_javascript_runs_under_node_and_agrees(tmp_path: Path) -> None:
+    node = shutil.which("node")
+    if node is None:
+        pytest.skip("no node here")
+    program = ['"use strict";', *(case.source(Format.JAVASCRIPT) for case in cases()), "const out = {};"]
+    for case in cases():
+        given = ", ".join(json.dumps(value) for value in (case.joints, *case.values))
+        program.append(f"out[{case.name!r}] = {case.name}({given});")
+    program.append("process.stdout.write(JSON.stringify(out));")
+    script = tmp_path / "all.js"
+    script.write_text("\n".join(program))
+    done = subprocess.run([node, str(script)], check=True, capture_output=True, text=True)
+    computed = json.loads(done.stdout)
+    for case in cases():
+        assert_agrees(case, computed[case.name])
+
+
+def test_matlab_is_read_by_a_checked_reader_and_agrees() -> None:
+    for case in cases():
+        assert_agrees(case, matlab.run(case.source(Format.MATLAB), list(case.joints), *case.values))
+
+
+def test_octave_agrees(tmp_path: Path) -> None:
+    octave = shutil.which("octave-cli") or shutil.which("octave")
+    if octave is None:
+        pytest.skip("no octave here; the checked reader takes its place")
+    script = ["1;", *(case.source(Format.MATLAB) for case in cases())]
+    for case in cases():
+        given = ", ".join(["[" + ", ".join(map(repr, case.joints)) + "]", *map(repr, case.values)])
+        script.append(f"printf('%.17g ', {case.name}({given})'); printf('\\n');")
+    path = tmp_path / "all_matrices.m"
+    path.write_text("\n".join(script))
+    done = subprocess.run([octave, str(path)], check=True, capture_output=True, text=True)
+    for case, line in zip(cases(), done.stdout.splitlines(), strict=True):
+        assert_agrees(case, np.array(line.split(), dtype=float).reshape(case.expected.shape))
+
+
+@pytest.mark.parametrize("chosen", CODE)
+def test_a_name_can_neither_break_out_nor_collide(chosen: Format) -> None:
+    """A library may hold names that the cell grammar would refuse; they still become plain identifiers."""
+    evil = ["*/ system(0); /*", '"' * 3, "a\nb", '");', "τ", "%", "a b", "a_b", "1x", "_", "__import__('os')"]
+    rows = [row(a=Parameter(name)) for name in evil]
+    symbolic = table(Convention.STANDARD, *rows)
+    printer = MatrixPrinter(n_joints=len(rows), parameters=tuple(evil))
+    purpose = Purpose(name="f", meaning="Names.")
+    source = printer.write(closed_form(symbolic).transform, (chosen,), purpose)[chosen.value]
+    assert not any(word in source for word in ("system(", "a b,", "τ", "import__(", " 1x,"))
+    if chosen is Format.PYTHON:
+        scope: dict[str, Any] = {}
+        exec(compile(source, "f", "exec"), scope)
+        assert scope["f"]([0.0] * len(evil), *range(1, 1 + len(evil)))[0][3] == sum(range(1, 1 + len(evil)))
+
+
+def test_c_takes_no_whole_number_for_an_integer() -> None:
+    """1/2 is 0 in C; a rational number must never be written as a quotient of integers."""
+    half = table(Convention.STANDARD, row(a=number("1/3")))
+    printer = MatrixPrinter(n_joints=1, parameters=())
+    source = printer.write(closed_form(half).transform, (Format.C,), Purpose(name="f", meaning="."))["c"]
+    assert "c1/3.0" in source
