@@ -101,26 +101,23 @@ def frame_poses(chain: Chain, values: Sequence[JointValue]) -> list[Pose]:
     return frames
 
 
+def joint_axes(chain: Chain, values: Sequence[JointValue]) -> list[tuple[Vector, Vector]]:
+    """For every joint the direction of its positive motion and a point of its axis, in the world's axes."""
+    return [(direction, point) for direction, point, _ in _axes_and_tip(chain, values)[0]]
+
+
 def base_jacobian(chain: Chain, values: Sequence[JointValue]) -> list[tuple[Scalar, ...]]:
     """Columns of J0: (z_i × (p − p_i), z_i) of a revolute joint, (z_i, 0) of a prismatic one.
 
     z_i is the direction of joint i, p_i a point of its axis, p the origin of the tool, in the world's axes.
     """
-    cursor = _Cursor(chain.base or IDENTITY)
-    axes: list[tuple[Vector, Vector, Motion]] = []
-    for motion in set_joints(concatenated.from_iterable(chain.links), values):
-        if motion.joint is not None:
-            axes.append((cursor.z(), cursor.origin(), motion))
-        cursor.move(motion)
-    x, y, z = (_times(row, chain.tool or IDENTITY)[3] for row in cursor.pose())
-    columns = []
-    for axis, (px, py, pz), motion in axes:
-        direction = axis if motion.sign > 0 else (-axis[0], -axis[1], -axis[2])
-        if motion.kind is Kind.TURN_Z:
-            columns.append((*cross(direction, (x - px, y - py, z - pz)), *direction))
-        else:
-            columns.append((*direction, 0.0, 0.0, 0.0))
-    return columns
+    axes, (x, y, z) = _axes_and_tip(chain, values)
+    return [
+        (*cross(direction, (x - px, y - py, z - pz)), *direction)
+        if kind is Kind.TURN_Z
+        else (*direction, 0.0, 0.0, 0.0)
+        for direction, (px, py, pz), kind in axes
+    ]
 
 
 def end_jacobian(chain: Chain, values: Sequence[JointValue]) -> list[tuple[Scalar, ...]]:
@@ -197,6 +194,22 @@ class _Cursor:
 
     def _turned(self) -> list[Vector]:
         return [turn_z(row, self._c, -self._s) for row in self._rows]
+
+
+def _axes_and_tip(
+    chain: Chain, values: Sequence[JointValue]
+) -> tuple[list[tuple[Vector, Vector, Kind]], Vector]:
+    """Direction, point and kind of every joint's axis, and the origin of the tool."""
+    cursor = _Cursor(chain.base or IDENTITY)
+    axes: list[tuple[Vector, Vector, Kind]] = []
+    for motion in set_joints(concatenated.from_iterable(chain.links), values):
+        if motion.joint is not None:
+            x, y, z = cursor.z()
+            direction = (x, y, z) if motion.sign > 0 else (-x, -y, -z)
+            axes.append((direction, cursor.origin(), motion.kind))
+        cursor.move(motion)
+    x, y, z = (_times(row, chain.tool or IDENTITY)[3] for row in cursor.pose())
+    return axes, (x, y, z)
 
 
 def _times(row: Row, right: Pose) -> Row:

@@ -269,10 +269,15 @@ def _quaternion(r0: list[float], r1: list[float], r2: list[float]) -> Quaternion
 
 def _roll_pitch_yaw(r0: list[float], r1: list[float], r2: list[float]) -> RollPitchYaw:
     level = math.hypot(r0[0], r1[0])
-    pitch = math.atan2(-r2[0], level)
+    pitch = math.atan2(-r2[0], level) + 0.0
     if level < GIMBAL_LOCK:
-        return RollPitchYaw(math.atan2(-r1[2] + 0.0, r1[1]), pitch + 0.0, 0.0)
-    yaw = math.atan2(r1[0] + 0.0, r0[0])
+        return RollPitchYaw(_direction(-r1[2], r1[1]), pitch, 0.0)
     c, s = r0[0] / level, r1[0] / level
-    roll = math.atan2(s * r0[2] - c * r1[2] + 0.0, c * r1[1] - s * r0[1])
-    return RollPitchYaw(roll, pitch + 0.0, yaw)
+    roll = _direction(s * r0[2] - c * r1[2], c * r1[1] - s * r0[1])
+    return RollPitchYaw(roll, pitch, _direction(r1[0], r0[0]))
+
+
+def _direction(y: float, x: float) -> float:
+    """Angle of the direction (x, y) in (−π, π]: π also where y is a negative zero, or as good as that."""
+    angle = math.atan2(y, x)
+    return angle + 0.0 if angle > -math.pi else math.pi
