@@ -1,0 +1,134 @@
+"""What every answer has, whatever the call: ids, headers, methods, prefixes, and no stack trace."""
+
+from __future__ import annotations
+
+import logging
+
+import httpx
+import pytest
+from fastapi import APIRouter
+
+import service.routes
+from service.settings import Settings
+from tests.service.conftest import running
+from tests.service.test_bad_input import check_problem
+
+
+def test_alive(client: httpx.Client) -> None:
+    response = client.get("/healthz")
+    assert response.json() == {"status": "ok"}
+    assert response.headers["cache-control"] == "no-store"
+
+
+@pytest.mark.parametrize("path", ["/healthz", "/api/v1/openapi.json", "/api/v1/problems/parameter_missing"])
+def test_head_is_get_without_its_body(client: httpx.Client, path: str) -> None:
+    head, get = client.head(path), client.get(path)
+    assert head.status_code == get.status_code == 200
+    assert head.content == b""
+    assert head.headers["content-length"] == str(len(get.content))
+
+
+@pytest.mark.parametrize(
+    ("path", "allowed"),
+    [("/healthz", "GET, HEAD, OPTIONS"), ("/api/v1/forward-kinematics", "OPTIONS, POST")],
+)
+def test_options_and_wrong_methods_say_what_is_allowed(client: httpx.Client, path: str, allowed: str) -> None:
+    options = client.options(path)
+    assert options.status_code == 204
+    assert options.headers["allow"] == allowed
+    refused = client.delete(path)
+    problem = check_problem(refused, 405, "method_not_allowed")
+    assert refused.headers["allow"] == allowed
+    assert problem["errors"][0]["params"]["method"] == "DELETE"
+
+
+@pytest.mark.parametrize(
+    "path", ["/api/v1/nothing", "/api", "/healthz/", "/%00", "/..%2f..%2fetc/passwd", "/api/v1/jacobian/"]
+)
+def test_nothing_is_at_other_addresses(client: httpx.Client, path: str) -> None:
+    check_problem(client.get(path), 404, "address_unknown")
+
+
+def test_every_answer_can_be_named(client: httpx.Client) -> None:
+    own = client.get("/healthz", headers={"X-Request-Id": "my-request.1"})
+    assert own.headers["x-request-id"] == "my-request.1"
+    first, second = (client.get("/healthz").headers["x-request-id"] for _ in range(2))
+    assert first != second
+    strange = client.get("/healthz", headers={"X-Request-Id": "<script>" + "x" * 100})
+    assert "<" not in strange.headers["x-request-id"]
+
+
+def test_answers_are_not_sniffed_framed_or_run(client: httpx.Client) -> None:
+    for path in ("/healthz", "/nothing", "/api/v1/openapi.json"):
+        headers = client.get(path).headers
+        assert headers["x-content-type-options"] == "nosniff"
+        assert headers["referrer-policy"] == "no-referrer"
+        assert "default-src 'none'" in headers["content-security-policy"]
+        assert "frame-ancestors 'self'" in headers["content-security-policy"]
+
+
+def test_the_meaning_of_a_code_can_be_asked_for(client: httpx.Client) -> None:
+    problem = client.post("/api/v1/jacobian", json={}, headers={"Accept-Language": "ro"}).json()
+    meaning = client.get(problem["type"], headers={"Accept-Language": "ro"})
+    assert meaning.json()["code"] == problem["code"]
+    assert meaning.json()["language"] == "ro"
+    check_problem(client.get("/api/v1/problems/no_such_code"), 404, "problem_unknown")
+
+
+def test_an_unforeseen_error_is_a_problem_with_an_id_and_stays_in_the_log(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    router = APIRouter()
+
+    @router.get("/broken")
+    async def broken() -> None:
+        raise ZeroDivisionError("a secret")
+
+    monkeypatch.setattr(service.app, "routers", lambda: [*service.routes.routers(), router])
+    with running(Settings()) as url, caplog.at_level(logging.ERROR, "framewise"):
+        response = httpx.get(f"{url}/broken")
+    problem = check_problem(response, 500, "internal_error")
+    assert "secret" not in response.text
+    assert problem["request_id"] in problem["detail"]
+    (record,) = [record for record in caplog.records if record.name == "framewise"]
+    assert problem["request_id"] in record.getMessage()
+    assert record.exc_info
+
+
+@pytest.mark.parametrize("path", ["/healthz", "/dh/healthz"])
+def test_a_prefix_from_the_settings(path: str) -> None:
+    with running(Settings(prefix="/dh")) as url:
+        assert httpx.get(url + path).status_code == 200
+        document = httpx.get(f"{url}/dh/api/v1/openapi.json").json()
+        assert document["servers"] == [{"url": "/dh"}]
+        problem = httpx.post(f"{url}/api/v1/jacobian", json={}).json()
+        assert problem["type"].startswith("/dh/api/v1/problems/")
+        assert httpx.get(url + problem["type"]).status_code == 200
+
+
+def test_a_prefix_from_a_trusted_proxy(client: httpx.Client) -> None:
+    forwarded = {"X-Forwarded-Prefix": "/dh"}
+    problem = client.post("/api/v1/jacobian", json={}, headers=forwarded).json()
+    assert problem["type"].startswith("/dh/api/v1/problems/")
+    for nonsense in ("//evil.example", "dh", "/a b", "/<x>"):
+        problem = client.post("/api/v1/jacobian", json={}, headers={"X-Forwarded-Prefix": nonsense}).json()
+        assert problem["type"].startswith("/api/v1/problems/")
+
+
+def test_a_prefix_from_a_stranger_is_not_believed() -> None:
+    with running(Settings(trusted_proxies=("192.0.2.1",))) as url:
+        problem = httpx.post(f"{url}/api/v1/jacobian", json={}, headers={"X-Forwarded-Prefix": "/dh"}).json()
+        assert problem["type"].startswith("/api/v1/problems/")
+
+
+def test_other_origins_may_call_only_where_that_is_set(client: httpx.Client) -> None:
+    wish = {"Origin": "https://lms.example", "Access-Control-Request-Method": "POST"}
+    assert "access-control-allow-origin" not in client.options("/api/v1/jacobian", headers=wish).headers
+    with running(Settings(cors_origins=("https://lms.example",))) as url:
+        allowed = httpx.options(f"{url}/api/v1/jacobian", headers=wish)
+        assert allowed.status_code == 200
+        assert allowed.headers["access-control-allow-origin"] == "https://lms.example"
+        refused = httpx.post(f"{url}/api/v1/jacobian", json={}, headers={"Origin": "https://lms.example"})
+        assert refused.headers["access-control-allow-origin"] == "https://lms.example"
+        stranger = httpx.options(f"{url}/api/v1/jacobian", headers={**wish, "Origin": "https://evil.example"})
+        assert "access-control-allow-origin" not in stranger.headers
