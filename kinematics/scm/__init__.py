@@ -1,11 +1,21 @@
 """The SCM method (Sistema Coordenado Móvel) of seed 001: chains of [X Y Z A B C] rows.
 
-`reading` takes a chain as handed in, `chain` says what one is and verifies it, `motion` moves it in numbers
-and `dh` turns it into a modified DH table, through which every other method of this package is open to it.
+`reading` takes a chain as handed in, `chain` says what one is and verifies it, `motion` moves it in numbers,
+`closed_form` and `differentiation` in symbols; `dh` and `unrolled` turn it into a modified DH table, through
+which every other method of this package is open to it. docs/scm.md lists the toolbox's functions.
 """
 
 from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain, verify
+from kinematics.scm.closed_form import (
+    ScmClosedForm,
+    closed_form_scm,
+    inverse_closed_form_scm,
+    jacobian_closed_form_scm,
+    link_matrix,
+)
 from kinematics.scm.dh import modified_dh_from_scm
+from kinematics.scm.differentiation import derivative, jacobian_by_differentiation
+from kinematics.scm.inverse import inverse_kinematics_scm
 from kinematics.scm.motion import (
     ScmKinematics,
     forward_kinematics_scm,
@@ -13,6 +23,8 @@ from kinematics.scm.motion import (
     jacobian_end_by_inspection,
 )
 from kinematics.scm.reading import RawChain, RawPlacement, ReadChain, read_chain
+from kinematics.scm.sampling import default_limits, random_configurations
+from kinematics.scm.unrolled import table_of_chain, unrolled_dh_from_scm
 
 __all__ = [
     "ChainRow",
@@ -22,11 +34,23 @@ __all__ = [
     "RawPlacement",
     "ReadChain",
     "ScmChain",
+    "ScmClosedForm",
     "ScmKinematics",
+    "closed_form_scm",
+    "default_limits",
+    "derivative",
     "forward_kinematics_scm",
+    "inverse_closed_form_scm",
+    "inverse_kinematics_scm",
     "jacobian_base_by_inspection",
+    "jacobian_by_differentiation",
+    "jacobian_closed_form_scm",
     "jacobian_end_by_inspection",
+    "link_matrix",
     "modified_dh_from_scm",
+    "random_configurations",
     "read_chain",
+    "table_of_chain",
+    "unrolled_dh_from_scm",
     "verify",
 ]

@@ -27,7 +27,8 @@ from kinematics.expressions import (
     pi_times,
 )
 from kinematics.scm.chain import Placement, ScmChain, verify
-from kinematics.table import Convention, DHRow, DHTable, JointType, SymbolicRow, SymbolicTable
+from kinematics.scm.rows import appended, fixed_row, joined, shift_rows, turn_rows
+from kinematics.table import Convention, DHTable, JointType, SymbolicRow, SymbolicTable
 
 Direction: TypeAlias = tuple[int, int, int]
 Point: TypeAlias = tuple[Expression, Expression, Expression]
@@ -79,15 +80,14 @@ def modified_dh_from_scm(chain: ScmChain) -> SymbolicTable:
         axis = tuple(row.sign if k == row.variable.axis else 0 for k in range(3))
         there = _frame_on_axis(here, point, (axis[0], axis[1], axis[2]))
         *lead, link = _links(here, there)
-        rows = _joined(rows, lead)
-        rows = _appended(rows, replace(link, joint=row.joint))
+        rows = joined(rows, lead)
+        rows = appended(rows, replace(link, joint=row.joint))
         here = there
     exact = _quarter_turns(chain.final)
     x, z = (_turned(_X, exact), _turned(_Z, exact)) if exact else (_X, _Z)
-    rows = _joined(rows, _links(here, _Frame(origin=_moved(point, chain.final), x=x, z=z)))
-    turns = [] if exact else _turn_rows(chain.final)
-    for step in (*turns, *_shift_rows(chain.tool), *_turn_rows(chain.tool)):
-        rows = _joined(rows, step)
+    rows = joined(rows, _links(here, _Frame(origin=_moved(point, chain.final), x=x, z=z)))
+    turns = [] if exact else turn_rows(chain.final)
+    rows = joined(rows, [*turns, *shift_rows(chain.tool), *turn_rows(chain.tool)])
     return DHTable(convention=Convention.MODIFIED, rows=tuple(rows))
 
 
@@ -126,8 +126,8 @@ def _links(here: _Frame, there: _Frame) -> list[SymbolicRow]:
         return _parallel_links(here, there, p)
     normal = there.x if _dot(there.x, here.z) == 0 else _cross(here.z, there.z)
     return [
-        _row(theta=_angle(here.x, normal, here.z), d=_along(p, here.z)),
-        _row(
+        fixed_row(theta=_angle(here.x, normal, here.z), d=_along(p, here.z)),
+        fixed_row(
             a=_along(p, normal),
             alpha=_angle(here.z, there.z, normal),
             d=_along(p, there.z),
@@ -143,66 +143,13 @@ def _parallel_links(here: _Frame, there: _Frame, p: Point) -> list[SymbolicRow]:
     length = along_x
     if along_y != ZERO:
         if along_x != ZERO:
-            lead.append(_row(a=along_x))
+            lead.append(fixed_row(a=along_x))
         normal, length = here.y, along_y
-        lead.append(_row(theta=pi_times(Fraction(1, 2))))
-    lead = lead or [_row()]
+        lead.append(fixed_row(theta=pi_times(Fraction(1, 2))))
+    lead = lead or [fixed_row()]
     alpha = _angle(here.z, there.z, normal)
-    last = _row(a=length, alpha=alpha, d=_along(p, there.z), theta=_angle(normal, there.x, there.z))
+    last = fixed_row(a=length, alpha=alpha, d=_along(p, there.z), theta=_angle(normal, there.x, there.z))
     return [*lead, last]
-
-
-def _turn_rows(turn: Placement) -> list[list[SymbolicRow]]:
-    """Rot_z(A) Rot_y(B) Rot_x(C) as rows; Rot_y(B) = Rot_z(π/2) Rot_x(B) Rot_z(-π/2)."""
-    right = pi_times(Fraction(1, 2))
-    steps = [[_row(theta=turn.a)]] if turn.a != ZERO else []
-    if turn.b != ZERO:
-        steps += [[_row(theta=right)], [_row(alpha=turn.b, theta=negate(right))]]
-    if turn.c != ZERO:
-        steps.append([_row(alpha=turn.c)])
-    return steps
-
-
-def _shift_rows(shift: Placement) -> list[list[SymbolicRow]]:
-    """Trans(x, y, z) as rows; Trans_y(y) = Rot_z(π/2) Trans_x(y) Rot_z(-π/2)."""
-    right = pi_times(Fraction(1, 2))
-    steps = [[_row(a=shift.x)]] if shift.x != ZERO else []
-    if shift.y != ZERO:
-        steps += [[_row(theta=right)], [_row(a=shift.y, theta=negate(right))]]
-    if shift.z != ZERO:
-        steps.append([_row(d=shift.z)])
-    return steps
-
-
-def _appended(rows: list[SymbolicRow], row: SymbolicRow) -> list[SymbolicRow]:
-    """The rows with one more row behind them; a row that only turns and shifts along x flows into it."""
-    if rows and _is_still(rows[-1]):
-        *rows, last = rows
-        row = replace(row, a=add((last.a, row.a)), alpha=add((last.alpha, row.alpha)))
-    return [*rows, row]
-
-
-def _joined(rows: list[SymbolicRow], more: list[SymbolicRow]) -> list[SymbolicRow]:
-    """The rows with more behind them: rows without a and α flow into the row before, empty ones vanish."""
-    result = list(rows)
-    for row in more:
-        if row.a == ZERO and row.alpha == ZERO and result:
-            last = result[-1]
-            theta = _principal(add((last.theta, row.theta)))
-            result[-1] = replace(last, theta=theta, d=add((last.d, row.d)))
-        else:
-            result = _appended(result, row)
-    return result
-
-
-def _is_still(row: SymbolicRow) -> bool:
-    return row.joint is JointType.FIXED and row.theta == ZERO and row.d == ZERO
-
-
-def _row(
-    *, alpha: Expression = ZERO, a: Expression = ZERO, d: Expression = ZERO, theta: Expression = ZERO
-) -> SymbolicRow:
-    return DHRow(joint=JointType.FIXED, alpha=alpha, a=a, d=d, theta=theta)
 
 
 def _moved(point: Point, shift: Placement) -> Point:
@@ -218,12 +165,6 @@ def _angle(start: Direction, end: Direction, about: Direction) -> Expression:
     cosine, sine = _dot(start, end), _dot(_cross(start, end), about)
     quarter_turns = {(1, 0): 0, (0, 1): 1, (-1, 0): 2, (0, -1): -1}[(cosine, sine)]
     return pi_times(Fraction(quarter_turns, 2))
-
-
-def _principal(angle: Expression) -> Expression:
-    """An exact angle brought into (-π, π]."""
-    half_turns = pi_fraction(angle)
-    return angle if half_turns is None else pi_times(1 - (1 - half_turns) % 2)
 
 
 def _opposite(u: Direction) -> Direction:

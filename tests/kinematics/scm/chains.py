@@ -71,3 +71,21 @@ def strict_chains(draw):
         rows.append(cells)
     end = [{e: draw(st.sampled_from([0, f"{e}_{name}"])) for e in ENTRIES} for name in ("77", "88")]
     return rows, end[0], end[1]
+
+
+@st.composite
+def loose_chains(draw):
+    """Rows of any form: constants in every entry, offsets in the variable's, 1 to 5 of them."""
+    rows = []
+    for i in range(1, draw(st.integers(1, 5)) + 1):
+        cells = {
+            e: draw(
+                st.sampled_from([0, 0, 0.5, -1.25, f"{e.upper()}{i}"] if e in "xyz" else [0, 0, 0.3, "-pi/2"])
+            )
+            for e in ENTRIES
+        }
+        where = draw(st.sampled_from(ENTRIES))
+        cells[where] = draw(st.sampled_from([f"q{i}", f"-q{i}", f"q{i}+0.5", f"0.25-q{i}"]))
+        rows.append(cells)
+    final = {e: draw(st.sampled_from([0, 0.4])) for e in ENTRIES}
+    return read_chain(RawChain(joints=tuple(rows), final=final, tool={"y": 0.2, "b": "pi/3"}))

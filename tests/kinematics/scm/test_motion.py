@@ -8,14 +8,16 @@ from hypothesis import strategies as st
 from kinematics.errors import JointValueError, ParameterError
 from kinematics.scm import (
     RawChain,
+    closed_form_scm,
     forward_kinematics_scm,
     jacobian_base_by_inspection,
     jacobian_end_by_inspection,
     read_chain,
     verify,
 )
+from kinematics.symbolic import same_function
 
-from .chains import STANFORD, STANFORD_LENGTHS, chain_of, placement, product, strict_chains
+from .chains import STANFORD, STANFORD_LENGTHS, chain_of, elementary, placement, product, strict_chains
 
 SCARA_FORMS = [
     # Seed 001 eq. 3.6: the slider within the second arm, after it, and alone
@@ -98,3 +100,32 @@ def test_wrong_joint_values_and_parameters_are_refused():
     with pytest.raises(ParameterError) as missing:
         forward_kinematics_scm(chain, [0.0] * 6, {"L0": 1.0})
     assert missing.value.code == "parameter_missing"
+
+
+def test_the_three_products_of_eq_3_6_are_equal():
+    """As printed: frame 3 with X(L2) Z(-d3) A(-a4), with Z(-d3) X(L2) A(-a4), and split in two frames."""
+    L0, L1, L2, L3 = 0.5, 0.3, 0.25, 0.1
+    a1, a2, d3, a4 = 0.4, -1.2, 0.08, 2.5
+    before = [("z", L0), ("a", a1), ("x", L1), ("a", -a2)]
+    after = [("z", -L3), ("c", np.pi)]
+    printed = [
+        [("x", L2), ("z", -d3), ("a", -a4)],
+        [("z", -d3), ("x", L2), ("a", -a4)],
+        [("z", -d3), ("a", 0), ("b", 0), ("c", 0), ("x", L2), ("a", -a4)],
+    ]
+    poses = [
+        np.linalg.multi_dot([elementary(*motion) for motion in (*before, *middle, *after)])
+        for middle in printed
+    ]
+    chain = chain_of(*SCARA_FORMS[1], final=(0, 0, "-L3", 0, 0, "pi")).chain
+    lengths = {"L0": L0, "L1": L1, "L2": L2, "L3": L3}
+    expected = forward_kinematics_scm(chain, [a1, a2, d3, a4], lengths).transform
+    for found in poses:
+        np.testing.assert_allclose(found, expected, atol=1e-15)
+
+
+def test_the_forms_of_eq_3_6_are_one_function():
+    end = (0, 0, "-L3", 0, 0, "pi")
+    first, second = (closed_form_scm(chain_of(*form, final=end).chain).transform for form in SCARA_FORMS[:2])
+    for row, other in zip(first, second, strict=True):
+        assert all(same_function(a, b) for a, b in zip(row, other, strict=True))

@@ -1,0 +1,56 @@
+"""Inverse kinematics of a chain, through the DH table that moves as it does."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from numpy.typing import ArrayLike
+
+from kinematics.inverse import IKSolution, InverseKinematics, JointLimits, inverse_kinematics
+from kinematics.scm.chain import ScmChain
+from kinematics.scm.unrolled import table_of_chain
+from kinematics.table import JointType, bind
+
+
+def inverse_kinematics_scm(
+    chain: ScmChain,
+    target: ArrayLike,
+    parameters: Mapping[str, float] | None = None,
+    *,
+    limits: JointLimits | None = None,
+    start: Sequence[float] | None = None,
+) -> InverseKinematics:
+    """The joint variables at which the tool reaches a target: the toolbox's scm(manipulator, target, origin).
+
+    The toolbox iterates with the pseudo-inverse from one origin and finds at most one solution; here all are
+    found where a closed form exists, and the one nearest to the origin comes first.
+
+    Args:
+        chain: the chain, of 1 to 12 joints.
+        target: (4, 4) pose of the tool in frame 0.
+        parameters: value of every parameter [m or rad].
+        limits: (least, greatest) of each joint [rad, or m], None where there is none.
+        start: joint values; solutions are sorted by their distance from them, turns counted on the circle.
+
+    Raises:
+        TableError: no joint, or more than 12.
+        JointValueError: malformed limits.
+        ParameterError: a parameter has no value.
+        PoseError: the target is not a rigid motion, at ("target", …).
+
+    Source: seed 001 §3.1.2.
+    """
+    found = inverse_kinematics(bind(table_of_chain(chain), parameters), target, limits=limits)
+    if start is None:
+        return found
+    ordered = sorted(found.solutions, key=lambda solution: _distance(chain, solution, start))
+    return replace(found, solutions=tuple(ordered))
+
+
+def _distance(chain: ScmChain, solution: IKSolution, start: Sequence[float]) -> float:
+    return sum(
+        abs(math.remainder(q - q0, math.tau)) if row.joint is JointType.REVOLUTE else abs(q - q0)
+        for row, q, q0 in zip(chain.rows, solution.joints, start, strict=True)
+    )

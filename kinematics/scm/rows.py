@@ -1,0 +1,71 @@
+"""Elementary motions as rows of a modified DH table, and joining rows to as few as possible."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from fractions import Fraction
+
+from kinematics.expressions import ZERO, Expression, add, negate, pi_fraction, pi_times
+from kinematics.scm.chain import Placement
+from kinematics.table import DHRow, JointType, SymbolicRow
+
+RIGHT_ANGLE = pi_times(Fraction(1, 2))
+
+
+def fixed_row(
+    *, alpha: Expression = ZERO, a: Expression = ZERO, d: Expression = ZERO, theta: Expression = ZERO
+) -> SymbolicRow:
+    """A row without a joint."""
+    return DHRow(joint=JointType.FIXED, alpha=alpha, a=a, d=d, theta=theta)
+
+
+def turn_rows(turn: Placement) -> list[SymbolicRow]:
+    """Rot_z(A) Rot_y(B) Rot_x(C) as rows; Rot_y(B) = Rot_z(π/2) Rot_x(B) Rot_z(-π/2)."""
+    rows = [fixed_row(theta=turn.a)] if turn.a != ZERO else []
+    if turn.b != ZERO:
+        rows += [fixed_row(theta=RIGHT_ANGLE), fixed_row(alpha=turn.b, theta=negate(RIGHT_ANGLE))]
+    if turn.c != ZERO:
+        rows.append(fixed_row(alpha=turn.c))
+    return rows
+
+
+def shift_rows(shift: Placement) -> list[SymbolicRow]:
+    """Trans(x, y, z) as rows; Trans_y(y) = Rot_z(π/2) Trans_x(y) Rot_z(-π/2)."""
+    rows = [fixed_row(a=shift.x)] if shift.x != ZERO else []
+    if shift.y != ZERO:
+        rows += [fixed_row(theta=RIGHT_ANGLE), fixed_row(a=shift.y, theta=negate(RIGHT_ANGLE))]
+    if shift.z != ZERO:
+        rows.append(fixed_row(d=shift.z))
+    return rows
+
+
+def appended(rows: list[SymbolicRow], row: SymbolicRow) -> list[SymbolicRow]:
+    """The rows with one more behind them; a last row that only turns and shifts along x flows into it."""
+    if rows and _is_still(rows[-1]):
+        *rows, last = rows
+        row = replace(row, a=add((last.a, row.a)), alpha=principal(add((last.alpha, row.alpha))))
+    return [*rows, row]
+
+
+def joined(rows: list[SymbolicRow], more: Iterable[SymbolicRow]) -> list[SymbolicRow]:
+    """The rows with fixed rows behind them; those without a and α flow into the row before."""
+    result = list(rows)
+    for row in more:
+        if row.a == ZERO and row.alpha == ZERO and result:
+            last = result[-1]
+            theta = principal(add((last.theta, row.theta)))
+            result[-1] = replace(last, theta=theta, d=add((last.d, row.d)))
+        else:
+            result = appended(result, row)
+    return result
+
+
+def principal(angle: Expression) -> Expression:
+    """An exact angle brought into (-π, π]."""
+    half_turns = pi_fraction(angle)
+    return angle if half_turns is None else pi_times(1 - (1 - half_turns) % 2)
+
+
+def _is_still(row: SymbolicRow) -> bool:
+    return row.joint is JointType.FIXED and row.theta == ZERO and row.d == ZERO
