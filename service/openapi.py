@@ -50,6 +50,27 @@ def request_body(
     return {"requestBody": {"required": True, "content": content}}
 
 
+NPY_QUERY: dict[str, Any] = {
+    "parameters": [
+        {
+            "name": "request",
+            "in": "query",
+            "required": False,
+            "description": "with an npy body: the rest of the request, without the joints, as JSON",
+            "schema": {"type": "string"},
+        },
+        {
+            "name": "robot",
+            "in": "query",
+            "required": False,
+            "description": "with an npy body, instead of `request`: the id of a robot of the catalogue",
+            "schema": {"type": "string"},
+        },
+    ]
+}
+"""Query parameters of a call that takes joint values as npy."""
+
+
 def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
     """What OpenAPI says of a route's refusals: `responses` of the route."""
     return {

@@ -99,7 +99,7 @@ def _listed(robot_id: str) -> catalogue.Robot:
                 code="robot_unknown",
                 message=f"the catalogue has no robot {robot_id}; it has {', '.join(known)}",
                 where=("robot",),
-                params={"id": robot_id, "known": known},
+                params={"robot": robot_id, "known": known},
             )
         ) from None
 

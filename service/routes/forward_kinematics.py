@@ -8,7 +8,7 @@ from fastapi import Response
 from kinematics.errors import Fault
 from service.asking import Asked, Reader, answered
 from service.errors import RequestError
-from service.openapi import problems, request_body
+from service.openapi import NPY_QUERY, problems, request_body
 from service.poses import (
     ARRAY_PARTS,
     PoseQuestion,
@@ -41,7 +41,10 @@ _ARRAY = {"schema": {"type": "string", "format": "binary"}}
     response_model=ForwardKinematicsAnswer,
     response_model_exclude_none=True,
     responses={200: {"content": {NPY: _ARRAY}}, **problems(406, 503)},
-    openapi_extra=request_body(ForwardKinematicsRequest, examples.FORWARD_KINEMATICS, x_npy=_ARRAY),
+    openapi_extra={
+        **request_body(ForwardKinematicsRequest, examples.FORWARD_KINEMATICS, x_npy=_ARRAY),
+        **NPY_QUERY,
+    },
 )
 async def forward_kinematics(request: ApiRequest) -> Response:
     """⁰T_N, every link transform and every joint frame, of one configuration or of a batch.

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from kinematics.jacobian import RANK_TOLERANCE, Dexterity, JacobianFrame, Mobility, dexterity
 from kinematics.jacobian import jacobian as jacobian_of
 from service.asking import Asked, Reader, answered
-from service.openapi import problems, request_body
+from service.openapi import NPY_QUERY, problems, request_body
 from service.routing import JSON, ApiRequest, DirectRoute, Written, api_router
 from service.schemas import examples
 from service.schemas.jacobian import JacobianAnswer, JacobianQuestion, JacobianRequest
@@ -34,7 +34,7 @@ _ARRAY = {"schema": {"type": "string", "format": "binary"}}
     summary="Joint rates to the velocity of the tool",
     response_model=JacobianAnswer,
     responses=problems(406, 503),
-    openapi_extra=request_body(JacobianRequest, examples.JACOBIAN, x_npy=_ARRAY),
+    openapi_extra={**request_body(JacobianRequest, examples.JACOBIAN, x_npy=_ARRAY), **NPY_QUERY},
 )
 async def jacobian(request: ApiRequest) -> Response:
     """The geometric Jacobians J0 and Jn of one configuration or of a batch: (v, ω) = J(q) dq/dt.

@@ -14,7 +14,7 @@ Cell: TypeAlias = Annotated[
     Any,
     WithJsonSchema(
         {
-            "anyOf": [{"type": "number"}, {"type": "string", "minLength": 1, "maxLength": 200}],
+            "anyOf": [{"type": "number"}, {"type": "string"}],
             "description": "a number or an expression",
         }
     ),
@@ -48,7 +48,7 @@ class Table(Wire):
         LengthUnit.M,
         description="unit of every length: table, joints, parameters and answer",
     )
-    rows: list[Row] = Field(json_schema_extra={"minItems": 1}, description="the rows, base first")
+    rows: list[Row] = Field(description="the rows, base first; at least one")
 
     def raw(self) -> RawTable:
         """The table as the cell grammar reads it."""

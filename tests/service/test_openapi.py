@@ -1,0 +1,157 @@
+"""The OpenAPI document is true: every example works, every answer has the shape that it states."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import Any
+
+import httpx
+import pytest
+import schemathesis
+from hypothesis import HealthCheck, Phase, settings
+from jsonschema import Draft202012Validator
+from schemathesis.specs.openapi.checks import negative_data_rejection, positive_data_acceptance
+
+from service.app import create_app
+from service.settings import Settings
+
+DOCUMENT: dict[str, Any] = create_app(Settings()).openapi()
+OPERATIONS = {
+    f"{method.upper()} {path}": (path, method, operation)
+    for path, operations in DOCUMENT["paths"].items()
+    for method, operation in operations.items()
+}
+EXCUSED = {  # what has the right shape may still mean nothing; and this call answers about cells of any shape
+    "/api/v1/understand": [positive_data_acceptance, negative_data_rejection]
+}
+EXAMPLES = int(os.environ.get("SCHEMATHESIS_EXAMPLES", "15"))
+
+
+def resolved(schema: dict[str, Any]) -> dict[str, Any]:
+    return {**schema, "components": DOCUMENT["components"]}
+
+
+def sent() -> Iterator[Any]:
+    for name, (path, method, operation) in OPERATIONS.items():
+        content = operation.get("requestBody", {}).get("content", {})
+        for media_type, entry in content.items():
+            for title, example in entry.get("examples", {}).items():
+                yield pytest.param(path, method, media_type, example["value"], id=f"{name}: {title}")
+
+
+def addressed(path: str, operation: dict[str, Any]) -> str | None:
+    """The path with the examples of its parameters, if every one has an example."""
+    for parameter in operation.get("parameters", []):
+        if parameter["in"] != "path":
+            continue
+        examples = [entry["value"] for entry in parameter.get("examples", {}).values()]
+        examples += parameter.get("schema", {}).get("examples", [])
+        if "example" in parameter:
+            examples.append(parameter["example"])
+        if not examples:
+            return None
+        path = path.replace("{" + parameter["name"] + "}", str(examples[0]))
+    return path
+
+
+def check_shape(response: httpx.Response, operation: dict[str, Any]) -> None:
+    assert response.status_code == 200, response.text
+    media_type = response.headers["content-type"].split(";")[0]
+    documented = operation["responses"]["200"]["content"]
+    assert media_type in documented
+    if media_type == "application/json":
+        Draft202012Validator(resolved(documented[media_type]["schema"])).validate(response.json())
+
+
+def test_there_are_examples() -> None:
+    assert len(list(sent())) >= 5
+
+
+@pytest.mark.parametrize(("path", "method", "media_type", "example"), list(sent()))
+def test_every_example_works(
+    client: httpx.Client, path: str, method: str, media_type: str, example: Any
+) -> None:
+    operation = DOCUMENT["paths"][path][method]
+    Draft202012Validator(resolved(operation["requestBody"]["content"][media_type]["schema"])).validate(
+        example
+    )
+    address = addressed(path, operation)
+    assert address, "a path parameter has no example"
+    response = client.request(method, address, json=example, headers={"Content-Type": media_type})
+    check_shape(response, operation)
+
+
+@pytest.mark.parametrize("name", [name for name in OPERATIONS if name.startswith("GET ")])
+def test_everything_that_can_be_got_is_there(client: httpx.Client, name: str) -> None:
+    path, _, operation = OPERATIONS[name]
+    address = addressed(path, operation)
+    assert address, "a path parameter has no example"
+    check_shape(client.get(address), operation)
+
+
+@pytest.mark.parametrize("name", OPERATIONS)
+def test_every_call_is_described(name: str) -> None:
+    _, method, operation = OPERATIONS[name]
+    assert operation["summary"]
+    assert len(operation["description"]) > 30
+    assert operation["tags"]
+    if method == "post":
+        assert {"400", "413", "415", "422"} <= set(operation["responses"])
+        content = operation["requestBody"]["content"]["application/json"]
+        assert content.get("examples"), "a call with a body shows one"
+    for status, response in operation["responses"].items():
+        if not status.startswith("2"):
+            schema = response["content"]["application/problem+json"]["schema"]
+            assert schema["$ref"].endswith("ProblemDocument")
+
+
+def test_every_field_of_a_request_is_described() -> None:
+    requests = {
+        name for name in DOCUMENT["components"]["schemas"] if name.endswith(("Request", "Table", "Row"))
+    }
+    silent = [
+        f"{name}.{field}"
+        for name in sorted(requests)
+        for field, schema in DOCUMENT["components"]["schemas"][name].get("properties", {}).items()
+        if "description" not in schema and "$ref" not in schema and "allOf" not in schema
+        and not any("description" in choice or "$ref" in choice for choice in schema.get("anyOf", []))
+    ]  # fmt: skip
+    assert not silent
+
+
+def test_the_document_is_served_with_the_address_it_was_asked_at(client: httpx.Client) -> None:
+    served = client.get("/api/v1/openapi.json", headers={"X-Forwarded-Prefix": "/dh"}).json()
+    assert served["servers"] == [{"url": "/dh"}]
+    assert served["paths"].keys() == DOCUMENT["paths"].keys()
+
+
+def test_every_reference_resolves() -> None:
+    text = str(DOCUMENT)
+    known = DOCUMENT["components"]["schemas"]
+    references = {piece.split("'")[0] for piece in text.split("#/components/schemas/")[1:]}
+    assert references <= set(known)
+
+
+@schemathesis.serializer("application/x-npy")
+def as_npy(_: Any, value: Any) -> bytes:
+    return value if isinstance(value, bytes) else str(value).encode()
+
+
+schema = schemathesis.openapi.from_dict(DOCUMENT)
+schema.config.generation.update(max_examples=EXAMPLES)
+
+
+@schema.parametrize()
+@settings(
+    max_examples=EXAMPLES,
+    deadline=None,
+    phases=[Phase.explicit, Phase.generate],
+    suppress_health_check=list(HealthCheck),
+)
+def test_whatever_is_sent_the_document_holds(base_url: str, case: schemathesis.Case) -> None:
+    case.call_and_validate(
+        base_url=base_url,
+        headers={"Accept": "*/*"},
+        excluded_checks=EXCUSED.get(case.operation.path, [positive_data_acceptance]),
+    )
