@@ -1,8 +1,11 @@
 /**
  * What the service makes of a typed table, cell by cell.
  *
- * @typedef {{joint: "revolute" | "prismatic" | "fixed", sign: number, latex: Partial<Record<string, string>>}} ReadRow
+ * @typedef {{joint: "revolute" | "prismatic" | "fixed", sign: number, variable: string | null,
+ *   latex: Partial<Record<string, string>>}} ReadRow what each cell means, where it can be read
  * @typedef {{rows: ReadRow[], variables: string[], parameters: {name: string, kind: "length" | "angle"}[]}} Reading
+ * @typedef {{reading: Reading | null, rows: ReadRow[], faults: import("./api.js").Fault[]}} Answer
+ *   `reading` is there if the whole table could be read
  */
 
 import { Latest, Problem } from "./api.js";
@@ -17,7 +20,7 @@ export class Understanding {
 
   /**
    * @param {any} table as it goes to the API
-   * @returns {Promise<{reading: Reading | null, rows: (ReadRow | null)[], faults: import("./api.js").Fault[]} | null>}
+   * @returns {Promise<Answer | null>}
    *   null if it was overtaken by a newer question
    */
   async ask(table) {
@@ -31,7 +34,12 @@ export class Understanding {
   }
 }
 
-function readAnswer(answer) {
-  const faults = answer.faults ?? [];
-  return { reading: faults.length ? null : answer, rows: answer.rows, faults };
+/** @returns {Answer} */
+function readAnswer({ readable, rows, parameters, faults }) {
+  const read = rows.map(({ joint, sign, variable, ...cells }) => {
+    const known = Object.entries(cells).filter(([, meaning]) => meaning);
+    return { joint, sign, variable, latex: Object.fromEntries(known.map(([cell, { latex }]) => [cell, latex])) };
+  });
+  const variables = read.map((row) => row.variable).filter((variable) => variable !== null);
+  return { reading: readable ? { rows: read, variables, parameters } : null, rows: read, faults };
 }

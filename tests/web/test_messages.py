@@ -11,9 +11,8 @@ from service.messages import LOCALES
 from tests.web.conftest import LANGUAGES, ROOT
 
 ROOM = r"(?:form|playground|trainer)"
-QUOTED = re.compile(
-    rf"""(?<!class: )(?<!id: )(?<!Event\()(?<!Listener\()(?<!add\()["'`]({ROOM}-[a-z0-9]+(?:-[a-z0-9]+)*)["'`]"""
-)
+OTHERWISE = r"(?<!class: )(?<!id: )(?<!Event\()(?<!Listener\()(?<!add\()"
+QUOTED = re.compile(rf"""{OTHERWISE}["'`]({ROOM}-[a-z0-9]+(?:-[a-z0-9]+)*)["'`]""")
 STEM = re.compile(rf"""`({ROOM}-(?:[a-z0-9]+-)*)\$\{{""")
 FIELD = re.compile(r"\$\{([a-z][a-z0-9-]*)\}")
 

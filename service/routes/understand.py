@@ -1,0 +1,146 @@
+"""What is made of a table while it is being typed: cell by cell, also beside cells that cannot be read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Annotated, Any
+
+from fastapi import Body, Request, Response
+from fastapi.openapi.models import Example
+
+from kinematics.cells import Limits, RawTable, ReadTable, read_table
+from kinematics.errors import CellError, Fault, TableError
+from kinematics.expressions import Expression, JointVariable, add, multiply, number
+from kinematics.printing.latex import LatexWriter
+from kinematics.printing.notation import Names
+from kinematics.printing.text import text_writer
+from kinematics.table import CELLS, JointType, SymbolicRow
+from service.errors import Problem
+from service.messages import language_for
+from service.openapi import problems
+from service.routing import api_router
+from service.schemas.base import FaultEntry
+from service.schemas.understanding import (
+    Meaning,
+    UnderstandAnswer,
+    UnderstandRequest,
+    UnderstoodParameter,
+    UnderstoodRow,
+)
+from service.settings import Settings
+
+router = api_router("kinematics")
+
+EXAMPLES: dict[str, Example] = {
+    "a table with an empty cell and an open bracket": {
+        "value": {
+            "table": {
+                "convention": "modified",
+                "angle_unit": "deg",
+                "rows": [
+                    {"joint": "revolute", "alpha": 0, "a": "", "d": "L1", "theta": "θ1"},
+                    {"joint": "prismatic", "alpha": -90, "a": "2(L1", "d": "L2 - d2", "theta": 0},
+                ],
+            }
+        }
+    }
+}
+
+Place = tuple[int, str]
+
+
+@router.post(
+    "/understand",
+    summary="What a table means, cell by cell, while it is being typed",
+    responses=problems(400, 413, 415, 422),
+)
+async def understand(
+    body: Annotated[UnderstandRequest, Body(openapi_examples=EXAMPLES)], request: Request, response: Response
+) -> UnderstandAnswer:
+    """The meaning of every cell that can be read, and the faults of those that cannot.
+
+    Unlike the other calls this one does not refuse a table with faults: it says what it can of the rest.
+    """
+    settings: Settings = request.app.state.settings
+    raw = body.table.raw()
+    read, faults, unread = _read_what_can_be(raw, settings.cell_limits)
+    language = language_for(request.headers.get("accept-language"))
+    response.headers["Content-Language"] = language
+    response.headers["Vary"] = "Accept-Language"
+    return UnderstandAnswer(
+        readable=not faults,
+        rows=_rows(read, unread) if read else [],
+        parameters=[UnderstoodParameter(name=name, kind=kind) for name, kind in read.parameters.items()]
+        if read
+        else [],
+        faults=_entries(faults, language, settings.fault_limit),
+    )
+
+
+def _read_what_can_be(
+    raw: RawTable, limits: Limits
+) -> tuple[ReadTable | None, tuple[Fault, ...], frozenset[Place]]:
+    """The table with 0 for every cell that cannot be read; the faults; the places of those cells."""
+    faults: tuple[Fault, ...] = ()
+    unread: frozenset[Place] = frozenset()
+    while True:
+        try:
+            return read_table(raw, limits), faults, unread
+        except (CellError, TableError) as error:
+            new = frozenset(_places(error.faults)) - unread
+            faults = faults or error.faults
+            if not new:
+                return None, faults, unread
+            unread |= new
+            raw = _without(raw, new)
+
+
+def _places(faults: Iterable[Fault]) -> Iterable[Place]:
+    for fault in faults:
+        match fault.where:
+            case ("rows", int(row), str(cell), *_) if cell in CELLS:
+                yield row, cell
+
+
+def _without(raw: RawTable, places: frozenset[Place]) -> RawTable:
+    rows = list(raw.rows)
+    for i, cell in places:
+        nothing: dict[str, Any] = {cell: 0}
+        rows[i] = replace(rows[i], **nothing)
+    return RawTable(
+        convention=raw.convention, rows=tuple(rows), angle_unit=raw.angle_unit, length_unit=raw.length_unit
+    )
+
+
+def _rows(read: ReadTable, unread: frozenset[Place]) -> list[UnderstoodRow]:
+    names = Names(parameters=frozenset(read.parameters))
+    latex, text = LatexWriter(names), text_writer(names)
+    rows = []
+    joint = 0
+    for i, row in enumerate(read.table.rows):
+        joint += row.joint is not JointType.FIXED
+        cells = {cell: _entry(row, cell, joint) for cell in CELLS if (i, cell) not in unread}
+        meanings = {
+            cell: Meaning(latex=latex.text(entry), text=text.text(entry)) for cell, entry in cells.items()
+        }
+        variable = None if row.joint is JointType.FIXED else f"q{joint}"
+        rows.append(UnderstoodRow(joint=row.joint, sign=row.sign, variable=variable, **meanings))
+    return rows
+
+
+def _entry(row: SymbolicRow, cell: str, joint: int) -> Expression:
+    """A cell as it stands in the table: offset and joint variable together."""
+    offset: Expression = getattr(row, cell)
+    holds = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}.get(row.joint)
+    if cell != holds:
+        return offset
+    return add((multiply((number(row.sign), JointVariable(joint))), offset))
+
+
+def _entries(faults: tuple[Fault, ...], language: str, limit: int) -> list[FaultEntry]:
+    if not faults:
+        return []
+    placed = tuple(fault.within("table") for fault in faults)
+    document = Problem(status=422, faults=placed).document(language, fault_limit=limit)
+    return [FaultEntry.model_validate(entry) for entry in document["errors"]]  # type: ignore[attr-defined]

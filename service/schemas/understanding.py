@@ -1,0 +1,53 @@
+"""POST /understand on the wire: what is made of a table while it is being typed."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Field
+
+from kinematics.cells import ParameterKind
+from kinematics.table import JointType
+from service.schemas.base import FaultEntry, Wire
+from service.schemas.tables import Table
+
+
+class UnderstandRequest(Wire):
+    """A table, finished or not."""
+
+    table: Table
+
+
+class Meaning(Wire):
+    """What a cell was understood as: angles in radians, lengths as they are."""
+
+    latex: str = Field(description="for a formula")
+    text: str = Field(description="as a cell would accept it")
+
+
+class UnderstoodRow(Wire):
+    """What was understood of a row; a cell that cannot be read is left out."""
+
+    joint: Annotated[JointType, Field(strict=False)]
+    sign: int = Field(description="+1, or -1 where the joint variable enters reversed")
+    variable: str | None = Field(description="the row's joint variable; null in a fixed row")
+    alpha: Meaning | None = None
+    a: Meaning | None = None
+    d: Meaning | None = None
+    theta: Meaning | None = None
+
+
+class UnderstoodParameter(Wire):
+    """A parameter of the table."""
+
+    name: str
+    kind: Annotated[ParameterKind, Field(strict=False, description="whether it is a length or an angle")]
+
+
+class UnderstandAnswer(Wire):
+    """What was understood, and what was not."""
+
+    readable: bool = Field(description="the whole table could be read")
+    rows: list[UnderstoodRow] = Field(description="row by row; empty if the rows do not form a table")
+    parameters: list[UnderstoodParameter] = Field(description="in the order in which they stand in the table")
+    faults: list[FaultEntry] = Field(description="what cannot be read, each at its place in the request")

@@ -1,0 +1,101 @@
+"""POST /understand: what the table editor shows beneath each cell."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import httpx
+import pytest
+
+
+@pytest.fixture(scope="module")
+def client(web: str) -> Iterator[httpx.Client]:
+    with httpx.Client(base_url=web) as connected:
+        yield connected
+
+
+def row(joint: str | None = "revolute", **cells: Any) -> dict[str, Any]:
+    typed = {"alpha": 0, "a": 0, "d": 0, "theta": 0, **cells}
+    return {**typed, "joint": joint} if joint else typed
+
+
+def understand(client: httpx.Client, *rows: dict[str, Any], **table: Any) -> dict[str, Any]:
+    whole = {"convention": "modified", "angle_unit": "deg", "rows": list(rows), **table}
+    answer = client.post("/api/v1/understand", json={"table": whole})
+    assert answer.status_code == 200, answer.text
+    return answer.json()  # type: ignore[no-any-return]
+
+
+def test_every_cell_is_said_in_radians_and_with_its_variable(client: httpx.Client) -> None:
+    answer = understand(
+        client,
+        row(alpha="-90", a="2L1", theta="θ1 + 90"),
+        row("prismatic", d="L2 - d_2", theta="45°"),
+        row("fixed", d="0.4318"),
+    )
+    assert answer["readable"] is True
+    assert answer["faults"] == []
+    text = [{name: r[name]["text"] for name in ("alpha", "a", "d", "theta")} for r in answer["rows"]]
+    assert text == [
+        {"alpha": "-pi/2", "a": "2*L1", "d": "0", "theta": "q1 + pi/2"},
+        {"alpha": "0", "a": "0", "d": "-q2 + L2", "theta": "pi/4"},
+        {"alpha": "0", "a": "0", "d": "0.4318", "theta": "0"},
+    ]
+    assert [(r["joint"], r["sign"], r["variable"]) for r in answer["rows"]] == [
+        ("revolute", 1, "q1"),
+        ("prismatic", -1, "q2"),
+        ("fixed", 1, None),
+    ]
+    assert answer["rows"][0]["alpha"]["latex"] == r"-\frac{\pi}{2}"
+    assert answer["parameters"] == [{"name": "L1", "kind": "length"}, {"name": "L2", "kind": "length"}]
+
+
+def test_an_offset_under_a_stated_joint_is_shown_with_its_variable(client: httpx.Client) -> None:
+    answer = understand(client, row(theta="30"), row("prismatic", d="0.2"))
+    assert answer["rows"][0]["theta"]["text"] == "q1 + pi/6"
+    assert answer["rows"][1]["d"]["text"] == "q2 + 0.2"
+
+
+def test_cells_that_cannot_be_read_leave_the_others_their_meaning(client: httpx.Client) -> None:
+    answer = understand(client, row(alpha="", a="2(L1", theta="θ1"), row(alpha="90", d="1/0", theta="q2"))
+    assert answer["readable"] is False
+    assert {(fault["pointer"], fault["code"]) for fault in answer["faults"]} >= {
+        ("/table/rows/0/alpha", "cell_empty"),
+        ("/table/rows/0/a", "parenthesis_not_closed"),
+    }
+    assert {fault["pointer"] for fault in answer["faults"]} == {
+        "/table/rows/0/alpha",
+        "/table/rows/0/a",
+        "/table/rows/1/d",
+    }
+    first, second = answer["rows"]
+    assert (first["alpha"], first["a"], second["d"]) == (None, None, None)
+    assert (first["theta"]["text"], second["alpha"]["text"]) == ("q1", "pi/2")
+
+
+def test_rows_that_form_no_table_are_said_to_form_none(client: httpx.Client) -> None:
+    answer = understand(
+        client, row(None, theta="q1"), row("fixed"), row(None, theta="q3"), row(None, theta="q3")
+    )
+    assert answer["readable"] is False
+    assert answer["faults"]
+
+
+def test_faults_are_told_in_the_callers_language(client: httpx.Client) -> None:
+    table = {"convention": "standard", "rows": [row(alpha="")]}
+    details = set()
+    for language in ("en", "ro", "pt", "fr", "uk", "es"):
+        answer = client.post(
+            "/api/v1/understand", json={"table": table}, headers={"Accept-Language": language}
+        )
+        assert answer.headers["content-language"] == language
+        details.add(answer.json()["faults"][0]["detail"])
+    assert len(details) == 6
+
+
+def test_what_is_no_table_is_refused(client: httpx.Client) -> None:
+    for body in ({}, {"table": 1}, {"table": {"convention": "other", "rows": []}}):
+        answer = client.post("/api/v1/understand", json=body)
+        assert answer.status_code == 422
+        assert answer.json()["errors"][0]["pointer"].startswith("/table")
