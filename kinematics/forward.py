@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from kinematics.evaluation.plan import Floats, Plan, Quantity, plan_of
-from kinematics.joint_values import is_batch, many_configurations, one_configuration
+from kinematics.joint_values import configurations, many_configurations, one_configuration
 from kinematics.links import Transform
 from kinematics.table import NumericTable
 
@@ -51,9 +50,9 @@ class ForwardKinematics:
 
     def _of(self, quantity: Quantity) -> Floats:
         computation = self._plan.of(quantity)
-        if isinstance(self._joints, np.ndarray):
-            return computation.many(self._joints)
-        return computation.once(self._joints)
+        if isinstance(self._joints, list):
+            return computation.once(self._joints)
+        return computation.many(self._joints)
 
 
 def forward_kinematics(
@@ -75,11 +74,11 @@ def forward_kinematics(
     Source: seed 000 eq. 3.3.
     """
     plan = plan_of(table, base, tool)
-    if is_batch(joints):
-        batch = many_configurations(joints, plan.n_joints).copy()
-        return ForwardKinematics(plan, batch, plan.pose.many(batch))
-    values = one_configuration(joints, plan.n_joints)
-    return ForwardKinematics(plan, values, plan.pose.once(values))
+    values = configurations(joints, plan.n_joints)
+    if isinstance(values, list):
+        return ForwardKinematics(plan, values, plan.pose.once(values))
+    batch = values.copy() if values is joints or values.base is not None else values
+    return ForwardKinematics(plan, batch, plan.pose.many(batch))
 
 
 def end_pose(

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinematics.chains import Chain
 from kinematics.evaluation.plan import Plan, Quantity, plan_of
-from kinematics.joint_values import is_batch, many_configurations, one_configuration
+from kinematics.joint_values import configurations
 from kinematics.links import Kind
 from kinematics.table import JointType, NumericTable
 
@@ -71,9 +71,8 @@ def jacobian(
     """
     plan = plan_of(table, base, tool)
     computation = plan.of(_QUANTITY[frame])
-    if is_batch(joints):
-        return computation.many(many_configurations(joints, plan.n_joints))
-    return computation.once(one_configuration(joints, plan.n_joints))
+    values = configurations(joints, plan.n_joints)
+    return computation.once(values) if isinstance(values, list) else computation.many(values)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

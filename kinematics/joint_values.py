@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import TypeAlias
 
 import numpy as np
@@ -17,28 +16,26 @@ _FLOAT64 = np.dtype(np.float64)
 _FLOAT = frozenset({float})
 
 
-def is_batch(joints: ArrayLike) -> bool:
-    """Whether the values are many configurations (two axes) and not one."""
-    if isinstance(joints, np.ndarray):
-        return joints.ndim > 1
-    return isinstance(joints, Sequence) and len(joints) > 0 and not isinstance(joints[0], (float, int))
+def configurations(joints: ArrayLike, n_joints: int) -> list[float] | Floats:
+    """One configuration as a list of n finite floats, or many as an (m, n) array of them.
+
+    Raises:
+        JointValueError: as of `one_configuration` and `many_configurations`.
+    """
+    values = _at_once(joints)
+    if values is not None and len(values) == n_joints and math.isfinite(sum(values)):
+        return values
+    array = _floats(joints)
+    return many_configurations(array, n_joints) if array.ndim > 1 else one_configuration(array, n_joints)
 
 
 def one_configuration(joints: ArrayLike, n_joints: int) -> list[float]:
     """q_1 … q_n as finite floats.
 
-    Arrays and lists of floats, the two most usual kinds of argument, take a way that costs a fifth of the
-    other.
-
     Raises:
         JointValueError: not n_joints numbers, or one of them NaN or infinite, at ("joints", i).
     """
-    values: list[float] | None = None
-    if isinstance(joints, np.ndarray):
-        if joints.dtype is _FLOAT64 and joints.ndim == 1:
-            values = joints.tolist()
-    elif isinstance(joints, list) and _FLOAT.issuperset(map(type, joints)):
-        values = joints.copy()
+    values = _at_once(joints)
     if values is not None and len(values) == n_joints and math.isfinite(sum(values)):
         return values
     array = _floats(joints)
@@ -63,6 +60,13 @@ def many_configurations(joints: ArrayLike, n_joints: int) -> Floats:
     if not math.isfinite(total):
         _refuse_non_finite(array)
     return array
+
+
+def _at_once(joints: ArrayLike) -> list[float] | None:
+    """The values of the two most usual kinds of argument, at a fifth of the general cost; else None."""
+    if isinstance(joints, np.ndarray):
+        return joints.tolist() if joints.dtype is _FLOAT64 and joints.ndim == 1 else None
+    return joints.copy() if isinstance(joints, list) and _FLOAT.issuperset(map(type, joints)) else None
 
 
 def _floats(joints: ArrayLike) -> Floats:

@@ -158,7 +158,7 @@ class Recorder:
         return self._do(Operator.SUBTRACT, self._constant(0.0), result.register).register
 
     def _constant(self, value: float) -> int:
-        return ~self._constants.setdefault(value, len(self._constants))
+        return ~self._constants.setdefault(value + 0.0, len(self._constants))
 
     def _do(self, operator: Operator, left: int, right: int) -> Symbol:
         operation = Operation(operator, left, right)
