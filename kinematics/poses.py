@@ -223,7 +223,7 @@ def _finite(values: Sequence[float], what: str, names: tuple[str, ...]) -> list[
         numbers = []
     if len(numbers) != len(names):
         message = f"{what} takes {len(names)} numbers: {', '.join(names)}"
-        params: dict[str, ParamValue] = {"what": what, "expected": len(names), "names": names}
+        params: dict[str, ParamValue] = {"what": what, "expected": len(names), "names": ", ".join(names)}
         raise PoseError(Fault(code="notation_wrong_length", message=message, where=(what,), params=params))
     faults = [
         Fault(

@@ -1,0 +1,32 @@
+# Joint values, poses, screws and numeric tables.
+
+error-joints_wrong_length =
+    { $expected ->
+        [one] The table has one joint, but a configuration of { $given } values was given.
+       *[other] The table has { $expected } joints, but a configuration of { $given } values was given.
+    }
+error-joints_not_numbers = Joint values are numbers: one configuration [q1, …, qn], or a list of equally long ones.
+error-joint_not_finite = The value of joint { $joint } is not a finite number.
+error-result_not_finite = The result is too large for a double-precision number. Lengths and joint values must be smaller.
+error-entry_not_finite = { $cell } is not a finite number.
+error-value_undefined = The expression has no finite value for these parameters.
+
+error-pose_not_numbers = A pose is a 4×4 matrix of numbers.
+error-pose_wrong_shape = A pose is a 4×4 matrix of numbers; this one is { $shape }.
+error-pose_not_finite = This entry is not a finite number.
+error-pose_bottom_row = The bottom row of a pose is 0, 0, 0, 1.
+error-pose_not_orthonormal = The rotation part is not orthonormal (off by { $error }): its columns must be perpendicular unit vectors to within { $tolerance }. Give more digits.
+error-pose_left_handed = The rotation part is left-handed: its determinant is −1, a reflection. It must be +1.
+
+error-notation_wrong_length =
+    { $expected ->
+        [one] { $what } takes one number: { $names }.
+       *[other] { $what } takes { $expected } numbers: { $names }.
+    }
+error-notation_not_finite = { $name } of { $what } is not a finite number.
+error-quaternion_length = A quaternion whose length is zero or overflows is no orientation. Give a unit quaternion.
+error-axis_length = An axis whose length is zero or overflows has no direction. Give a unit vector.
+
+error-screw_not_finite = A screw is made of six finite numbers.
+error-screw_not_unit = The angular part of a turning joint's screw, or the linear part of a sliding one's, has length 1.
+error-screw_has_pitch = This screw has a pitch of { $pitch } per radian. A joint either turns or slides.

@@ -1,0 +1,32 @@
+# Valores das juntas, poses, helicoides e tabelas numéricas.
+
+error-joints_wrong_length =
+    { $expected ->
+        [one] A tabela tem uma junta, mas foi dada uma configuração com { $given } valores.
+       *[other] A tabela tem { $expected } juntas, mas foi dada uma configuração com { $given } valores.
+    }
+error-joints_not_numbers = Os valores das juntas são números: uma configuração [q1, …, qn] ou uma lista de configurações do mesmo comprimento.
+error-joint_not_finite = O valor da junta { $joint } não é um número finito.
+error-result_not_finite = O resultado é grande demais para um número de precisão dupla. Os comprimentos e os valores das juntas devem ser menores.
+error-entry_not_finite = { $cell } não é um número finito.
+error-value_undefined = Com estes parâmetros a expressão não tem valor finito.
+
+error-pose_not_numbers = Uma pose é uma matriz 4×4 de números.
+error-pose_wrong_shape = Uma pose é uma matriz 4×4 de números; esta é { $shape }.
+error-pose_not_finite = Este elemento não é um número finito.
+error-pose_bottom_row = A última linha de uma pose é 0, 0, 0, 1.
+error-pose_not_orthonormal = A parte de rotação não é ortonormal (desvio de { $error }): as colunas devem ser versores perpendiculares, com tolerância de { $tolerance }. Dê mais casas decimais.
+error-pose_left_handed = A parte de rotação forma um sistema esquerdo: o determinante é −1, uma reflexão. Deve ser +1.
+
+error-notation_wrong_length =
+    { $expected ->
+        [one] { $what } recebe um número: { $names }.
+       *[other] { $what } recebe { $expected } números: { $names }.
+    }
+error-notation_not_finite = { $name } de { $what } não é um número finito.
+error-quaternion_length = Um quatérnio de norma nula ou grande demais não é uma orientação. Dê um quatérnio unitário.
+error-axis_length = Um eixo de comprimento nulo ou grande demais não tem direção. Dê um versor.
+
+error-screw_not_finite = Um helicoide é formado por seis números finitos.
+error-screw_not_unit = A parte angular do helicoide de uma junta de rotação, ou a parte linear do de uma junta prismática, tem comprimento 1.
+error-screw_has_pitch = Este helicoide tem passo de { $pitch } por radiano. Uma junta ou gira ou desliza.

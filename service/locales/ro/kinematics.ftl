@@ -1,0 +1,34 @@
+# Valori ale cuplelor, poziționări, torsori și tabele numerice.
+
+error-joints_wrong_length =
+    { $expected ->
+        [one] Tabelul are o cuplă, dar s-a dat o configurație cu { $given } valori.
+        [few] Tabelul are { $expected } cuple, dar s-a dat o configurație cu { $given } valori.
+       *[other] Tabelul are { $expected } de cuple, dar s-a dat o configurație cu { $given } valori.
+    }
+error-joints_not_numbers = Valorile cuplelor sunt numere: o configurație [q1, …, qn] sau o listă de configurații de aceeași lungime.
+error-joint_not_finite = Valoarea cuplei { $joint } nu este un număr finit.
+error-result_not_finite = Rezultatul este prea mare pentru un număr în dublă precizie. Lungimile și valorile cuplelor trebuie să fie mai mici.
+error-entry_not_finite = { $cell } nu este un număr finit.
+error-value_undefined = Pentru acești parametri expresia nu are o valoare finită.
+
+error-pose_not_numbers = O poziționare este o matrice 4×4 de numere.
+error-pose_wrong_shape = O poziționare este o matrice 4×4 de numere; aceasta este { $shape }.
+error-pose_not_finite = Acest element nu este un număr finit.
+error-pose_bottom_row = Ultima linie a unei matrice de poziționare este 0, 0, 0, 1.
+error-pose_not_orthonormal = Partea de rotație nu este ortonormată (abatere { $error }): coloanele ei trebuie să fie versori perpendiculari, cu toleranța { $tolerance }. Dați mai multe zecimale.
+error-pose_left_handed = Partea de rotație formează un sistem stâng: determinantul ei este −1, adică o reflexie. Trebuie să fie +1.
+
+error-notation_wrong_length =
+    { $expected ->
+        [one] { $what } cere un număr: { $names }.
+        [few] { $what } cere { $expected } numere: { $names }.
+       *[other] { $what } cere { $expected } de numere: { $names }.
+    }
+error-notation_not_finite = { $name } din { $what } nu este un număr finit.
+error-quaternion_length = Un cuaternion de lungime zero sau prea mare nu descrie o orientare. Dați un cuaternion unitar.
+error-axis_length = O axă de lungime zero sau prea mare nu are direcție. Dați un versor.
+
+error-screw_not_finite = Un torsor cinematic este format din șase numere finite.
+error-screw_not_unit = Partea unghiulară a torsorului unei cuple de rotație sau partea liniară a torsorului unei cuple de translație are lungimea 1.
+error-screw_has_pitch = Acest torsor are pasul { $pitch } pe radian. O cuplă fie se rotește, fie translatează.
