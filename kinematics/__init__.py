@@ -1,1 +1,124 @@
-"""Denavit–Hartenberg kinematics: pure mathematics, SI units and radians."""
+"""Denavit–Hartenberg kinematics: pure mathematics in radians and one unit of length.
+
+The numeric core is exported here. What needs more is imported from where it lives, so that nobody pays for
+what is not used: `kinematics.cells` reads tables as people write them, `kinematics.catalogue` knows robots,
+`kinematics.symbolic` works in closed form, `kinematics.inverse` solves for joint values, `kinematics.frames`
+assigns frames to axes, `kinematics.equivalence` decides whether two tables are the same robot,
+`kinematics.scm` speaks the moving-frame notation of seed 001.
+
+Conventions (order of products, signs, units) are set out in docs/conventions.md.
+"""
+
+from kinematics.angles import cos_sin
+from kinematics.conversion import Conversion, XScrew, convert, screw_transform
+from kinematics.errors import (
+    CellError,
+    DescriptionError,
+    Fault,
+    JointValueError,
+    KinematicsError,
+    ParameterError,
+    PoseError,
+    TableError,
+)
+from kinematics.forward import ForwardKinematics, end_pose, end_poses, forward_kinematics
+from kinematics.jacobian import Dexterity, JacobianFrame, Mobility, dexterity, jacobian
+from kinematics.links import Transform, link_transform
+from kinematics.poses import (
+    XYZABC,
+    AxisAngle,
+    PoseNotations,
+    Quaternion,
+    RollPitchYaw,
+    axis_angle_from_transform,
+    pose_notations,
+    quaternion_from_transform,
+    rpy_from_transform,
+    transform_from_axis_angle,
+    transform_from_quaternion,
+    transform_from_rpy,
+    transform_from_xyzabc,
+    xyzabc_from_transform,
+)
+from kinematics.screws import (
+    ProductOfExponentials,
+    Screw,
+    exponential,
+    logarithm,
+    pose_of_product,
+    product_of_exponentials,
+    table_of_product,
+)
+from kinematics.table import (
+    Convention,
+    DHRow,
+    DHTable,
+    JointType,
+    NumericRow,
+    NumericTable,
+    SymbolicRow,
+    SymbolicTable,
+    bind,
+    table_parameters,
+)
+from kinematics.transforms import check_transform, inverse_transform
+
+__all__ = [
+    "XYZABC",
+    "AxisAngle",
+    "CellError",
+    "Convention",
+    "Conversion",
+    "DHRow",
+    "DHTable",
+    "DescriptionError",
+    "Dexterity",
+    "Fault",
+    "ForwardKinematics",
+    "JacobianFrame",
+    "JointType",
+    "JointValueError",
+    "KinematicsError",
+    "Mobility",
+    "NumericRow",
+    "NumericTable",
+    "ParameterError",
+    "PoseError",
+    "PoseNotations",
+    "ProductOfExponentials",
+    "Quaternion",
+    "RollPitchYaw",
+    "Screw",
+    "SymbolicRow",
+    "SymbolicTable",
+    "TableError",
+    "Transform",
+    "XScrew",
+    "axis_angle_from_transform",
+    "bind",
+    "check_transform",
+    "convert",
+    "cos_sin",
+    "dexterity",
+    "end_pose",
+    "end_poses",
+    "exponential",
+    "forward_kinematics",
+    "inverse_transform",
+    "jacobian",
+    "link_transform",
+    "logarithm",
+    "pose_notations",
+    "pose_of_product",
+    "product_of_exponentials",
+    "quaternion_from_transform",
+    "rpy_from_transform",
+    "screw_transform",
+    "table_of_product",
+    "table_parameters",
+    "transform_from_axis_angle",
+    "transform_from_quaternion",
+    "transform_from_rpy",
+    "transform_from_xyzabc",
+    "xyzabc_from_transform",
+]
