@@ -5,30 +5,44 @@
 
 import { el, icon } from "../dom.js";
 import { t } from "../i18n.js";
-import { inverse, multiply } from "../scene/matrix.js";
-import { placed, together } from "../scene/model.js";
-import { figureRobot } from "../scene/robots.js";
+import { dot, inverse, multiply } from "../scene/matrix.js";
+import { placed, scaled, scaledPose, together } from "../scene/model.js";
 import { Player } from "../scene/player.js";
+import { figureRobot } from "../scene/robots.js";
+
+const METRES = { m: 1, cm: 0.01, mm: 0.001, in: 0.0254 };
 
 /**
- * @param {{figure: any, own: import("../scene/model.js").Model, certificate: any, world: number[][], posture: number[],
- *   degrees: boolean, types: string[]}} given
- *   `world` is the key's frame 0 in the figure, `posture` the key's joint values in the figure [rad or length]
+ * The scene and its joint values as functions of a motion of the exercise's robot away from its figure.
+ * @param {{figure: any, own: import("../scene/model.js").Model, certificate: any, units: {angle: string, length: string},
+ *   key: {base: number[][], posture: number[], directions: number[][]}}} given
+ *   `key` says how the key lies in the figure: pose of its frame 0 [m], joint values [rad or m], senses of its axes
  */
-export function bothRobots({ figure, own, certificate, world, posture, degrees, types }) {
+export function bothModel({ figure, own, certificate, units, key }) {
+  const metres = METRES[units.length];
+  const radians = units.angle === "deg" ? Math.PI / 180 : 1;
+  const types = figure.axes.map((axis) => axis.type);
+  const base = multiply(key.base, inverse(scaledPose(certificate.base, metres)));
+  const offsets = certificate.joint_offsets.map((value, i) => value * (types[i] === "prismatic" ? metres : radians));
+  const senses = figure.axes.map((axis, i) => Math.sign(dot(axis.direction, key.directions[i])));
   const reference = figureRobot(figure, { dimensions: false });
-  const base = multiply(world, inverse(certificate.base));
+  const model = together([reference, placed(scaled(own, metres), base)]);
+  const joints = (change) => [
+    ...change.slice(0, reference.joints).map((value, i) => senses[i] * value),
+    ...change.map((value, i) => certificate.joint_signs[i] * (key.posture[i] + value) + offsets[i]),
+  ];
+  return { model, joints, types };
+}
+
+/** @param {Parameters<typeof bothModel>[0]} given */
+export function bothRobots(given) {
+  const { model, joints, types } = bothModel(given);
   const scene = /** @type {any} */ (el("robot-scene", { label: t("form-both-label") }));
-  const offsets = certificate.joint_offsets.map((value, i) =>
-    degrees && types[i] === "revolute" ? (value * Math.PI) / 180 : value,
-  );
-  const size = figure.size;
+  const reach = given.figure.size;
   const pose = (phase) => {
-    const q = posture.map((value, i) => value + wave(phase, i) * (types[i] === "prismatic" ? size * 0.12 : 0.9));
-    const ownJoints = q.map((value, i) => certificate.joint_signs[i] * value + offsets[i]);
-    scene.joints = [...q.map((value, i) => value - posture[i]), ...ownJoints];
+    scene.joints = joints(types.map((type, i) => wave(phase, i) * (type === "prismatic" ? reach * 0.12 : 0.9)));
   };
-  scene.model = together([reference, placed(own, base)]);
+  scene.model = model;
   pose(0);
   const player = new Player(pose);
   const slider = /** @type {HTMLInputElement} */ (

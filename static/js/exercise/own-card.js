@@ -29,7 +29,7 @@ export class OwnCard {
       el("div", { class: "card-head" }, el("h3", { text: t("form-joints") }), resetButton(this.sliders)),
       this.sliders,
     );
-    const matrices = el("details", { class: "own-matrices" }, el("summary", { text: t("form-matrices") }), this.matrices);
+    const matrices = el("details", { class: "own-matrices" }, el("summary", {}, el("h3", { text: t("form-matrices") })), this.matrices);
     fill(place, this.scene, this.status, this.jointCard, this.parameters, matrices);
     this.#listen();
   }

@@ -112,14 +112,14 @@ async function run() {
   }
 }
 
-/** On wide screens the figure stands beside the answer; in the document it always stands where it is read. */
+/** On wide screens figure and robot stand beside the answer; in the document, always where they are read. */
 function arrange() {
   const wide = matchMedia("(min-width: 64rem)");
-  const side = $("own-side");
   const place = () => {
-    if (wide.matches) side.prepend($("figure-card"));
+    if (wide.matches) $("own-side").append($("figure-card"), $("own-card"));
     else {
       $("statement-card").after($("figure-card"));
+      $("answer-card").after($("own-card"));
     }
   };
   wide.addEventListener("change", place);

@@ -17,7 +17,8 @@ export const VIEWS = {
 };
 
 const STEEPEST = Math.PI / 2;
-const MARGIN = 1.12;
+const EDGE = 34;
+const DEPTH = 0.7;
 
 /** Directions to the eye, to the right and up in the picture. @param {Camera} camera */
 export function directions({ azimuth, elevation }) {
@@ -41,10 +42,22 @@ export function project(camera, point) {
   };
 }
 
-/** The camera that shows a whole ball. @param {Camera} camera @param {{centre: Vector, radius: number}} ball @returns {Camera} */
-export function fitted(camera, { centre, radius }) {
-  const room = Math.max(1, Math.min(camera.width, camera.height)) / 2;
-  return { ...camera, target: centre, scale: room / (radius * MARGIN) };
+/** The camera that shows all of the points, from where it looks. @param {Camera} camera @param {Vector[]} points @returns {Camera} */
+export function fitted(camera, points) {
+  if (points.length === 0) return camera;
+  const { eye, right, up } = directions(camera);
+  const [x, y, z] = [right, up, eye].map((axis) => {
+    const along = points.map((point) => dot(point, axis));
+    const [low, high] = [Math.min(...along), Math.max(...along)];
+    return { middle: (low + high) / 2, span: high - low };
+  });
+  const target = [x, y, z].reduce((sum, { middle }, k) => plus(sum, times([right, up, eye][k], middle)), /** @type {Vector} */ ([0, 0, 0]));
+  const room = (pixels, span) => Math.max(1, pixels - 2 * Math.min(EDGE, pixels / 8)) / span;
+  // A part of the depth counts too, so that what turns into view later stays inside.
+  const depth = z.span * DEPTH;
+  const most = Math.max(x.span, y.span, z.span) || 1;
+  const scale = Math.min(room(camera.width, Math.max(x.span, depth, most / 4)), room(camera.height, Math.max(y.span, depth, most / 4)));
+  return { ...camera, target, scale };
 }
 
 /** @param {Camera} camera @param {number} right [rad] @param {number} up [rad] @returns {Camera} */

@@ -11,7 +11,7 @@
  *   pose in the parent is constant · motion(q); parent -1 is the scene itself
  *
  * @typedef {{node: number, at: Vector}} Place a point that moves with a node
- * @typedef {"body" | "joint" | "own" | "own-joint" | "line" | "x" | "y" | "z" | "pick" | "ground" | "muted"} Tone
+ * @typedef {"body" | "joint" | "own" | "own-joint" | "line" | "x" | "y" | "z" | "pick" | "plate" | "muted"} Tone
  *   the colours of the design; the style sheet says what they look like
  *
  * @typedef {{kind: "tube", from: Place, to: Place, radius: number, tone: Tone, pick?: string}
@@ -26,7 +26,7 @@
  * @typedef {{nodes: Node[], items: Item[], joints: number}} Model
  */
 
-import { apply, jointMotion, minus, multiply, norm } from "./matrix.js";
+import { apply, jointMotion, minus, multiply } from "./matrix.js";
 
 /** A model without anything in it. @returns {Model} */
 export function emptyModel() {
@@ -66,24 +66,10 @@ export function placesOf(item) {
   return "from" in item ? [item.from, item.to] : [item.at];
 }
 
-/**
- * Centre and radius of a ball around everything drawn, at the given joint values.
- * @param {Model[]} models @param {number[][]} joints
- * @returns {{centre: Vector, radius: number}}
- */
-export function bounds(models, joints) {
-  /** @type {Vector[]} */
-  const points = [];
-  models.forEach((model, i) => {
-    const found = poses(model, joints[i] ?? []);
-    for (const item of model.items) for (const place of placesOf(item)) points.push(position(found, place));
-  });
-  if (points.length === 0) return { centre: [0, 0, 0], radius: 1 };
-  const low = [0, 1, 2].map((k) => Math.min(...points.map((p) => p[k])));
-  const high = [0, 1, 2].map((k) => Math.max(...points.map((p) => p[k])));
-  const centre = /** @type {Vector} */ (low.map((value, k) => (value + high[k]) / 2));
-  const radius = Math.max(...points.map((p) => norm(minus(p, centre))));
-  return { centre, radius: radius > 0 ? radius : 1 };
+/** Every point that is drawn, in the scene. @param {Model} model @param {number[]} joints @returns {Vector[]} */
+export function drawnPoints(model, joints) {
+  const found = poses(model, joints);
+  return model.items.flatMap((item) => placesOf(item).map((place) => position(found, place)));
 }
 
 /** A model moved as a whole. @param {Model} model @param {Matrix} by @returns {Model} */
@@ -96,6 +82,26 @@ export function placed(model, by) {
     ],
     items: model.items.map((item) => shifted(item, 1, 0)),
   };
+}
+
+/** A model in another unit of length. @param {Model} model @param {number} factor @returns {Model} */
+export function scaled(model, factor) {
+  const length = (value) => value * factor;
+  const point = (place) => ({ ...place, at: /** @type {Vector} */ (place.at.map(length)) });
+  return {
+    ...model,
+    nodes: model.nodes.map((node) => ({ ...node, constant: scaledPose(node.constant, factor) })),
+    items: model.items.map((item) => {
+      const sizes = Object.fromEntries(["radius", "length", "width"].filter((name) => name in item).map((name) => [name, length(item[name])]));
+      const places = "from" in item ? { from: point(item.from), to: point(item.to) } : { at: point(item.at) };
+      return /** @type {Item} */ ({ ...item, ...sizes, ...places });
+    }),
+  };
+}
+
+/** A pose in another unit of length. @param {Matrix} pose @param {number} factor @returns {Matrix} */
+export function scaledPose(pose, factor) {
+  return pose.map((row, i) => (i < 3 ? [row[0], row[1], row[2], row[3] * factor] : row));
 }
 
 /** Several models in one tree, joints side by side. @param {Model[]} models @returns {Model} */

@@ -13,7 +13,7 @@ import { t } from "../i18n.js";
 import { whenIdle } from "../page.js";
 import { fitted, orbited, panned, VIEWS, zoomed } from "./camera.js";
 import { labelElement, placeLabels } from "./labels.js";
-import { bounds, emptyModel, poses } from "./model.js";
+import { drawnPoints, emptyModel, poses } from "./model.js";
 import { pickAt } from "./picking.js";
 import { SvgRenderer } from "./svg-renderer.js";
 
@@ -259,7 +259,7 @@ export class RobotScene extends HTMLElement {
     this.#frame = requestAnimationFrame(() => {
       this.#frame = 0;
       if (!this.#framed) {
-        this.#camera = fitted(this.#camera, bounds([this.#model], [this.#joints]));
+        this.#camera = fitted(this.#camera, drawnPoints(this.#model, this.#joints));
         this.#framed = true;
       }
       const found = poses(this.#model, this.#joints);

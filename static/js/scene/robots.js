@@ -14,7 +14,7 @@ import { piecesOf } from "./bodies.js";
 import { apply, column, dot, identity, inverse, minus, multiply, norm, plus, poseAlong, times, unit } from "./matrix.js";
 
 /** How large things are drawn, relative to the robot. */
-const SIZE = { joint: 0.042, jointLength: 0.13, tube: 0.014, triad: 0.15, axis: 0.2, point: 0.018 };
+const SIZE = { joint: 0.042, jointLength: 0.13, tube: 0.014, triad: 0.15, axis: 0.2, point: 0.018, plate: 0.14 };
 
 /** Size of a robot from its constant transforms: the sum of its link lengths. @param {Matrix[]} links */
 export function reach(links) {
@@ -90,7 +90,8 @@ function addJoint(model, motion, turning, sliding, size) {
  * The robot of an exercise, from the geometry that its figure is drawn from. Each joint is a node with its z
  * along the axis, so that the robot can be moved from the posture of its figure.
  * @param {{axes: {joint: number, type: string, point: Vector, direction: Vector}[], links: Vector[][],
- *   dimensions?: {name: string, from: Vector, to: Vector}[], points?: {name: string, at: Vector}[], size?: number}} figure
+ *   dimensions?: {name: string, from: Vector, to: Vector}[], points?: {name: string, at: Vector}[],
+ *   ground?: {at: Vector, normal: Vector} | null, size?: number}} figure
  * @param {{dimensions?: boolean}} [options]
  * @returns {Model} a model without joints if the figure does not say which piece moves with which joint
  */
@@ -114,6 +115,10 @@ export function figureRobot(figure, { dimensions = true } = {}) {
     model.items.push({ kind: "tube", ...ends, radius: size * SIZE.tube * 1.4, tone: "body" });
   }
   figure.axes.forEach((axis, i) => model.items.push(...axisItems(axis, i, size)));
+  if (figure.ground) {
+    const at = { node: -1, at: figure.ground.at };
+    model.items.push({ kind: "cylinder", at, axis: figure.ground.normal, length: size * 0.008, radius: size * SIZE.plate, tone: "plate" });
+  }
   for (const point of figure.points ?? []) {
     const place = bodyPlace(world, pieces ? bodyOf(point.at, pieces, size) : 0, point.at);
     model.items.push({ kind: "ball", at: place, radius: size * SIZE.point, tone: "pick" });

@@ -25,6 +25,8 @@ import { direction, position } from "./model.js";
 
 const UP = new Vector3(0, 1, 0);
 const LINE_PIXELS = 1.4;
+/** Joints of the student's robot are glass: the frames are inside them. */
+const GLASS = { "own-joint": 0.5 };
 const FLAT = new Set(["line", "muted", "x", "y", "z", "pick"]);
 
 /** Shared shapes of size one, along y. */
@@ -88,7 +90,8 @@ export class ThreeRenderer {
   material(tone) {
     if (!this.materials.has(tone)) {
       const Material = FLAT.has(tone) ? MeshBasicMaterial : MeshLambertMaterial;
-      this.materials.set(tone, new Material({ color: colourOf(getComputedStyle(this.element), tone) }));
+      const glass = tone in GLASS ? { transparent: true, opacity: GLASS[tone], depthWrite: false } : {};
+      this.materials.set(tone, new Material({ color: colourOf(getComputedStyle(this.element), tone), ...glass }));
     }
     return this.materials.get(tone);
   }

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { fitted, orbited, project, VIEWS, zoomed } from "../../../static/js/scene/camera.js";
 import * as matrix from "../../../static/js/scene/matrix.js";
-import { bounds, placed, poses, position, together } from "../../../static/js/scene/model.js";
+import { drawnPoints, placed, poses, position, scaled, together } from "../../../static/js/scene/model.js";
 import { piecesOf } from "../../../static/js/scene/bodies.js";
 import { pickAt } from "../../../static/js/scene/picking.js";
 import { figureRobot, tableRobot } from "../../../static/js/scene/robots.js";
@@ -88,7 +88,7 @@ test("placed and together keep what they hold", () => {
 
 test("what is fitted is inside the picture, and nearer things are nearer", () => {
   const model = tableRobot({ convention: "standard", rows: [{ joint: "revolute", sign: 1 }], links: [lift(3, 1, 2)] });
-  const camera = fitted({ ...VIEWS.corner, scale: 1, target: [0, 0, 0], width: 400, height: 300 }, bounds([model], [[]]));
+  const camera = fitted({ ...VIEWS.corner, scale: 1, target: [0, 0, 0], width: 400, height: 300 }, drawnPoints(model, []));
   for (const item of model.items) {
     const { x, y } = project(camera, position(poses(model, []), "from" in item ? item.to : item.at));
     assert.ok(x > 0 && x < 400 && y > 0 && y < 300);
@@ -98,6 +98,13 @@ test("what is fitted is inside the picture, and nearer things are nearer", () =>
   near([project(top, [1, 0, 0]).x - project(top, [0, 0, 0]).x], [camera.scale]);
   assert.ok(orbited(top, 0, 1).elevation <= Math.PI / 2);
   assert.ok(zoomed(top, 2).scale === top.scale * 2);
+});
+
+test("a model in another unit has the same shape", () => {
+  const model = tableRobot({ convention: "modified", rows: [{ joint: "prismatic", sign: 1 }], links: [lift(10, 20, 30)] });
+  const metres = scaled(model, 0.001);
+  near(drawnPoints(metres, [0.5]).flat(), drawnPoints(model, [500]).flat().map((value) => value / 1000));
+  assert.ok(Math.abs(metres.items[0].radius - model.items[0].radius / 1000) < 1e-12);
 });
 
 test("a click means the nearest thing that can be picked", () => {
