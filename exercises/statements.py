@@ -73,3 +73,13 @@ def _marked(match: re.Match[str]) -> str:
     if strong is not None:
         return f"<strong>{escape(strong)}</strong>"
     return variable_html(emphasis) if _NAME.fullmatch(emphasis) else f"<em>{escape(emphasis)}</em>"
+
+
+def first_sentence(markdown: str) -> str:
+    """The first sentence of a statement as plain text."""
+    block = next(
+        (block for block in re.split(r"\n[ \t]*\n", markdown.strip()) if not block.startswith("#")), ""
+    )
+    text = _INLINE.sub(lambda match: match[1] or match[2] or match[3], " ".join(block.split()))
+    end = re.search(r"[.!?](?=\s|$)", text)
+    return text[: end.end()] if end else text

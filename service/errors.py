@@ -37,8 +37,17 @@ class Place(StrEnum):
     HEADER = "header"
 
 
+class MessageId(str):
+    """A member of a problem document that is written as the message of this id."""
+
+    __slots__ = ()
+
+
 class ServiceError(Exception):
-    """Root of the errors of this package: one or more faults, and the part of the request they speak of."""
+    """Root of the errors of this package: one or more faults, and the part of the request they speak of.
+
+    `members` are further members of the problem document.
+    """
 
     def __init__(
         self,
@@ -46,10 +55,12 @@ class ServiceError(Exception):
         *,
         place: Place = Place.BODY,
         headers: Mapping[str, str] | None = None,
+        members: Mapping[str, object] | None = None,
     ) -> None:
         self.faults: tuple[Fault, ...] = (faults,) if isinstance(faults, Fault) else tuple(faults)
         self.place = place
         self.headers = dict(headers or {})
+        self.members = dict(members or {})
         super().__init__("; ".join(fault.message for fault in self.faults))
 
 
@@ -122,6 +133,7 @@ class Problem:
         faults: what is wrong; the first one gives the document its code and detail.
         place: the part of the request that the faults point into.
         headers: further headers of the response.
+        members: further members of the document.
         request_id: what the log calls this request.
     """
 
@@ -129,6 +141,7 @@ class Problem:
     faults: tuple[Fault, ...]
     place: Place = Place.BODY
     headers: Mapping[str, str] = field(default_factory=dict)
+    members: Mapping[str, object] = field(default_factory=dict)
     request_id: str = ""
 
     def document(self, language: str, *, prefix: str = "", fault_limit: int = 50) -> dict[str, object]:
@@ -148,6 +161,8 @@ class Problem:
             document["errors_total"] = len(self.faults)
         if self.request_id:
             document["request_id"] = self.request_id
+        for name, value in self.members.items():
+            document[name] = sentence(language, value) if isinstance(value, MessageId) else value
         return document
 
     def encoded(self, language: str, *, prefix: str = "", fault_limit: int = 50) -> bytes:
@@ -175,6 +190,7 @@ def problem_of(error: ServiceError | KinematicsError, request_id: str = "") -> P
         faults=error.faults,
         place=own.place if own else Place.BODY,
         headers=own.headers if own else {},
+        members=own.members if own else {},
         request_id=request_id,
     )
 

@@ -49,7 +49,12 @@ class Context:
     @cached_property
     def reference_numbers(self) -> NumericTable:
         """The key with its values, lengths in the exercise's unit."""
-        return bind(self.reference.table, self._in_radians(self.parameters))
+        return bind(self.reference.table, self.reference_values)
+
+    @cached_property
+    def reference_values(self) -> dict[str, float]:
+        """Value of every parameter of the key, lengths in the exercise's unit, angles in [rad]."""
+        return self._in_radians(self.parameters)
 
     @cached_property
     def unit_ratio(self) -> float:
@@ -69,7 +74,7 @@ class Context:
 
     def values(self, names: Iterable[str] = ()) -> dict[str, float]:
         """Value of every parameter, in the student's length unit and in [rad]; other names get some value."""
-        known = self._in_radians(self.parameters)
+        known = self.reference_values
         values = {
             name: value * (1.0 if self._is_angle(name) else self.unit_ratio) for name, value in known.items()
         }

@@ -58,3 +58,5 @@ class ProblemDocument(Wire):
     errors: list[FaultEntry] = Field(description="every fault that was found")
     errors_total: int | None = Field(None, description="number of faults, if more were found than are listed")
     request_id: str | None = Field(None, description="what the server's log calls this request")
+    attempt_counted: bool | None = Field(None, description="false, if an answer was handed in and not graded")
+    note: str | None = Field(None, description="what else the caller should know, in their language")

@@ -1,0 +1,139 @@
+"""The figure of an instance: as a scene, as geometry for programs, as SVG."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from exercises.figures.camera import Array
+from exercises.figures.description import Sentence, describe
+from exercises.figures.drawing import draw_figure
+from exercises.figures.geometry import Scene, Vector, build_scene
+from exercises.figures.points import rotation_rpy
+from exercises.grading import DirectionRule, ZeroRule
+from exercises.instance import Instance
+from exercises.loader import values_in_radians
+from kinematics.table import JointType
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class KeyPose:
+    """How the key lies in the figure: what is shown only with an accepted answer.
+
+    Attributes:
+        base: (4, 4) pose of the key's frame 0 in the figure [m].
+        posture: the key's joint values in the figure [rad or m].
+        directions: per joint the unit vector along its axis, in the sense of the key's variable.
+    """
+
+    base: Array
+    posture: tuple[float, ...]
+    directions: tuple[Vector, ...]
+
+
+def true_scene(instance: Instance) -> Scene:
+    """The scene with the student's own lengths."""
+    return _scene(instance, drawn=False)
+
+
+def figure_svg(instance: Instance, *, title: str, description: str, language: str) -> str:
+    """The figure as SVG.
+
+    Args:
+        instance: the exercise with the student's values.
+        title: what it shows, in a few words.
+        description: the same in full.
+        language: of both.
+    """
+    figure = instance.exercise.figure
+    scene = _scene(instance, drawn=True)
+    return draw_figure(
+        scene, figure.view, figure.width, title=title, description=description, language=language
+    )
+
+
+def figure_sentences(instance: Instance) -> tuple[Sentence, ...]:
+    """The figure in words."""
+    exercise = instance.exercise
+    sentences = list(describe(true_scene(instance), exercise.figure.view, exercise.length_unit.value))
+    if exercise.figure.lengths:
+        sentences.append(Sentence(code="not-to-scale", params={"names": ", ".join(exercise.figure.lengths)}))
+    return tuple(sentences)
+
+
+def figure_geometry(instance: Instance) -> dict[str, object]:
+    """The figure as plain data, lengths in [m]: axes, links, dimensions, points, size, signs.
+
+    Directions of axes have a sense only where the policy fixes it (`signed`); otherwise the sense tells
+    nothing.
+    """
+    scene = true_scene(instance)
+    metres = float(instance.exercise.length_unit.metres_per_unit)
+
+    def place(point: Vector) -> list[float]:
+        return [value * metres for value in point]
+
+    return {
+        "axes": [
+            {
+                "joint": axis.joint,
+                "type": axis.type.value,
+                "point": place(axis.point),
+                "direction": list(axis.direction),
+                "signed": axis.signed,
+            }
+            for axis in scene.axes
+        ],
+        "links": [[place(point) for point in chain] for chain in scene.links],
+        "dimensions": [
+            {"name": dimension.name, "from": place(dimension.start), "to": place(dimension.end)}
+            for dimension in scene.dimensions
+        ],
+        "points": [{"name": point.name, "at": place(point.at)} for point in scene.points],
+        "ground": {"at": place(scene.ground.at), "normal": list(scene.ground.normal)}
+        if scene.ground
+        else None,
+        "size": scene.size * metres,
+    }
+
+
+def _ground(scene: Scene, metres: float) -> dict[str, object] | None:
+    if scene.ground is None:
+        return None
+    return {"at": [value * metres for value in scene.ground.at], "normal": list(scene.ground.normal)}
+
+
+def key_pose(instance: Instance) -> KeyPose:
+    """How the key lies in the figure."""
+    exercise = instance.exercise
+    figure = exercise.figure
+    types = exercise.reference.table.joint_types
+    posture = figure.posture or (0.0,) * len(types)
+    metres = float(exercise.length_unit.metres_per_unit)
+    scene = build_scene(figure, exercise.reference.table, values(instance), signed_axes=True, drawn=False)
+    return KeyPose(
+        base=rotation_rpy(*figure.upright),
+        posture=tuple(
+            value * metres if joint_type is JointType.PRISMATIC else value
+            for value, joint_type in zip(posture, types, strict=True)
+        ),
+        directions=tuple(axis.direction for axis in scene.axes),
+    )
+
+
+def _scene(instance: Instance, *, drawn: bool) -> Scene:
+    exercise = instance.exercise
+    return build_scene(
+        exercise.figure,
+        exercise.reference.table,
+        values(instance),
+        signed_axes=exercise.policy.direction is DirectionRule.FIGURE
+        or exercise.policy.zero is ZeroRule.FIGURE,
+        drawn=drawn,
+    )
+
+
+def values(instance: Instance) -> Mapping[str, float]:
+    """The student's values as the kinematics takes them."""
+    exercise = instance.exercise
+    return values_in_radians(instance.parameters, exercise.reference.parameters, exercise.angle_unit)

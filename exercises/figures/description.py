@@ -1,0 +1,113 @@
+"""A scene in words: codes and values, from which any language makes sentences.
+
+It says what the figure shows: where each joint's axis runs and how long the named dimensions are. How the
+axes lie to one another is left to the reader, as in the figure.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from exercises.figures.camera import Array
+from exercises.figures.geometry import JointAxis, Scene, Vector
+from exercises.figures.specification import View
+from kinematics.table import JointType
+
+
+class Course(StrEnum):
+    """How a line runs, seen by the reader."""
+
+    VERTICAL = "vertical"
+    SIDEWAYS = "sideways"
+    DEPTHWAYS = "depthways"
+    OBLIQUE = "oblique"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Sentence:
+    """One sentence: the message `figure-<code>` with its parameters by name."""
+
+    code: str
+    params: Mapping[str, str | int]
+
+
+def describe(scene: Scene, view: View, unit: str) -> Iterator[Sentence]:
+    """The sentences of a scene, in the order in which they are read.
+
+    Coordinates count to the right, away from the reader and up, from where the robot is fixed.
+
+    Args:
+        scene: the robot with its true lengths.
+        view: from where it is seen.
+        unit: name of the unit of lengths.
+    """
+    basis = _directions(view)
+    origin = np.array(scene.ground.at if scene.ground else scene.axes[0].point)
+
+    def place(point: Vector) -> str:
+        return _triple(basis @ (np.array(point) - origin))
+
+    yield Sentence(code="coordinates", params={"unit": unit, "joints": len(scene.axes)})
+    for axis in scene.axes:
+        yield _joint(axis, basis, place(axis.point))
+    for dimension in scene.dimensions:
+        along = basis @ (np.array(dimension.end) - np.array(dimension.start))
+        yield Sentence(
+            code="dimension",
+            params={
+                "name": dimension.name,
+                "length": _number(float(np.linalg.norm(along))),
+                "unit": unit,
+                "course": _course(along),
+                "start": place(dimension.start),
+                "end": place(dimension.end),
+            },
+        )
+    for point in scene.points:
+        yield Sentence(code="point", params={"name": point.name, "place": place(point.at)})
+
+
+def _joint(axis: JointAxis, basis: Array, place: str) -> Sentence:
+    direction = basis @ np.array(axis.direction)
+    turning = "revolute" if axis.type is JointType.REVOLUTE else "prismatic"
+    return Sentence(
+        code=f"joint-{turning}-signed" if axis.signed else f"joint-{turning}",
+        params={
+            "joint": axis.joint,
+            "course": _course(direction),
+            "place": place,
+            "direction": _triple(direction),
+        },
+    )
+
+
+def _directions(view: View) -> Array:
+    """(3, 3) rows: to the right, away from the reader, up; the horizontal ones along the x and y axes."""
+    quarter = math.pi / 2
+    azimuth = round(view.azimuth / quarter) * quarter
+    right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
+    away = np.array([-math.cos(azimuth), -math.sin(azimuth), 0.0])
+    return np.round(np.array([right, away, [0.0, 0.0, 1.0]]), 12)
+
+
+def _course(vector: Array) -> str:
+    length = float(np.linalg.norm(vector))
+    unit = np.abs(vector) / (length or 1.0)
+    for course, component in zip((Course.SIDEWAYS, Course.DEPTHWAYS, Course.VERTICAL), unit, strict=True):
+        if component > 1 - 1e-9:
+            return course.value
+    return Course.OBLIQUE.value
+
+
+def _triple(vector: Array) -> str:
+    return f"({'; '.join(_number(float(value)) for value in vector)})"
+
+
+def _number(value: float) -> str:
+    rounded = float(f"{value:.4g}") if abs(value) > 1e-9 else 0.0
+    return f"{rounded:g}"

@@ -1,0 +1,123 @@
+"""Is a matrix that depends on the joint variables the ⁰T_N of the robot, whatever frames it was written in?
+
+T(q) of a serial chain is sinusoidal in every angle and linear in every slide, so its derivatives at q = 0
+are exact differences, and they are the joint screws: S_i = ∂T/∂q_i · T⁻¹. The chain with these screws is
+compared with T itself, then with the robot as any table's would be (`kinematics.equivalence`).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from exercises.parts.comparison import agreeing, inverse, is_rigid
+from exercises.parts.context import Context
+from kinematics.equivalence import Tolerance
+from kinematics.equivalence.chains import Axis, Chain, poses, size_of
+from kinematics.equivalence.decision import certify
+from kinematics.equivalence.reference import prepared
+from kinematics.equivalence.rigid import from_matrix
+from kinematics.table import JointType
+
+Matrix = NDArray[np.float64]
+PoseOf = Callable[[Sequence[float]], Matrix]
+"""(4, 4) ⁰T_N of a configuration."""
+
+
+def is_robot(context: Context, pose_of: PoseOf, joint_types: Sequence[JointType]) -> bool:
+    """Whether a ⁰T_N describes the robot and keeps the policy, at the exercise's values.
+
+    Args:
+        context: the key, the policy, the units.
+        pose_of: the ⁰T_N, with lengths in the student's unit.
+        joint_types: types of its joints.
+    """
+    if tuple(joint_types) != context.reference.table.joint_types:
+        return False
+    chain = chain_of_pose(pose_of, joint_types, context.policy.tolerance, context.size)
+    if chain is None:
+        return False
+    samples = context.configurations(joint_types)
+    actual = np.array([pose_of(q) for q in samples.tolist()])
+    if not agreeing(actual, poses(chain, samples.T), context.size, context.policy.tolerance).all():
+        return False
+    in_units = _scaled(chain, 1.0 / context.unit_ratio)
+    return certify([prepared(context.reference_numbers)], [in_units], context.policy) is not None
+
+
+def chain_of_pose(
+    pose_of: PoseOf, joint_types: Sequence[JointType], tolerance: Tolerance, size: float
+) -> Chain | None:
+    """The joint axes of a ⁰T_N at q = 0; None if it is not a serial chain's.
+
+    Args:
+        pose_of: the ⁰T_N.
+        joint_types: types of its joints.
+        tolerance: how far its derivatives may be from joint screws.
+        size: typical length of the robot, in the unit of `pose_of`.
+    """
+    n = len(joint_types)
+    end = pose_of([0.0] * n)
+    if not is_rigid(end, tolerance):
+        return None
+    axes: list[Axis] = []
+    for i, joint_type in enumerate(joint_types):
+        step = math.pi / 2 if joint_type is JointType.REVOLUTE else size
+        forth, back = ([sign * step if k == i else 0.0 for k in range(n)] for sign in (1.0, -1.0))
+        derivative = (pose_of(forth) - pose_of(back)) / (
+            2.0 if joint_type is JointType.REVOLUTE else 2.0 * step
+        )
+        axis = _axis(derivative @ inverse(end), joint_type, tolerance, size)
+        if axis is None:
+            return None
+        axes.append(axis)
+    chain = Chain(tuple(axes), from_matrix(end), 0.0)
+    return replace(chain, extent=size_of(chain))
+
+
+def _axis(screw: Matrix, joint_type: JointType, tolerance: Tolerance, size: float) -> Axis | None:
+    """The axis of a 4×4 screw matrix, if it is one of a joint."""
+    if not np.isfinite(screw).all():
+        return None
+    limit = 4 * tolerance.angle
+    turn, shift = screw[:3, :3], screw[:3, 3]
+    direction = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]]) / 2
+    if np.abs(turn + turn.T).max() > limit:
+        return None
+    if joint_type is JointType.PRISMATIC:
+        length = float(np.linalg.norm(shift))
+        if np.linalg.norm(direction) > limit or abs(length - 1.0) > limit:
+            return None
+        return Axis(True, _triple(shift / length), (0.0, 0.0, 0.0))
+    length = float(np.linalg.norm(direction))
+    if abs(length - 1.0) > limit:
+        return None
+    direction = direction / length
+    if abs(direction @ shift) > 4 * tolerance.length * size:
+        return None
+    return Axis(False, _triple(direction), _triple(np.cross(direction, shift)))
+
+
+def _scaled(chain: Chain, factor: float) -> Chain:
+    """The chain with its lengths in another unit."""
+    axes = tuple(
+        Axis(axis.prismatic, axis.direction, _triple(np.array(axis.point) * factor)) for axis in chain.axes
+    )
+    rotation, position = np.eye(4), np.eye(4)
+    end = _matrix(chain)
+    rotation[:3, :3] = end[:3, :3]
+    position[:3, 3] = end[:3, 3] * factor
+    return Chain(axes, from_matrix(position @ rotation), chain.extent * factor)
+
+
+def _matrix(chain: Chain) -> Matrix:
+    return np.asarray(poses(chain, np.zeros((len(chain.axes), 1)))[0], dtype=np.float64)
+
+
+def _triple(array: Matrix) -> tuple[float, float, float]:
+    x, y, z = array.tolist()
+    return x, y, z

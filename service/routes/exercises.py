@@ -1,0 +1,125 @@
+"""Exercises: the list, one of them with a student's values, its figure, and judging answers."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Annotated
+
+from fastapi import Path, Query, Request, Response
+from pydantic import TypeAdapter
+
+from exercises.answers import Answer, parse
+from exercises.drawings import key_pose
+from exercises.grader import Report, grade
+from exercises.instance import Instance
+from service.exercise_views import exercise_list, exercise_view, figure_file, instance_of
+from service.grading_desk import desk_of
+from service.languages import language_of
+from service.openapi import problems, request_body
+from service.routing import JSON, ApiRequest, DirectRoute, api_router
+from service.schemas import examples_grading as examples
+from service.schemas.exercises import ExerciseAnswer, ExerciseList, ExerciseModel, GradedModel
+from service.ungraded import answer_refused, known_exercise
+from service.validation import validated
+from service.verdicts import encoded, report_body
+
+router = api_router("exercises")
+direct = api_router("exercises", route_class=DirectRoute)
+
+_ANSWER: TypeAdapter[ExerciseAnswer] = TypeAdapter(ExerciseAnswer)
+SVG = "image/svg+xml"
+
+Id = Annotated[
+    str,
+    Path(max_length=64, description="id of the exercise", openapi_examples={"PUMA": {"value": "puma560"}}),
+]
+Seed = Annotated[
+    str | None,
+    Query(max_length=200, description="names a student or a try; the same seed gives the same values"),
+]
+Language = Annotated[
+    str | None, Query(max_length=20, description="en, es, fr, pt, ro or uk; else Accept-Language decides")
+]
+
+
+@router.get("/exercises", response_model=ExerciseList, summary="All exercises")
+async def list_exercises(request: Request, lang: Language = None) -> Response:
+    """Every exercise with its title, in the caller's language."""
+    language = language_of(request)
+    return _answer(encoded(exercise_list(language)), language, JSON)
+
+
+@router.get(
+    "/exercises/{exercise_id}", response_model=ExerciseModel, responses=problems(404), summary="One exercise"
+)
+async def show_exercise(
+    request: Request, exercise_id: Id, seed: Seed = None, lang: Language = None
+) -> Response:
+    """What is asked, with one student's values: statement, rules, dimensions, figure. Never the key."""
+    language = language_of(request)
+    with known_exercise():
+        instance = instance_of(exercise_id, seed)
+    return _answer(encoded(exercise_view(instance, language)), language, JSON)
+
+
+@router.get(
+    "/exercises/{exercise_id}/figure.svg",
+    responses={200: {"content": {SVG: {"schema": {"type": "string"}}}}, **problems(404)},
+    response_class=Response,
+    summary="The figure of an exercise",
+)
+async def show_figure(
+    request: Request, exercise_id: Id, seed: Seed = None, lang: Language = None
+) -> Response:
+    """The robot with its joints, dimensions and marked points, and no frames: they are the question."""
+    language = language_of(request)
+    with known_exercise():
+        figure = await desk_of(request).judge(partial(figure_file, exercise_id, seed, language))
+    return _answer(figure, language, SVG)
+
+
+@direct.post(
+    "/exercises/{exercise_id}/grade",
+    response_model=GradedModel,
+    responses=problems(404, 503),
+    openapi_extra={
+        **request_body(ExerciseAnswer, examples.ANSWERS),
+        "parameters": [examples.EXERCISE_ID, examples.LANGUAGE],
+    },
+    summary="Judge an answer to an exercise",
+)
+async def grade_answer(request: ApiRequest) -> Response:
+    """The verdict on the table, and what is said of every other part that was handed in.
+
+    Every valid choice of frames is accepted. What follows correctly from a wrong table earns its marks. A
+    request that cannot be graded is refused and costs no attempt.
+    """
+    language = language_of(request)
+    with answer_refused():
+        instance, answer, report = await _judged(request)
+    accepted = report.verdict is not None and report.verdict.correct
+    units = (answer.angle_unit.value, answer.length_unit.value)
+    body = report_body(report, instance, units, key_pose(instance) if accepted else None, language)
+    return _answer(encoded(body), language, JSON)
+
+
+async def _judged(request: ApiRequest) -> tuple[Instance, Answer, Report]:
+    exercise_id = request.path_params["exercise_id"]
+    instance_of(exercise_id, None)  # an address at which nothing is comes before what is wrong with the body
+    wire: ExerciseAnswer = validated(_ANSWER, await request.json())
+    instance = instance_of(exercise_id, None if wire.seed is None else str(wire.seed))
+    raw, limits = wire.raw(), request.settings.cell_limits
+
+    def work() -> tuple[Instance, Answer, Report]:
+        answer = parse(instance, raw, limits)
+        return instance, answer, grade(instance, answer, wire.help)
+
+    return await desk_of(request).judge(work)
+
+
+def _answer(body: bytes, language: str, media_type: str) -> Response:
+    headers = {"Content-Language": language, "Vary": "Accept-Language", "Cache-Control": "no-cache"}
+    return Response(body, media_type=media_type, headers=headers)
+
+
+router.routes.extend(direct.routes)
