@@ -1,0 +1,149 @@
+"""A serial chain as constants and joints: T(q) = K_0 J_1(q_1) K_1 J_2(q_2) ⋯ J_n(q_n) K_n.
+
+J_i is a turn about z or a slide along z. Every DH table of either convention, with its base, tool and fixed
+rows, is such a product, so nothing behind this file knows about conventions.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.links import Transform, link_transform
+from kinematics.table import Convention, JointType, NumericTable
+
+Array = NDArray[np.float64]
+
+_REVERSED = np.diag([1.0, -1.0, -1.0, 1.0])
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Arm:
+    """Constants of a serial chain.
+
+    Attributes:
+        constants: (n+1, 4, 4) the K_i.
+        revolute: (n,) which joints turn.
+        size: reach of the constants [m]: the sum of their offsets, or 1 if there are none. Positions are
+            divided by it where they are weighed against angles.
+    """
+
+    constants: Array
+    revolute: NDArray[np.bool_]
+    size: float
+
+    @property
+    def n_joints(self) -> int:
+        """Number of joints."""
+        return len(self.revolute)
+
+    @property
+    def exactness(self) -> float:
+        """Largest error vector of a solution [rad, or parts of the size].
+
+        A residual of 1e-9 in radians and in the table's unit of length; at least 1e-13, below which rounding
+        begins.
+        """
+        return float(np.clip(1e-9 / self.size, 1e-13, 1e-9))
+
+    @cached_property
+    def link_basis(self) -> Array:
+        """(n, 3, 16) matrices with J_i(q) K_i = c·B_0 + s·B_1 + B_2; (c, s) = (cos q, sin q), or (q, 0)."""
+        turn_cos = np.diag([1.0, 1.0, 0.0, 0.0])
+        turn_sin = np.zeros((4, 4))
+        turn_sin[1, 0], turn_sin[0, 1] = 1.0, -1.0
+        turn_rest = np.diag([0.0, 0.0, 1.0, 1.0])
+        slide = np.zeros((4, 4))
+        slide[2, 3] = 1.0
+        basis = [
+            (turn_cos @ K, turn_sin @ K, turn_rest @ K) if turns else (slide @ K, np.zeros((4, 4)), K)
+            for K, turns in zip(self.constants[1:], self.revolute, strict=True)
+        ]
+        return np.array(basis).reshape(self.n_joints, 3, 16)
+
+    def frames(self, q: Array) -> Array:
+        """Poses before each joint and at the end, for many configurations.
+
+        Args:
+            q: (m, n) joint variables.
+
+        Returns:
+            (n+1, m, 4, 4); frame i holds the axis of joint i+1 as its z, the last is T(q).
+        """
+        m, n = q.shape
+        weights = np.empty((n, m, 3))
+        columns = q.T
+        weights[:, :, 0] = np.where(self.revolute[:, None], np.cos(columns), columns)
+        weights[:, :, 1] = np.where(self.revolute[:, None], np.sin(columns), 0.0)
+        weights[:, :, 2] = 1.0
+        links = (weights @ self.link_basis).reshape(n, m, 4, 4)
+        frames = np.empty((n + 1, m, 4, 4))
+        frames[0] = self.constants[0]
+        for i in range(n):
+            np.matmul(frames[i], links[i], out=frames[i + 1])
+        return frames
+
+    def jacobians(self, frames: Array) -> Array:
+        """Geometric Jacobians in the base, positions divided by the size.
+
+        Args:
+            frames: what `frames` returned.
+
+        Returns:
+            (m, 6, n): linear over angular velocity.
+        """
+        axes = frames[:-1, :, :3, 2]
+        arms = frames[-1, :, :3, 3] - frames[:-1, :, :3, 3]
+        J = np.empty((frames.shape[1], 6, self.n_joints))
+        turns = self.revolute[:, None, None]
+        J[:, :3] = (np.where(turns, _cross(axes, arms), axes) / self.size).transpose(1, 2, 0)
+        J[:, 3:] = np.where(turns, axes, 0.0).transpose(1, 2, 0)
+        return J
+
+    @cached_property
+    def screws(self) -> tuple[Array, Array, Transform]:
+        """Axes at q = 0: (n, 3) unit directions, (n, 3) points, and the (4, 4) end pose."""
+        frames = self.frames(np.zeros((1, self.n_joints)))[:, 0]
+        return frames[:-1, :3, 2], frames[:-1, :3, 3], frames[-1]
+
+
+def arm_of(table: NumericTable, base: Transform | None = None, tool: Transform | None = None) -> Arm:
+    """The chain of a DH table.
+
+    A row of a standard table is J(q)·A(0), one of a modified table A(0)·J(q), with A(0) the link transform at
+    zero; a variable that enters reversed is J(-q) = Rot_x(π) J(q) Rot_x(π).
+
+    Args:
+        table: the table.
+        base: (4, 4) pose of frame 0; the identity if left out.
+        tool: (4, 4) pose of the tool in frame N; the identity if left out.
+    """
+    constants: list[Transform] = []
+    revolute: list[bool] = []
+    constant = np.eye(4) if base is None else np.array(base, dtype=np.float64)
+    for row in table.rows:
+        A = link_transform(row, table.convention)
+        if row.joint is JointType.FIXED:
+            constant = constant @ A
+            continue
+        revolute.append(row.joint is JointType.REVOLUTE)
+        before, after = (np.eye(4), A) if table.convention is Convention.STANDARD else (A, np.eye(4))
+        flip = _REVERSED if row.sign < 0 else np.eye(4)
+        constants.append(constant @ before @ flip)
+        constant = flip @ after
+    constants.append(constant if tool is None else constant @ tool)
+    K = np.array(constants)
+    size = float(np.linalg.norm(K[1:, :3, 3], axis=1).sum())
+    return Arm(constants=K, revolute=np.array(revolute, dtype=bool), size=size or 1.0)
+
+
+def _cross(u: Array, v: Array) -> Array:
+    """Vector products along the last axis; several times faster than numpy.cross on small arrays."""
+    w = np.empty(np.broadcast_shapes(u.shape, v.shape))
+    w[..., 0] = u[..., 1] * v[..., 2] - u[..., 2] * v[..., 1]
+    w[..., 1] = u[..., 2] * v[..., 0] - u[..., 0] * v[..., 2]
+    w[..., 2] = u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
+    return w

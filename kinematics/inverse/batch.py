@@ -1,0 +1,210 @@
+"""Many targets at once.
+
+Where an arm has a decomposition, its candidates for all targets are judged in the same array operations; the
+few targets that need care (near a singularity, or with candidates that have to be refined) are then solved
+one by one, as every target of an arm without a decomposition is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from kinematics.errors import Fault, PoseError
+from kinematics.forward import end_poses
+from kinematics.inverse.arm import Array
+from kinematics.inverse.closed_form import NEARLY, Decomposition
+from kinematics.inverse.distinct import SAME, SINGULAR_VALUE
+from kinematics.inverse.limits import within_limits
+from kinematics.inverse.residuals import pose_errors
+from kinematics.inverse.results import IKStatus, InverseKinematics
+from kinematics.inverse.solve import ROUNDING, Solver, nearest_rigid
+from kinematics.jacobian import jacobian
+from kinematics.transforms import check_transform
+
+Indices = NDArray[np.intp]
+
+DELICATE = 5e-7
+"""|det J|, lengths in units of the size, above which no singular value is below `SINGULAR_VALUE`."""
+
+
+_MIXING = np.linalg.qr(np.cos(np.arange(36.0).reshape(6, 6) ** 1.5))[0]
+"""Some rotation of six-dimensional space without a zero in it."""
+
+
+_ABREAST = 512
+"""How many matrices are eliminated abreast: what fits into the cache."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class InverseKinematicsBatch:
+    """The answers for many targets, in order of the targets.
+
+    Attributes:
+        joints: (k, n) all solutions of all targets.
+        target: (k,) which target each belongs to, ascending.
+        position_error: (k,) distance from the target [m].
+        orientation_error: (k,) angle from the target [rad].
+        status: (m,) of each target.
+        complete: (m,) whether all of a target's solutions are there.
+    """
+
+    joints: Array
+    target: Indices
+    position_error: Array
+    orientation_error: Array
+    status: tuple[IKStatus, ...]
+    complete: NDArray[np.bool_]
+
+    @property
+    def residual(self) -> Array:
+        """(k,) √(position_error² + orientation_error²)."""
+        return np.hypot(self.position_error, self.orientation_error)
+
+
+def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
+    """Solutions for many targets; what each has is what `Solver.solve` returns, in another order.
+
+    Args:
+        solver: the arm.
+        targets: (m, 4, 4).
+
+    Raises:
+        PoseError: not (m, 4, 4), or a target is not a rigid motion, at ("target", i, …).
+    """
+    poses = _checked(targets)
+    n = solver.arm.n_joints
+    parts = [_Part(np.empty((0, n)), np.empty(0, dtype=np.intp), np.empty(0), np.empty(0))]
+    done = np.zeros(len(poses), dtype=bool)
+    if isinstance(solver.closed_form, Decomposition) and n == 6 and len(poses):
+        together, done = _together(solver, solver.closed_form, poses)
+        parts.append(together)
+    status = [IKStatus.SOLVED] * len(poses)
+    complete = done.copy()
+    for i in np.flatnonzero(~done).tolist():
+        answer = solver.solve(poses[i])
+        status[i], complete[i] = answer.status, answer.complete
+        parts.append(_part(answer, i, n))
+    joints, owner, position, angle = (np.concatenate(column) for column in zip(*parts, strict=True))
+    if len(parts) > 2:
+        order = np.argsort(owner, kind="stable")
+        joints, owner, position, angle = joints[order], owner[order], position[order], angle[order]
+    return InverseKinematicsBatch(
+        joints=joints,
+        target=owner,
+        position_error=position,
+        orientation_error=angle,
+        status=tuple(status),
+        complete=complete,
+    )
+
+
+class _Part(NamedTuple):
+    """Solutions of some targets: joints, whose they are, distances and angles."""
+
+    joints: Array
+    target: Indices
+    position_error: Array
+    orientation_error: Array
+
+
+def _part(answer: InverseKinematics, i: int, n_joints: int) -> _Part:
+    solutions = answer.solutions
+    return _Part(
+        np.array([solution.joints for solution in solutions]).reshape(-1, n_joints),
+        np.full(len(solutions), i),
+        np.array([solution.position_error for solution in solutions]),
+        np.array([solution.orientation_error for solution in solutions]),
+    )
+
+
+def _checked(targets: ArrayLike) -> Array:
+    """The targets, made sure to be rigid motions."""
+    poses = np.asarray(targets, dtype=np.float64)
+    if poses.ndim != 3 or poses.shape[1:] != (4, 4):
+        raise PoseError(
+            Fault(
+                code="targets_wrong_shape",
+                where=("target",),
+                message="many targets are a list of 4×4 matrices",
+            )
+        )
+    R = poses[:, :3, :3]
+    off = np.abs(R.transpose(0, 2, 1) @ R - np.eye(3)).max(axis=(1, 2)) if len(poses) else np.empty(0)
+    suspects = ~(off <= 1e-14) | ~np.isfinite(poses).all(axis=(1, 2))
+    suspects |= (poses[:, 3] != (0.0, 0.0, 0.0, 1.0)).any(axis=1)
+    suspects |= np.linalg.det(R) < 0.0
+    if not suspects.any():
+        return poses
+    rigid = poses.copy()
+    for i in np.flatnonzero(suspects).tolist():
+        rigid[i] = nearest_rigid(check_transform(poses[i], where=("target", i)))
+    return rigid
+
+
+def _together(solver: Solver, decomposition: Decomposition, poses: Array) -> tuple[_Part, NDArray[np.bool_]]:
+    """Solutions of the targets that need no care, and which targets those are."""
+    solve = decomposition.robot.calculate_IK
+    found = [solve(pose).Q for pose in poses]
+    counts = np.fromiter(map(len, found), dtype=np.intp, count=len(found))
+    owner = np.repeat(np.arange(len(poses)), counts)
+    joints = np.concatenate(found).reshape(-1, solver.arm.n_joints)
+    reached = end_poses(solver.table, joints, base=solver.base, tool=solver.tool)
+    position, angle = pose_errors(reached, poses[owner])
+    errors = np.hypot(position / solver.arm.size, angle)
+    J = jacobian(solver.table, joints, base=solver.base, tool=solver.tool)
+    care = errors > ROUNDING
+    care[_singular(J, solver.arm.size)] = True
+    care &= errors < NEARLY
+    done = np.bincount(owner[errors < NEARLY], minlength=len(poses)) > 0
+    done[owner[care]] = False
+    done[_repeated(J, counts)] = False
+    joints, fits = within_limits(joints, solver.arm.revolute, solver.box, solver.arm.size)
+    kept = done[owner] & (errors <= ROUNDING) & fits
+    done &= np.bincount(owner[kept], minlength=len(poses)) > 0
+    kept &= done[owner]
+    return _Part(joints[kept], owner[kept], position[kept], angle[kept]), done
+
+
+def _singular(J: Array, size: float) -> Indices:
+    """Configurations at which the Jacobian all but loses rank."""
+    delicate = np.flatnonzero(_volumes(J) < DELICATE * size**3)
+    scaled = J[delicate] / np.array([size] * 3 + [1.0] * 3)[:, None]
+    least = np.linalg.svd(scaled, compute_uv=False)[:, -1] if len(delicate) else np.empty(0)
+    return np.asarray(delicate[least < SINGULAR_VALUE])
+
+
+def _volumes(J: Array) -> Array:
+    """|det J| of many 6×6 matrices, by elimination without pivoting, all matrices abreast.
+
+    Jacobians have zeros in fixed places; a fixed rotation of the columns, which leaves the determinant alone,
+    keeps them out of the pivots. Twice as fast as a determinant each, and exact enough to tell small from
+    not.
+    """
+    volumes = np.empty(len(J))
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        for start in range(0, len(J), _ABREAST):
+            M = np.ascontiguousarray((J[start : start + _ABREAST] @ _MIXING).transpose(1, 2, 0))
+            volume = M[0, 0].copy()
+            for k in range(5):
+                M[k + 1 :, k] /= M[k, k]
+                M[k + 1 :, k + 1 :] -= M[k + 1 :, k, None] * M[k, None, k + 1 :]
+                volume *= M[k + 1, k + 1]
+            volumes[start : start + _ABREAST] = volume
+    return np.asarray(np.nan_to_num(np.abs(volumes), nan=0.0))
+
+
+def _repeated(J: Array, counts: Indices) -> Indices:
+    """Targets of which two candidates are the same: equal configurations have equal Jacobians."""
+    print_of = J.reshape(len(J), -1) @ np.cos(np.arange(1.0, 1.0 + J[0].size)) if len(J) else np.empty(0)
+    ends = np.cumsum(counts)
+    repeated = []
+    for count in np.unique(counts[counts > 1]).tolist():
+        targets = np.flatnonzero(counts == count)
+        prints = print_of[(ends[targets] - count)[:, None] + np.arange(count)]
+        same = np.diff(np.sort(prints, axis=1), axis=1) <= SAME
+        repeated.append(targets[same.any(axis=1)])
+    return np.concatenate(repeated) if repeated else np.empty(0, dtype=np.intp)

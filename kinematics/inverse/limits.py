@@ -1,0 +1,85 @@
+"""Joint limits: what they are, and which turn of a joint lies within them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.errors import Fault, JointValueError
+from kinematics.inverse.arm import Array
+from kinematics.inverse.search import Box
+
+JointLimits: TypeAlias = Sequence[tuple[float | None, float | None] | None]
+"""For each joint (least, greatest) [rad, or m]; None where there is no limit."""
+
+ON_LIMIT = 1e-9
+"""A value beyond its limit by no more than this [rad, or m per unit of size] is put on it."""
+
+
+def read_limits(limits: JointLimits | None, n_joints: int) -> Box:
+    """The limits as arrays, infinite where there are none.
+
+    Raises:
+        JointValueError: not one entry per joint, at ("limits",); a bound that is NaN, or least above
+            greatest, at ("limits", i).
+    """
+    if limits is None:
+        return Box(np.full(n_joints, -np.inf), np.full(n_joints, np.inf))
+    if len(limits) != n_joints:
+        raise JointValueError(
+            Fault(
+                code="limits_wrong_length",
+                where=("limits",),
+                message=f"the arm has {n_joints} joints; give as many limits, null where there is none",
+                params={"expected": n_joints, "given": len(limits)},
+            )
+        )
+    low, high = np.empty(n_joints), np.empty(n_joints)
+    faults = []
+    for i, pair in enumerate(limits):
+        least, greatest = (None, None) if pair is None else pair
+        low[i] = -math.inf if least is None else least
+        high[i] = math.inf if greatest is None else greatest
+        if not low[i] <= high[i] or low[i] == math.inf or high[i] == -math.inf:
+            faults.append(
+                Fault(
+                    code="limits_reversed",
+                    where=("limits", i),
+                    message=f"the limits of joint {i + 1} are its least and its greatest value, in this"
+                    " order",
+                    params={"joint": i + 1},
+                )
+            )
+    if faults:
+        raise JointValueError(faults)
+    return Box(low, high)
+
+
+def within_limits(
+    q: Array, revolute: NDArray[np.bool_], box: Box, size: float
+) -> tuple[Array, NDArray[np.bool_]]:
+    """Joint variables by turns of 2π into their ranges, and which configurations fit.
+
+    Of several turns within the range the one nearest to 0 is taken, so that without limits q is in (-π, π].
+
+    Args:
+        q: (m, n).
+        revolute: (n,) which joints turn.
+        box: the limits.
+        size: unit of length for what counts as on a limit [m].
+
+    Returns:
+        (m, n) and (m,).
+    """
+    slack = np.where(revolute, ON_LIMIT, ON_LIMIT * size)
+    near_zero = q - 2.0 * np.pi * np.ceil((q - np.pi) / (2.0 * np.pi))
+    least = np.ceil((box.low - slack - near_zero) / (2.0 * np.pi))
+    greatest = np.floor((box.high + slack - near_zero) / (2.0 * np.pi))
+    turns = np.clip(0.0, least, greatest)
+    wrapped = np.where(revolute, near_zero + 2.0 * np.pi * np.where(np.isfinite(turns), turns, 0.0), q)
+    fits = ((wrapped >= box.low - slack) & (wrapped <= box.high + slack)).all(axis=1)
+    return np.clip(wrapped, box.low, box.high), np.asarray(fits)

@@ -1,0 +1,59 @@
+"""How far a pose is from its target: a distance and an angle."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinematics.inverse.arm import Array
+
+
+def pose_errors(poses: Array, targets: Array) -> tuple[Array, Array]:
+    """Distance [m] of the origins and angle [rad] between the orientations.
+
+    The angle is 2 asin(‖R - R*‖_F / √8), exact to rounding near zero.
+
+    Args:
+        poses: (m, 4, 4).
+        targets: (4, 4) or (m, 4, 4).
+
+    Returns:
+        (m,) and (m,).
+    """
+    difference = poses[..., :3, :] - targets[..., :3, :]
+    squares = difference * difference
+    position = np.sqrt(squares[..., 3].sum(axis=-1))
+    chord = np.sqrt(squares[..., :3].sum(axis=(-2, -1)))
+    return position, 2.0 * np.arcsin(np.minimum(chord / np.sqrt(8.0), 1.0))
+
+
+def residuals(poses: Array, targets: Array) -> Array:
+    """(m,) residuals √(distance² + angle²)."""
+    position, angle = pose_errors(poses, targets)
+    return np.hypot(position, angle)
+
+
+def error_vectors(poses: Array, target: Array, size: float) -> Array:
+    """Where to go from here: the way to the target's origin, divided by the size, over the rotation vector.
+
+    The rotation vector ω is the logarithm of R* Rᵀ, in the base.
+
+    Args:
+        poses: (m, 4, 4).
+        target: (4, 4), or (m, 4, 4) one each.
+        size: what counts as one unit of length [m].
+
+    Returns:
+        (m, 6).
+    """
+    errors = np.empty((len(poses), 6))
+    errors[:, :3] = (target[..., :3, 3] - poses[:, :3, 3]) / size
+    Q = target[..., :3, :3] @ poses[:, :3, :3].transpose(0, 2, 1)
+    w = errors[:, 3:]
+    w[:, 0] = Q[:, 2, 1] - Q[:, 1, 2]
+    w[:, 1] = Q[:, 0, 2] - Q[:, 2, 0]
+    w[:, 2] = Q[:, 1, 0] - Q[:, 0, 1]
+    sine = 0.5 * np.sqrt((w * w).sum(axis=1))
+    cosine = 0.5 * (Q[:, 0, 0] + Q[:, 1, 1] + Q[:, 2, 2] - 1.0)
+    angle = np.arctan2(sine, cosine)
+    w *= np.where(sine > 1e-12, 0.5 * angle / np.maximum(sine, 1e-12), 0.5)[:, None]
+    return errors

@@ -1,0 +1,108 @@
+"""What inverse kinematics returns. Unreachable and singular are results, not errors."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from kinematics.links import Transform
+
+
+class IKStatus(StrEnum):
+    """What is to be said about a target.
+
+    SOLVED: at least one solution. SINGULAR: infinitely many, though the arm has no joint to spare; one or
+    more of them are returned. UNREACHABLE: none within the limits; the nearest pose is returned.
+    """
+
+    SOLVED = "solved"
+    SINGULAR = "singular"
+    UNREACHABLE = "unreachable"
+
+
+class UnreachableReason(StrEnum):
+    """Why no solution is returned.
+
+    OUT_OF_REACH: no configuration reaches the target. JOINT_LIMITS: some do, all of them outside the limits.
+    """
+
+    OUT_OF_REACH = "out_of_reach"
+    JOINT_LIMITS = "joint_limits"
+
+
+class Method(StrEnum):
+    """How solutions were found: by a decomposition that yields all of them, or by search."""
+
+    CLOSED_FORM = "closed_form"
+    SEARCH = "search"
+
+
+class Isolation(StrEnum):
+    """Whether a solution stands alone or can be moved along a continuum of solutions."""
+
+    ISOLATED = "isolated"
+    CONTINUUM = "continuum"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class IKSolution:
+    """One way to reach the target.
+
+    Attributes:
+        joints: q_1 … q_n [rad, or m]; turns in (-π, π], or the value within the limits that is nearest to 0.
+        position_error: distance from the target [m], from the forward kinematics of these joints.
+        orientation_error: angle from the target [rad], likewise.
+        isolation: whether it stands alone.
+    """
+
+    joints: tuple[float, ...]
+    position_error: float
+    orientation_error: float
+    isolation: Isolation = Isolation.ISOLATED
+
+    @property
+    def residual(self) -> float:
+        """√(position_error² + orientation_error²)."""
+        return float((self.position_error**2 + self.orientation_error**2) ** 0.5)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class NearestPose:
+    """The configuration within the limits that comes nearest to an unreachable target.
+
+    Nearest is what makes (distance / size)² + angle² least, size being the sum of the arm's offsets.
+
+    Attributes:
+        joints: q_1 … q_n [rad, or m].
+        transform: (4, 4) the pose there.
+        position_error: its distance from the target [m].
+        orientation_error: its angle from the target [rad].
+    """
+
+    joints: tuple[float, ...]
+    transform: Transform
+    position_error: float
+    orientation_error: float
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class InverseKinematics:
+    """The answer for one target.
+
+    Attributes:
+        status: solved, singular or unreachable.
+        complete: whether `solutions` are all there are within the limits, turns of 2π not counted twice.
+        method: how they were found.
+        solutions: distinct solutions, the one with the smallest joint values first.
+        nearest: the nearest pose, if unreachable.
+        reason: why it is unreachable.
+        outside_limits: number of solutions that were found outside the limits.
+    """
+
+    status: IKStatus
+    complete: bool
+    method: Method
+    solutions: tuple[IKSolution, ...]
+    nearest: NearestPose | None = None
+    reason: UnreachableReason | None = None
+    outside_limits: int = 0

@@ -1,0 +1,246 @@
+"""Damped least squares from many starts at once.
+
+Every start descends ‖e(q)‖² by its own Levenberg–Marquardt steps, all of them in the same array operations:
+(JᵀJ + λ) δ = Jᵀe, λ down after a step that helps and up after one that does not. Starts are points of a
+low-discrepancy sequence, so a search is the same every time.
+
+Source: T. Sugihara, Solvability-unconcerned inverse kinematics by the Levenberg–Marquardt method, IEEE Trans.
+Robotics 27 (2011) 984, for the use of damping; K. Madsen, H. B. Nielsen, O. Tingleff, Methods for non-linear
+least squares problems (2004) §3.2.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.distinct import distinct
+from kinematics.inverse.residuals import error_vectors
+
+CONVERGED = 1e-11
+"""Size of the error vector at which a start has arrived."""
+
+ARRIVED = 1e-7
+"""Size of the error vector at which Newton steps take over."""
+
+JOINTS_OF_SPACE = 6
+"""An arm with more joints than this has joints to spare."""
+
+FIRST_ROUND = 32
+ENOUGH_STARTS = 512
+MOST_STARTS = 2048
+
+_DAMPING = (1e-9, 1e4)
+
+
+class Bounds(StrEnum):
+    """Whether a search keeps the joint limits."""
+
+    KEPT = "kept"
+    IGNORED = "ignored"
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """Bounds of the joint variables; infinite where there are none."""
+
+    low: Array
+    high: Array
+
+
+def unbounded(n_joints: int) -> Box:
+    """No limits at all."""
+    return Box(np.full(n_joints, -np.inf), np.full(n_joints, np.inf))
+
+
+@dataclass(frozen=True, slots=True)
+class Descent:
+    """Where the starts ended.
+
+    Attributes:
+        joints: (m, n).
+        errors: (m,) size of the error vector there.
+    """
+
+    joints: Array
+    errors: Array
+
+
+@dataclass(frozen=True, slots=True)
+class SearchResult:
+    """What a search found.
+
+    Attributes:
+        solutions: (k, n) distinct solutions, turns not brought into any range.
+        nearest: (n,) the configuration nearest to the target.
+    """
+
+    solutions: Array
+    nearest: Array
+
+
+def low_discrepancy(count: int, dimension: int, skip: int = 0) -> Array:
+    """Points of the additive recurrence x_k = frac(½ + k·α), α from the generalised golden ratio.
+
+    Args:
+        count: how many.
+        dimension: of the cube [0, 1)ⁿ.
+        skip: how many points of the sequence to leave out first.
+
+    Source: M. Roberts, The unreasonable effectiveness of quasirandom sequences (2018).
+    """
+    root = 1.5
+    for _ in range(60):
+        root = (1.0 + root) ** (1.0 / (dimension + 1))
+    alpha = root ** -np.arange(1.0, dimension + 1.0)
+    return np.asarray((0.5 + np.arange(skip + 1, skip + count + 1)[:, None] * alpha) % 1.0)
+
+
+def descend(
+    arm: Arm, target: Array, starts: Array, box: Box, iterations: int = 60, least_gain: float = 1e-4
+) -> Descent:
+    """Descend from every start.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        starts: (m, n), inside the box.
+        box: bounds that are kept at every step: a joint at its bound that wants to leave is held there.
+        iterations: the most that any start takes.
+        least_gain: part of the cost that a step must take off; a start that fails to eight times in a row
+            is at a local minimum.
+    """
+    q = starts.copy()
+    ended = np.empty(len(q))
+    alive = np.arange(len(q))
+    frames = arm.frames(q)
+    e = error_vectors(frames[-1], target, arm.size)
+    cost = (e * e).sum(axis=1)
+    ended[:] = cost
+    damping = np.full(len(q), 1e-2)
+    stalled = np.zeros(len(q), dtype=int)
+    bounded = bool(np.isfinite(box.low).any() or np.isfinite(box.high).any())
+    at = q.copy()
+    for _ in range(iterations):
+        step = _steps(arm.jacobians(frames), e, damping + cost * 1e-3, at, box if bounded else None)
+        tried = at + step
+        if bounded:
+            np.clip(tried, box.low, box.high, out=tried)
+        new_frames = arm.frames(tried)
+        new_e = error_vectors(new_frames[-1], target, arm.size)
+        new_cost = (new_e * new_e).sum(axis=1)
+        better = new_cost < cost
+        gained = (cost - new_cost) > least_gain * cost
+        stalled = np.where(better & gained, 0, stalled + 1)
+        damping = np.clip(np.where(better, damping * 0.1, damping * 5.0), *_DAMPING)
+        at = np.where(better[:, None], tried, at)
+        frames = np.where(better[None, :, None, None], new_frames, frames)
+        e = np.where(better[:, None], new_e, e)
+        cost = np.where(better, new_cost, cost)
+        q[alive], ended[alive] = at, cost
+        going = (cost > CONVERGED**2) & (stalled < 8)
+        if not going.all():
+            alive, at, e, cost = alive[going], at[going], e[going], cost[going]
+            frames, damping, stalled = frames[:, going], damping[going], stalled[going]
+            if not len(alive):
+                break
+    return Descent(q, np.sqrt(ended))
+
+
+def search(arm: Arm, target: Array, box: Box, bounds: Bounds) -> SearchResult:
+    """Solutions from many starts, and the nearest configuration.
+
+    Rounds of starts, each as large as all before it, go on until one brings nothing new (of arms with
+    joints to
+    spare: until there are solutions at all), or until the budget for this number of joints is used up.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        box: joint limits.
+        bounds: whether starts and descent keep them.
+    """
+    n = arm.n_joints
+    box = box if bounds is Bounds.KEPT else unbounded(n)
+    found = np.empty((0, n))
+    ends, errors = [], []
+    done, count = 0, FIRST_ROUND
+    while done < min(MOST_STARTS, FIRST_ROUND * 8 ** (n - 1)):
+        descent = descend(arm, target, _starts(arm, target, box, count, done), box)
+        best = np.argsort(descent.errors, kind="stable")[:4]
+        ends.append(descent.joints[best])
+        errors.append(descent.errors[best])
+        arrived = descent.joints[descent.errors < ARRIVED]
+        before = len(found)
+        if len(arrived):
+            found = distinct(arm, target, np.concatenate((found, _exact(arm, target, arrived, box))))
+        done, count = done + count, done + count
+        if len(found) and (n > JOINTS_OF_SPACE or len(found) == before or done >= ENOUGH_STARTS):
+            break
+    if len(found):
+        return SearchResult(found, found[0])
+    best = np.argsort(np.concatenate(errors), kind="stable")[:4]
+    settled = descend(arm, target, np.concatenate(ends)[best], box, iterations=300, least_gain=1e-9)
+    return SearchResult(found, settled.joints[int(np.argmin(settled.errors))])
+
+
+def _exact(arm: Arm, target: Array, joints: Array, box: Box) -> Array:
+    """Those configurations that, refined and put back into the box, are solutions; the best first."""
+    q = np.clip(polish(arm, target, joints), box.low, box.high)
+    errors = np.linalg.norm(error_vectors(arm.frames(q)[-1], target, arm.size), axis=1)
+    exact = errors <= arm.exactness
+    return np.asarray(q[exact][np.argsort(errors[exact], kind="stable")])
+
+
+def _starts(arm: Arm, target: Array, box: Box, count: int, skip: int) -> Array:
+    """Starts all over the box; a turn without limits over one turn, a slide as far as the target may need."""
+    far = arm.size + float(np.linalg.norm(target[:3, 3]))
+    half = np.where(arm.revolute, np.pi, far)
+    bounded_below, bounded_above = np.isfinite(box.low), np.isfinite(box.high)
+    low = np.where(bounded_below, box.low, np.where(bounded_above, box.high - 2.0 * half, -half))
+    high = np.where(bounded_above, box.high, low + 2.0 * half)
+    return low + (high - low) * low_discrepancy(count, arm.n_joints, skip)
+
+
+def polish(arm: Arm, targets: Array, joints: Array, steps: int = 20) -> Array:
+    """Newton steps of least norm from configurations that are nearly right; the better of each pair is kept.
+
+    Args:
+        arm: the arm.
+        targets: (4, 4), or (m, 4, 4) one each.
+        joints: (m, n).
+        steps: how many.
+    """
+    q = joints.copy()
+    frames = arm.frames(q)
+    e = error_vectors(frames[-1], targets, arm.size)
+    cost = (e * e).sum(axis=1)
+    for _ in range(steps):
+        J = arm.jacobians(frames)
+        tried = q + (np.linalg.pinv(J, rcond=1e-9) @ e[:, :, None])[:, :, 0]
+        new_frames = arm.frames(tried)
+        new_e = error_vectors(new_frames[-1], targets, arm.size)
+        new_cost = (new_e * new_e).sum(axis=1)
+        better = new_cost < cost
+        if not better.any():
+            break
+        q = np.where(better[:, None], tried, q)
+        frames = np.where(better[None, :, None, None], new_frames, frames)
+        e = np.where(better[:, None], new_e, e)
+        cost = np.where(better, new_cost, cost)
+    return q
+
+
+def _steps(J: Array, e: Array, damping: Array, q: Array, box: Box | None) -> Array:
+    gradient = (J.transpose(0, 2, 1) @ e[:, :, None])[:, :, 0]
+    if box is not None:
+        held = ((q <= box.low) & (gradient < 0)) | ((q >= box.high) & (gradient > 0))
+        J = np.where(held[:, None, :], 0.0, J)
+        gradient = np.where(held, 0.0, gradient)
+    A = J.transpose(0, 2, 1) @ J
+    n = A.shape[1]
+    A[:, range(n), range(n)] += damping[:, None]
+    return np.asarray(np.linalg.solve(A, gradient[:, :, None])[:, :, 0])

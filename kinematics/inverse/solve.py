@@ -1,0 +1,231 @@
+"""One target: all solutions where there is a closed form, as many as a search finds elsewhere."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinematics.errors import Fault, TableError
+from kinematics.inverse.arm import Arm, Array, arm_of
+from kinematics.inverse.closed_form import NEARLY, ClosedForm, closed_form_of
+from kinematics.inverse.distinct import distinct, on_continuum, one_per_continuum
+from kinematics.inverse.limits import JointLimits, read_limits, within_limits
+from kinematics.inverse.residuals import error_vectors, pose_errors
+from kinematics.inverse.results import (
+    IKSolution,
+    IKStatus,
+    InverseKinematics,
+    Isolation,
+    Method,
+    NearestPose,
+    UnreachableReason,
+)
+from kinematics.inverse.search import JOINTS_OF_SPACE, Bounds, Box, polish, search
+from kinematics.links import Transform
+from kinematics.table import NumericTable
+from kinematics.transforms import check_transform
+
+MAX_JOINTS = 12
+ROUNDING = 1e-12
+"""A candidate with an error vector this small [rad, or parts of the size] is left as it is."""
+
+MOST_SOLUTIONS = 64
+"""Of a search no more solutions than this are returned."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Solver:
+    """An arm made ready for inverse kinematics.
+
+    Attributes:
+        table: its table.
+        base: (4, 4) pose of frame 0 in the world, or None.
+        tool: (4, 4) pose of the tool in frame N, or None.
+        arm: its constants and joints.
+        closed_form: the method that yields all solutions, if there is one.
+        box: joint limits.
+    """
+
+    table: NumericTable
+    base: Transform | None
+    tool: Transform | None
+    arm: Arm
+    closed_form: ClosedForm | None
+    box: Box
+
+    def solve(self, target: ArrayLike) -> InverseKinematics:
+        """The joint variables that reach a target.
+
+        Args:
+            target: (4, 4) pose of the tool in the world.
+
+        Raises:
+            PoseError: not a rigid motion, at ("target", …).
+        """
+        pose = nearest_rigid(check_transform(target, where=("target",)))
+        candidates = None if self.closed_form is None else self.closed_form.candidates(pose)
+        method = Method.SEARCH if candidates is None else Method.CLOSED_FORM
+        found = np.empty((0, self.arm.n_joints)) if candidates is None else candidates
+        found = refined(self.arm, found, pose)
+        if not len(found) and self.arm.n_joints <= JOINTS_OF_SPACE:
+            found = search(self.arm, pose, self.box, Bounds.IGNORED).solutions
+            method = Method.SEARCH if len(found) else method
+        inside, fits = within_limits(found, self.arm.revolute, self.box, self.arm.size)
+        if fits.any():
+            return self._answer(inside[fits], pose, method, int((~fits).sum()))
+        return self._within_limits_only(pose, len(found), method)
+
+    def _answer(self, joints: Array, pose: Transform, method: Method, outside: int) -> InverseKinematics:
+        """The result for solutions within the limits."""
+        arm = self.arm
+        continuum = np.zeros(len(joints), dtype=bool)
+        if arm.n_joints <= JOINTS_OF_SPACE:
+            continuum, directions = on_continuum(arm, pose, joints)
+            if continuum.any():
+                keep = one_per_continuum(arm, joints, continuum, directions)
+                joints, continuum = joints[keep], continuum[keep]
+        position, angle = pose_errors(arm.frames(joints)[-1], pose)
+        order = np.argsort(np.abs(joints).sum(axis=1), kind="stable")[:MOST_SOLUTIONS]
+        values, distances, angles = joints.tolist(), position.tolist(), angle.tolist()
+        solutions = tuple(
+            IKSolution(
+                joints=tuple(values[i]),
+                position_error=distances[i],
+                orientation_error=angles[i],
+                isolation=Isolation.CONTINUUM if continuum[i] else Isolation.ISOLATED,
+            )
+            for i in order.tolist()
+        )
+        singular = bool(continuum.any())
+        return InverseKinematics(
+            status=IKStatus.SINGULAR if singular else IKStatus.SOLVED,
+            complete=method is Method.CLOSED_FORM and not singular,
+            method=method,
+            solutions=solutions,
+            outside_limits=outside,
+        )
+
+    def _within_limits_only(self, pose: Transform, outside: int, method: Method) -> InverseKinematics:
+        """The result where no solution is known within the limits: look there, or report the nearest pose."""
+        found = search(self.arm, pose, self.box, Bounds.KEPT)
+        if len(found.solutions):
+            joints, fits = within_limits(found.solutions, self.arm.revolute, self.box, self.arm.size)
+            if fits.any():
+                return self._answer(joints[fits], pose, Method.SEARCH, outside)
+        transform = self.arm.frames(found.nearest[None])[-1, 0]
+        position, angle = pose_errors(transform[None], pose)
+        return InverseKinematics(
+            status=IKStatus.UNREACHABLE,
+            complete=method is Method.CLOSED_FORM,
+            method=method,
+            solutions=(),
+            nearest=NearestPose(
+                joints=tuple(found.nearest.tolist()),
+                transform=transform,
+                position_error=float(position[0]),
+                orientation_error=float(angle[0]),
+            ),
+            reason=UnreachableReason.JOINT_LIMITS if outside else UnreachableReason.OUT_OF_REACH,
+            outside_limits=outside,
+        )
+
+
+def inverse_kinematics(
+    table: NumericTable,
+    target: ArrayLike,
+    *,
+    base: ArrayLike | None = None,
+    tool: ArrayLike | None = None,
+    limits: JointLimits | None = None,
+) -> InverseKinematics:
+    """The joint variables at which the arm reaches a target: base · A_1(q) ⋯ A_N(q) · tool = target.
+
+    Arms with a closed form yield every solution. Others are searched from many starts: what is returned are
+    solutions, but there may be more. A solution's residual is at most 1e-9, in radians and in
+    the table's unit of length, for arms up to 10 000 units long; in general it is some 1e-15 of the arm's
+    size.
+
+    Args:
+        table: the DH table, of 1 to 12 joints.
+        target: (4, 4) pose of the tool in the world.
+        base: (4, 4) pose of frame 0 in the world; the identity if left out.
+        tool: (4, 4) pose of the tool in frame N; the identity if left out.
+        limits: (least, greatest) of each joint [rad, or m], None where there is none.
+
+    Raises:
+        TableError: no joint, or more than 12.
+        JointValueError: malformed limits.
+        PoseError: target, base or tool is not a rigid motion.
+    """
+    return solver_of(table, base=base, tool=tool, limits=limits).solve(target)
+
+
+def solver_of(
+    table: NumericTable,
+    *,
+    base: ArrayLike | None = None,
+    tool: ArrayLike | None = None,
+    limits: JointLimits | None = None,
+) -> Solver:
+    """The table made ready for many targets; arguments and refusals are those of `inverse_kinematics`."""
+    T_w_0 = None if base is None else check_transform(base, where=("base",))
+    T_n_t = None if tool is None else check_transform(tool, where=("tool",))
+    arm, closed_form = _prepared(
+        table, None if T_w_0 is None else T_w_0.tobytes(), None if T_n_t is None else T_n_t.tobytes()
+    )
+    return Solver(
+        table=table,
+        base=T_w_0,
+        tool=T_n_t,
+        arm=arm,
+        closed_form=closed_form,
+        box=read_limits(limits, arm.n_joints),
+    )
+
+
+def refined(arm: Arm, candidates: Array, target: Transform) -> Array:
+    """The solutions among candidates, each once, as exact as floating point has them."""
+    if not len(candidates):
+        return candidates
+    errors = np.linalg.norm(error_vectors(arm.frames(candidates)[-1], target, arm.size), axis=1)
+    rough = (errors > ROUNDING) & (errors < NEARLY)
+    if rough.any():
+        candidates = candidates.copy()
+        candidates[rough] = polish(arm, target, candidates[rough])
+        errors = np.linalg.norm(error_vectors(arm.frames(candidates)[-1], target, arm.size), axis=1)
+    exact = errors <= arm.exactness
+    ranked = np.argsort(errors[exact], kind="stable")
+    return distinct(arm, target, candidates[exact][ranked])
+
+
+def nearest_rigid(target: Transform) -> Transform:
+    """The target with its rotation part replaced by the nearest rotation, if it is off by more than rounding.
+
+    Source: N. J. Higham, Matrix nearness problems and applications (1989) §3, the orthogonal polar factor.
+    """
+    R = target[:3, :3]
+    if float(np.abs(R.T @ R - np.eye(3)).max()) <= 1e-14:
+        return target
+    U, _, V = np.linalg.svd(R)
+    rigid = target.copy()
+    rigid[:3, :3] = U @ V
+    return rigid
+
+
+@lru_cache(maxsize=256)
+def _prepared(table: NumericTable, base: bytes | None, tool: bytes | None) -> tuple[Arm, ClosedForm | None]:
+    if not 1 <= table.n_joints <= MAX_JOINTS:
+        raise TableError(
+            Fault(
+                code="inverse_joint_count",
+                where=("rows",),
+                message=f"inverse kinematics takes 1 to {MAX_JOINTS} joints; this table has {table.n_joints}",
+                params={"count": table.n_joints, "limit": MAX_JOINTS},
+            )
+        )
+    ends = [None if T is None else np.frombuffer(T).reshape(4, 4) for T in (base, tool)]
+    arm = arm_of(table, *ends)
+    return arm, closed_form_of(arm)
