@@ -13,6 +13,7 @@ from pydantic.json_schema import models_json_schema
 from service.errors import PROBLEM_JSON
 from service.routing import JSON
 from service.schemas.base import ProblemDocument
+from service.schemas.examples import named
 
 _REFERENCE = "#/components/schemas/{model}"
 _DECLARED: dict[str, type[BaseModel]] = {}
@@ -43,7 +44,7 @@ def request_body(
     content: dict[str, Any] = {
         JSON: {
             "schema": {"$ref": _REFERENCE.format(model=model.__name__)},
-            "examples": {name: {"summary": name, "value": value} for name, value in examples.items()},
+            "examples": named(examples),
         }
     }
     content |= {f"application/{name.replace('_', '-')}": dict(entry) for name, entry in other.items()}

@@ -12,6 +12,11 @@ from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError
 from kinematics.forward import ForwardKinematics, forward_kinematics
+from kinematics.pose_batches import (
+    axis_angles_from_transforms,
+    quaternions_from_transforms,
+    xyzabcs_from_transforms,
+)
 from kinematics.poses import pose_notations
 from kinematics.table import JointType
 from kinematics.transforms import inverse_transform
@@ -27,7 +32,6 @@ NPY_BLOCK = 16384
 _SAFE_REACH = 1e150
 _QUATERNION, _RPY, _XYZABC, _AXIS, _ANGLE = slice(0, 4), slice(4, 7), slice(7, 13), slice(13, 16), 16
 _POSITION = slice(7, 10)
-_WIDTH = 17
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -193,18 +197,19 @@ def _orientation(row: list[float]) -> dict[str, object]:
 
 
 def _orientations(question: PoseQuestion) -> bytes:
-    table = np.empty((len(question.joints), _WIDTH))
-    for start, stop in _blocks(len(table), JSON_BLOCK):
-        poses = question.poses(start, stop)
-        table[start:stop] = [_notations(pose, question.robot.angle) for pose in poses.transform]
-    quaternion, rpy, xyzabc, axis = (_written(table[:, part]) for part in (_QUATERNION, _RPY, _XYZABC, _AXIS))
-    angle = _written(table[:, _ANGLE])
-    return b'{"quaternion":%b,"rpy":%b,"axis_angle":{"axis":%b,"angle":%b},"xyzabc":%b}' % (
-        quaternion,
-        rpy,
-        axis,
-        angle,
-        xyzabc,
+    count, angle = len(question.joints), question.robot.angle
+    quaternion, axis = np.empty((count, 4)), np.empty((count, 3))
+    turn, xyzabc = np.empty(count), np.empty((count, 6))
+    for start, stop in _blocks(count, NPY_BLOCK):
+        poses = question.poses(start, stop).transform
+        quaternion[start:stop] = quaternions_from_transforms(poses)
+        axis[start:stop], turn[start:stop] = axis_angles_from_transforms(poses)
+        xyzabc[start:stop] = xyzabcs_from_transforms(poses)
+    turn /= angle
+    xyzabc[:, 3:] /= angle
+    rpy = xyzabc[:, :2:-1]
+    return b'{"quaternion":%b,"rpy":%b,"axis_angle":{"axis":%b,"angle":%b},"xyzabc":%b}' % tuple(
+        map(_written, (quaternion, rpy, axis, turn, xyzabc))
     )
 
 

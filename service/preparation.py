@@ -82,14 +82,19 @@ def _key(request: Mapping[str, Any]) -> bytes:
 
 def _robot(question: RobotQuestion, limits: Limits) -> Robot:
     if question.table is None:
-        listed = _listed(str(question.robot))
+        listed = listed_robot(str(question.robot))
         return robot_of(listed.table, {**listed.parameters, **question.parameters})
     with located("table"):
         read = read_table(question.table.raw(), limits)
     return robot_of(read, question.parameters)
 
 
-def _listed(robot_id: str) -> catalogue.Robot:
+def listed_robot(robot_id: str) -> catalogue.Robot:
+    """The robot of the catalogue that a request names in its field `robot`.
+
+    Raises:
+        RequestError: there is none of that id.
+    """
     try:
         return catalogue.robot(robot_id)
     except KeyError:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 PUMA_560: dict[str, Any] = {
@@ -62,3 +63,14 @@ JACOBIAN: dict[str, Any] = {
         "frame": "base",
     },
 }
+
+CONVERT: dict[str, Any] = {
+    "PUMA 560 to the modified convention": {"table": PUMA_560, "to": "modified"},
+    "a table with parameters to the standard convention": {"table": CYLINDRICAL, "to": "standard"},
+    "a robot of the catalogue to a product of exponentials": {"robot": "scara", "to": "poe"},
+}
+
+
+def named(found: Mapping[str, Any]) -> dict[str, Any]:
+    """Examples as OpenAPI lists them."""
+    return {name: {"summary": name, "value": value} for name, value in found.items()}

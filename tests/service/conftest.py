@@ -6,13 +6,14 @@ import contextlib
 import socket
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import httpx
 import pytest
 import uvicorn
 
 from service.app import create_app
+from service.messages import sentence
 from service.settings import Settings
 
 
@@ -32,6 +33,24 @@ def running(settings: Settings) -> Iterator[str]:
         server.should_exit = True
         thread.join(timeout=10)
         listener.close()
+
+
+@pytest.fixture(scope="session", autouse=True)
+def every_refusal_has_a_sentence() -> Iterator[None]:
+    """In tests, a code without a message, or a message that lacks a parameter, is an unforeseen error."""
+
+    def strict(language: str, identifier: str, params: Mapping[str, object] | None = None) -> str:
+        text = sentence(language, identifier, params)
+        assert text is not None, f"{identifier} has no message"
+        return text
+
+    def refuse(message: str, *arguments: object) -> None:
+        raise AssertionError(message % arguments)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("service.errors.sentence", strict)
+        patch.setattr("service.messages._log.warning", refuse)
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -87,3 +87,4 @@ error-npy_length_mismatch = The npy header promises { $promised } bytes of data;
 error-npy_object_refused = The npy file holds Python objects, which are never unpickled. Send an array of numbers.
 error-npy_type_unsupported = The npy file holds { $type }. Send real numbers, such as float64 (<f8).
 error-npy_one_part = An npy file holds one array. Name one part: { $allowed }.
+error-one_source = Describe the robot in exactly one way: { $allowed }.

@@ -87,3 +87,4 @@ error-npy_length_mismatch = La cabecera npy promete { $promised } bytes de datos
 error-npy_object_refused = El archivo npy contiene objetos de Python, que nunca se deserializan. Envíe una matriz de números.
 error-npy_type_unsupported = El archivo npy contiene { $type }. Envíe números reales, como float64 (<f8).
 error-npy_one_part = Un archivo npy contiene una sola matriz. Nombre una parte: { $allowed }.
+error-one_source = Describa el robot de una sola manera: { $allowed }.

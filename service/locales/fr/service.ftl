@@ -87,3 +87,4 @@ error-npy_length_mismatch = L’en-tête npy promet { $promised } octets de donn
 error-npy_object_refused = Le fichier npy contient des objets Python, qui ne sont jamais désérialisés. Envoyez un tableau de nombres.
 error-npy_type_unsupported = Le fichier npy contient { $type }. Envoyez des nombres réels, par exemple float64 (<f8).
 error-npy_one_part = Un fichier npy contient un seul tableau. Nommez une partie : { $allowed }.
+error-one_source = Décrivez le robot d’une seule manière : { $allowed }.

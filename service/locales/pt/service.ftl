@@ -87,3 +87,4 @@ error-npy_length_mismatch = O cabeçalho npy promete { $promised } bytes de dado
 error-npy_object_refused = O ficheiro npy contém objetos Python, que nunca são desserializados. Envie uma matriz de números.
 error-npy_type_unsupported = O ficheiro npy contém { $type }. Envie números reais, como float64 (<f8).
 error-npy_one_part = Um ficheiro npy contém uma só matriz. Indique uma parte: { $allowed }.
+error-one_source = Descreva o robô de uma só maneira: { $allowed }.

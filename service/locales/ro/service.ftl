@@ -91,3 +91,4 @@ error-npy_length_mismatch = Antetul npy promite { $promised } octeți de date; u
 error-npy_object_refused = Fișierul npy conține obiecte Python, care nu sunt niciodată deserializate. Trimiteți un tablou de numere.
 error-npy_type_unsupported = Fișierul npy conține { $type }. Trimiteți numere reale, de exemplu float64 (<f8).
 error-npy_one_part = Un fișier npy conține un singur tablou. Numiți o singură parte: { $allowed }.
+error-one_source = Descrieți robotul într-un singur fel: { $allowed }.

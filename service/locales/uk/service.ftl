@@ -91,3 +91,4 @@ error-npy_length_mismatch = Заголовок npy обіцяє { $promised } б
 error-npy_object_refused = Файл npy містить об’єкти Python, які ніколи не десеріалізуються. Надішліть масив чисел.
 error-npy_type_unsupported = Файл npy містить { $type }. Надішліть дійсні числа, наприклад float64 (<f8).
 error-npy_one_part = Файл npy містить один масив. Назвіть одну частину: { $allowed }.
+error-one_source = Опишіть робота рівно одним способом: { $allowed }.

@@ -1,0 +1,42 @@
+"""POST /convert: from one description of a robot to another.
+
+A *source* reads a description into a `Described` robot, a *target* writes one. Every source meets every
+target.
+
+To add a source, give `service.schemas.conversion.ConvertRequest` a field for it and `SOURCES` a reader under
+that field's name; to add a target, give `Target` a name and `TARGETS` a writer.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from service.conversion.described import Described
+from service.conversion.products import product_answer
+from service.conversion.tables import described_table, table_answer
+from service.schemas.conversion import ConvertAnswer, ConvertRequest, Target
+from service.settings import Settings
+
+Source = Callable[[ConvertRequest, Settings], Described]
+Writer = Callable[[Described, Target], ConvertAnswer]
+
+SOURCES: Mapping[str, Source] = {
+    "table": described_table,
+    "robot": described_table,
+}
+
+TARGETS: Mapping[Target, Writer] = {
+    Target.STANDARD: table_answer,
+    Target.MODIFIED: table_answer,
+    Target.POE: product_answer,
+}
+
+
+def converted(request: ConvertRequest, settings: Settings) -> ConvertAnswer:
+    """The answer to a request that names exactly one source.
+
+    Raises:
+        KinematicsError: the description cannot be read, or not be written in the other form.
+    """
+    source = next(name for name in SOURCES if getattr(request, name) is not None)
+    return TARGETS[request.to](SOURCES[source](request, settings), request.to)

@@ -1,0 +1,28 @@
+"""Products of exponentials."""
+
+from __future__ import annotations
+
+from kinematics.screws import product_of_exponentials
+from service.conversion.described import Described
+from service.preparation import robot_of
+from service.schemas.conversion import ProductAnswer, Screw, Target
+
+
+def product_answer(robot: Described, _target: Target) -> ProductAnswer:
+    """The joint screws and the home pose of a robot whose parameters all have values.
+
+    Raises:
+        ParameterError: a parameter has no value.
+    """
+    prepared = robot_of(robot.read, robot.parameters or {})
+    product = product_of_exponentials(prepared.table, base=robot.base, tool=robot.tool)
+    screws = [
+        Screw(joint=joint, linear=list(screw.linear), angular=list(screw.angular))
+        for joint, screw in zip(prepared.table.joint_types, product.screws, strict=True)
+    ]
+    return ProductAnswer(
+        angle_unit=robot.read.angle_unit.value,
+        length_unit=robot.read.length_unit.value,
+        screws=screws,
+        home=product.home.tolist(),
+    )

@@ -1,0 +1,32 @@
+"""From one description of a robot to another."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from fastapi import Body, Request
+
+from service.conversion import converted
+from service.openapi import problems
+from service.routing import api_router
+from service.schemas import examples
+from service.schemas.conversion import ConvertAnswer, ConvertRequest
+from service.settings import Settings
+
+router = api_router("kinematics")
+
+
+@router.post(
+    "/convert", summary="From one description of a robot to another", responses=problems(400, 413, 415, 422)
+)
+async def convert(
+    request: Request, body: Annotated[ConvertRequest, Body(openapi_examples=examples.named(examples.CONVERT))]
+) -> ConvertAnswer:
+    """The same robot, described otherwise, with nothing lost.
+
+    To a DH table of the other convention: base · (new table) · tool equals the old table for every q. Entries
+    are moved, not computed, so parameters and spellings stay. To a product of exponentials: every parameter
+    needs a value.
+    """
+    settings: Settings = request.app.state.settings
+    return converted(body, settings)

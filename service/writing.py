@@ -1,0 +1,141 @@
+"""DH tables and poses as the wire writes them: cells that the grammar reads back to the very same entries."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any, TypeAlias
+
+from kinematics.cells import DEFAULT, AngleUnit, LengthUnit, ParameterKind
+from kinematics.cells.exact import snapped
+from kinematics.expressions import Expression, pi_fraction, rational_value
+from kinematics.printing.notation import Names
+from kinematics.printing.text import text_writer
+from kinematics.table import JointType, NumericRow, NumericTable, SymbolicRow, SymbolicTable
+
+WireCell: TypeAlias = int | float | str
+WireTable: TypeAlias = dict[str, Any]
+Spellings: TypeAlias = Mapping[tuple[ParameterKind, Expression], WireCell]
+
+_HALF_TURN = 180
+VARIABLE_CELL = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
+CELL_KINDS = {
+    "alpha": ParameterKind.ANGLE,
+    "a": ParameterKind.LENGTH,
+    "d": ParameterKind.LENGTH,
+    "theta": ParameterKind.ANGLE,
+}
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class TableWriter:
+    """Writes tables in given units.
+
+    Attributes:
+        angle_unit: unit of angles written as numbers.
+        length_unit: unit of the lengths.
+        spellings: how a person wrote a constant, to be kept where the same constant is written again.
+        variable_cells: how a person wrote the cells with the joint variables, by joint number.
+    """
+
+    angle_unit: AngleUnit
+    length_unit: LengthUnit
+    spellings: Spellings = field(default_factory=dict)
+    variable_cells: Mapping[int, WireCell] = field(default_factory=dict)
+
+    def table(self, table: SymbolicTable) -> WireTable:
+        """A table of exact entries."""
+        numbers = {row: joint for joint, row in enumerate(table.joint_rows, 1)}
+        rows = [self.row(row, numbers.get(i, 0)) for i, row in enumerate(table.rows)]
+        return {
+            "convention": table.convention.value,
+            "angle_unit": self.angle_unit.value,
+            "length_unit": self.length_unit.value,
+            "rows": rows,
+        }
+
+    def row(self, row: SymbolicRow, joint: int = 0) -> dict[str, WireCell]:
+        """A row; `joint` is the number of its variable, if it has one."""
+        cells: dict[str, WireCell] = {"joint": row.joint.value}
+        for name, kind in CELL_KINDS.items():
+            cells[name] = self.cell(getattr(row, name), kind)
+        held = VARIABLE_CELL.get(row.joint)
+        if held is not None:
+            own = _with_variable(f"{'-' if row.sign < 0 else ''}q{joint}", cells[held])
+            cells[held] = self.variable_cells.get(joint, own)
+        return cells
+
+    def cell(self, entry: Expression, kind: ParameterKind) -> WireCell:
+        """An entry: a number where a number says it exactly, else an expression."""
+        known = self.spellings.get((kind, entry))
+        if known is not None:
+            return known
+        value = rational_value(entry)
+        if kind is ParameterKind.ANGLE and self.angle_unit is AngleUnit.DEG:
+            turns = pi_fraction(entry)
+            if turns is not None:
+                return _number(turns * _HALF_TURN)
+            if value is not None:
+                return math.degrees(value)
+        if value is not None:
+            return _number(value)
+        return text_writer(Names()).write(entry).text
+
+
+def numeric_table(table: NumericTable, angle_unit: AngleUnit, length_unit: LengthUnit) -> WireTable:
+    """A table of numbers, written as numbers."""
+    numbers = {row: joint for joint, row in enumerate(table.joint_rows, 1)}
+    return {
+        "convention": table.convention.value,
+        "angle_unit": angle_unit.value,
+        "length_unit": length_unit.value,
+        "rows": [_numeric_row(row, numbers.get(i, 0), angle_unit) for i, row in enumerate(table.rows)],
+    }
+
+
+def _numeric_row(row: NumericRow, joint: int, angle_unit: AngleUnit) -> dict[str, WireCell]:
+    cells: dict[str, WireCell] = {
+        "joint": row.joint.value,
+        "alpha": angle_in(angle_unit, row.alpha),
+        "a": _readable(row.a),
+        "d": _readable(row.d),
+        "theta": angle_in(angle_unit, row.theta),
+    }
+    held = VARIABLE_CELL.get(row.joint)
+    if held is not None:
+        cells[held] = _with_variable(f"{'-' if row.sign < 0 else ''}q{joint}", cells[held])
+    return cells
+
+
+def angle_in(unit: AngleUnit, value: float) -> float:
+    """An angle [rad] in a unit; a multiple of π/12, but for rounding, becomes a whole number of degrees."""
+    if unit is AngleUnit.RAD:
+        return _readable(value)
+    turns = pi_fraction(snapped(Fraction(repr(value))))
+    return float(turns * _HALF_TURN) if turns is not None else _readable(math.degrees(value))
+
+
+def _readable(value: float) -> float:
+    """The value as a cell can hold it: what is smaller than the smallest number of a cell is rounding."""
+    return value if abs(value) >= DEFAULT.smallest else 0.0
+
+
+def _number(value: Fraction) -> WireCell:
+    """The value as a JSON number where that is exact, as text where it is not."""
+    if value.denominator == 1 and abs(value.numerator) < 2**53:
+        return value.numerator
+    number = float(value)
+    if math.isfinite(number) and Fraction(repr(number)) == value:
+        return number
+    return str(value)
+
+
+def _with_variable(variable: str, offset: WireCell) -> str:
+    if offset == 0:
+        return variable
+    text = str(offset)
+    if isinstance(offset, str) and any(sign in text.lstrip("-") for sign in "+-"):
+        return f"{variable} + ({text})"
+    return f"{variable} - {text[1:]}" if text.startswith("-") else f"{variable} + {text}"
