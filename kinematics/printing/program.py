@@ -7,7 +7,17 @@ from collections import Counter
 from collections.abc import Collection, Hashable, Sequence
 from dataclasses import dataclass
 
-from kinematics.expressions import Call, Expression, Function, Number, Power, Product, Sum, joint_variables_in
+from kinematics.expressions import (
+    Call,
+    Expression,
+    Function,
+    JointVariable,
+    Number,
+    Power,
+    Product,
+    Sum,
+    joint_variables_in,
+)
 from kinematics.printing.notation import short_name
 from kinematics.symbolic.size import bottom_up, children
 
@@ -198,4 +208,4 @@ def _place(node: Expression) -> tuple[int, tuple[tuple[int, int], ...], str]:
 
 def _is_angle(terms: Sequence[Expression]) -> bool:
     """Whether a sum only stands under a sine or cosine, where adding joint variables again costs nothing."""
-    return any(joint_variables_in(term) and not children(term) for term in terms)
+    return any(isinstance(term, JointVariable) for term in terms)
