@@ -186,6 +186,7 @@ def _chain(keys: Keys, raw: RawTable) -> Chain | None:
         joints=tuple(dict(zip(_PLACEMENT, row, strict=True)) for row in rows),
         final=dict(zip(_PLACEMENT, final, strict=True)),
         tool={},
+        angle_unit=raw.angle_unit,
         length_unit=raw.length_unit,
     )
     read = _tried(keys, (), lambda: read_chain(chain))

@@ -5,7 +5,6 @@ Nothing here goes through a DH table, so the two derivations of a robot can be h
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError, ParameterError
 from kinematics.expressions import evaluate
+from kinematics.joint_values import one_configuration
 from kinematics.links import Transform
 from kinematics.poses import transform_from_xyzabc
 from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain
@@ -55,18 +55,22 @@ def forward_kinematics_scm(
 
     Source: seed 001 eq. 2.4, 2.5 and 3.1.
     """
-    _check_joints(chain, joints)
+    q = one_configuration(joints, chain.n_joints)
     values = parameters or {}
-    links = np.stack(
-        [_row_transform(row, q, values, i) for i, (row, q) in enumerate(zip(chain.rows, joints, strict=True))]
-    )
+    moved = enumerate(zip(chain.rows, q, strict=True))
+    links = np.stack([_row_transform(row, value, values, i) for i, (row, value) in moved])
     end = _placement(chain.final, values, "final") @ _placement(chain.tool, values, "tool")
     frames = np.empty_like(links)
     pose = np.eye(4)
-    for i, link in enumerate(links):
-        pose = pose @ link
-        frames[i] = pose
-    return ScmKinematics(transform=pose @ end, links=links, frames=frames, end=end)
+    with np.errstate(over="ignore", invalid="ignore"):
+        for i, link in enumerate(links):
+            pose = pose @ link
+            frames[i] = pose
+        transform = pose @ end
+    if not (np.isfinite(frames).all() and np.isfinite(transform).all()):
+        message = "the lengths are so large that the result overflows"
+        raise JointValueError(Fault(code="result_not_finite", message=message, where=("joints",)))
+    return ScmKinematics(transform=transform, links=links, frames=frames, end=end)
 
 
 def jacobian_base_by_inspection(
@@ -151,19 +155,3 @@ def _numbers(placement: Placement, values: Mapping[str, float], where: tuple[str
     if faults:
         raise ParameterError(faults)
     return numbers
-
-
-def _check_joints(chain: ScmChain, joints: Sequence[float]) -> None:
-    if len(joints) != chain.n_joints:
-        raise JointValueError(
-            Fault(
-                code="joints_wrong_length",
-                message=f"the chain has {chain.n_joints} joints; give as many values",
-                params={"expected": chain.n_joints},
-            )
-        )
-    for i, q in enumerate(joints):
-        if not math.isfinite(q):
-            raise JointValueError(
-                Fault(code="joints_not_finite", message="a joint value must be a finite number", where=(i,))
-            )

@@ -12,3 +12,5 @@ error-scm_prismatic_turns = Joint { $joint } is prismatic: its row may not turn 
 error-scm_prismatic_second_length = Joint { $joint } is prismatic: its row holds the variable and no other length. Put this one into a row before or after.
 error-scm_revolute_offset = Joint { $joint } is revolute: its angle may hold no offset. Put constant turns into the Final Transformation.
 error-scm_revolute_second_turn = Joint { $joint } turns about one axis only. Put constant turns into the Final Transformation.
+error-scm_limits_reversed = Joint { $joint }: limits are [low, high], both finite and low not above high.
+error-chain_or_robot = Give either chain or robot, exactly one of them.

@@ -12,3 +12,5 @@ error-scm_prismatic_turns = La articulación { $joint } es prismática: su fila 
 error-scm_prismatic_second_length = La articulación { $joint } es prismática: su fila contiene la variable y ninguna otra longitud. Ponga esta longitud en una fila anterior o posterior.
 error-scm_revolute_offset = La articulación { $joint } es de revolución: su ángulo no admite desfase. Ponga los giros constantes en la Transformación Final.
 error-scm_revolute_second_turn = La articulación { $joint } gira alrededor de un solo eje. Ponga los giros constantes en la Transformación Final.
+error-scm_limits_reversed = Articulación { $joint }: los límites son [inferior, superior], ambos finitos y el inferior no mayor que el superior.
+error-chain_or_robot = Dé o bien chain o bien robot, exactamente uno de los dos.

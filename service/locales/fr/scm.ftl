@@ -12,3 +12,5 @@ error-scm_prismatic_turns = L’articulation { $joint } est prismatique : sa lig
 error-scm_prismatic_second_length = L’articulation { $joint } est prismatique : sa ligne contient la variable et aucune autre longueur. Placez celle-ci dans une ligne précédente ou suivante.
 error-scm_revolute_offset = L’articulation { $joint } est rotoïde : son angle ne doit contenir aucun décalage. Placez les rotations constantes dans la Transformation Finale.
 error-scm_revolute_second_turn = L’articulation { $joint } tourne autour d’un seul axe. Placez les rotations constantes dans la Transformation Finale.
+error-scm_limits_reversed = Articulation { $joint } : les limites sont [basse, haute], toutes deux finies, la basse ne dépassant pas la haute.
+error-chain_or_robot = Donnez soit chain, soit robot, exactement l’un des deux.

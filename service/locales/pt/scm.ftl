@@ -12,3 +12,5 @@ error-scm_prismatic_turns = A junta { $joint } é prismática: a sua linha não 
 error-scm_prismatic_second_length = A junta { $joint } é prismática: a sua linha contém a variável e nenhum outro comprimento. Ponha este comprimento numa linha anterior ou posterior.
 error-scm_revolute_offset = A junta { $joint } é rotativa: o seu ângulo não admite offset. Ponha as rotações constantes na Transformação Final.
 error-scm_revolute_second_turn = A junta { $joint } gira em torno de um único eixo. Ponha as rotações constantes na Transformação Final.
+error-scm_limits_reversed = Junta { $joint }: os limites são [inferior, superior], ambos finitos e o inferior não acima do superior.
+error-chain_or_robot = Forneça chain ou robot, exatamente um dos dois.

@@ -12,3 +12,5 @@ error-scm_prismatic_turns = Cupla { $joint } este de translație: rândul ei nu 
 error-scm_prismatic_second_length = Cupla { $joint } este de translație: rândul ei conține variabila și nicio altă lungime. Puneți această lungime într-un rând dinainte sau de după.
 error-scm_revolute_offset = Cupla { $joint } este de rotație: unghiul ei nu poate conține un decalaj. Puneți rotațiile constante în Transformarea Finală.
 error-scm_revolute_second_turn = Cupla { $joint } se rotește în jurul unei singure axe. Puneți rotațiile constante în Transformarea Finală.
+error-scm_limits_reversed = Cupla { $joint }: limitele sunt [jos, sus], ambele finite, cea de jos nedepășind-o pe cea de sus.
+error-chain_or_robot = Dați fie chain, fie robot, exact unul dintre ele.

@@ -96,7 +96,7 @@ def test_wrong_joint_values_and_parameters_are_refused():
     assert refusal.value.code == "joints_wrong_length"
     with pytest.raises(JointValueError) as refusal:
         forward_kinematics_scm(chain, [0.0] * 5 + [float("nan")], STANFORD_LENGTHS)
-    assert (refusal.value.code, refusal.value.faults[0].where) == ("joints_not_finite", (5,))
+    assert (refusal.value.code, refusal.value.faults[0].where) == ("joint_not_finite", ("joints", 5))
     with pytest.raises(ParameterError) as missing:
         forward_kinematics_scm(chain, [0.0] * 6, {"L0": 1.0})
     assert missing.value.code == "parameter_missing"

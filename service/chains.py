@@ -1,0 +1,125 @@
+"""From what a request says of an SCM chain to one that can be computed with."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from kinematics import catalogue
+from kinematics.cells import AngleUnit, Limits, parameter_values
+from kinematics.errors import DescriptionError, Fault, JointValueError
+from kinematics.scm import ReadChain, ScmChain, read_chain, verify
+from kinematics.table import JointType
+from service.errors import RequestError, located
+from service.schemas.scm import ChainQuestion, Verification
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class PreparedChain:
+    """A chain that can be computed with.
+
+    Attributes:
+        read: the chain, exact.
+        values: the value of every parameter [rad, or the chain's length unit].
+        angle: what one unit of the request's angles is in [rad].
+    """
+
+    read: ReadChain
+    values: Mapping[str, float]
+    angle: float
+
+    @property
+    def chain(self) -> ScmChain:
+        """The chain."""
+        return self.read.chain
+
+    @property
+    def units(self) -> dict[str, Any]:
+        """The names of its units, as an answer states them."""
+        return {"angle_unit": self.read.angle_unit.value, "length_unit": self.read.length_unit.value}
+
+    @property
+    def joint_units(self) -> tuple[float, ...]:
+        """For joint 1 … n what one unit of the request is in [rad], or in the chain's length unit."""
+        return tuple(self.angle if row.joint is JointType.REVOLUTE else 1.0 for row in self.chain.rows)
+
+    def joints(self, given: Sequence[float], where: str = "joints") -> list[float]:
+        """Joint values of a request in [rad] and the chain's length unit.
+
+        Raises:
+            JointValueError: not one for each joint.
+        """
+        n = self.chain.n_joints
+        if len(given) != n:
+            raise JointValueError(
+                Fault(
+                    code="joints_wrong_length",
+                    message=f"the chain has {n} joints; give as many values, not {len(given)}",
+                    where=(where,),
+                    params={"expected": n, "given": len(given)},
+                )
+            )
+        return [value * unit for value, unit in zip(given, self.joint_units, strict=True)]
+
+    def answered(self, joints: Sequence[float]) -> list[float]:
+        """Joint values in the units of the request."""
+        return [value / unit for value, unit in zip(joints, self.joint_units, strict=True)]
+
+
+def prepared_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
+    """The chain of a request, read and verified.
+
+    Raises:
+        DescriptionError: it cannot be read, or does not pass the document's input check.
+        RequestError: the catalogue has no such robot.
+    """
+    if question.chain is None:
+        return _listed(str(question.robot)).read
+    with located("chain"):
+        read = read_chain(question.chain.raw(), limits)
+        faults = verify(read.chain) if question.verify is Verification.STRICT else ()
+        if faults:
+            raise DescriptionError(faults)
+    return read
+
+
+def prepared_chain(question: ChainQuestion, limits: Limits) -> PreparedChain:
+    """The chain of a request with a value for every parameter; a catalogue robot brings its own.
+
+    Raises:
+        KinematicsError: the chain or its parameters are not right; every fault at its place.
+        RequestError: the catalogue has no such robot.
+    """
+    read = prepared_structure(question, limits)
+    given = dict(question.parameters)
+    if question.chain is None:
+        given = {**_listed(str(question.robot)).values, **given}
+    values = parameter_values(read.parameters, read.angle_unit, given)
+    angle = math.radians(1.0) if read.angle_unit is AngleUnit.DEG else 1.0
+    return PreparedChain(read=read, values=values, angle=angle)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Listed:
+    read: ReadChain
+    values: Mapping[str, float]
+
+
+def _listed(robot_id: str) -> _Listed:
+    try:
+        robot = catalogue.robot(robot_id)
+    except KeyError:
+        known = catalogue.robot_ids()
+        raise RequestError(
+            Fault(
+                code="robot_unknown",
+                message=f"the catalogue has no robot {robot_id}; it has {', '.join(known)}",
+                where=("robot",),
+                params={"robot": robot_id, "known": known},
+            )
+        ) from None
+    assert robot.chain is not None  # every file has one: tests/kinematics/catalogue
+    values = {name: robot.parameters[known] for name, known in robot.chain.parameters.items()}
+    return _Listed(read=robot.chain.read, values=values)

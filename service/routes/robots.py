@@ -1,0 +1,55 @@
+"""The robot catalogue."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Annotated
+
+import orjson
+from fastapi import Path, Request, Response
+
+from kinematics import catalogue
+from kinematics.errors import Fault
+from service.errors import NotFoundError, Place
+from service.openapi import problems
+from service.routing import JSON, api_router
+from service.schemas.catalogue import Robot, RobotList
+
+router = api_router("robots")
+
+_FRESH = {"Cache-Control": "public, max-age=300"}
+
+
+@router.get("/robots", response_model=RobotList, summary="The robots of the source documents")
+async def robots(request: Request) -> Response:
+    """Every robot of the catalogue, with its source; table and parameters are ready to be sent back."""
+    entries = b",".join(_written(robot_id) for robot_id in catalogue.robot_ids())
+    return Response(b'{"robots":[%b]}' % entries, media_type=JSON, headers=_FRESH)
+
+
+@router.get(
+    "/robots/{robot_id}",
+    response_model=Robot,
+    responses=problems(404),
+    summary="One robot of the catalogue",
+)
+async def robot(
+    robot_id: Annotated[str, Path(max_length=64, openapi_examples={"PUMA 560": {"value": "puma560"}})],
+) -> Response:
+    """A robot of the catalogue: source, DH table, parameters, named configurations, limits, SCM chain."""
+    known = catalogue.robot_ids()
+    if robot_id not in known:
+        fault = Fault(
+            code="robot_unknown",
+            message=f"the catalogue has no robot {robot_id}; it has {', '.join(known)}",
+            where=("robot_id",),
+            params={"robot": robot_id, "known": known},
+        )
+        raise NotFoundError(fault, place=Place.PATH)
+    return Response(_written(robot_id), media_type=JSON, headers=_FRESH)
+
+
+@cache
+def _written(robot_id: str) -> bytes:
+    wire = Robot.of(catalogue.robot(robot_id))
+    return orjson.dumps(wire.model_dump(mode="json", exclude_none=True))

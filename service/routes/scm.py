@@ -1,0 +1,237 @@
+"""The SCM toolbox: direct and inverse kinematics, Jacobians, random configurations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated, Any
+
+import numpy as np
+from fastapi import Body, Request
+from numpy.typing import NDArray
+
+from kinematics.errors import Fault, JointValueError, PoseError
+from kinematics.inverse import IKSolution, NearestPose
+from kinematics.poses import pose_notations, transform_from_xyzabc
+from kinematics.scm import (
+    default_limits,
+    forward_kinematics_scm,
+    inverse_kinematics_scm,
+    jacobian_base_by_inspection,
+    jacobian_end_by_inspection,
+    random_configurations,
+)
+from kinematics.transforms import inverse_transform
+from service.chains import PreparedChain, prepared_chain, prepared_structure
+from service.closed_chains import ChainTask, Wanted, computed, jacobians_at, written_chain
+from service.openapi import problems
+from service.routing import api_router
+from service.schemas import scm as wire
+from service.schemas import scm_examples as examples
+from service.schemas.forward_kinematics import AxisAngle, Orientation
+from service.settings import Settings
+
+router = api_router("scm")
+
+_REFUSALS = problems(400, 413, 415, 422, 503)
+
+
+@router.post(
+    "/scm/forward-kinematics",
+    response_model_exclude_none=True,
+    responses=_REFUSALS,
+    summary="Direct kinematics of an SCM chain",
+)
+async def forward_kinematics(
+    body: Annotated[wire.ScmForwardKinematicsRequest, Body(openapi_examples=examples.FORWARD_KINEMATICS)],
+    request: Request,
+) -> wire.ScmForwardKinematicsAnswer:
+    """⁰H_FT, every H_i and every frame: scm(manipulator, 0) of the toolbox.
+
+    With `joints` in numbers, without them in closed form.
+    """
+    if body.joints is None:
+        return wire.ScmForwardKinematicsAnswer(**await _closed(body, Wanted.FORWARD_KINEMATICS, request))
+    prepared = prepared_chain(body, _settings(request).cell_limits)
+    motion = forward_kinematics_scm(prepared.chain, prepared.joints(body.joints), prepared.values)
+    return wire.ScmForwardKinematicsAnswer(
+        **prepared.units,
+        transform=_listed(motion.transform),
+        links=_listed(motion.links),
+        frames=_listed(motion.frames),
+        end=_listed(motion.end),
+        orientation=_orientation(motion.transform, prepared.angle),
+    )
+
+
+@router.post(
+    "/scm/inverse-transform",
+    response_model_exclude_none=True,
+    responses=_REFUSALS,
+    summary="Inverse of the direct kinematics of an SCM chain",
+)
+async def inverse_of_transform(
+    body: Annotated[wire.ScmInverseTransformRequest, Body(openapi_examples=examples.INVERSE_TRANSFORM)],
+    request: Request,
+) -> wire.ScmInverseTransformAnswer:
+    """Pose of frame 0 in the tool: scm(manipulator, -1) of the toolbox.
+
+    With `joints` in numbers, without them in closed form.
+    """
+    if body.joints is None:
+        return wire.ScmInverseTransformAnswer(**await _closed(body, Wanted.INVERSE_TRANSFORM, request))
+    prepared = prepared_chain(body, _settings(request).cell_limits)
+    motion = forward_kinematics_scm(prepared.chain, prepared.joints(body.joints), prepared.values)
+    inverse = inverse_transform(motion.transform)
+    return wire.ScmInverseTransformAnswer(**prepared.units, transform=_listed(inverse))
+
+
+@router.post(
+    "/scm/jacobian",
+    response_model_exclude_none=True,
+    responses=_REFUSALS,
+    summary="J0 and Jn of an SCM chain",
+)
+async def jacobian(
+    body: Annotated[wire.ScmJacobianRequest, Body(openapi_examples=examples.JACOBIAN)], request: Request
+) -> wire.ScmJacobianAnswer:
+    """J0 and Jn, by inspection (scm(manipulator, 1) and 2) or by differentiating the matrix (h2j).
+
+    With `joints` in numbers, without them in closed form.
+    """
+    inspected = body.method is wire.Method.INSPECTION
+    wanted = Wanted.INSPECTED_JACOBIANS if inspected else Wanted.DIFFERENTIATED_JACOBIANS
+    if body.joints is None:
+        return wire.ScmJacobianAnswer(method=body.method, **await _closed(body, wanted, request))
+    prepared = prepared_chain(body, _settings(request).cell_limits)
+    joints = prepared.joints(body.joints)
+    if inspected:
+        base = jacobian_base_by_inspection(prepared.chain, joints, prepared.values)
+        end = jacobian_end_by_inspection(prepared.chain, joints, prepared.values)
+    else:
+        base, end = await computed(request, jacobians_at, prepared.chain, dict(prepared.values), joints)
+    return wire.ScmJacobianAnswer(**prepared.units, method=body.method, J0=_listed(base), Jn=_listed(end))
+
+
+@router.post(
+    "/scm/inverse-kinematics",
+    response_model_exclude_none=True,
+    responses=_REFUSALS,
+    summary="Inverse kinematics of an SCM chain",
+)
+def inverse_kinematics(
+    body: Annotated[wire.ScmInverseKinematicsRequest, Body(openapi_examples=examples.INVERSE_KINEMATICS)],
+    request: Request,
+) -> wire.ScmInverseKinematicsAnswer:
+    """The joint values at which the tool reaches a pose: scm(manipulator, target, origin) and ik2q.
+
+    All solutions where there is a closed form; joint values in the chain's angle unit.
+    """
+    prepared = prepared_chain(body, _settings(request).cell_limits)
+    found = inverse_kinematics_scm(
+        prepared.chain,
+        _pose(body.target, prepared.angle),
+        prepared.values,
+        limits=None if body.limits is None else _scaled(body.limits, prepared),
+        start=None if body.start is None else prepared.joints(body.start, "start"),
+    )
+    return wire.ScmInverseKinematicsAnswer(
+        **prepared.units,
+        status=found.status.value,
+        complete=found.complete,
+        solutions=[wire.ScmSolution(**_reached(solution, prepared)) for solution in found.solutions],
+        nearest=_nearest(found.nearest, prepared) if found.nearest else None,
+    )
+
+
+@router.post("/scm/random-configuration", responses=_REFUSALS, summary="Random joint values for an SCM chain")
+def random_configuration(
+    body: Annotated[wire.RandomConfigurationRequest, Body(openapi_examples=examples.RANDOM_CONFIGURATION)],
+    request: Request,
+) -> wire.RandomConfigurationAnswer:
+    """Joint values drawn evenly within limits: qrand of the toolbox."""
+    prepared = prepared_chain(body, _settings(request).cell_limits)
+    if body.limits is None:
+        default = default_limits(prepared.chain, prepared.values)
+        low, high = (prepared.answered([pair[end] for pair in default]) for end in (0, 1))
+        limits = [list(pair) for pair in zip(low, high, strict=True)]
+    else:
+        _refuse_length(body.limits, prepared)
+        limits = body.limits
+    drawn = random_configurations([(low, high) for low, high in limits], count=body.count, seed=body.seed)
+    configurations: list[list[float]] = drawn.tolist()
+    return wire.RandomConfigurationAnswer(
+        **prepared.units,
+        joints=configurations[0],
+        configurations=configurations,
+        limits=limits,
+    )
+
+
+async def _closed(body: wire.ClosedFormQuestion, wanted: Wanted, request: Request) -> dict[str, Any]:
+    """The answer in closed form, with its units."""
+    read = prepared_structure(body, _settings(request).cell_limits)
+    task = ChainTask.of(read, wanted, body.formats, body.notation)
+    units = {"angle_unit": read.angle_unit.value, "length_unit": read.length_unit.value}
+    return {**units, **await computed(request, written_chain, task)}
+
+
+def _settings(request: Request) -> Settings:
+    settings: Settings = request.app.state.settings
+    return settings
+
+
+def _listed(array: NDArray[np.float64]) -> list[Any]:
+    listed: list[Any] = (array + 0.0).tolist()  # no entry is -0.0
+    return listed
+
+
+def _orientation(transform: Any, angle: float) -> Orientation:
+    position, quaternion, rpy, (axis, turn), _ = pose_notations(transform)
+    roll, pitch, yaw = (value / angle for value in rpy)
+    return Orientation(
+        quaternion=list(quaternion),
+        rpy=[roll, pitch, yaw],
+        axis_angle=AxisAngle(axis=list(axis), angle=turn / angle),
+        xyzabc=[*position, yaw, pitch, roll],
+    )
+
+
+def _pose(target: Sequence[Any], angle: float) -> Any:
+    """The target as a 4×4 matrix, or as six numbers turned into one."""
+    if len(target) != 6:
+        return target
+    try:
+        return transform_from_xyzabc([*target[:3], *(value * angle for value in target[3:])])
+    except PoseError as error:
+        raise PoseError(fault.within("target") for fault in error.faults) from None
+
+
+def _scaled(limits: Sequence[Sequence[float | None] | None], prepared: PreparedChain) -> list[Any]:
+    _refuse_length(limits, prepared)
+    return [
+        pair and tuple(end if end is None else end * unit for end in pair)
+        for pair, unit in zip(limits, prepared.joint_units, strict=True)
+    ]
+
+
+def _refuse_length(limits: Sequence[Any], prepared: PreparedChain) -> None:
+    n = prepared.chain.n_joints
+    if len(limits) != n:
+        message = f"the chain has {n} joints; give as many limits"
+        params = {"expected": n, "given": len(limits)}
+        raise JointValueError(
+            Fault(code="limits_wrong_length", message=message, where=("limits",), params=params)
+        )
+
+
+def _nearest(nearest: NearestPose, prepared: PreparedChain) -> wire.ScmNearest:
+    return wire.ScmNearest(**_reached(nearest, prepared), transform=nearest.transform.tolist())
+
+
+def _reached(found: IKSolution | NearestPose, prepared: PreparedChain) -> dict[str, Any]:
+    return {
+        "joints": prepared.answered(found.joints),
+        "residual": (found.position_error**2 + found.orientation_error**2) ** 0.5,
+        "position_error": found.position_error,
+        "orientation_error": found.orientation_error / prepared.angle,
+    }

@@ -1,0 +1,93 @@
+"""The robot catalogue on the wire."""
+
+from __future__ import annotations
+
+from typing import Annotated, Self
+
+from pydantic import Field
+
+from kinematics.catalogue import Chain as CatalogueChain
+from kinematics.catalogue import Robot as CatalogueRobot
+from service.schemas.base import Real, Wire
+from service.schemas.scm import Chain
+from service.schemas.tables import Row, Table
+
+
+class Source(Wire):
+    """Where a robot comes from."""
+
+    document: str = Field(description="title, author and year")
+    place: str = Field(description="figure, equation, table or script in it")
+    figures: str = Field(description="where the lengths come from, as printed")
+
+
+class Configuration(Wire):
+    """Joint values that mean something."""
+
+    joints: list[Real] = Field(description="q_1 … q_n, in the table's units")
+    meaning: str = Field(description="what the arm looks like there")
+
+
+class ScmForm(Wire):
+    """The same robot as an SCM chain, ready to be sent to the SCM calls."""
+
+    chain: Chain
+    parameters: dict[str, Real] = Field(description="the value of every parameter in the chain")
+
+
+class Robot(Wire):
+    """A robot of the catalogue: table and parameters are ready for every call that takes a table."""
+
+    id: str = Field(description="its name in this API, and its exercise's")
+    name: str
+    source: Source
+    table: Table
+    parameters: dict[str, Real] = Field(description="the value of every parameter, in the table's units")
+    configurations: dict[str, Configuration] = Field(description="named joint values")
+    limits: list[Annotated[list[Real], Field(min_length=2, max_length=2)]] | None = Field(
+        None, description="[low, high] of every joint in the table's units; left out where they are not known"
+    )
+    limits_source: str | None = Field(None, description="where the limits come from")
+    scm: ScmForm | None = Field(None, description="the robot by the SCM method")
+
+    @classmethod
+    def of(cls, robot: CatalogueRobot) -> Self:
+        """A robot of the catalogue as it goes over the wire."""
+        raw = robot.raw
+        return cls(
+            id=robot.id,
+            name=robot.name,
+            source=Source(
+                document=robot.source.document, place=robot.source.place, figures=robot.source.figures
+            ),
+            table=Table(
+                convention=raw.convention,
+                angle_unit=raw.angle_unit,
+                length_unit=raw.length_unit,
+                rows=[
+                    Row(joint=row.joint, alpha=row.alpha, a=row.a, d=row.d, theta=row.theta)
+                    for row in raw.rows
+                ],
+            ),
+            parameters=dict(robot.parameters),
+            configurations={
+                name: Configuration(joints=list(found.joints), meaning=found.meaning)
+                for name, found in robot.configurations.items()
+            },
+            limits=[list(pair) for pair in robot.limits] if robot.limits else None,
+            limits_source=robot.limits_source,
+            scm=_scm_form(robot, robot.chain) if robot.chain else None,
+        )
+
+
+class RobotList(Wire):
+    """The catalogue."""
+
+    robots: list[Robot]
+
+
+def _scm_form(robot: CatalogueRobot, chain: CatalogueChain) -> ScmForm:
+    return ScmForm(
+        chain=Chain.of(chain.raw),
+        parameters={name: robot.parameters[known] for name, known in chain.parameters.items()},
+    )

@@ -1,0 +1,281 @@
+"""The SCM method on the wire: chains of [X Y Z A B C] rows, and what is asked of them."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Annotated, Any, Self, TypeAlias
+
+from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema, model_validator
+from pydantic_core import PydanticCustomError
+
+from kinematics.cells import AngleUnit, LengthUnit
+from kinematics.printing import Format, Notation
+from kinematics.scm import RawChain
+from service.schemas.base import Matrix4, Real, Wire
+from service.schemas.forward_kinematics import Orientation
+from service.schemas.tables import Cell, Parameters, Units
+from service.validation import CHOICE
+
+ENTRIES = ("x", "y", "z", "a", "b", "c")
+
+
+class Placement(Wire):
+    """Trans(x, y, z) Rot_z(a) Rot_y(b) Rot_x(c): what is left out is zero."""
+
+    x: Cell = 0
+    y: Cell = 0
+    z: Cell = 0
+    a: Cell = 0
+    b: Cell = 0
+    c: Cell = 0
+
+    def cells(self) -> dict[str, Any]:
+        """The six entries by name."""
+        return {entry: getattr(self, entry) for entry in ENTRIES}
+
+
+def _by_name(value: Any) -> Any:
+    if isinstance(value, list) and len(value) == len(ENTRIES):
+        return dict(zip(ENTRIES, value, strict=True))
+    return value
+
+
+_CELL = {"anyOf": [{"type": "number"}, {"type": "string", "minLength": 1, "maxLength": 200}]}
+SixEntries: TypeAlias = Annotated[
+    Placement,
+    BeforeValidator(_by_name),
+    WithJsonSchema(
+        {
+            "description": "Trans(x, y, z) Rot_z(a) Rot_y(b) Rot_x(c): an object (left out means 0), "
+            "or the list [X, Y, Z, A, B, C]",
+            "anyOf": [
+                {
+                    "type": "object",
+                    "properties": dict.fromkeys(ENTRIES, _CELL),
+                    "additionalProperties": False,
+                },
+                {"type": "array", "items": _CELL, "minItems": 6, "maxItems": 6},
+            ],
+        }
+    ),
+]
+
+
+class Chain(Wire):
+    """A serial arm by the SCM method."""
+
+    joints: list[SixEntries] = Field(
+        min_length=1,
+        description="one row a joint; one entry of row i holds its variable, qi (or ai, di), with its sign",
+    )
+    final: SixEntries = Field(default_factory=Placement, description="the Final Transformation")
+    tool: SixEntries = Field(default_factory=Placement, description="the tool")
+    angle_unit: Annotated[AngleUnit, Field(strict=False)] = Field(
+        AngleUnit.RAD, description="unit of every angle: chain, joints, parameters and answer"
+    )
+    length_unit: Annotated[LengthUnit, Field(strict=False)] = Field(
+        LengthUnit.M, description="unit of every length: chain, joints, parameters and answer"
+    )
+
+    def raw(self) -> RawChain:
+        """The chain as the cell grammar reads it."""
+        return RawChain(
+            joints=tuple(row.cells() for row in self.joints),
+            final=self.final.cells(),
+            tool=self.tool.cells(),
+            angle_unit=self.angle_unit,
+            length_unit=self.length_unit,
+        )
+
+    @classmethod
+    def of(cls, raw: RawChain) -> Self:
+        """A chain as it goes over the wire."""
+        return cls(
+            joints=[Placement(**row) for row in raw.joints],
+            final=Placement(**raw.final),
+            tool=Placement(**raw.tool),
+            angle_unit=raw.angle_unit,
+            length_unit=raw.length_unit,
+        )
+
+
+class Verification(StrEnum):
+    """What becomes of a chain that does not pass the document's input check.
+
+    strict: it is refused, with every reason. off: it is computed with all the same.
+    """
+
+    STRICT = "strict"
+    OFF = "off"
+
+
+class Method(StrEnum):
+    """How a Jacobian is formed: by columns (eq. 3.22, 3.23), or from the derivative of the matrix (3.24)."""
+
+    INSPECTION = "inspection"
+    DIFFERENTIATION = "differentiation"
+
+
+class ChainQuestion(Wire):
+    """Base of the calls that take a chain: exactly one of `chain` and `robot`."""
+
+    chain: Chain | None = Field(None, description="the arm as an SCM chain")
+    robot: str | None = Field(None, max_length=64, description="or the id of a robot of the catalogue")
+    parameters: Parameters = Field(default_factory=dict)
+    verify: Annotated[Verification, Field(strict=False)] = Field(
+        Verification.STRICT, description="strict refuses a chain that breaks the method's rules; off does not"
+    )
+
+    @model_validator(mode="after")
+    def _one_chain(self) -> Self:
+        if (self.chain is None) == (self.robot is None):
+            raise PydanticCustomError("chain_or_robot", "give either chain or robot, exactly one of them")
+        return self
+
+
+ScmJoints: TypeAlias = Annotated[list[Real], Field(description="q_1 … q_n, in the chain's units")]
+
+
+class ClosedFormQuestion(ChainQuestion):
+    """Base of the calls that answer in numbers where joints are given, in closed form where not."""
+
+    joints: ScmJoints | None = Field(None, description="q_1 … q_n; left out, the answer is in closed form")
+    formats: list[Annotated[Format, Field(strict=False)]] | None = Field(
+        None, min_length=1, description="of the closed form; text and latex if left out"
+    )
+    notation: Annotated[Notation, Field(strict=False)] = Field(
+        Notation.SHORT, description="of the closed form: short writes c23 (SCZIP), full cos(q2 + q3)"
+    )
+
+
+class ScmForwardKinematicsRequest(ClosedFormQuestion):
+    """A chain, and joint values."""
+
+
+class ScmInverseTransformRequest(ClosedFormQuestion):
+    """A chain, and joint values."""
+
+
+class ScmJacobianRequest(ClosedFormQuestion):
+    """A chain, and joint values."""
+
+    method: Annotated[Method, Field(strict=False)] = Field(
+        Method.INSPECTION, description="inspection (eq. 3.22, 3.23) or differentiation (eq. 3.24, H2J)"
+    )
+
+
+def _notation_of(target: Any) -> str:
+    numbers = isinstance(target, list) and target and not isinstance(target[0], list)
+    return CHOICE + ("xyzabc" if numbers else "matrix")
+
+
+Target: TypeAlias = Annotated[
+    Annotated[list[Real], Field(min_length=6, max_length=6), Tag(CHOICE + "xyzabc")]
+    | Annotated[Matrix4, Tag(CHOICE + "matrix")],
+    Discriminator(_notation_of),
+    WithJsonSchema(
+        {
+            "description": "pose of the tool in frame 0: 4×4, or [X, Y, Z, A, B, C]",
+            "anyOf": [
+                {"type": "array", "items": {"type": "number"}, "minItems": 6, "maxItems": 6},
+                {
+                    "type": "array",
+                    "items": {"type": "array", "items": {"type": "number"}, "minItems": 4, "maxItems": 4},
+                    "minItems": 4,
+                    "maxItems": 4,
+                },
+            ],
+        }
+    ),
+]
+LimitPair: TypeAlias = Annotated[list[Real | None], Field(min_length=2, max_length=2)]
+
+
+class ScmInverseKinematicsRequest(ChainQuestion):
+    """A chain, and a pose to reach."""
+
+    target: Target
+    limits: list[LimitPair | None] | None = Field(
+        None, description="[low, high] of every joint, null where there is none"
+    )
+    start: ScmJoints | None = Field(
+        None, description="joint values; the solution nearest to them comes first"
+    )
+
+
+class RandomConfigurationRequest(ChainQuestion):
+    """A chain, and how many configurations are wanted."""
+
+    limits: list[Annotated[list[Real], Field(min_length=2, max_length=2)]] | None = Field(
+        None, description="[low, high] of every joint; left out: a full turn, and 0 to the sum of the lengths"
+    )
+    count: int = Field(1, ge=1, le=10_000, description="how many configurations")
+    seed: int | None = Field(None, ge=0, lt=2**63, description="the same seed gives the same values")
+
+
+Forms: TypeAlias = Annotated[dict[str, Any], Field(description="one entry for each format, as in /symbolic")]
+
+
+class ScmForwardKinematicsAnswer(Units):
+    """Poses of a chain: in numbers, or in closed form where no joints were given."""
+
+    variables: list[str] | None = Field(None, description="the joint variables of a closed form")
+    transform: Matrix4 | Forms = Field(description="⁰H_FT: pose of the tool in frame 0")
+    links: list[Matrix4] | list[Forms] = Field(description="H_i: pose of frame i in frame i-1, one a joint")
+    frames: list[Matrix4] | list[Forms] = Field(description="pose of frame i in frame 0, one a joint")
+    end: Matrix4 | Forms = Field(description="Final Transformation · tool, in the last joint's frame")
+    orientation: Orientation | None = None
+    symbols: dict[str, str] | None = Field(None, description="what the short names of a closed form mean")
+
+
+class ScmInverseTransformAnswer(Units):
+    """The inverse of direct kinematics."""
+
+    variables: list[str] | None = Field(None, description="the joint variables of a closed form")
+    transform: Matrix4 | Forms = Field(description="pose of frame 0 in the tool")
+    symbols: dict[str, str] | None = Field(None, description="what the short names of a closed form mean")
+
+
+class ScmJacobianAnswer(Units):
+    """J0 and Jn: velocity of the tool above, its angular velocity below."""
+
+    joint_unit: str = Field(
+        "rad", description="per radian of a revolute joint, whatever the chain's angle unit"
+    )
+    method: Method
+    variables: list[str] | None = Field(None, description="the joint variables of a closed form")
+    J0: list[list[Real]] | Forms = Field(description="6×n, in the axes of frame 0")
+    Jn: list[list[Real]] | Forms = Field(description="6×n, in the axes of the tool")
+    symbols: dict[str, str] | None = Field(None, description="what the short names of a closed form mean")
+
+
+class ScmSolution(Wire):
+    """One way to reach the target."""
+
+    joints: list[Real] = Field(description="q_1 … q_n, in the chain's units")
+    residual: Real = Field(description="√(position_error² + orientation_error²), the latter in [rad]")
+    position_error: Real = Field(description="distance from the target, in the chain's length unit")
+    orientation_error: Real = Field(description="angle from the target, in the chain's angle unit")
+
+
+class ScmNearest(ScmSolution):
+    """What comes nearest to a target out of reach."""
+
+    transform: Matrix4
+
+
+class ScmInverseKinematicsAnswer(Units):
+    """Every solution that was found."""
+
+    status: str = Field(description="solved, singular or unreachable")
+    complete: bool = Field(description="whether these are all solutions within the limits")
+    solutions: list[ScmSolution]
+    nearest: ScmNearest | None = Field(None, description="where the target cannot be reached")
+
+
+class RandomConfigurationAnswer(Units):
+    """Joint values, drawn evenly within the limits."""
+
+    joints: list[Real] = Field(description="the first configuration")
+    configurations: list[list[Real]] = Field(description="all of them")
+    limits: list[list[Real]] = Field(description="[low, high] of every joint, as used")

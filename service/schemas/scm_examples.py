@@ -1,0 +1,69 @@
+"""Requests to the SCM calls that the OpenAPI document shows; a test sends every one of them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from fastapi.openapi.models import Example
+
+STANFORD: dict[str, Any] = {
+    "joints": [
+        {"z": "L0", "a": "a1"},
+        {"y": "L1", "b": "a2"},
+        {"z": "d3"},
+        {"a": "a4"},
+        {"b": "a5"},
+        {"z": "L2", "a": "a6"},
+    ],
+    "angle_unit": "deg",
+}
+LENGTHS = {"L0": 0.412, "L1": 0.154, "L2": 0.263}
+SCARA: dict[str, Any] = {
+    "joints": [
+        [0, 0, "L0", "a1", 0, 0],
+        ["L1", 0, 0, "-a2", 0, 0],
+        [0, 0, "-d3", 0, 0, 0],
+        ["L2", 0, 0, "-a4", 0, 0],
+    ],
+    "final": [0, 0, "-L3", 0, 0, "pi"],
+}
+
+
+def _named(**requests: dict[str, Any]) -> dict[str, Example]:
+    return {name.replace("_", " "): Example(value=value) for name, value in requests.items()}
+
+
+FORWARD_KINEMATICS = _named(
+    Stanford_arm_in_numbers={
+        "chain": STANFORD,
+        "parameters": LENGTHS,
+        "joints": [30, 60, 0.5, 0, 45, 90],
+    },
+    SCARA_in_closed_form={"chain": SCARA, "formats": ["text", "latex"]},
+    a_robot_of_the_catalogue={"robot": "kr125", "joints": [0, -90, 90, 0, 45, 0]},
+)
+INVERSE_TRANSFORM = _named(
+    SCARA_in_closed_form={"chain": SCARA, "formats": ["text"], "notation": "full"},
+    a_robot_of_the_catalogue={"robot": "uw", "joints": [10, 20, 30]},
+)
+JACOBIAN = _named(
+    Stanford_arm_by_inspection={
+        "chain": STANFORD,
+        "parameters": LENGTHS,
+        "joints": [30, 60, 0.5, 0, 45, 90],
+    },
+    two_links_by_differentiation={"robot": "twolink", "joints": [20, 40], "method": "differentiation"},
+    two_links_in_closed_form={"robot": "twolink", "formats": ["text"]},
+)
+INVERSE_KINEMATICS = _named(
+    two_links={"robot": "twolink", "target": [1, 1, 0, 90, 0, 0]},
+    PUMA_560_near_given_joints={
+        "robot": "puma560",
+        "target": [[1, 0, 0, 0.4], [0, 1, 0, -0.15005], [0, 0, 1, 0.3], [0, 0, 0, 1]],
+        "start": [0, 45, -90, 0, 0, 0],
+    },
+)
+RANDOM_CONFIGURATION = _named(
+    three_configurations={"chain": STANFORD, "parameters": LENGTHS, "count": 3, "seed": 1},
+    within_limits={"robot": "twolink", "limits": [[-90, 90], [0, 120]]},
+)

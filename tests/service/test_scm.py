@@ -1,0 +1,197 @@
+"""The SCM calls over HTTP: numbers, closed forms, units, refusals."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+
+API = "/api/v1/scm"
+PLANAR: dict[str, Any] = {"joints": [{"a": "q1"}, {"x": "L1", "a": "q2"}], "final": {"x": "L2"}}
+LENGTHS = {"L1": 1.0, "L2": 0.5}
+
+
+def ask(client: httpx.Client, call: str, **question: Any) -> Any:
+    answer = client.post(f"{API}/{call}", json=question)
+    assert answer.status_code == 200, answer.text
+    return answer.json()
+
+
+def refusal(client: httpx.Client, call: str, **question: Any) -> list[tuple[str, str]]:
+    answer = client.post(f"{API}/{call}", json=question)
+    assert answer.status_code == 422, answer.text
+    assert answer.headers["content-type"] == "application/problem+json"
+    return [(fault["code"], fault["pointer"]) for fault in answer.json()["errors"]]
+
+
+def test_forward_kinematics_in_numbers(client: httpx.Client) -> None:
+    found = ask(client, "forward-kinematics", chain=PLANAR, parameters=LENGTHS, joints=[0.3, 0.4])
+    expected = [math.cos(0.3) + 0.5 * math.cos(0.7), math.sin(0.3) + 0.5 * math.sin(0.7), 0]
+    np.testing.assert_allclose(np.array(found["transform"])[:3, 3], expected, atol=1e-15)
+    assert np.shape(found["links"]) == np.shape(found["frames"]) == (2, 4, 4)
+    assert (found["angle_unit"], found["length_unit"]) == ("rad", "m")
+    np.testing.assert_allclose(found["orientation"]["xyzabc"], [*expected, 0.7, 0, 0], atol=1e-15)
+
+
+def test_units_govern_the_whole_exchange(client: httpx.Client) -> None:
+    chain = {**PLANAR, "angle_unit": "deg", "length_unit": "mm"}
+    found = ask(
+        client, "forward-kinematics", chain=chain, parameters={"L1": 1000, "L2": 500}, joints=[30, 60]
+    )
+    assert (found["angle_unit"], found["length_unit"]) == ("deg", "mm")
+    np.testing.assert_allclose(found["orientation"]["rpy"], [0, 0, 90], atol=1e-12)
+    np.testing.assert_allclose(
+        found["orientation"]["xyzabc"][:2], [1000 * math.cos(math.pi / 6), 1000], atol=1e-9
+    )
+    back = ask(
+        client,
+        "inverse-kinematics",
+        chain=chain,
+        parameters={"L1": 1000, "L2": 500},
+        target=found["orientation"]["xyzabc"],
+    )
+    assert back["status"] == "solved"
+    np.testing.assert_allclose(back["solutions"][0]["joints"], [30, 60], atol=1e-9)
+
+
+def test_a_row_may_be_a_list_as_the_document_prints_it(client: httpx.Client) -> None:
+    chain = {"joints": [[0, 0, 0, "a1", 0, 0], ["L1", 0, 0, "a2", 0, 0]], "final": ["L2", 0, 0, 0, 0, 0]}
+    listed = ask(client, "forward-kinematics", chain=chain, parameters=LENGTHS, joints=[0.3, 0.4])
+    named = ask(client, "forward-kinematics", chain=PLANAR, parameters=LENGTHS, joints=[0.3, 0.4])
+    assert listed == named
+
+
+def test_forward_kinematics_in_closed_form(client: httpx.Client) -> None:
+    found = ask(client, "forward-kinematics", chain=PLANAR, formats=["text", "python"])
+    assert found["variables"] == ["q1", "q2"]
+    assert found["transform"]["text"][0] == ["c12", "-s12", "0", "L1*c1 + L2*c12"]
+    assert found["symbols"]["c12"] == "cos(q1 + q2)"
+    assert len(found["links"]) == 2
+    assert "def " in found["transform"]["python"]
+    full = ask(client, "forward-kinematics", chain=PLANAR, formats=["text"], notation="full")
+    assert full["transform"]["text"][0][0] == "cos(q1 + q2)"
+    assert "latex" in ask(client, "forward-kinematics", chain=PLANAR)["transform"]
+
+
+def test_inverse_transform(client: httpx.Client) -> None:
+    there = ask(client, "forward-kinematics", robot="uw", joints=[10, 20, 30])["transform"]
+    back = ask(client, "inverse-transform", robot="uw", joints=[10, 20, 30])["transform"]
+    np.testing.assert_allclose(np.array(back) @ np.array(there), np.eye(4), atol=1e-15)
+    closed = ask(client, "inverse-transform", chain=PLANAR, formats=["text"])
+    assert closed["transform"]["text"][0][3] == "-L1*c2 - L2"
+
+
+def test_both_methods_give_the_same_jacobians(client: httpx.Client) -> None:
+    question = {"robot": "stanford", "joints": [30, 60, 0.5, 10, 45, 90]}
+    inspected = ask(client, "jacobian", **question)
+    derived = ask(client, "jacobian", **question, method="differentiation")
+    for frame in ("J0", "Jn"):
+        assert np.shape(inspected[frame]) == (6, 6)
+        np.testing.assert_allclose(inspected[frame], derived[frame], atol=1e-12)
+    assert inspected["joint_unit"] == "rad"
+    closed = ask(client, "jacobian", chain=PLANAR, formats=["text"])
+    assert closed["J0"]["text"][0] == ["-L1*s1 - L2*s12", "-L2*s12"]
+    assert "J0" in ask(client, "jacobian", chain=PLANAR, formats=["text"], method="differentiation")
+
+
+def test_inverse_kinematics(client: httpx.Client) -> None:
+    joints = [20, 40, -30, 10, 50, -60]
+    target = ask(client, "forward-kinematics", robot="puma560", joints=joints)["transform"]
+    found = ask(client, "inverse-kinematics", robot="puma560", target=target, start=joints)
+    assert (found["status"], found["complete"], len(found["solutions"])) == ("solved", True, 8)
+    np.testing.assert_allclose(found["solutions"][0]["joints"], joints, atol=1e-7)
+    for solution in found["solutions"]:
+        reached = ask(client, "forward-kinematics", robot="puma560", joints=solution["joints"])["transform"]
+        np.testing.assert_allclose(reached, target, atol=1e-8)
+    limited = ask(
+        client,
+        "inverse-kinematics",
+        robot="puma560",
+        target=target,
+        limits=[[0, 90], None, None, None, None, [None, 0]],
+    )
+    assert 0 < len(limited["solutions"]) < 8
+    assert all(0 <= solution["joints"][0] <= 90 for solution in limited["solutions"])
+
+
+def test_out_of_reach_is_a_result(client: httpx.Client) -> None:
+    found = ask(client, "inverse-kinematics", chain=PLANAR, parameters=LENGTHS, target=[9, 0, 0, 0, 0, 0])
+    assert (found["status"], found["solutions"]) == ("unreachable", [])
+    np.testing.assert_allclose(np.array(found["nearest"]["transform"])[:2, 3], [1.5, 0], atol=1e-5)
+
+
+def test_random_configurations(client: httpx.Client) -> None:
+    question = {"robot": "stanford", "count": 5, "seed": 3}
+    found = ask(client, "random-configuration", **question)
+    assert found == ask(client, "random-configuration", **question)
+    assert np.shape(found["configurations"]) == (5, 6)
+    assert found["joints"] == found["configurations"][0]
+    low, high = np.array(found["limits"]).T
+    assert ((low <= found["configurations"]) & (np.array(found["configurations"]) <= high)).all()
+    assert found["limits"][0] == [-180.0, 180.0]
+    ask(client, "forward-kinematics", robot="stanford", joints=found["joints"])
+
+
+NOT_STRICT = {"joints": [{"a": "q1 + pi/2"}, {"x": "L1", "y": "d2", "b": "pi"}]}
+
+
+def test_verify_data_refuses_with_every_reason(client: httpx.Client) -> None:
+    assert refusal(client, "forward-kinematics", chain=NOT_STRICT, parameters={"L1": 1}, joints=[0, 0]) == [
+        ("scm_revolute_offset", "/chain/joints/0/a"),
+        ("scm_prismatic_second_length", "/chain/joints/1/x"),
+        ("scm_prismatic_turns", "/chain/joints/1/b"),
+    ]
+
+
+def test_verify_data_may_be_switched_off(client: httpx.Client) -> None:
+    question = {"chain": NOT_STRICT, "verify": "off"}
+    found = ask(client, "forward-kinematics", **question, parameters={"L1": 1}, joints=[0, 0])
+    np.testing.assert_allclose(np.array(found["transform"])[:3, 3], [0, 1, 0], atol=1e-15)
+    assert ask(client, "forward-kinematics", **question)["variables"] == ["q1", "q2"]
+
+
+@pytest.mark.parametrize(
+    ("call", "question", "expected"),
+    [
+        ("forward-kinematics", {"joints": [0]}, ("chain_or_robot", "")),
+        ("forward-kinematics", {"robot": "uw", "chain": PLANAR}, ("chain_or_robot", "")),
+        ("forward-kinematics", {"robot": "nobody", "joints": [0]}, ("robot_unknown", "/robot")),
+        ("forward-kinematics", {"robot": "uw", "joints": [0, 0]}, ("joints_wrong_length", "/joints")),
+        ("forward-kinematics", {"robot": "uw", "joints": [0, 0, True]}, ("number_expected", "/joints/2")),
+        ("forward-kinematics", {"robot": "uw", "parameters": {"L9": 1}, "joints": [0, 0, 0]},
+         ("parameter_unused", "/parameters/L9")),
+        ("forward-kinematics", {"chain": PLANAR, "joints": [0, 0]}, ("parameter_missing", "/parameters/L1")),
+        ("forward-kinematics", {"chain": {"joints": []}}, ("list_too_short", "/chain/joints")),
+        ("forward-kinematics", {"chain": {"joints": [{"a": "q1+"}]}},
+         ("cell_incomplete", "/chain/joints/0/a")),
+        ("forward-kinematics", {"chain": {"joints": [{"a": "q1", "w": 1}]}},
+         ("field_unknown", "/chain/joints/0/w")),
+        ("forward-kinematics", {"chain": {"joints": [{}]}}, ("scm_no_variable", "/chain/joints/0")),
+        ("forward-kinematics", {"chain": {"joints": [{"a": "q1", "x": None}]}},
+         ("cell_not_a_value", "/chain/joints/0/x")),
+        ("inverse-kinematics", {"robot": "uw", "target": [1, 2]}, ("list_too_short", "/target")),
+        ("inverse-kinematics", {"robot": "uw", "target": [0] * 6, "limits": [None]},
+         ("limits_wrong_length", "/limits")),
+        ("inverse-kinematics", {"robot": "uw", "target": [0] * 6, "start": [0]},
+         ("joints_wrong_length", "/start")),
+        ("inverse-kinematics", {"robot": "uw", "target": [[0] * 4] * 4}, ("pose_bottom_row", "/target/3")),
+        ("random-configuration", {"robot": "uw", "count": 0}, ("number_too_small", "/count")),
+        ("random-configuration", {"robot": "uw", "limits": [[1, 0], [0, 1], [0, 1]]},
+         ("scm_limits_reversed", "/limits/0")),
+        ("random-configuration", {"robot": "uw", "limits": [[0, 1]]}, ("limits_wrong_length", "/limits")),
+        ("jacobian", {"robot": "uw", "method": "guessing"}, ("value_not_allowed", "/method")),
+    ],
+)  # fmt: skip
+def test_refusals(
+    client: httpx.Client, call: str, question: dict[str, Any], expected: tuple[str, str]
+) -> None:
+    assert expected in refusal(client, call, **question)
+
+
+def test_an_overflow_is_refused(client: httpx.Client) -> None:
+    chain = {"joints": [{"x": "L1", "a": "q1"}, {"x": "L1", "a": "q2"}]}
+    found = refusal(client, "forward-kinematics", chain=chain, parameters={"L1": 1e308}, joints=[0, 0])
+    assert found == [("result_not_finite", "/joints")]
