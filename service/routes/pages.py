@@ -24,13 +24,6 @@ EXERCISE = Page(
     title="form-exercise-title",
     depth=1,
     styles=("scene", "editor", "exercise"),
-    preload=(
-        "js/page.js",
-        "js/dom.js",
-        "js/i18n.js",
-        "js/editor/dh-table-editor.js",
-        "js/scene/robot-scene.js",
-    ),
 )
 
 
@@ -53,7 +46,7 @@ async def exercise_page(request: Request, exercise_id: str) -> Response:
         "id": found.id,
         "title": found.titles[language],
         "statement": to_html(found.statements[language]),
-        "query": f"?{urlencode({'seed': seed})}" if seed else "",
+        "query": "?" + urlencode({"lang": language, **({"seed": seed} if seed else {})}),
     }
     return page_response(request, EXERCISE, values)
 

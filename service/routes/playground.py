@@ -14,7 +14,6 @@ PLAYGROUND = Page(
     title="playground-title",
     rooms=("playground",),
     styles=("editor", "scene", "exercise", "playground"),
-    preload=("js/editor/dh-table-editor.js",),
 )
 
 

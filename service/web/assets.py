@@ -5,6 +5,8 @@ from __future__ import annotations
 import gzip
 import hashlib
 import mimetypes
+import posixpath
+import re
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -23,6 +25,11 @@ MEDIA_TYPES = {
     ".json": "application/json",
 }
 TEXT = {".js", ".css", ".svg", ".json"}
+_NAMES = r"[\w$*{}\s,]+?\sfrom\s+"
+IMPORT = re.compile(
+    rf"""^(?:import\s+(?:{_NAMES})?|export\s+{_NAMES})["'](\.{{1,2}}/[^"']+)["']""", re.MULTILINE
+)
+"""A static import, also over several lines; `import(…)` stands inside a line."""
 ENCODINGS = {"br": ".br", "gzip": ".gz"}
 
 
@@ -59,6 +66,7 @@ class Assets:
         self._version = ""
         self._scanned = float("-inf")
         self._kept: dict[tuple[str, str], tuple[tuple[int, int], Asset]] = {}
+        self._imports: dict[str, tuple[str, ...]] = {}
 
     @property
     def version(self) -> str:
@@ -85,6 +93,26 @@ class Assets:
         self._kept[(name, encoding)] = (stamp, asset)
         return asset
 
+    def imports(self, name: str) -> tuple[str, ...]:
+        """Everything that a module imports before it runs, and what that imports, in order of discovery.
+
+        A page names them all at once, so that a browser need not find them one behind the other. What a
+        module imports later, by `import()`, is not among them.
+
+        Args:
+            name: path of the module below the folder.
+        """
+        self._scan()
+        found = [name]
+        for module in found:
+            if module not in self._imports:
+                text = (self._root / module).read_text(encoding="utf-8") if module in self._files else ""
+                folder = posixpath.dirname(module)
+                targets = [posixpath.normpath(f"{folder}/{path}") for path in IMPORT.findall(text)]
+                self._imports[module] = tuple(targets)
+            found += [target for target in self._imports[module] if target not in found]
+        return tuple(found[1:])
+
     def _scan(self) -> None:
         now = time.monotonic()
         if now - self._scanned < SCAN_INTERVAL:
@@ -95,6 +123,8 @@ class Assets:
                 status = path.stat()
                 files[path.relative_to(self._root).as_posix()] = (status.st_mtime_ns, status.st_size)
         digest = hashlib.sha256(repr(sorted(files.items())).encode())
+        if files != self._files:
+            self._imports.clear()
         self._files, self._version, self._scanned = files, digest.hexdigest()[:12], now
 
     def _encoding(self, name: str, accepted: str) -> str:

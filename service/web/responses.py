@@ -63,8 +63,15 @@ def page_response(
     def translate(identifier: str) -> str:
         return sentence(language, identifier) or identifier
 
-    version = assets(settings.static_directory).version
-    text = render(page, language=language, version=version, translate=translate, values=values)
+    store = assets(settings.static_directory)
+    text = render(
+        page,
+        language=language,
+        version=store.version,
+        modules=store.imports(f"js/pages/{page.name}.js"),
+        translate=translate,
+        values=values,
+    )
     headers = {
         "Content-Security-Policy": content_security_policy(settings),
         "Permissions-Policy": "camera=(), geolocation=(), microphone=()",

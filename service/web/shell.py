@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -41,7 +41,6 @@ class Page:
         rooms: message files that its script needs, besides `form`.
         depth: how many folders below the root its address stands.
         styles: style sheets besides the ones every page has.
-        preload: modules that the page's own module imports, to be fetched at once.
     """
 
     name: str
@@ -49,7 +48,6 @@ class Page:
     rooms: tuple[str, ...] = ()
     depth: int = 0
     styles: tuple[str, ...] = ()
-    preload: tuple[str, ...] = ()
 
 
 @lru_cache(maxsize=64)
@@ -75,7 +73,13 @@ def fill(text: str, translate: Translate, values: Mapping[str, str]) -> str:
 
 
 def render(
-    page: Page, *, language: str, version: str, translate: Translate, values: Mapping[str, str] | None = None
+    page: Page,
+    *,
+    language: str,
+    version: str,
+    modules: Sequence[str],
+    translate: Translate,
+    values: Mapping[str, str] | None = None,
 ) -> str:
     """A whole page.
 
@@ -83,6 +87,7 @@ def render(
         page: which kind.
         language: one of LANGUAGE_NAMES.
         version: the assets' version.
+        modules: what the page's module imports, to be fetched at once.
         translate: message id → text in that language.
         values: what the page's own template asks for; `title` overrides the page's title.
     """
@@ -96,10 +101,10 @@ def render(
             "title": translate(page.title),
             **own,
             "page": page.name,
-            "rooms": " ".join(("form", *page.rooms)),
+            "rooms": "+".join(("form", *page.rooms)),
             "body": body,
             "styles": "".join(_style(own["assets"], name) for name in page.styles),
-            "preload": "".join(_preload(own["assets"], name) for name in page.preload),
+            "preload": "".join(_preload(own["assets"], name) for name in modules),
             "languages": _language_options(language),
         },
     )

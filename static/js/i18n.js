@@ -10,11 +10,10 @@ export const language = document.documentElement?.lang || "en";
 /**
  * Loads the messages of the page's language. Texts asked for before that come out as their ids.
  * @param {string} root address of the service's root
- * @param {string[]} rooms message files to load
+ * @param {string} rooms names of message files, joined by "+"
  */
 export async function loadMessages(root, rooms) {
-  const query = rooms.length ? `?rooms=${rooms.map(encodeURIComponent).join("+")}` : "";
-  const answer = await fetch(`${root}locales/${language}.ftl${query}`);
+  const answer = await fetch(`${root}locales/${language}.ftl?rooms=${rooms}`, { credentials: "omit" });
   if (!answer.ok) throw new Error(`messages: HTTP ${answer.status}`);
   useMessages(await answer.text(), language);
 }

@@ -32,7 +32,7 @@ export async function startPage(run) {
     if (link.dataset.nav === pageName) link.setAttribute("aria-current", "page");
   }
   document.getElementById("language")?.addEventListener("change", switchLanguage);
-  await loadMessages(root, (rooms || "form").split(" "));
+  await loadMessages(root, rooms || "form");
   await run();
   document.documentElement.dataset.ready = "true";
 }

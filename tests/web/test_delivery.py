@@ -174,3 +174,24 @@ def test_pages_name_no_prefix_and_need_none(prefix: str) -> None:
         assert prefix == "" or prefix not in page.text
         style = ADDRESS.findall(page.text)[1]
         assert httpx.get(urljoin(f"{origin}{prefix}/", style)).status_code == 200
+
+
+def test_a_page_names_every_module_that_its_script_imports(client: httpx.Client) -> None:
+    page = client.get("/exercises/puma560").text
+    named = re.findall(r'rel="modulepreload" href="\.\./static/[0-9a-f]+/([^"]+)"', page)
+    assert len(named) == len(set(named)) > 20
+    assert {"js/api.js", "js/editor/dh-table-editor.js", "vendor/fluent/bundle.js"} <= set(named)
+    heavy = {name for name in named if "three" in name or "katex" in name}
+    assert heavy == set(), "what is heavy is loaded after the first paint"
+
+
+def test_imports_are_followed_as_the_browser_follows_them(tmp_path: Path) -> None:
+    (tmp_path / "a").mkdir()
+    (tmp_path / "a" / "page.js").write_text(
+        'import {\n  one,\n  two as three,\n} from "../b.js";\nimport "./c.js";\nexport { x } from "./d.js";\n'
+        'export const y = f("./none.js");\nconst later = () => import("./later.js");\n'
+    )
+    (tmp_path / "b.js").write_text('import * as page from "./a/page.js";\n')
+    for name in ("c", "d", "later"):
+        (tmp_path / "a" / f"{name}.js").write_text("")
+    assert Assets(tmp_path).imports("a/page.js") == ("b.js", "a/c.js", "a/d.js")

@@ -22,6 +22,11 @@ form-home-playground = Any table: poses, Jacobians, closed forms, conversions.
 form-home-api = Programming interface
 form-home-api-text = The same over HTTP, as an OpenAPI document.
 form-home-best = Best score { $score } %
+form-home-joints =
+    { $joints ->
+        [one] One joint
+       *[other] { $joints } joints
+    }
 form-home-trainer = Practise assigning frames
 
 form-scene-role = 3-D view
@@ -126,6 +131,7 @@ form-exercise-robot = The robot
 form-exercise-description = Description in words
 form-exercise-answer = Your answer
 form-exercise-givens = Given
+form-exercise-rules = What is free and what is fixed
 form-figure-mode = Show the robot
 form-figure-drawing = Drawing
 form-figure-space = 3-D
@@ -141,15 +147,10 @@ form-submit-hint = Ctrl+Enter does the same.
 
 form-part-table = DH table
 form-part-schematic = Structure
-form-part-schematic-hint = The type of each joint, and how each axis lies to the next.
 form-part-link-matrices = Link matrices
-form-part-link-matrices-hint = The matrix of each row of your table. You may write c1, s23 and the like. Leave a matrix empty to skip it.
 form-part-transform = Pose of the last frame, in symbols
-form-part-transform-hint = Judged by its value, so any equivalent form counts; it may also follow from your own table.
 form-part-pose = Pose of the last frame, in numbers
-form-part-pose-hint = At { $joints }.
 form-part-workspace = Workspace
-form-part-workspace-hint = How far the marked point can come, at the least and at the most.
 form-part-wrong = To look at again:
 form-radius-inner = Inner radius
 form-radius-outer = Outer radius
@@ -190,6 +191,10 @@ form-matrices = Matrices
 form-verdict-heading = Verdict
 form-verdict-correct = Your table describes this robot.
 form-verdict-wrong = Your table describes another robot.
+form-verdict-all = Everything that you handed in is right.
+form-verdict-some = Not everything is right yet.
+form-total = { $points } of { $total } points.
+form-total-missing = Not handed in: { $parts }.
 form-verdict-outdated = You have changed your answer since.
 form-basis-proved = Proved: the identity holds for all joint values.
 form-basis-verified = Verified on many configurations.
@@ -205,11 +210,7 @@ form-finding-wrong = wrong
 form-finding-missing = missing
 form-finding-unknown = open
 form-finding-hidden = –
-form-repairs =
-    { $count ->
-        [one] What would make it right
-       *[other] What would make it right
-    }
+form-repairs = What would make it right
 form-repair-or = or
 form-both-label = The exercise's robot and yours, moving together
 form-both-text = Both robots move together: yours with your frames, the exercise's in grey and orange.

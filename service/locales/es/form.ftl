@@ -22,6 +22,11 @@ form-home-playground = Cualquier tabla: poses, jacobianos, formas simbólicas, c
 form-home-api = Interfaz de programación
 form-home-api-text = Lo mismo por HTTP, como documento OpenAPI.
 form-home-best = Mejor puntuación { $score } %
+form-home-joints =
+    { $joints ->
+        [one] Una articulación
+       *[other] { $joints } articulaciones
+    }
 form-home-trainer = Practicar la asignación de sistemas
 
 form-scene-role = vista 3D
@@ -126,6 +131,7 @@ form-exercise-robot = El robot
 form-exercise-description = Descripción con palabras
 form-exercise-answer = Su respuesta
 form-exercise-givens = Datos
+form-exercise-rules = Qué es libre y qué está fijado
 form-figure-mode = Mostrar el robot en
 form-figure-drawing = Dibujo
 form-figure-space = 3D
@@ -141,15 +147,10 @@ form-submit-hint = Ctrl+Intro hace lo mismo.
 
 form-part-table = Tabla DH
 form-part-schematic = Estructura
-form-part-schematic-hint = El tipo de cada articulación y la posición de cada eje respecto al siguiente.
 form-part-link-matrices = Matrices de los eslabones
-form-part-link-matrices-hint = La matriz de cada fila de su tabla. Puede escribir c1, s23, etc. Una matriz que queda vacía se omite.
 form-part-transform = Pose del último sistema, en símbolos
-form-part-transform-hint = Se juzga por su valor: vale cualquier forma equivalente; también puede derivarse de su propia tabla.
 form-part-pose = Pose del último sistema, en números
-form-part-pose-hint = Para { $joints }.
 form-part-workspace = Espacio de trabajo
-form-part-workspace-hint = Hasta dónde llega el punto marcado, como mínimo y como máximo.
 form-part-wrong = Por revisar:
 form-radius-inner = Radio interior
 form-radius-outer = Radio exterior
@@ -190,6 +191,10 @@ form-matrices = Matrices
 form-verdict-heading = Veredicto
 form-verdict-correct = Su tabla describe este robot.
 form-verdict-wrong = Su tabla describe otro robot.
+form-verdict-all = Todo lo que ha entregado está bien.
+form-verdict-some = Aún no está todo bien.
+form-total = { $points } de { $total } puntos.
+form-total-missing = Sin entregar: { $parts }.
 form-verdict-outdated = Desde entonces ha cambiado su respuesta.
 form-basis-proved = Demostrado: la identidad vale para todos los valores articulares.
 form-basis-verified = Verificado en muchas configuraciones.
@@ -205,11 +210,7 @@ form-finding-wrong = erróneo
 form-finding-missing = falta
 form-finding-unknown = sin decidir
 form-finding-hidden = –
-form-repairs =
-    { $count ->
-        [one] Lo que la haría correcta
-       *[other] Lo que la haría correcta
-    }
+form-repairs = Lo que la haría correcta
 form-repair-or = o
 form-both-label = El robot del ejercicio y el suyo, moviéndose juntos
 form-both-text = Los dos robots se mueven juntos: el suyo con sus sistemas, el del ejercicio en gris y naranja.

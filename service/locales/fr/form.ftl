@@ -22,6 +22,11 @@ form-home-playground = Un tableau quelconque : poses, jacobiennes, formes litté
 form-home-api = Interface de programmation
 form-home-api-text = La même chose par HTTP, en document OpenAPI.
 form-home-best = Meilleur score { $score } %
+form-home-joints =
+    { $joints ->
+        [one] Une articulation
+       *[other] { $joints } articulations
+    }
 form-home-trainer = S’exercer à placer les repères
 
 form-scene-role = vue 3D
@@ -126,6 +131,7 @@ form-exercise-robot = Le robot
 form-exercise-description = Description en mots
 form-exercise-answer = Votre réponse
 form-exercise-givens = Données
+form-exercise-rules = Ce qui est libre et ce qui est fixé
 form-figure-mode = Montrer le robot en
 form-figure-drawing = Dessin
 form-figure-space = 3D
@@ -141,15 +147,10 @@ form-submit-hint = Ctrl+Entrée fait de même.
 
 form-part-table = Tableau DH
 form-part-schematic = Structure
-form-part-schematic-hint = Le type de chaque liaison et la position de chaque axe par rapport au suivant.
 form-part-link-matrices = Matrices de passage
-form-part-link-matrices-hint = La matrice de chaque ligne de votre tableau. Vous pouvez écrire c1, s23, etc. Une matrice laissée vide est ignorée.
 form-part-transform = Pose du dernier repère, littérale
-form-part-transform-hint = Jugée sur sa valeur : toute forme équivalente compte ; elle peut aussi découler de votre propre tableau.
 form-part-pose = Pose du dernier repère, numérique
-form-part-pose-hint = Pour { $joints }.
 form-part-workspace = Espace de travail
-form-part-workspace-hint = Jusqu’où le point marqué peut aller, au moins et au plus.
 form-part-wrong = À revoir :
 form-radius-inner = Rayon intérieur
 form-radius-outer = Rayon extérieur
@@ -190,6 +191,10 @@ form-matrices = Matrices
 form-verdict-heading = Verdict
 form-verdict-correct = Votre tableau décrit ce robot.
 form-verdict-wrong = Votre tableau décrit un autre robot.
+form-verdict-all = Tout ce que vous avez rendu est juste.
+form-verdict-some = Tout n’est pas encore juste.
+form-total = { $points } points sur { $total }.
+form-total-missing = Non rendu : { $parts }.
 form-verdict-outdated = Vous avez modifié votre réponse depuis.
 form-basis-proved = Prouvé : l’identité vaut pour toutes les valeurs articulaires.
 form-basis-verified = Vérifié sur de nombreuses configurations.
@@ -205,11 +210,7 @@ form-finding-wrong = faux
 form-finding-missing = manque
 form-finding-unknown = indécis
 form-finding-hidden = –
-form-repairs =
-    { $count ->
-        [one] Ce qui le rendrait juste
-       *[other] Ce qui le rendrait juste
-    }
+form-repairs = Ce qui le rendrait juste
 form-repair-or = ou
 form-both-label = Le robot de l’exercice et le vôtre, en mouvement commun
 form-both-text = Les deux robots bougent ensemble : le vôtre avec vos repères, celui de l’exercice en gris et orange.

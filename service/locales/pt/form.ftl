@@ -22,6 +22,11 @@ form-home-playground = Qualquer tabela: poses, jacobianos, formas simbólicas, c
 form-home-api = Interface de programação
 form-home-api-text = O mesmo por HTTP, como documento OpenAPI.
 form-home-best = Melhor pontuação { $score } %
+form-home-joints =
+    { $joints ->
+        [one] Uma junta
+       *[other] { $joints } juntas
+    }
 form-home-trainer = Praticar a atribuição de referenciais
 
 form-scene-role = vista 3D
@@ -126,6 +131,7 @@ form-exercise-robot = O robô
 form-exercise-description = Descrição por palavras
 form-exercise-answer = A sua resposta
 form-exercise-givens = Dados
+form-exercise-rules = O que é livre e o que está fixado
 form-figure-mode = Mostrar o robô em
 form-figure-drawing = Desenho
 form-figure-space = 3D
@@ -141,15 +147,10 @@ form-submit-hint = Ctrl+Enter faz o mesmo.
 
 form-part-table = Tabela DH
 form-part-schematic = Estrutura
-form-part-schematic-hint = O tipo de cada junta e a posição de cada eixo em relação ao seguinte.
 form-part-link-matrices = Matrizes dos elos
-form-part-link-matrices-hint = A matriz de cada linha da sua tabela. Pode escrever c1, s23, etc. Uma matriz deixada vazia é ignorada.
 form-part-transform = Pose do último referencial, em símbolos
-form-part-transform-hint = Avaliada pelo valor: vale qualquer forma equivalente; também pode decorrer da sua própria tabela.
 form-part-pose = Pose do último referencial, em números
-form-part-pose-hint = Para { $joints }.
 form-part-workspace = Espaço de trabalho
-form-part-workspace-hint = Até onde chega o ponto marcado, no mínimo e no máximo.
 form-part-wrong = A rever:
 form-radius-inner = Raio interior
 form-radius-outer = Raio exterior
@@ -190,6 +191,10 @@ form-matrices = Matrizes
 form-verdict-heading = Veredito
 form-verdict-correct = A sua tabela descreve este robô.
 form-verdict-wrong = A sua tabela descreve outro robô.
+form-verdict-all = Tudo o que entregou está certo.
+form-verdict-some = Ainda nem tudo está certo.
+form-total = { $points } de { $total } pontos.
+form-total-missing = Por entregar: { $parts }.
 form-verdict-outdated = Entretanto alterou a sua resposta.
 form-basis-proved = Provado: a identidade vale para todos os valores das juntas.
 form-basis-verified = Verificado em muitas configurações.
@@ -205,11 +210,7 @@ form-finding-wrong = errado
 form-finding-missing = falta
 form-finding-unknown = em aberto
 form-finding-hidden = –
-form-repairs =
-    { $count ->
-        [one] O que a tornaria certa
-       *[other] O que a tornaria certa
-    }
+form-repairs = O que a tornaria certa
 form-repair-or = ou
 form-both-label = O robô do exercício e o seu, a moverem-se juntos
 form-both-text = Os dois robôs movem-se juntos: o seu com os seus referenciais, o do exercício a cinzento e laranja.

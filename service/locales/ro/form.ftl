@@ -22,6 +22,12 @@ form-home-playground = Orice tabel: poziționări, jacobieni, forme simbolice, c
 form-home-api = Interfață de programare
 form-home-api-text = Același lucru prin HTTP, ca document OpenAPI.
 form-home-best = Cel mai bun scor { $score } %
+form-home-joints =
+    { $joints ->
+        [one] O cuplă
+        [few] { $joints } cuple
+       *[other] { $joints } de cuple
+    }
 form-home-trainer = Exersează alegerea sistemelor de axe
 
 form-scene-role = vedere 3D
@@ -129,6 +135,7 @@ form-exercise-robot = Robotul
 form-exercise-description = Descriere în cuvinte
 form-exercise-answer = Răspunsul dumneavoastră
 form-exercise-givens = Se dau
+form-exercise-rules = Ce este liber și ce este fixat
 form-figure-mode = Arată robotul ca
 form-figure-drawing = Desen
 form-figure-space = 3D
@@ -144,15 +151,10 @@ form-submit-hint = Ctrl+Enter face același lucru.
 
 form-part-table = Tabel DH
 form-part-schematic = Structură
-form-part-schematic-hint = Tipul fiecărei cuple și cum stă fiecare axă față de următoarea.
 form-part-link-matrices = Matricele elementelor
-form-part-link-matrices-hint = Matricea fiecărui rând al tabelului. Puteți scrie c1, s23 și altele asemenea. O matrice lăsată goală se sare.
 form-part-transform = Situarea ultimului sistem, în simboluri
-form-part-transform-hint = Se judecă după valoare, deci orice formă echivalentă este bună; poate decurge și din propriul tabel.
 form-part-pose = Situarea ultimului sistem, în numere
-form-part-pose-hint = Pentru { $joints }.
 form-part-workspace = Spațiu de lucru
-form-part-workspace-hint = Cât de departe poate ajunge punctul marcat, cel puțin și cel mult.
 form-part-wrong = De revăzut:
 form-radius-inner = Raza interioară
 form-radius-outer = Raza exterioară
@@ -196,6 +198,10 @@ form-matrices = Matrice
 form-verdict-heading = Verdict
 form-verdict-correct = Tabelul descrie acest robot.
 form-verdict-wrong = Tabelul descrie alt robot.
+form-verdict-all = Tot ce ați predat este corect.
+form-verdict-some = Încă nu totul este corect.
+form-total = { $points } din { $total } puncte.
+form-total-missing = Nepredate: { $parts }.
 form-verdict-outdated = Între timp ați modificat răspunsul.
 form-basis-proved = Demonstrat: identitatea are loc pentru toate valorile cuplelor.
 form-basis-verified = Verificat pentru multe configurații.
@@ -211,11 +217,7 @@ form-finding-wrong = greșit
 form-finding-missing = lipsește
 form-finding-unknown = nedecis
 form-finding-hidden = –
-form-repairs =
-    { $count ->
-        [one] Ce l-ar face corect
-       *[other] Ce l-ar face corect
-    }
+form-repairs = Ce l-ar face corect
 form-repair-or = sau
 form-both-label = Robotul exercițiului și al dumneavoastră, mișcându-se împreună
 form-both-text = Cei doi roboți se mișcă împreună: al dumneavoastră cu sistemele alese, cel al exercițiului în gri și portocaliu.

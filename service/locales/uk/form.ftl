@@ -22,6 +22,13 @@ form-home-playground = Будь-яка таблиця: положення, як�
 form-home-api = Програмний інтерфейс
 form-home-api-text = Те саме через HTTP, як документ OpenAPI.
 form-home-best = Найкращий результат { $score } %
+form-home-joints =
+    { $joints ->
+        [one] { $joints } шарнір
+        [few] { $joints } шарніри
+        [many] { $joints } шарнірів
+       *[other] { $joints } шарніра
+    }
 form-home-trainer = Тренування: вибір систем координат
 
 form-scene-role = тривимірний вигляд
@@ -132,6 +139,7 @@ form-exercise-robot = Робот
 form-exercise-description = Опис словами
 form-exercise-answer = Ваша відповідь
 form-exercise-givens = Дано
+form-exercise-rules = Що можна вибирати, а що задано
 form-figure-mode = Показати робота
 form-figure-drawing = Рисунок
 form-figure-space = 3D
@@ -147,15 +155,10 @@ form-submit-hint = Ctrl+Enter робить те саме.
 
 form-part-table = Таблиця DH
 form-part-schematic = Будова
-form-part-schematic-hint = Тип кожного шарніра та розташування кожної осі відносно наступної.
 form-part-link-matrices = Матриці ланок
-form-part-link-matrices-hint = Матриця кожного рядка вашої таблиці. Можна писати c1, s23 тощо. Порожня матриця пропускається.
 form-part-transform = Положення останньої системи, у символах
-form-part-transform-hint = Оцінюється за значенням, тож зараховується будь-який рівносильний запис; він може випливати й з вашої таблиці.
 form-part-pose = Положення останньої системи, у числах
-form-part-pose-hint = За { $joints }.
 form-part-workspace = Робочий простір
-form-part-workspace-hint = Як далеко може опинитися позначена точка: найменше й найбільше.
 form-part-wrong = Варто переглянути:
 form-radius-inner = Внутрішній радіус
 form-radius-outer = Зовнішній радіус
@@ -202,6 +205,10 @@ form-matrices = Матриці
 form-verdict-heading = Висновок
 form-verdict-correct = Ваша таблиця описує цього робота.
 form-verdict-wrong = Ваша таблиця описує іншого робота.
+form-verdict-all = Усе, що ви подали, правильне.
+form-verdict-some = Ще не все правильно.
+form-total = { $points } з { $total } балів.
+form-total-missing = Не подано: { $parts }.
 form-verdict-outdated = Відтоді ви змінили відповідь.
 form-basis-proved = Доведено: тотожність справджується за всіх значень узагальнених координат.
 form-basis-verified = Перевірено в багатьох конфігураціях.
@@ -217,11 +224,7 @@ form-finding-wrong = неправильно
 form-finding-missing = бракує
 form-finding-unknown = не вирішено
 form-finding-hidden = –
-form-repairs =
-    { $count ->
-        [one] Що зробило б її правильною
-       *[other] Що зробило б її правильною
-    }
+form-repairs = Що зробило б її правильною
 form-repair-or = або
 form-both-label = Робот із вправи й ваш рухаються разом
 form-both-text = Обидва роботи рухаються разом: ваш — із вашими системами, робот із вправи — сірий з помаранчевим.

@@ -19,6 +19,7 @@ import {
   fromWire,
   History,
   insertRow,
+  isBareVariable,
   moveRow,
   newRow,
   newTable,
@@ -107,6 +108,12 @@ export class DhTableEditor extends HTMLElement {
   /** Whether something stands in every cell. */
   get complete() {
     return emptyCells(this.#table).length === 0;
+  }
+
+  /** Whether nothing stands in the table but the variables that a new one holds. */
+  get untouched() {
+    const texts = this.#table.rows.flatMap((row) => CELLS.map((cell) => row[cell]));
+    return texts.every((text) => text.trim() === "" || isBareVariable(text));
   }
 
   /** Cells in which nothing stands. */

@@ -17,9 +17,9 @@ export class AnswerCard {
     this.exercise = exercise;
     this.changed = changed;
     this.editor = /** @type {any} */ (document.createElement("dh-table-editor"));
-    this.editor.allowed = exercise.conventions ?? ["modified", "standard"];
+    this.editor.allowed = exercise.conventions;
     const { angle_unit: angleUnit, length_unit: lengthUnit } = exercise;
-    const joints = exercise.figure.axes.length;
+    const joints = exercise.joints.length;
     this.editor.state = newTable(this.editor.allowed[0], joints, { angleUnit, lengthUnit });
     this.editor.addEventListener("table-change", () => this.#edited());
     this.parts = exercise.parts.filter(({ kind }) => kind !== "table").map((part) => ({ part, field: fieldFor(part, exercise) }));
@@ -92,15 +92,19 @@ export class AnswerCard {
     this.button.textContent = t(busy ? "form-submitting" : "form-submit");
   }
 
-  /** What is sent, or null if the table has empty cells, which are then pointed out. */
+  /**
+   * What is sent: the table, and whatever else was typed. A table that nobody touched is left out where there
+   * is something else; null if the table has empty cells, which are then pointed out.
+   */
   request() {
     if (this.button.getAttribute("aria-disabled") === "true") return null;
-    if (!this.editor.complete) {
-      this.editor.showMissing();
-      return null;
-    }
-    const others = this.parts.map(({ part, field }) => [part.kind, field.value]).filter(([, value]) => value !== null);
-    return { table: this.editor.table, ...Object.fromEntries(others) };
+    const typed = this.parts.map(({ part, field }) => [part.kind, field.value]).filter(([, value]) => value !== null);
+    const others = Object.fromEntries(typed);
+    const needsTable = "link_matrices" in others || !typed.length || !this.editor.untouched;
+    if (!needsTable) return others;
+    if (this.editor.complete) return { table: this.editor.table, ...others };
+    this.editor.showMissing();
+    return null;
   }
 
   /** What the service understood. @param {{reading: any, rows: any[], faults: any[]}} answer */
@@ -152,9 +156,8 @@ export class AnswerCard {
 
 /** One thing that is asked. What comes besides the table is folded, so that a phone's page stays short. */
 function section(kind, part, exercise, content, several) {
-  const total = exercise.parts.reduce((sum, { points }) => sum + points, 0);
   const name = t(`form-part-${kind.replaceAll("_", "-")}`);
-  const share = several && part ? el("span", { class: "badge", text: t("form-points", { points: part.points, total }) }) : null;
+  const share = several && part ? el("span", { class: "badge", text: t("form-points", { points: part.points, total: exercise.points }) }) : null;
   if (kind === "table") {
     const title = several ? el("h3", { class: "row" }, name, share) : null;
     return el("section", { class: "part", id: "part-table", "aria-label": name }, title, content);
@@ -163,22 +166,13 @@ function section(kind, part, exercise, content, several) {
     "details",
     { class: "part", id: `part-${kind}` },
     el("summary", {}, el("h3", { class: "row" }, name, share)),
-    el("p", { class: "hint", text: partHint(kind, part, exercise) }),
+    el("p", { class: "hint", text: part.task }),
     content,
   );
 }
 
-function partHint(kind, part, exercise) {
-  const id = `form-part-${kind.replaceAll("_", "-")}-hint`;
-  if (kind !== "pose") return t(id);
-  const unit = exercise.angle_unit === "deg" ? "°" : " rad";
-  const types = exercise.figure.axes.map((axis) => axis.type);
-  const values = part.joints.map((value, i) => `q${subscript(i + 1)} = ${value}${types[i] === "prismatic" ? ` ${exercise.length_unit}` : unit}`);
-  return t(id, { joints: values.join(", ") });
-}
-
 function fieldFor(part, exercise) {
-  const joints = exercise.figure.axes.length;
+  const joints = exercise.joints.length;
   switch (part.kind) {
     case "schematic":
       return new SchematicField(joints);
@@ -187,7 +181,7 @@ function fieldFor(part, exercise) {
     case "transform":
       return new MatrixField({ from: 0, to: joints });
     case "pose":
-      return new MatrixField({ from: 0, to: joints, numeric: true });
+      return new MatrixField({ from: 0, to: joints });
     default:
       return new NumbersField([
         { name: "inner", label: t("form-radius-inner"), unit: exercise.length_unit },

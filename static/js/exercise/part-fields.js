@@ -26,9 +26,8 @@ function setFault(input, line, text) {
 export class MatrixField {
   onchange = () => {};
 
-  /** @param {{from: number, to: number, numeric?: boolean}} ends */
-  constructor({ from, to, numeric = false }) {
-    this.numeric = numeric;
+  /** @param {{from: number, to: number}} ends */
+  constructor({ from, to }) {
     const id = uniqueId("matrix");
     const name = t("form-matrix-name", { from, to });
     this.cells = [0, 1, 2, 3].map((i) =>
@@ -38,7 +37,6 @@ export class MatrixField {
           el("input", {
             id: `${id}-${i}${k}`,
             type: "text",
-            inputmode: numeric ? "decimal" : null,
             autocomplete: "off",
             autocapitalize: "off",
             spellcheck: "false",
@@ -71,7 +69,7 @@ export class MatrixField {
 
   get value() {
     if (!this.touched) return null;
-    return this.cells.map((row) => row.map(({ input }) => cellValue(input.value, this.numeric)));
+    return this.cells.map((row) => row.map(({ input }) => input.value.trim()));
   }
 
   get state() {
@@ -106,13 +104,6 @@ export class MatrixField {
     }));
     this.onchange();
   }
-}
-
-function cellValue(text, numeric) {
-  const trimmed = text.trim();
-  if (!numeric) return trimmed;
-  const value = Number(trimmed.replace("−", "-").replace(",", "."));
-  return trimmed !== "" && Number.isFinite(value) ? value : trimmed;
 }
 
 /** Several matrices, one for each row of the student's table. */
@@ -175,7 +166,7 @@ export class NumbersField {
       numbers.map(({ name, label, unit }) => {
         const line = faultLine(uniqueId("fault"));
         const input = /** @type {HTMLInputElement} */ (
-          el("input", { id: uniqueId("number"), type: "text", inputmode: "decimal", autocomplete: "off", size: 10, "aria-describedby": line.id, oninput: () => (setFault(input, line, ""), this.onchange()) })
+          el("input", { id: uniqueId("number"), type: "text", autocomplete: "off", size: 10, "aria-describedby": line.id, oninput: () => (setFault(input, line, ""), this.onchange()) })
         );
         this.inputs.set(name, { input, line });
         return el("div", { class: "field" }, el("label", { for: input.id, text: `${label} [${unit}]` }), input, line);
@@ -189,7 +180,7 @@ export class NumbersField {
 
   get value() {
     if (!this.touched) return null;
-    return Object.fromEntries([...this.inputs].map(([name, { input }]) => [name, cellValue(input.value, true)]));
+    return Object.fromEntries([...this.inputs].map(([name, { input }]) => [name, input.value.trim()]));
   }
 
   get state() {

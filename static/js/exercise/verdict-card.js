@@ -4,12 +4,12 @@ import { announce, el, fill } from "../dom.js";
 import { t } from "../i18n.js";
 import { placeName } from "./answer-card.js";
 import { bothRobots } from "./both-robots.js";
-import { partView, verdictView } from "./verdict-view.js";
+import { partView, shareOf, verdictView, verdictWord } from "./verdict-view.js";
 
 export class VerdictCard {
   /** The student's robot as it is drawn, for the scene with both. @type {any} */
   ownRobot = null;
-  /** @type {{stop: () => void} | null} */
+  /** @type {ReturnType<typeof bothRobots> | null} */
   #both = null;
 
   /** @param {HTMLElement} card @param {HTMLElement} place */
@@ -30,35 +30,34 @@ export class VerdictCard {
     this.#both?.stop();
     this.card.classList.remove("outdated");
     this.card.hidden = false;
-    const verdict = graded.table ?? graded;
-    const parts = graded.parts?.filter?.(({ kind }) => kind !== "table") ?? [];
+    const { table, ...others } = graded.parts;
     const focusRow = (row, cell) => answer.focusRow(row, cell);
-    const both = verdict.correct && verdict.certificate && this.ownRobot ? this.#bothRobots(verdict, exercise, answer) : null;
-    this.#both = both;
+    this.#both = graded.certificate && graded.figure && this.ownRobot ? this.#bothRobots(graded, exercise, answer) : null;
     fill(
       this.place,
-      verdictView(verdict, { convention: answer.convention, focusRow }),
-      both?.element,
-      parts.map((report) => partView(report, t(`form-part-${report.kind.replaceAll("_", "-")}`), (where) => placeName(report.kind, where))),
+      verdictView(graded, { convention: answer.convention, focusRow }),
+      this.#both?.element,
+      Object.values(others).map((report) => partView(report, partName(report.kind), (where) => placeName(report.kind, where))),
     );
-    both?.describe();
-    announce(`${t(verdict.correct ? "form-verdict-correct" : "form-verdict-wrong")} ${t("form-score", { score: Math.round(graded.score * 100) })}`);
+    this.#both?.describe();
+    announce(`${verdictWord(graded)} ${t("form-score", { score: Math.round(shareOf(graded) * 100) })}`);
     this.card.focus({ preventScroll: true });
     const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.card.scrollIntoView({ block: "nearest", behavior: calm ? "auto" : "smooth" });
   }
 
-  #bothRobots(verdict, exercise, answer) {
-    const { figure } = exercise;
-    if (!figure.base) return null;
+  #bothRobots(graded, exercise, answer) {
     return bothRobots({
-      figure,
+      figure: exercise.figure,
       own: this.ownRobot.model,
-      certificate: verdict.certificate,
-      world: figure.base,
-      posture: figure.posture,
-      degrees: answer.units.angle === "deg",
-      types: figure.axes.map((axis) => axis.type),
+      certificate: graded.certificate,
+      units: answer.units,
+      key: graded.figure,
     });
   }
+}
+
+/** @param {string} kind */
+function partName(kind) {
+  return t(`form-part-${kind.replaceAll("_", "-")}`);
 }

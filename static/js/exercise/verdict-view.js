@@ -1,36 +1,64 @@
 /** A verdict as something to learn from: score, rows, reasons, repairs; never more than the API told. */
 
-import { el, fill, icon } from "../dom.js";
+import { el, icon } from "../dom.js";
 import { t } from "../i18n.js";
 import { columnText } from "../editor/grid.js";
+import { plain } from "../numbers.js";
 
 const FACTS = ["twist", "length", "offset", "joint"];
 const MARKS = { ok: "check", wrong: "cross", missing: "cross" };
 
 /**
- * @param {any} verdict as the API gave it
+ * What is said of the table, and of the answer as a whole.
+ * @param {any} graded as the API gave it
  * @param {{convention: string, focusRow: (row: number, cell?: string) => void}} answer
  * @returns {HTMLElement}
  */
-export function verdictView(verdict, { convention, focusRow }) {
-  const score = Math.round(verdict.score * 100);
+export function verdictView(graded, { convention, focusRow }) {
+  const share = shareOf(graded);
+  const tone = share >= 1 ? "good" : share > 0 ? "partly" : "bad";
+  const hasTable = graded.basis !== null;
   return el(
     "div",
     { class: "stack" },
     el(
       "div",
-      { class: `verdict-head ${verdict.correct ? "good" : score > 0 ? "partly" : "bad"}` },
-      scoreRing(verdict.score),
+      { class: `verdict-head ${tone}` },
+      scoreRing(share),
       el(
         "div",
         {},
-        el("p", { class: "verdict-word", text: t(verdict.correct ? "form-verdict-correct" : "form-verdict-wrong") }),
-        el("p", { class: "hint", text: t(`form-basis-${verdict.basis}`) }),
+        el("p", { class: "verdict-word", text: verdictWord(graded) }),
+        hasTable ? el("p", { class: "hint", text: t(`form-basis-${graded.basis}`) }) : null,
+        totalLine(graded.total),
       ),
     ),
-    feedbackList(verdict.feedback ?? [], focusRow),
-    verdict.links?.some(hasNews) ? linkTable(verdict.links, focusRow) : null,
-    repairList(verdict.repairs ?? [], convention, focusRow),
+    feedbackList(graded.feedback, focusRow),
+    graded.links.some(hasNews) ? linkTable(graded.links, focusRow) : null,
+    repairList(graded.repairs, convention, focusRow),
+  );
+}
+
+/** What was earned of what could be earned with the parts that were handed in. @param {any} graded */
+export function shareOf(graded) {
+  const parts = Object.values(graded.parts);
+  const most = parts.reduce((sum, part) => sum + part.max_points, 0);
+  return most ? parts.reduce((sum, part) => sum + part.points, 0) / most : graded.score;
+}
+
+/** The verdict in a sentence. @param {any} graded */
+export function verdictWord(graded) {
+  if (graded.basis !== null) return t(graded.correct ? "form-verdict-correct" : "form-verdict-wrong");
+  return t(graded.correct ? "form-verdict-all" : "form-verdict-some");
+}
+
+function totalLine({ points, max_points: most, missing }) {
+  const names = missing.map((kind) => t(`form-part-${kind.replaceAll("_", "-")}`));
+  return el(
+    "p",
+    { class: "hint" },
+    t("form-total", { points: plain(points, 1), total: plain(most, 1) }),
+    names.length ? ` ${t("form-total-missing", { parts: names.join(", ") })}` : null,
   );
 }
 
@@ -66,7 +94,7 @@ function feedbackList(feedback, focusRow) {
       el(
         "li",
         { dataset: { code } },
-        row ? [rowLink(row, t("form-row", { row }), focusRow), ": "] : null,
+        row && focusRow ? [rowLink(row, t("form-row", { row }), focusRow), ": "] : null,
         message,
       ),
     ),
@@ -113,7 +141,7 @@ function repairList(repairs, convention, focusRow) {
   return el(
     "div",
     {},
-    el("h3", { text: t("form-repairs", { count: repairs.length }) }),
+    el("h3", { text: t("form-repairs") }),
     repairs.map((repair, i) => [
       i > 0 ? el("p", { class: "hint", text: t("form-repair-or") }) : null,
       el("ul", { class: "feedback repairs" }, repair.edits.map(edit)),
@@ -121,10 +149,10 @@ function repairList(repairs, convention, focusRow) {
   );
 }
 
-/** A part beyond the table. @param {any} report @param {string} name @param {(where: (string | number)[]) => string} placeName */
+/** What is said of a part beyond the table. @param {any} report @param {string} name @param {(where: (string | number)[]) => string} placeName */
 export function partView(report, name, placeName) {
   const percent = Math.round(report.score * 100);
-  const wrong = (report.facts ?? []).filter((fact) => fact.finding === "wrong" || fact.finding === "missing");
+  const wrong = report.facts.filter(({ finding: found }) => found === "wrong" || found === "missing");
   return el(
     "section",
     { class: "part-report", "aria-label": name },
@@ -135,12 +163,8 @@ export function partView(report, name, placeName) {
       " ",
       el("span", { class: `badge ${percent === 100 ? "good" : percent ? "warn" : "bad"}`, text: t("form-score", { score: percent }) }),
     ),
-    feedbackList(report.feedback ?? [], () => {}),
+    feedbackList(report.feedback, null),
     wrong.length ? el("p", { class: "hint" }, t("form-part-wrong"), " ", wrong.map((fact) => placeName(fact.where)).join(", ")) : null,
   );
 }
 
-/** @param {HTMLElement} place @param {...any} content */
-export function showVerdict(place, ...content) {
-  fill(place, ...content);
-}

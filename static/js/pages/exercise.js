@@ -2,7 +2,7 @@
 
 import { Problem } from "../api.js";
 import { browserAttempts } from "../attempts.js";
-import { announce, fill } from "../dom.js";
+import { announce, el, fill } from "../dom.js";
 import "../editor/dh-table-editor.js";
 import { AnswerCard } from "../exercise/answer-card.js";
 import { showFigure } from "../exercise/figure-card.js";
@@ -14,6 +14,7 @@ import "../joint-sliders.js";
 import { LiveRobot } from "../live-robot.js";
 import "../matrix-panel.js";
 import { api, startPage } from "../page.js";
+import { plain } from "../numbers.js";
 import { problemNotice, sentencesOf } from "../problem.js";
 import "../scene/robot-scene.js";
 import { keep, recall } from "../storage.js";
@@ -40,7 +41,8 @@ async function run() {
     drawing: /** @type {HTMLImageElement} */ ($("figure-drawing")),
     description: $("figure-description"),
   });
-  const robot = new LiveRobot(api, { size: exercise.figure.size });
+  const robot = new LiveRobot(api);
+  showRules(exercise);
   const own = new OwnCard($("own"), robot, { api, parameters: exercise.parameters });
   const verdict = new VerdictCard($("verdict-card"), $("verdict"));
   const answer = new AnswerCard($("answer"), exercise, {
@@ -75,8 +77,8 @@ async function run() {
       answer.showFaults([]);
       await attempts.add(id, {
         at: new Date().toISOString(),
-        score: graded.score,
-        correct: graded.correct,
+        score: graded.total.score,
+        correct: graded.correct && graded.total.score >= 1,
         submission: answer.state,
         verdict: graded,
       });
@@ -110,6 +112,22 @@ async function run() {
       },
     );
   }
+}
+
+/** Below the statement: what is given, and what is free to choose. */
+function showRules({ dimensions, rules }) {
+  const given = dimensions.map(({ name, value, unit }) => el("li", {}, variable(name), ` = ${plain(value, 6)} ${unit}`));
+  fill(
+    $("givens"),
+    given.length ? [el("h3", { text: t("form-exercise-givens") }), el("ul", { class: "givens" }, given)] : null,
+    rules.length ? el("details", {}, el("summary", { text: t("form-exercise-rules") }), el("ul", {}, rules.map((rule) => el("li", { text: rule })))) : null,
+  );
+}
+
+/** A name with its digits as an index. @param {string} name */
+function variable(name) {
+  const match = /^([A-Za-z]+)_?(\d*)$/.exec(name);
+  return el("var", {}, match ? match[1] : name, match?.[2] ? el("sub", { text: match[2] }) : null);
 }
 
 /** On wide screens figure and robot stand beside the answer; in the document, always where they are read. */

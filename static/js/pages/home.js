@@ -2,7 +2,7 @@
 
 import { browserAttempts } from "../attempts.js";
 import { el, fill } from "../dom.js";
-import { t } from "../i18n.js";
+import { language, t } from "../i18n.js";
 import { api, pageAddress, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 
@@ -10,6 +10,7 @@ async function run() {
   const list = document.getElementById("exercises");
   try {
     const { exercises } = await api.get("exercises");
+    exercises.sort((one, other) => one.joints - other.joints || one.title.localeCompare(other.title, language));
     fill(list, await Promise.all(exercises.map(entry)));
   } catch (error) {
     fill(document.getElementById("exercises-problem"), problemNotice(error));
@@ -18,14 +19,14 @@ async function run() {
   }
 }
 
-async function entry({ id, title, summary }) {
+async function entry({ id, title, summary, joints }) {
   const attempts = await browserAttempts.list(id);
   const best = attempts.reduce((most, attempt) => Math.max(most, attempt.score), 0);
   return el(
     "li",
     { class: "card exercise-card" },
     el("img", {
-      src: api.address(`exercises/${id}/figure.svg`),
+      src: api.address(`exercises/${id}/figure.svg?lang=${language}`),
       alt: "",
       width: 320,
       height: 220,
@@ -40,6 +41,7 @@ async function entry({ id, title, summary }) {
       el(
         "p",
         { class: "row" },
+        el("span", { class: "badge", text: t("form-home-joints", { joints }) }),
         attempts.length
           ? el("span", {
               class: `badge ${best >= 1 ? "good" : "warn"}`,
