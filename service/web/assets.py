@@ -108,7 +108,7 @@ class Assets:
             if module not in self._imports:
                 text = (self._root / module).read_text(encoding="utf-8") if module in self._files else ""
                 folder = posixpath.dirname(module)
-                targets = [posixpath.normpath(f"{folder}/{path}") for path in IMPORT.findall(text)]
+                targets = [posixpath.normpath(posixpath.join(folder, path)) for path in IMPORT.findall(text)]
                 self._imports[module] = tuple(targets)
             found += [target for target in self._imports[module] if target not in found]
         return tuple(found[1:])
