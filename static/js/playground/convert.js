@@ -85,7 +85,7 @@ function screwTable(found) {
         "tbody",
         {},
         found.screws.map((screw, i) =>
-          el("tr", {}, el("th", { scope: "row", text: `S${i + 1}` }), screw.map((value) => el("td", { text: shown(value) }))),
+          el("tr", {}, el("th", { scope: "row", text: `S${i + 1}` }), [...screw.angular, ...screw.linear].map((value) => el("td", { text: shown(value) }))),
         ),
       ),
     ),
