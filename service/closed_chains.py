@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
-from fastapi import Request
-from fastapi.concurrency import run_in_threadpool
 from numpy.typing import NDArray
 
 from kinematics.expressions import evaluate
@@ -24,8 +22,6 @@ from kinematics.scm import (
     jacobian_closed_form_scm,
 )
 from kinematics.symbolic import Matrix
-
-Answer = TypeVar("Answer")
 
 DEFAULT_FORMATS = (Format.TEXT, Format.LATEX)
 
@@ -132,11 +128,6 @@ def jacobians_at(
         for frame in (JacobianFrame.BASE, JacobianFrame.END)
     )
     return _numbers(base, values, joints), _numbers(end, values, joints)
-
-
-async def computed(request: Request, function: Callable[..., Answer], *arguments: Any) -> Answer:
-    """What a function gives, computed beside the event loop."""
-    return await run_in_threadpool(function, *arguments)
 
 
 def _numbers(matrix: Matrix, values: Mapping[str, float], joints: Sequence[float]) -> NDArray[np.float64]:

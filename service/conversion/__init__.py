@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from service.conversion.chains import described_chain
 from service.conversion.described import Described
 from service.conversion.products import product_answer
 from service.conversion.tables import described_table, table_answer
@@ -23,6 +24,7 @@ Writer = Callable[[Described, Target], ConvertAnswer]
 SOURCES: Mapping[str, Source] = {
     "table": described_table,
     "robot": described_table,
+    "scm": described_chain,
 }
 
 TARGETS: Mapping[Target, Writer] = {

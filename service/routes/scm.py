@@ -7,6 +7,7 @@ from typing import Annotated, Any
 
 import numpy as np
 from fastapi import Body, Request
+from fastapi.concurrency import run_in_threadpool
 from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError, PoseError
@@ -22,7 +23,7 @@ from kinematics.scm import (
 )
 from kinematics.transforms import inverse_transform
 from service.chains import PreparedChain, prepared_chain, prepared_structure
-from service.closed_chains import ChainTask, Wanted, computed, jacobians_at, written_chain
+from service.closed_chains import ChainTask, Wanted, jacobians_at, written_chain
 from service.openapi import problems
 from service.routing import api_router
 from service.schemas import scm as wire
@@ -108,7 +109,7 @@ async def jacobian(
         base = jacobian_base_by_inspection(prepared.chain, joints, prepared.values)
         end = jacobian_end_by_inspection(prepared.chain, joints, prepared.values)
     else:
-        base, end = await computed(request, jacobians_at, prepared.chain, dict(prepared.values), joints)
+        base, end = await run_in_threadpool(jacobians_at, prepared.chain, dict(prepared.values), joints)
     return wire.ScmJacobianAnswer(**prepared.units, method=body.method, J0=_listed(base), Jn=_listed(end))
 
 
@@ -172,7 +173,7 @@ async def _closed(body: wire.ClosedFormQuestion, wanted: Wanted, request: Reques
     read = prepared_structure(body, _settings(request).cell_limits)
     task = ChainTask.of(read, wanted, body.formats, body.notation)
     units = {"angle_unit": read.angle_unit.value, "length_unit": read.length_unit.value}
-    return {**units, **await computed(request, written_chain, task)}
+    return {**units, **await run_in_threadpool(written_chain, task)}
 
 
 def _settings(request: Request) -> Settings:

@@ -10,6 +10,7 @@ from pydantic_core import PydanticCustomError
 
 from kinematics.table import JointType
 from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.scm import Chain
 from service.schemas.tables import Parameters, Row, Table, Units
 
 
@@ -29,6 +30,7 @@ class ConvertRequest(Wire):
     )
     table: Table | None = Field(None, description="a DH table")
     robot: str | None = Field(None, max_length=64, description="the id of a robot of the catalogue")
+    scm: Chain | None = Field(None, description="an SCM chain; it becomes a DH table (SCM2DH)")
     parameters: Parameters | None = None
 
     @model_validator(mode="after")

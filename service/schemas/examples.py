@@ -68,6 +68,10 @@ CONVERT: dict[str, Any] = {
     "PUMA 560 to the modified convention": {"table": PUMA_560, "to": "modified"},
     "a table with parameters to the standard convention": {"table": CYLINDRICAL, "to": "standard"},
     "a robot of the catalogue to a product of exponentials": {"robot": "scara", "to": "poe"},
+    "an SCM chain to the modified convention (SCM2DH)": {
+        "scm": {"joints": [{"a": "a1"}, {"x": "L1", "a": "-a2"}, {"z": "-d3"}], "final": {"c": "pi"}},
+        "to": "modified",
+    },
 }
 
 

@@ -195,3 +195,35 @@ def test_an_overflow_is_refused(client: httpx.Client) -> None:
     chain = {"joints": [{"x": "L1", "a": "q1"}, {"x": "L1", "a": "q2"}]}
     found = refusal(client, "forward-kinematics", chain=chain, parameters={"L1": 1e308}, joints=[0, 0])
     assert found == [("result_not_finite", "/joints")]
+
+
+@pytest.mark.parametrize("to", ["modified", "standard"])
+def test_scm2dh_and_dhconv_over_http(client: httpx.Client, to: str) -> None:
+    """A chain to a DH table of either convention: base · table · tool is the chain."""
+    robot = client.get("/api/v1/robots/kr100p").json()
+    chain, lengths = robot["scm"]["chain"], robot["scm"]["parameters"]
+    answer = client.post("/api/v1/convert", json={"scm": chain, "to": to, "parameters": lengths})
+    assert answer.status_code == 200, answer.text
+    found = answer.json()
+    joints = [10, 20, -30, 40, 50, -60]
+    question = {
+        "table": found["table"],
+        "base": found["base"],
+        "tool": found["tool"],
+        "parameters": lengths,
+        "joints": joints,
+    }
+    by_table = client.post("/api/v1/forward-kinematics", json=question).json()["transform"]
+    by_chain = ask(client, "forward-kinematics", chain=chain, parameters=lengths, joints=joints)["transform"]
+    np.testing.assert_allclose(by_table, by_chain, atol=1e-12)
+
+
+def test_scm2dh_keeps_symbols_and_says_where_a_chain_is_wrong(client: httpx.Client) -> None:
+    answer = client.post("/api/v1/convert", json={"scm": PLANAR, "to": "modified"}).json()
+    assert [row["a"] for row in answer["table"]["rows"]] == [0, "L1", "L2"]
+    refused = client.post("/api/v1/convert", json={"scm": NOT_STRICT, "to": "modified"}).json()
+    assert [fault["pointer"] for fault in refused["errors"]] == [
+        "/scm/joints/0/a",
+        "/scm/joints/1/x",
+        "/scm/joints/1/b",
+    ]
