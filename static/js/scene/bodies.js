@@ -19,7 +19,8 @@ export function piecesOf(links, axes, size) {
   /** @type {Set<number>} */
   const met = new Set();
   for (const chain of links) {
-    let body = bodyAt(chain[0], pieces, axes, size);
+    let body = bodyAt(chain, pieces, axes, size);
+    if (body > 0) met.add(body);
     for (let k = 1; k < chain.length; k += 1) {
       let from = chain[k - 1];
       for (const { joint, point } of passed(from, chain[k], axes, met, size)) {
@@ -35,10 +36,19 @@ export function piecesOf(links, axes, size) {
   return met.size === axes.length ? pieces : null;
 }
 
-/** The body that a further chain starts from: that of the piece on which it starts. */
-function bodyAt(start, pieces, axes, size) {
-  const piece = [...pieces].reverse().find(({ from, to }) => distance(start, from, to).away < CLOSE * size);
-  return piece?.body ?? 0;
+/**
+ * The body that a chain starts with: the base for the first, else that of the piece on which it starts. A rod
+ * that starts in the open slides through the first joint that it meets, and belongs to it on both sides.
+ */
+function bodyAt(chain, pieces, axes, size) {
+  if (pieces.length === 0) return 0;
+  const piece = [...pieces].reverse().find(({ from, to }) => distance(chain[0], from, to).away < CLOSE * size);
+  if (piece) return piece.body;
+  for (let k = 1; k < chain.length; k += 1) {
+    const [first] = passed(chain[k - 1], chain[k], axes, new Set(), size);
+    if (first) return first.joint;
+  }
+  return 0;
 }
 
 /** Joints on a stretch, in the order in which they are met. */

@@ -88,7 +88,7 @@ function addJoint(model, motion, turning, sliding, size) {
 
 /**
  * The robot of an exercise, from the geometry that its figure is drawn from. Each joint is a node with its z
- * along the axis, so that the robot can be moved from the posture of its figure.
+ * along the axis, and one that moves in it, so that the robot can be moved from the posture of its figure.
  * @param {{axes: {joint: number, type: string, point: Vector, direction: Vector}[], links: Vector[][],
  *   dimensions?: {name: string, from: Vector, to: Vector}[], points?: {name: string, at: Vector}[],
  *   ground?: {at: Vector, normal: Vector} | null, size?: number}} figure
@@ -107,14 +107,14 @@ export function figureRobot(figure, { dimensions = true } = {}) {
     const constant = i === 0 ? pose : multiply(inverse(world[i - 1]), pose);
     world.push(pose);
     const motion = pieces ? { index: i, type: axis.type, sign: 1 } : null;
-    model.nodes.push({ parent: i - 1, constant, motion });
+    model.nodes.push({ parent: 2 * i - 1, constant }, { parent: 2 * i, constant: identity(), motion });
   });
   model.joints = pieces ? figure.axes.length : 0;
   for (const { from, to, body } of pieces ?? unmoved(figure.links)) {
     const ends = { from: bodyPlace(world, body, from), to: bodyPlace(world, body, to) };
     model.items.push({ kind: "tube", ...ends, radius: size * SIZE.tube * 1.4, tone: "body" });
   }
-  figure.axes.forEach((axis, i) => model.items.push(...axisItems(axis, i, size)));
+  figure.axes.forEach((axis, i) => model.items.push(...axisItems(axis, 2 * i, size)));
   if (figure.ground) {
     const at = { node: -1, at: figure.ground.at };
     model.items.push({ kind: "cylinder", at, axis: figure.ground.normal, length: size * 0.008, radius: size * SIZE.plate, tone: "plate" });
@@ -139,23 +139,23 @@ function bodyOf(point, pieces, size) {
 }
 
 function bodyPlace(world, body, point) {
-  return body === 0 ? { node: -1, at: point } : { node: body - 1, at: apply(inverse(world[body - 1]), point) };
+  return body === 0 ? { node: -1, at: point } : { node: 2 * body - 1, at: apply(inverse(world[body - 1]), point) };
 }
 
 /** @returns {Item[]} */
-function axisItems(axis, i, size) {
+function axisItems(axis, node, size) {
   const half = size * SIZE.axis;
   const length = size * SIZE.jointLength;
   const z = /** @type {Vector} */ ([0, 0, 1]);
-  const middle = { node: i, at: /** @type {Vector} */ ([0, 0, 0]) };
+  const middle = { node, at: /** @type {Vector} */ ([0, 0, 0]) };
   const body =
     axis.type === "prismatic"
       ? { kind: "block", at: middle, axis: z, length, width: size * SIZE.joint * 2, tone: "joint" }
       : { kind: "cylinder", at: middle, axis: z, length, radius: size * SIZE.joint * 1.15, tone: "joint" };
   return /** @type {Item[]} */ ([
     body,
-    { kind: "line", from: { node: i, at: [0, 0, -half] }, to: { node: i, at: [0, 0, half] }, tone: "line", dashed: true },
-    { kind: "label", at: { node: i, at: [0, 0, half * 1.12] }, text: String(axis.joint), tone: "line" },
+    { kind: "line", from: { node, at: [0, 0, -half] }, to: { node, at: [0, 0, half] }, tone: "line", dashed: true },
+    { kind: "label", at: { node, at: [0, 0, half * 1.12] }, text: String(axis.joint), tone: "line" },
   ]);
 }
 

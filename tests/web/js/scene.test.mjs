@@ -68,11 +68,20 @@ test("pieces follow the last joint before them, also where joints stand inside a
   assert.deepEqual(pieces.map(({ from, to, body }) => [from[2], to[2], body]), [[0, 1, 0], [1, 2, 1], [2, 3, 1], [3, 4, 3], [2, 2, 1]]);
 });
 
+test("a rod slides through the first joint that it meets, whole", () => {
+  const axes = [[0, 0, 1], [1, 0, 1], [1, 0, 0.5]].map((point, i) => ({ joint: i + 1, point }));
+  const arm = [[0, 0, 0], [0, 0, 1], [1, 0, 1]];
+  const rod = [[1, 0, 2], [1, 0, 0]];
+  const bodies = (links) => piecesOf(links, axes, 2).map(({ from, to, body }) => [from[2], to[2], body]);
+  assert.deepEqual(bodies([arm, rod]), [[0, 1, 0], [1, 1, 1], [2, 0.5, 2], [0.5, 0, 3]]);
+  assert.deepEqual(bodies([arm.slice(0, 2), rod]), [[0, 1, 0], [2, 0.5, 2], [0.5, 0, 3]]);
+});
+
 test("a figure whose joints are off its links stands still", () => {
   const axes = [{ joint: 1, type: "revolute", point: [5, 0, 0], direction: [0, 0, 1] }];
   const model = figureRobot({ axes, links: [[[0, 0, 0], [0, 0, 2]]] });
   assert.equal(model.joints, 0);
-  assert.equal(poses(model, [1]).length, 1);
+  assert.deepEqual(poses(model, [1]), poses(model, [0]));
 });
 
 test("placed and together keep what they hold", () => {
