@@ -121,8 +121,8 @@ async def answered(
     request: ApiRequest,
     media_type: str,
     *,
-    check: Callable[[], None],
-    blocks: Callable[[], Iterator[bytes]],
+    blocks: Callable[[], Iterator[bytes | memoryview]],
+    check: Callable[[], None] | None = None,
     length: int | None = None,
 ) -> Response:
     """The answer to a batch: a small one at once, a large one in a thread and sent while it is computed.
@@ -131,17 +131,19 @@ async def answered(
         asked: the question.
         request: the request.
         media_type: of the answer.
-        check: makes sure that the answer exists, before anything is sent.
         blocks: the pieces of the answer.
+        check: makes sure that the answer exists, before anything is sent.
         length: of all pieces together [byte], if it is known.
     """
     if len(asked.joints) <= _SMALL:
-        check()
+        if check:
+            check()
         return Written(b"".join(blocks()), media_type)
     gate: Gate = request.scope["app"].state.gate
     place = gate.enter()
     try:
-        await place.run(check)
+        if check:
+            await place.run(check)
     except BaseException:
         place.leave()
         raise

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import AsyncIterator, Callable, Iterator, Mapping
 from typing import TypeVar
 
 import anyio
@@ -72,7 +72,11 @@ class BatchResponse(StreamingResponse):
     """Sends blocks as they are computed; the place is left when all is sent, or the caller has gone."""
 
     def __init__(
-        self, blocks: Iterator[bytes], place: Place, media_type: str, headers: Mapping[str, str] | None = None
+        self,
+        blocks: Iterator[bytes | memoryview],
+        place: Place,
+        media_type: str,
+        headers: Mapping[str, str] | None = None,
     ) -> None:
         super().__init__(_computed(blocks, place), media_type=media_type, headers=headers)
         self._place = place
@@ -85,7 +89,7 @@ class BatchResponse(StreamingResponse):
             self._place.leave()
 
 
-async def _computed(blocks: Iterator[bytes], place: Place):  # type: ignore[no-untyped-def]
+async def _computed(blocks: Iterator[bytes | memoryview], place: Place) -> AsyncIterator[bytes | memoryview]:
     while True:
         block = await place.run(lambda: next(blocks, None))
         if block is None:

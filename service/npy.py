@@ -70,9 +70,10 @@ def npy_header(shape: tuple[int, ...]) -> bytes:
     return stream.getvalue()
 
 
-def npy_data(array: NDArray[np.float64]) -> bytes:
-    """The data of an npy file of little-endian float64 in C order."""
-    return np.ascontiguousarray(array, dtype="<f8").tobytes()
+def npy_data(array: NDArray[np.float64]) -> memoryview:
+    """The data of an npy file of little-endian float64 in C order, copied only if it is not that already."""
+    flat = np.ascontiguousarray(array, dtype="<f8").reshape(-1)
+    return flat.view(np.uint8).data
 
 
 def _header(body: bytes) -> tuple[dict[str, Any], int]:

@@ -11,7 +11,7 @@ import orjson
 from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError
-from kinematics.forward import ForwardKinematics, forward_kinematics
+from kinematics.forward import ForwardKinematics, end_poses, forward_kinematics
 from kinematics.pose_batches import (
     axis_angles_from_transforms,
     quaternions_from_transforms,
@@ -56,6 +56,12 @@ class PoseQuestion:
         """The poses, or those of a block of the batch."""
         joints = self.joints if start is None else self.joints[start:stop]
         return forward_kinematics(self.robot.table, joints, base=self.base, tool=self.tool)
+
+    def array(self, part: Part, start: int, stop: int) -> Floats:
+        """A part of the answer, of a block of the batch."""
+        if part is Part.TRANSFORM:
+            return end_poses(self.robot.table, self.joints[start:stop], base=self.base, tool=self.tool)
+        return _ARRAYS[part](self.poses(start, stop))
 
 
 _ARRAYS: dict[Part, Callable[[ForwardKinematics], Floats]] = {
@@ -102,18 +108,17 @@ def json_blocks(question: PoseQuestion) -> Iterator[bytes]:
             continue
         yield f',"{part}":['.encode()
         for start, stop in _blocks(len(question.joints), JSON_BLOCK):
-            array = _ARRAYS[part](question.poses(start, stop))
-            yield (b"," if start else b"") + _written(array)[1:-1]
+            yield (b"," if start else b"") + _written(question.array(part, start, stop))[1:-1]
         yield b"]"
     yield b"}"
 
 
-def npy_blocks(question: PoseQuestion) -> Iterator[bytes]:
+def npy_blocks(question: PoseQuestion) -> Iterator[bytes | memoryview]:
     """The one array that is wanted of a batch, as pieces of an npy file."""
     (part,) = question.parts
     yield npy_header(npy_shape(question))
     for start, stop in _blocks(len(question.joints), NPY_BLOCK):
-        yield npy_data(_ARRAYS[part](question.poses(start, stop)))
+        yield npy_data(question.array(part, start, stop))
 
 
 def npy_shape(question: PoseQuestion) -> tuple[int, ...]:
@@ -141,14 +146,17 @@ def one_array(question: PoseQuestion) -> bytes:
     return npy_header(npy_shape(question)) + npy_data(_ARRAYS[part](question.poses()))
 
 
+def may_overflow(question: PoseQuestion) -> bool:
+    """Whether a result may be larger than a double can hold: whether `refuse_overflow` has anything to do."""
+    return _reach(question) >= _SAFE_REACH
+
+
 def refuse_overflow(question: PoseQuestion) -> None:
     """Make sure before anything is sent that every result of a batch is finite.
 
     Raises:
         JointValueError: a result overflows, at the configuration where it does.
     """
-    if _reach(question) < _SAFE_REACH:
-        return
     for start, stop in _blocks(len(question.joints), NPY_BLOCK):
         try:
             poses = question.poses(start, stop)

@@ -13,6 +13,7 @@ from service.poses import (
     ARRAY_PARTS,
     PoseQuestion,
     json_blocks,
+    may_overflow,
     npy_blocks,
     npy_length,
     one_answer,
@@ -64,8 +65,8 @@ async def forward_kinematics(request: ApiRequest) -> Response:
         asked,
         request,
         offer,
-        check=lambda: refuse_overflow(question),
         blocks=lambda: blocks(question),
+        check=(lambda: refuse_overflow(question)) if may_overflow(question) else None,
         length=npy_length(question) if offer == NPY else None,
     )
 
