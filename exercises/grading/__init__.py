@@ -1,9 +1,6 @@
-"""Grading: from two tables and a policy to a verdict.
+"""Grading: from two tables and a policy to a verdict; see `grade`."""
 
-grade(reference: ReadTable, submission: ReadTable, policy: Policy,
-      parameters: Mapping[str, float] | None, help_level: HelpLevel) -> Verdict
-"""
-
+from exercises.grading.grade import grade
 from exercises.grading.verdict import (
     Basis,
     CertificateReport,
@@ -44,4 +41,5 @@ __all__ = [
     "ToolRule",
     "Verdict",
     "ZeroRule",
+    "grade",
 ]

@@ -33,7 +33,8 @@ class Basis(StrEnum):
 
     PROVED: accepted; equation (1) of docs/checker.md holds identically in all joint variables and parameters.
     VERIFIED: accepted; equation (1) holds at every sampled configuration, within the tolerance.
-    REFUTED: rejected; no choice of frames makes equation (1) hold, or the policy excludes every one that does.
+    REFUTED: rejected; no choice of frames makes equation (1) hold, or the policy excludes every one that
+        does.
     """
 
     PROVED = "proved"
@@ -145,6 +146,7 @@ class CertificateReport:
         base: 4x4, B [translation in the submission's length unit].
         tool: 4x4, E [translation in the submission's length unit].
         exact: the same in closed form, if the verdict is proved.
+        parameters: values of the parameters for which the numbers above hold [the submission's units].
         residual: largest difference found between the two sides: position relative to the robot's size, or
             rotation [rad], whichever is larger.
         samples: number of configurations at which they were compared.
@@ -155,6 +157,7 @@ class CertificateReport:
     base: Matrix4
     tool: Matrix4
     exact: ExactForms | None
+    parameters: Mapping[str, float]
     residual: float
     samples: int
 

@@ -9,6 +9,7 @@ keep it are used.
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +33,15 @@ from kinematics.equivalence.rigid import (
 from kinematics.equivalence.verification import Residual, joint_values, largest, size_for
 
 Matrix = NDArray[np.float64]
-ROUNDS = 12
+ROUNDS = 8
+STALLED = 0.9
+DIVERGED = 4.0
+HOPELESS = 1.2
+CURVED = 1.0
+COMFORTABLE = 0.9
+DAMPING = 1e-6
+LONGEST_STEP = 0.5
+POWERS = (4, 8, 16, 24)
 
 FREE_TWISTS: Matrix = np.eye(6)
 LINE_TWISTS: Matrix = np.eye(6)[:, [2, 5]]
@@ -51,7 +60,11 @@ def refine(
     tool_twists: Matrix,
     offsets_free: bool,
 ) -> tuple[Candidate, Residual]:
-    """The certificate near a given one whose residual is smallest, or small enough.
+    """The certificate near a given one whose residual is within the tolerance, or as small as was found.
+
+    Least squares comes first. Once it has settled with a mean square above the tolerance's, no certificate
+    nearby can keep every sample within it; else its largest error is brought down, by powers of the error
+    that rise towards the largest alone.
 
     Args:
         reference: the reference.
@@ -62,26 +75,128 @@ def refine(
         tool_twists: (6, k) twists by which E may change from the right, in frame N.
         offsets_free: δ may change.
     """
-    size = size_for(reference, submission)
-    ratio = tolerance.angle / (tolerance.length * size)
-    weights = np.ones(reference.poses.shape[0])
+    lengths_too = np.repeat((1.0, size_for(reference, submission)), 3)[:, None]
+    problem = _Problem(
+        reference, submission, tolerance, lengths_too * base_twists, lengths_too * tool_twists, offsets_free
+    )
     best, best_residual = candidate, Residual(math.inf, math.inf)
+    settled = False
     for _ in range(ROUNDS):
-        left, jacobian = _left_side(submission, joint_values(reference, candidate))
-        right = to_matrix(candidate.base) @ reference.poses @ to_matrix(candidate.tool)
-        found = largest(left - right, size)
-        previous = best_residual.excess(tolerance)
-        if found.excess(tolerance) < previous:
-            best, best_residual = candidate, found
-        if best_residual.within(tolerance) or found.excess(tolerance) > 4.0 * previous:
+        model = problem.linearised(candidate)
+        excess, previous = model.found.excess(tolerance), best_residual.excess(tolerance)
+        if excess < previous:
+            best, best_residual = candidate, model.found
+        if best_residual.within(tolerance) or excess > DIVERGED * previous or not model.jacobian.shape[1]:
             break
-        if found.excess(tolerance) > 0.9 * previous:
-            weights = _lean_on_the_worst(weights, left - right, tolerance, size)
-        columns = [jacobian] if offsets_free else [jacobian[:, :, :0]]
-        columns += [-_twists_of_base(right) @ base_twists, -_twists_of_tool(right) @ tool_twists]
-        step = _least_squares(np.concatenate(columns, axis=2), _mismatch(left, right), weights, ratio)
-        candidate = _moved(candidate, step, base_twists, tool_twists, offsets_free=offsets_free)
+        settled = settled or excess > STALLED * previous
+        if settled and model.mean_square() > 1.0:
+            break
+        step = model.least_largest() if settled else model.least_squares()
+        hopeless = HOPELESS + CURVED * max(model.found) ** 2 / tolerance.angle
+        if model.mean_square(step) > hopeless**2 or (settled and model.after(step).max() > hopeless):
+            break
+        candidate = problem.moved(candidate, step)
     return best, best_residual
+
+
+@dataclass(frozen=True, slots=True)
+class _Model:
+    """The errors at the sampled configurations, in units of the tolerance, as a linear function of a step.
+
+    Attributes:
+        errors: (samples·2, 3) rotation and displacement that are still to be made up for.
+        jacobian: (samples·6, m) how much of that a step makes up for.
+        found: the largest errors.
+    """
+
+    errors: Matrix
+    jacobian: Matrix
+    found: Residual
+
+    def after(self, step: Matrix) -> Matrix:
+        """(samples·2,) sizes of the errors after a step."""
+        rest = self.errors - (self.jacobian @ step).reshape(-1, 3)
+        return np.asarray(np.sqrt(np.einsum("ij,ij->i", rest, rest)), dtype=np.float64)
+
+    def mean_square(self, step: Matrix | None = None) -> float:
+        """Mean square of the errors, now or after a step."""
+        sizes = self.after(np.zeros(self.jacobian.shape[1]) if step is None else step)
+        return float(np.mean(sizes**2))
+
+    def least_squares(self, weights: Matrix | None = None) -> Matrix:
+        """The step that leaves the least sum of weighted squares.
+
+        What hardly changes the errors (frames may be turned together; lines that are nearly parallel) is damped:
+        it would only follow the rounding.
+        """
+        a, b = self.jacobian, self.errors.ravel()
+        if weights is not None:
+            root = np.repeat(np.sqrt(weights), 3)
+            a, b = a * root[:, None], b * root
+        normal = a.T @ a
+        damping = DAMPING * (normal.diagonal().max() + 1e-300)
+        step = np.linalg.solve(normal + damping * np.eye(normal.shape[0]), a.T @ b)
+        return np.asarray(step * min(1.0, LONGEST_STEP / (np.abs(step).max() + 1e-300)), dtype=np.float64)
+
+    def least_largest(self) -> Matrix:
+        """A step that leaves nearly the smallest possible largest error (Karlovitz's iteration)."""
+        step = np.zeros(self.jacobian.shape[1])
+        best, least = step, float(self.after(step).max())
+        for power in POWERS:
+            for _ in range(power):
+                sizes = self.after(step)
+                weights = (sizes / sizes.max()) ** (power - 2) + 1e-9
+                step = step + (self.least_squares(weights) - step) / (power - 1)
+                largest_error = float(self.after(step).max())
+                if largest_error < least:
+                    best, least = step, largest_error
+                if least < COMFORTABLE:
+                    return best
+        return best
+
+
+@dataclass(frozen=True, slots=True)
+class _Problem:
+    reference: Reference
+    submission: Chain
+    tolerance: Tolerance
+    base_twists: Matrix
+    tool_twists: Matrix
+    offsets_free: bool
+
+    @property
+    def joint_scales(self) -> Matrix:
+        """What one unit of a step means in each joint's offset: a radian, or the robot's size."""
+        size = size_for(self.reference, self.submission)
+        return np.array([size if axis.prismatic else 1.0 for axis in self.submission.axes])
+
+    def linearised(self, candidate: Candidate) -> _Model:
+        """The errors at a certificate, and how they change with it."""
+        size = size_for(self.reference, self.submission)
+        left, by_joint = _left_side(self.submission, joint_values(self.reference, candidate))
+        right = to_matrix(candidate.base) @ self.reference.poses @ to_matrix(candidate.tool)
+        columns = [by_joint * self.joint_scales] if self.offsets_free else []
+        columns += [-_twists_of_base(right) @ self.base_twists, -_twists_of_tool(right) @ self.tool_twists]
+        units = np.repeat((self.tolerance.angle, self.tolerance.length * size), 3)
+        jacobian = np.concatenate(columns, axis=2) / units[:, None]
+        errors = _mismatch(left, right) / units
+        return _Model(
+            errors=errors.reshape(-1, 3),
+            jacobian=jacobian.reshape(-1, jacobian.shape[2]),
+            found=largest(left - right, size),
+        )
+
+    def moved(self, candidate: Candidate, step: Matrix) -> Candidate:
+        """The certificate after a step."""
+        n = len(candidate.offsets) if self.offsets_free else 0
+        k = self.base_twists.shape[1]
+        offsets = candidate.offsets
+        if self.offsets_free:
+            changes = (step[:n] * self.joint_scales).tolist()
+            offsets = tuple(value + change for value, change in zip(offsets, changes, strict=True))
+        base = compose(_small(self.base_twists @ step[n : n + k]), candidate.base)
+        tool = compose(candidate.tool, _small(self.tool_twists @ step[n + k :]))
+        return Candidate(signs=candidate.signs, offsets=offsets, base=base, tool=tool)
 
 
 def _left_side(submission: Chain, joints: Matrix) -> tuple[Matrix, Matrix]:
@@ -130,37 +245,6 @@ def _mismatch(left: Matrix, right: Matrix) -> Matrix:
     """The rotation and displacement that take the left side to the right: (samples, 6)."""
     turn = 0.5 * np.cross(left[:, :3, :3], right[:, :3, :3], axis=1).sum(axis=2)
     return np.concatenate([turn, right[:, :3, 3] - left[:, :3, 3]], axis=1)
-
-
-def _lean_on_the_worst(weights: Matrix, difference: Matrix, tolerance: Tolerance, size: float) -> Matrix:
-    """Weights that lead least squares towards the smallest largest error (Lawson's iteration)."""
-    squares = np.einsum("sij,sij->sj", difference, difference)
-    angle = np.sqrt(squares[:, :3].sum(axis=1) / 2.0) / tolerance.angle
-    length = np.sqrt(squares[:, 3]) / (tolerance.length * size)
-    weights = weights * np.maximum(np.maximum(angle, length), 1e-12)
-    return np.asarray(weights / weights.mean(), dtype=np.float64)
-
-
-def _least_squares(jacobian: Matrix, goal: Matrix, weights: Matrix, ratio: float) -> Matrix:
-    root = np.sqrt(weights)[:, None] * np.array([1.0, 1.0, 1.0, ratio, ratio, ratio])
-    a = (jacobian * root[:, :, None]).reshape(-1, jacobian.shape[2])
-    b = (goal * root).ravel()
-    normal = a.T @ a
-    damping = 1e-12 * (np.trace(normal) + 1e-300)
-    return np.asarray(np.linalg.solve(normal + damping * np.eye(normal.shape[0]), a.T @ b), dtype=np.float64)
-
-
-def _moved(
-    candidate: Candidate, step: Matrix, base_twists: Matrix, tool_twists: Matrix, *, offsets_free: bool
-) -> Candidate:
-    n = len(candidate.offsets) if offsets_free else 0
-    k = base_twists.shape[1]
-    offsets = candidate.offsets
-    if offsets_free:
-        offsets = tuple(value + float(change) for value, change in zip(offsets, step[:n], strict=True))
-    base = compose(_small(base_twists @ step[n : n + k]), candidate.base)
-    tool = compose(candidate.tool, _small(tool_twists @ step[n + k :]))
-    return Candidate(signs=candidate.signs, offsets=offsets, base=base, tool=tool)
 
 
 def _small(twist: Matrix) -> Motion:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from kinematics.equivalence.alignment import Alignment, align
 from kinematics.equivalence.certificates import Candidate, Path, candidate_from
@@ -25,13 +25,16 @@ from kinematics.equivalence.rigid import IDENTITY, Motion, compose, inverse, mov
 from kinematics.equivalence.tools import ToolChoice, obeying, placements, tool_choices
 from kinematics.equivalence.verification import Residual, residual
 
-GATE = 6.0
+GATE = 3.0
+GATE_PER_AMPLIFICATION = 0.1
 WIDEST_GATE = 0.3
 FLOOR = 1e-7
-WORTH_REFINING = 400.0
+FAR_OFF = 0.5
 MOST_NODES = 4000
 MOST_CANDIDATES = 64
-CLEARLY_BETTER = 0.5
+MOST_REFINED = 4
+CLEARLY_BETTER = 0.1
+AS_GOOD = 0.02
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +48,34 @@ class Found:
 
     candidates: tuple[Candidate, ...]
     residuals: tuple[Residual, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """A path through the groups and a placement of frame N, so that it can be followed at other draws.
+
+    Attributes:
+        plan: which plan.
+        start: which of its starts.
+        signs: the sign at each joint.
+        choice: which of the tool's choices.
+        placement: which of the choice's placements.
+    """
+
+    plan: int
+    start: int
+    signs: tuple[int, ...]
+    choice: int
+    placement: int
+
+
+@dataclass(frozen=True, slots=True)
+class Unfinished:
+    """A certificate that nearly stands at the first draw."""
+
+    excess: float
+    way: Way
+    candidate: Candidate
 
 
 @dataclass(slots=True)
@@ -64,20 +95,29 @@ class Search:
     level: int
     nodes: int = 0
     tried: int = 0
-    seen: dict[tuple[int, int], list[Motion]] = field(default_factory=dict)
+    seen: dict[tuple[int, int], list[tuple[Motion, float]]] = field(default_factory=dict)
+    unfinished: list[Unfinished] = field(default_factory=list)
 
     def run(self) -> Found | None:
-        """The first certificate that stands for every draw, signs +1 preferred; None if there is none."""
-        reference = self.references[0]
-        near = self.near(0)
-        for index, plan in enumerate(reference.plans(self.policy.base, self.policy.zero, near)):
-            for start in plan.starts:
-                for path in self._descend(index, plan, start, (), (), ()):
-                    found = self._finish(index, plan, path)
+        """The first certificate that stands for every draw, signs +1 preferred; None if there is none.
+
+        Only when no certificate stands as it is are the best of them refined.
+        """
+        plans = self.references[0].plans(self.policy.base, self.policy.zero, self.near(0))
+        for index, plan in enumerate(plans):
+            for start in range(len(plan.starts)):
+                for path in self._descend(index, plan, plan.starts[start], (), (), (), 0.0):
+                    found = self._finish(index, plan, start, path)
                     if found is not None:
                         return found
                     if self.tried >= MOST_CANDIDATES:
-                        return None
+                        break
+        self.unfinished.sort(key=lambda unfinished: unfinished.excess)
+        for unfinished in self.unfinished[:MOST_REFINED]:
+            first = self._refined(0, unfinished.way, unfinished.candidate)
+            found = None if first is None else self._everywhere(unfinished.way, first)
+            if found is not None:
+                return found
         return None
 
     def near(self, draw: int) -> Nearness:
@@ -92,6 +132,7 @@ class Search:
         signs: tuple[int, ...],
         motions: tuple[Motion, ...],
         totals: tuple[Motion, ...],
+        misfit: float,
     ) -> Iterator[Path]:
         here = totals[-1] if totals else start
         depth = len(signs)
@@ -99,123 +140,129 @@ class Search:
             yield Path(start, signs, motions, totals, IDENTITY)
             return
         self.nodes += 1
-        if self.nodes > MOST_NODES or self._been_here(index, plan, depth, here):
+        if self.nodes > MOST_NODES or self._been_here(index, plan, depth, here, misfit):
             return
-        for sign, alignment in self._options(plan, depth, here):
+        for sign, alignment, value in self._options(plan, depth, here):
             h = alignment.motion
+            total = h if here is IDENTITY else compose(h, here)
             yield from self._descend(
-                index,
-                plan,
-                start,
-                (*signs, sign),
-                (*motions, h),
-                (*totals, h if here is IDENTITY else compose(h, here)),
+                index, plan, start, (*signs, sign), (*motions, h), (*totals, total), max(misfit, value)
             )
 
-    def _options(self, plan: Plan, depth: int, here: Motion) -> Iterator[tuple[int, Alignment]]:
-        """The signs with which the next axis can be aligned; computed only as far as they are asked for."""
+    def _options(self, plan: Plan, depth: int, here: Motion) -> Iterator[tuple[int, Alignment, float]]:
+        """The signs with which the next axis can be aligned, and how badly; computed as they are asked for."""
         step = plan.steps[depth]
         axis = self.submissions[0].axes[depth]
-        direction, point = (
-            (axis.direction, axis.point)
-            if here is IDENTITY
-            else (rotate(here, axis.direction), move(here, axis.point))
-        )
+        direction, point = axis.direction, axis.point
+        if here is not IDENTITY:
+            direction, point = rotate(here, direction), move(here, point)
         tolerance, size = self.policy.tolerance, self.references[0].size
-        gate_angle = min(GATE * step.amplification * tolerance.angle + FLOOR, WIDEST_GATE)
-        gate_length = min(GATE * step.amplification * tolerance.length + FLOOR, WIDEST_GATE) * size
+        gate = GATE + GATE_PER_AMPLIFICATION * step.amplification
+        # the direction of a slider shows in positions alone
+        limit = max(tolerance.angle, tolerance.length) if axis.prismatic else tolerance.angle
+        gate_angle = min(gate * limit + FLOOR, WIDEST_GATE)
+        gate_length = min(gate * tolerance.length + FLOOR, WIDEST_GATE) * size
         forward = align(step, direction, point, 1)
         misfit = max(forward.angle / gate_angle, forward.distance / gate_length)
         if self.policy.direction is DirectionRule.FIGURE:
             if misfit <= 1.0:
-                yield 1, forward
+                yield 1, forward, misfit
             return
-        if misfit <= CLEARLY_BETTER / GATE:
-            yield 1, forward
-            misfit = 2.0
+        options = []
+        if misfit <= CLEARLY_BETTER:
+            yield 1, forward, misfit
+        else:
+            options.append((misfit, 1, forward))
         backward = align(step, direction, point, -1)
         other = max(backward.angle / gate_angle, backward.distance / gate_length)
-        options = [(misfit, 1, forward), (other, -1, backward)]
-        if other < misfit:
-            options.reverse()
+        options.insert(0 if other < misfit else 1, (other, -1, backward))
         for value, sign, alignment in options:
             if value <= 1.0:
-                yield sign, alignment
+                yield sign, alignment, value
 
-    def _been_here(self, index: int, plan: Plan, depth: int, here: Motion) -> bool:
-        """Whether a motion of the same coset has been followed from this joint on before."""
+    def _been_here(self, index: int, plan: Plan, depth: int, here: Motion, misfit: float) -> bool:
+        """Whether a motion of the same coset, come by as well, has been followed from here before."""
         visited = self.seen.setdefault((index, depth), [])
         if visited:
             group = plan.steps[depth].group
-            limit = max(self.policy.tolerance.angle, FLOOR), max(self.policy.tolerance.length, FLOOR)
-            for other in visited:
+            limit_angle = max(self.policy.tolerance.angle, FLOOR)
+            limit_length = max(self.policy.tolerance.length, FLOOR) * self.references[0].size
+            for other, its_misfit in visited:
+                if its_misfit > misfit + AS_GOOD:
+                    continue
                 angle, length = departure(group, compose(here, inverse(other)))
-                if angle <= limit[0] and length <= limit[1] * self.references[0].size:
+                if angle <= limit_angle and length <= limit_length:
                     return True
-        visited.append(here)
+        visited.append((here, misfit))
         return False
 
-    def _finish(self, index: int, plan: Plan, path: Path) -> Found | None:
-        reference = self.references[0]
-        here = compose(path.totals[-1] if path.totals else path.start, self.submissions[0].end)
+    def _finish(self, index: int, plan: Plan, start: int, path: Path) -> Found | None:
+        """Place frame N in every way that the policy allows, and verify."""
+        reference, submission = self.references[0], self.submissions[0]
+        here = compose(path.totals[-1] if path.totals else path.start, submission.end)
         choices = tool_choices(reference.chain, plan.last, self.policy.tool, self.near(0), reference.size)
         for which, choice in enumerate(choices):
-            for turn, last in enumerate(placements(choice, here)):
+            for placement, last in enumerate(placements(choice, here)):
                 self.tried += 1
-                first = self._judge(
-                    0, plan, choice, Path(path.start, path.signs, path.motions, path.totals, last)
-                )
-                if first is None:
-                    continue
-                start = plan.starts.index(path.start)
-                others = [
-                    self._follow(draw, index, start, path.signs, which, turn)
-                    for draw in range(1, len(self.references))
-                ]
-                if all(other is not None for other in others):
-                    all_found = [first, *(other for other in others if other is not None)]
-                    return Found(tuple(f[0] for f in all_found), tuple(f[1] for f in all_found))
+                way = Way(index, start, path.signs, which, placement)
+                candidate = self._candidate(0, plan, choice, replace(path, last=last))
+                found = residual(reference, submission, candidate)
+                if found.within(self.policy.tolerance):
+                    everywhere = self._everywhere(way, (candidate, found))
+                    if everywhere is not None:
+                        return everywhere
+                elif max(found) <= FAR_OFF:
+                    self.unfinished.append(Unfinished(found.excess(self.policy.tolerance), way, candidate))
         return None
 
-    def _follow(
-        self, draw: int, index: int, start: int, signs: tuple[int, ...], which: int, turn: int
-    ) -> tuple[Candidate, Residual] | None:
-        """The same path at another draw."""
-        reference, submission = self.references[draw], self.submissions[draw]
-        near = self.near(draw)
-        plan = reference.plans(self.policy.base, self.policy.zero, near)[index]
-        path = forced_path(plan, submission, plan.starts[start], signs)
-        here = compose(path.totals[-1] if path.totals else path.start, submission.end)
-        choice = tool_choices(reference.chain, plan.last, self.policy.tool, near, reference.size)[which]
-        last = placements(choice, here)[turn]
-        return self._judge(draw, plan, choice, Path(path.start, path.signs, path.motions, path.totals, last))
+    def _everywhere(self, way: Way, first: tuple[Candidate, Residual]) -> Found | None:
+        """The same way at every draw, if it stands at all of them."""
+        judged = [first]
+        for draw in range(1, len(self.references)):
+            candidate = self._followed(draw, way)
+            found = residual(self.references[draw], self.submissions[draw], candidate)
+            if found.within(self.policy.tolerance):
+                judged.append((candidate, found))
+                continue
+            refined = self._refined(draw, way, candidate)
+            if refined is None:
+                return None
+            judged.append(refined)
+        return Found(tuple(candidate for candidate, _ in judged), tuple(found for _, found in judged))
 
-    def _judge(
-        self, draw: int, plan: Plan, choice: ToolChoice, path: Path
-    ) -> tuple[Candidate, Residual] | None:
-        """The certificate of a path, if equation (1) holds with it; refined, if it nearly does."""
-        reference, submission, policy = self.references[draw], self.submissions[draw], self.policy
-        candidate = candidate_from(
-            (reference.chain, submission), plan, path, policy.zero, tool_turns=choice.turns
-        )
-        candidate = Candidate(
-            candidate.signs, candidate.offsets, candidate.base, obeying(choice, candidate.tool)
-        )
-        found = residual(reference, submission, candidate)
-        if found.within(policy.tolerance):
-            return candidate, found
-        if found.excess(policy.tolerance) > WORTH_REFINING and max(found) > WIDEST_GATE:
-            return None
+    def _followed(self, draw: int, way: Way) -> Candidate:
+        """The certificate to which a way leads at a draw."""
+        plan, choice = self._plan_and_choice(draw, way)
+        submission = self.submissions[draw]
+        path = forced_path(plan, submission, plan.starts[way.start], way.signs)
+        here = compose(path.totals[-1] if path.totals else path.start, submission.end)
+        last = placements(choice, here)[way.placement]
+        return self._candidate(draw, plan, choice, replace(path, last=last))
+
+    def _plan_and_choice(self, draw: int, way: Way) -> tuple[Plan, ToolChoice]:
+        reference, near = self.references[draw], self.near(draw)
+        plan = reference.plans(self.policy.base, self.policy.zero, near)[way.plan]
+        choices = tool_choices(reference.chain, plan.last, self.policy.tool, near, reference.size)
+        return plan, choices[way.choice]
+
+    def _candidate(self, draw: int, plan: Plan, choice: ToolChoice, path: Path) -> Candidate:
+        chains = self.references[draw].chain, self.submissions[draw]
+        candidate = candidate_from(chains, plan, path, self.policy.zero, tool_turns=choice.turns)
+        return replace(candidate, tool=obeying(choice, candidate.tool))
+
+    def _refined(self, draw: int, way: Way, candidate: Candidate) -> tuple[Candidate, Residual] | None:
+        """The certificate refined, if equation (1) holds with it then."""
+        plan, choice = self._plan_and_choice(draw, way)
         candidate, found = refine(
-            reference,
-            submission,
+            self.references[draw],
+            self.submissions[draw],
             candidate,
-            policy.tolerance,
-            base_twists=base_twists(plan, policy.base),
+            self.policy.tolerance,
+            base_twists=base_twists(plan, self.policy.base),
             tool_twists=choice.twists,
-            offsets_free=policy.zero is ZeroRule.FREE,
+            offsets_free=self.policy.zero is ZeroRule.FREE,
         )
-        return (candidate, found) if found.within(policy.tolerance) else None
+        return (candidate, found) if found.within(self.policy.tolerance) else None
 
 
 def forced_path(plan: Plan, submission: Chain, start: Motion, signs: Sequence[int]) -> Path:

@@ -1,8 +1,8 @@
 """Valid DH tables made from axis lines, by the definition of the DH frames and by nothing of the checker's.
 
-A robot is a list of joint axes in space and a tool frame. A table is drawn for it as a person would: point every z
-axis one way or the other, put prismatic axes anywhere, choose a common normal wherever there is a choice, slip in
-dummy lines if wanted, and read off θ, d, a and α.
+A robot is a list of joint axes in space and a tool frame. A table is drawn for it as a person would: point
+every z axis one way or the other, put prismatic axes anywhere, choose a common normal wherever there is a
+choice, slip in dummy lines if wanted, and read off θ, d, a and α.
 """
 
 from __future__ import annotations
@@ -209,7 +209,9 @@ def draw_table(robot: Robot, rng: Random, choices: Choices) -> NumericTable:
 
 def random_valid_table(table: NumericTable, rng: Random, **changes: object) -> NumericTable:
     """A random valid table of the robot that a table describes."""
-    choices = replace(Choices(convention=rng.choice(list(Convention)), dummies=rng.choice((0.0, 0.0, 0.3))), **changes)
+    choices = replace(
+        Choices(convention=rng.choice(list(Convention)), dummies=rng.choice((0.0, 0.0, 0.3))), **changes
+    )
     return draw_table(moved(robot_of(table), rng), rng, choices)
 
 

@@ -1,0 +1,32 @@
+"""Exact expressions as text that a table's cell would accept."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from kinematics.cells import AngleUnit
+from kinematics.expressions import Expression, Number, Pi, Power, Sum, add, multiply, number, pi_fraction
+from kinematics.printing.notation import Names
+from kinematics.printing.text import text_writer
+
+
+def expression_text(expression: Expression) -> str:
+    """The expression as infix text."""
+    return text_writer(Names()).text(expression)
+
+
+def angle_text(angle: Expression, unit: AngleUnit) -> str:
+    """An angle as it would stand in a cell of a table with that angle unit."""
+    if unit is AngleUnit.RAD:
+        return expression_text(angle)
+    terms = angle.terms if isinstance(angle, Sum) else (angle,)
+    return expression_text(add(_in_degrees(term) for term in terms))
+
+
+def _in_degrees(term: Expression) -> Expression:
+    turns = pi_fraction(term)
+    if turns is not None:
+        return Number(turns * 180)
+    if isinstance(term, Number):
+        return multiply((number(180), term, Power(Pi(), Fraction(-1))))
+    return term

@@ -1,0 +1,215 @@
+"""What to say of a wrong answer: what is wrong, how much is right, and what the help level lets through."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from exercises.grading.repairs import Repaired
+from exercises.grading.verdict import Edit, Feedback, Finding, HelpLevel, LinkFinding, ParamValue, Repair
+from kinematics.equivalence import Decision, Kind, Mismatch, Policy
+from kinematics.table import JointType, NumericTable
+
+FACTS = ("length", "twist", "offset", "joint")
+LEVELS = tuple(HelpLevel)
+WITHOUT_REPAIR = 0.9
+HIGHEST_PARTIAL = 0.95
+RULE = 1.0
+
+_FACT_OF_KIND = {
+    Kind.LENGTH: "length",
+    Kind.TWIST: "twist",
+    Kind.OFFSET: "offset",
+    Kind.JOINT_TYPE: "joint",
+    Kind.TOOL: "length",
+}
+_CODE_OF_KIND = {
+    Kind.LENGTH: "length_wrong",
+    Kind.TWIST: "twist_wrong",
+    Kind.OFFSET: "offset_wrong",
+    Kind.JOINT_TYPE: "joint_type_wrong",
+    Kind.HANDEDNESS: "mirrored",
+    Kind.CONVENTION: "convention_not_asked",
+}
+_CODE_OF_FACT = {
+    "length": "length_wrong",
+    "twist": "twist_wrong",
+    "offset": "offset_wrong",
+    "joint": "joint_type_wrong",
+}
+
+
+def told_from(level: HelpLevel, needed: HelpLevel) -> bool:
+    """Whether a help level lets through what needs at least another one."""
+    return LEVELS.index(level) >= LEVELS.index(needed)
+
+
+def wrong_facts(
+    decision: Decision, repairs: Sequence[Repaired], table: NumericTable
+) -> frozenset[tuple[int, str]]:
+    """The wrong facts as (row counted from 0, fact): of the likeliest repair, else of the diagnosis."""
+    if repairs:
+        cells = {place for change in repairs[0].changes for place in change.touched}
+        return frozenset((row, _fact(table, row, cell)) for row, cell in cells)
+    return frozenset(
+        (m.row, _FACT_OF_KIND[m.kind])
+        for m in decision.mismatches
+        if m.row is not None and m.kind in _FACT_OF_KIND
+    )
+
+
+def _fact(table: NumericTable, row: int, cell: str) -> str:
+    match cell:
+        case "a":
+            return "length"
+        case "alpha":
+            return "twist"
+        case "joint":
+            return "joint"
+    return "offset"
+
+
+def score_of(decision: Decision, repairs: Sequence[Repaired], table: NumericTable, joints: int) -> float:
+    """Partial credit of a wrong answer, in [0, 0.95].
+
+    With a repair, 1 less the share of the rows that its misconceptions spoiled: half a row for a cell, a row
+    for a row, one and a half for a misconception about the table, out of one more than there are rows.
+    Without one,
+    nine tenths of the share of facts that are right: a type for every joint, a length and a twist between
+    neighbours, an offset along every inner joint.
+    """
+    if repairs:
+        spoiled = sum(change.extent.value for change in repairs[0].changes)
+        return round(max(0.0, min(HIGHEST_PARTIAL, 1.0 - spoiled / (len(table.rows) + 1))), 4)
+    if decision.same_robot:
+        return round(min(HIGHEST_PARTIAL, 1.0 - RULE * len(decision.mismatches) / (joints + 1)), 4)
+    facts = joints + 2 * max(joints - 1, 0) + max(joints - 2, 0)
+    named = {(m.kind, m.joint) for m in decision.mismatches if m.kind is not Kind.HANDEDNESS}
+    missing = abs(joints - table.n_joints)
+    wrong = len(named) + 3 * missing
+    return round(max(0.0, WITHOUT_REPAIR * (1.0 - wrong / facts)), 4) if facts else 0.0
+
+
+def link_findings(
+    table: NumericTable,
+    wrong: frozenset[tuple[int, str]],
+    decision: Decision,
+    repairs: Sequence[Repaired],
+    level: HelpLevel,
+) -> tuple[LinkFinding, ...]:
+    """Row by row, as far as the help level tells."""
+    if not told_from(level, HelpLevel.ROW):
+        return ()
+    missing = {
+        change.touched[0][0] for r in repairs[:1] for change in r.changes if change.edit.code == "row_missing"
+    }
+    judged = (
+        bool(repairs)
+        or decision.same_robot
+        or all(m.kind is not Kind.JOINT_COUNT for m in decision.mismatches)
+    )
+    found = []
+    for row in range(len(table.rows)):
+        facts = {
+            fact: Finding.WRONG if (row, fact) in wrong and row not in missing else Finding.OK
+            for fact in FACTS
+        }
+        if not judged:
+            facts = dict.fromkeys(FACTS, Finding.UNKNOWN)
+        if level is HelpLevel.ROW and Finding.WRONG in facts.values():
+            facts = dict.fromkeys(FACTS, Finding.HIDDEN)
+        found.append(LinkFinding(row=row + 1, **facts))
+    found += [LinkFinding(row=row + 1, **dict.fromkeys(FACTS, Finding.MISSING)) for row in sorted(missing)]
+    return tuple(found)
+
+
+def all_right(table: NumericTable) -> tuple[LinkFinding, ...]:
+    """The findings of a right answer."""
+    return tuple(
+        LinkFinding(row=row + 1, **dict.fromkeys(FACTS, Finding.OK)) for row in range(len(table.rows))
+    )
+
+
+def feedback_of(
+    decision: Decision,
+    repairs: Sequence[Repaired],
+    wrong: frozenset[tuple[int, str]],
+    key: NumericTable,
+    table: NumericTable,
+    policy: Policy,
+    level: HelpLevel,
+) -> tuple[Feedback, ...]:
+    """What to tell of a wrong answer, as far as the help level goes."""
+    told: list[Feedback] = []
+    code = "right_robot" if decision.same_robot else "not_equivalent"
+    if told_from(level, HelpLevel.ROW) or not decision.same_robot:
+        told.append(Feedback(code=code))
+    else:
+        told.append(Feedback(code="not_accepted"))
+    told += _about_the_whole(decision, key, table, policy, level)
+    if not told_from(level, HelpLevel.ROW):
+        return tuple(told)
+    if not told_from(level, HelpLevel.KIND):
+        rows = sorted({row for row, _ in wrong})
+        told += [Feedback(code="row_wrong", row=row + 1, params={"row": row + 1}) for row in rows]
+        return tuple(told)
+    told += _facts(wrong, repairs, table)
+    return tuple(told)
+
+
+def _facts(
+    wrong: frozenset[tuple[int, str]], repairs: Sequence[Repaired], table: NumericTable
+) -> Iterable[Feedback]:
+    whole = [change for r in repairs[:1] for change in r.changes if change.edit.row is None]
+    if whole:
+        yield Feedback(code="whole_table")
+        return
+    for row, fact in sorted(wrong):
+        code = _CODE_OF_FACT[fact]
+        if fact == "offset" and row < len(table.rows) and table.rows[row].joint is not JointType.REVOLUTE:
+            code = "angle_wrong"
+        yield Feedback(code=code, row=row + 1, params={"row": row + 1})
+
+
+def _about_the_whole(
+    decision: Decision, key: NumericTable, table: NumericTable, policy: Policy, level: HelpLevel
+) -> Iterable[Feedback]:
+    """What concerns no single row."""
+    for mismatch in decision.mismatches:
+        if mismatch.kind is Kind.CONVENTION:
+            params: dict[str, ParamValue] = {
+                "asked": policy.convention.value,
+                "given": table.convention.value,
+            }
+            yield Feedback(code="convention_not_asked", params=params)
+        elif mismatch.kind is Kind.JOINT_COUNT:
+            counts: dict[str, ParamValue] = {"given": table.n_joints, "asked": key.n_joints}
+            yield Feedback(code="joint_count_wrong", params=counts)
+        elif mismatch.kind is Kind.HANDEDNESS and told_from(level, HelpLevel.KIND):
+            yield Feedback(code="mirrored")
+        elif told_from(level, HelpLevel.ROW) and (rule := _rule(mismatch, policy)):
+            yield Feedback(code=rule)
+
+
+def _rule(mismatch: Mismatch, policy: Policy) -> str | None:
+    """The code of a broken rule of the policy."""
+    match mismatch.kind:
+        case Kind.BASE:
+            return f"base_{policy.base.value}_missed"
+        case Kind.TOOL:
+            return f"tool_{policy.tool.value}_missed"
+        case Kind.ZERO:
+            return "zero_missed"
+        case Kind.DIRECTION:
+            return "direction_missed"
+    return None
+
+
+def told_repairs(repairs: Sequence[Repaired], level: HelpLevel) -> tuple[Repair, ...]:
+    """The repairs, if the help level goes so far."""
+    if not told_from(level, HelpLevel.REPAIR):
+        return ()
+    return tuple(Repair(edits=_edits(repaired)) for repaired in repairs)
+
+
+def _edits(repaired: Repaired) -> tuple[Edit, ...]:
+    return tuple(change.edit for change in repaired.changes)

@@ -1,0 +1,109 @@
+"""The values of one cell with which a table would share an invariant of the key.
+
+In a length cell the square of every invariant length is a quadratic polynomial, in an angle cell the cosine
+between two axes is A + B cos x + C sin x: three evaluations give the function, and it is solved in closed
+form.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+
+from exercises.grading.work import Work, with_cell
+from kinematics.equivalence.invariants import Invariant, Measure
+from kinematics.table import NumericTable
+
+INFLUENCE = 1e-6
+OFF = 0.1
+MOST_STRAINED = 4
+
+
+def fitting_values(work: Work, table: NumericTable, draw: int, row: int, cell: str) -> list[float]:
+    """Values of a cell, other than the one it has, that make an invariant fit which does not.
+
+    Args:
+        work: the key and its invariants.
+        table: the table.
+        draw: number of the parameter draw.
+        row: the row, counted from 0.
+        cell: "a", "d", "alpha" or "theta".
+    """
+    if table.joint_types != work.references[draw].table.joint_types:
+        return []
+    axes = work.axes(table)
+    strained = sorted(
+        (
+            (strain, k)
+            for k, invariant in enumerate(work.invariants[draw])
+            if (strain := invariant.strain(axes)) > OFF
+        ),
+        reverse=True,
+    )
+    scale = work.references[draw].size
+    for _, k in strained[:MOST_STRAINED]:
+        found = list(_solutions(work, table, work.invariants[draw][k], row, cell, scale))
+        if found:
+            return found
+    return []
+
+
+def _solutions(
+    work: Work, table: NumericTable, invariant: Invariant, row: int, cell: str, scale: float
+) -> Iterator[float]:
+    def value(x: float) -> float:
+        return invariant.signed(work.axes(with_cell(table, row, cell, x)))
+
+    if cell in ("alpha", "theta"):
+        if invariant.measure is Measure.ANGLE:
+            yield from _angles(value, math.cos(invariant.value))
+        elif invariant.measure is Measure.TURN:
+            yield from _turns(value, getattr(table.rows[row], cell), invariant.value)
+    elif invariant.measure in (Measure.DISTANCE, Measure.OFFSET):
+        yield from _lengths(value, invariant.value, getattr(table.rows[row], cell), scale)
+
+
+def _lengths(value: Callable[[float], float], target: float, here: float, scale: float) -> Iterator[float]:
+    """Solutions of value(x) = target², value being a quadratic polynomial."""
+    below, middle, above = value(here - scale), value(here), value(here + scale)
+    a = (above - 2.0 * middle + below) / (2.0 * scale * scale)
+    b = (above - below) / (2.0 * scale)
+    if abs(a) < INFLUENCE:
+        return
+    c = middle - target * target
+    root = math.sqrt(max(b * b - 4.0 * a * c, 0.0))
+    root = root if root > INFLUENCE * scale else 0.0
+    for numerator in (-b + root, -b - root):
+        yield here + numerator / (2.0 * a)
+        if root == 0.0:
+            return
+
+
+def _angles(value: Callable[[float], float], target: float) -> Iterator[float]:
+    """Solutions of value(x) = ±target, value being A + B cos x + C sin x."""
+    third = 2.0 * math.pi / 3.0
+    y = [value(0.0), value(third), value(-third)]
+    a = sum(y) / 3.0
+    b = (2.0 * y[0] - y[1] - y[2]) / 3.0
+    c = (y[1] - y[2]) / math.sqrt(3.0)
+    size = math.hypot(b, c)
+    if size < INFLUENCE:
+        return
+    phase = math.atan2(c, b)
+    for goal in (target, -target):
+        cosine = (goal - a) / size
+        if abs(cosine) > 1.0 + INFLUENCE:
+            continue
+        spread = math.acos(max(-1.0, min(1.0, cosine)))
+        for x in {phase + spread, phase - spread}:
+            yield math.remainder(x, 2.0 * math.pi)
+
+
+def _turns(value: Callable[[float], float], here: float, target: float) -> Iterator[float]:
+    """Angles about a slider, found from the present one: it enters the turn as plus or minus itself."""
+    now, step = math.sqrt(value(here)), 1e-3
+    if abs(math.sqrt(value(here + step)) - now) < INFLUENCE:
+        return
+    for change in (target - now, -target - now, target + now, now - target):
+        for half in (0.0, math.pi):
+            yield math.remainder(here + change + half, 2.0 * math.pi)

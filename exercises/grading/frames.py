@@ -1,0 +1,160 @@
+"""How the frames of a right answer lie against the key's, so that a right answer teaches as well."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from exercises.grading.certificate_report import in_unit
+from exercises.grading.exact_text import angle_text, expression_text
+from exercises.grading.verdict import Feedback, ParamValue
+from kinematics.cells import AngleUnit
+from kinematics.equivalence import Certificate, ExactCertificate
+from kinematics.equivalence.reference import prepared
+from kinematics.equivalence.rigid import (
+    IDENTITY,
+    Motion,
+    compose,
+    from_matrix,
+    inverse,
+    position,
+    rotation_about,
+    scale,
+    translation,
+)
+from kinematics.links import link_transform
+from kinematics.table import JointType, NumericTable
+
+ANGLE = 1e-3
+LENGTH = 1e-3
+ROUNDED = 1e-8
+DIGITS = 6
+
+
+def explained(
+    key: NumericTable,
+    answer: NumericTable,
+    certificate: Certificate,
+    exact: ExactCertificate | None,
+    unit: AngleUnit,
+) -> tuple[Feedback, ...]:
+    """What to say of a right answer.
+
+    Args:
+        key: the key, in the answer's length unit.
+        answer: the answer.
+        certificate: how they agree, at the same parameter values.
+        exact: the same in closed form, if it was proved.
+        unit: the answer's angle unit.
+    """
+    told: list[Feedback] = []
+    if answer.convention is not key.convention:
+        told.append(Feedback(code="other_convention", params={"convention": answer.convention.value}))
+    if _same_layout(key, answer):
+        told += _frames(key, answer, certificate)
+    else:
+        told += _joints(answer, certificate)
+        told += _zeros(answer, certificate, exact, unit)
+    if not told:
+        told.append(Feedback(code="same_frames"))
+    if certificate.residual > ROUNDED:
+        told.append(Feedback(code="rounded"))
+    return tuple(told)
+
+
+def _same_layout(key: NumericTable, answer: NumericTable) -> bool:
+    """Whether frame k of the one corresponds to frame k of the other."""
+    return key.convention is answer.convention and [row.joint for row in key.rows] == [
+        row.joint for row in answer.rows
+    ]
+
+
+def _poses(table: NumericTable) -> list[Motion]:
+    """Frames 0 … N at q = 0."""
+    poses = [IDENTITY]
+    for row in table.rows:
+        poses.append(compose(poses[-1], from_matrix(link_transform(row, table.convention))))
+    return poses
+
+
+def _body_motions(key: NumericTable, certificate: Certificate) -> list[Motion]:
+    """g_0 … g_n: what takes each link of the answer at its zero to the key's link at its own."""
+    g = inverse(from_matrix(certificate.base))
+    motions = [g]
+    for axis, sign, offset in zip(
+        prepared(key).chain.axes, certificate.joint_signs, certificate.joint_offsets, strict=True
+    ):
+        value = sign * offset
+        if axis.prismatic:
+            step = translation(scale(axis.direction, value))
+        else:
+            step = rotation_about(axis.point, axis.direction, math.cos(value), math.sin(value))
+        g = compose(step, g)
+        motions.append(g)
+    return motions
+
+
+def _frames(key: NumericTable, answer: NumericTable, certificate: Certificate) -> Iterator[Feedback]:
+    """Frame by frame: z reversed, x turned, origin elsewhere."""
+    size = prepared(key).size
+    motions = _body_motions(key, certificate)
+    ours, theirs = _poses(key), _poses(answer)
+    body = 0
+    for k in range(len(ours)):
+        if k and key.rows[k - 1].joint is not JointType.FIXED:
+            body += 1
+        apart = compose(compose(inverse(ours[k]), motions[body]), theirs[k])
+        yield from _apart(apart, k, size)
+
+
+def _apart(apart: Motion, k: int, size: float) -> Iterator[Feedback]:
+    """What tells the answer's frame k from the key's, in the coordinates of the key's."""
+    row = k or None
+    params: dict[str, ParamValue] = {"frame": k}
+    x, y, z = position(apart)
+    sideways = math.hypot(x, y) > LENGTH * size
+    along = abs(z) > LENGTH * size
+    if abs(abs(apart[8]) - 1.0) > ANGLE**2:
+        yield Feedback(code="frame_elsewhere", row=row, params=params)
+        return
+    if apart[8] < 0.0:
+        yield Feedback(code="axis_reversed", row=row, params={**params, "joint": k})
+    turned = math.degrees(math.atan2(apart[3], apart[0]))
+    if abs(turned) > math.degrees(ANGLE):
+        yield Feedback(code="x_turned", row=row, params={**params, "degrees": _whole(abs(turned))})
+    if sideways:
+        yield Feedback(code="axis_moved", row=row, params=params)
+    elif along:
+        yield Feedback(code="origin_slid", row=row, params=params)
+
+
+def _whole(value: float) -> float | int:
+    nearest = round(value)
+    return nearest if abs(value - nearest) < 0.05 else round(value, 1)
+
+
+def _joints(answer: NumericTable, certificate: Certificate) -> Iterator[Feedback]:
+    """Joint by joint, where frames do not correspond: the variable counts the other way."""
+    for joint, sign in enumerate(certificate.joint_signs, start=1):
+        if sign < 0:
+            row = answer.joint_rows[joint - 1] + 1
+            yield Feedback(code="variable_reversed", row=row, params={"joint": joint})
+
+
+def _zeros(
+    answer: NumericTable, certificate: Certificate, exact: ExactCertificate | None, unit: AngleUnit
+) -> Iterator[Feedback]:
+    """Joint by joint: the variable is zero elsewhere."""
+    for i, offset in enumerate(certificate.joint_offsets):
+        joint = answer.joint_types[i]
+        limit = ANGLE if joint is JointType.REVOLUTE else LENGTH * max(abs(offset), 1e-9)
+        if abs(offset) <= limit:
+            continue
+        if exact is None:
+            text = f"{in_unit(offset, joint, unit):.4g}"
+        elif joint is JointType.REVOLUTE:
+            text = angle_text(exact.joint_offsets[i], unit)
+        else:
+            text = expression_text(exact.joint_offsets[i])
+        params: dict[str, ParamValue] = {"joint": i + 1, "offset": text}
+        yield Feedback(code="variable_offset", row=answer.joint_rows[i] + 1, params=params)

@@ -1,0 +1,164 @@
+"""What students really do wrong in a DH table, and how to undo it: the catalogue.
+
+Each misconception is a code, what happened, and a pure function that undoes it wherever it may have happened.
+The order is that of likelihood; where several edits explain a wrong answer, the earlier one is told first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+
+from exercises.grading.cell_edits import (
+    alpha_sign,
+    alpha_value,
+    angle_in_degrees,
+    angle_in_radians,
+    length_value,
+    offset_value,
+    sign_of_length,
+    sign_of_offset,
+    sign_of_variable,
+    theta_value,
+)
+from exercises.grading.row_edits import (
+    cells_swapped,
+    joint_left_out,
+    joint_of_other_type,
+    row_left_out,
+    row_too_many,
+    rows_swapped,
+)
+from exercises.grading.table_edits import (
+    all_in_degrees,
+    all_in_other_length_unit,
+    all_in_radians,
+    all_twists_turned_round,
+    columns_a_row_early,
+    columns_a_row_late,
+    other_convention,
+    parameter_misnamed,
+    parameters_swapped,
+)
+from exercises.grading.work import Change, Work
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Misconception:
+    """One entry of the catalogue.
+
+    Attributes:
+        code: stable identifier.
+        story: what the student did.
+        changes: every way to undo it in a table.
+        told_as: codes of the edits it may lead to, if not its own; the message of each is `repair-<code>`.
+    """
+
+    code: str
+    story: str
+    changes: Callable[[Work], Iterator[Change]]
+    told_as: tuple[str, ...] = ()
+
+
+LENGTH_STORIES = ("a_value", "a_missing", "a_not_zero", "a_sign", "cell_length_unit", "cell_parameter")
+OFFSET_STORIES = ("d_value", "d_missing", "d_not_zero", "d_sign", "cell_length_unit", "cell_parameter")
+
+CATALOGUE: tuple[Misconception, ...] = (
+    Misconception(
+        code="convention",
+        story="wrote the table in the other convention than declared",
+        changes=other_convention,
+    ),
+    Misconception(
+        code="angles_in_degrees", story="typed degrees in a table in radians", changes=all_in_degrees
+    ),
+    Misconception(
+        code="angles_in_radians", story="typed radians in a table in degrees", changes=all_in_radians
+    ),
+    Misconception(
+        code="length_unit",
+        story="typed all lengths in another unit than declared",
+        changes=all_in_other_length_unit,
+    ),
+    Misconception(
+        code="columns_late",
+        story="wrote a and α one row too low: read a standard table as a modified one",
+        changes=columns_a_row_late,
+    ),
+    Misconception(
+        code="columns_early",
+        story="wrote a and α one row too high: read a modified table as a standard one",
+        changes=columns_a_row_early,
+    ),
+    Misconception(
+        code="parameter_misnamed", story="used a name that is not in the figure", changes=parameter_misnamed
+    ),
+    Misconception(
+        code="parameters_swapped", story="used two names for one another", changes=parameters_swapped
+    ),
+    Misconception(code="alpha_sign", story="turned a twist the wrong way", changes=alpha_sign),
+    Misconception(code="alpha_value", story="took a twist for another one", changes=alpha_value),
+    Misconception(
+        code="twists_all_reversed",
+        story="turned every twist the wrong way (left-handed)",
+        changes=all_twists_turned_round,
+    ),
+    Misconception(code="a_sign", story="measured a length against the x axis", changes=sign_of_length),
+    Misconception(code="d_sign", story="measured an offset against the z axis", changes=sign_of_offset),
+    Misconception(code="a_d_swapped", story="wrote a under d and d under a", changes=cells_swapped),
+    Misconception(
+        code="a_value",
+        story="left a length out, put one in, or took the wrong one",
+        changes=length_value,
+        told_as=LENGTH_STORIES,
+    ),
+    Misconception(
+        code="d_value",
+        story="left an offset out, put one in, or took the wrong one",
+        changes=offset_value,
+        told_as=OFFSET_STORIES,
+    ),
+    Misconception(
+        code="cell_in_degrees",
+        story="typed one angle in degrees in a table in radians",
+        changes=angle_in_degrees,
+    ),
+    Misconception(
+        code="cell_in_radians",
+        story="typed one angle in radians in a table in degrees",
+        changes=angle_in_radians,
+    ),
+    Misconception(
+        code="theta_value",
+        story="left an angle about z out, or took the wrong one",
+        changes=theta_value,
+        told_as=("theta_value", "theta_offset"),
+    ),
+    Misconception(code="variable_sign", story="counted a variable the wrong way", changes=sign_of_variable),
+    Misconception(
+        code="joint_type",
+        story="took a revolute joint for a prismatic one, or the reverse",
+        changes=joint_of_other_type,
+    ),
+    Misconception(
+        code="joint_fixed",
+        story="forgot the variable of a joint",
+        changes=joint_left_out,
+        told_as=("joint_fixed", "joint_moving"),
+    ),
+    Misconception(code="rows_swapped", story="wrote two rows in the wrong order", changes=rows_swapped),
+    Misconception(code="row_missing", story="left a row out", changes=row_left_out),
+    Misconception(code="row_extra", story="wrote a row that is not needed", changes=row_too_many),
+)
+
+
+def changes_of(work: Work) -> Iterator[Change]:
+    """Every change of the catalogue that may be made to a table."""
+    for rank, misconception in enumerate(CATALOGUE):
+        for change in misconception.changes(work):
+            yield replace(change, rank=rank)
+
+
+def repair_codes() -> frozenset[str]:
+    """The code of every edit that may be told."""
+    return frozenset(code for entry in CATALOGUE for code in entry.told_as or (entry.code,))

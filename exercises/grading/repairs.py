@@ -1,0 +1,132 @@
+"""The smallest edits that make a wrong table right: one from the catalogue of misconceptions, else two."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from exercises.grading.misconceptions import changes_of
+from exercises.grading.work import Change, Work
+from kinematics.table import NumericTable
+
+MOST_DECISIONS = 400
+MOST_FIRST_EDITS = 24
+MOST_REPAIRS = 6
+SECONDS = 0.25
+
+
+@dataclass(frozen=True, slots=True)
+class Repaired:
+    """Changes that together make the table right."""
+
+    changes: tuple[Change, ...]
+
+
+@dataclass(slots=True)
+class Budget:
+    """What a search may still spend; the count makes it reproducible, the clock keeps it short."""
+
+    decisions: int
+    until: float
+
+    @property
+    def spent(self) -> bool:
+        """Nothing is left."""
+        return self.decisions <= 0 or time.monotonic() > self.until
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """A change tried on the first draw: the table it leads to, and how many invariants still fail."""
+
+    change: Change
+    table: NumericTable
+    failing: int | None
+
+
+def find_repairs(work: Work) -> tuple[Repaired, ...]:
+    """The repairs of a wrong table, likeliest first; of two edits only if no single one will do."""
+    budget = Budget(MOST_DECISIONS, time.monotonic() + SECONDS)
+    trials = list(_trials(work))
+    singles = [Repaired((change,)) for change in _helping(work, trials, budget)]
+    if singles:
+        return tuple(singles[:MOST_REPAIRS])
+    return tuple(_pairs(work, trials, budget))[:MOST_REPAIRS]
+
+
+def _trials(work: Work) -> Iterator[Trial]:
+    """Every change of the catalogue, tried on the first draw."""
+    known: dict[NumericTable, int | None] = {}
+    for change in changes_of(work):
+        for table in change.apply(work.tables[0], 0):
+            if table == work.tables[0]:
+                continue
+            if table not in known:
+                known[table] = work.failing(table)
+            yield Trial(change, table, known[table])
+
+
+def _helping(work: Work, trials: list[Trial], budget: Budget) -> Iterator[Change]:
+    """The changes that make the table right at every draw; each place of an edit once."""
+    told: set[tuple[str, int | None, str | None]] = set()
+    for trial in trials:
+        edit = trial.change.edit
+        place = (edit.code, edit.row, edit.cell)
+        if trial.failing != 0 or place in told:
+            continue
+        if budget.spent:
+            return
+        budget.decisions -= 1
+        if work.accepts(trial.table, 0) and _at_other_draws(work, (trial.change,)):
+            told.add(place)
+            yield trial.change
+
+
+def _at_other_draws(work: Work, changes: tuple[Change, ...]) -> bool:
+    return all(
+        any(work.accepts(table, draw) for table in _applied(changes, work.tables[draw], draw))
+        for draw in range(1, len(work.tables))
+    )
+
+
+def _applied(changes: tuple[Change, ...], table: NumericTable, draw: int) -> Iterator[NumericTable]:
+    if not changes:
+        yield table
+        return
+    for edited in changes[0].apply(table, draw):
+        yield from _applied(changes[1:], edited, draw)
+
+
+def _pairs(work: Work, trials: list[Trial], budget: Budget) -> Iterator[Repaired]:
+    """Two edits: first one that brings the table nearer to the key, then each that might finish."""
+    before = work.failing(work.tables[0])
+    first = [trial for trial in trials if _is_nearer(trial.failing, before)]
+    first.sort(key=lambda trial: (trial.failing, trial.change.rank))
+    told: set[frozenset[tuple[str, int | None, str | None]]] = set()
+    for trial in first[:MOST_FIRST_EDITS]:
+        half = replace(work, tables=(trial.table, *work.tables[1:]))
+        rest = [
+            other
+            for other in _trials(half)
+            if other.failing == 0 and not set(other.change.touched) & set(trial.change.touched)
+        ]
+        for other in rest:
+            places = frozenset((c.edit.code, c.edit.row, c.edit.cell) for c in (trial.change, other.change))
+            if places in told:
+                continue
+            if budget.spent:
+                return
+            budget.decisions -= 1
+            changes = (trial.change, other.change)
+            if work.accepts(other.table, 0) and _at_other_draws(work, changes):
+                told.add(places)
+                yield Repaired(tuple(sorted(changes, key=lambda c: c.edit.row or 0)))
+                if len(told) == MOST_REPAIRS:
+                    return
+
+
+def _is_nearer(failing: int | None, before: int | None) -> bool:
+    if failing is None:
+        return False
+    return before is None or failing < before or failing == before == 0

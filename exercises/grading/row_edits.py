@@ -1,0 +1,140 @@
+"""Misconceptions about whole rows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from itertools import combinations
+
+from exercises.grading.cell_edits import RIGHT_ANGLES
+from exercises.grading.fitting import fitting_values
+from exercises.grading.work import Apply, Change, Extent, Work, change, with_cell, with_row, with_rows
+from kinematics.table import DHRow, JointType, NumericRow, NumericTable
+
+MOST_ROWS_FOR_ALL_PAIRS = 8
+
+
+def cells_swapped(work: Work) -> Iterator[Change]:
+    """A and d of a row exchanged."""
+
+    def swapped_in(i: int) -> Apply:
+        def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
+            row = table.rows[i]
+            return (with_row(table, i, replace(row, a=row.d, d=row.a)),)
+
+        return apply
+
+    for i, row in enumerate(work.tables[0].rows):
+        if row.a != row.d and row.joint is not JointType.PRISMATIC:
+            touched = ((i, "a"), (i, "d"))
+            yield change("a_d_swapped", swapped_in(i), extent=Extent.ROW, row=i, touched=touched)
+
+
+def joint_of_other_type(work: Work) -> Iterator[Change]:
+    """A revolute joint made prismatic, or the reverse."""
+    other = {JointType.REVOLUTE: JointType.PRISMATIC, JointType.PRISMATIC: JointType.REVOLUTE}
+    wanted = work.references[0].table.joint_types
+    given = work.tables[0].joint_types
+    if len(wanted) != len(given):
+        return
+    for joint, index in enumerate(work.tables[0].joint_rows):
+        if wanted[joint] is not given[joint]:
+            yield _of_type("joint_type", index, other[given[joint]], wanted[joint].value)
+
+
+def joint_left_out(work: Work) -> Iterator[Change]:
+    """A row without a variable given one, or the reverse."""
+    wanted = work.references[0].table.joint_types
+    given = work.tables[0].joint_types
+    for i, row in enumerate(work.tables[0].rows):
+        if row.joint is JointType.FIXED and len(given) < len(wanted):
+            for joint in {JointType.REVOLUTE, JointType.PRISMATIC} & set(wanted):
+                yield _of_type("joint_fixed", i, joint, joint.value)
+        elif row.joint is not JointType.FIXED and len(given) > len(wanted):
+            yield _of_type("joint_moving", i, JointType.FIXED, JointType.FIXED.value)
+
+
+def _of_type(code: str, index: int, joint: JointType, name: str) -> Change:
+    def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
+        return (with_row(table, index, replace(table.rows[index], joint=joint)),)
+
+    return change(code, apply, extent=Extent.ROW, row=index, cell="joint", params={"joint_type": name})
+
+
+def rows_swapped(work: Work) -> Iterator[Change]:
+    """Two rows exchanged."""
+    rows = work.tables[0].rows
+
+    def swapped(i: int, j: int) -> Apply:
+        def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
+            order = list(table.rows)
+            order[i], order[j] = order[j], order[i]
+            return (with_rows(table, order),)
+
+        return apply
+
+    for i, j in combinations(range(len(rows)), 2):
+        if rows[i] == rows[j] or (j > i + 1 and len(rows) > MOST_ROWS_FOR_ALL_PAIRS):
+            continue
+        touched = tuple((k, cell) for k in (i, j) for cell in ("alpha", "a", "d", "joint"))
+        params = {"other": j + 1}
+        yield change("rows_swapped", swapped(i, j), extent=Extent.ROW, row=i, touched=touched, params=params)
+
+
+def row_too_many(work: Work) -> Iterator[Change]:
+    """A row struck out."""
+
+    def without(i: int) -> Apply:
+        def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
+            return (with_rows(table, (*table.rows[:i], *table.rows[i + 1 :])),)
+
+        return apply
+
+    rows = work.tables[0].rows
+    excess = work.tables[0].n_joints - work.references[0].table.n_joints
+    for i, row in enumerate(rows):
+        moves = row.joint is not JointType.FIXED
+        if len(rows) > 1 and excess == (1 if moves else 0):
+            yield change("row_extra", without(i), extent=Extent.ROW, row=i)
+
+
+def row_left_out(work: Work) -> Iterator[Change]:
+    """A row put in: of the joint that is missing, with a right angle as twist and the lengths that fit."""
+    wanted, given = work.references[0].table.joint_types, work.tables[0].joint_types
+    places = len(work.tables[0].rows) + 1
+    for place in range(places):
+        joint = _missing(wanted, given, sum(index < place for index in work.tables[0].joint_rows))
+        if joint is None:
+            continue
+        for alpha in RIGHT_ANGLES:
+            blank = DHRow(joint=joint, theta=0.0, d=0.0, a=0.0, alpha=alpha)
+            touched = tuple((place, cell) for cell in ("alpha", "a", "d", "joint"))
+            params = {"place": place + 1, "after": place}
+            apply = _filled(work, place, blank)
+            yield change("row_missing", apply, extent=Extent.ROW, row=place, touched=touched, params=params)
+
+
+def _missing(wanted: tuple[JointType, ...], given: tuple[JointType, ...], before: int) -> JointType | None:
+    """The type of the joint that is missing after so many, if one put in there makes the types right."""
+    if len(wanted) != len(given) + 1 or (*given[:before], wanted[before], *given[before:]) != wanted:
+        return None
+    return wanted[before]
+
+
+def _filled(work: Work, place: int, blank: NumericRow) -> Apply:
+    """The row put in, and its lengths solved for one after the other."""
+
+    def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
+        first = with_rows(table, (*table.rows[:place], blank, *table.rows[place:]))
+        found = [first]
+        for cells in (("a", "d"), ("d", "a")):
+            for x in fitting_values(work, first, draw, place, cells[0]):
+                second = with_cell(first, place, cells[0], x)
+                found.append(second)
+                found += [
+                    with_cell(second, place, cells[1], y)
+                    for y in fitting_values(work, second, draw, place, cells[1])
+                ]
+        return found
+
+    return apply

@@ -1,0 +1,131 @@
+"""A wrong answer on the workbench: what an edit is tried on, and what it is tried against."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from enum import Enum
+from functools import cached_property
+from typing import TypeAlias
+
+from exercises.grading.comparison import Comparison
+from exercises.grading.verdict import Edit, ParamValue
+from kinematics.cells import ReadTable
+from kinematics.equivalence import Policy
+from kinematics.equivalence.chains import Axis, chain_of
+from kinematics.equivalence.decision import certify, convention_fits
+from kinematics.equivalence.invariants import Invariant, axes_of, invariants_of
+from kinematics.equivalence.reference import Reference, prepared
+from kinematics.table import DHTable, NumericRow, NumericTable
+
+Apply: TypeAlias = Callable[[NumericTable, int], Iterable[NumericTable]]
+"""From a table and the number of the parameter draw to the tables that the edit may lead to; mostly one."""
+
+
+class Extent(Enum):
+    """How much of a table a misconception spoils, as a share of the rows."""
+
+    CELL = 0.5
+    ROW = 1.0
+    TABLE = 1.5
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Change:
+    """A misconception undone in one place.
+
+    Attributes:
+        edit: what to tell.
+        apply: the edit itself.
+        extent: how much it spoiled.
+        touched: the rows (counted from 0) and cells that it changes.
+        rank: place of the misconception in the catalogue; the earlier, the likelier.
+    """
+
+    edit: Edit
+    apply: Apply
+    extent: Extent
+    touched: tuple[tuple[int, str], ...]
+    rank: int = 0
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Work:
+    """The tables that edits are tried on.
+
+    Attributes:
+        key: the key as read.
+        answer: the answer as read.
+        comparison: both with numbers.
+        policy: what the answer is held to.
+        tables: the answer at each draw, perhaps with an edit made already.
+    """
+
+    key: ReadTable
+    answer: ReadTable
+    comparison: Comparison
+    policy: Policy
+    tables: tuple[NumericTable, ...]
+
+    @cached_property
+    def references(self) -> tuple[Reference, ...]:
+        """The key at each draw, prepared."""
+        return tuple(prepared(table) for table in self.comparison.references)
+
+    @cached_property
+    def invariants(self) -> tuple[tuple[Invariant, ...], ...]:
+        """What no choice of frames changes, at each draw."""
+        return tuple(invariants_of(reference, self.policy) for reference in self.references)
+
+    def axes(self, table: NumericTable) -> list[Axis]:
+        """The axes that the invariants are measured between."""
+        return axes_of(chain_of(table), self.policy)
+
+    def failing(self, table: NumericTable, draw: int = 0) -> int | None:
+        """How many invariants a table does not share with the key; None if its joints are others already."""
+        if table.joint_types != self.references[draw].table.joint_types:
+            return None
+        axes = self.axes(table)
+        return sum(not invariant.fits(axes) for invariant in self.invariants[draw])
+
+    def accepts(self, table: NumericTable, draw: int) -> bool:
+        """Whether a table is right, at one draw."""
+        if not convention_fits(table.convention, self.policy.convention):
+            return False
+        return certify((self.references[draw],), (chain_of(table),), self.policy) is not None
+
+
+def change(
+    code: str,
+    apply: Apply,
+    *,
+    extent: Extent,
+    row: int | None = None,
+    cell: str | None = None,
+    touched: Sequence[tuple[int, str]] = (),
+    params: Mapping[str, ParamValue] | None = None,
+) -> Change:
+    """A change; rows counted from 0 here, and from 1 in what is told."""
+    if not touched and row is not None:
+        touched = ((row, cell),) if cell else tuple((row, name) for name in ("alpha", "a", "d", "joint"))
+    shown: dict[str, ParamValue] = dict(params or {})
+    if row is not None:
+        shown.setdefault("row", row + 1)
+    edit = Edit(code=code, row=None if row is None else row + 1, cell=cell, params=shown)
+    return Change(edit=edit, apply=apply, extent=extent, touched=tuple(touched))
+
+
+def with_row(table: NumericTable, index: int, row: NumericRow) -> NumericTable:
+    """The table with one row exchanged."""
+    rows = table.rows
+    return DHTable(convention=table.convention, rows=(*rows[:index], row, *rows[index + 1 :]))
+
+
+def with_cell(table: NumericTable, index: int, cell: str, value: float) -> NumericTable:
+    """The table with one cell exchanged."""
+    return with_row(table, index, replace(table.rows[index], **{cell: value}))  # type: ignore[arg-type]
+
+
+def with_rows(table: NumericTable, rows: Iterable[NumericRow]) -> NumericTable:
+    """A table of the same convention with these rows."""
+    return DHTable(convention=table.convention, rows=tuple(rows))
