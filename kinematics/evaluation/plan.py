@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable, Sequence
 from enum import StrEnum
 from functools import cached_property, lru_cache
+from threading import Lock
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -36,7 +37,7 @@ from kinematics.transforms import check_transform
 WARM = 8
 KEPT_TABLES = 64
 KEPT_VARIANTS = 4
-LARGEST_TAPE = 4000
+LARGEST_TAPE = 1000
 SAFE_LENGTH = 1e300
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -145,6 +146,7 @@ class _Plans:
         self._table = table
         self.plain = Plan(table, None, None)
         self._variants: dict[tuple[bytes | None, bytes | None], Plan] = {}
+        self._lock = Lock()
 
     def between(self, base: ArrayLike | None, tool: ArrayLike | None) -> Plan:
         """The plan with a base and a tool; the few used last are kept."""
@@ -153,10 +155,11 @@ class _Plans:
             for name, pose in (("base", base), ("tool", tool))
         )
         key = (None if base is None else base.tobytes(), None if tool is None else tool.tobytes())
-        found = self._variants.pop(key, None) or Plan(self._table, base, tool)
-        self._variants[key] = found
-        while len(self._variants) > KEPT_VARIANTS:
-            self._variants.pop(next(iter(self._variants)), None)
+        with self._lock:
+            found = self._variants.pop(key, None) or Plan(self._table, base, tool)
+            self._variants[key] = found
+            if len(self._variants) > KEPT_VARIANTS:
+                del self._variants[next(iter(self._variants))]
         return found
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -242,18 +242,18 @@ def test_an_empty_table_is_the_identity():
         ([0.0] * 5, "joints_wrong_length", ("joints",)),
         ([0.0] * 7, "joints_wrong_length", ("joints",)),
         ([], "joints_wrong_length", ("joints",)),
-        (0.0, "joints_wrong_length", ("joints",)),
+        (0.0, "joints_malformed", ("joints",)),
         ([0, 0, math.nan, 0, 0, 0.0], "joint_not_finite", ("joints", 2)),
         (np.array([0, 0, 0, 0, 0, math.inf]), "joint_not_finite", ("joints", 5)),
-        (["0"] * 6, "joints_not_numbers", ("joints",)),
-        ([True] * 6, "joints_not_numbers", ("joints",)),
-        ([None] * 6, "joints_not_numbers", ("joints",)),
-        ([1j] * 6, "joints_not_numbers", ("joints",)),
-        ([10**400] * 6, "joints_not_numbers", ("joints",)),
-        ([[0.0] * 6, [0.0] * 5], "joints_not_numbers", ("joints",)),
+        (["0"] * 6, "joints_malformed", ("joints",)),
+        ([True] * 6, "joints_malformed", ("joints",)),
+        ([None] * 6, "joints_malformed", ("joints",)),
+        ([1j] * 6, "joints_malformed", ("joints",)),
+        ([10**400] * 6, "joints_malformed", ("joints",)),
+        ([[0.0] * 6, [0.0] * 5], "joints_malformed", ("joints",)),
         ([[0.0] * 5], "joints_wrong_length", ("joints",)),
         ([[0.0] * 6, [0, 0, -math.inf, 0, 0, 0]], "joint_not_finite", ("joints", 1, 2)),
-        (np.zeros((2, 2, 6)), "joints_not_numbers", ("joints",)),
+        (np.zeros((2, 2, 6)), "joints_malformed", ("joints",)),
     ],
 )
 def test_joint_values_that_are_none_are_refused(joints, code, where):
@@ -261,6 +261,16 @@ def test_joint_values_that_are_none_are_refused(joints, code, where):
         forward_kinematics(PUMA560, joints)
     assert error.value.code == code
     assert error.value.faults[0].where == where
+
+
+def test_one_configuration_is_no_batch_and_a_batch_is_no_configuration():
+    with pytest.raises(JointValueError) as error:
+        end_pose(PUMA560, [[0.0] * 6])
+    assert error.value.code == "joints_malformed"
+    with pytest.raises(JointValueError) as error:
+        end_poses(PUMA560, [0.0] * 6)
+    assert error.value.code == "joints_malformed"
+    assert end_poses(PUMA560, []).shape == (0, 4, 4)
 
 
 def test_every_value_that_is_not_finite_is_named():

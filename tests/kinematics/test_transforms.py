@@ -67,6 +67,15 @@ def test_what_is_not_rigid_is_refused(value, code, inner):
     assert error.value.faults[0].where == ("tool", *inner)
 
 
+def test_six_decimals_are_enough():
+    rng = np.random.default_rng(6)
+    for _ in range(500):
+        rotation, _ = np.linalg.qr(rng.normal(size=(3, 3)))
+        pose = EYE.copy()
+        pose[:3, :3] = (rotation * np.sign(np.linalg.det(rotation))).round(6)
+        check_transform(pose)
+
+
 def test_every_fault_is_told():
     with pytest.raises(PoseError) as error:
         check_transform(np.diag([2.0, 1.0, 1.0, 2.0]))

@@ -5,7 +5,7 @@ error-joints_wrong_length =
         [one] The table has one joint, but a configuration of { $given } values was given.
        *[other] The table has { $expected } joints, but a configuration of { $given } values was given.
     }
-error-joints_not_numbers = Joint values are numbers: one configuration [q1, …, qn], or a list of equally long ones.
+error-joints_malformed = Joint values are numbers: one configuration [q1, …, qn], or a list of equally long ones.
 error-joint_not_finite = The value of joint { $joint } is not a finite number.
 error-result_not_finite = The result is too large for a double-precision number. Lengths and joint values must be smaller.
 error-entry_not_finite = { $cell } is not a finite number.

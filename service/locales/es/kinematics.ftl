@@ -5,7 +5,7 @@ error-joints_wrong_length =
         [one] La tabla tiene una articulación, pero se dio una configuración de { $given } valores.
        *[other] La tabla tiene { $expected } articulaciones, pero se dio una configuración de { $given } valores.
     }
-error-joints_not_numbers = Los valores articulares son números: una configuración [q1, …, qn] o una lista de configuraciones de igual longitud.
+error-joints_malformed = Los valores articulares son números: una configuración [q1, …, qn] o una lista de configuraciones de igual longitud.
 error-joint_not_finite = El valor de la articulación { $joint } no es un número finito.
 error-result_not_finite = El resultado es demasiado grande para un número de doble precisión. Las longitudes y los valores articulares deben ser menores.
 error-entry_not_finite = { $cell } no es un número finito.

@@ -5,7 +5,7 @@ error-joints_wrong_length =
         [one] Le tableau a une articulation, mais la configuration donnée compte { $given } valeurs.
        *[other] Le tableau a { $expected } articulations, mais la configuration donnée compte { $given } valeurs.
     }
-error-joints_not_numbers = Les valeurs articulaires sont des nombres : une configuration [q1, …, qn] ou une liste de configurations de même longueur.
+error-joints_malformed = Les valeurs articulaires sont des nombres : une configuration [q1, …, qn] ou une liste de configurations de même longueur.
 error-joint_not_finite = La valeur de l’articulation { $joint } n’est pas un nombre fini.
 error-result_not_finite = Le résultat est trop grand pour un nombre en double précision. Les longueurs et les valeurs articulaires doivent être plus petites.
 error-entry_not_finite = { $cell } n’est pas un nombre fini.

@@ -5,7 +5,7 @@ error-joints_wrong_length =
         [one] A tabela tem uma junta, mas foi dada uma configuração com { $given } valores.
        *[other] A tabela tem { $expected } juntas, mas foi dada uma configuração com { $given } valores.
     }
-error-joints_not_numbers = Os valores das juntas são números: uma configuração [q1, …, qn] ou uma lista de configurações do mesmo comprimento.
+error-joints_malformed = Os valores das juntas são números: uma configuração [q1, …, qn] ou uma lista de configurações do mesmo comprimento.
 error-joint_not_finite = O valor da junta { $joint } não é um número finito.
 error-result_not_finite = O resultado é grande demais para um número de precisão dupla. Os comprimentos e os valores das juntas devem ser menores.
 error-entry_not_finite = { $cell } não é um número finito.

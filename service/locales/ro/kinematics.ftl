@@ -6,7 +6,7 @@ error-joints_wrong_length =
         [few] Tabelul are { $expected } cuple, dar s-a dat o configurație cu { $given } valori.
        *[other] Tabelul are { $expected } de cuple, dar s-a dat o configurație cu { $given } valori.
     }
-error-joints_not_numbers = Valorile cuplelor sunt numere: o configurație [q1, …, qn] sau o listă de configurații de aceeași lungime.
+error-joints_malformed = Valorile cuplelor sunt numere: o configurație [q1, …, qn] sau o listă de configurații de aceeași lungime.
 error-joint_not_finite = Valoarea cuplei { $joint } nu este un număr finit.
 error-result_not_finite = Rezultatul este prea mare pentru un număr în dublă precizie. Lungimile și valorile cuplelor trebuie să fie mai mici.
 error-entry_not_finite = { $cell } nu este un număr finit.
