@@ -36,7 +36,7 @@ def true_scene(instance: Instance) -> Scene:
     return _scene(instance, drawn=False)
 
 
-def figure_svg(instance: Instance, *, title: str, description: str, language: str) -> str:
+def figure_svg(instance: Instance, *, title: str, description: str, language: str, note: str = "") -> str:
     """The figure as SVG.
 
     Args:
@@ -44,11 +44,18 @@ def figure_svg(instance: Instance, *, title: str, description: str, language: st
         title: what it shows, in a few words.
         description: the same in full.
         language: of both.
+        note: what is written below a figure that is not to scale.
     """
     figure = instance.exercise.figure
     scene = _scene(instance, drawn=True)
     return draw_figure(
-        scene, figure.view, figure.width, title=title, description=description, language=language
+        scene,
+        figure.view,
+        figure.width,
+        title=title,
+        description=description,
+        language=language,
+        note="" if scene.to_scale else note,
     )
 
 
@@ -57,7 +64,9 @@ def figure_sentences(instance: Instance) -> tuple[Sentence, ...]:
     exercise = instance.exercise
     sentences = list(describe(true_scene(instance), exercise.figure.view, exercise.length_unit.value))
     if exercise.figure.lengths:
-        sentences.append(Sentence(code="not-to-scale", params={"names": ", ".join(exercise.figure.lengths)}))
+        names = tuple(exercise.figure.lengths)
+        params: dict[str, str | int] = {"names": ", ".join(names), "count": len(names)}
+        sentences.append(Sentence(code="not-to-scale", params=params))
     return tuple(sentences)
 
 

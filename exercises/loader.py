@@ -83,10 +83,10 @@ def _document(folder: Traversable) -> Mapping[str, Any]:
     try:
         return tomllib.loads((folder / FILE).read_text(encoding="utf-8"))
     except FileNotFoundError:
-        fault = Fault(code="file_missing", message=f"there is no {FILE}", where=(folder.name, FILE))
+        fault = Fault(code="exercise_file_missing", message=f"there is no {FILE}", where=(folder.name, FILE))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         fault = Fault(
-            code="file_not_toml",
+            code="exercise_file_not_toml",
             message=f"this is not TOML: {error}",
             where=(folder.name, FILE),
             params={"reason": str(error)},
@@ -164,14 +164,17 @@ def _reference(reader: Reader, robot: str | None) -> tuple[ReadTable | None, Map
         if robot not in catalogue.robot_ids():
             known = ", ".join(catalogue.robot_ids())
             reader.fault(
-                "robot_unknown", f"the catalogue holds no {robot}; it holds {known}", "robot", robot=robot
+                "exercise_robot_unknown",
+                f"the catalogue holds no {robot}; it holds {known}",
+                "robot",
+                robot=robot,
             )
             return None, {}
         found = catalogue.robot(robot)
         return found.table, {name: Fraction(repr(value)) for name, value in found.parameters.items()}
     if not reader.given("reference"):
         reader.fault(
-            "key_missing", "name a robot of the catalogue, or give its table as [reference]", "robot"
+            "exercise_key_missing", "name a robot of the catalogue, or give its table as [reference]", "robot"
         )
         return None, {}
     inner = reader.table("reference")

@@ -120,7 +120,7 @@ def _limits(reader: Reader, n: int, known: Limits | None) -> tuple[tuple[Fractio
     value = reader.values["limits"]
     if value == "catalogue":
         if known is None:
-            reader.fault("limits_unknown", "the catalogue knows no limits of this robot", "limits")
+            reader.fault("exercise_limits_unknown", "the catalogue knows no limits of this robot", "limits")
             return free
         return tuple((Fraction(repr(low)), Fraction(repr(high))) for low, high in known)
     if not isinstance(value, list) or len(value) != n:
@@ -136,7 +136,7 @@ def _limits(reader: Reader, n: int, known: Limits | None) -> tuple[tuple[Fractio
         inner = Reader({"pair": entry}, (*reader.where, "limits", i), reader.faults)
         pair = inner.exacts("pair")
         if len(pair) != 2 or pair[0] > pair[1]:
-            inner.fault("limits_reversed", "limits are [lowest, highest]", joint=i + 1)
+            inner.fault("exercise_limits_reversed", "limits are [lowest, highest]", joint=i + 1)
             pair = (Fraction(0), Fraction(0))
         limits.append((pair[0], pair[1]))
     return tuple(limits)

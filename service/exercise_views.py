@@ -100,7 +100,8 @@ def figure_file(exercise_id: str, seed: str | None, language: str) -> bytes:
     instance = instance_of(exercise_id, seed)
     title = sentence(language, "figure-title", {"title": instance.exercise.titles[language]}) or ""
     description = figure_description(instance, language)
-    return figure_svg(instance, title=title, description=description, language=language).encode()
+    note = sentence(language, "figure-note") or ""
+    return figure_svg(instance, title=title, description=description, language=language, note=note).encode()
 
 
 def _entry(found: Exercise, language: str) -> dict[str, Any]:
@@ -146,7 +147,8 @@ def _task_values(part: Part, instance: Instance) -> dict[str, Any]:
         "names": ", ".join(instance.exact),
     }
     if isinstance(part, WorkspacePart):
-        values |= {"point": part.point, "origin": part.origin or ""}
+        limits = "some" if any(limit is not None for limit in part.limits) else "none"
+        values |= {"point": part.point, "origin": part.origin or "", "limits": limits}
     if part.kind is PartKind.POSE:
         units = {
             JointType.REVOLUTE: "°" if found.angle_unit is AngleUnit.DEG else " rad",

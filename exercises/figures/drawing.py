@@ -31,6 +31,7 @@ REACH = 0.11
 NUMBER_SIZE = 14.0
 DISC = 10.5
 NAME_SIZE = 18.0
+NOTE_SIZE = 13.0
 FINGER = 0.05
 
 Style = dict[str, Any]
@@ -45,7 +46,14 @@ class _Label:
 
 
 def draw_figure(
-    scene: Scene, view: View, width: float = 480.0, *, title: str, description: str, language: str
+    scene: Scene,
+    view: View,
+    width: float = 480.0,
+    *,
+    title: str,
+    description: str,
+    language: str,
+    note: str = "",
 ) -> str:
     """The figure of a scene as an SVG document.
 
@@ -56,6 +64,7 @@ def draw_figure(
         title: what it is, in a few words.
         description: the same in full, for those who do not see it.
         language: language of title and description.
+        note: a few words below the figure.
     """
     camera = fitted(
         camera_for(view),
@@ -66,6 +75,8 @@ def draw_figure(
     )
     drawing = _Drawing(scene, camera, width)
     drawing.draw()
+    if note:
+        drawing.draw_note(note)
     return document(drawing.canvas, drawing.box(), title=title, description=description, language=language)
 
 
@@ -263,6 +274,15 @@ class _Drawing:
                 halo(self.canvas, label.at, label.text, NAME_SIZE, font_style="italic")
         for point in self.scene.points:
             self.canvas.circle(self.camera.project(point.at), 4.2, "point", fill="currentColor")
+
+    def draw_note(self, note: str) -> None:
+        """A few words below everything, at the right."""
+        points = np.concatenate(self.seen)
+        at = np.array(
+            [float(points[:, 0].max()) - 0.25 * NOTE_SIZE * len(note), points[:, 1].max() + NOTE_SIZE]
+        )
+        self.seen.append(np.array([at, at + NOTE_SIZE / 2]))
+        self.canvas.text(at, note, "note", NOTE_SIZE, fill="currentColor", fill_opacity=0.75)
 
     def draw_sense(self, sense: tuple[Array, ...]) -> None:
         if sense:

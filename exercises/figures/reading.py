@@ -90,7 +90,7 @@ def _point_of(reader: Reader) -> Point:
         ends = reader.texts("between")
         if len(ends) == 2:
             return PointBetween(start=ends[0], end=ends[1], ratio=reader.number("ratio", 0.5))
-        reader.fault("value_of_wrong_type", "between is a list of two points", "between")
+        reader.fault("exercise_value_type", "between is a list of two points", "between")
     elif reader.given("from"):
         if reader.given("joint"):
             return PointAlongAxis(
@@ -111,7 +111,9 @@ def _joints(reader: Reader, n: int) -> dict[int, JointMark]:
         label = inner.text("label", "")
         if label not in ("", "+", "-"):
             inner.fault(
-                "value_unknown", 'label is "+" or "-", the end of the axis that bears the number', "label"
+                "exercise_value_unknown",
+                'label is "+" or "-", the end of the axis that bears the number',
+                "label",
             )
         marks[int(name)] = JointMark(
             at=inner.text("at"),
@@ -131,7 +133,7 @@ def _links(reader: Reader) -> tuple[tuple[str, ...], ...]:
         isinstance(chain, list) and len(chain) > 1 and all(isinstance(name, str) for name in chain)
         for chain in chains
     ):
-        reader.fault("value_of_wrong_type", "links is a list of chains of at least two points", "links")
+        reader.fault("exercise_value_type", "links is a list of chains of at least two points", "links")
         return ()
     return tuple(tuple(chain) for chain in chains)
 

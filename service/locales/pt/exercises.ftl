@@ -1,0 +1,199 @@
+### Exercícios: o que se pede, o que se diz das respostas, o que uma definição não pode conter.
+
+## A figura em palavras
+
+figure-title = { $title }: juntas, eixos e cotas
+figure-coordinates = { $joints ->
+    [one] Um robô com uma junta.
+   *[other] Um robô com { $joints } juntas, uma após a outra, contadas a partir da base.
+} Os lugares são dados em { $unit } como (à direita; atrás; acima), medidos a partir de onde o robô está fixado.
+figure-joint-revolute = A junta { $joint } é rotativa. O seu corpo está em { $place }; o seu eixo { $course ->
+    [vertical] é vertical
+    [sideways] vai da esquerda para a direita
+    [depthways] vai da frente para trás
+   *[oblique] tem a direção { $direction }
+}.
+figure-joint-revolute-signed = A junta { $joint } é rotativa. O seu corpo está em { $place }; o seu eixo { $course ->
+    [vertical] é vertical
+    [sideways] vai da esquerda para a direita
+    [depthways] vai da frente para trás
+   *[oblique] é oblíquo
+}. Pela regra da mão direita, a variável da junta é positiva em torno da direção { $direction }.
+figure-joint-prismatic = A junta { $joint } é prismática. O seu corpo está em { $place }; a sua direção { $course ->
+    [vertical] é vertical
+    [sideways] vai da esquerda para a direita
+    [depthways] vai da frente para trás
+   *[oblique] é { $direction }
+}.
+figure-joint-prismatic-signed = A junta { $joint } é prismática. O seu corpo está em { $place }; a sua direção { $course ->
+    [vertical] é vertical
+    [sideways] vai da esquerda para a direita
+    [depthways] vai da frente para trás
+   *[oblique] é oblíqua
+}. A variável da junta é positiva ao longo da direção { $direction }.
+figure-dimension = { $name } mede { $length } { $unit }, { $course ->
+    [vertical] na vertical
+    [sideways] da esquerda para a direita
+    [depthways] da frente para trás
+   *[oblique] em sentido oblíquo
+}, entre { $start } e { $end }.
+figure-point = O ponto { $name } está em { $place }.
+figure-not-to-scale = O desenho não está em escala: nele, { $names } { $count ->
+    [one] não tem o comprimento dado
+   *[other] não têm os comprimentos dados
+} aqui.
+figure-note = fora de escala
+
+## O que é livre e o que é fixado
+
+rule-convention-any = Aceitam-se a convenção clássica (standard) e a modificada.
+rule-convention-standard = Escreva a tabela na convenção clássica (standard).
+rule-convention-modified = Escreva a tabela na convenção modificada.
+rule-base-free = O sistema 0 pode ficar em qualquer lugar da base.
+rule-base-axis = O eixo z do sistema 0 está sobre o eixo da junta 1, em qualquer dos sentidos.
+rule-base-origin = A origem do sistema 0 é prescrita; as direções são de sua escolha.
+rule-base-frame = O sistema 0 é prescrito.
+rule-tool-free = O último sistema pode ficar em qualquer lugar do último elo.
+rule-tool-point = A origem do último sistema está no ponto marcado { $points }.
+rule-tool-axis = O eixo z do último sistema está sobre o eixo da última junta, em qualquer dos sentidos; a sua origem pode ficar em qualquer ponto dele.
+rule-tool-frame = O último sistema é prescrito.
+rule-zero-free = Cabe a você escolher onde cada variável de junta é zero.
+rule-zero-figure = Na posição mostrada na figura, todas as variáveis de junta são zero.
+rule-direction-free = Cabe a você escolher o sentido de cada eixo.
+rule-direction-figure = As variáveis de junta são positivas no sentido das setas da figura.
+
+## O que se pede
+
+task-schematic = Descreva a estrutura: o tipo de cada junta e como o eixo de cada junta está em relação ao eixo da seguinte.
+task-table = Escolha os sistemas de coordenadas e escreva a tabela DH. As células podem conter { $names }, números e as variáveis de junta q1 a q{ $n }.
+task-link-matrices = Para cada linha da sua tabela, escreva a matriz do sistema i para o sistema i−1. Você pode abreviar cos(q1) como c1 e sin(q1 + q2) como s12.
+task-transform = Escreva ⁰T, a matriz do último sistema para o sistema 0, em forma literal.
+task-pose = Avalie a sua ⁰T para { $joints } e para as dimensões dadas aqui, com os comprimentos em { $unit }.
+task-workspace-axis = Até que distância mínima e até que distância máxima do eixo da junta 1 se pode levar { $point }? { $limits ->
+    [none] Cada junta pode assumir qualquer valor.
+   *[some] As juntas respeitam os seus limites.
+} Dê os dois raios em { $unit }.
+task-workspace-point = Quais são a menor e a maior distância entre { $point } e { $origin }? { $limits ->
+    [none] Cada junta pode assumir qualquer valor.
+   *[some] As juntas respeitam os seus limites.
+} Dê os dois raios em { $unit }.
+
+## Comentários sobre as partes
+
+feedback-part_wrong = Esta parte ainda não está certa.
+feedback-schematic_right = A estrutura está certa.
+feedback-schematic_joint_count = Você indicou { $given ->
+    [one] uma junta
+   *[other] { $given } juntas
+}; conte de novo quantas podem se mover.
+feedback-schematic_joint_type = O tipo da junta { $joint } não está certo.
+feedback-schematic_relation = A posição relativa dos eixos { $first } e { $second } não está certa.
+feedback-schematic_angle_right = Eixos { $first } e { $second }: o ângulo entre eles está certo, mas não se eles se cortam.
+feedback-schematic_meeting_right = Os eixos { $first } e { $second } de fato se cortam, mas não sob esse ângulo.
+feedback-matrices_right = As matrizes dos elos estão certas.
+feedback-matrices_follow_table = As matrizes dos elos decorrem da sua tabela e recebem os seus pontos, embora a tabela não esteja certa.
+feedback-matrices_right_not_from_table = As matrizes dos elos estão certas para o robô, embora não decorram da sua tabela.
+feedback-matrices_product_wrong = Multiplicadas, as suas matrizes dos elos não descrevem este robô.
+feedback-matrix_missing = Falta a matriz { $matrix }.
+feedback-matrix_wrong = A matriz { $matrix } não corresponde à linha { $matrix } da sua tabela.
+feedback-matrix_cells_wrong = A matriz { $matrix } difere da linha { $matrix } da sua tabela nestas células (linha,coluna): { $cells }.
+feedback-matrix_inverse = A matriz { $matrix } está invertida: ela leva do sistema i−1 ao sistema i.
+feedback-matrix_rotation_transposed = A rotação na matriz { $matrix } está transposta.
+feedback-matrix_other_convention = A matriz { $matrix } foi formada pela regra da outra convenção.
+feedback-matrix_without_variable = A matriz { $matrix } foi escrita para a variável de junta igual a zero; mantenha a variável.
+feedback-matrix_of_other_row = A matriz { $matrix } é a da linha { $other }.
+feedback-matrix_not_rigid = A matriz { $matrix } não é um movimento rígido: as colunas não são vetores unitários perpendiculares ou a última linha não é 0 0 0 1.
+feedback-transform_right = ⁰T está certa.
+feedback-transform_follows_table = ⁰T decorre da sua tabela e recebe os seus pontos, embora a tabela não esteja certa.
+feedback-transform_right_not_from_table = ⁰T está certa para o robô, embora não decorra da sua tabela.
+feedback-transform_wrong = Esta ⁰T não descreve o robô.
+feedback-transform_rotation_right = A rotação em ⁰T está certa.
+feedback-transform_position_right = A posição em ⁰T está certa.
+feedback-transform_cells_wrong = ⁰T difere da sua tabela nestas células (linha,coluna): { $cells }.
+feedback-transform_not_rigid = ⁰T não é um movimento rígido: as colunas não são vetores unitários perpendiculares ou a última linha não é 0 0 0 1.
+feedback-transform_inverse = Esta é a inversa de ⁰T: ela leva do sistema 0 ao último sistema.
+feedback-transform_rotation_transposed = A rotação em ⁰T está transposta.
+feedback-transform_order_reversed = As matrizes dos elos foram multiplicadas em ordem inversa.
+feedback-transform_links_missing = Este é o produto só até o sistema { $last }; continue até o último sistema.
+feedback-pose_right = A posição e a orientação estão certas.
+feedback-pose_follows_table = A posição e a orientação decorrem da sua tabela e recebem os seus pontos, embora a tabela não esteja certa.
+feedback-pose_wrong = Não é o resultado que a sua tabela dá para esses valores das juntas.
+feedback-pose_rotation_right = A rotação está certa.
+feedback-pose_position_right = A posição está certa.
+feedback-pose_inverse = Esta é a transformação inversa.
+feedback-pose_rotation_transposed = A rotação está transposta.
+feedback-pose_degrees_as_radians = Os senos e cossenos foram calculados com graus tomados como radianos.
+feedback-workspace_right = Os dois raios estão certos.
+feedback-workspace_inner_wrong = O raio interno não está certo.
+feedback-workspace_outer_wrong = O raio externo não está certo.
+feedback-workspace_swapped = O raio interno e o externo estão trocados.
+feedback-workspace_diameters = Estes são diâmetros; pedem-se os raios.
+feedback-workspace_other_length_unit = Os raios estão certos em outra unidade; pedem-se em { $unit }.
+
+## Por que uma resposta não pode ser avaliada
+
+problem-note-ungraded = Esta resposta não foi avaliada e não gasta nenhuma tentativa.
+error-answer_empty = Nada foi entregue. O exercício pede { $known }.
+error-part_not_asked = O exercício não pede { $part }; ele pede { $known }.
+error-link_matrices_count = A tabela tem { $expected ->
+    [one] uma linha
+   *[other] { $expected } linhas
+}, mas { $given ->
+    [one] foi dada uma matriz
+   *[other] foram dadas { $given } matrizes
+}. Dê uma para cada linha; null omite uma.
+error-link_matrices_need_table = Sem a tabela, as matrizes dos elos são julgadas pelo seu produto. Dê todas.
+error-pose_needs_table = A posição e a orientação são as da sua própria tabela. Entregue também a tabela.
+error-matrix_not_4x4 = Uma matriz tem quatro linhas de quatro células.
+error-joint_variable_unknown = Não existe { $name }; o robô tem { $joints ->
+    [one] uma junta
+   *[other] { $joints } juntas
+}.
+error-short_form_unknown = { $name } é lido como cosseno ou seno, mas nem todos os seus índices são juntas rotativas; o robô tem { $joints ->
+    [one] uma junta
+   *[other] { $joints } juntas
+}.
+error-name_without_value = { $name } não tem valor aqui. Escreva números ou estes nomes: { $known }.
+error-radius_negative = Um raio não é negativo.
+error-schematic_fixed_joint = A estrutura enumera as juntas que se movem: rotativas ou prismáticas.
+error-schematic_relations_count = { $joints ->
+    [one] Uma junta tem
+   *[other] { $joints } juntas têm
+} { $expected ->
+    [one] um par
+   *[other] { $expected } pares
+} de eixos vizinhos. Dê uma relação para cada par.
+error-seed_too_long = Uma semente tem no máximo { $limit } caracteres.
+error-exercise_unknown = Não há exercício { $id }. Há { $known }.
+error-language_unknown = O idioma { $language } não está disponível aqui. Há { $known }.
+
+## Por que uma definição não pode ser lida
+
+error-exercise_file_missing = Falta o arquivo exercise.toml.
+error-exercise_file_not_toml = Isto não é TOML: { $reason }
+error-exercise_key_missing = Falta uma chave aqui.
+error-exercise_key_unknown = { $key } não significa nada aqui.
+error-exercise_value_type = O valor não é do tipo necessário aqui.
+error-exercise_value_unknown = O valor não é nenhum dos que podem estar aqui.
+error-exercise_robot_unknown = O catálogo não contém o robô { $robot }.
+error-exercise_limits_reversed = Os limites da junta { $joint } são dados como [mínimo, máximo].
+error-exercise_limits_unknown = O catálogo não conhece os limites deste robô.
+error-robot_and_reference = Dê robot ou [reference], não os dois.
+error-statement_missing = Falta o enunciado no idioma { $language }.
+error-statement_name_unknown = { $name } não é dimensão do robô nem ponto ou cota da figura.
+error-table_not_asked = Um exercício pede a tabela: acrescente uma parte do tipo table.
+error-part_twice = { $kind } é pedido duas vezes.
+error-points_not_positive = Uma parte vale mais que zero pontos.
+error-draw_empty = Não há valor a sortear: “from” não pode ser maior que “to”, e “step” deve ser positivo.
+error-draw_too_large = Um sorteio tem no máximo { $limit } valores.
+error-tolerance_out_of_range = { $name } fica entre 0 e 0.1.
+error-name_invalid = { $name } não é nome de dimensão; um nome é como L1.
+error-width_out_of_range = A largura fica entre 320 e 960.
+error-unknown_point = Não há ponto { $name }.
+error-unknown_frame = Não há esse sistema de coordenadas.
+error-unknown_joint = Não há junta { $joint }.
+error-point_without_form = Um ponto é dado por frame e at; por between e ratio; por from e by; ou por from, joint e distance.
+error-joint_off_axis = O ponto { $point } não está sobre o eixo da junta { $joint }.
+error-dimension_disagrees = Os pontos de { $name } distam { $length }, mas { $name } é { $value }.
+error-gripper_without_direction = A garra e o ponto do qual ela se afasta são o mesmo.
+error-jaws_along_gripper = Os dedos ficam um ao lado do outro, perpendiculares à garra.

@@ -1,0 +1,206 @@
+### Вправи: що запитується, що сказано про відповіді, чого не може містити опис вправи.
+
+## Рисунок словами
+
+figure-title = { $title }: зчленування, осі та розміри
+figure-coordinates = { $joints ->
+    [one] Робот з { $joints } зчленуванням.
+   *[other] Робот із { $joints } послідовними зчленуваннями, рахуючи від основи.
+} Положення подано в { $unit } у вигляді (праворуч; назад; угору), від місця кріплення робота.
+figure-joint-revolute = Зчленування { $joint } обертальне. Його корпус розташований у { $place }; його вісь { $course ->
+    [vertical] вертикальна
+    [sideways] проходить зліва направо
+    [depthways] проходить спереду назад
+   *[oblique] має напрям { $direction }
+}.
+figure-joint-revolute-signed = Зчленування { $joint } обертальне. Його корпус розташований у { $place }; його вісь { $course ->
+    [vertical] вертикальна
+    [sideways] проходить зліва направо
+    [depthways] проходить спереду назад
+   *[oblique] похила
+}. За правилом правої руки змінна зчленування додатна навколо напряму { $direction }.
+figure-joint-prismatic = Зчленування { $joint } поступальне. Його корпус розташований у { $place }; його напрям { $course ->
+    [vertical] вертикальний
+    [sideways] — зліва направо
+    [depthways] — спереду назад
+   *[oblique] — { $direction }
+}.
+figure-joint-prismatic-signed = Зчленування { $joint } поступальне. Його корпус розташований у { $place }; його напрям { $course ->
+    [vertical] вертикальний
+    [sideways] — зліва направо
+    [depthways] — спереду назад
+   *[oblique] похилий
+}. Змінна зчленування додатна вздовж напряму { $direction }.
+figure-dimension = { $name } дорівнює { $length } { $unit } і виміряно { $course ->
+    [vertical] по вертикалі
+    [sideways] зліва направо
+    [depthways] спереду назад
+   *[oblique] навскіс
+}, між { $start } та { $end }.
+figure-point = Точка { $name } лежить у { $place }.
+figure-not-to-scale = Рисунок виконано не в масштабі: на ньому { $names } { $count ->
+    [one] має не ту довжину
+   *[other] мають не ту довжину
+}, що тут.
+figure-note = не в масштабі
+
+## Що вільне, а що задане
+
+rule-convention-any = Приймаються і стандартна, і модифікована конвенція.
+rule-convention-standard = Запишіть таблицю в стандартній конвенції.
+rule-convention-modified = Запишіть таблицю в модифікованій конвенції.
+rule-base-free = Систему 0 можна розташувати будь-де на основі.
+rule-base-axis = Вісь z системи 0 лежить на осі зчленування 1, у будь-якому з двох напрямів.
+rule-base-origin = Початок системи 0 задано; напрями її осей обираєте ви.
+rule-base-frame = Систему 0 задано.
+rule-tool-free = Останню систему можна розташувати будь-де на останній ланці.
+rule-tool-point = Початок останньої системи лежить у позначеній точці { $points }.
+rule-tool-axis = Вісь z останньої системи лежить на осі останнього зчленування, у будь-якому з двох напрямів; її початок може бути будь-де на цій осі.
+rule-tool-frame = Останню систему задано.
+rule-zero-free = Ви обираєте, де кожна змінна зчленування дорівнює нулю.
+rule-zero-figure = У положенні на рисунку всі змінні зчленувань дорівнюють нулю.
+rule-direction-free = Ви обираєте, куди спрямована кожна вісь.
+rule-direction-figure = Змінні зчленувань додатні в напрямі стрілок на рисунку.
+
+## Що запитується
+
+task-schematic = Опишіть структуру: тип кожного зчленування і те, як вісь кожного зчленування розташована відносно осі наступного.
+task-table = Оберіть системи координат і запишіть таблицю DH. Клітинки можуть містити { $names }, числа та змінні зчленувань q1 … q{ $n }.
+task-link-matrices = Для кожного рядка вашої таблиці запишіть матрицю переходу від системи i до системи i−1. Можна скорочувати cos(q1) до c1, а sin(q1 + q2) до s12.
+task-transform = Запишіть ⁰T, матрицю переходу від останньої системи до системи 0, у буквеному вигляді.
+task-pose = Обчисліть вашу ⁰T для { $joints } і поданих тут розмірів; довжини в { $unit }.
+task-workspace-axis = На яку найменшу і на яку найбільшу відстань від осі зчленування 1 можна відвести { $point }? { $limits ->
+    [none] Кожне зчленування може набувати будь-якого значення.
+   *[some] Зчленування не виходять за свої межі.
+} Подайте обидва радіуси в { $unit }.
+task-workspace-point = Які найменша і найбільша відстані між { $point } та { $origin }? { $limits ->
+    [none] Кожне зчленування може набувати будь-якого значення.
+   *[some] Зчленування не виходять за свої межі.
+} Подайте обидва радіуси в { $unit }.
+
+## Зауваження до частин
+
+feedback-part_wrong = Ця частина ще не правильна.
+feedback-schematic_right = Структура правильна.
+feedback-schematic_joint_count = Ви вказали { $given ->
+    [one] { $given } зчленування
+    [few] { $given } зчленування
+   *[other] { $given } зчленувань
+}; перелічіть ще раз, скільки з них рухомі.
+feedback-schematic_joint_type = Тип зчленування { $joint } неправильний.
+feedback-schematic_relation = Взаємне розташування осей { $first } і { $second } неправильне.
+feedback-schematic_angle_right = Осі { $first } і { $second }: кут між ними правильний, але не те, чи вони перетинаються.
+feedback-schematic_meeting_right = Осі { $first } і { $second } справді перетинаються, але не під таким кутом.
+feedback-matrices_right = Матриці ланок правильні.
+feedback-matrices_follow_table = Матриці ланок випливають із вашої таблиці й отримують свої бали, хоча таблиця неправильна.
+feedback-matrices_right_not_from_table = Матриці ланок правильні для робота, хоча й не випливають із вашої таблиці.
+feedback-matrices_product_wrong = Перемножені між собою, ваші матриці ланок не описують цього робота.
+feedback-matrix_missing = Немає матриці { $matrix }.
+feedback-matrix_wrong = Матриця { $matrix } не відповідає рядку { $matrix } вашої таблиці.
+feedback-matrix_cells_wrong = Матриця { $matrix } відрізняється від рядка { $matrix } вашої таблиці в таких клітинках (рядок,стовпець): { $cells }.
+feedback-matrix_inverse = Матрицю { $matrix } обернено: вона веде від системи i−1 до системи i.
+feedback-matrix_rotation_transposed = Поворот у матриці { $matrix } транспоновано.
+feedback-matrix_other_convention = Матрицю { $matrix } складено за правилом іншої конвенції.
+feedback-matrix_without_variable = Матрицю { $matrix } записано для нульового значення змінної; збережіть змінну.
+feedback-matrix_of_other_row = Матриця { $matrix } належить рядку { $other }.
+feedback-matrix_not_rigid = Матриця { $matrix } не є рухом твердого тіла: її стовпці не є взаємно перпендикулярними одиничними векторами або останній рядок не 0 0 0 1.
+feedback-transform_right = ⁰T правильна.
+feedback-transform_follows_table = ⁰T випливає з вашої таблиці й отримує свої бали, хоча таблиця неправильна.
+feedback-transform_right_not_from_table = ⁰T правильна для робота, хоча й не випливає з вашої таблиці.
+feedback-transform_wrong = Ця ⁰T не описує робота.
+feedback-transform_rotation_right = Поворот у ⁰T правильний.
+feedback-transform_position_right = Положення в ⁰T правильне.
+feedback-transform_cells_wrong = ⁰T відрізняється від вашої таблиці в таких клітинках (рядок,стовпець): { $cells }.
+feedback-transform_not_rigid = ⁰T не є рухом твердого тіла: її стовпці не є взаємно перпендикулярними одиничними векторами або останній рядок не 0 0 0 1.
+feedback-transform_inverse = Це обернена до ⁰T: вона веде від системи 0 до останньої системи.
+feedback-transform_rotation_transposed = Поворот у ⁰T транспоновано.
+feedback-transform_order_reversed = Матриці ланок перемножено у зворотному порядку.
+feedback-transform_links_missing = Це добуток лише до системи { $last }; продовжіть до останньої системи.
+feedback-pose_right = Положення й орієнтація правильні.
+feedback-pose_follows_table = Положення й орієнтація випливають із вашої таблиці й отримують свої бали, хоча таблиця неправильна.
+feedback-pose_wrong = Це не те, що дає ваша таблиця для цих значень змінних.
+feedback-pose_rotation_right = Поворот правильний.
+feedback-pose_position_right = Положення правильне.
+feedback-pose_inverse = Це обернене перетворення.
+feedback-pose_rotation_transposed = Поворот транспоновано.
+feedback-pose_degrees_as_radians = Синуси й косинуси обчислено так, ніби градуси — це радіани.
+feedback-workspace_right = Обидва радіуси правильні.
+feedback-workspace_inner_wrong = Внутрішній радіус неправильний.
+feedback-workspace_outer_wrong = Зовнішній радіус неправильний.
+feedback-workspace_swapped = Внутрішній і зовнішній радіуси переставлено.
+feedback-workspace_diameters = Це діаметри, а запитуються радіуси.
+feedback-workspace_other_length_unit = Радіуси правильні в іншій одиниці; вони потрібні в { $unit }.
+
+## Чому відповідь не можна оцінити
+
+problem-note-ungraded = Цю відповідь не оцінено, і вона не забирає спроби.
+error-answer_empty = Нічого не здано. У вправі запитується: { $known }.
+error-part_not_asked = У вправі не запитується { $part }; запитується: { $known }.
+error-link_matrices_count = У таблиці { $expected ->
+    [one] { $expected } рядок
+    [few] { $expected } рядки
+   *[other] { $expected } рядків
+}, але подано { $given ->
+    [one] { $given } матрицю
+    [few] { $given } матриці
+   *[other] { $given } матриць
+}. Подайте по одній на кожен рядок; null пропускає одну.
+error-link_matrices_need_table = Без таблиці матриці ланок оцінюються за їхнім добутком. Подайте всі.
+error-pose_needs_table = Положення й орієнтація визначаються вашою власною таблицею. Здайте і таблицю.
+error-matrix_not_4x4 = Матриця має чотири рядки по чотири клітинки.
+error-joint_variable_unknown = Немає { $name }; робот має { $joints ->
+    [one] { $joints } зчленування
+    [few] { $joints } зчленування
+   *[other] { $joints } зчленувань
+}.
+error-short_form_unknown = { $name } читається як косинус або синус, але не всі його індекси є обертальними зчленуваннями; робот має { $joints ->
+    [one] { $joints } зчленування
+    [few] { $joints } зчленування
+   *[other] { $joints } зчленувань
+}.
+error-name_without_value = { $name } не має тут значення. Пишіть числа або такі імена: { $known }.
+error-radius_negative = Радіус не буває від'ємним.
+error-schematic_fixed_joint = У структурі перелічуються рухомі зчленування: обертальні або поступальні.
+error-schematic_relations_count = { $joints ->
+    [one] { $joints } зчленування має
+    [few] { $joints } зчленування мають
+   *[other] { $joints } зчленувань мають
+} { $expected ->
+    [one] { $expected } пару
+    [few] { $expected } пари
+   *[other] { $expected } пар
+} сусідніх осей. Подайте одне відношення для кожної пари.
+error-seed_too_long = Зерно має щонайбільше { $limit } символів.
+error-exercise_unknown = Немає вправи { $id }. Є такі: { $known }.
+error-language_unknown = Мови { $language } тут немає. Є такі: { $known }.
+
+## Чому опис вправи не можна прочитати
+
+error-exercise_file_missing = Немає файла exercise.toml.
+error-exercise_file_not_toml = Це не TOML: { $reason }
+error-exercise_key_missing = Тут бракує ключа.
+error-exercise_key_unknown = { $key } тут нічого не означає.
+error-exercise_value_type = Значення не того типу, який тут потрібен.
+error-exercise_value_unknown = Значення не належить до тих, що можуть тут стояти.
+error-exercise_robot_unknown = У каталозі немає робота { $robot }.
+error-exercise_limits_reversed = Межі зчленування { $joint } подаються як [найменше, найбільше].
+error-exercise_limits_unknown = У каталозі немає меж цього робота.
+error-robot_and_reference = Подайте або robot, або [reference], але не обидва.
+error-statement_missing = Немає умови мовою { $language }.
+error-statement_name_unknown = { $name } не є ні розміром робота, ні точкою чи розміром на рисунку.
+error-table_not_asked = У вправі запитується таблиця: додайте частину виду table.
+error-part_twice = { $kind } запитується двічі.
+error-points_not_positive = Частина варта більше ніж нуль балів.
+error-draw_empty = Немає з чого вибирати: «from» не може перевищувати «to», а «step» має бути додатним.
+error-draw_too_large = Вибір має щонайбільше { $limit } значень.
+error-tolerance_out_of_range = { $name } лежить між 0 і 0.1.
+error-name_invalid = { $name } не є назвою розміру; назва має вигляд L1.
+error-width_out_of_range = Ширина лежить між 320 і 960.
+error-unknown_point = Немає точки { $name }.
+error-unknown_frame = Немає такої системи координат.
+error-unknown_joint = Немає зчленування { $joint }.
+error-point_without_form = Точка задається через frame і at; через between і ratio; через from і by; або через from, joint і distance.
+error-joint_off_axis = Точка { $point } не лежить на осі зчленування { $joint }.
+error-dimension_disagrees = Відстань між точками { $name } дорівнює { $length }, але { $name } — це { $value }.
+error-gripper_without_direction = Схват і точка, від якої він спрямований, збігаються.
+error-jaws_along_gripper = Губки стоять поруч, перпендикулярно до схвата.
