@@ -144,9 +144,9 @@ export class MatrixPanel extends HTMLElement {
 function block([from, to], content, source) {
   const name = t("form-matrix-name", { from, to });
   return el(
-    "section",
-    { class: "matrix-block", "aria-label": name },
-    el("div", { class: "matrix-head" }, el("h3", {}, transformName(from, to)), copyButtons(name, source)),
+    "div",
+    { class: "matrix-block" },
+    el("div", { class: "matrix-head" }, el("h3", { "aria-label": name }, transformName(from, to)), copyButtons(name, source)),
     el("div", { class: "scroller", tabindex: "0", role: "region", "aria-label": name }, content),
   );
 }

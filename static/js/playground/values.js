@@ -18,8 +18,8 @@ export function numbers(values, unit = "") {
 /** A matrix under its name, with copying. @param {string} name @param {number[][]} values @param {string} [variable] */
 export function matrix(name, values, variable = "M") {
   return el(
-    "section",
-    { class: "matrix-block", "aria-label": name },
+    "div",
+    { class: "matrix-block" },
     el("div", { class: "matrix-head" }, el("h3", { text: name }), copyButtons(name, (format) => matrixSource(values, format, variable))),
     el("div", { class: "scroller", tabindex: "0", role: "region", "aria-label": name }, numericMatrix(values).element),
   );

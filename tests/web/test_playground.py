@@ -1,0 +1,212 @@
+"""The playground in a real browser: ways to a table, answers, links, languages, sizes, accessibility."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.web.conftest import LANGUAGES, OpenPage
+
+STANFORD_ALPHAS = ["0", "-90", "90", "0", "-90", "90"]
+
+
+def shown_robot(page: Page) -> None:
+    """Wait until the table's robot stands in the scene."""
+    expect(page.locator(".own-status")).to_contain_text(re.compile(r"\d"))
+    expect(page.locator("joint-sliders input[type=range]").first).to_be_visible()
+
+
+def column(page: Page, cell: str) -> list[str]:
+    return page.locator("dh-table-editor").evaluate(
+        "(editor, cell) => editor.table.rows.map((row) => String(row[cell]))", cell
+    )
+
+
+def opened(page: Page, heading: str) -> None:
+    page.locator("summary", has_text=re.compile(f"^{heading}$")).click()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_starts_with_a_robot_in_every_language(open_page: OpenPage, language: str) -> None:
+    page = open_page("/playground", lang=language)
+    shown_robot(page)
+    assert page.locator("html").get_attribute("lang") == language
+    text = page.locator("main").inner_text()
+    assert "playground-" not in text
+    assert "form-" not in text
+    assert len(column(page, "a")) == 6
+
+
+def test_pose_and_jacobian_follow_the_joints(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    opened(page, "Pose of the end frame")
+    opened(page, "Jacobian")
+    position = page.locator(".tool", has_text="Pose of the end frame").locator("dd").first
+    expect(position).to_contain_text("0.4521")
+    singular = page.locator(".tool", has_text="Jacobian").locator("dd").nth(1)
+    expect(singular).to_have_text("yes")
+    page.locator("joint-sliders input[type=number]").nth(4).fill("45")
+    page.locator("joint-sliders input[type=number]").nth(2).fill("-30")
+    expect(singular).to_have_text("no")
+    expect(position).not_to_contain_text("0.4521")
+
+
+def test_a_catalogue_robot_with_its_configurations(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    page.get_by_label("Robot of the catalogue").select_option("stanford")
+    expect(page.locator("joint-sliders .joint-name")).to_have_count(6)
+    assert column(page, "alpha") == STANFORD_ALPHAS
+    page.get_by_role("button", name="the arm lies along x0").first.click()
+    expect(page.locator("joint-sliders input[type=number]").nth(2)).to_have_value("0.5")
+
+
+def test_a_link_holds_the_whole_robot(open_page: OpenPage) -> None:
+    page = open_page("/playground", permissions=["clipboard-read", "clipboard-write"])
+    shown_robot(page)
+    page.locator("joint-sliders input[type=number]").first.fill("30")
+    page.get_by_role("button", name="Copy a link").click()
+    expect(page.locator("#announcer")).to_contain_text("Link copied")
+    address = page.evaluate("navigator.clipboard.readText()")
+    assert "#robot=" in address
+    other = open_page("/playground")
+    other.goto(address)
+    other.reload()
+    shown_robot(other)
+    expect(other.locator("joint-sliders input[type=number]").first).to_have_value("30")
+    assert column(other, "d") == column(page, "d")
+
+
+def test_a_broken_link_opens_the_usual_robot(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    page.goto(page.url + "#robot=bm90IGpzb24")
+    page.reload()
+    shown_robot(page)
+
+
+def test_inverse_kinematics_shows_all_solutions_and_moves_there(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    for i, value in enumerate(["10", "40", "-120", "20", "30", "5"]):
+        page.locator("joint-sliders input[type=number]").nth(i).fill(value)
+    position = page.locator(".tool", has_text="Pose of the end frame").locator("dd").first
+    opened(page, "Pose of the end frame")
+    expect(position).not_to_contain_text("0.4521")
+    before = position.inner_text()
+    opened(page, "Inverse kinematics")
+    page.get_by_role("button", name="Take the present pose").click()
+    page.get_by_role("button", name="Solve").click()
+    rows = page.locator(".solutions tbody tr")
+    expect(rows).to_have_count(8)
+    page.get_by_role("button", name="Show solution 5").click()
+    expect(page.locator("joint-sliders input[type=number]").first).to_have_value(
+        re.compile(r"^-?\d+(\.\d+)?$")
+    )
+    expect(position).to_have_text(before)
+
+
+def test_the_other_convention_can_be_taken_over(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    opened(page, "Write it otherwise")
+    page.locator("#tools").get_by_role("button", name="Modified table").click()
+    page.get_by_role("button", name="Use this table").click()
+    expect(page.get_by_label("modified")).to_be_checked()
+    shown_robot(page)
+    assert column(page, "alpha")[:3] == ["0", "90", "0"]
+
+
+@pytest.mark.parametrize(("button", "text"), [("Product of exponentials", "S6"), ("URDF", "<robot")])
+def test_other_forms(open_page: OpenPage, button: str, text: str) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    opened(page, "Write it otherwise")
+    page.locator("#tools").get_by_role("button", name=button, exact=True).click()
+    expect(page.locator("#tools .tool-answer").nth(3)).to_contain_text(text)
+
+
+def test_a_table_from_joint_axes_with_the_rules(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    opened(page, "From joint axes")
+    page.locator("#sources").get_by_role("button", name="Standard table").first.click()
+    expect(page.locator(".frame-rules li")).to_have_count(4)
+    shown_robot(page)
+    assert len(column(page, "a")) == 3
+
+
+def test_a_table_from_an_scm_chain(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    opened(page, "From an SCM chain")
+    page.locator("#sources details[open]").get_by_role("button", name="Modified table").click()
+    expect(page.locator("#sources details[open] .tool-answer")).to_contain_text("taken over")
+    assert column(page, "alpha") == STANFORD_ALPHAS
+
+
+def test_a_chain_that_is_none_is_refused_in_words(open_page: OpenPage, watch) -> None:
+    watch.allow("422")
+    page = open_page("/playground")
+    shown_robot(page)
+    opened(page, "From an SCM chain")
+    page.get_by_label("row 1, A", exact=False).first.fill("a1 + pi/2")
+    page.locator("#sources details[open]").get_by_role("button", name="Modified table").click()
+    expect(page.locator("#sources details[open] [role=alert]")).to_contain_text("offset")
+
+
+def test_urdf_there_and_back(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    opened(page, "Write it otherwise")
+    page.locator("#tools").get_by_role("button", name="URDF", exact=True).click()
+    source = page.locator("pre.source-text").inner_text()
+    opened(page, "From URDF")
+    page.locator("textarea").fill(source)
+    page.locator("#sources details[open]").get_by_role("button", name="Standard table").click()
+    expect(page.locator("#sources details[open] .tool-answer")).to_contain_text("taken over")
+    shown_robot(page)
+
+
+def test_what_was_typed_is_there_after_reload(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    page.get_by_label(re.compile(r"^Row 2, a")).fill("0.5")
+    shown_robot(page)
+    kept = "localStorage.getItem('framewise:playground')?.includes('\"a\":\"0.5\"') ?? false"
+    for _ in range(50):
+        if page.evaluate(kept):
+            break
+        page.wait_for_timeout(50)
+    page.reload()
+    shown_robot(page)
+    assert column(page, "a")[1] == "0.5"
+
+
+@pytest.mark.parametrize(("width", "dark"), [(1280, False), (1280, True), (320, False), (320, True)])
+def test_accessible_with_everything_open(
+    open_page: OpenPage, assert_accessible: Callable[[Page], None], width: int, dark: bool
+) -> None:
+    page = open_page("/playground", width=width, height=600 if width == 320 else 900, dark=dark)
+    shown_robot(page)
+    page.evaluate("for (const each of document.querySelectorAll('details')) each.open = true")
+    expect(page.locator(".named dd").first).to_be_visible()
+    assert_accessible(page)
+    assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
+
+
+def test_an_answer_that_was_overtaken_is_not_shown(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    opened(page, "Pose of the end frame")
+    first = page.locator("joint-sliders input[type=number]").first
+    for angle in (10, 20, 30, 90):
+        first.fill(str(angle))
+    position = page.locator(".tool", has_text="Pose of the end frame").locator("dd").first
+    expect(position).to_have_text(re.compile(r"^0\.1501?\s+0\.4521"))
+    kept = page.evaluate("JSON.parse(localStorage.getItem('framewise:playground')).joints[0]")
+    assert json.dumps(round(kept, 4)) == "1.5708"
