@@ -10,9 +10,9 @@ from exercises.grading.exact_text import angle_text, expression_text
 from exercises.grading.verdict import Feedback, ParamValue
 from kinematics.cells import AngleUnit
 from kinematics.equivalence import Certificate, ExactCertificate
+from kinematics.equivalence.chains import frames_of
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.rigid import (
-    IDENTITY,
     Motion,
     compose,
     from_matrix,
@@ -22,7 +22,6 @@ from kinematics.equivalence.rigid import (
     scale,
     translation,
 )
-from kinematics.links import link_transform
 from kinematics.table import JointType, NumericTable
 
 ANGLE = 1e-3
@@ -69,14 +68,6 @@ def _same_layout(key: NumericTable, answer: NumericTable) -> bool:
     ]
 
 
-def _poses(table: NumericTable) -> list[Motion]:
-    """Frames 0 … N at q = 0."""
-    poses = [IDENTITY]
-    for row in table.rows:
-        poses.append(compose(poses[-1], from_matrix(link_transform(row, table.convention))))
-    return poses
-
-
 def _body_motions(key: NumericTable, certificate: Certificate) -> list[Motion]:
     """g_0 … g_n: what takes each link of the answer at its zero to the key's link at its own."""
     g = inverse(from_matrix(certificate.base))
@@ -98,7 +89,7 @@ def _frames(key: NumericTable, answer: NumericTable, certificate: Certificate) -
     """Frame by frame: z reversed, x turned, origin elsewhere."""
     size = prepared(key).size
     motions = _body_motions(key, certificate)
-    ours, theirs = _poses(key), _poses(answer)
+    ours, theirs = frames_of(key), frames_of(answer)
     body = 0
     for k in range(len(ours)):
         if k and key.rows[k - 1].joint is not JointType.FIXED:

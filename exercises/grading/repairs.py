@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 from exercises.grading.misconceptions import changes_of
 from exercises.grading.work import Change, Work
+from kinematics.equivalence.search import Effort
 from kinematics.table import NumericTable
 
 MOST_DECISIONS = 400
@@ -25,7 +26,7 @@ class Repaired:
 
 @dataclass(slots=True)
 class Budget:
-    """What a search may still spend; the count makes it reproducible, the clock keeps it short."""
+    """What a search may still spend; the count makes it reproducible, the thread's clock keeps it short."""
 
     decisions: int
     until: float
@@ -33,7 +34,7 @@ class Budget:
     @property
     def spent(self) -> bool:
         """Nothing is left."""
-        return self.decisions <= 0 or time.monotonic() > self.until
+        return self.decisions <= 0 or time.thread_time() > self.until
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,11 +48,12 @@ class Trial:
 
 def find_repairs(work: Work) -> tuple[Repaired, ...]:
     """The repairs of a wrong table, likeliest first; of two edits only if no single one will do."""
-    budget = Budget(MOST_DECISIONS, time.monotonic() + SECONDS)
+    budget = Budget(MOST_DECISIONS, time.thread_time() + SECONDS)
     trials = list(_trials(work))
-    singles = [Repaired((change,)) for change in _helping(work, trials, budget)]
-    if singles:
-        return tuple(singles[:MOST_REPAIRS])
+    for effort in Effort:
+        singles = [Repaired((change,)) for change in _helping(work, trials, budget, effort)]
+        if singles:
+            return tuple(singles[:MOST_REPAIRS])
     return tuple(_pairs(work, trials, budget))[:MOST_REPAIRS]
 
 
@@ -67,7 +69,7 @@ def _trials(work: Work) -> Iterator[Trial]:
             yield Trial(change, table, known[table])
 
 
-def _helping(work: Work, trials: list[Trial], budget: Budget) -> Iterator[Change]:
+def _helping(work: Work, trials: list[Trial], budget: Budget, effort: Effort) -> Iterator[Change]:
     """The changes that make the table right at every draw; each place of an edit once."""
     told: set[tuple[str, int | None, str | None]] = set()
     for trial in trials:
@@ -78,14 +80,14 @@ def _helping(work: Work, trials: list[Trial], budget: Budget) -> Iterator[Change
         if budget.spent:
             return
         budget.decisions -= 1
-        if work.accepts(trial.table, 0) and _at_other_draws(work, (trial.change,)):
+        if work.accepts(trial.table, 0, effort) and _at_other_draws(work, (trial.change,), effort):
             told.add(place)
             yield trial.change
 
 
-def _at_other_draws(work: Work, changes: tuple[Change, ...]) -> bool:
+def _at_other_draws(work: Work, changes: tuple[Change, ...], effort: Effort) -> bool:
     return all(
-        any(work.accepts(table, draw) for table in _applied(changes, work.tables[draw], draw))
+        any(work.accepts(table, draw, effort) for table in _applied(changes, work.tables[draw], draw))
         for draw in range(1, len(work.tables))
     )
 
@@ -119,7 +121,7 @@ def _pairs(work: Work, trials: list[Trial], budget: Budget) -> Iterator[Repaired
                 return
             budget.decisions -= 1
             changes = (trial.change, other.change)
-            if work.accepts(other.table, 0) and _at_other_draws(work, changes):
+            if work.accepts(other.table, 0, Effort.PLAIN) and _at_other_draws(work, changes, Effort.PLAIN):
                 told.add(places)
                 yield Repaired(tuple(sorted(changes, key=lambda c: c.edit.row or 0)))
                 if len(told) == MOST_REPAIRS:

@@ -16,6 +16,7 @@ from kinematics.equivalence.chains import Axis, chain_of
 from kinematics.equivalence.decision import certify, convention_fits
 from kinematics.equivalence.invariants import Invariant, axes_of, invariants_of
 from kinematics.equivalence.reference import Reference, prepared
+from kinematics.equivalence.search import Effort
 from kinematics.table import DHTable, NumericRow, NumericTable
 
 Apply: TypeAlias = Callable[[NumericTable, int], Iterable[NumericTable]]
@@ -88,11 +89,11 @@ class Work:
         axes = self.axes(table)
         return sum(not invariant.fits(axes) for invariant in self.invariants[draw])
 
-    def accepts(self, table: NumericTable, draw: int) -> bool:
+    def accepts(self, table: NumericTable, draw: int, effort: Effort) -> bool:
         """Whether a table is right, at one draw."""
         if not convention_fits(table.convention, self.policy.convention):
             return False
-        return certify((self.references[draw],), (chain_of(table),), self.policy) is not None
+        return certify((self.references[draw],), (chain_of(table),), self.policy, effort) is not None
 
 
 def change(

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.angles import cos_sin
 from kinematics.equivalence.rigid import (
     IDENTITY,
     Motion,
@@ -14,7 +15,6 @@ from kinematics.equivalence.rigid import (
     across,
     cross,
     dot,
-    from_matrix,
     norm,
     plus,
     position,
@@ -23,8 +23,8 @@ from kinematics.equivalence.rigid import (
     to_matrix,
     z_axis,
 )
-from kinematics.links import link_transform
-from kinematics.table import Convention, JointType, NumericTable
+from kinematics.links import MOTIONS
+from kinematics.table import Convention, JointType, NumericRow, NumericTable
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,14 +60,11 @@ class Chain:
 def chain_of(table: NumericTable) -> Chain:
     """The joint axes of a table and the pose of its last frame, all at q = 0."""
     standard = table.convention is Convention.STANDARD
-    pose = None
     here = IDENTITY
     axes: list[Axis] = []
     extent = 0.0
     for row in table.rows:
-        link = link_transform(row, table.convention)
-        pose = link if pose is None else pose @ link
-        after = from_matrix(pose)
+        after = past(here, row, table.convention)
         if row.joint is not JointType.FIXED:
             g = here if standard else after
             direction = z_axis(g) if row.sign > 0 else scale(z_axis(g), -1.0)
@@ -77,22 +74,40 @@ def chain_of(table: NumericTable) -> Chain:
     return Chain(tuple(axes), here, extent)
 
 
-def joint_frames(table: NumericTable) -> tuple[Motion, ...]:
-    """The frame whose z axis is joint i's axis, for i = 1 … n, in frame 0 at q = 0.
+def past(here: Motion, row: NumericRow, convention: Convention) -> Motion:
+    """The frame after a row, at q = 0, given the frame before it.
 
-    That is frame i-1 of a standard table and frame i of a modified one (rows counted, not joints).
+    The row's elementary motions are applied to the columns of the frame in the convention's order: a turn
+    mixes two columns, a shift moves the origin along one.
     """
-    standard = table.convention is Convention.STANDARD
-    here = IDENTITY
-    frames: list[Motion] = []
-    pose = np.eye(4)
+    xx, yx, zx, xy, yy, zy, xz, yz, zz, px, py, pz = here
+    for cell in MOTIONS[convention]:
+        value = getattr(row, cell)
+        if not value:
+            continue
+        if cell == "d":
+            px, py, pz = px + value * zx, py + value * zy, pz + value * zz
+        elif cell == "a":
+            px, py, pz = px + value * xx, py + value * xy, pz + value * xz
+        elif cell == "theta":
+            c, s = cos_sin(value)
+            xx, yx = c * xx + s * yx, c * yx - s * xx
+            xy, yy = c * xy + s * yy, c * yy - s * xy
+            xz, yz = c * xz + s * yz, c * yz - s * xz
+        else:
+            c, s = cos_sin(value)
+            yx, zx = c * yx + s * zx, c * zx - s * yx
+            yy, zy = c * yy + s * zy, c * zy - s * yy
+            yz, zz = c * yz + s * zz, c * zz - s * yz
+    return (xx, yx, zx, xy, yy, zy, xz, yz, zz, px, py, pz)
+
+
+def frames_of(table: NumericTable) -> list[Motion]:
+    """Frames 0 … N in frame 0, at q = 0."""
+    frames = [IDENTITY]
     for row in table.rows:
-        pose = pose @ link_transform(row, table.convention)
-        after = from_matrix(pose)
-        if row.joint is not JointType.FIXED:
-            frames.append(here if standard else after)
-        here = after
-    return tuple(frames)
+        frames.append(past(frames[-1], row, table.convention))
+    return frames
 
 
 def size_of(chain: Chain) -> float:

@@ -20,7 +20,7 @@ from kinematics.equivalence.policy import BaseRule, ConventionRule, DirectionRul
 from kinematics.equivalence.reference import SAMPLES, Reference, prepared
 from kinematics.equivalence.results import Certificate, Decision, Kind, Mismatch
 from kinematics.equivalence.rigid import to_matrix
-from kinematics.equivalence.search import Found, Search
+from kinematics.equivalence.search import Effort, Found, Search
 from kinematics.table import Convention, DHTable, NumericTable
 
 
@@ -62,14 +62,17 @@ def convention_fits(convention: Convention, rule: ConventionRule) -> bool:
 
 
 def certify(
-    references: Sequence[Reference], submissions: Sequence[Chain], policy: Policy
+    references: Sequence[Reference],
+    submissions: Sequence[Chain],
+    policy: Policy,
+    effort: Effort = Effort.REFINED,
 ) -> Certificate | None:
     """The verified certificate of a submission, whatever its convention; None if there is none."""
     types = [axis.prismatic for axis in references[0].chain.axes]
     if types != [axis.prismatic for axis in submissions[0].axes]:
         return None
     for level in _levels(references[0], policy):
-        found = Search(references, submissions, policy, level).run()
+        found = Search(references, submissions, policy, level, effort).run()
         if found is not None:
             return _certificate(found)
     return None

@@ -126,8 +126,8 @@ class _Model:
     def least_squares(self, weights: Matrix | None = None) -> Matrix:
         """The step that leaves the least sum of weighted squares.
 
-        What hardly changes the errors (frames may be turned together; lines that are nearly parallel) is damped:
-        it would only follow the rounding.
+        What hardly changes the errors (frames may be turned together; lines that are nearly parallel) is
+        damped: it would only follow the rounding.
         """
         a, b = self.jacobian, self.errors.ravel()
         if weights is not None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from enum import Enum, auto
 
 from kinematics.equivalence.alignment import Alignment, align
 from kinematics.equivalence.certificates import Candidate, Path, candidate_from
@@ -35,6 +36,17 @@ MOST_CANDIDATES = 64
 MOST_REFINED = 4
 CLEARLY_BETTER = 0.1
 AS_GOOD = 0.02
+
+
+class Effort(Enum):
+    """How hard to try.
+
+    PLAIN: only certificates that stand as they come from the alignments.
+    REFINED: the best of those that nearly do are refined as well.
+    """
+
+    PLAIN = auto()
+    REFINED = auto()
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,12 +99,14 @@ class Search:
         submissions: the submission at the same draws.
         policy: what is asked.
         level: index into `Reference.nearnesses`.
+        effort: whether to refine.
     """
 
     references: Sequence[Reference]
     submissions: Sequence[Chain]
     policy: Policy
     level: int
+    effort: Effort = Effort.REFINED
     nodes: int = 0
     tried: int = 0
     seen: dict[tuple[int, int], list[tuple[Motion, float]]] = field(default_factory=dict)
@@ -112,6 +126,8 @@ class Search:
                         return found
                     if self.tried >= MOST_CANDIDATES:
                         break
+        if self.effort is Effort.PLAIN:
+            return None
         self.unfinished.sort(key=lambda unfinished: unfinished.excess)
         for unfinished in self.unfinished[:MOST_REFINED]:
             first = self._refined(0, unfinished.way, unfinished.candidate)
@@ -150,7 +166,7 @@ class Search:
             )
 
     def _options(self, plan: Plan, depth: int, here: Motion) -> Iterator[tuple[int, Alignment, float]]:
-        """The signs with which the next axis can be aligned, and how badly; computed as they are asked for."""
+        """The signs with which the next axis can be aligned, and how badly; computed on demand."""
         step = plan.steps[depth]
         axis = self.submissions[0].axes[depth]
         direction, point = axis.direction, axis.point
@@ -224,7 +240,7 @@ class Search:
             if found.within(self.policy.tolerance):
                 judged.append((candidate, found))
                 continue
-            refined = self._refined(draw, way, candidate)
+            refined = self._refined(draw, way, candidate) if self.effort is Effort.REFINED else None
             if refined is None:
                 return None
             judged.append(refined)
