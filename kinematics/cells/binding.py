@@ -45,8 +45,8 @@ def parameter_values(
         parameters: the given values; names may be spelled as in a cell.
 
     Raises:
-        ParameterError: a parameter is missing, given twice, not needed or not a finite number; all faults, each
-            at ("parameters", name as given).
+        ParameterError: a parameter is missing, given twice, not needed or not a finite number; all faults,
+            each at ("parameters", name as given).
     """
     values: dict[str, float] = {}
     spelled: dict[str, str] = {}
@@ -100,7 +100,11 @@ def _bound(read: ReadTable, values: tuple[tuple[str, float], ...]) -> NumericTab
 
 
 def _fault(
-    kinds: Mapping[str, ParameterKind], given: str, name: str | None, value: object, spelled: Mapping[str, str]
+    kinds: Mapping[str, ParameterKind],
+    given: str,
+    name: str | None,
+    value: object,
+    spelled: Mapping[str, str],
 ) -> Fault | None:
     if name is None:
         return fault("parameter_name_invalid", "parameters", given, name=given[:40])

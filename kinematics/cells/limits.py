@@ -6,6 +6,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 
+RESULT_BITS = 1024
+"""No exact number that comes out of a cell has a numerator or denominator of more bits."""
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Limits:
@@ -15,6 +18,7 @@ class Limits:
         cell_characters: length of a cell's text.
         cell_depth: nesting of parentheses, functions, powers and signs in a cell.
         cell_symbols: different names in a cell.
+        table_characters: length of all cells of a table together; it bounds the time that reading takes.
         table_parameters: different parameters in a table.
         rows: rows of a table.
         exponent: absolute value of an exponent, and its denominator.
@@ -26,12 +30,17 @@ class Limits:
     cell_characters: int = 200
     cell_depth: int = 32
     cell_symbols: int = 16
+    table_characters: int = 8192
     table_parameters: int = 64
     rows: int = 64
     exponent: int = 16
     digits: int = 32
     smallest: float = 1e-30
     largest: float = 1e15
+
+    def is_precise(self, value: Fraction) -> bool:
+        """Whether a number has no more digits than results may have: those of a double, and room to spare."""
+        return max(value.numerator.bit_length(), value.denominator.bit_length()) <= RESULT_BITS
 
     def admits(self, value: Fraction) -> bool:
         """Whether a number is of a size that is read."""

@@ -16,7 +16,7 @@ from enum import StrEnum
 from fractions import Fraction
 
 from kinematics.cells.exact import absolute, inverse_trigonometric, raised, reciprocal, snapped, trigonometric
-from kinematics.cells.limits import Limits
+from kinematics.cells.limits import RESULT_BITS, Limits
 from kinematics.cells.refusals import Refusal
 from kinematics.cells.syntax import (
     Addition,
@@ -55,8 +55,9 @@ from kinematics.expressions import (
 VariableOf = Callable[[str], Expression | None]
 """What a name stands for if it is a joint variable, else None."""
 
-_HIGHEST_DIGITS, _HIGHEST_BITS = 300, 8192
+_HIGHEST_DIGITS, _HIGHEST_BITS = 300, 2 * RESULT_BITS
 """No power is formed that is larger than this, whatever the limits."""
+_RESULT_DIGITS = int(RESULT_BITS * math.log10(2))
 
 _INVERSE = {Function.ASIN, Function.ACOS, Function.ATAN, Function.ATAN2}
 _TRIGONOMETRIC = {Function.SIN, Function.COS, Function.TAN}
@@ -262,6 +263,8 @@ def _refuse_size(value: Fraction, node: Node, limits: Limits) -> None:
         raise Refusal(
             "number_out_of_range", column=node.column, smallest=limits.smallest, largest=limits.largest
         )
+    if not limits.is_precise(value):
+        raise Refusal("number_too_long", column=node.column, limit=_RESULT_DIGITS)
 
 
 def _refuse_out_of_range(expression: Expression, node: Node, limits: Limits) -> None:
@@ -274,9 +277,10 @@ def _refuse_power(base: Expression, degree: Fraction, node: Node, limits: Limits
     value = rational_value(base)
     if not value:
         return
-    digits = abs(math.log10(abs(value)))
     bits = max(value.numerator.bit_length(), value.denominator.bit_length())
-    if digits * abs(degree) > _HIGHEST_DIGITS or bits * abs(degree) > _HIGHEST_BITS:
+    if abs(math.log10(abs(value))) * abs(degree) > _HIGHEST_DIGITS:
         raise Refusal(
             "number_out_of_range", column=node.column, smallest=limits.smallest, largest=limits.largest
         )
+    if bits * abs(degree) > _HIGHEST_BITS:
+        raise Refusal("number_too_long", column=node.column, limit=_RESULT_DIGITS)

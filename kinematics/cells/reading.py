@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -112,6 +112,12 @@ def cell_syntax(cell: Cell | NoCell, limits: Limits) -> Node | Fraction:
     return _sized(Fraction(value), limits)
 
 
+def text_length(cells: Iterable[object], limits: Limits) -> int:
+    """The characters of all cells that are text; those that are too long by themselves are not counted."""
+    lengths = (len(cell) for cell in cells if isinstance(cell, str))
+    return sum(length for length in lengths if length <= limits.cell_characters)
+
+
 def _sized(value: Fraction, limits: Limits) -> Fraction:
     if not limits.admits(value):
         raise Refusal("number_out_of_range", column=1, smallest=limits.smallest, largest=limits.largest)
@@ -158,6 +164,9 @@ def _refuse_size(raw: RawTable, limits: Limits) -> None:
         raise TableError(fault("table_empty", "rows"))
     if len(raw.rows) > limits.rows:
         raise TableError(fault("table_too_many_rows", "rows", rows=len(raw.rows), limit=limits.rows))
+    length = text_length((getattr(row, cell) for row in raw.rows for cell in CELLS), limits)
+    if length > limits.table_characters:
+        raise TableError(fault("table_too_long", "rows", length=length, limit=limits.table_characters))
 
 
 def _reading_order(found: Fault) -> tuple[int, int]:

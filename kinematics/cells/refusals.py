@@ -101,6 +101,7 @@ MESSAGES: Mapping[str, str] = {
     # tables
     "table_empty": "the table has no rows; at least one is needed",
     "table_too_many_rows": "the table has {rows} rows; at most {limit} are read",
+    "table_too_long": "all cells together have {length} characters; at most {limit} are read",
     "table_too_many_parameters": "the table holds more than {limit} different parameters",
     # parameters
     "parameter_missing": "the parameter {name} has no value",

@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 from kinematics.cells import DEFAULT, AngleUnit, Cell, LengthUnit, Limits, ParameterKind
 from kinematics.cells.meaning import Position
-from kinematics.cells.reading import cell_meaning
+from kinematics.cells.reading import cell_meaning, text_length
 from kinematics.cells.refusals import Refusal
 from kinematics.cells.variables import variable_index
 from kinematics.errors import DescriptionError, Fault, ParamValue
@@ -25,11 +25,14 @@ from kinematics.expressions import (
 )
 from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain
 
+ENTRIES = ("x", "y", "z", "a", "b", "c")
+
 RawPlacement = Mapping[str, Cell]
 
 MESSAGES = {
     "scm_chain_empty": "the chain has no joints; at least one row is needed",
     "scm_too_many_joints": "the chain has {joints} joints; at most {limit} are read",
+    "scm_chain_too_long": "all entries together have {length} characters; at most {limit} are read",
     "scm_no_variable": "row {joint} holds no joint variable; write q{joint} in the entry that moves",
     "scm_two_variables": "row {joint} holds its variable in {first} and in {second}; a row has one",
     "scm_variable_of_other_row": "{name} is not the variable of row {joint}; q{joint} is",
@@ -89,6 +92,12 @@ def read_chain(raw: RawChain, limits: Limits = DEFAULT) -> ReadChain:
     if len(raw.joints) > limits.rows:
         raise DescriptionError(
             _fault("scm_too_many_joints", "joints", joints=len(raw.joints), limit=limits.rows)
+        )
+    cells = [row.get(entry) for row in (*raw.joints, raw.final, raw.tool) for entry in ENTRIES]
+    length = text_length(cells, limits)
+    if length > limits.table_characters:
+        raise DescriptionError(
+            _fault("scm_chain_too_long", "joints", length=length, limit=limits.table_characters)
         )
     reader = _Reader(raw=raw, limits=limits, faults=[], kinds={})
     rows = tuple(reader.row(i, cells) for i, cells in enumerate(raw.joints))

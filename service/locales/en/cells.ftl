@@ -80,6 +80,7 @@ error-variable_numbering_mixed = At character { $column }: { $name } is numbered
 
 error-table_empty = The table has no rows; at least one is needed.
 error-table_too_many_rows = The table has { $rows } rows; at most { $limit } are read.
+error-table_too_long = The cells together have { $length } characters; at most { $limit } are read.
 error-table_too_many_parameters = The table holds more than { $limit } different parameters.
 
 error-parameter_missing = The parameter { $name } has no value.

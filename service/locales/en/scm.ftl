@@ -2,6 +2,7 @@
 
 error-scm_chain_empty = The chain has no joints. At least one row is needed.
 error-scm_too_many_joints = The chain has { $joints } joints; at most { $limit } are read.
+error-scm_chain_too_long = The entries together have { $length } characters; at most { $limit } are read.
 error-scm_no_variable = Row { $joint } holds no joint variable. Write q{ $joint } in the entry that moves.
 error-scm_two_variables = Row { $joint } holds its variable in { $first } and in { $second }. A row has exactly one.
 error-scm_variable_of_other_row = { $name } is not the variable of row { $joint }; q{ $joint } is.

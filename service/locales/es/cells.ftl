@@ -80,6 +80,7 @@ error-variable_numbering_mixed = En el carácter { $column }: { $name } está nu
 
 error-table_empty = La tabla no tiene filas; hace falta al menos una.
 error-table_too_many_rows = La tabla tiene { $rows } filas; se leen como máximo { $limit }.
+error-table_too_long = Las celdas suman { $length } caracteres; se leen como máximo { $limit }.
 error-table_too_many_parameters = La tabla contiene más de { $limit } parámetros distintos.
 
 error-parameter_missing = El parámetro { $name } no tiene valor.

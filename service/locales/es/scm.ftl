@@ -2,6 +2,7 @@
 
 error-scm_chain_empty = La cadena no tiene articulaciones. Hace falta al menos una fila.
 error-scm_too_many_joints = La cadena tiene { $joints } articulaciones; se leen como máximo { $limit }.
+error-scm_chain_too_long = Los elementos suman { $length } caracteres; se leen como máximo { $limit }.
 error-scm_no_variable = La fila { $joint } no contiene ninguna variable articular. Escriba q{ $joint } en el elemento que se mueve.
 error-scm_two_variables = La fila { $joint } contiene su variable en { $first } y en { $second }. Una fila tiene exactamente una.
 error-scm_variable_of_other_row = { $name } no es la variable de la fila { $joint }; lo es q{ $joint }.

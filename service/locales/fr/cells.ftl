@@ -80,6 +80,7 @@ error-variable_numbering_mixed = Au caractère { $column } : { $name } est numé
 
 error-table_empty = Le tableau n’a aucune ligne ; il en faut au moins une.
 error-table_too_many_rows = Le tableau a { $rows } lignes ; { $limit } au plus sont lues.
+error-table_too_long = Les cellules comptent ensemble { $length } caractères ; { $limit } au plus sont lus.
 error-table_too_many_parameters = Le tableau contient plus de { $limit } paramètres différents.
 
 error-parameter_missing = Le paramètre { $name } n’a pas de valeur.

@@ -2,6 +2,7 @@
 
 error-scm_chain_empty = La chaîne n’a aucune articulation. Il faut au moins une ligne.
 error-scm_too_many_joints = La chaîne a { $joints } articulations ; { $limit } au plus sont lues.
+error-scm_chain_too_long = Les éléments comptent ensemble { $length } caractères ; { $limit } au plus sont lus.
 error-scm_no_variable = La ligne { $joint } ne contient aucune variable articulaire. Écrivez q{ $joint } dans l’élément qui bouge.
 error-scm_two_variables = La ligne { $joint } contient sa variable dans { $first } et dans { $second }. Une ligne en a exactement une.
 error-scm_variable_of_other_row = { $name } n’est pas la variable de la ligne { $joint } ; c’est q{ $joint }.

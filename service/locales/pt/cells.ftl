@@ -80,6 +80,7 @@ error-variable_numbering_mixed = No caractere { $column }: { $name } está numer
 
 error-table_empty = A tabela não tem linhas; é preciso ao menos uma.
 error-table_too_many_rows = A tabela tem { $rows } linhas; são lidas no máximo { $limit }.
+error-table_too_long = As células têm juntas { $length } caracteres; são lidos no máximo { $limit }.
 error-table_too_many_parameters = A tabela contém mais de { $limit } parâmetros diferentes.
 
 error-parameter_missing = O parâmetro { $name } não tem valor.

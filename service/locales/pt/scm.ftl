@@ -2,6 +2,7 @@
 
 error-scm_chain_empty = A cadeia não tem juntas. É preciso pelo menos uma linha.
 error-scm_too_many_joints = A cadeia tem { $joints } juntas; são lidas no máximo { $limit }.
+error-scm_chain_too_long = Os elementos têm juntos { $length } caracteres; são lidos no máximo { $limit }.
 error-scm_no_variable = A linha { $joint } não contém variável de junta. Escreva q{ $joint } no elemento que se move.
 error-scm_two_variables = A linha { $joint } contém a sua variável em { $first } e em { $second }. Uma linha tem exatamente uma.
 error-scm_variable_of_other_row = { $name } não é a variável da linha { $joint }; a variável é q{ $joint }.

@@ -80,6 +80,7 @@ error-variable_numbering_mixed = La caracterul { $column }: { $name } este numer
 
 error-table_empty = Tabelul nu are niciun rând; este nevoie de cel puțin unul.
 error-table_too_many_rows = Tabelul are { $rows } rânduri; se citesc cel mult { $limit }.
+error-table_too_long = Celulele au împreună { $length } caractere; se citesc cel mult { $limit }.
 error-table_too_many_parameters = Tabelul conține peste { $limit } parametri diferiți.
 
 error-parameter_missing = Parametrul { $name } nu are valoare.

@@ -76,6 +76,7 @@ error-variable_numbering_mixed = Символ { $column }: { $name } прону�
 
 error-table_empty = У таблиці немає рядків; потрібен щонайменше один.
 error-table_too_many_rows = У таблиці { $rows } рядків; читається щонайбільше { $limit }.
+error-table_too_long = Усі комірки разом мають { $length } символів; читається щонайбільше { $limit }.
 error-table_too_many_parameters = У таблиці понад { $limit } різних параметрів.
 
 error-parameter_missing = Параметр { $name } не має значення.

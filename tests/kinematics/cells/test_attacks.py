@@ -286,6 +286,19 @@ def test_rows_are_bounded():
     assert read(*[raw_row()] * 64)
 
 
+def test_text_of_a_table_is_bounded():
+    """So that reading takes some tens of milliseconds at worst, whatever the cells hold."""
+    long = "+".join(["sin(pi/7)"] * 19)
+    assert faults_of(*[raw_row(a=long)] * 44) == [("table_too_long", ("rows",))]
+    assert read(*[raw_row(a=long)] * 43)
+
+
+def test_exact_numbers_do_not_grow_without_bound():
+    assert faults_of(raw_row(a="*".join(["(1.0000001^16)^16"] * 3))) == [
+        ("number_too_long", ("rows", 0, "a"))
+    ]
+
+
 def test_parameters_of_a_table_are_bounded():
     rows = [raw_row(a=f"a{i}", d=f"e{i}") for i in range(1, 34)]
     assert faults_of(*rows) == [("table_too_many_parameters", ("rows",))]

@@ -45,6 +45,14 @@ def test_number_of_rows_is_bounded(rows):
     assert refusal.value.code == ("scm_too_many_joints" if rows else "scm_chain_empty")
 
 
+def test_text_of_a_chain_is_bounded():
+    long = "+".join(["sin(pi/7)"] * 19)
+    joints = tuple({"x": long, "a": f"q{i}"} for i in range(1, 46))
+    with pytest.raises(DescriptionError) as refusal:
+        read_chain(RawChain(joints=joints, final={}, tool={}))
+    assert refusal.value.code == "scm_chain_too_long"
+
+
 def test_variables_as_the_document_writes_them():
     read = chain_of(*STANFORD)
     assert [row.variable for row in read.chain.rows] == [Entry.A, Entry.B, Entry.Z, Entry.A, Entry.B, Entry.A]
