@@ -7,7 +7,7 @@ PEERS := .venv-peers
 PY := $(VENV)/bin/python
 PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
-.PHONY: help serve test lint bench lock browser clean vendor
+.PHONY: help serve test test-clone lint bench lock browser clean vendor
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -28,6 +28,9 @@ serve: $(VENV)/.runtime vendor ## run the service on http://127.0.0.1:8000 (PORT
 
 test: $(VENV)/.dev vendor lint ## every check and test
 	$(PY) -m pytest -n 2 --dist loadgroup
+
+test-clone: $(VENV)/.dev ## clone into a folder with a space in its name, serve and test there, twice (slow)
+	TEST_CLONE=1 $(PY) -m pytest tests/architecture/test_clone.py
 
 lint: $(VENV)/.dev ## style, types and import arrows
 	$(PY) -m ruff check .
@@ -63,4 +66,4 @@ static/vendor/.complete: package.json package-lock.json tools/vendor.py | $(VENV
 	$(PY) tools/vendor.py
 
 clean: ## remove everything that make built
-	rm -rf $(VENV) .venv-peers node_modules static/vendor .mypy_cache .ruff_cache .pytest_cache .hypothesis
+	rm -rf $(VENV) .venv-peers node_modules static/vendor build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis
