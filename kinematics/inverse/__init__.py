@@ -4,9 +4,9 @@ results      what comes out: solutions with their true residuals, or the nearest
 arm          a serial chain as constants and joints, for one configuration or many
 residuals    how far a pose is from its target
 search       damped least squares from many starts at once
-closed_form  all solutions of arms that can be taken apart: turning joints by EAIK
-sliding      the same for arms with sliding joints
-position     three joints that bring a point to its place
+closed_form  methods that yield all solutions, EAIK's among them
+partition    arms taken apart into a head that places a point and a tail that turns about it
+position     three joints that bring points to their places
 limits       turns of a joint into its range
 distinct     which solutions are the same, and which belong to a continuum
 solve        one target

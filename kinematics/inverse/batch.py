@@ -148,7 +148,9 @@ def _checked(targets: ArrayLike) -> Array:
 def _together(solver: Solver, decomposition: Decomposition, poses: Array) -> tuple[_Part, NDArray[np.bool_]]:
     """Solutions of the targets that need no care, and which targets those are."""
     solve = decomposition.robot.calculate_IK
-    found = [solve(pose).Q for pose in poses]
+    scaled = poses.copy()
+    scaled[:, :3, 3] /= decomposition.size
+    found = [solve(pose).Q for pose in scaled]
     counts = np.fromiter(map(len, found), dtype=np.intp, count=len(found))
     owner = np.repeat(np.arange(len(poses)), counts)
     joints = np.concatenate(found).reshape(-1, solver.arm.n_joints)

@@ -1,8 +1,13 @@
-"""All solutions of an arm whose axes allow a decomposition into subproblems.
+"""Methods that yield all solutions of an arm.
 
-The library EAIK decomposes arms of one to six turning joints into the Paden–Kahan subproblems. It is given
-the axes as directions and points at q = 0, not a DH table, so both conventions and fixed rows are the same
-to it. What it returns are candidates: each is refined and judged by our own forward kinematics.
+Arms of five or six turning joints go to the library EAIK, which decomposes them into the Paden–Kahan
+subproblems. It is given the axes as directions and points at q = 0, not a DH table, so both conventions and
+fixed rows are the same to it. All other arms, and those for which EAIK has no decomposition, are taken apart
+by `partition` where they can be. What a method returns are candidates: each is refined and judged by our own
+forward kinematics.
+
+EAIK is not given arms of which the Jacobian never has full rank: on some of them (coincident neighbouring
+axes) its analysis does not come to an end.
 
 Source: D. Ostermeier, J. Külz, M. Althoff, Automatic geometric decomposition for analytical inverse
 kinematics (2024).
@@ -15,10 +20,16 @@ from typing import Any, Protocol
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.sliding import sliding_form_of
+from kinematics.inverse.partition import partition_of
+from kinematics.inverse.search import low_discrepancy
 
 NEARLY = 0.1
 """Candidates with a larger error vector than this are least-squares answers, not solutions."""
+
+FULL_RANK = 1e-4
+"""Least singular value that the Jacobian of an arm without a spare joint exceeds somewhere."""
+
+_DECOMPOSED = (5, 6)
 
 
 class ClosedForm(Protocol):
@@ -38,36 +49,53 @@ class ClosedForm(Protocol):
 
 
 class Decomposition:
-    """An arm of turning joints, decomposed by EAIK.
+    """An arm of turning joints, decomposed by EAIK; lengths in units of the arm's size.
 
     Attributes:
         robot: EAIK's own object.
         n_joints: number of joints.
+        size: the arm's size.
     """
 
-    def __init__(self, robot: Any, n_joints: int) -> None:
+    def __init__(self, robot: Any, n_joints: int, size: float) -> None:
         self.robot = robot
         self.n_joints = n_joints
+        self.size = size
 
-    def candidates(self, target: Array) -> Array:
-        """All candidates that EAIK has for a target."""
-        return np.asarray(self.robot.calculate_IK(target).Q, dtype=np.float64).reshape(-1, self.n_joints)
+    def candidates(self, target: Array) -> Array | None:
+        """See `ClosedForm`."""
+        scaled = target.copy()
+        scaled[:3, 3] /= self.size
+        return np.asarray(self.robot.calculate_IK(scaled).Q, dtype=np.float64).reshape(-1, self.n_joints)
 
 
 def closed_form_of(arm: Arm) -> ClosedForm | None:
     """The closed form of an arm, or None if there is none."""
-    if arm.n_joints > 6:
+    if arm.n_joints > max(_DECOMPOSED) or not _has_full_rank(arm):
         return None
-    return decomposition_of(arm) if arm.revolute.all() else sliding_form_of(arm)
+    decomposition = None
+    if arm.n_joints in _DECOMPOSED and arm.revolute.all():
+        decomposition = _decomposition_of(arm)
+    return decomposition or partition_of(arm)
 
 
-def decomposition_of(arm: Arm) -> Decomposition | None:
-    """The decomposition of an arm of turning joints, or None if there is none."""
+def _has_full_rank(arm: Arm) -> bool:
+    """Whether the arm has no joint to spare: its Jacobian has full rank somewhere."""
+    q = 2.0 * np.pi * low_discrepancy(8, arm.n_joints)
+    scale = np.where(arm.revolute, 1.0, arm.size)
+    J = arm.jacobians(arm.frames(q * np.where(arm.revolute, 1.0, arm.size / np.pi))) * scale
+    return bool(np.linalg.svd(J, compute_uv=False)[:, -1].max() > FULL_RANK)
+
+
+def _decomposition_of(arm: Arm) -> Decomposition | None:
     import eaik.pybindings.EAIK as EAIK
 
     directions, points, end = arm.screws
-    offsets = np.diff(np.vstack((np.zeros(3), points, end[:3, 3])), axis=0)
-    robot = EAIK.Robot(directions.T.copy(), offsets.T.copy(), end[:3, :3].copy(), [], True)
+    offsets = np.diff(np.vstack((np.zeros(3), points, end[:3, 3])), axis=0) / arm.size
+    try:
+        robot = EAIK.Robot(directions.T.copy(), offsets.T.copy(), end[:3, :3].copy(), [], True)
+    except RuntimeError:
+        return None
     if not robot.has_known_decomposition() or "Unknown" in robot.get_kinematic_family():
         return None
-    return Decomposition(robot, arm.n_joints)
+    return Decomposition(robot, arm.n_joints, arm.size)

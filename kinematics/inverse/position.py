@@ -29,6 +29,9 @@ _NEARLY_REAL = 1e-2
 _NEARLY_ZERO = 1e-6
 """An equation without unknowns is contradictory if it is off by more than this, in units of the size."""
 
+_ON_AXIS = 1e-7
+"""Points as near to an axis as this, in units of the size, do not tell the angle about it."""
+
 _TURN_SAMPLES = 16
 _TURN_DEGREE = 4
 _SLIDE_SAMPLES = 12
@@ -63,6 +66,13 @@ class Joint:
         turned = np.cos(q) * across + np.sin(q) * np.cross(self.axis, across)
         return np.asarray(self.point + along + turned)
 
+    def lever(self, points: Array) -> float:
+        """Largest distance of (k, 3) points from the axis; infinite of a joint that slides."""
+        if not self.turns:
+            return np.inf
+        v = points - self.point
+        return float(np.linalg.norm(v - (v @ self.axis)[:, None] * self.axis, axis=1).max())
+
     def to(self, points: Array, places: Array) -> float:
         """The q that brings (k, 3) points to their places, as nearly as may be; 0 if every q does."""
         if not self.turns:
@@ -89,7 +99,7 @@ def place_points(joints: Sequence[Joint], points: Array, places: Array, size: fl
     if not joints:
         return [[]]
     if len(joints) == 1:
-        return [[joints[0].to(points, places)]]
+        return [[_first(joints[0], points, places, size)]]
     second = _Second(joints[0], joints[1], places, size)
     thirds: list[float | None] = [None]
     if len(joints) == 3:
@@ -98,9 +108,16 @@ def place_points(joints: Sequence[Joint], points: Array, places: Array, size: fl
     for q3 in thirds:
         y = points if q3 is None else joints[2].moved(points, q3)
         for q2 in second.values(second.system(y)):
-            q1 = joints[0].to(joints[1].moved(y, q2), places)
+            q1 = _first(joints[0], joints[1].moved(y, q2), places, size)
             found.append([q1, q2] if q3 is None else [q1, q2, q3])
     return found
+
+
+def _first(joint: Joint, points: Array, places: Array, size: float) -> float:
+    """q_1, unless all points lie on its axis."""
+    if joint.lever(points) <= _ON_AXIS * size:
+        raise DegenerateError
+    return joint.to(points, places)
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,6 +29,13 @@ ARRIVED = 1e-7
 JOINTS_OF_SPACE = 6
 """An arm with more joints than this has joints to spare."""
 
+MOST_ISOLATED = 16
+"""No arm of six joints has more isolated solutions; with more found, there is a continuum of them.
+
+Source: E. J. F. Primrose, On the input–output equation of the general 7R-mechanism,
+Mech. Mach. Theory 21 (1986) 509.
+"""
+
 FIRST_ROUND = 32
 ENOUGH_STARTS = 512
 MOST_STARTS = 2048
@@ -178,7 +185,8 @@ def search(arm: Arm, target: Array, box: Box, bounds: Bounds) -> SearchResult:
         if len(arrived):
             found = distinct(arm, target, np.concatenate((found, _exact(arm, target, arrived, box))))
         done, count = done + count, done + count
-        if len(found) and (n > JOINTS_OF_SPACE or len(found) == before or done >= ENOUGH_STARTS):
+        enough = len(found) == before or len(found) > MOST_ISOLATED or done >= ENOUGH_STARTS
+        if len(found) and (n > JOINTS_OF_SPACE or enough):
             break
     if len(found):
         return SearchResult(found, found[0])

@@ -1,0 +1,184 @@
+"""All solutions of arms that can be taken apart: a head of at most three joints of any kind, and a tail.
+
+The tail is up to three turning joints at the hand whose axes pass through one point. That point, which the
+tail cannot move, has its place by the head alone (Pieper's condition); what rotation is left is the
+tail's. A tail of one joint leaves its whole axis alone, an empty tail the whole hand: so arms of up to
+four joints can always be taken apart, and of the longer ones those with a wrist, the Stanford arm among
+them. The same is tried from the hand, T⁻¹ being the reversed chain at -q.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.position import DegenerateError, Joint, place_points
+from kinematics.transforms import inverse_transform
+
+LONGEST_HEAD = 3
+LONGEST_TAIL = 3
+
+_SAME_POINT = 1e-9
+_PARALLEL = 1e-6
+
+_HAND = np.array(((0.4142, 0.7321, 0.2361), (-0.6458, 0.3166, 0.1231), (0.3589, -0.2426, 0.7958)))
+"""Three points of the hand, in units of the size; they fix its pose and lie on no axis that anybody drew."""
+
+
+@dataclass(frozen=True, eq=False)
+class PartitionedArm:
+    """A head that places points, and a tail that turns about them.
+
+    Attributes:
+        head: at most three joints of any kind.
+        tail: at most three turning joints with axes through one point.
+        points: (k, 3) points at q = 0 that the tail leaves alone and the head places.
+        end: (4, 4) pose of the hand at q = 0.
+        size: the arm's size.
+    """
+
+    head: Sequence[Joint]
+    tail: Sequence[Joint]
+    points: Array
+    end: Array
+    size: float
+
+    def candidates(self, target: Array) -> Array | None:
+        """See `ClosedForm`."""
+        moved = target @ inverse_transform(self.end)
+        try:
+            heads = place_points(self.head, self.points, _applied(moved, self.points), self.size)
+        except DegenerateError:
+            return None
+        found: list[list[float]] = []
+        for q in heads:
+            R = moved[:3, :3]
+            for joint, value in zip(self.head, q, strict=True):
+                R = _rotation(joint, value).T @ R
+            found.extend([*q, *turns] for turns in _tail_turns(self.tail, R))
+        return np.array(found, dtype=np.float64).reshape(-1, len(self.head) + len(self.tail))
+
+
+@dataclass(frozen=True, eq=False)
+class ReversedArm:
+    """An arm that is taken apart from the hand."""
+
+    inner: PartitionedArm
+
+    def candidates(self, target: Array) -> Array | None:
+        """See `ClosedForm`."""
+        found = self.inner.candidates(inverse_transform(target))
+        return None if found is None else -found[:, ::-1]
+
+
+def partition_of(arm: Arm) -> PartitionedArm | ReversedArm | None:
+    """The way to take an arm apart, or None if there is none."""
+    directions, points, end = arm.screws
+    joints = [
+        Joint(bool(turns), axis, point)
+        for turns, axis, point in zip(arm.revolute, directions, points, strict=True)
+    ]
+    if len(joints) <= LONGEST_HEAD:
+        return PartitionedArm(joints, [], arm.size * _HAND, end, arm.size)
+    forward = _partition(joints, end, arm.size)
+    if forward is not None:
+        return forward
+    backward = _partition(_reversed(joints, end), inverse_transform(end), arm.size)
+    return None if backward is None else ReversedArm(backward)
+
+
+def _partition(joints: Sequence[Joint], end: Array, size: float) -> PartitionedArm | None:
+    shortest = max(len(joints) - LONGEST_HEAD, 1)
+    for length in range(LONGEST_TAIL, shortest - 1, -1):
+        head, tail = joints[:-length], joints[-length:]
+        points = _points_left_alone(tail, size)
+        if points is not None:
+            return PartitionedArm(head, tail, points, end, size)
+    return None
+
+
+def _points_left_alone(tail: Sequence[Joint], size: float) -> Array | None:
+    """What the tail cannot move: two points of its only axis, or the common point of its axes."""
+    if not all(joint.turns for joint in tail):
+        return None
+    if len(tail) == 1:
+        along = size * tail[0].axis
+        return np.array((tail[0].point - 0.7 * along, tail[0].point + 0.4 * along))
+    if any(_parallel(one.axis, other.axis) for one, other in pairwise(tail)):
+        return None
+    across = np.array([np.eye(3) - np.outer(joint.axis, joint.axis) for joint in tail])
+    own = np.array([joint.point for joint in tail])
+    centre = np.linalg.solve(across.sum(axis=0), np.einsum("kij,kj->i", across, own))
+    off = np.linalg.norm(np.einsum("kij,kj->ki", across, centre - own), axis=1)
+    return None if float(off.max()) > _SAME_POINT * size else np.array(centre[None], dtype=np.float64)
+
+
+def _reversed(joints: Sequence[Joint], end: Array) -> list[Joint]:
+    """T = E_1 ⋯ E_n M, so T⁻¹ = E'_n(-q_n) ⋯ E'_1(-q_1) M⁻¹ with every E' = M⁻¹ E M."""
+    inverse = inverse_transform(end)
+    return [
+        Joint(joint.turns, inverse[:3, :3] @ joint.axis, _applied(inverse, joint.point))
+        for joint in reversed(joints)
+    ]
+
+
+def _tail_turns(tail: Sequence[Joint], R: Array) -> list[list[float]]:
+    """The ways in which turns about the axes of the tail make a rotation R, as nearly as may be.
+
+    Of three axes q_5 follows from z_4·R z_6 = z_4·E_5 z_6, two ways. Of the others the earlier follows from
+    E_4 (E_5 z_6) = R z_6, the last from what is left.
+    """
+    axes = [joint.axis for joint in tail]
+    if not axes:
+        return [[]]
+    if len(axes) == 1:
+        return [[_last_turn(axes[0], R)]]
+    if len(axes) == 2:
+        q4 = _turn(axes[0], axes[1], R @ axes[1])
+        return [[q4, _last_turn(axes[1], _rotation(tail[0], q4).T @ R)]]
+    z4, z5, z6 = axes
+    along = (z4 @ z5) * (z5 @ z6)
+    cosine, sine = float(z4 @ z6 - along), float(z4 @ np.cross(z5, z6))
+    ratio = float(z4 @ R @ z6 - along) / np.hypot(cosine, sine)
+    middle, half = np.arctan2(sine, cosine), np.arccos(np.clip(ratio, -1.0, 1.0))
+    found = []
+    for q5 in (float(middle - half), float(middle + half)):
+        R5 = _rotation(tail[1], q5)
+        q4 = _turn(z4, R5 @ z6, R @ z6)
+        found.append([q4, q5, _last_turn(z6, R5.T @ _rotation(tail[0], q4).T @ R)])
+    return found
+
+
+def _last_turn(axis: Array, R: Array) -> float:
+    """The angle of a rotation about an axis."""
+    across = np.linalg.svd(axis[None])[2][1]
+    return _turn(axis, across, R @ across)
+
+
+def _turn(axis: Array, u: Array, v: Array) -> float:
+    """The angle about an axis from u to v; 0 if either lies along it, and every angle would do."""
+    u, v = u - (u @ axis) * axis, v - (v @ axis) * axis
+    if np.linalg.norm(u) < 1e-9 or np.linalg.norm(v) < 1e-9:
+        return 0.0
+    return float(np.arctan2(axis @ np.cross(u, v), u @ v))
+
+
+def _rotation(joint: Joint, q: float) -> Array:
+    if not joint.turns:
+        return np.eye(3)
+    x, y, z = joint.axis
+    K = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    return np.asarray(np.eye(3) + np.sin(q) * K + (1.0 - np.cos(q)) * (K @ K))
+
+
+def _parallel(u: Array, v: Array) -> bool:
+    return float(np.linalg.norm(np.cross(u, v))) <= _PARALLEL
+
+
+def _applied(T: Array, x: Array) -> Array:
+    """Points (…, 3) moved by a transform."""
+    return np.asarray(x @ T[:3, :3].T + T[:3, 3])
