@@ -13,7 +13,7 @@ export const language = document.documentElement?.lang || "en";
  * @param {string} rooms names of message files, joined by "+"
  */
 export async function loadMessages(root, rooms) {
-  const answer = await fetch(`${root}locales/${language}.ftl?rooms=${rooms}`, { credentials: "omit" });
+  const answer = await fetch(`${root}locales/${language}.ftl?rooms=${rooms}`);
   if (!answer.ok) throw new Error(`messages: HTTP ${answer.status}`);
   useMessages(await answer.text(), language);
 }

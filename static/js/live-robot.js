@@ -25,6 +25,8 @@ export class LiveRobot extends EventTarget {
   #joints = /** @type {number[]} */ ([]);
   #types = /** @type {string[]} */ ([]);
   #ready = false;
+  /** @type {{key: string, robot: Robot} | null} */
+  #drawn = null;
 
   /** @param {import("./api.js").Api} api @param {{size?: number, prime?: string}} [options] */
   constructor(api, options = {}) {
@@ -42,6 +44,19 @@ export class LiveRobot extends EventTarget {
     this.#asked += 1;
     if (now) this.#read();
     else this.typed();
+  }
+
+  /**
+   * The robot of a table, drawn if it is not drawn yet; null if it cannot be.
+   * @param {any} table @returns {Promise<Robot | null>}
+   */
+  async of(table) {
+    const key = JSON.stringify(table);
+    if (this.#drawn?.key !== key && JSON.stringify(this.#table) === key) {
+      this.#asked += 1;
+      await this.#read();
+    }
+    return this.#drawn?.key === key ? this.#drawn.robot : null;
   }
 
   /** Values of the parameters, in the table's units. @param {Record<string, number>} parameters */
@@ -98,7 +113,8 @@ export class LiveRobot extends EventTarget {
       const model = tableRobot({ convention: this.read.convention, rows: reading.rows, links, size, prime: this.options.prime });
       const joints = types.map((type, i) => ({ type, name: reading.variables[i] ?? `q${i + 1}` }));
       this.#tell("parameters", { missing: [], parameters: reading.parameters });
-      this.#tell("robot", { model, joints, size, links });
+      this.#drawn = { key: JSON.stringify(this.read), robot: { model, joints, size } };
+      this.#tell("robot", this.#drawn.robot);
       await this.dragging.run(() => this.#pose());
     } catch (error) {
       this.#fail(error);

@@ -11,7 +11,7 @@ import { MatrixField, MatrixListField, NumbersField, SchematicField } from "./pa
 export class AnswerCard {
   /**
    * @param {HTMLElement} place @param {any} exercise
-   * @param {{changed: () => void, submit: () => void}} listeners
+   * @param {{changed: (what: "table" | "part") => void, submit: () => void}} listeners
    */
   constructor(place, exercise, { changed, submit }) {
     this.exercise = exercise;
@@ -48,7 +48,7 @@ export class AnswerCard {
       el("div", { class: "row submit-row no-print" }, this.button, el("span", { class: "hint", text: t("form-submit-hint") })),
       this.problem,
     );
-    for (const { field } of this.parts) field.onchange = () => this.changed();
+    for (const { field } of this.parts) field.onchange = () => this.changed("part");
     fill(place, form);
     this.#resize();
   }
@@ -145,7 +145,7 @@ export class AnswerCard {
 
   #edited() {
     this.#resize();
-    this.changed();
+    this.changed("table");
   }
 
   #resize() {

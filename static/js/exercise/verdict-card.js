@@ -7,8 +7,6 @@ import { bothRobots } from "./both-robots.js";
 import { partView, shareOf, verdictView, verdictWord } from "./verdict-view.js";
 
 export class VerdictCard {
-  /** The student's robot as it is drawn, for the scene with both. @type {any} */
-  ownRobot = null;
   /** @type {ReturnType<typeof bothRobots> | null} */
   #both = null;
 
@@ -25,14 +23,18 @@ export class VerdictCard {
     this.place.prepend(el("p", { class: "hint outdated-note", text: t("form-verdict-outdated") }));
   }
 
-  /** @param {any} graded @param {{exercise: any, answer: import("./answer-card.js").AnswerCard}} given */
-  show(graded, { exercise, answer }) {
+  /**
+   * @param {any} graded
+   * @param {{exercise: any, answer: import("./answer-card.js").AnswerCard, drawn: import("../live-robot.js").Robot | null}} given
+   *   `drawn` is the robot of the table that was handed in
+   */
+  show(graded, { exercise, answer, drawn }) {
     this.#both?.stop();
     this.card.classList.remove("outdated");
     this.card.hidden = false;
     const { table, ...others } = graded.parts;
     const focusRow = (row, cell) => answer.focusRow(row, cell);
-    this.#both = graded.certificate && graded.figure && this.ownRobot ? this.#bothRobots(graded, exercise, answer) : null;
+    this.#both = graded.certificate && graded.figure && drawn ? together(graded, exercise, drawn) : null;
     fill(
       this.place,
       verdictView(graded, { convention: answer.convention, focusRow }),
@@ -45,16 +47,16 @@ export class VerdictCard {
     const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.card.scrollIntoView({ block: "nearest", behavior: calm ? "auto" : "smooth" });
   }
+}
 
-  #bothRobots(graded, exercise, answer) {
-    return bothRobots({
-      figure: exercise.figure,
-      own: this.ownRobot.model,
-      certificate: graded.certificate,
-      units: answer.units,
-      key: graded.figure,
-    });
-  }
+function together(graded, exercise, drawn) {
+  return bothRobots({
+    figure: exercise.figure,
+    own: drawn.model,
+    certificate: graded.certificate,
+    units: { angle: graded.angle_unit, length: graded.length_unit },
+    key: graded.figure,
+  });
 }
 
 /** @param {string} kind */

@@ -46,15 +46,14 @@ async function run() {
   const own = new OwnCard($("own"), robot, { api, parameters: exercise.parameters });
   const verdict = new VerdictCard($("verdict-card"), $("verdict"));
   const answer = new AnswerCard($("answer"), exercise, {
-    changed: () => {
+    changed: (what) => {
       keep(draftKey, answer.state);
       verdict.outdated();
-      follow();
+      if (what === "table") follow();
     },
     submit: () => submit(),
   });
   robot.addEventListener("reading", (event) => answer.showReading(/** @type {CustomEvent} */ (event).detail));
-  robot.addEventListener("robot", (event) => (verdict.ownRobot = /** @type {CustomEvent} */ (event).detail));
 
   const draft = recall(draftKey, null);
   if (draft) answer.state = draft;
@@ -82,7 +81,8 @@ async function run() {
         submission: answer.state,
         verdict: graded,
       });
-      verdict.show(graded, { exercise, answer });
+      const drawn = graded.certificate ? await robot.of(request.table) : null;
+      verdict.show(graded, { exercise, answer, drawn });
       await listAttempts();
     } catch (error) {
       if (error instanceof Problem && error.status < 500) answer.showFaults(error.faults, { summary: true });

@@ -1,0 +1,126 @@
+"""What a person does on the exercise page, as functions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from playwright.sync_api import Locator, Page, expect
+
+ORDER = {"modified": ("alpha", "a", "d", "theta"), "standard": ("theta", "d", "a", "alpha")}
+
+Table = Mapping[str, Any]
+
+
+def editor(page: Page) -> Locator:
+    return page.locator("dh-table-editor")
+
+
+def cell(page: Page, row: int, name: str) -> Locator:
+    """The field of a cell; rows from 0."""
+    return editor(page).locator(f"tbody tr:nth-child({row + 1}) input[id$='-{name}']")
+
+
+def joint(page: Page, row: int) -> Locator:
+    return editor(page).locator(f"tbody tr:nth-child({row + 1}) select")
+
+
+def choose(page: Page, name: str, value: str) -> None:
+    """One of the radio buttons above the table: convention, angle-unit."""
+    editor(page).locator(f"input[name$='-{name}'][value={value}]").check()
+
+
+def fill_table(page: Page, table: Table) -> None:
+    """Type a table: convention and rows of cells in the convention's order, `joint` where it is not revolute."""
+    choose(page, "convention", table["convention"])
+    choose(page, "angle-unit", table.get("angle_unit", "deg"))
+    rows: Sequence[Mapping[str, str]] = table["rows"]
+    present = editor(page).locator("tbody tr").count()
+    for _ in range(len(rows) - present):
+        editor(page).locator(".add-row").click()
+    for i, row in enumerate(rows):
+        joint(page, i).select_option(row.get("joint", "revolute"))
+        for name in ORDER[table["convention"]]:
+            cell(page, i, name).fill(row[name])
+
+
+def open_part(page: Page, kind: str) -> Locator:
+    part = page.locator(f"#part-{kind}")
+    if part.get_attribute("open") is None:
+        part.locator("summary").click()
+    return part
+
+
+def fill_matrix(fields: Locator, matrix: Sequence[Sequence[str]]) -> None:
+    """Type the first three rows of a 4×4; the last one stands there already."""
+    for i in range(3):
+        for k in range(4):
+            fields.locator("input").nth(4 * i + k).fill(matrix[i][k])
+
+
+def submit(page: Page) -> Locator:
+    """Hand in, and wait for the verdict."""
+    verdict = page.locator("#verdict-card")
+    with page.expect_response(lambda response: response.url.endswith("/grade")) as caught:
+        page.locator("button[type=submit].primary").click()
+    assert caught.value.ok, caught.value.text()
+    expect(verdict).to_be_visible()
+    return verdict
+
+
+def share(page: Page) -> str:
+    """The share of the points that the ring shows, such as "83 %"."""
+    return page.locator("#verdict .score-ring").inner_text()
+
+
+def rows(convention: str, text: str) -> list[dict[str, str]]:
+    """Rows from lines of four cells in the convention's order, `P` or `F` in front of other than revolute ones."""
+    found = []
+    for line in text.strip().splitlines():
+        cells = line.split()
+        kind = {"P": "prismatic", "F": "fixed"}.get(cells[0])
+        values = dict(zip(ORDER[convention], cells[1:] if kind else cells, strict=True))
+        found.append({**values, "joint": kind or "revolute"})
+    return found
+
+
+PUMA: Table = {
+    "convention": "modified",
+    "rows": rows(
+        "modified",
+        """
+          0   0   0   θ1
+        -90   0   0   θ2
+          0  a2  d3   θ3
+        -90  a3  d4   θ4
+         90   0   0   θ5
+        -90   0   0   θ6
+        """,
+    ),
+}
+SCARA: Table = {
+    "convention": "modified",
+    "rows": rows(
+        "modified",
+        """
+          0   0   0   θ1
+          0  a2   0   θ2
+        P 0  a3  d3   0
+          0   0   0   θ4
+        """,
+    ),
+}
+RX90: Table = {
+    "convention": "modified",
+    "rows": rows(
+        "modified",
+        """
+          0   0    0   θ1
+         90   0    0   θ2
+          0  D3    0   θ3
+        -90   0  RL4   θ4
+         90   0    0   θ5
+        -90   0    0   θ6
+        """,
+    ),
+}

@@ -1,0 +1,45 @@
+"""The model exercises, from an empty form to full marks."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.web.answers import ANSWERS, link_matrices, pose, transform
+from tests.web.conftest import OpenPage
+from tests.web.driving import fill_matrix, fill_table, open_part, share, submit
+
+
+def fill_everything(page: Page, answer: dict[str, Any]) -> None:
+    table = answer["table"]
+    fill_table(page, table)
+    part = open_part(page, "schematic")
+    joints, relations = answer["schematic"]
+    for i, kind in enumerate(joints):
+        part.get_by_label(f"Joint {i + 1}", exact=True).select_option(kind)
+    for i, relation in enumerate(relations):
+        part.get_by_label(f"Axis {i + 1} to axis {i + 2}").select_option(relation)
+    for i, matrix in enumerate(link_matrices(table)):
+        fill_matrix(open_part(page, "link_matrices").locator(".matrix-field").nth(i), matrix)
+    fill_matrix(open_part(page, "transform"), transform(table))
+    fill_matrix(open_part(page, "pose"), pose(table, answer["values"], answer["joints"]))
+    inner, outer = answer["radii"]
+    part = open_part(page, "workspace")
+    part.get_by_label("Inner radius").fill(f"{inner:.5f}")
+    part.get_by_label("Outer radius").fill(f"{outer:.5f}")
+
+
+@pytest.mark.parametrize("exercise", ["puma560", "scara", "rx90"])
+def test_from_an_empty_form_to_full_marks(open_page: OpenPage, exercise: str) -> None:
+    page = open_page(f"/exercises/{exercise}")
+    fill_everything(page, ANSWERS[exercise])
+    submit(page)
+    failed = page.locator("#verdict .part-report:has(.badge.bad), #verdict .part-report:has(.badge.warn)")
+    assert failed.all_inner_texts() == []
+    assert share(page) == "100 %"
+    expect(page.locator("#verdict")).to_contain_text("Your table describes this robot.")
+    expect(page.locator("#verdict")).to_contain_text("100 of 100 points.")
+    expect(page.locator("#verdict robot-scene")).to_be_visible()
+    expect(page.locator("#history .badge.good")).to_have_text("100 %")
