@@ -49,6 +49,10 @@ class KinematicsError(Exception):
         self.faults: tuple[Fault, ...] = (faults,) if isinstance(faults, Fault) else tuple(faults)
         super().__init__("; ".join(fault.message for fault in self.faults))
 
+    def __reduce__(self) -> tuple[type[KinematicsError], tuple[tuple[Fault, ...]]]:
+        """Errors travel from worker processes with their faults."""
+        return type(self), (self.faults,)
+
     @property
     def code(self) -> str:
         """The code of the first fault."""

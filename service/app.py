@@ -31,6 +31,7 @@ from service.routes import routers
 from service.routing import DirectRoute
 from service.settings import Settings
 from service.validation import request_error
+from service.workers import Workers, lifespan
 
 DESCRIPTION = """\
 Denavit–Hartenberg kinematics over HTTP: a table and joint values in; poses, Jacobians, closed forms and other
@@ -54,10 +55,12 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         redoc_url=None,
         redirect_slashes=False,
         telemetry={"tracing": False, "metrics": False, "logs": False},
+        lifespan=lifespan,
     )
     app.state.settings = settings
     app.state.preparation = Preparation(settings)
     app.state.gate = Gate(settings)
+    app.state.workers = Workers(settings)
     found = [route for router in routers() for route in router.routes]
     app.router.routes.extend(sorted(found, key=lambda route: not isinstance(route, DirectRoute)))
     app.add_exception_handler(KinematicsError, _refuse)

@@ -60,6 +60,7 @@ class Arena:
     _factors: list[Expression] = field(default_factory=list)
     _names: dict[Expression, int] = field(default_factory=dict)
     _groups: dict[Nested, int] = field(default_factory=dict)
+    _terms: dict[Nested, Term] = field(default_factory=dict)
     _known: dict[Expression, Nested] = field(default_factory=dict)
 
     def read(self, expression: Expression) -> Nested:
@@ -132,10 +133,18 @@ class Arena:
             return a[0]
         if not a:
             return (0, ())
+        known = self._terms.get(a)
+        if known is None:
+            known = self._terms[a] = self._gathered_term(a)
+        return known
+
+    def _gathered_term(self, a: Nested) -> Term:
         weight = _shared_weight(a)
         shared = _shared_factors(a)
-        if weight != 1:
-            a = tuple((_plain(Fraction(w) / weight) if weight != -1 else -w, f) for w, f in a)
+        if weight == -1:
+            a = self.negative(a)
+        elif weight != 1:
+            a = tuple((_plain(Fraction(w) / weight), f) for w, f in a)
         if shared:
             a = tuple((w, _without(f, shared)) for w, f in a)
         group = self._groups.get(a)
@@ -145,7 +154,7 @@ class Arena:
                 weight = -weight
             else:
                 group = self._groups[a] = self._new(self.expression(a), _Rank.PARENTHESES)
-        return weight, (*shared, group) if shared and shared[-1] < group else tuple(sorted((*shared, group)))
+        return weight, tuple(sorted((*shared, group)))
 
     def gathered(self, a: Nested) -> Nested:
         """The sum with what all its terms share taken out, if there is anything."""

@@ -1,0 +1,39 @@
+"""Numbers from outside as exact entries."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from kinematics.expressions import Expression, Number, evaluate
+from kinematics.symbolic.angles import Angle, cosine_and_sine
+from kinematics.symbolic.closed_form import Matrix
+
+_LAST_DIGITS = 4e-16
+_COSINES = [cosine_and_sine(Angle(half_turns=Fraction(k, 12)))[0] for k in range(13)]
+_KNOWN = [(evaluate(cosine), cosine) for cosine in _COSINES]
+
+
+def exact_pose(matrix: Sequence[Sequence[float]]) -> Matrix:
+    """A 4×4 pose of numbers with exact entries.
+
+    An entry of the rotation that is the cosine of a multiple of π/12 to a double's last digits becomes that
+    cosine: 0.7071067811865476 is √2/2, and 6.1e-17 is 0, for that is what such numbers were before they were
+    rounded. Every other number is the decimal that it was typed as.
+    """
+    return tuple(
+        tuple(_rotation_entry(value) if i < 3 and j < 3 else decimal(value) for j, value in enumerate(row))
+        for i, row in enumerate(matrix)
+    )
+
+
+def decimal(value: float) -> Number:
+    """A number as the decimal that it is typed as."""
+    return Number(Fraction(repr(value)))
+
+
+def _rotation_entry(value: float) -> Expression:
+    for known, cosine in _KNOWN:
+        if abs(value - known) <= _LAST_DIGITS:
+            return cosine
+    return decimal(value)

@@ -1,0 +1,86 @@
+"""Values in the place of parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from kinematics.cells.exact import raised, trigonometric
+from kinematics.errors import Fault, ParameterError
+from kinematics.expressions import (
+    ZERO,
+    Call,
+    Expression,
+    Function,
+    Parameter,
+    Power,
+    Product,
+    Sum,
+    add,
+    call,
+    evaluate,
+    multiply,
+    parameters_in,
+)
+from kinematics.table import CELLS, DHRow, DHTable, SymbolicRow, SymbolicTable
+
+_TRIGONOMETRIC = (Function.SIN, Function.COS, Function.TAN)
+
+
+def substitute(expression: Expression, values: Mapping[str, Expression]) -> Expression:
+    """The expression with some parameters replaced, and folded where that made it exact.
+
+    Raises:
+        ZeroDivisionError: it now divides by zero.
+    """
+    match expression:
+        case Parameter(name):
+            return values.get(name, expression)
+        case Sum(terms):
+            return add(substitute(term, values) for term in terms)
+        case Product(factors):
+            return multiply(substitute(factor, values) for factor in factors)
+        case Power(base, exponent):
+            return raised(substitute(base, values), exponent)
+        case Call(function, arguments):
+            replaced = tuple(substitute(argument, values) for argument in arguments)
+            if function in _TRIGONOMETRIC:
+                return trigonometric(function, replaced[0])
+            return call(function, *replaced)
+    return expression
+
+
+def with_values(table: SymbolicTable, values: Mapping[str, Expression]) -> SymbolicTable:
+    """The table with some of its parameters replaced.
+
+    Raises:
+        ParameterError: a cell now has no value (1/0, the root of -1), at ("rows", i, cell).
+    """
+    if not values:
+        return table
+    faults: list[Fault] = []
+    rows: list[SymbolicRow] = []
+    for i, row in enumerate(table.rows):
+        cells = {}
+        for cell in CELLS:
+            try:
+                cells[cell] = _valued(getattr(row, cell), values)
+            except (ZeroDivisionError, ParameterError):
+                cells[cell] = ZERO
+                faults.append(
+                    Fault(
+                        code="value_undefined",
+                        message="the expression has no finite value for these parameters",
+                        where=("rows", i, cell),
+                    )
+                )
+        rows.append(DHRow(joint=row.joint, sign=row.sign, **cells))
+    if faults:
+        raise ParameterError(faults)
+    return DHTable(convention=table.convention, rows=tuple(rows))
+
+
+def _valued(cell: Expression, values: Mapping[str, Expression]) -> Expression:
+    replaced = substitute(cell, values)
+    if not parameters_in(replaced):
+        evaluate(replaced)
+    return replaced

@@ -1,0 +1,148 @@
+"""What a worker process does for a symbolic answer: closed forms, written in the wanted formats, as JSON."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from fractions import Fraction
+from typing import Any
+
+import orjson
+
+from kinematics.errors import Fault, FormSizeError
+from kinematics.expressions import pi_fraction
+from kinematics.jacobian import JacobianFrame
+from kinematics.printing import LIMIT, Format, MatrixPrinter, Notation, Purpose
+from kinematics.symbolic import Matrix, closed_form, count_operations, inverse, jacobian
+from kinematics.symbolic.size import bottom_up
+from kinematics.table import CELLS, SymbolicTable
+
+QUICK_COST = 300.0
+QUICK_NODES = 500
+
+
+class Part(StrEnum):
+    """A matrix, or a list of them, that may be asked for."""
+
+    LINKS = "links"
+    FRAMES = "frames"
+    TRANSFORM = "transform"
+    INVERSE = "inverse"
+    JACOBIAN = "jacobian"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Task:
+    """A closed form to be written.
+
+    Attributes:
+        table: the DH table, values substituted.
+        parameters: names of the parameters that are left.
+        parts: what is wanted.
+        frames: which Jacobians, if any.
+        formats: in which formats.
+        notation: how sines and cosines are written.
+        base: 4×4 pose of frame 0, or None.
+        tool: 4×4 pose of the tool, or None.
+        head: what the answer says besides.
+    """
+
+    table: SymbolicTable
+    parameters: tuple[str, ...]
+    parts: tuple[Part, ...]
+    frames: tuple[JacobianFrame, ...] = tuple(JacobianFrame)
+    formats: tuple[Format, ...]
+    notation: Notation
+    base: Matrix | None = None
+    tool: Matrix | None = None
+    head: Mapping[str, Any]
+
+    def is_quick(self) -> bool:
+        """Whether the answer is certain to be small.
+
+        The number of operations in an entry grows by a factor of about 5/3 with each joint whose axis is
+        perpendicular to the one before, and of about 8/3 with each general twist.
+        """
+        cost, nodes = 1.0, 0
+        for row in self.table.rows:
+            turns = pi_fraction(row.alpha)
+            if turns is None or (2 * turns).denominator != 1:
+                cost *= 8 / 3
+            elif turns % 1 == Fraction(1, 2):
+                cost *= 5 / 3
+            nodes += len(bottom_up(getattr(row, cell) for cell in CELLS))
+        return cost <= QUICK_COST and nodes <= QUICK_NODES
+
+
+def written_answer(task: Task) -> bytes:
+    """The answer to a task, as JSON.
+
+    Raises:
+        FormSizeError: a matrix has too many operations to be written out.
+    """
+    answer: dict[str, Any] = dict(task.head)
+    printer = MatrixPrinter(n_joints=task.table.n_joints, parameters=task.parameters, notation=task.notation)
+    matrices: list[Matrix] = []
+
+    def write(matrix: Matrix, purpose: Purpose) -> dict[str, Any]:
+        matrices.append(matrix)
+        return printer.write(matrix, task.formats, purpose)
+
+    answer.update(_parts(task, write))
+    if task.notation is Notation.SHORT:
+        answer["symbols"] = printer.symbols(matrices)
+    try:
+        return orjson.dumps(answer)
+    except orjson.JSONEncodeError as error:
+        if "ecursion" not in str(error):
+            raise
+        raise FormSizeError(
+            Fault(code="closed_form_too_deep", message="an entry is nested too deeply for JSON; ask for text")
+        ) from None
+
+
+def _parts(task: Task, write: Any) -> dict[str, Any]:
+    poses = {"base": task.base, "tool": task.tool}
+    last = len(task.table.rows)
+    end = "the tool" if task.tool is not None else f"frame {last}"
+    world = "the world" if task.base is not None else "frame 0"
+    axes = {JacobianFrame.BASE: world, JacobianFrame.END: end}
+    answer: dict[str, Any] = {}
+    if {Part.LINKS, Part.FRAMES, Part.TRANSFORM} & set(task.parts):
+        form = closed_form(task.table, **poses)
+        operations = count_operations(entry for row in form.transform for entry in row)
+        if operations <= LIMIT:
+            answer["operations"] = operations
+        if Part.LINKS in task.parts:
+            answer["links"] = [
+                write(link, Purpose(name=f"T_{i}_{i + 1}", meaning=f"Pose of frame {i + 1} in frame {i}."))
+                for i, link in enumerate(form.links)
+            ]
+        if Part.FRAMES in task.parts:
+            answer["frames"] = [
+                write(frame, Purpose(name=f"T_0_{i + 1}", meaning=f"Pose of frame {i + 1} in {world}."))
+                for i, frame in enumerate(form.frames)
+            ]
+        if Part.TRANSFORM in task.parts:
+            purpose = Purpose(name=f"T_0_{last}", meaning=f"Pose of {end} in {world}.")
+            answer["transform"] = write(form.transform, purpose)
+    if Part.INVERSE in task.parts:
+        purpose = Purpose(name=f"T_{last}_0", meaning=f"Pose of {world} in {end}.")
+        answer["inverse"] = write(inverse(task.table, **poses), purpose)
+    if Part.JACOBIAN in task.parts:
+        answer["jacobian"] = {
+            _JACOBIANS[frame]: write(
+                jacobian(task.table, frame, **poses),
+                Purpose(
+                    name=_JACOBIANS[frame],
+                    meaning=f"Jacobian of {end}, in the axes of {axes[frame]}, linear rows first.",
+                    result="J",
+                ),
+            )
+            for frame in task.frames
+        }
+    return answer
+
+
+_JACOBIANS = {JacobianFrame.BASE: "J0", JacobianFrame.END: "Jn"}

@@ -1,0 +1,43 @@
+"""Closed forms: every matrix of a table as a lecturer writes it, and as functions."""
+
+from __future__ import annotations
+
+from fastapi import Response
+from pydantic import TypeAdapter
+
+from service.openapi import problems, request_body
+from service.routing import JSON, ApiRequest, DirectRoute, Written, api_router
+from service.schemas.symbolic import SYMBOLIC, SymbolicAnswer, SymbolicRequest
+from service.symbolic import answered, kept_answers, task_of
+from service.validation import validated
+
+router = api_router("kinematics", route_class=DirectRoute)
+
+_REQUEST: TypeAdapter[SymbolicRequest] = TypeAdapter(SymbolicRequest)
+
+
+@router.post(
+    "/symbolic",
+    summary="Link, frame and end transforms in closed form",
+    response_model=SymbolicAnswer,
+    response_model_exclude_none=True,
+    responses=problems(406, 503),
+    openapi_extra=request_body(SymbolicRequest, SYMBOLIC),
+)
+async def symbolic(request: ApiRequest) -> Response:
+    """⁰T_N, every link transform and every frame in closed form; on request the inverse and the Jacobians.
+
+    Entries are nested from the last joint to the first, angles of parallel joints are added (c23), and
+    multiples of π/12 are exact. Parameters that have no value stay symbols. Matrices come as LaTeX, MathML,
+    infix text, expression trees, or as functions in Python, NumPy, C, MATLAB and JavaScript, whose arguments
+    are the joint variables and then the parameters. Angles are radians in all of them. What takes too long,
+    or more memory than it may, is refused.
+    """
+    request.accepts(JSON)
+    body = await request.json()
+    question = b"symbolic" + await request.body()
+    known = kept_answers(request).recall(question)
+    if known is not None:
+        return Written(known)
+    wire = validated(_REQUEST, body)
+    return await answered(request, task_of(wire, request.settings, parts=wire.wanted()), question)

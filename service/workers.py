@@ -1,0 +1,207 @@
+"""Worker processes: for work whose cost no one can promise, under a hard time-out and a memory limit.
+
+Two lanes, so that what is hostile or merely large never stands before what is ordinary: the quick lane takes
+work that is known to be small, the slow lane everything else. Each lane has processes and a queue of its own;
+a full queue is refused at once. A process whose task runs out of time is killed, its neighbours are unharmed.
+
+A worker imports what its tasks need and never the web framework. Functions and arguments must be picklable.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import math
+import multiprocessing
+import resource
+import signal
+import tempfile
+import threading
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager, suppress
+from enum import StrEnum
+from multiprocessing.context import BaseContext
+from typing import Any, TypeVar
+
+from fastapi import FastAPI
+from pebble import ProcessExpired, ProcessPool
+
+from kinematics.errors import Fault
+from service.errors import BusyError, RequestError
+from service.settings import Settings
+
+RETRY_SECONDS = 2
+START_SECONDS = 20.0
+"""What the first task of a lane may take longer, while its process starts."""
+
+_Result = TypeVar("_Result")
+
+
+class Lane(StrEnum):
+    """Which processes a task goes to."""
+
+    QUICK = "quick"
+    SLOW = "slow"
+
+
+class Workers:
+    """The worker processes of one server process. They start with the first task of their lane."""
+
+    def __init__(self, settings: Settings) -> None:
+        memory, seconds = settings.symbolic_memory, settings.symbolic_seconds
+        self._lanes = {
+            Lane.QUICK: _Processes(
+                processes=1, queue=8 * settings.symbolic_queue, seconds=seconds, memory=memory
+            ),
+            Lane.SLOW: _Processes(
+                processes=settings.symbolic_workers,
+                queue=settings.symbolic_queue,
+                seconds=seconds,
+                memory=memory,
+            ),
+        }
+
+    async def run(self, lane: Lane, function: Callable[..., _Result], *arguments: Any) -> _Result:
+        """What the function gives, computed in a worker process.
+
+        Raises:
+            BusyError: the lane's queue is full, or the task's turn did not come in time.
+            RequestError: the task ran out of time or memory.
+            Exception: whatever the function raises.
+        """
+        return await self._lanes[lane].run(function, *arguments)
+
+    def warm(self) -> None:
+        """Start the processes, so that the first request does not wait for them."""
+        for lane in self._lanes.values():
+            lane.warm()
+
+    def close(self) -> None:
+        """End the processes, whatever they are doing."""
+        for lane in self._lanes.values():
+            lane.close()
+
+
+class _Processes:
+    """The processes of one lane."""
+
+    def __init__(self, *, processes: int, queue: int, seconds: float, memory: int) -> None:
+        self._processes = processes
+        self._places = processes + queue
+        self._seconds = seconds
+        self._memory = memory
+        self._taken = 0
+        self._pool: ProcessPool | None = None
+        self._started = threading.Event()
+
+    async def run(self, function: Callable[..., _Result], *arguments: Any) -> _Result:
+        if self._taken >= self._places:
+            raise _busy()
+        waits = self._taken >= self._processes
+        self._taken += 1
+        try:
+            future = self._schedule(function, *arguments)
+            deadline = self._seconds if self._started.is_set() else self._seconds + START_SECONDS
+            return await asyncio.wait_for(asyncio.wrap_future(future), deadline)
+        except TimeoutError:
+            # The deadline is for waiting and running together; pebble kills the process of a running task.
+            raise _busy() if waits else _out_of_time(self._seconds) from None
+        except MemoryError:
+            raise _out_of_memory(self._memory) from None
+        except ProcessExpired:
+            raise _aborted() from None
+        finally:
+            self._taken -= 1
+
+    def warm(self) -> None:
+        self._schedule(_nothing)
+
+    def close(self) -> None:
+        if self._pool is not None:
+            pool: Any = self._pool
+            self._pool = None
+            pool.stop()
+            pool.join()
+
+    def _schedule(self, function: Callable[..., Any], *arguments: Any) -> Any:
+        if self._pool is None:
+            self._pool = ProcessPool(
+                max_workers=self._processes,
+                initializer=_confine,
+                initargs=(self._memory,),
+                context=_context(),
+            )
+            self._pool.schedule(_nothing).add_done_callback(lambda _: self._started.set())
+        return self._pool.schedule(function, args=arguments, timeout=self._seconds)
+
+
+@asynccontextmanager
+async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+    """Start the workers with the application, and end them with it."""
+    workers: Workers = app.state.workers
+    workers.warm()
+    try:
+        yield
+    finally:
+        await asyncio.to_thread(workers.close)
+
+
+def _context() -> BaseContext:
+    """How processes are made: from a server that has imported what tasks need, or each anew.
+
+    The server listens on a socket in the folder for temporary files, which a container may not have.
+    """
+    with suppress(FileNotFoundError):
+        tempfile.gettempdir()
+        context = multiprocessing.get_context("forkserver")
+        context.set_forkserver_preload(["service.closed_forms"])
+        return context
+    return multiprocessing.get_context("spawn")
+
+
+def _confine(memory: int) -> None:
+    """In a worker: leave Ctrl-C to the parent, and bound the address space [byte]."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    _, hard = resource.getrlimit(resource.RLIMIT_AS)
+    limit = memory if hard == resource.RLIM_INFINITY else min(memory, hard)
+    resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
+
+
+def _nothing() -> None:
+    """The task that starts a process."""
+
+
+def _busy() -> BusyError:
+    return BusyError(
+        Fault(
+            code="busy",
+            message=f"all places are taken; try again in {RETRY_SECONDS} s",
+            params={"seconds": RETRY_SECONDS},
+        ),
+        headers={"Retry-After": str(RETRY_SECONDS)},
+    )
+
+
+def _out_of_time(seconds: float) -> RequestError:
+    return RequestError(
+        Fault(
+            code="computation_out_of_time",
+            message=f"this takes longer than {seconds:g} s; ask for fewer rows, parts or formats",
+            params={"seconds": int(seconds) if seconds == math.floor(seconds) else seconds},
+        )
+    )
+
+
+def _aborted() -> RequestError:
+    message = "the computation was ended by the operating system; ask for fewer rows, parts or formats"
+    return RequestError(Fault(code="computation_aborted", message=message))
+
+
+def _out_of_memory(limit: int) -> RequestError:
+    megabytes = limit // 1024**2
+    return RequestError(
+        Fault(
+            code="computation_out_of_memory",
+            message=f"this takes more memory than {megabytes} MiB; ask for fewer rows, parts or formats",
+            params={"megabytes": megabytes},
+        )
+    )

@@ -1,0 +1,242 @@
+"""POST /symbolic: the answers agree with the numbers of the other calls, and nothing hostile hurts."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import threading
+import time
+import xml.etree.ElementTree as ET
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+
+from kinematics.expressions import evaluate
+from kinematics.printing import Format, from_tree
+from service.schemas.symbolic import PUMA_LENGTHS
+from service.settings import Settings
+from tests.service.conftest import running
+
+VALUES = {"a2": 0.4318, "a3": 0.0203, "d3": 0.15005, "d4": 0.4318}
+JOINTS = [10.0, -35.0, 50.0, 120.0, 65.0, -20.0]
+POSE = [[0, -1, 0, 0.1], [1, 0, 0, 0.2], [0, 0, 1, 0.3], [0, 0, 0, 1]]
+MATHML = "{http://www.w3.org/1998/Math/MathML}"
+
+
+def ask(client: httpx.Client, **body: Any) -> dict[str, Any]:
+    response = client.post("/api/v1/symbolic", json=body)
+    assert response.status_code == 200, response.text
+    answer: dict[str, Any] = response.json()
+    return answer
+
+
+def numbers(written: dict[str, Any], values: dict[str, float], joints: list[float]) -> np.ndarray:  # type: ignore[type-arg]
+    return np.array(
+        [[evaluate(from_tree(entry), values, joints) for entry in row] for row in written["json"]]
+    )
+
+
+@pytest.fixture(scope="module")
+def numeric(client: httpx.Client) -> dict[str, Any]:
+    body = {
+        "table": PUMA_LENGTHS,
+        "parameters": VALUES,
+        "joints": JOINTS,
+        "base": POSE,
+        "tool": POSE,
+        "inverse": True,
+    }
+    answer: dict[str, Any] = client.post("/api/v1/forward-kinematics", json=body).json()
+    return answer
+
+
+def test_every_matrix_agrees_with_forward_kinematics(client: httpx.Client, numeric: dict[str, Any]) -> None:
+    answer = ask(
+        client, table=PUMA_LENGTHS, formats=["json"], base=POSE, tool=POSE, inverse=True, jacobian=True
+    )
+    radians = np.radians(JOINTS).tolist()
+    for part in ("transform", "inverse"):
+        np.testing.assert_allclose(numbers(answer[part], VALUES, radians), numeric[part], atol=1e-12)
+    for part in ("links", "frames"):
+        computed = [numbers(matrix, VALUES, radians) for matrix in answer[part]]
+        np.testing.assert_allclose(computed, numeric[part], atol=1e-12)
+    body = {"table": PUMA_LENGTHS, "parameters": VALUES, "joints": JOINTS, "base": POSE, "tool": POSE}
+    jacobians = client.post("/api/v1/jacobian", json=body).json()
+    for name in ("J0", "Jn"):
+        computed = numbers(answer["jacobian"][name], VALUES, radians)
+        np.testing.assert_allclose(computed, jacobians[name], atol=1e-12)
+
+
+def test_the_shape_is_the_documented_one(client: httpx.Client) -> None:
+    answer = ask(client, table=PUMA_LENGTHS, formats=[chosen.value for chosen in Format], notation="short")
+    assert answer["variables"] == ["q1", "q2", "q3", "q4", "q5", "q6"]
+    assert answer["parameters"] == ["a2", "a3", "d3", "d4"]
+    assert len(answer["links"]) == len(answer["frames"]) == 6
+    for written in (*answer["links"], *answer["frames"], answer["transform"]):
+        assert set(written) == {chosen.value for chosen in Format}
+        assert [len(row) for row in written["text"]] == [4] * 4
+        assert written["latex"].startswith(r"\begin{bmatrix}")
+        assert ET.fromstring(written["mathml"]).tag == f"{MATHML}math"
+        assert "def T_" in written["python"]
+    assert answer["symbols"]["c23"] == "cos(q2 + q3)"
+    assert answer["transform"]["text"][0][3] == "c1*(a2*c2 + a3*c23 - d4*s23) + d3*s1"
+    assert answer["operations"] <= 265
+
+
+def test_full_notation_is_the_default_and_needs_no_legend(client: httpx.Client) -> None:
+    answer = ask(client, table=PUMA_LENGTHS)
+    assert set(answer["transform"]) == {"latex", "text"}
+    assert "symbols" not in answer
+    assert answer["transform"]["text"][2][3] == "a2*sin(q2) + a3*sin(q2 + q3) + d4*cos(q2 + q3)"
+
+
+def test_some_parameters_may_have_values(client: httpx.Client) -> None:
+    answer = ask(client, table=PUMA_LENGTHS, parameters={"a_2": 0.4318, "d3": 0}, parts=["transform"])
+    assert answer["parameters"] == ["a3", "d4"]
+    assert answer["transform"]["text"][2][3] == "0.4318*sin(q2) + a3*sin(q2 + q3) + d4*cos(q2 + q3)"
+    assert "links" not in answer
+
+
+def test_an_angle_parameter_takes_the_unit_of_the_table(client: httpx.Client) -> None:
+    table = {
+        "convention": "standard",
+        "angle_unit": "deg",
+        "rows": [{"alpha": "beta", "a": 0, "d": 0, "theta": "q1"}],
+    }
+    answer = ask(client, table=table, parameters={"beta": 60}, parts=["transform"])
+    assert answer["transform"]["text"][2] == ["0", "sqrt(3)/2", "1/2", "0"]
+
+
+def test_a_robot_of_the_catalogue_keeps_its_lengths_as_symbols(client: httpx.Client) -> None:
+    answer = ask(client, robot="scara", formats=["text"], notation="short", parts=["transform"])
+    assert answer["transform"]["text"][0] == ["c124", "-s124", "0", "a2*c1 + a3*c12"]
+
+
+@pytest.mark.parametrize(
+    ("change", "code", "pointer"),
+    [
+        ({"parameters": {"L9": 1}}, "parameter_unused", "/parameters/L9"),
+        ({"formats": ["word"]}, "value_not_allowed", "/formats/0"),
+        ({"formats": []}, None, "/formats"),
+        ({"notation": "long"}, None, "/notation"),
+        ({"tool": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}, None, "/tool"),
+        ({"surplus": 1}, "field_unknown", "/surplus"),
+        ({"robot": "puma560"}, None, ""),
+    ],
+)
+def test_what_is_wrong_is_named(
+    client: httpx.Client, change: dict[str, Any], code: str | None, pointer: str
+) -> None:
+    response = client.post("/api/v1/symbolic", json={"table": PUMA_LENGTHS, **change})
+    assert response.status_code == 422
+    assert response.headers["content-type"] == "application/problem+json"
+    problem = response.json()
+    assert problem["pointer"].startswith(pointer)
+    if code:
+        assert problem["code"] == code
+
+
+def test_a_value_that_leaves_a_cell_undefined_is_named(client: httpx.Client) -> None:
+    table = {"convention": "standard", "rows": [{"alpha": 0, "a": "1/(L1 - L2)", "d": 0, "theta": "q1"}]}
+    response = client.post("/api/v1/symbolic", json={"table": table, "parameters": {"L1": 2, "L2": 2}})
+    assert response.json()["code"] == "value_undefined"
+    assert response.json()["pointer"] == "/table/rows/0/a"
+
+
+def hostile_rows(n: int, **cells: str) -> list[dict[str, Any]]:
+    return [
+        {"alpha": f"0.{i}37", "a": f"0.{i}1", "d": f"0.0{i}3", "theta": f"q{i + 1}", **cells}
+        for i in range(n)
+    ]
+
+
+def test_64_general_rows_are_refused_where_they_would_be_written_out(client: httpx.Client) -> None:
+    response = client.post(
+        "/api/v1/symbolic", json={"table": {"convention": "standard", "rows": hostile_rows(64)}}
+    )
+    assert response.status_code == 422
+    assert response.json()["code"] in {"closed_form_too_large", "computation_out_of_time"}
+
+
+def test_a_large_table_still_becomes_a_function(client: httpx.Client) -> None:
+    table = {"convention": "standard", "rows": hostile_rows(24)}
+    answer = ask(client, table=table, formats=["python"], parts=["transform"])
+    assert "operations" not in answer
+    scope: dict[str, Any] = {}
+    exec(answer["transform"]["python"], scope)
+    joints = [0.1 * i for i in range(24)]
+    expected = client.post("/api/v1/forward-kinematics", json={"table": table, "joints": joints}).json()[
+        "transform"
+    ]
+    np.testing.assert_allclose(scope["T_0_24"](joints), expected, atol=1e-11)
+
+
+def test_hostile_requests_end_in_time_and_delay_nobody() -> None:
+    settings = Settings(symbolic_seconds=1.0, symbolic_queue=1)
+    everything = {
+        "table": {"convention": "modified", "rows": hostile_rows(64, alpha="0.3*alpha1")},
+        "formats": ["python", "numpy", "c", "matlab", "javascript"],
+        "jacobian": True,
+    }
+    with running(settings) as url, httpx.Client(base_url=url, timeout=30) as client:
+        client.post("/api/v1/symbolic", json={"table": PUMA_LENGTHS})
+        answers: list[httpx.Response] = []
+
+        def hostile() -> None:
+            answers.append(httpx.post(f"{url}/api/v1/symbolic", json=everything, timeout=30))
+
+        threads = [threading.Thread(target=hostile) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        time.sleep(0.3)
+        for length in (1, 2, 3):
+            response = client.post(
+                "/api/v1/symbolic", json={"table": PUMA_LENGTHS, "parameters": {"a2": length}}
+            )
+            assert response.status_code == 200
+        for thread in threads:
+            thread.join()
+    statuses = sorted(response.status_code for response in answers)
+    assert set(statuses) == {422, 503}
+    for response in answers:
+        problem = response.json()
+        if response.status_code == 503:
+            assert problem["code"] == "busy"
+            assert response.headers["retry-after"] == "2"
+        else:
+            assert problem["code"] == "computation_out_of_time"
+
+
+def test_the_answer_is_kept(client: httpx.Client) -> None:
+    body = {"table": PUMA_LENGTHS, "parameters": {"a2": 0.25}}
+    first, second = (client.post("/api/v1/symbolic", json=body) for _ in range(2))
+    assert first.content == second.content
+
+
+def test_sympy_is_never_imported() -> None:
+    program = """
+import asyncio, json, sys
+import httpx
+from service.app import create_app
+from service.schemas.symbolic import PUMA_LENGTHS
+from service.workers import Lane
+
+async def main():
+    app = create_app()
+    transport = httpx.ASGITransport(app=app)
+    async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
+        body = {"table": PUMA_LENGTHS, "formats": ["latex", "c"]}
+        response = await client.post("/api/v1/symbolic", json=body)
+    assert response.status_code == 200, response.text
+    inside = await app.state.workers.run(Lane.QUICK, json.dumps, {"a": 1})
+    app.state.workers.close()
+    print(json.dumps({"sympy": "sympy" in sys.modules, "inside": inside}))
+
+if __name__ == "__main__":
+    asyncio.run(main())
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert json.loads(done.stdout) == {"sympy": False, "inside": '{"a": 1}'}
