@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Generic, TypeVar
 
 import numpy as np
+from anyio.to_thread import run_sync
 from numpy.typing import NDArray
 from pydantic import TypeAdapter
 from starlette.responses import Response
@@ -18,7 +19,7 @@ from service.decoding import decode_json
 from service.errors import BodyError, Place, RequestError
 from service.npy import read_npy
 from service.preparation import Preparation, Robot
-from service.routing import NPY, ApiRequest, Written
+from service.routing import LARGE_BODY, NPY, ApiRequest, Written
 from service.schemas.robots import RobotQuestion
 from service.validation import validated
 
@@ -69,6 +70,8 @@ class Reader(Generic[Question]):
         if request.fields.get(b"content-type", b"").startswith(_NPY):
             return await self._from_npy(request, preparation)
         body = await request.json(NPY)
+        if len(await request.body()) >= LARGE_BODY:
+            return await run_sync(self._from_json, body, request, preparation)
         return _recalled(body, preparation) or self._from_json(body, request, preparation)
 
     def _from_json(self, body: Any, request: ApiRequest, preparation: Preparation) -> Asked[Question]:

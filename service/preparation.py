@@ -56,9 +56,11 @@ class Preparation:
     def recall(self, request: Mapping[str, Any]) -> Robot | None:
         """The robot of a request's JSON, if it was prepared before."""
         key = _key(request)
-        robot = self._kept.get(key)
-        if robot is not None:
+        try:
+            robot = self._kept[key]
             self._kept.move_to_end(key)
+        except KeyError:  # never seen; or dropped just now by a large batch that is read in a thread
+            return None
         return robot
 
     def prepare(self, question: RobotQuestion, request: Mapping[str, Any] | None = None) -> Robot:

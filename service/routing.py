@@ -6,6 +6,7 @@ from collections.abc import AsyncGenerator, Awaitable, Callable, Coroutine, Sequ
 from enum import Enum
 from typing import Any
 
+from anyio.to_thread import run_sync
 from fastapi import APIRouter, Response
 from fastapi.routing import APIRoute
 from starlette.requests import ClientDisconnect, Request
@@ -20,6 +21,9 @@ from service.settings import Settings
 API_PREFIX = "/api/v1"
 JSON = "application/json"
 NPY = "application/x-npy"
+LARGE_BODY = 256 * 1024
+"""A body of this size [byte] is read in a thread, so that others are served meanwhile."""
+
 _JSON = JSON.encode()
 _ANYTHING = b"*/*"
 _UTF8 = ("", "utf-8", "utf8", "us-ascii", "ascii")
@@ -122,7 +126,8 @@ class ApiRequest(Request):
         if not hasattr(self, "_json"):
             if self.fields.get(b"content-type") != _JSON or b"content-encoding" in self.fields:
                 self._require_json(others)
-            self._json = decode_json(await self.body())
+            body = await self.body()
+            self._json = decode_json(body) if len(body) < LARGE_BODY else await run_sync(decode_json, body)
         return self._json
 
     def accepts(self, *offers: str) -> str:
