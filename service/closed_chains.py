@@ -7,10 +7,9 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
+import orjson
 
-from kinematics.expressions import evaluate
+from kinematics.errors import Fault, FormSizeError
 from kinematics.jacobian import JacobianFrame
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
 from kinematics.scm import (
@@ -20,10 +19,12 @@ from kinematics.scm import (
     inverse_closed_form_scm,
     jacobian_by_differentiation,
     jacobian_closed_form_scm,
+    verify,
 )
 from kinematics.symbolic import Matrix
 
 DEFAULT_FORMATS = (Format.TEXT, Format.LATEX)
+_QUICK_JOINTS = 8
 
 
 class Wanted(StrEnum):
@@ -45,6 +46,7 @@ class ChainTask:
         wanted: which matrices.
         formats: in which formats.
         notation: how sines and cosines are written.
+        head: what the answer says besides.
     """
 
     chain: ScmChain
@@ -52,43 +54,57 @@ class ChainTask:
     wanted: Wanted
     formats: tuple[Format, ...]
     notation: Notation
+    head: Mapping[str, Any]
 
     @classmethod
     def of(
         cls, read: ReadChain, wanted: Wanted, formats: Sequence[Format] | None, notation: Notation
     ) -> ChainTask:
         """The task of a request."""
-        chosen = tuple(formats) if formats else DEFAULT_FORMATS
         return cls(
             chain=read.chain,
             parameters=tuple(read.parameters),
             wanted=wanted,
-            formats=chosen,
+            formats=tuple(dict.fromkeys(formats or DEFAULT_FORMATS)),
             notation=notation,
+            head={
+                "angle_unit": read.angle_unit.value,
+                "length_unit": read.length_unit.value,
+                "variables": [f"q{i}" for i in range(1, read.chain.n_joints + 1)],
+                **_STATED.get(wanted, {}),
+            },
         )
 
 
-def written_chain(task: ChainTask) -> dict[str, Any]:
-    """The wanted matrices in the wanted formats, with the variables and the meaning of short names.
+def is_quick(chain: ScmChain) -> bool:
+    """Whether closed forms of a chain are certain to be small."""
+    return chain.n_joints <= _QUICK_JOINTS and not verify(chain)
+
+
+def written_chain(task: ChainTask) -> bytes:
+    """The wanted matrices in the wanted formats, with the meaning of short names, as JSON.
 
     Raises:
-        FormSizeError: a matrix has too many operations to be written out.
+        FormSizeError: a matrix has too many operations to be written out, or is nested too deeply for JSON.
     """
-    n = task.chain.n_joints
-    printer = MatrixPrinter(n_joints=n, parameters=task.parameters, notation=task.notation)
-    matrices = _matrices(task)
-    answer: dict[str, Any] = {"variables": [f"q{i}" for i in range(1, n + 1)]}
-    for name, found in matrices.items():
-        purpose = _PURPOSES[name]
-        if isinstance(found, list):
-            answer[name] = [printer.write(matrix, task.formats, purpose) for matrix in found]
-        else:
-            answer[name] = printer.write(found, task.formats, purpose)
-    flat = [
-        matrix for found in matrices.values() for matrix in (found if isinstance(found, list) else [found])
-    ]
-    answer["symbols"] = printer.symbols(flat)
-    return answer
+    printer = MatrixPrinter(n_joints=task.chain.n_joints, parameters=task.parameters, notation=task.notation)
+    answer: dict[str, Any] = dict(task.head)
+    written: list[Matrix] = []
+    for name, found in _matrices(task).items():
+        matrices = found if isinstance(found, list) else [found]
+        forms = [printer.write(matrix, task.formats, _PURPOSES[name]) for matrix in matrices]
+        answer[name] = forms if isinstance(found, list) else forms[0]
+        written += matrices
+    if task.notation is Notation.SHORT:
+        answer["symbols"] = printer.symbols(written)
+    try:
+        return orjson.dumps(answer)
+    except orjson.JSONEncodeError as error:
+        if "ecursion" not in str(error):
+            raise
+        raise FormSizeError(
+            Fault(code="closed_form_too_deep", message="an entry is nested too deeply for JSON; ask for text")
+        ) from None
 
 
 def _matrices(task: ChainTask) -> dict[str, Matrix | list[Matrix]]:
@@ -114,26 +130,10 @@ def _matrices(task: ChainTask) -> dict[str, Matrix | list[Matrix]]:
     }
 
 
-def jacobians_at(
-    chain: ScmChain, values: Mapping[str, float], joints: Sequence[float]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """J0 and Jn by differentiation (eq. 3.24), in numbers.
-
-    Raises:
-        ParameterError: an entry has no finite value.
-    """
-    transform = closed_form_scm(chain).transform
-    base, end = (
-        jacobian_by_differentiation(transform, chain.n_joints, frame)
-        for frame in (JacobianFrame.BASE, JacobianFrame.END)
-    )
-    return _numbers(base, values, joints), _numbers(end, values, joints)
-
-
-def _numbers(matrix: Matrix, values: Mapping[str, float], joints: Sequence[float]) -> NDArray[np.float64]:
-    return np.array([[evaluate(entry, values, joints) for entry in row] for row in matrix])
-
-
+_STATED = {
+    Wanted.INSPECTED_JACOBIANS: {"joint_unit": "rad", "method": "inspection"},
+    Wanted.DIFFERENTIATED_JACOBIANS: {"joint_unit": "rad", "method": "differentiation"},
+}
 _PURPOSES = {
     "transform": Purpose(name="chain_transform", meaning="pose of the tool in frame 0"),
     "links": Purpose(name="chain_link", meaning="pose of frame i in frame i-1", result="H"),

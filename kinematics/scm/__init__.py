@@ -14,7 +14,11 @@ from kinematics.scm.closed_form import (
     link_matrix,
 )
 from kinematics.scm.dh import modified_dh_from_scm
-from kinematics.scm.differentiation import derivative, jacobian_by_differentiation
+from kinematics.scm.differentiation import (
+    derivative,
+    jacobian_by_differentiation,
+    jacobian_numbers_by_differentiation,
+)
 from kinematics.scm.inverse import inverse_kinematics_scm
 from kinematics.scm.motion import (
     ScmKinematics,
@@ -46,6 +50,7 @@ __all__ = [
     "jacobian_by_differentiation",
     "jacobian_closed_form_scm",
     "jacobian_end_by_inspection",
+    "jacobian_numbers_by_differentiation",
     "link_matrix",
     "modified_dh_from_scm",
     "random_configurations",

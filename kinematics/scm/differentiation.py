@@ -1,12 +1,15 @@
-"""The Jacobian by differentiating the matrix of direct kinematics: the toolbox's H2J.
+"""The Jacobian by differentiating the matrix of direct kinematics (H2J), in symbols and in numbers.
 
 Another way to the same columns as inspection (`motion`, `closed_form`): the two check each other.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.expressions import (
     MINUS_ONE,
@@ -27,6 +30,8 @@ from kinematics.expressions import (
     power,
 )
 from kinematics.jacobian import JacobianFrame
+from kinematics.scm.chain import ScmChain
+from kinematics.scm.motion import forward_kinematics_scm, row_derivative
 
 Matrix: TypeAlias = Sequence[Sequence[Expression]]
 
@@ -96,3 +101,41 @@ def _column(transform: Matrix, R: Matrix, joint: int, frame: JacobianFrame) -> t
 
 def _in_end_frame(R: Matrix, vector: Sequence[Expression]) -> list[Expression]:
     return [add(multiply((R[k][i], vector[k])) for k in range(3)) for i in range(3)]
+
+
+def jacobian_numbers_by_differentiation(
+    chain: ScmChain,
+    joints: Sequence[float],
+    parameters: Mapping[str, float] | None = None,
+    frame: JacobianFrame = JacobianFrame.BASE,
+) -> NDArray[np.float64]:
+    """J0 or Jn in numbers: ∂H/∂q_i = H_1 ⋯ (∂H_i/∂q_i) ⋯ H_n · FT, v = ∂p/∂q_i, and ω from (∂R/∂q_i) Rᵀ.
+
+    Args:
+        chain: the chain; it need not pass `verify`.
+        joints: (n,) joint variables [rad, or m of a prismatic joint].
+        parameters: value of every parameter [m or rad].
+        frame: whose axes the velocities are written in.
+
+    Returns:
+        (6, n): velocity above, angular velocity below.
+
+    Raises:
+        JointValueError: not n finite values, or a result that overflows.
+        ParameterError: a parameter has no value.
+
+    Source: seed 001 eq. 3.19 and 3.24.
+    """
+    values = parameters or {}
+    motion = forward_kinematics_scm(chain, joints, values)
+    R = motion.transform[:3, :3]
+    behind = motion.end
+    columns: list[NDArray[np.float64]] = []
+    for i in reversed(range(chain.n_joints)):
+        before = motion.frames[i - 1] if i else np.eye(4)
+        change = before @ row_derivative(chain.rows[i], joints[i], values) @ behind
+        spin = change[:3, :3] @ R.T
+        column = np.array([change[:3, 3], [spin[2, 1], spin[0, 2], spin[1, 0]]])
+        columns.append((column if frame is JacobianFrame.BASE else column @ R).ravel())
+        behind = motion.links[i] @ behind
+    return np.stack(columns[::-1], axis=1)

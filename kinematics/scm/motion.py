@@ -20,6 +20,14 @@ from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain
 from kinematics.table import JointType
 
 _ENTRIES = tuple(Entry)
+_SKEW = np.array(
+    [
+        [[0, 0, 0], [0, 0, -1], [0, 1, 0]],
+        [[0, 0, 1], [0, 0, 0], [-1, 0, 0]],
+        [[0, -1, 0], [1, 0, 0], [0, 0, 0]],
+    ],
+    dtype=np.float64,
+)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -139,6 +147,26 @@ def _row_transform(row: ChainRow, q: float, values: Mapping[str, float], i: int)
     numbers = _numbers(row.constant, values, ("joints", i))
     numbers[_ENTRIES.index(row.variable)] += row.sign * q
     return transform_from_xyzabc(numbers)
+
+
+def row_derivative(row: ChainRow, q: float, values: Mapping[str, float]) -> Transform:
+    """∂H/∂q of one row, 4×4: the factor that holds the variable is replaced by its derivative.
+
+    A translation's derivative is the unit vector; that of Rot_u(φ) is [u] Rot_u(φ), [u] the skew matrix of u.
+    """
+    numbers = _numbers(row.constant, values, ())
+    numbers[_ENTRIES.index(row.variable)] += row.sign * q
+    change = np.zeros((4, 4))
+    if row.joint is JointType.PRISMATIC:
+        change[row.variable.axis, 3] = row.sign
+        return change
+    before, after = [0.0] * 6, [0.0] * 6
+    for entry in (Entry.A, Entry.B, Entry.C):
+        at = _ENTRIES.index(entry)
+        (before if at < _ENTRIES.index(row.variable) else after)[at] = numbers[at]
+    turned = transform_from_xyzabc(before)[:3, :3]
+    change[:3, :3] = row.sign * turned @ _SKEW[row.variable.axis] @ transform_from_xyzabc(after)[:3, :3]
+    return change
 
 
 def _placement(placement: Placement, values: Mapping[str, float], name: str) -> Transform:

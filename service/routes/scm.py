@@ -7,11 +7,11 @@ from typing import Annotated, Any
 
 import numpy as np
 from fastapi import Body, Request
-from fastapi.concurrency import run_in_threadpool
 from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError, PoseError
 from kinematics.inverse import IKSolution, NearestPose
+from kinematics.jacobian import JacobianFrame
 from kinematics.poses import pose_notations, transform_from_xyzabc
 from kinematics.scm import (
     default_limits,
@@ -19,17 +19,19 @@ from kinematics.scm import (
     inverse_kinematics_scm,
     jacobian_base_by_inspection,
     jacobian_end_by_inspection,
+    jacobian_numbers_by_differentiation,
     random_configurations,
 )
 from kinematics.transforms import inverse_transform
 from service.chains import PreparedChain, prepared_chain, prepared_structure
-from service.closed_chains import ChainTask, Wanted, jacobians_at, written_chain
+from service.closed_chains import ChainTask, Wanted, is_quick, written_chain
 from service.openapi import problems
-from service.routing import api_router
+from service.routing import Written, api_router
 from service.schemas import scm as wire
 from service.schemas import scm_examples as examples
 from service.schemas.forward_kinematics import AxisAngle, Orientation
 from service.settings import Settings
+from service.workers import Lane, Workers
 
 router = api_router("scm")
 
@@ -38,6 +40,7 @@ _REFUSALS = problems(400, 413, 415, 422, 503)
 
 @router.post(
     "/scm/forward-kinematics",
+    response_model=wire.ScmForwardKinematicsAnswer,
     response_model_exclude_none=True,
     responses=_REFUSALS,
     summary="Direct kinematics of an SCM chain",
@@ -45,13 +48,13 @@ _REFUSALS = problems(400, 413, 415, 422, 503)
 async def forward_kinematics(
     body: Annotated[wire.ScmForwardKinematicsRequest, Body(openapi_examples=examples.FORWARD_KINEMATICS)],
     request: Request,
-) -> wire.ScmForwardKinematicsAnswer:
+) -> wire.ScmForwardKinematicsAnswer | Written:
     """⁰H_FT, every H_i and every frame: scm(manipulator, 0) of the toolbox.
 
     With `joints` in numbers, without them in closed form.
     """
     if body.joints is None:
-        return wire.ScmForwardKinematicsAnswer(**await _closed(body, Wanted.FORWARD_KINEMATICS, request))
+        return await _closed(body, Wanted.FORWARD_KINEMATICS, request)
     prepared = prepared_chain(body, _settings(request).cell_limits)
     motion = forward_kinematics_scm(prepared.chain, prepared.joints(body.joints), prepared.values)
     return wire.ScmForwardKinematicsAnswer(
@@ -66,6 +69,7 @@ async def forward_kinematics(
 
 @router.post(
     "/scm/inverse-transform",
+    response_model=wire.ScmInverseTransformAnswer,
     response_model_exclude_none=True,
     responses=_REFUSALS,
     summary="Inverse of the direct kinematics of an SCM chain",
@@ -73,13 +77,13 @@ async def forward_kinematics(
 async def inverse_of_transform(
     body: Annotated[wire.ScmInverseTransformRequest, Body(openapi_examples=examples.INVERSE_TRANSFORM)],
     request: Request,
-) -> wire.ScmInverseTransformAnswer:
+) -> wire.ScmInverseTransformAnswer | Written:
     """Pose of frame 0 in the tool: scm(manipulator, -1) of the toolbox.
 
     With `joints` in numbers, without them in closed form.
     """
     if body.joints is None:
-        return wire.ScmInverseTransformAnswer(**await _closed(body, Wanted.INVERSE_TRANSFORM, request))
+        return await _closed(body, Wanted.INVERSE_TRANSFORM, request)
     prepared = prepared_chain(body, _settings(request).cell_limits)
     motion = forward_kinematics_scm(prepared.chain, prepared.joints(body.joints), prepared.values)
     inverse = inverse_transform(motion.transform)
@@ -88,13 +92,14 @@ async def inverse_of_transform(
 
 @router.post(
     "/scm/jacobian",
+    response_model=wire.ScmJacobianAnswer,
     response_model_exclude_none=True,
     responses=_REFUSALS,
     summary="J0 and Jn of an SCM chain",
 )
 async def jacobian(
     body: Annotated[wire.ScmJacobianRequest, Body(openapi_examples=examples.JACOBIAN)], request: Request
-) -> wire.ScmJacobianAnswer:
+) -> wire.ScmJacobianAnswer | Written:
     """J0 and Jn, by inspection (scm(manipulator, 1) and 2) or by differentiating the matrix (h2j).
 
     With `joints` in numbers, without them in closed form.
@@ -102,14 +107,17 @@ async def jacobian(
     inspected = body.method is wire.Method.INSPECTION
     wanted = Wanted.INSPECTED_JACOBIANS if inspected else Wanted.DIFFERENTIATED_JACOBIANS
     if body.joints is None:
-        return wire.ScmJacobianAnswer(method=body.method, **await _closed(body, wanted, request))
+        return await _closed(body, wanted, request)
     prepared = prepared_chain(body, _settings(request).cell_limits)
     joints = prepared.joints(body.joints)
     if inspected:
         base = jacobian_base_by_inspection(prepared.chain, joints, prepared.values)
         end = jacobian_end_by_inspection(prepared.chain, joints, prepared.values)
     else:
-        base, end = await run_in_threadpool(jacobians_at, prepared.chain, dict(prepared.values), joints)
+        base, end = (
+            jacobian_numbers_by_differentiation(prepared.chain, joints, prepared.values, frame)
+            for frame in (JacobianFrame.BASE, JacobianFrame.END)
+        )
     return wire.ScmJacobianAnswer(**prepared.units, method=body.method, J0=_listed(base), Jn=_listed(end))
 
 
@@ -168,12 +176,13 @@ def random_configuration(
     )
 
 
-async def _closed(body: wire.ClosedFormQuestion, wanted: Wanted, request: Request) -> dict[str, Any]:
-    """The answer in closed form, with its units."""
+async def _closed(body: wire.ClosedFormQuestion, wanted: Wanted, request: Request) -> Written:
+    """The answer in closed form, from a worker process."""
     read = prepared_structure(body, _settings(request).cell_limits)
     task = ChainTask.of(read, wanted, body.formats, body.notation)
-    units = {"angle_unit": read.angle_unit.value, "length_unit": read.length_unit.value}
-    return {**units, **await run_in_threadpool(written_chain, task)}
+    workers: Workers = request.app.state.workers
+    lane = Lane.QUICK if is_quick(read.chain) else Lane.SLOW
+    return Written(await workers.run(lane, written_chain, task))
 
 
 def _settings(request: Request) -> Settings:
