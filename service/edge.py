@@ -9,12 +9,13 @@ import itertools
 import logging
 import re
 import secrets
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from starlette.requests import ClientDisconnect
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from kinematics.errors import Fault
+from service.compression import accepts_gzip, compressing
 from service.errors import INTERNAL, PROBLEM_JSON, Problem
 from service.messages import language_for
 from service.settings import Settings
@@ -50,10 +51,13 @@ class Edge:
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return
-        request_id = self._open(scope)
+        fields = dict(scope["headers"])
+        request_id = self._open(scope, fields)
         is_head = scope["method"] == "HEAD"
         if is_head:
             scope = {**scope, "method": "GET"}
+        elif accepts_gzip(fields.get(b"accept-encoding", b"")):
+            send = compressing(send)
         started = False
 
         async def send_with_headers(message: Message) -> None:
@@ -81,9 +85,8 @@ class Edge:
                 raise
             await self._send_internal_error(scope, send_with_headers, request_id.decode())
 
-    def _open(self, scope: Scope) -> bytes:
+    def _open(self, scope: Scope, fields: Mapping[bytes, bytes]) -> bytes:
         """Read what a proxy says about the request; name the request."""
-        fields = dict(scope["headers"])
         request_id = fields.get(_REQUEST_ID, b"")
         if request_id and not _SANE_REQUEST_ID.fullmatch(request_id):
             request_id = b""

@@ -132,3 +132,28 @@ def test_other_origins_may_call_only_where_that_is_set(client: httpx.Client) -> 
         assert refused.headers["access-control-allow-origin"] == "https://lms.example"
         stranger = httpx.options(f"{url}/api/v1/jacobian", headers={**wish, "Origin": "https://evil.example"})
         assert "access-control-allow-origin" not in stranger.headers
+
+
+def test_large_answers_are_compressed_for_those_who_take_it(client: httpx.Client) -> None:
+    body = {"robot": "puma560", "joints": [[0.0] * 6] * 60}
+    plain = client.post("/api/v1/forward-kinematics", json=body, headers={"Accept-Encoding": "identity"})
+    packed = client.post("/api/v1/forward-kinematics", json=body, headers={"Accept-Encoding": "br, gzip"})
+    assert "content-encoding" not in plain.headers
+    assert packed.headers["content-encoding"] == "gzip"
+    assert "Accept-Encoding" in packed.headers["vary"]
+    assert int(packed.headers["content-length"]) < len(plain.content) / 4
+    assert packed.content == plain.content
+
+
+@pytest.mark.parametrize("accepted", ["gzip;q=0", "br", "gzip;q=0.000, br"])
+def test_nothing_is_compressed_for_others(client: httpx.Client, accepted: str) -> None:
+    answer = client.get("/api/v1/openapi.json", headers={"Accept-Encoding": accepted})
+    assert "content-encoding" not in answer.headers
+
+
+def test_small_answers_and_arrays_are_not_compressed(client: httpx.Client) -> None:
+    body = {"robot": "puma560", "joints": [[0.0] * 6] * 60}
+    small = client.post("/api/v1/forward-kinematics", json={**body, "joints": [0] * 6})
+    array = client.post("/api/v1/forward-kinematics", json=body, headers={"Accept": "application/x-npy"})
+    assert "content-encoding" not in small.headers
+    assert "content-encoding" not in array.headers

@@ -1,0 +1,67 @@
+"""Large answers are compressed for callers that take gzip; small ones are not worth the time."""
+
+from __future__ import annotations
+
+import gzip
+
+from anyio.to_thread import run_sync
+from starlette.types import Message, Send
+
+SMALLEST = 32 * 1024
+IN_A_THREAD = 256 * 1024
+_LEVEL = 4
+_TYPES = (b"application/json", b"application/problem+json", b"image/svg+xml", b"text/")
+
+
+def accepts_gzip(accept_encoding: bytes) -> bool:
+    """Whether a caller with this header takes gzip."""
+    for item in accept_encoding.lower().split(b","):
+        coding, _, weight = item.replace(b" ", b"").partition(b";q=")
+        if coding == b"gzip":
+            return weight.strip(b"0.") != b"" or weight == b""
+    return False
+
+
+def compressing(send: Send) -> Send:
+    """A sender that compresses an answer which comes in one piece and is large."""
+    held: list[Message] = []
+
+    async def send_compressed(message: Message) -> None:
+        if message["type"] == "http.response.start" and _is_worth_it(dict(message["headers"])):
+            held.append(message)
+            return
+        if held and message["type"] == "http.response.body":
+            start = held.pop()
+            if not message.get("more_body"):
+                message = {**message, "body": await _compressed(message.get("body", b""))}
+                start["headers"] = _headers(start, len(message["body"]))
+            await send(start)
+        await send(message)
+
+    return send_compressed
+
+
+def _is_worth_it(headers: dict[bytes, bytes]) -> bool:
+    length = headers.get(b"content-length", b"0")
+    return (
+        len(length) >= len(str(SMALLEST))
+        and int(length) >= SMALLEST
+        and b"content-encoding" not in headers
+        and headers.get(b"content-type", b"").startswith(_TYPES)
+    )
+
+
+async def _compressed(body: bytes) -> bytes:
+    if len(body) < IN_A_THREAD:
+        return gzip.compress(body, _LEVEL, mtime=0)
+    return await run_sync(lambda: gzip.compress(body, _LEVEL, mtime=0))
+
+
+def _headers(start: Message, length: int) -> list[tuple[bytes, bytes]]:
+    kept = [(name, value) for name, value in start["headers"] if name not in (b"content-length", b"etag")]
+    return [
+        *kept,
+        (b"content-encoding", b"gzip"),
+        (b"vary", b"Accept-Encoding"),
+        (b"content-length", str(length).encode()),
+    ]
