@@ -102,6 +102,17 @@ def written_answer(task: Task) -> bytes:
         ) from None
 
 
+def written_jacobians(task: Task) -> bytes:
+    """J0 and Jn as JSON, with what the answer says besides.
+
+    Raises:
+        FormSizeError: a matrix has too many operations to be written out.
+    """
+    answer: dict[str, Any] = orjson.loads(written_answer(task))
+    jacobians = answer.pop("jacobian")
+    return orjson.dumps(answer | jacobians)
+
+
 def _parts(task: Task, write: Any) -> dict[str, Any]:
     poses = {"base": task.base, "tool": task.tool}
     last = len(task.table.rows)

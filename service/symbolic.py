@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
+
+from pydantic import TypeAdapter
 
 from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name, parameter_values, read_table
 from kinematics.cells.exact import snapped
@@ -15,14 +17,16 @@ from kinematics.symbolic.exact_poses import decimal, exact_pose
 from kinematics.symbolic.substitution import with_values
 from kinematics.table import table_parameters
 from kinematics.transforms import check_transform
-from service.closed_forms import Part, Task, written_answer
+from service.closed_forms import Part, Task, written_answer, written_jacobians
 from service.errors import located
 from service.preparation import listed_robot
-from service.routing import ApiRequest, Written
-from service.schemas.symbolic import WritingQuestion
+from service.routing import NPY, ApiRequest, Written
+from service.schemas.symbolic import SymbolicJacobianRequest, WritingQuestion
 from service.settings import Settings
+from service.validation import validated
 from service.workers import Lane, Workers
 
+_JACOBIAN: TypeAdapter[SymbolicJacobianRequest] = TypeAdapter(SymbolicJacobianRequest)
 _KEPT_BYTES = 32 * 1024 * 1024
 _LARGEST_KEPT = 1024 * 1024
 
@@ -93,20 +97,49 @@ def task_of(
     )
 
 
-async def answered(request: ApiRequest, task: Task, question: bytes) -> Written:
+async def answered(
+    request: ApiRequest, task: Task, question: bytes, write: Callable[[Task], bytes] = written_answer
+) -> Written:
     """The answer to a task, from a worker process.
 
     Args:
         request: whose application has the workers.
         task: what is asked.
         question: what the answer is kept under.
+        write: what the worker does.
     """
     state = request.app.state
     workers: Workers = state.workers
     lane = Lane.QUICK if task.is_quick() else Lane.SLOW
-    answer = await workers.run(lane, written_answer, task)
+    answer = await workers.run(lane, write, task)
     kept_answers(request).keep(question, answer)
     return Written(answer)
+
+
+async def symbolic_body(request: ApiRequest) -> Mapping[str, Any] | None:
+    """The body of a request that says "form": "symbolic"; None of any other."""
+    if request.headers.get("content-type", "").startswith(NPY):
+        return None
+    request.body_limit = request.settings.batch_body_limit
+    body = await request.json(NPY)
+    return body if isinstance(body, dict) and body.get("form") == "symbolic" else None
+
+
+async def symbolic_jacobian(request: ApiRequest, body: Mapping[str, Any]) -> Written:
+    """The answer to a request for Jacobians that says "form": "symbolic".
+
+    Raises:
+        RequestError: the request is not of that shape.
+        KinematicsError: what it says cannot be meant.
+    """
+    question = b"jacobian" + await request.body()
+    known = kept_answers(request).recall(question)
+    if known is not None:
+        return Written(known)
+    wire = validated(_JACOBIAN, body)
+    frames = (wire.frame,) if wire.frame else tuple(JacobianFrame)
+    task = task_of(wire, request.settings, parts=(Part.JACOBIAN,), frames=frames)
+    return await answered(request, task, question, written_jacobians)
 
 
 def kept_answers(request: ApiRequest) -> KeptAnswers:

@@ -17,7 +17,9 @@ from service.asking import Asked, Reader, answered
 from service.openapi import NPY_QUERY, problems, request_body
 from service.routing import JSON, ApiRequest, DirectRoute, Written, api_router
 from service.schemas import examples
-from service.schemas.jacobian import JacobianAnswer, JacobianQuestion, JacobianRequest
+from service.schemas.jacobian import JacobianQuestion, JacobianRequest
+from service.schemas.symbolic import SYMBOLIC_JACOBIAN, JacobianBody, JacobianReply
+from service.symbolic import symbolic_body, symbolic_jacobian
 
 router = api_router("kinematics", route_class=DirectRoute)
 
@@ -32,9 +34,12 @@ _ARRAY = {"schema": {"type": "string", "format": "binary"}}
 @router.post(
     "/jacobian",
     summary="Joint rates to the velocity of the tool",
-    response_model=JacobianAnswer,
+    response_model=JacobianReply,
     responses=problems(406, 503),
-    openapi_extra={**request_body(JacobianRequest, examples.JACOBIAN, x_npy=_ARRAY), **NPY_QUERY},
+    openapi_extra={
+        **request_body(JacobianBody, examples.JACOBIAN | SYMBOLIC_JACOBIAN, x_npy=_ARRAY),
+        **NPY_QUERY,
+    },
 )
 async def jacobian(request: ApiRequest) -> Response:
     """The geometric Jacobians J0 and Jn of one configuration or of a batch: (v, ω) = J(q) dq/dt.
@@ -42,8 +47,13 @@ async def jacobian(request: ApiRequest) -> Response:
     With them the rank, the manipulability, and whether the configuration is singular: of the whole motion, of
     the translation and of the rotation. Jacobians are per radian. A batch may come as `application/x-npy`, as
     in `/forward-kinematics`.
+
+    With `"form": "symbolic"` and no joints the Jacobians come in closed form, as in `/symbolic`.
     """
     offer = request.accepts(JSON)
+    wanted = await symbolic_body(request)
+    if wanted is not None:
+        return await symbolic_jacobian(request, wanted)
     asked = await _READER.read(request)
     answer = _Answer(asked)
     if not isinstance(asked.joints, np.ndarray):

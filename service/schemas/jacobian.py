@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, TypeAlias
+from typing import Annotated, Literal, TypeAlias
 
 from pydantic import Field
 
@@ -26,6 +26,7 @@ class JacobianQuestion(RobotQuestion):
     frame: Annotated[JacobianFrame, Field(strict=False)] | None = Field(
         None, description="base for J0 alone, end for Jn alone; both if left out"
     )
+    form: Literal["numeric"] = Field("numeric", description="the word symbolic asks for closed forms instead")
     tolerance: Real = Field(
         1e-9, gt=0, lt=1, description="singular values below this fraction of the largest count as zero"
     )

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias
 
-from pydantic import ConfigDict, Field
+from pydantic import ConfigDict, Field, RootModel
 
+from kinematics.jacobian import JacobianFrame
 from kinematics.printing import Format, Notation
 from service.closed_forms import Part
 from service.schemas.base import Matrix4, Real, Wire
 from service.schemas.examples import PUMA_560, TWO_LINKS
+from service.schemas.jacobian import JacobianAnswer, JacobianRequest
 from service.schemas.robots import RobotQuestion
 from service.schemas.tables import Units
 
@@ -53,6 +55,15 @@ class SymbolicRequest(WritingQuestion):
         chosen |= {Part.INVERSE} if self.inverse else set()
         chosen |= {Part.JACOBIAN} if self.jacobian else set()
         return tuple(part for part in Part if part in chosen)
+
+
+class SymbolicJacobianRequest(WritingQuestion):
+    """A robot whose Jacobians are wanted in closed form: no joint values."""
+
+    form: Literal["symbolic"] = Field(description="the word symbolic: closed forms, and no joint values")
+    frame: Annotated[JacobianFrame, Field(strict=False)] | None = Field(
+        None, description="base for J0 alone, end for Jn alone; both if left out"
+    )
 
 
 class WrittenMatrix(Wire):
@@ -110,6 +121,18 @@ class SymbolicAnswer(WritingAnswer):
     jacobian: WrittenJacobians | None = None
 
 
+class JacobianBody(RootModel[JacobianRequest | SymbolicJacobianRequest]):
+    """A question about Jacobians, in numbers or in closed form."""
+
+
+class SymbolicJacobianAnswer(WritingAnswer, WrittenJacobians):
+    """Jacobians in closed form."""
+
+
+class JacobianReply(RootModel[JacobianAnswer | SymbolicJacobianAnswer]):
+    """Jacobians in numbers or in closed form."""
+
+
 PUMA_LENGTHS: dict[str, Any] = {
     **PUMA_560,
     "rows": [
@@ -120,6 +143,15 @@ PUMA_LENGTHS: dict[str, Any] = {
             strict=True,
         )
     ],
+}
+
+SYMBOLIC_JACOBIAN: dict[str, Any] = {
+    "PUMA 560 in closed form, no joint values": {
+        "form": "symbolic",
+        "robot": "puma560",
+        "notation": "short",
+        "formats": ["latex", "text"],
+    },
 }
 
 SYMBOLIC: dict[str, Any] = {

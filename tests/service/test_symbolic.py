@@ -240,3 +240,19 @@ if __name__ == "__main__":
 """
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert json.loads(done.stdout) == {"sympy": False, "inside": '{"a": 1}'}
+
+
+def test_the_jacobian_call_answers_in_closed_form_too(client: httpx.Client) -> None:
+    body = {"form": "symbolic", "table": PUMA_LENGTHS, "formats": ["json", "text"], "notation": "short"}
+    answer = client.post("/api/v1/jacobian", json=body).json()
+    numeric = client.post(
+        "/api/v1/jacobian", json={"table": PUMA_LENGTHS, "parameters": VALUES, "joints": JOINTS}
+    ).json()
+    for name in ("J0", "Jn"):
+        computed = numbers(answer[name], VALUES, np.radians(JOINTS).tolist())
+        np.testing.assert_allclose(computed, numeric[name], atol=1e-12)
+    assert answer["symbols"]["s23"] == "sin(q2 + q3)"
+    only = client.post("/api/v1/jacobian", json={**body, "frame": "end"}).json()
+    assert "J0" not in only
+    refused = client.post("/api/v1/jacobian", json={**body, "joints": JOINTS})
+    assert refused.json()["code"] == "field_unknown"
