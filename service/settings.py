@@ -48,8 +48,17 @@ class Settings(BaseSettings):
     row_limit: PositiveInt = Field(64, description="most rows of a DH table")
     parameter_limit: PositiveInt = Field(64, description="most different parameters of a DH table")
     cell_characters: PositiveInt = Field(200, description="longest expression in a cell [character]")
-    cell_depth: PositiveInt = Field(32, description="deepest nesting of an expression")
+    table_characters: PositiveInt = Field(
+        8192, description="length of all cells of a table together [character]"
+    )
+    cell_depth: int = Field(32, ge=1, le=100, description="deepest nesting of an expression, at most 100")
     cell_symbols: PositiveInt = Field(16, description="most different names in a cell")
+    exponent_limit: PositiveInt = Field(16, description="largest exponent in a cell, and its denominator")
+    number_digits: PositiveInt = Field(32, description="most digits of a number in a cell")
+    number_smallest: PositiveFloat = Field(
+        1e-30, description="smallest size of a number in a cell that is not 0"
+    )
+    number_largest: PositiveFloat = Field(1e15, description="largest size of a number in a cell")
     fault_limit: PositiveInt = Field(50, description="most faults listed in one problem document")
     table_cache: PositiveInt = Field(512, description="tables that are kept parsed")
     symbolic_workers: PositiveInt = Field(1, description="processes for closed forms")
@@ -79,4 +88,9 @@ class Settings(BaseSettings):
             cell_characters=self.cell_characters,
             cell_depth=self.cell_depth,
             cell_symbols=self.cell_symbols,
+            table_characters=self.table_characters,
+            exponent=self.exponent_limit,
+            digits=self.number_digits,
+            smallest=self.number_smallest,
+            largest=self.number_largest,
         )
