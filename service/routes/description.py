@@ -11,6 +11,7 @@ from kinematics.errors import Fault
 from service.errors import NotFoundError, Place
 from service.messages import language_for, refusal_codes, template
 from service.openapi import problems
+from service.reference import POLICY, reference_page
 from service.routing import JSON, api_router
 from service.schemas.base import Wire
 
@@ -32,6 +33,13 @@ async def openapi_document(request: Request) -> Response:
     prefix = request.scope.get("root_path", "")
     body = orjson.dumps({**document, "servers": [{"url": prefix or "/"}]})
     return Response(body, media_type=JSON, headers={"Cache-Control": "no-cache"})
+
+
+@router.get("/docs", include_in_schema=False)
+async def reference(request: Request) -> Response:
+    """The same as a page for people."""
+    headers = {"Cache-Control": "no-cache", "Content-Security-Policy": POLICY}
+    return Response(reference_page(request.app.openapi()), media_type="text/html", headers=headers)
 
 
 @router.get("/problems/{code}", responses=problems(404), summary="What a refusal's code means")

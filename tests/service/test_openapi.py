@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from html.parser import HTMLParser
 from typing import Any
 
 import httpx
@@ -124,6 +125,41 @@ def test_the_document_is_served_with_the_address_it_was_asked_at(client: httpx.C
     served = client.get("/api/v1/openapi.json", headers={"X-Forwarded-Prefix": "/dh"}).json()
     assert served["servers"] == [{"url": "/dh"}]
     assert served["paths"].keys() == DOCUMENT["paths"].keys()
+
+
+def test_the_page_for_people_shows_every_call(client: httpx.Client) -> None:
+    response = client.get("/api/v1/docs")
+    assert response.headers["content-type"] == "text/html; charset=utf-8"
+    assert "script-src" not in response.headers["content-security-policy"]
+    assert "http" not in response.headers["content-security-policy"]
+    parser = Anchors()
+    parser.feed(response.text)
+    assert all(operation["summary"] in parser.text for _, _, operation in OPERATIONS.values())
+    assert parser.targets <= parser.names
+    assert not parser.outside
+
+
+class Anchors(HTMLParser):
+    """Collects where a page's links lead."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.targets: set[str] = set()
+        self.names: set[str] = set()
+        self.outside: list[str] = []
+        self.text = ""
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        found = dict(attributes)
+        self.names.add(found.get("id") or "")
+        for address in filter(None, (found.get("href"), found.get("src"))):
+            if address.startswith("#"):
+                self.targets.add(address[1:])
+            elif "//" in address:
+                self.outside.append(address)
+
+    def handle_data(self, data: str) -> None:
+        self.text += data
 
 
 def test_every_reference_resolves() -> None:
