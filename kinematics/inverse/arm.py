@@ -27,27 +27,20 @@ class Arm:
     Attributes:
         constants: (n+1, 4, 4) the K_i.
         revolute: (n,) which joints turn.
-        size: reach of the constants [m]: the sum of their offsets, or 1 if there are none. Positions are
-            divided by it where they are weighed against angles.
+        size: sum of the arm's offsets [m], or where they are as good as none, 1 (or the distance of the base,
+            if that is more). Positions are divided by it where they are weighed against angles.
+        rounding: what rounding leaves of a position [m].
     """
 
     constants: Array
     revolute: NDArray[np.bool_]
     size: float
+    rounding: float
 
     @property
     def n_joints(self) -> int:
         """Number of joints."""
         return len(self.revolute)
-
-    @property
-    def exactness(self) -> float:
-        """Largest error vector of a solution [rad, or parts of the size].
-
-        A residual of 1e-9 in radians and in the table's unit of length; at least 1e-13, below which rounding
-        begins.
-        """
-        return float(np.clip(1e-9 / self.size, 1e-13, 1e-9))
 
     @cached_property
     def link_basis(self) -> Array:
@@ -136,8 +129,15 @@ def arm_of(table: NumericTable, base: Transform | None = None, tool: Transform |
         constant = flip @ after
     constants.append(constant if tool is None else constant @ tool)
     K = np.array(constants)
-    size = float(np.linalg.norm(K[1:, :3, 3], axis=1).sum())
-    return Arm(constants=K, revolute=np.array(revolute, dtype=bool), size=size or 1.0)
+    offsets = float(np.linalg.norm(K[1:, :3, 3], axis=1).sum())
+    away = max(1.0, float(np.linalg.norm(K[0, :3, 3])))
+    size = offsets if offsets > 1e-6 * away else away
+    return Arm(
+        constants=K,
+        revolute=np.array(revolute, dtype=bool),
+        size=size,
+        rounding=1e-13 * (size + float(np.linalg.norm(K[0, :3, 3]))),
+    )
 
 
 def _cross(u: Array, v: Array) -> Array:

@@ -21,7 +21,7 @@ from kinematics.inverse.distinct import SAME, SINGULAR_VALUE
 from kinematics.inverse.limits import within_limits
 from kinematics.inverse.residuals import pose_errors
 from kinematics.inverse.results import IKStatus, InverseKinematics
-from kinematics.inverse.solve import ROUNDING, Solver, nearest_rigid
+from kinematics.inverse.solve import AS_IT_IS, Solver, nearest_rigid
 from kinematics.jacobian import jacobian
 from kinematics.transforms import check_transform
 
@@ -158,14 +158,15 @@ def _together(solver: Solver, decomposition: Decomposition, poses: Array) -> tup
     position, angle = pose_errors(reached, poses[owner])
     errors = np.hypot(position / solver.arm.size, angle)
     J = jacobian(solver.table, joints, base=solver.base, tool=solver.tool)
-    care = errors > ROUNDING
+    exact = (position <= max(AS_IT_IS, solver.arm.rounding)) & (angle <= AS_IT_IS)
+    care = ~exact
     care[_singular(J, solver.arm.size)] = True
     care &= errors < NEARLY
     done = np.bincount(owner[errors < NEARLY], minlength=len(poses)) > 0
     done[owner[care]] = False
     done[_repeated(J, counts)] = False
     joints, fits = within_limits(joints, solver.arm.revolute, solver.box, solver.arm.size)
-    kept = done[owner] & (errors <= ROUNDING) & fits
+    kept = done[owner] & exact & fits
     done &= np.bincount(owner[kept], minlength=len(poses)) > 0
     kept &= done[owner]
     return _Part(joints[kept], owner[kept], position[kept], angle[kept]), done

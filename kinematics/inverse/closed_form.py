@@ -74,9 +74,24 @@ def closed_form_of(arm: Arm) -> ClosedForm | None:
     if arm.n_joints > max(_DECOMPOSED) or not _has_full_rank(arm):
         return None
     decomposition = None
-    if arm.n_joints in _DECOMPOSED and arm.revolute.all():
+    if arm.n_joints in _DECOMPOSED and arm.revolute.all() and _looks_special(arm):
         decomposition = _decomposition_of(arm)
     return decomposition or partition_of(arm)
+
+
+def _looks_special(arm: Arm) -> bool:
+    """Whether there is any hope: in six joints three axes that meet or are parallel, in five joints two.
+
+    EAIK would say so too, but on the standard error stream.
+    """
+    z, p, _ = arm.screws
+    sine = np.linalg.norm(np.cross(z[:-1], z[1:]), axis=1)
+    gap = np.abs(np.einsum("ij,ij->i", np.cross(z[:-1], z[1:]), p[1:] - p[:-1]))
+    near = 1e-5 * arm.size
+    parallel, meeting = sine < 1e-5, gap < near * np.maximum(sine, 1e-5)
+    if arm.n_joints < max(_DECOMPOSED):
+        return bool((parallel | meeting).any())
+    return bool((parallel[:-1] & parallel[1:]).any() or (meeting[:-1] & meeting[1:]).any())
 
 
 def _has_full_rank(arm: Arm) -> bool:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
-from kinematics.inverse.arm import Array
+from kinematics.inverse.arm import Arm, Array
 
 
 def pose_errors(poses: Array, targets: Array) -> tuple[Array, Array]:
@@ -30,6 +31,19 @@ def residuals(poses: Array, targets: Array) -> Array:
     """(m,) residuals √(distance² + angle²)."""
     position, angle = pose_errors(poses, targets)
     return np.hypot(position, angle)
+
+
+def are_solutions(errors: Array, arm: Arm, tolerance: float) -> NDArray[np.bool_]:
+    """Whether error vectors are those of solutions: distance [m] and angle [rad] within the tolerance.
+
+    Args:
+        errors: (m, 6) from `error_vectors`.
+        arm: the arm; of large ones the tolerance for the distance is what rounding leaves.
+        tolerance: [m] and [rad].
+    """
+    distance = arm.size * np.linalg.norm(errors[:, :3], axis=1)
+    angle = np.linalg.norm(errors[:, 3:], axis=1)
+    return np.asarray((distance <= max(tolerance, arm.rounding)) & (angle <= tolerance))
 
 
 def error_vectors(poses: Array, target: Array, size: float) -> Array:

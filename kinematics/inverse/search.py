@@ -18,13 +18,16 @@ import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.distinct import distinct
-from kinematics.inverse.residuals import error_vectors
+from kinematics.inverse.residuals import are_solutions, error_vectors
 
 CONVERGED = 1e-11
 """Size of the error vector at which a start has arrived."""
 
-ARRIVED = 1e-7
+ARRIVED = 1e-5
 """Size of the error vector at which Newton steps take over."""
+
+TOLERANCE = 5e-9
+"""Largest distance [m] and angle [rad] of a solution found by search."""
 
 JOINTS_OF_SPACE = 6
 """An arm with more joints than this has joints to spare."""
@@ -198,9 +201,9 @@ def search(arm: Arm, target: Array, box: Box, bounds: Bounds) -> SearchResult:
 def _exact(arm: Arm, target: Array, joints: Array, box: Box) -> Array:
     """Those configurations that, refined and put back into the box, are solutions; the best first."""
     q = np.clip(polish(arm, target, joints), box.low, box.high)
-    errors = np.linalg.norm(error_vectors(arm.frames(q)[-1], target, arm.size), axis=1)
-    exact = errors <= arm.exactness
-    return np.asarray(q[exact][np.argsort(errors[exact], kind="stable")])
+    vectors = error_vectors(arm.frames(q)[-1], target, arm.size)
+    exact = are_solutions(vectors, arm, TOLERANCE)
+    return np.asarray(q[exact][np.argsort(np.linalg.norm(vectors[exact], axis=1), kind="stable")])
 
 
 def _starts(arm: Arm, target: Array, box: Box, count: int, skip: int) -> Array:

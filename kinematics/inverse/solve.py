@@ -13,7 +13,7 @@ from kinematics.inverse.arm import Arm, Array, arm_of
 from kinematics.inverse.closed_form import NEARLY, ClosedForm, closed_form_of
 from kinematics.inverse.distinct import distinct, on_continuum, one_per_continuum
 from kinematics.inverse.limits import JointLimits, read_limits, within_limits
-from kinematics.inverse.residuals import error_vectors, pose_errors
+from kinematics.inverse.residuals import are_solutions, error_vectors, pose_errors
 from kinematics.inverse.results import (
     IKSolution,
     IKStatus,
@@ -29,8 +29,11 @@ from kinematics.table import NumericTable
 from kinematics.transforms import check_transform
 
 MAX_JOINTS = 12
-ROUNDING = 1e-12
-"""A candidate with an error vector this small [rad, or parts of the size] is left as it is."""
+TOLERANCE = 5e-10
+"""Largest distance [m] and angle [rad] of a solution from a closed form."""
+
+AS_IT_IS = 1e-11
+"""A candidate this exact [m and rad] is left as it is."""
 
 MOST_SOLUTIONS = 64
 """Of a search no more solutions than this are returned."""
@@ -144,9 +147,9 @@ def inverse_kinematics(
     """The joint variables at which the arm reaches a target: base · A_1(q) ⋯ A_N(q) · tool = target.
 
     Arms with a closed form yield every solution. Others are searched from many starts: what is returned are
-    solutions, but there may be more. A solution's residual is at most 1e-9, in radians and in
-    the table's unit of length, for arms up to 10 000 units long; in general it is some 1e-15 of the arm's
-    size.
+    solutions, but there may be more. The residual of a solution is some 1e-15 of the arm's size in
+    general; it is at most 1e-9 from a closed form and 1e-8 from a search, in radians and in the table's
+    unit of length (in arms more than 10 000 units long, 1e-13 of their size).
 
     Args:
         table: the DH table, of 1 to 12 joints.
@@ -190,13 +193,15 @@ def refined(arm: Arm, candidates: Array, target: Transform) -> Array:
     """The solutions among candidates, each once, as exact as floating point has them."""
     if not len(candidates):
         return candidates
-    errors = np.linalg.norm(error_vectors(arm.frames(candidates)[-1], target, arm.size), axis=1)
-    rough = (errors > ROUNDING) & (errors < NEARLY)
+    vectors = error_vectors(arm.frames(candidates)[-1], target, arm.size)
+    errors = np.linalg.norm(vectors, axis=1)
+    rough = ~are_solutions(vectors, arm, AS_IT_IS) & (errors < NEARLY)
     if rough.any():
         candidates = candidates.copy()
         candidates[rough] = polish(arm, target, candidates[rough])
-        errors = np.linalg.norm(error_vectors(arm.frames(candidates)[-1], target, arm.size), axis=1)
-    exact = errors <= arm.exactness
+        vectors = error_vectors(arm.frames(candidates)[-1], target, arm.size)
+        errors = np.linalg.norm(vectors, axis=1)
+    exact = are_solutions(vectors, arm, TOLERANCE)
     ranked = np.argsort(errors[exact], kind="stable")
     return distinct(arm, target, candidates[exact][ranked])
 
