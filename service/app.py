@@ -40,6 +40,17 @@ refusal is an `application/problem+json` document with a stable code, the place 
 the caller's language (`Accept-Language`).
 """
 
+TAGS = (
+    {
+        "name": "kinematics",
+        "description": "What follows from a DH table, and other ways to describe its robot.",
+    },
+    {"name": "robots", "description": "The robots of the source documents."},
+    {"name": "scm", "description": "The Sistema Coordenado Móvel."},
+    {"name": "exercises", "description": "Exercises, and the judgement of answers."},
+    {"name": "service", "description": "About the service itself."},
+)
+
 
 def create_app(settings: Settings | None = None) -> FastAPI:
     """The service with the given settings; those of the environment if left out."""
@@ -76,7 +87,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             expose_headers=["X-Request-Id", "Content-Language"],
         )
     app.add_middleware(Edge, settings=settings)
-    app.openapi = functools.cache(lambda: openapi.document(app, ()))  # type: ignore[method-assign]
+    app.openapi = functools.cache(lambda: openapi.document(app, TAGS))  # type: ignore[method-assign]
     return app
 
 

@@ -106,7 +106,23 @@ def document(app: FastAPI, tags: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     for path in schema["paths"].values():
         for operation in path.values():
             _refuse_alike(operation)
+            _put_in_order(operation)
+    order = [tag["name"] for tag in tags]
+    schema["paths"] = dict(sorted(schema["paths"].items(), key=lambda item: _rank(item[1], order)))
     return schema
+
+
+def _put_in_order(operation: dict[str, Any]) -> None:
+    operation["responses"] = dict(sorted(operation["responses"].items()))
+    succeeded = operation["responses"].get("200", {})
+    if succeeded.get("description") == "Successful Response":
+        succeeded["description"] = "The answer."
+
+
+def _rank(path: Mapping[str, Any], order: Sequence[str]) -> int:
+    """Where a path stands: by the tag of its first operation; unknown tags last."""
+    tag = next(iter(path.values()))["tags"][0]
+    return order.index(tag) if tag in order else len(order)
 
 
 def _refuse_alike(operation: dict[str, Any]) -> None:
