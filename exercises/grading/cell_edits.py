@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
-from exercises.grading.fitting import fitting_values
+from exercises.grading.fitting import fitted_tables, fitting_values
 from exercises.grading.work import Apply, Change, Extent, Work, change, with_cell, with_row
 from kinematics.cells import AngleUnit
 from kinematics.equivalence import DirectionRule, ZeroRule
@@ -15,6 +15,7 @@ from kinematics.table import JointType, NumericTable
 
 RIGHT_ANGLES = (0.0, math.pi / 2, -math.pi / 2, math.pi)
 SAME = 1e-9
+TOO_LONG, TOO_SHORT = 2.0, 0.02
 
 
 def _set(row: int, cell: str, value: Callable[[float], float]) -> Apply:
@@ -141,6 +142,43 @@ def _fitted_lengths(work: Work, cell: str) -> Iterator[Change]:
         for value in fitting_values(work, work.tables[0], 0, i, cell):
             code = _story(work, i, cell, value)
             yield change(code, _near(work, i, cell, value), extent=Extent.CELL, row=i, cell=cell)
+
+
+def length_in_other_unit(work: Work) -> Iterator[Change]:
+    """One length typed in millimetres or centimetres where metres are declared, or the reverse."""
+    for i, row in enumerate(work.tables[0].rows):
+        for cell in ("a", "d"):
+            if not getattr(row, cell) or (cell == "d" and row.joint is JointType.PRISMATIC):
+                continue
+            here, size = abs(getattr(row, cell)), work.references[0].size
+            ratios = (
+                (0.001, 0.01)
+                if here > TOO_LONG * size
+                else (1000.0, 100.0)
+                if here < TOO_SHORT * size
+                else ()
+            )
+            for ratio in ratios:
+                yield _cell("cell_length_unit", i, cell, _times(ratio))
+
+
+def _times(ratio: float) -> Callable[[float], float]:
+    return lambda x: x * ratio
+
+
+def any_length(work: Work) -> Iterator[Change]:
+    """A or d as the whole robot asks for, where no single fact of it shows the value."""
+    for i, row in enumerate(work.tables[0].rows):
+        for cell in ("a", "d"):
+            if cell == "d" and row.joint is JointType.PRISMATIC:
+                continue
+            for table in fitted_tables(work, work.tables[0], 0, ((i, cell),)):
+                code = _story(work, i, cell, getattr(table.rows[i], cell))
+                yield change(code, _fitted_to_all(work, i, cell), extent=Extent.CELL, row=i, cell=cell)
+
+
+def _fitted_to_all(work: Work, row: int, cell: str) -> Apply:
+    return lambda table, draw: fitted_tables(work, table, draw, ((row, cell),))
 
 
 def _story(work: Work, row: int, cell: str, value: float) -> str:

@@ -8,15 +8,19 @@ form.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 from exercises.grading.work import Work, with_cell
+from kinematics.equivalence.cell_fitting import fitted_lengths
+from kinematics.equivalence.chains import chain_of
+from kinematics.equivalence.diagnosis import likely_signs
 from kinematics.equivalence.invariants import Invariant, Measure
 from kinematics.table import NumericTable
 
 INFLUENCE = 1e-6
 OFF = 0.1
 MOST_STRAINED = 4
+MOST_SIGNS = 3
 
 
 def fitting_values(work: Work, table: NumericTable, draw: int, row: int, cell: str) -> list[float]:
@@ -45,6 +49,27 @@ def fitting_values(work: Work, table: NumericTable, draw: int, row: int, cell: s
         found = list(_solutions(work, table, work.invariants[draw][k], row, cell, scale))
         if found:
             return found
+    return []
+
+
+def fitted_tables(
+    work: Work, table: NumericTable, draw: int, places: Sequence[tuple[int, str]]
+) -> list[NumericTable]:
+    """The table with some lengths changed so that it fits the key as a whole.
+
+    Args:
+        work: the key.
+        table: the table.
+        draw: number of the parameter draw.
+        places: rows, counted from 0, and "a" or "d".
+    """
+    reference = work.references[draw]
+    if table.joint_types != reference.table.joint_types:
+        return []
+    for signs in likely_signs(reference, chain_of(table), work.policy)[:MOST_SIGNS]:
+        found = fitted_lengths(reference, table, places, signs, work.policy.tolerance)
+        if found is not None:
+            return [found]
     return []
 
 

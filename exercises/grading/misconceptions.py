@@ -14,6 +14,7 @@ from exercises.grading.cell_edits import (
     alpha_value,
     angle_in_degrees,
     angle_in_radians,
+    length_in_other_unit,
     length_value,
     offset_value,
     sign_of_length,
@@ -106,6 +107,11 @@ CATALOGUE: tuple[Misconception, ...] = (
     Misconception(code="a_sign", story="measured a length against the x axis", changes=sign_of_length),
     Misconception(code="d_sign", story="measured an offset against the z axis", changes=sign_of_offset),
     Misconception(code="a_d_swapped", story="wrote a under d and d under a", changes=cells_swapped),
+    Misconception(
+        code="cell_length_unit",
+        story="typed one length in another unit than declared",
+        changes=length_in_other_unit,
+    ),
     Misconception(
         code="a_value",
         story="left a length out, put one in, or took the wrong one",

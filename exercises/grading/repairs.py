@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
+from exercises.grading.cell_edits import any_length
 from exercises.grading.misconceptions import changes_of
 from exercises.grading.work import Change, Work
 from kinematics.equivalence.search import Effort
@@ -49,18 +50,20 @@ class Trial:
 def find_repairs(work: Work) -> tuple[Repaired, ...]:
     """The repairs of a wrong table, likeliest first; of two edits only if no single one will do."""
     budget = Budget(MOST_DECISIONS, time.thread_time() + SECONDS)
-    trials = list(_trials(work))
+    trials = list(_tried(work, changes_of(work)))
     for effort in Effort:
         singles = [Repaired((change,)) for change in _helping(work, trials, budget, effort)]
         if singles:
             return tuple(singles[:MOST_REPAIRS])
-    return tuple(_pairs(work, trials, budget))[:MOST_REPAIRS]
+    fitted = list(_tried(work, any_length(work)))
+    singles = [Repaired((change,)) for change in _helping(work, fitted, budget, Effort.REFINED)]
+    return tuple(singles or _pairs(work, trials, budget))[:MOST_REPAIRS]
 
 
-def _trials(work: Work) -> Iterator[Trial]:
-    """Every change of the catalogue, tried on the first draw."""
+def _tried(work: Work, changes: Iterable[Change]) -> Iterator[Trial]:
+    """The changes, tried on the first draw."""
     known: dict[NumericTable, int | None] = {}
-    for change in changes_of(work):
+    for change in changes:
         for table in change.apply(work.tables[0], 0):
             if table == work.tables[0]:
                 continue
@@ -110,7 +113,7 @@ def _pairs(work: Work, trials: list[Trial], budget: Budget) -> Iterator[Repaired
         half = replace(work, tables=(trial.table, *work.tables[1:]))
         rest = [
             other
-            for other in _trials(half)
+            for other in _tried(half, changes_of(half))
             if other.failing == 0 and not set(other.change.touched) & set(trial.change.touched)
         ]
         for other in rest:

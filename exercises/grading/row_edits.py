@@ -12,6 +12,10 @@ from exercises.grading.work import Apply, Change, Extent, Work, change, with_cel
 from kinematics.table import DHRow, JointType, NumericRow, NumericTable
 
 MOST_ROWS_FOR_ALL_PAIRS = 8
+ORDERS = {
+    JointType.REVOLUTE: (("alpha", "a", "d"), ("alpha", "d", "a")),
+    JointType.PRISMATIC: (("alpha", "theta", "a"), ("theta", "alpha", "a")),
+}
 
 
 def cells_swapped(work: Work) -> Iterator[Change]:
@@ -99,18 +103,17 @@ def row_too_many(work: Work) -> Iterator[Change]:
 
 
 def row_left_out(work: Work) -> Iterator[Change]:
-    """A row put in: of the joint that is missing, with a right angle as twist and the lengths that fit."""
+    """A row put in: of the joint that is missing, with a twist and lengths that fit."""
     wanted, given = work.references[0].table.joint_types, work.tables[0].joint_types
     places = len(work.tables[0].rows) + 1
     for place in range(places):
         joint = _missing(wanted, given, sum(index < place for index in work.tables[0].joint_rows))
         if joint is None:
             continue
+        touched = tuple((place, cell) for cell in ("alpha", "a", "d", "joint"))
+        params = {"place": place + 1, "after": place}
         for alpha in RIGHT_ANGLES:
-            blank = DHRow(joint=joint, theta=0.0, d=0.0, a=0.0, alpha=alpha)
-            touched = tuple((place, cell) for cell in ("alpha", "a", "d", "joint"))
-            params = {"place": place + 1, "after": place}
-            apply = _filled(work, place, blank)
+            apply = _filled(work, place, DHRow(joint=joint, theta=0.0, d=0.0, a=0.0, alpha=alpha))
             yield change("row_missing", apply, extent=Extent.ROW, row=place, touched=touched, params=params)
 
 
@@ -122,19 +125,21 @@ def _missing(wanted: tuple[JointType, ...], given: tuple[JointType, ...], before
 
 
 def _filled(work: Work, place: int, blank: NumericRow) -> Apply:
-    """The row put in, and its lengths solved for one after the other."""
+    """The row put in as it is, and with some of its cells solved for one after the other."""
 
     def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
         first = with_rows(table, (*table.rows[:place], blank, *table.rows[place:]))
-        found = [first]
-        for cells in (("a", "d"), ("d", "a")):
-            for x in fitting_values(work, first, draw, place, cells[0]):
-                second = with_cell(first, place, cells[0], x)
-                found.append(second)
-                found += [
-                    with_cell(second, place, cells[1], y)
-                    for y in fitting_values(work, second, draw, place, cells[1])
-                ]
-        return found
+        for cells in ORDERS[blank.joint]:
+            yield from _solved(work, first, draw, place, cells)
 
     return apply
+
+
+def _solved(
+    work: Work, table: NumericTable, draw: int, row: int, cells: tuple[str, ...]
+) -> Iterator[NumericTable]:
+    """The table, and those in which some cells, in this order, were given a value that fits."""
+    yield table
+    for k, cell in enumerate(cells):
+        for value in fitting_values(work, table, draw, row, cell):
+            yield from _solved(work, with_cell(table, row, cell, value), draw, row, cells[k + 1 :])

@@ -9,7 +9,7 @@ from kinematics.equivalence.alignment import Alignment, align
 from kinematics.equivalence.chains import Axis, Chain
 from kinematics.equivalence.groups import Group, Rotations, departure
 from kinematics.equivalence.plan import Plan, Step
-from kinematics.equivalence.policy import Policy, ToolRule, ZeroRule
+from kinematics.equivalence.policy import BaseRule, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.results import Kind, Mismatch
 from kinematics.equivalence.rigid import (
@@ -76,6 +76,13 @@ def diagnose(
                 best = trail
     assert best is not None
     return tuple(_placed(mismatch, table) for mismatch in best.mismatches)
+
+
+def likely_signs(reference: Reference, submission: Chain, policy: Policy) -> list[tuple[int, ...]]:
+    """Choices of signs with which a submission fits best, the best first."""
+    near = reference.nearnesses(policy.tolerance)[0]
+    plan = reference.plans(BaseRule.FREE, ZeroRule.FREE, near)[0]
+    return [trail.signs for trail in _trails(plan, reference, submission, policy)]
 
 
 def _trails(plan: Plan, reference: Reference, submission: Chain, policy: Policy) -> list[Trail]:

@@ -163,6 +163,8 @@ def _along(axes: Sequence[Axis], i: int, last: int, size: float, policy: Policy)
     while j < last and not axes[j + 1].prismatic and _parallel(axes[j + 1], here):
         j += 1
     after = min(j + 1, last)
+    while after < last and axes[after].prismatic and _parallel(axes[after], axes[after + 1]):
+        after += 1
     other = norm(cross(axes[after].direction, here.direction)) if j < last else 1.0
     if other < STEEPEST or axes[after].prismatic or axes[before].prismatic:
         return []

@@ -76,7 +76,7 @@ def refine(
         offsets_free: δ may change.
     """
     lengths_too = np.repeat((1.0, size_for(reference, submission)), 3)[:, None]
-    problem = _Problem(
+    problem = Problem(
         reference, submission, tolerance, lengths_too * base_twists, lengths_too * tool_twists, offsets_free
     )
     best, best_residual = candidate, Residual(math.inf, math.inf)
@@ -100,7 +100,7 @@ def refine(
 
 
 @dataclass(frozen=True, slots=True)
-class _Model:
+class Model:
     """The errors at the sampled configurations, in units of the tolerance, as a linear function of a step.
 
     Attributes:
@@ -156,7 +156,9 @@ class _Model:
 
 
 @dataclass(frozen=True, slots=True)
-class _Problem:
+class Problem:
+    """What a certificate is refined for: two chains, and by what it may change."""
+
     reference: Reference
     submission: Chain
     tolerance: Tolerance
@@ -170,17 +172,23 @@ class _Problem:
         size = size_for(self.reference, self.submission)
         return np.array([size if axis.prismatic else 1.0 for axis in self.submission.axes])
 
-    def linearised(self, candidate: Candidate) -> _Model:
-        """The errors at a certificate, and how they change with it."""
+    def linearised(self, candidate: Candidate, *more: Matrix) -> Model:
+        """The errors at a certificate, and how they change with it.
+
+        Args:
+            candidate: the certificate.
+            more: (samples, 6) how frame N turns and moves with whatever else may change.
+        """
         size = size_for(self.reference, self.submission)
         left, by_joint = _left_side(self.submission, joint_values(self.reference, candidate))
         right = to_matrix(candidate.base) @ self.reference.poses @ to_matrix(candidate.tool)
         columns = [by_joint * self.joint_scales] if self.offsets_free else []
         columns += [-_twists_of_base(right) @ self.base_twists, -_twists_of_tool(right) @ self.tool_twists]
         units = np.repeat((self.tolerance.angle, self.tolerance.length * size), 3)
+        columns += [column[:, :, None] for column in more]
         jacobian = np.concatenate(columns, axis=2) / units[:, None]
         errors = _mismatch(left, right) / units
-        return _Model(
+        return Model(
             errors=errors.reshape(-1, 3),
             jacobian=jacobian.reshape(-1, jacobian.shape[2]),
             found=largest(left - right, size),
@@ -194,8 +202,9 @@ class _Problem:
         if self.offsets_free:
             changes = (step[:n] * self.joint_scales).tolist()
             offsets = tuple(value + change for value, change in zip(offsets, changes, strict=True))
+        m = self.tool_twists.shape[1]
         base = compose(_small(self.base_twists @ step[n : n + k]), candidate.base)
-        tool = compose(candidate.tool, _small(self.tool_twists @ step[n + k :]))
+        tool = compose(candidate.tool, _small(self.tool_twists @ step[n + k : n + k + m]))
         return Candidate(signs=candidate.signs, offsets=offsets, base=base, tool=tool)
 
 
