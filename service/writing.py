@@ -91,11 +91,12 @@ def numeric_table(table: NumericTable, angle_unit: AngleUnit, length_unit: Lengt
         "convention": table.convention.value,
         "angle_unit": angle_unit.value,
         "length_unit": length_unit.value,
-        "rows": [_numeric_row(row, numbers.get(i, 0), angle_unit) for i, row in enumerate(table.rows)],
+        "rows": [numeric_row(row, numbers.get(i, 0), angle_unit) for i, row in enumerate(table.rows)],
     }
 
 
-def _numeric_row(row: NumericRow, joint: int, angle_unit: AngleUnit) -> dict[str, WireCell]:
+def numeric_row(row: NumericRow, joint: int, angle_unit: AngleUnit) -> dict[str, WireCell]:
+    """A row of numbers, written as numbers; `joint` is the number of its variable, if it has one."""
     cells: dict[str, WireCell] = {
         "joint": row.joint.value,
         "alpha": angle_in(angle_unit, row.alpha),

@@ -14,6 +14,7 @@ from enum import StrEnum
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from kinematics.errors import DescriptionError, Fault
 from kinematics.forward import forward_kinematics
@@ -135,8 +136,8 @@ def assign_frames(
     axes: Sequence[JointAxis],
     convention: Convention,
     *,
-    base: Transform | None = None,
-    tool: Transform | Gripper | None = None,
+    base: ArrayLike | None = None,
+    tool: ArrayLike | Gripper | None = None,
     parallel_tolerance: float = PARALLEL_TOLERANCE,
     near_parallel: NearParallel = NearParallel.PARALLEL,
 ) -> FrameAssignment:

@@ -1,0 +1,31 @@
+# Placement des repères : règles et refus.
+
+rule-z_not_along_axis = z doit être porté par l’axe { $axis }.
+rule-origin_not_on_axis = L’origine doit se trouver sur l’axe { $axis }.
+rule-origin_not_on_common_normal = L’origine doit être au point où la normale commune aux axes { $first } et { $second } rencontre l’axe de ce repère.
+rule-origin_not_at_intersection = Les axes { $first } et { $second } se coupent : l’origine se place à leur point d’intersection.
+rule-x_not_across_z = x doit être perpendiculaire à z.
+rule-x_not_along_common_normal = x doit être porté par la normale commune aux axes { $first } et { $second }.
+rule-x_not_across_both_axes = x doit être perpendiculaire aux deux axes { $first } et { $second }.
+rule-first_x_misses_axis = x du premier repère doit couper l’axe { $axis } à angle droit.
+rule-last_x_misses_axis = x du dernier repère doit couper l’axe { $axis } à angle droit.
+rule-z_reversed = z est opposé au sens positif de l’axe { $axis }. C’est permis ; la variable articulaire entre alors avec le signe moins.
+rule-x_reversed = x va de l’axe { $second } vers l’axe { $first }. C’est permis ; la longueur du segment devient alors négative.
+rule-offset_could_vanish = Avec une autre origine sur cet axe, d{ $joint } serait nul.
+rule-angle_could_vanish = Avec une autre direction de x, θ{ $joint } serait nul.
+rule-first_not_simplest = Le repère 0 pourrait être placé de façon à annuler plus de paramètres.
+rule-last_not_simplest = Le dernier repère pourrait être placé de façon à annuler plus de paramètres.
+
+error-axes_wrong_number = Une chaîne a de 1 à { $limit } axes ; celle-ci en a { $count }.
+error-axis_joint_unknown = L’articulation d’un axe est rotoïde (revolute) ou prismatique (prismatic).
+error-gripper_jaws_along_approach = Les mors glissent en travers de la direction d’approche, non le long de celle-ci.
+error-vector_malformed = Donnez trois nombres finis x, y, z, aucun plus grand que { $limit }.
+error-direction_zero = Une direction a besoin d’une longueur : 0, 0, 0 ne pointe nulle part.
+error-frames_too_many = Une chaîne de { $count } articulations a les repères 0 à { $count }.
+error-parallel_tolerance_out_of_range = La tolérance pour les axes parallèles est comprise entre { $least } et { $greatest } rad.
+error-near_parallel = Les axes { $previous } et { $joint } sont parallèles à { $angle } rad près et ont été pris comme parallèles ; cela déplace le robot d’au plus { $displacement }.
+error-near_parallel_dummy_row = Les axes { $previous } et { $joint } sont parallèles à { $angle } rad près ; une ligne fixe entre eux garde le tableau exact.
+error-base_not_frame_zero_standard = Le repère 0 d’un tableau standard a z sur l’axe 1 et son origine sur celui-ci ; le repère donné non, il n’est donc atteint que par la base.
+error-base_not_frame_zero_modified = Le repère 0 d’un tableau modifié a un axe x qui coupe l’axe 1 à angle droit ; le repère donné non, il n’est donc atteint que par la base.
+error-tool_not_last_frame_standard = Le dernier repère d’un tableau standard a un axe x qui coupe le dernier axe à angle droit ; l’outil donné non, il n’est donc atteint que par la transformation d’outil.
+error-tool_not_last_frame_modified = Le dernier repère d’un tableau modifié a z sur le dernier axe et son origine sur celui-ci ; l’outil donné non, il n’est donc atteint que par la transformation d’outil.

@@ -1,0 +1,84 @@
+"""From joint axes to frames and a DH table."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from fastapi import Body, Request
+from fastapi.openapi.models import Example
+
+from service.frames import Say, assigned, checked
+from service.languages import language_of
+from service.messages import sentence
+from service.openapi import problems
+from service.routing import api_router
+from service.schemas.frames import (
+    AssignFramesAnswer,
+    AssignFramesRequest,
+    CheckFramesAnswer,
+    CheckFramesRequest,
+)
+
+router = api_router("kinematics")
+
+_ELBOW = [
+    {"joint": "revolute", "point": [0, 0, 0], "direction": [0, 0, 1]},
+    {"joint": "revolute", "point": [0, 0, 0.4], "direction": [0, -1, 0]},
+    {"joint": "revolute", "point": [0.5, 0, 0.4], "direction": [0, -1, 0]},
+]
+_ASSIGN: dict[str, Example] = {
+    "an elbow arm with a gripper": {
+        "value": {
+            "axes": _ELBOW,
+            "convention": "standard",
+            "angle_unit": "deg",
+            "tool": {"point": [0.9, 0, 0.4], "approach": [1, 0, 0], "jaws": [0, 1, 0]},
+        }
+    }
+}
+_CHECK: dict[str, Example] = {
+    "two frames of three, one of them broken": {
+        "value": {
+            "axes": _ELBOW,
+            "convention": "modified",
+            "angle_unit": "deg",
+            "frames": [
+                {"origin": [0, 0, 0], "x": [1, 0, 0], "z": [0, 0, 1]},
+                {"origin": [0, 0, 0.4], "x": [0, 1, 0], "z": [0, 0, 1]},
+            ],
+        }
+    }
+}
+
+
+@router.post(
+    "/assign-frames", summary="Joint axes in, a DH table out", responses=problems(400, 413, 415, 422)
+)
+async def assign(
+    request: Request, body: Annotated[AssignFramesRequest, Body(openapi_examples=_ASSIGN)]
+) -> AssignFramesAnswer:
+    """Frames by the procedure of the lecture documents, each with its rule and what was free at it.
+
+    What is free is chosen so that most parameters vanish: d = 0 along parallel runs, frame 0 on frame 1 at
+    zero, the last x along the one before. base · table · tool reproduces every axis and the tool.
+    """
+    return assigned(body, _speaker(language_of(request)))
+
+
+@router.post(
+    "/check-frames",
+    summary="A student's frames, judged rule by rule",
+    responses=problems(400, 413, 415, 422),
+)
+async def check(
+    request: Request, body: Annotated[CheckFramesRequest, Body(openapi_examples=_CHECK)]
+) -> CheckFramesAnswer:
+    """Which rules the chosen frames break, what there is to choose from, and the rows that follow."""
+    return checked(body, _speaker(language_of(request)))
+
+
+def _speaker(language: str) -> Say:
+    def say(identifier: str, params: dict[str, object]) -> str:
+        return sentence(language, identifier, params) or identifier
+
+    return say

@@ -1,0 +1,181 @@
+"""POST /assign-frames and POST /check-frames on the wire."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, TypeAlias
+
+from pydantic import Field
+
+from kinematics.cells import AngleUnit, LengthUnit
+from kinematics.frames.assignment import Freedom, Rule
+from kinematics.frames.axes import Gripper, JointAxis
+from kinematics.frames.candidates import CandidateKind
+from kinematics.frames.parallels import MAX_PARALLEL_TOLERANCE, PARALLEL_TOLERANCE, NearParallel
+from kinematics.frames.rules import Part, RuleCode, Severity
+from kinematics.frames.trainer import ChosenFrame
+from kinematics.table import Convention, JointType
+from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.tables import Table, Units
+
+
+class Axis(Wire):
+    """The axis of one joint, with the robot at its zero position."""
+
+    joint: Literal["revolute", "prismatic"]
+    direction: Vector3 = Field(description="direction of the positive motion; any length but zero")
+    point: Vector3 = Field(
+        [0.0, 0.0, 0.0], description="a point of the axis; of a prismatic joint only the direction matters"
+    )
+
+    def axis(self) -> JointAxis:
+        """The axis as the domain knows it."""
+        return JointAxis(joint=JointType(self.joint), direction=self.direction, point=self.point)
+
+
+class GripperTool(Wire):
+    """A gripper, from which the end frame follows: z towards the object, y across the jaws."""
+
+    point: Vector3 = Field(description="the middle between the jaws")
+    approach: Vector3 = Field(description="direction towards the object")
+    jaws: Vector3 = Field(description="direction in which the jaws slide")
+
+    def gripper(self) -> Gripper:
+        """The gripper as the domain knows it."""
+        return Gripper(point=self.point, approach=self.approach, jaws=self.jaws)
+
+
+Tool: TypeAlias = Matrix4 | GripperTool
+
+
+class AxesQuestion(Wire):
+    """A robot by its joint axes, and the convention of the wanted table."""
+
+    axes: list[Axis] = Field(min_length=1, max_length=64, description="the joint axes, base first")
+    convention: Annotated[Convention, Field(strict=False)]
+    base: Matrix4 | None = Field(None, description="a pose wanted as frame 0, in the coordinates of the axes")
+    tool: Tool | None = Field(None, description="the tool's pose at zero, or the gripper")
+    angle_unit: Annotated[AngleUnit, Field(strict=False)] = Field(
+        AngleUnit.RAD, description="unit of the angles of the table"
+    )
+    length_unit: Annotated[LengthUnit, Field(strict=False)] = Field(
+        LengthUnit.M, description="unit of all lengths"
+    )
+
+
+class AssignFramesRequest(AxesQuestion):
+    """Axes to which frames are to be assigned."""
+
+    parallel_tolerance: Real = Field(
+        PARALLEL_TOLERANCE,
+        ge=1e-10,
+        le=MAX_PARALLEL_TOLERANCE,
+        description="tilt [rad] below which two axes are taken as parallel, with a warning",
+    )
+    near_parallel: Annotated[NearParallel, Field(strict=False)] = Field(
+        NearParallel.PARALLEL, description="what becomes of nearly parallel axes"
+    )
+
+
+class Frame(Wire):
+    """One frame at the zero position, in the coordinates of the axes."""
+
+    origin: Vector3
+    x: Vector3
+    y: Vector3
+    z: Vector3
+    rule: Rule = Field(description="the rule by which it was placed")
+    free: list[Freedom] = Field(description="what the rules left free there")
+
+
+class Remark(Wire):
+    """Something that a caller should know about a result."""
+
+    code: str
+    message: str
+
+
+class AssignFramesAnswer(Units):
+    """base · table · tool reproduces every axis and the tool."""
+
+    table: Table
+    base: Matrix4 = Field(description="pose of frame 0 in the coordinates of the axes")
+    tool: Matrix4 = Field(description="pose of the given tool in frame N; the identity if none was given")
+    frames: list[Frame] = Field(description="frame 0 … N")
+    warnings: list[Remark]
+
+
+class Chosen(Wire):
+    """A frame as far as it has been chosen; y follows from z and x."""
+
+    origin: Vector3 | None = None
+    x: Vector3 | None = None
+    z: Vector3 | None = None
+
+    def frame(self) -> ChosenFrame:
+        """The frame as the domain knows it."""
+        return ChosenFrame(origin=self.origin, x=self.x, z=self.z)
+
+
+class CheckFramesRequest(AxesQuestion):
+    """Axes, and the frames that a student has attached to them."""
+
+    frames: list[Chosen | None] = Field(
+        max_length=65, description="frame 0 … N as far as chosen; null or left out where nothing is"
+    )
+
+
+class Broken(Wire):
+    """A rule that a frame breaks, or a piece of advice."""
+
+    rule: RuleCode
+    part: Part
+    severity: Severity
+    params: dict[str, int]
+    message: str = Field(description="the rule in the caller's language")
+
+
+class Choice(Wire):
+    """A point or a direction to choose."""
+
+    kind: CandidateKind
+    vector: Vector3
+    params: dict[str, int]
+
+
+class Choices(Wire):
+    """What to choose the parts of a frame from."""
+
+    z: list[Choice]
+    origin: list[Choice]
+    x: list[Choice]
+
+
+class Judged(Wire):
+    """What is to be said about one frame."""
+
+    index: int
+    complete: bool = Field(description="whether origin, x and z have been chosen")
+    findings: list[Broken]
+    candidates: Choices
+
+
+class FoundRow(Wire):
+    """A row that follows from two frames; its variable's cell holds the variable."""
+
+    joint: JointType
+    alpha: Real | str
+    a: Real | str
+    d: Real | str
+    theta: Real | str
+
+
+class CheckFramesAnswer(Units):
+    """A student's frames, judged by the rules of the convention."""
+
+    frames: list[Judged] = Field(description="frame 0 … N")
+    rows: list[FoundRow | None] = Field(
+        description="row 1 … N; null while a frame beside it is missing or breaks a rule"
+    )
+    table: Table | None = Field(description="the table, once every row is there")
+    base: Matrix4 | None = None
+    tool: Matrix4 | None = None
