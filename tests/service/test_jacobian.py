@@ -1,0 +1,126 @@
+from __future__ import annotations
+
+import io
+import math
+from typing import Any
+
+import httpx
+import numpy as np
+from hypothesis import given, settings
+
+from service.schemas.examples import PUMA_560, TWO_LINKS
+from tests.service import oracle
+from tests.service.test_forward_kinematics import questions
+
+PATH = "/api/v1/jacobian"
+STEP = 1e-6
+
+
+def asked(client: httpx.Client, body: dict[str, Any], **options: Any) -> Any:
+    response = client.post(PATH, json=body, **options)
+    assert response.status_code == 200, response.text
+    return response.json()
+
+
+def differences(table: dict[str, Any], joints: list[float]) -> np.ndarray:
+    """J0 by central differences of the oracle's poses, per radian."""
+    unit = oracle.UNIT[table.get("angle_unit", "rad")]
+    kinds = [row["joint"] for row in table["rows"] if row["joint"] != "fixed"]
+    columns = []
+    for i, kind in enumerate(kinds):
+        size = STEP / unit if kind == "revolute" else STEP
+        ahead, behind = (
+            oracle.product(oracle.links(table, [q + sign * size * (j == i) for j, q in enumerate(joints)]))
+            for sign in (1, -1)
+        )
+        here = oracle.product(oracle.links(table, joints))
+        rate = (ahead - behind) / (2 * STEP)
+        turning = rate[:3, :3] @ here[:3, :3].T
+        columns.append([*rate[:3, 3], turning[2, 1], turning[0, 2], turning[1, 0]])
+    return np.array(columns).reshape(-1, 6).T
+
+
+@settings(max_examples=50, deadline=None)
+@given(questions())
+def test_jacobians_are_derivatives_of_the_pose(client: httpx.Client, question: dict[str, Any]) -> None:
+    found = asked(client, question)
+    expected = differences(question["table"], question["joints"])
+    J0, Jn = (np.array(found[name]).reshape(6, -1) for name in ("J0", "Jn"))
+    np.testing.assert_allclose(J0, expected, atol=1e-6)
+    rotation = oracle.product(oracle.links(question["table"], question["joints"]))[:3, :3]
+    np.testing.assert_allclose(J0, np.kron(np.eye(2), rotation) @ Jn, atol=1e-10)
+
+
+def test_a_wrist_is_singular_when_it_is_stretched(client: httpx.Client) -> None:
+    stretched = asked(client, {"table": PUMA_560, "joints": [0, 45, -90, 0, 0, 0]})
+    bent = asked(client, {"table": PUMA_560, "joints": [0, 45, -90, 0, 30, 0]})
+    assert (stretched["rank"], stretched["singular"]) == (5, True)
+    assert stretched["twist"]["condition"] is None
+    assert (bent["rank"], bent["singular"]) == (6, False)
+    assert math.isclose(bent["manipulability"], abs(np.linalg.det(bent["J0"])), rel_tol=1e-9)
+
+
+def test_a_stretched_arm_of_two_links_is_singular_in_its_translation(client: httpx.Client) -> None:
+    body = {"table": TWO_LINKS, "parameters": {"L1": 0.4, "L2": 0.3}, "joints": [[0.7, 0.0], [0.7, 1.0]]}
+    found = asked(client, body)
+    assert found["translation"]["singular"] == [True, False]
+    assert math.isclose(found["translation"]["manipulability"][1], 0.4 * 0.3 * math.sin(1.0))
+    assert found["singular"] == [False, False]
+
+
+def test_the_verdict_does_not_depend_on_the_unit(client: httpx.Client) -> None:
+    rows = [{**row, "a": row["a"] * 1000, "d": row["d"] * 1000} for row in PUMA_560["rows"]]
+    millimetres = {**PUMA_560, "length_unit": "mm", "rows": rows}
+    joints = [10, 20, 30, 40, 50, 60]
+    small, large = (asked(client, {"table": table, "joints": joints}) for table in (PUMA_560, millimetres))
+    np.testing.assert_allclose(np.array(large["J0"])[:3], np.array(small["J0"])[:3] * 1000, atol=1e-9)
+    np.testing.assert_allclose(np.array(large["J0"])[3:], np.array(small["J0"])[3:], atol=1e-12)
+    assert large["rank"] == small["rank"]
+    assert math.isclose(large["twist"]["condition"], small["twist"]["condition"], rel_tol=1e-9)
+    assert large["length_unit"] == "mm"
+
+
+def test_a_batch_is_its_configurations_large_or_small(client: httpx.Client) -> None:
+    joints = np.random.default_rng(5).uniform(-180, 180, (900, 6)).tolist()
+    together = asked(client, {"table": PUMA_560, "joints": joints})
+    few = asked(client, {"table": PUMA_560, "joints": joints[:5]})
+    for i in (0, 4):
+        alone = asked(client, {"table": PUMA_560, "joints": joints[i]})
+        for batch in (together, few):
+            np.testing.assert_allclose(batch["J0"][i], alone["J0"], atol=1e-12)
+            np.testing.assert_allclose(batch["Jn"][i], alone["Jn"], atol=1e-12)
+            assert batch["rank"][i] == alone["rank"]
+            assert math.isclose(batch["manipulability"][i], alone["manipulability"], rel_tol=1e-9)
+            assert math.isclose(batch["twist"]["condition"][i], alone["twist"]["condition"], rel_tol=1e-6)
+    assert len(together["J0"]) == len(together["singular"]) == 900
+
+
+def test_one_frame_may_be_chosen_and_a_tool_moves_the_point(client: httpx.Client) -> None:
+    tool = oracle.shift("z", 0.5)
+    body = {"table": PUMA_560, "joints": [10, 20, 30, 40, 50, 60], "frame": "end", "tool": tool.tolist()}
+    found = asked(client, body)
+    assert "J0" not in found
+    plain = asked(client, {"table": PUMA_560, "joints": body["joints"], "frame": "end"})
+    v, w = np.array(plain["Jn"])[:3], np.array(plain["Jn"])[3:]
+    moved = v + np.cross(w.T, [0, 0, 0.5]).T
+    np.testing.assert_allclose(np.array(found["Jn"])[:3], moved, atol=1e-12)
+
+
+def test_joints_may_come_as_an_array(client: httpx.Client) -> None:
+    joints = np.array([[10.0, 20, 30, 40, 50, 60], [0, 0, 0, 0, 0, 0]])
+    stream = io.BytesIO()
+    np.save(stream, joints)
+    response = client.post(
+        PATH,
+        content=stream.getvalue(),
+        params={"robot": "puma560"},
+        headers={"Content-Type": "application/x-npy"},
+    )
+    assert response.json() == asked(client, {"robot": "puma560", "joints": joints.tolist()})
+
+
+def test_an_arm_without_joints_has_an_empty_jacobian(client: httpx.Client) -> None:
+    table = {"convention": "standard", "rows": [{"joint": "fixed", "alpha": 0, "a": 1, "d": 0, "theta": 0}]}
+    found = asked(client, {"table": table, "joints": []})
+    assert found["J0"] == [[]] * 6
+    assert (found["rank"], found["singular"]) == (0, False)
