@@ -22,6 +22,7 @@ from exercises.part_reading import read_draw, read_parts
 from exercises.policy_reading import read_policy
 from exercises.reading import Reader
 from exercises.sample_reading import read_raw_table, read_samples
+from exercises.selftest.mistakes import MISTAKES
 from exercises.statements import names_in
 from kinematics import catalogue
 from kinematics.cells import AngleUnit, ParameterKind, ReadTable, read_table
@@ -134,6 +135,17 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
     figure = read_figure(reader.table("figure"), types, degrees)
     tests = reader.table("tests")
     misconceptions = tests.texts("misconceptions", default=())
+    for i, code in enumerate(misconceptions):
+        if code not in MISTAKES:
+            known = ", ".join(MISTAKES)
+            tests.fault(
+                "misconception_unknown",
+                f"{code} is none of {known}",
+                "misconceptions",
+                i,
+                name=code,
+                known=known,
+            )
     samples = read_samples(tests, reference)
     tests.finish()
     reader.finish()

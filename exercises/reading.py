@@ -31,7 +31,7 @@ class Reader:
         self.values, self.where, self.faults = values, where, faults
         self.asked: set[str] = set()
 
-    def fault(self, code: str, message: str, *where: str | int, **params: ParamValue) -> None:
+    def fault(self, code: str, message: str, /, *where: str | int, **params: ParamValue) -> None:
         """Keep a fault at a place inside this table."""
         self.faults.append(Fault(code=code, message=message, where=(*self.where, *where), params=params))
 

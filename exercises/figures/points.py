@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from exercises.figures.camera import Array
-from exercises.figures.skeleton import completed
+from exercises.figures.skeleton import axis_frame, completed
 from exercises.figures.specification import (
     FigureSpecification,
     Point,
@@ -22,7 +22,7 @@ from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import Expression, evaluate
 from kinematics.forward import forward_kinematics
 from kinematics.links import Transform
-from kinematics.table import Convention, SymbolicTable, bind
+from kinematics.table import SymbolicTable, bind
 
 
 class Points:
@@ -112,12 +112,6 @@ class Points:
 
     def _triple(self, triple: Triple, *where: str | int) -> Array:
         return np.array([self.number(entry, *where, i) for i, entry in enumerate(triple)])
-
-
-def axis_frame(table: SymbolicTable, joint: int) -> int:
-    """The frame whose z axis is a joint's axis: i-1 of row i in a standard table, i in a modified one."""
-    row = table.joint_rows[joint - 1]
-    return row if table.convention is Convention.STANDARD else row + 1
 
 
 def rotation_rpy(roll: float, pitch: float, yaw: float) -> Transform:

@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from exercises.figures.camera import Array
 from exercises.figures.specification import (
     DimensionMark,
     FigureSpecification,
@@ -47,7 +48,7 @@ def completed(
     specification: FigureSpecification,
     reference: SymbolicTable,
     values: Mapping[str, float],
-    frames: Sequence[NDArray[np.float64]],
+    frames: Sequence[Array],
 ) -> FigureSpecification:
     """The specification with links, bodies, dimensions and ground from the table where it says nothing.
 
@@ -103,11 +104,11 @@ def _chain(table: SymbolicTable, joints: Mapping[int, JointMark]) -> tuple[str, 
 
 
 def _bodies(
-    table: SymbolicTable, frames: Sequence[NDArray[np.float64]], points: dict[str, Point], reach: float
+    table: SymbolicTable, frames: Sequence[Array], points: dict[str, Point], reach: float
 ) -> list[tuple[int, JointMark]]:
     """A body per joint in the middle of its offset d, moved along the axis where two would meet."""
     standard = table.convention is Convention.STANDARD
-    centres: list[NDArray[np.float64]] = []
+    centres: list[Array] = []
     for joint, i in enumerate(table.joint_rows, 1):
         start, end = (f"O{i}", f"foot{i + 1}") if standard else (f"foot{i + 1}", f"O{i + 1}")
         points.setdefault(f"joint{joint}", PointBetween(start=start, end=end, ratio=0.5))
@@ -120,7 +121,7 @@ def _bodies(
     return [(joint, JointMark(at=f"joint{joint}")) for joint in range(1, table.n_joints + 1)]
 
 
-def _groups(centres: Sequence[NDArray[np.float64]], close: float) -> list[list[int]]:
+def _groups(centres: Sequence[Array], close: float) -> list[list[int]]:
     groups: list[list[int]] = []
     for joint, centre in enumerate(centres, 1):
         if groups and np.linalg.norm(centres[groups[-1][-1] - 1] - centre) < close:
@@ -133,23 +134,59 @@ def _groups(centres: Sequence[NDArray[np.float64]], close: float) -> list[list[i
 def _spread(
     group: Sequence[int],
     table: SymbolicTable,
-    frames: Sequence[NDArray[np.float64]],
+    frames: Sequence[Array],
     points: dict[str, Point],
     reach: float,
-    centres: Sequence[NDArray[np.float64]],
+    centres: Sequence[Array],
 ) -> None:
-    """The first body moves back towards the robot before it, the last one onwards; a middle one stays."""
-    standard = table.convention is Convention.STANDARD
-    for place, joint in ((-1, group[0]), (1, group[-1])):
+    """Bodies whose axes run along a link slide onto it, back to the one before or on to the one behind.
+
+    The last joint of the robot slides on along its own axis, joint 1 down towards the ground; others stay.
+    """
+    bones = _bones(table, frames)
+    for joint in group:
         i = table.joint_rows[joint - 1]
-        axis = frames[i if standard else i + 1][:3, 2]
-        before = centres[group[0] - 2] if group[0] > 1 else centres[joint - 1] - np.array([0.0, 0.0, 1.0])
-        onwards = float(axis @ (centres[joint - 1] - before))
-        sense = place * (1 if onwards >= 0 else -1)
+        axis = frames[axis_frame(table, joint)][:3, 2]
+        here = centres[joint - 1]
+        back = _away(here, bones[: 2 * i + 1][::-1]) if joint > 1 else np.array([0.0, 0.0, -1.0])
+        on = _away(here, bones[2 * i + 1 :])
+        is_last = joint == table.n_joints > 1
+        if back is not None and _runs_along(axis, back) and not is_last:
+            sense = 1 if axis @ back > 0 else -1
+        elif on is not None and _runs_along(axis, on):
+            sense = 1 if axis @ on > 0 else -1
+        elif is_last:
+            sense = -1 if back is not None and axis @ back > 0 else 1
+        else:
+            continue
         distance = number(Fraction(round(sense * APART * reach * 1e6), 1_000_000))
         name = f"joint{joint}"
         points[f"{name}on"] = points[name]
         points[name] = PointAlongAxis(origin=f"{name}on", joint=joint, distance=distance)
+
+
+def _bones(table: SymbolicTable, frames: Sequence[Array]) -> list[Array]:
+    """O_0, foot_1, O_1, foot_2, …: the feet follow from the frames, for they stand where two axes say so."""
+    standard = table.convention is Convention.STANDARD
+    bones = [frames[0][:3, 3]]
+    for before, after in pairwise(frames):
+        pose, other = (before, after) if standard else (after, before)
+        along = (other[:3, 3] - pose[:3, 3]) @ pose[:3, 2]
+        bones += [pose[:3, 3] + along * pose[:3, 2], after[:3, 3]]
+    return bones
+
+
+def _away(here: Array, path: Sequence[Array]) -> Array | None:
+    """The direction to the first point of a path that is elsewhere."""
+    for point in path:
+        distance = float(np.linalg.norm(point - here))
+        if distance > 1e-9:
+            return np.asarray((point - here) / distance, dtype=np.float64)
+    return None
+
+
+def _runs_along(axis: Array, direction: Array) -> bool:
+    return abs(float(axis @ direction)) > 1 - 1e-6
 
 
 def _dimensions(table: SymbolicTable) -> list[DimensionMark]:
@@ -179,3 +216,9 @@ def _name(value: Expression) -> str | None:
         case Parameter(name) | Product((Number(), Parameter(name))):
             return name
     return None
+
+
+def axis_frame(table: SymbolicTable, joint: int) -> int:
+    """The frame whose z axis is a joint's axis: i-1 of row i in a standard table, i in a modified one."""
+    row = table.joint_rows[joint - 1]
+    return row if table.convention is Convention.STANDARD else row + 1

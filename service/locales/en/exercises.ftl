@@ -181,6 +181,7 @@ error-exercise_limits_unknown = The catalogue knows no limits of this robot.
 error-robot_and_reference = Give either robot or [reference], not both.
 error-statement_missing = The statement in the language { $language } is missing.
 error-statement_name_unknown = { $name } is neither a dimension of the robot nor a point or a dimension of the figure.
+error-misconception_unknown = { $name } is no listed mistake. There are { $known }.
 error-table_not_asked = An exercise asks for the table: add a part of the kind table.
 error-part_twice = { $kind } is asked twice.
 error-points_not_positive = A part is worth more than zero points.

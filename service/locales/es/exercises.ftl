@@ -181,6 +181,7 @@ error-exercise_limits_unknown = El catálogo no conoce los límites de este robo
 error-robot_and_reference = Dé robot o [reference], no los dos.
 error-statement_missing = Falta el enunciado en el idioma { $language }.
 error-statement_name_unknown = { $name } no es una dimensión del robot ni un punto o una cota de la figura.
+error-misconception_unknown = { $name } no es un error de la lista. Hay { $known }.
 error-table_not_asked = Un ejercicio pide la tabla: añada una parte del tipo table.
 error-part_twice = { $kind } se pide dos veces.
 error-points_not_positive = Una parte vale más de cero puntos.

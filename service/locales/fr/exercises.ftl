@@ -181,6 +181,7 @@ error-exercise_limits_unknown = Le catalogue ne connaît pas les butées de ce r
 error-robot_and_reference = Donnez robot ou [reference], pas les deux.
 error-statement_missing = L'énoncé dans la langue { $language } manque.
 error-statement_name_unknown = { $name } n'est ni une dimension du robot, ni un point ou une cote de la figure.
+error-misconception_unknown = { $name } n'est pas une erreur de la liste. Il y a { $known }.
 error-table_not_asked = Un exercice demande le tableau : ajoutez une partie de type table.
 error-part_twice = { $kind } est demandé deux fois.
 error-points_not_positive = Une partie vaut plus de zéro point.

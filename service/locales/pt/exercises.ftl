@@ -181,6 +181,7 @@ error-exercise_limits_unknown = O catálogo não conhece os limites deste robô.
 error-robot_and_reference = Dê robot ou [reference], não os dois.
 error-statement_missing = Falta o enunciado no idioma { $language }.
 error-statement_name_unknown = { $name } não é dimensão do robô nem ponto ou cota da figura.
+error-misconception_unknown = { $name } não é um erro da lista. Há { $known }.
 error-table_not_asked = Um exercício pede a tabela: acrescente uma parte do tipo table.
 error-part_twice = { $kind } é pedido duas vezes.
 error-points_not_positive = Uma parte vale mais que zero pontos.

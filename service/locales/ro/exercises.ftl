@@ -189,6 +189,7 @@ error-exercise_limits_unknown = Catalogul nu cunoaște limitele acestui robot.
 error-robot_and_reference = Dați fie robot, fie [reference], nu pe amândouă.
 error-statement_missing = Lipsește enunțul în limba { $language }.
 error-statement_name_unknown = { $name } nu este nici cotă a robotului, nici punct sau cotă din figură.
+error-misconception_unknown = { $name } nu este o greșeală din listă. Există { $known }.
 error-table_not_asked = Un exercițiu cere tabelul: adăugați o parte de tipul table.
 error-part_twice = { $kind } se cere de două ori.
 error-points_not_positive = O parte valorează mai mult de zero puncte.

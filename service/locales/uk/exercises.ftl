@@ -188,6 +188,7 @@ error-exercise_limits_unknown = У каталозі немає меж цього
 error-robot_and_reference = Подайте або robot, або [reference], але не обидва.
 error-statement_missing = Немає умови мовою { $language }.
 error-statement_name_unknown = { $name } не є ні розміром робота, ні точкою чи розміром на рисунку.
+error-misconception_unknown = { $name } — не помилка зі списку. Є такі: { $known }.
 error-table_not_asked = У вправі запитується таблиця: додайте частину виду table.
 error-part_twice = { $kind } запитується двічі.
 error-points_not_positive = Частина варта більше ніж нуль балів.

@@ -1,0 +1,7 @@
+"""An exercise tests itself: right answers in other frames, listed mistakes, malformed tables, every part.
+
+answers    a table and all that follows from it, as a student would hand it in
+variants   the key as other people would have written it: other frames, signs, zeros, conventions
+mistakes   what students get wrong, done to a right table
+checks     all of it for one exercise over many seeds
+"""

@@ -1,0 +1,248 @@
+"""What students get wrong, done to a right table; named as in the catalogue of misconceptions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from fractions import Fraction
+from itertools import pairwise
+
+from kinematics.cells import AngleUnit, LengthUnit, ReadTable
+from kinematics.expressions import (
+    ZERO,
+    Expression,
+    Number,
+    Parameter,
+    add,
+    multiply,
+    negate,
+    parameters_in,
+    pi_fraction,
+    pi_times,
+    rational_value,
+)
+from kinematics.table import Convention, DHTable, JointType, SymbolicRow, SymbolicTable
+
+QUARTER = pi_times(Fraction(1, 2))
+
+Mistake = Callable[[ReadTable], Iterator[ReadTable]]
+"""Every way to make it in a table."""
+
+
+def _with(read: ReadTable, table: SymbolicTable) -> ReadTable:
+    return replace(read, table=table)
+
+
+def _rows(read: ReadTable, rows: tuple[SymbolicRow, ...]) -> ReadTable:
+    return _with(read, DHTable(convention=read.table.convention, rows=rows))
+
+
+def _each_row(read: ReadTable, change: Callable[[SymbolicRow], SymbolicRow | None]) -> Iterator[ReadTable]:
+    for i, row in enumerate(read.table.rows):
+        changed = change(row)
+        if changed is not None and changed != row:
+            yield _rows(read, (*read.table.rows[:i], changed, *read.table.rows[i + 1 :]))
+
+
+def _turned(angle: Expression) -> Expression | None:
+    turns = pi_fraction(angle)
+    return None if turns is None or turns.denominator == 1 else negate(angle)
+
+
+def _alpha_sign(read: ReadTable) -> Iterator[ReadTable]:
+    def change(row: SymbolicRow) -> SymbolicRow | None:
+        other = _turned(row.alpha)
+        return replace(row, alpha=other) if other is not None else None
+
+    return _each_row(read, change)
+
+
+def _alpha_value(read: ReadTable) -> Iterator[ReadTable]:
+    def change(row: SymbolicRow) -> SymbolicRow:
+        parallel = (pi_fraction(row.alpha) or Fraction(0)).denominator == 1
+        return replace(row, alpha=add((row.alpha, QUARTER)) if parallel else ZERO)
+
+    return _each_row(read, change)
+
+
+def _a_value(read: ReadTable) -> Iterator[ReadTable]:
+    return _each_row(read, lambda row: replace(row, a=ZERO))
+
+
+def _d_value(read: ReadTable) -> Iterator[ReadTable]:
+    return _each_row(read, lambda row: None if row.joint is JointType.PRISMATIC else replace(row, d=ZERO))
+
+
+def _a_sign(read: ReadTable) -> Iterator[ReadTable]:
+    return _each_row(read, lambda row: replace(row, a=negate(row.a)))
+
+
+def _d_sign(read: ReadTable) -> Iterator[ReadTable]:
+    return _each_row(
+        read, lambda row: None if row.joint is JointType.PRISMATIC else replace(row, d=negate(row.d))
+    )
+
+
+def _a_d_swapped(read: ReadTable) -> Iterator[ReadTable]:
+    return _each_row(
+        read, lambda row: None if row.joint is JointType.PRISMATIC else replace(row, a=row.d, d=row.a)
+    )
+
+
+def _theta_value(read: ReadTable) -> Iterator[ReadTable]:
+    def change(row: SymbolicRow) -> SymbolicRow | None:
+        if row.joint is JointType.REVOLUTE:
+            return None  # where a variable is zero is free more often than not
+        return replace(row, theta=add((row.theta, QUARTER)))
+
+    return _each_row(read, change)
+
+
+def _joint_type(read: ReadTable) -> Iterator[ReadTable]:
+    other = {JointType.REVOLUTE: JointType.PRISMATIC, JointType.PRISMATIC: JointType.REVOLUTE}
+    return _each_row(read, lambda row: replace(row, joint=other[row.joint]) if row.joint in other else None)
+
+
+def _joint_fixed(read: ReadTable) -> Iterator[ReadTable]:
+    return _each_row(read, lambda row: replace(row, joint=JointType.FIXED, sign=1))
+
+
+def _rows_swapped(read: ReadTable) -> Iterator[ReadTable]:
+    rows = read.table.rows
+    for i in range(len(rows) - 1):
+        if rows[i] != rows[i + 1]:
+            yield _rows(read, (*rows[:i], rows[i + 1], rows[i], *rows[i + 2 :]))
+
+
+def _row_missing(read: ReadTable) -> Iterator[ReadTable]:
+    rows = read.table.rows
+    for i in range(len(rows)):
+        if len(rows) > 1:
+            yield _rows(read, (*rows[:i], *rows[i + 1 :]))
+
+
+def _row_extra(read: ReadTable) -> Iterator[ReadTable]:
+    rows = read.table.rows
+    for i, row in enumerate(rows):
+        if row.joint is not JointType.FIXED:
+            yield _rows(read, (*rows[: i + 1], row, *rows[i + 1 :]))
+
+
+def _convention(read: ReadTable) -> Iterator[ReadTable]:
+    other = Convention.MODIFIED if read.table.convention is Convention.STANDARD else Convention.STANDARD
+    yield _with(read, DHTable(convention=other, rows=read.table.rows))
+
+
+def _twists_all_reversed(read: ReadTable) -> Iterator[ReadTable]:
+    rows = tuple(replace(row, alpha=negate(row.alpha)) for row in read.table.rows)
+    if rows != read.table.rows:
+        yield _rows(read, rows)
+
+
+def _columns_late(read: ReadTable) -> Iterator[ReadTable]:
+    columns = [(ZERO, ZERO), *((row.alpha, row.a) for row in read.table.rows[:-1])]
+    yield _shifted(read, columns)
+
+
+def _columns_early(read: ReadTable) -> Iterator[ReadTable]:
+    columns = [*((row.alpha, row.a) for row in read.table.rows[1:]), (ZERO, ZERO)]
+    yield _shifted(read, columns)
+
+
+def _shifted(read: ReadTable, columns: list[tuple[Expression, Expression]]) -> ReadTable:
+    rows = (replace(row, alpha=alpha, a=a) for row, (alpha, a) in zip(read.table.rows, columns, strict=True))
+    return _rows(read, tuple(rows))
+
+
+def _angles_in_degrees(read: ReadTable) -> Iterator[ReadTable]:
+    """90 typed where radians are declared."""
+    yield replace(_scaled_angles(read, to_degrees=True), angle_unit=AngleUnit.RAD)
+
+
+def _angles_in_radians(read: ReadTable) -> Iterator[ReadTable]:
+    """1.5708 typed where degrees are declared."""
+    yield replace(_scaled_angles(read, to_degrees=False), angle_unit=AngleUnit.DEG)
+
+
+def _scaled_angles(read: ReadTable, *, to_degrees: bool) -> ReadTable:
+    def scaled(angle: Expression) -> Expression:
+        turns = pi_fraction(angle)
+        if turns is None:
+            return angle
+        if to_degrees:
+            return Number(turns * 180)
+        return pi_times(Fraction(repr(round(float(turns) * 3.141592653589793, 6))) / 180)
+
+    rows = tuple(replace(row, alpha=scaled(row.alpha), theta=scaled(row.theta)) for row in read.table.rows)
+    return _rows(read, rows)
+
+
+def _length_unit(read: ReadTable) -> Iterator[ReadTable]:
+    """Numbers in millimetres in a table in metres."""
+    rows = tuple(
+        replace(row, a=multiply((Number(Fraction(1000)), row.a)), d=multiply((Number(Fraction(1000)), row.d)))
+        for row in read.table.rows
+        if not parameters_in(row.a) and not parameters_in(row.d)
+    )
+    lengths = any(rational_value(entry) for row in rows for entry in (row.a, row.d))
+    if len(rows) == len(read.table.rows) and lengths and read.length_unit is LengthUnit.M:
+        yield _rows(read, rows)
+
+
+def _parameters_swapped(read: ReadTable) -> Iterator[ReadTable]:
+    names = tuple(read.parameters)
+    for first, second in pairwise(names):
+        yield _renamed(read, {first: second, second: first})
+
+
+def _parameter_misnamed(read: ReadTable) -> Iterator[ReadTable]:
+    for name in read.parameters:
+        yield _renamed(read, {name: f"{name}9"})
+
+
+def _renamed(read: ReadTable, names: dict[str, str]) -> ReadTable:
+    rows = tuple(
+        replace(row, a=_renamed_cell(row.a, names), d=_renamed_cell(row.d, names)) for row in read.table.rows
+    )
+    kinds = {names.get(name, name): kind for name, kind in read.parameters.items()}
+    return replace(_rows(read, rows), parameters=kinds)
+
+
+def _renamed_cell(cell: Expression, names: dict[str, str]) -> Expression:
+    match cell:
+        case Parameter(name):
+            return Parameter(names.get(name, name))
+    terms = getattr(cell, "terms", None)
+    if terms is not None:
+        return add(_renamed_cell(term, names) for term in terms)
+    factors = getattr(cell, "factors", None)
+    if factors is not None:
+        return multiply(_renamed_cell(factor, names) for factor in factors)
+    return cell
+
+
+MISTAKES: dict[str, Mistake] = {
+    "convention": _convention,
+    "angles_in_degrees": _angles_in_degrees,
+    "angles_in_radians": _angles_in_radians,
+    "length_unit": _length_unit,
+    "columns_late": _columns_late,
+    "columns_early": _columns_early,
+    "parameter_misnamed": _parameter_misnamed,
+    "parameters_swapped": _parameters_swapped,
+    "alpha_sign": _alpha_sign,
+    "alpha_value": _alpha_value,
+    "twists_all_reversed": _twists_all_reversed,
+    "a_sign": _a_sign,
+    "d_sign": _d_sign,
+    "a_d_swapped": _a_d_swapped,
+    "a_value": _a_value,
+    "d_value": _d_value,
+    "theta_value": _theta_value,
+    "joint_type": _joint_type,
+    "joint_fixed": _joint_fixed,
+    "rows_swapped": _rows_swapped,
+    "row_missing": _row_missing,
+    "row_extra": _row_extra,
+}
+"""By the code of the misconception that undoes it."""

@@ -1,0 +1,202 @@
+"""The key as other people would have written it.
+
+Every rule below is an identity between products of elementary motions, so it holds for all joint values and
+all dimensions. The rules are written for modified tables, Rot_x(α) Trans_x(a) Rot_z(θ) Trans_z(d) row by
+row; a standard table is the same product read from another place in the row. Nothing here uses the grader.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from random import Random
+
+from exercises.grading import BaseRule, ConventionRule, DirectionRule, Policy, ToolRule, ZeroRule
+from kinematics.expressions import ZERO, Expression, Number, add, multiply, negate, pi_fraction, pi_times
+from kinematics.table import Convention, DHRow, DHTable, JointType, SymbolicRow, SymbolicTable
+
+Rows = list[SymbolicRow]
+HALF = pi_times(1)
+EMPTY: SymbolicRow = DHRow(joint=JointType.FIXED, theta=ZERO, d=ZERO, a=ZERO, alpha=ZERO)
+
+
+def variant(
+    table: SymbolicTable, policy: Policy, lengths: tuple[Expression, ...], rng: Random
+) -> SymbolicTable:
+    """Another right table for the same robot.
+
+    Args:
+        table: a right table.
+        policy: what the table is held to; only what it leaves free is changed.
+        lengths: lengths by which origins may be moved.
+        rng: chooses.
+    """
+    rows = modified_rows(table)
+    for _ in range(rng.randint(2, 6)):
+        rule = rng.choice(_rules(policy))
+        rows = rule(rows, lengths, rng)
+    wanted = rng.choice(_conventions(policy))
+    if wanted is Convention.MODIFIED:
+        return DHTable(convention=wanted, rows=tuple(rows))
+    return standard_table(rows)
+
+
+def modified_rows(table: SymbolicTable) -> Rows:
+    """The rows of a modified table with the same ⁰T_N."""
+    if table.convention is Convention.MODIFIED:
+        return list(table.rows)
+    columns = [(ZERO, ZERO), *((row.alpha, row.a) for row in table.rows)]
+    rows = [replace(row, alpha=alpha, a=a) for row, (alpha, a) in zip(table.rows, columns, strict=False)]
+    alpha, a = columns[-1]
+    return rows if alpha == ZERO and a == ZERO else [*rows, replace(EMPTY, alpha=alpha, a=a)]
+
+
+def standard_table(rows: Rows) -> SymbolicTable:
+    """The standard table with the ⁰T_N of modified rows."""
+    columns = [(row.alpha, row.a) for row in rows[1:]] + [(ZERO, ZERO)]
+    shifted = [replace(row, alpha=alpha, a=a) for row, (alpha, a) in zip(rows, columns, strict=True)]
+    first = rows[0]
+    if first.alpha != ZERO or first.a != ZERO:
+        shifted.insert(0, replace(EMPTY, alpha=first.alpha, a=first.a))
+    return DHTable(convention=Convention.STANDARD, rows=tuple(shifted))
+
+
+def _conventions(policy: Policy) -> list[Convention]:
+    if policy.convention is ConventionRule.ANY:
+        return list(Convention)
+    return [Convention(policy.convention.value)]
+
+
+def _rules(policy: Policy) -> list[Callable[[Rows, tuple[Expression, ...], Random], Rows]]:
+    rules = [_turn_x, _turn_z, _slide_origin, _move_slide, _insert_row]
+    if policy.zero is ZeroRule.FREE:
+        rules.append(_other_zero)
+    if policy.direction is DirectionRule.FREE:
+        rules.append(_other_sense)
+    if policy.base is BaseRule.FREE:
+        rules.append(_other_base)
+    if policy.tool in (ToolRule.FREE, ToolRule.AXIS):
+        rules.append(_other_end)
+    return rules
+
+
+def _turn_x(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
+    """x_i the other way round: Rot_z(π) Rot_x(α) Trans_x(a) = Rot_x(-α) Trans_x(-a) Rot_z(π)."""
+    i = rng.randrange(len(rows) - 1) if len(rows) > 1 else None
+    if i is None:
+        return rows
+    after = rows[i + 1]
+    changed = list(rows)
+    changed[i] = replace(rows[i], theta=add((rows[i].theta, HALF)))
+    changed[i + 1] = replace(
+        after, alpha=negate(after.alpha), a=negate(after.a), theta=add((after.theta, HALF))
+    )
+    return changed
+
+
+def _turn_z(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
+    """z_i the other way round: Rot_z(θ) Trans_z(d) Rot_x(π) = Rot_x(π) Rot_z(-θ) Trans_z(-d)."""
+    i = rng.randrange(len(rows) - 1) if len(rows) > 1 else None
+    if i is None:
+        return rows
+    row, after = rows[i], rows[i + 1]
+    changed = list(rows)
+    changed[i] = replace(
+        row, alpha=add((row.alpha, HALF)), theta=negate(row.theta), d=negate(row.d), sign=-row.sign
+    )
+    changed[i + 1] = replace(after, alpha=add((after.alpha, negate(HALF))))
+    return changed
+
+
+def _slide_origin(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
+    """Origin i slid along parallel axes: Trans_z(c) passes Rot_x(0), and Rot_x(π) with the other sign."""
+    places = [i for i, row in enumerate(rows[1:]) if _is_parallel(row.alpha)]
+    if not places:
+        return rows
+    i = rng.choice(places)
+    by = rng.choice(lengths)
+    turned = pi_fraction(rows[i + 1].alpha) or Fraction(0)
+    back = negate(by) if turned % 2 == 0 else by
+    changed = list(rows)
+    changed[i] = replace(rows[i], d=add((rows[i].d, by)))
+    changed[i + 1] = replace(rows[i + 1], d=add((rows[i + 1].d, back)))
+    return changed
+
+
+def _move_slide(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
+    """A sliding axis drawn elsewhere: with θ = 0, Trans_x passes the slide."""
+    places = [
+        i
+        for i, row in enumerate(rows[:-1])
+        if row.joint is JointType.PRISMATIC and pi_fraction(row.theta) == 0
+    ]
+    if not places:
+        return rows
+    i = rng.choice(places)
+    by = rng.choice(lengths)
+    changed = list(rows)
+    changed[i] = replace(rows[i], a=add((rows[i].a, by)))
+    changed[i + 1] = replace(rows[i + 1], a=add((rows[i + 1].a, negate(by))))
+    return changed
+
+
+def _insert_row(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
+    """A row for a frame that no joint needs, taking over part of the offset before it."""
+    i = rng.randrange(len(rows))
+    by = rng.choice((ZERO, *lengths))
+    changed = list(rows)
+    changed[i] = replace(rows[i], d=add((rows[i].d, negate(by))))
+    changed.insert(i + 1, replace(EMPTY, d=by))
+    return changed
+
+
+def _other_zero(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
+    """A joint variable that is zero elsewhere."""
+    places = [i for i, row in enumerate(rows) if row.joint is not JointType.FIXED]
+    i = rng.choice(places)
+    changed = list(rows)
+    if rows[i].joint is JointType.REVOLUTE:
+        turn = pi_times(Fraction(rng.choice((-6, -4, -3, -2, 2, 3, 4, 6, 12)), 12))
+        changed[i] = replace(rows[i], theta=add((rows[i].theta, turn)))
+    else:
+        changed[i] = replace(rows[i], d=add((rows[i].d, rng.choice(lengths))))
+    return changed
+
+
+def _other_sense(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
+    """A joint variable that counts the other way."""
+    i = rng.choice([i for i, row in enumerate(rows) if row.joint is not JointType.FIXED])
+    changed = list(rows)
+    changed[i] = replace(rows[i], sign=-rows[i].sign)
+    return changed
+
+
+def _other_base(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
+    """Frame 0 elsewhere."""
+    first = rows[0]
+    by = rng.choice(lengths)
+    if first.joint is JointType.FIXED:
+        return [replace(first, d=add((first.d, by))), *rows[1:]]
+    twist = pi_times(Fraction(rng.choice((-6, 0, 6, 12)), 12))
+    return [replace(first, alpha=twist, a=by if rng.random() < 0.5 else first.a), *rows[1:]]
+
+
+def _other_end(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
+    """Frame N elsewhere along the axis of the last joint, if that is the last row."""
+    last = rows[-1]
+    if last.joint is not JointType.REVOLUTE:
+        return rows
+    return [*rows[:-1], replace(last, d=add((last.d, rng.choice(lengths))))]
+
+
+def _is_parallel(alpha: Expression) -> bool:
+    turns = pi_fraction(alpha)
+    return turns is not None and turns.denominator == 1
+
+
+def some_lengths(table: SymbolicTable, usual: float) -> tuple[Expression, ...]:
+    """Lengths of about the robot's size: its own dimensions, and a round number."""
+    own = {entry for row in table.rows for entry in (row.a, row.d) if entry != ZERO}
+    step = Number(Fraction(round(usual * 10) or 1, 10) if usual >= 0.1 else Fraction(repr(round(usual, 4))))
+    return (*sorted(own, key=repr), step, multiply((Number(Fraction(-1, 2)), step)))
