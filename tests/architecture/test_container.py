@@ -1,9 +1,9 @@
 """The container without a container engine: the steps of the Dockerfile, done one after the other in folders.
 
 Each stage gets a folder for its root; absolute paths of the Dockerfile are moved below it; COPY sees only
-what .dockerignore lets through; RUN runs in a shell whose `python` is this machine's. What only an engine can do,
-making the user, is checked on paper. Stages that depend on locks alone are kept under build/, named by what
-they were made from.
+what .dockerignore lets through; RUN runs in a shell whose `python` is this machine's. What only an engine can
+do, making the user, is checked on paper. Stages that depend on locks alone are kept under build/, named by
+what they were made from.
 """
 
 from __future__ import annotations
