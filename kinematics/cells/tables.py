@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from numbers import Integral, Rational, Real
 from typing import TypeAlias
 
 from kinematics.cells.units import AngleUnit, LengthUnit, ParameterKind
@@ -56,9 +57,12 @@ def as_cell(value: object) -> Cell | NoCell:
         return NoCell("true/false")
     if value is None:
         return NoCell("null")
-    for kind in (float, str):
-        if isinstance(value, kind):
-            return kind(value)
+    if isinstance(value, str):
+        return str(value)
+    if isinstance(value, Integral):
+        return int(value)
+    if isinstance(value, Real) and not isinstance(value, Rational):
+        return float(value)
     return NoCell(type(value).__name__)
 
 

@@ -6,6 +6,9 @@ or computes with large numbers.
 
 from __future__ import annotations
 
+from fractions import Fraction
+
+import numpy as np
 import pytest
 
 from kinematics.cells import Limits, ParameterKind, RawRow, read_cell
@@ -223,6 +226,16 @@ def test_a_cell_of_another_type_is_refused(cell, kind):
         read(raw_row(a=cell))
     (fault,) = caught.value.faults
     assert (fault.code, fault.params["kind"]) == ("cell_not_a_value", kind)
+
+
+@pytest.mark.parametrize("number", [np.float64(0.5), np.float32(0.5), np.int64(3), np.uint8(3)], ids=repr)
+def test_numbers_of_numpy_are_numbers(number):
+    assert read(raw_row(a=number)).table == read(raw_row(a=number.item())).table
+
+
+@pytest.mark.parametrize("cell", [np.bool_(True), np.array([1.0]), Fraction(1, 3)], ids=repr)
+def test_other_things_of_numpy_are_not(cell):
+    assert faults_of(raw_row(a=cell)) == [("cell_not_a_value", ("rows", 0, "a"))]
 
 
 @pytest.mark.parametrize("number", [float("nan"), float("inf"), -float("inf")])
