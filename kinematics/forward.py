@@ -98,7 +98,8 @@ def end_pose(
         TableError: an entry of the table is NaN or infinite.
     """
     plan = plan_of(table, base, tool)
-    return plan.pose.once(one_configuration(joints, plan.n_joints))
+    values = configurations(joints, plan.n_joints)
+    return plan.pose.once(values if isinstance(values, list) else one_configuration(values, plan.n_joints))
 
 
 def end_poses(

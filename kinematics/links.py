@@ -178,8 +178,7 @@ def link_transform(row: NumericRow, convention: Convention, q: float = 0.0) -> T
         q: the joint variable [rad], or [m] of a prismatic row; a fixed row ignores it.
 
     Returns:
-        (4, 4) homogeneous transform, translation in [m]. Constant angles that are multiples of π/12 count as
-        exact.
+        (4, 4) homogeneous transform, translation in [m]. Angles that are multiples of π/12 count as exact.
 
     Raises:
         TableError: an entry of the row is NaN or infinite.
@@ -192,6 +191,6 @@ def link_transform(row: NumericRow, convention: Convention, q: float = 0.0) -> T
         raise JointValueError(
             Fault(code="joint_not_finite", message=message, where=("joints", 0), params={"joint": 1})
         )
-    value = (math.cos(q), math.sin(q)) if row.joint is JointType.REVOLUTE else q
+    value = cos_sin(q) if row.joint is JointType.REVOLUTE else q
     motions = set_joints(link_motions(row, convention), (value,))
     return np.array([*pose_of_motions(motions), (0.0, 0.0, 0.0, 1.0)])

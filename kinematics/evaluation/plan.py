@@ -7,16 +7,17 @@ equal tables share it, so a caller who reads the same table again and again need
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from enum import StrEnum
 from functools import cached_property, lru_cache
+from math import isfinite
 from threading import Lock
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from kinematics.angles import cos_sin
 from kinematics.chains import (
     Chain,
     base_jacobian,
@@ -68,8 +69,9 @@ class Computation:
         self._chain = chain
         self._results = _RESULTS[quantity]
         self._uses = 0
-        self.once: Evaluator = self._checked if may_overflow(chain) else self._walk
+        self._may_overflow = may_overflow(chain)
         self._unchecked: Evaluator = self._walk
+        self.once: Evaluator = self._checked if self._may_overflow else self._walk
 
     def many(self, joints: Floats) -> Floats:
         """The quantity at many configurations, given as (m, n) finite floats; (m, …)."""
@@ -77,14 +79,14 @@ class Computation:
         if out.size:
             flat = out.reshape(len(joints), -1)
             run_blocks(self._tape, self._chain.joint_types, joints, flat)
-            if may_overflow(self._chain) and not np.isfinite(flat).all():
+            if self._may_overflow and not np.isfinite(flat).all():
                 raise _overflow(int(np.argmin(np.isfinite(flat).all(axis=1))))
         return out
 
     def _checked(self, joints: Sequence[float]) -> Floats:
-        """Evaluate where lengths might add up to more than a double can hold."""
+        """Evaluate where lengths and slides might add up to more than a double can hold."""
         array = self._unchecked(joints)
-        if not np.isfinite(array).all():
+        if not isfinite(array.sum()) and not np.isfinite(array).all():
             raise _overflow()
         return array
 
@@ -94,7 +96,7 @@ class Computation:
         if self._uses > WARM and len(self._tape.operations) <= LARGEST_TAPE:
             return self._straighten()(joints)
         values = [
-            q if kind is JointType.PRISMATIC else (math.cos(q), math.sin(q))
+            q if kind is JointType.PRISMATIC else cos_sin(q)
             for q, kind in zip(joints, self._chain.joint_types, strict=True)
         ]
         results = np.array(self._results(self._chain, values)).reshape(self.shape)
@@ -104,7 +106,7 @@ class Computation:
     def _straighten(self) -> Evaluator:
         """Put a straight-line function in the place of `_walk`."""
         self._unchecked = straight_line(self._tape, self._chain.joint_types, self.shape)
-        if not may_overflow(self._chain):
+        if not self._may_overflow:
             self.once = self._unchecked
         return self._unchecked
 

@@ -13,6 +13,7 @@ import ast
 import math
 from collections import Counter
 from collections.abc import Callable, Sequence
+from functools import partial
 from struct import Struct
 from types import CodeType, FunctionType
 from typing import TypeAlias
@@ -20,6 +21,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.angles import are_ordinary, cos_sin
 from kinematics.evaluation.tape import Operator, Tape
 from kinematics.table import JointType
 
@@ -48,7 +50,7 @@ def straight_line(tape: Tape, joint_types: Sequence[JointType], shape: tuple[int
         Function of a list of n finite floats.
     """
     writer = _Writer(tape)
-    body = [*_inputs(tape, joint_types), *writer.statements()]
+    body = [_inputs(tape, joint_types), *writer.statements()]
     arguments = [ast.arg("joints"), *(ast.arg(f"k{i}") for i in range(len(writer.constants)))]
     definition = ast.FunctionDef(
         name="evaluate",
@@ -60,6 +62,9 @@ def straight_line(tape: Tape, joint_types: Sequence[JointType], shape: tuple[int
     code = compile(module, "<recorded computation>", "exec")
     (inner,) = (constant for constant in code.co_consts if isinstance(constant, CodeType))
     names = {
+        "ordinary": are_ordinary,
+        "exact": partial(joint_motions, joint_types),
+        "tidy": _tidy,
         "cos": math.cos,
         "sin": math.sin,
         "empty": np.empty,
@@ -70,11 +75,24 @@ def straight_line(tape: Tape, joint_types: Sequence[JointType], shape: tuple[int
     return FunctionType(inner, names, "evaluate", writer.constants)
 
 
+def joint_motions(joint_types: Sequence[JointType], joints: Sequence[float]) -> list[tuple[float, float]]:
+    """(cos q, sin q) of every revolute joint, exact for multiples of π/12; (q, 0) of every prismatic one."""
+    return [
+        (q, 0.0) if kind is JointType.PRISMATIC else cos_sin(q)
+        for q, kind in zip(joints, joint_types, strict=True)
+    ]
+
+
+def _tidy(array: NDArray[np.float64]) -> None:
+    """Turn -0.0 into 0.0."""
+    np.add(array, 0.0, out=array)
+
+
 class _Writer:
     """Writes the statements of a tape; what is used once stands where it is used."""
 
     def __init__(self, tape: Tape) -> None:
-        self.constants = (*tape.constants, 0.0)
+        self.constants = tape.constants
         self._tape = tape
         self._uses = Counter(x for operation in tape.operations for x in operation[1:])
         self._uses.update(tape.outputs)
@@ -91,13 +109,14 @@ class _Writer:
                 self._pending[register] = value, depth
             else:
                 body.append(_assign(f"r{register}", value))
-        results = [self._result(x) for x in self._tape.outputs]
+        results = [self._operand(x)[0] for x in self._tape.outputs]
         array = _load("array")
         offset = ast.Constant(value=0)
         return [
             *body,
             _assign("array", _call("empty", _load("shape"))),
             ast.Expr(value=_call("pack_into", array, offset, *results)),
+            ast.If(test=_load("pairs"), body=[ast.Expr(value=_call("tidy", array))], orelse=[]),
             ast.Return(value=array),
         ]
 
@@ -106,30 +125,36 @@ class _Writer:
             return _load(f"k{~operand}"), 0
         return self._pending.pop(operand, None) or (_load(f"r{operand}"), 0)
 
-    def _result(self, operand: int) -> ast.expr:
-        """An output; + 0 turns -0.0 into 0.0."""
-        value, _ = self._operand(operand)
-        zero = _load(f"k{len(self.constants) - 1}")
-        return value if operand < 0 else ast.BinOp(left=value, op=ast.Add(), right=zero)
 
-
-def _inputs(tape: Tape, joint_types: Sequence[JointType]) -> list[ast.stmt]:
-    """Unpack the joint values; cosine and sine where a result needs them."""
+def _inputs(tape: Tape, joint_types: Sequence[JointType]) -> ast.stmt:
+    """Cosine and sine of the joint values: of ordinary ones by the library, else with a look at each."""
     used = {x for operation in tape.operations for x in operation[1:]} | set(tape.outputs)
     n = len(joint_types)
-    names: list[ast.expr] = [ast.Name(id=f"q{joint}", ctx=ast.Store()) for joint in range(n)]
-    statements: list[ast.stmt] = []
+    plain: list[ast.stmt] = [_assign("pairs", ast.Constant(value=None))]
     if n:
-        statements.append(ast.Assign(targets=[ast.Tuple(elts=names, ctx=ast.Store())], value=_load("joints")))
+        plain.append(_unpack([f"q{joint}" for joint in range(n)], _load("joints")))
     for joint, joint_type in enumerate(joint_types):
         q = _load(f"q{joint}")
         if joint_type is JointType.PRISMATIC:
-            statements.append(_assign(f"r{joint}", q))
+            plain.append(_assign(f"r{joint}", q))
             continue
         for register, function in ((joint, "cos"), (joint + n, "sin")):
             if register in used:
-                statements.append(_assign(f"r{register}", _call(function, q)))
-    return statements
+                plain.append(_assign(f"r{register}", _call(function, q)))
+    pairs: list[ast.expr] = [_names([f"r{joint}", f"r{joint + n}"]) for joint in range(n)]
+    exact: list[ast.stmt] = [
+        _assign("pairs", _call("exact", _load("joints"))),
+        ast.Assign(targets=[ast.Tuple(elts=pairs, ctx=ast.Store())], value=_load("pairs")),
+    ]
+    return ast.If(test=_call("ordinary", _load("joints")), body=plain, orelse=exact)
+
+
+def _names(names: list[str]) -> ast.expr:
+    return ast.Tuple(elts=[ast.Name(id=name, ctx=ast.Store()) for name in names], ctx=ast.Store())
+
+
+def _unpack(names: list[str], value: ast.expr) -> ast.Assign:
+    return ast.Assign(targets=[_names(names)], value=value)
 
 
 def _load(name: str) -> ast.Name:

@@ -103,9 +103,9 @@ class Recorder:
         if left.sign == right.sign:
             total = self._do(Operator.ADD, min(a, b), max(a, b))
             return total if left.sign > 0 else -total
-        difference = self._do(Operator.SUBTRACT, min(a, b), max(a, b))
-        first_is_positive = left.sign > 0 if a < b else right.sign > 0
-        return difference if first_is_positive else -difference
+        plus, minus = (a, b) if left.sign > 0 else (b, a)
+        opposite = self._known.get(Operation(Operator.SUBTRACT, minus, plus))
+        return Symbol(self, opposite, -1) if opposite else self._do(Operator.SUBTRACT, plus, minus)
 
     def multiply(self, left: Symbol, right: Symbol | float) -> Symbol | float:
         """Product; the sign stays outside."""

@@ -33,28 +33,16 @@ def elementary(axis: str, angle: object, length: object) -> mpmath.matrix:
         return rotation
 
 
-def exact_angle(angle: float) -> mpmath.mpf:
-    """The angle that a table's author meant: k·π/12 where the number is as near to it as a double gets."""
-    with mpmath.workdps(DIGITS):
-        k = round(angle * 12 / np.pi)
-        meant = mpmath.pi * k / 12
-        return (
-            meant
-            if k and abs(k) <= 96 and abs(angle - meant) <= 4 * np.spacing(abs(angle))
-            else mpmath.mpf(angle)
-        )
-
-
 def link(row: object, convention: Convention, q: float) -> mpmath.matrix:
     """The four elementary matrices of a row, multiplied."""
     with mpmath.workdps(DIGITS):
-        theta, d = exact_angle(row.theta), mpmath.mpf(row.d)
+        theta, d = mpmath.mpf(row.theta), mpmath.mpf(row.d)
         if row.joint is JointType.REVOLUTE:
             theta += row.sign * mpmath.mpf(q)
         if row.joint is JointType.PRISMATIC:
             d += row.sign * mpmath.mpf(q)
         turn, slide = elementary("z", theta, 0), elementary("z", 0, d)
-        reach, twist = elementary("x", 0, row.a), elementary("x", exact_angle(row.alpha), 0)
+        reach, twist = elementary("x", 0, row.a), elementary("x", row.alpha, 0)
         if convention is Convention.STANDARD:
             return turn * slide * reach * twist
         return twist * reach * turn * slide
