@@ -28,6 +28,9 @@ class ForwardKinematics:
         self._plan = plan
         self._joints = joints
 
+    def __repr__(self) -> str:
+        return f"ForwardKinematics(transform={self.transform!r})"
+
     @property
     def links(self) -> Floats:
         """(rows, 4, 4) pose of frame i in frame i-1, or (m, rows, 4, 4)."""
