@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from exercises.grading.repairs import Repaired
 from exercises.grading.verdict import Edit, Feedback, Finding, HelpLevel, LinkFinding, ParamValue, Repair
@@ -22,13 +22,21 @@ _FACT_OF_KIND = {
     Kind.JOINT_TYPE: "joint",
     Kind.TOOL: "length",
 }
-_CODE_OF_KIND = {
-    Kind.LENGTH: "length_wrong",
-    Kind.TWIST: "twist_wrong",
-    Kind.OFFSET: "offset_wrong",
-    Kind.JOINT_TYPE: "joint_type_wrong",
-    Kind.HANDEDNESS: "mirrored",
-    Kind.CONVENTION: "convention_not_asked",
+_ROW_EDITS = {
+    "row_missing": "row_missing",
+    "row_extra": "row_not_needed",
+    "rows_swapped": "rows_out_of_order",
+}
+_THROUGHOUT = {
+    "convention": "columns_throughout",
+    "columns_late": "columns_throughout",
+    "columns_early": "columns_throughout",
+    "angles_in_degrees": "angles_throughout",
+    "angles_in_radians": "angles_throughout",
+    "length_unit": "lengths_throughout",
+    "twists_all_reversed": "twists_throughout",
+    "parameter_misnamed": "names_throughout",
+    "parameters_swapped": "names_throughout",
 }
 _CODE_OF_FACT = {
     "length": "length_wrong",
@@ -140,32 +148,44 @@ def feedback_of(
 ) -> tuple[Feedback, ...]:
     """What to tell of a wrong answer, as far as the help level goes."""
     told: list[Feedback] = []
-    code = "right_robot" if decision.same_robot else "not_equivalent"
-    if told_from(level, HelpLevel.ROW) or not decision.same_robot:
-        told.append(Feedback(code=code))
+    if not decision.same_robot:
+        told.append(Feedback(code="not_equivalent"))
     else:
-        told.append(Feedback(code="not_accepted"))
+        told.append(Feedback(code="right_robot" if told_from(level, HelpLevel.ROW) else "not_accepted"))
     told += _about_the_whole(decision, key, table, policy, level)
-    if not told_from(level, HelpLevel.ROW):
-        return tuple(told)
-    if not told_from(level, HelpLevel.KIND):
-        rows = sorted({row for row, _ in wrong})
-        told += [Feedback(code="row_wrong", row=row + 1, params={"row": row + 1}) for row in rows]
-        return tuple(told)
-    told += _facts(wrong, repairs, table)
+    if told_from(level, HelpLevel.ROW):
+        told += _in_place(wrong, repairs, table, level)
     return tuple(told)
 
 
-def _facts(
-    wrong: frozenset[tuple[int, str]], repairs: Sequence[Repaired], table: NumericTable
-) -> Iterable[Feedback]:
-    whole = [change for r in repairs[:1] for change in r.changes if change.edit.row is None]
-    if whole:
-        yield Feedback(code="whole_table")
+def _in_place(
+    wrong: frozenset[tuple[int, str]], repairs: Sequence[Repaired], table: NumericTable, level: HelpLevel
+) -> Iterator[Feedback]:
+    """Where something is wrong, and from `kind` on what: by the likeliest repair, else by the diagnosis."""
+    if not repairs:
+        yield from _facts(wrong, table, level)
+        return
+    for change in repairs[0].changes:
+        edit = change.edit
+        if edit.code in _ROW_EDITS:
+            yield Feedback(code=_ROW_EDITS[edit.code], row=edit.row, params=edit.params)
+        elif edit.row is not None:
+            places = frozenset((row, _fact(table, row, cell)) for row, cell in change.touched)
+            yield from _facts(places, table, level)
+        elif told_from(level, HelpLevel.KIND):
+            yield Feedback(code=_THROUGHOUT[edit.code])
+        else:
+            yield Feedback(code="whole_table")
+
+
+def _facts(wrong: frozenset[tuple[int, str]], table: NumericTable, level: HelpLevel) -> Iterator[Feedback]:
+    if not told_from(level, HelpLevel.KIND):
+        for row in sorted({row for row, _ in wrong}):
+            yield Feedback(code="row_wrong", row=row + 1, params={"row": row + 1})
         return
     for row, fact in sorted(wrong):
         code = _CODE_OF_FACT[fact]
-        if fact == "offset" and row < len(table.rows) and table.rows[row].joint is not JointType.REVOLUTE:
+        if fact == "offset" and table.rows[row].joint is not JointType.REVOLUTE:
             code = "angle_wrong"
         yield Feedback(code=code, row=row + 1, params={"row": row + 1})
 
@@ -181,7 +201,7 @@ def _about_the_whole(
                 "given": table.convention.value,
             }
             yield Feedback(code="convention_not_asked", params=params)
-        elif mismatch.kind is Kind.JOINT_COUNT:
+        elif mismatch.kind is Kind.JOINT_COUNT and told_from(level, HelpLevel.ROW):
             counts: dict[str, ParamValue] = {"given": table.n_joints, "asked": key.n_joints}
             yield Feedback(code="joint_count_wrong", params=counts)
         elif mismatch.kind is Kind.HANDEDNESS and told_from(level, HelpLevel.KIND):

@@ -22,7 +22,7 @@ from kinematics.equivalence.rigid import (
     scale,
     translation,
 )
-from kinematics.table import JointType, NumericTable
+from kinematics.table import Convention, JointType, NumericTable
 
 ANGLE = 1e-3
 LENGTH = 1e-3
@@ -95,27 +95,33 @@ def _frames(key: NumericTable, answer: NumericTable, certificate: Certificate) -
         if k and key.rows[k - 1].joint is not JointType.FIXED:
             body += 1
         apart = compose(compose(inverse(ours[k]), motions[body]), theirs[k])
-        yield from _apart(apart, k, size)
+        yield from _apart(apart, k, _joint_of_axis(answer, k), size)
 
 
-def _apart(apart: Motion, k: int, size: float) -> Iterator[Feedback]:
+def _joint_of_axis(table: NumericTable, k: int) -> int | None:
+    """The joint, counted from 1, whose axis is z_k; None if no joint's is."""
+    row = k if table.convention is Convention.STANDARD else k - 1
+    return table.joint_rows.index(row) + 1 if row in table.joint_rows else None
+
+
+def _apart(apart: Motion, k: int, joint: int | None, size: float) -> Iterator[Feedback]:
     """What tells the answer's frame k from the key's, in the coordinates of the key's."""
     row = k or None
     params: dict[str, ParamValue] = {"frame": k}
     x, y, z = position(apart)
-    sideways = math.hypot(x, y) > LENGTH * size
-    along = abs(z) > LENGTH * size
     if abs(abs(apart[8]) - 1.0) > ANGLE**2:
         yield Feedback(code="frame_elsewhere", row=row, params=params)
         return
-    if apart[8] < 0.0:
-        yield Feedback(code="axis_reversed", row=row, params={**params, "joint": k})
+    if apart[8] < 0.0 and joint is None:
+        yield Feedback(code="end_axis_reversed", row=row, params=params)
+    elif apart[8] < 0.0 and joint is not None:
+        yield Feedback(code="axis_reversed", row=row, params={**params, "joint": joint})
     turned = math.degrees(math.atan2(apart[3], apart[0]))
     if abs(turned) > math.degrees(ANGLE):
         yield Feedback(code="x_turned", row=row, params={**params, "degrees": _whole(abs(turned))})
-    if sideways:
+    if math.hypot(x, y) > LENGTH * size:
         yield Feedback(code="axis_moved", row=row, params=params)
-    elif along:
+    elif abs(z) > LENGTH * size:
         yield Feedback(code="origin_slid", row=row, params=params)
 
 

@@ -94,9 +94,6 @@ CATALOGUE: tuple[Misconception, ...] = (
     Misconception(
         code="parameter_misnamed", story="used a name that is not in the figure", changes=parameter_misnamed
     ),
-    Misconception(
-        code="parameters_swapped", story="used two names for one another", changes=parameters_swapped
-    ),
     Misconception(code="alpha_sign", story="turned a twist the wrong way", changes=alpha_sign),
     Misconception(code="alpha_value", story="took a twist for another one", changes=alpha_value),
     Misconception(
@@ -107,6 +104,9 @@ CATALOGUE: tuple[Misconception, ...] = (
     Misconception(code="a_sign", story="measured a length against the x axis", changes=sign_of_length),
     Misconception(code="d_sign", story="measured an offset against the z axis", changes=sign_of_offset),
     Misconception(code="a_d_swapped", story="wrote a under d and d under a", changes=cells_swapped),
+    Misconception(
+        code="parameters_swapped", story="used two names for one another", changes=parameters_swapped
+    ),
     Misconception(
         code="cell_length_unit",
         story="typed one length in another unit than declared",

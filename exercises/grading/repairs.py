@@ -48,9 +48,10 @@ class Trial:
 
 
 def find_repairs(work: Work) -> tuple[Repaired, ...]:
-    """The repairs of a wrong table, likeliest first; of two edits only if no single one will do."""
+    """The repairs of a wrong table, the smallest and likeliest first; of two edits only if no single one will do."""
     budget = Budget(MOST_DECISIONS, time.thread_time() + SECONDS)
     trials = list(_tried(work, changes_of(work)))
+    trials.sort(key=lambda trial: (trial.change.extent.value, trial.change.rank))
     for effort in Effort:
         singles = [Repaired((change,)) for change in _helping(work, trials, budget, effort)]
         if singles:

@@ -152,4 +152,5 @@ def _renamed(work: Work, code: str, names: dict[str, str], name: str, **params: 
         except ParameterError:
             return ()
 
-    return change(code, apply, extent=Extent.TABLE, touched=touched, params={"name": name, **params})
+    extent = Extent.CELL if code == "parameter_misnamed" else Extent.ROW
+    return change(code, apply, extent=extent, touched=touched, params={"name": name, **params})

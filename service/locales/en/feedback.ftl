@@ -1,0 +1,120 @@
+# What the grader says of a table: of a right one, of a wrong one, and what would mend it.
+
+## A right answer, and how its frames lie against the reference solution's
+
+feedback-same_frames = Your frames are those of the reference solution.
+feedback-other_convention = Your table is written in the { $convention ->
+    [modified] modified convention, the reference solution in the standard one
+   *[standard] standard convention, the reference solution in the modified one
+}; both describe the same robot.
+feedback-axis_reversed = Your z{ $frame }, the axis of joint { $joint }, points the opposite way to the reference solution's. Both ways are right, and the signs in your table agree with yours.
+feedback-end_axis_reversed = Your z{ $frame } points the opposite way to the reference solution's. Both ways are right.
+feedback-x_turned = Your x{ $frame } is turned by { $degrees }° about z{ $frame } from where the reference solution has it. Your table takes this into account.
+feedback-origin_slid = The origin of your frame { $frame } lies at another place along z{ $frame } than in the reference solution. Any place is right here.
+feedback-axis_moved = Your z{ $frame } lies on another, parallel line than in the reference solution. Only its direction matters here.
+feedback-frame_elsewhere = Your frame { $frame } lies elsewhere than in the reference solution. You were free to choose it.
+feedback-variable_reversed = Your q{ $joint } counts the opposite way to the reference solution's. Both ways are right.
+feedback-variable_offset = Where the reference solution's q{ $joint } is zero, yours has the value { $offset }. Where a joint variable is zero is free to choose.
+feedback-rounded = Your entries agree with the reference solution within the tolerance, not exactly; they may have been rounded.
+
+## A wrong answer: the whole
+
+feedback-not_equivalent = Your table does not describe this robot, whichever way the frames are chosen.
+feedback-right_robot = Your table describes the right robot, but does not keep to all that the exercise asks for.
+feedback-not_accepted = Your table does not keep to all that the exercise asks for.
+feedback-convention_not_asked = The exercise asks for the { $asked ->
+    [modified] modified
+   *[standard] standard
+} convention; your table is in the { $given ->
+    [modified] modified
+   *[standard] standard
+} one.
+feedback-joint_count_wrong = { $given ->
+    [0] Your table has no joint
+    [one] Your table has one joint
+   *[other] Your table has { $given } joints
+}; the robot has { $asked }.
+feedback-mirrored = Your table describes the mirror image of the robot: all lengths and angles fit, but one of them is counted the wrong way round. Check the signs with your right hand.
+feedback-base_axis_missed = Your z0 does not lie on the axis of joint 1.
+feedback-base_origin_missed = The origin of your frame 0 is not where the exercise wants it.
+feedback-base_frame_missed = Your frame 0 is not the one that the exercise prescribes.
+feedback-tool_point_missed = The origin of your last frame is not at the marked point.
+feedback-tool_axis_missed = The z axis of your last frame does not lie on the axis of the last joint.
+feedback-tool_frame_missed = Your last frame is not the one that the exercise prescribes.
+feedback-zero_missed = In the configuration of the figure all joint variables should be zero; yours are not.
+feedback-direction_missed = The joint variables should count the way the arrows of the figure point; not all of yours do.
+feedback-whole_table = One mistake runs through your whole table.
+feedback-columns_throughout = The columns a and α do not go with the convention that your table declares.
+feedback-angles_throughout = The angles of your table are not in the unit that it declares.
+feedback-lengths_throughout = The lengths of your table are not in the unit that it declares.
+feedback-twists_throughout = The twists α of your table have the wrong sign throughout.
+feedback-names_throughout = A dimension goes by the wrong name in your table.
+feedback-parameter_unknown = The robot has no dimension called { $name }. Its dimensions are: { $known }.
+feedback-names_asked = The robot's dimensions have no values here. Write their names: { $known }.
+
+## A wrong answer: its rows
+
+feedback-row_wrong = Row { $row } is not right.
+feedback-twist_wrong = Row { $row }: the twist α, the angle between two neighbouring z axes, is not right.
+feedback-length_wrong = Row { $row }: the length a, the distance between two neighbouring z axes, is not right.
+feedback-offset_wrong = Row { $row }: the offset d, the distance between two neighbouring x axes along z, is not right.
+feedback-angle_wrong = Row { $row }: the angle θ, between two neighbouring x axes about z, is not right.
+feedback-joint_type_wrong = Row { $row }: the joint is of another type.
+feedback-row_missing = A row is missing { $after ->
+    [0] before row 1
+   *[other] after row { $after }
+}.
+feedback-row_not_needed = Row { $row } is one too many.
+feedback-rows_out_of_order = Rows { $row } and { $other } stand in the wrong order.
+
+## What would make it right
+
+repair-convention = Read in the { $meant ->
+    [modified] modified
+   *[standard] standard
+} convention your table would be right; you declared the { $declared ->
+    [modified] modified
+   *[standard] standard
+} one.
+repair-angles_in_degrees = The angles are in degrees, but the table declares radians.
+repair-angles_in_radians = The angles are in radians, but the table declares degrees.
+repair-length_unit = The lengths are in another unit than the table declares: millimetres for metres, for example.
+repair-columns_late = The columns a and α stand one row too low, as in the other convention. Which link does each row belong to?
+repair-columns_early = The columns a and α stand one row too high, as in the other convention. Which link does each row belong to?
+repair-parameter_misnamed = { $name } is not a dimension of this robot. Which one of the figure do you mean?
+repair-parameters_swapped = { $name } and { $other } stand for one another. Compare them with the figure.
+repair-alpha_sign = Row { $row }: α has the wrong sign. Turn one z axis onto the next about x, by the right-hand rule.
+repair-alpha_value = Row { $row }: α is another angle. Look again how the two z axes lie to each other.
+repair-twists_all_reversed = Every α has the wrong sign. Turn one z axis onto the next about x with your right hand, not your left.
+repair-a_sign = Row { $row }: a has the wrong sign. It is counted along x.
+repair-d_sign = Row { $row }: d has the wrong sign. It is counted along z.
+repair-a_d_swapped = Row { $row }: a and d have changed places. a is measured along x, d along z.
+repair-a_value = Row { $row }: a is another length. Measure along the common normal of the two z axes.
+repair-a_missing = Row { $row }: a is not zero. The two z axes do not meet.
+repair-a_not_zero = Row { $row }: a is zero. The two z axes meet, or are one line.
+repair-d_value = Row { $row }: d is another length. Measure along z, from one x axis to the next.
+repair-d_missing = Row { $row }: an offset d has been left out.
+repair-d_not_zero = Row { $row }: d is zero. The two x axes meet z at the same point.
+repair-cell_length_unit = Row { $row }: one length is in another unit than the others.
+repair-cell_parameter = Row { $row }: another dimension of the figure belongs here.
+repair-cell_in_degrees = Row { $row }: one angle is in degrees, but the table declares radians.
+repair-cell_in_radians = Row { $row }: one angle is in radians, but the table declares degrees.
+repair-theta_value = Row { $row }: the constant angle θ is another one. Turn one x axis onto the next about z.
+repair-theta_offset = Row { $row }: θ needs another constant beside the variable, so that the variable is zero in the configuration of the figure.
+repair-variable_sign = Row { $row }: the joint variable counts the wrong way. Give it the opposite sign.
+repair-joint_type = Row { $row }: this joint { $joint_type ->
+    [prismatic] slides; its variable stands under d
+   *[revolute] turns; its variable stands under θ
+}.
+repair-joint_fixed = Row { $row }: this joint moves; its variable is missing.
+repair-joint_moving = Row { $row }: nothing moves here; the row holds constants only.
+repair-rows_swapped = Rows { $row } and { $other } have changed places.
+repair-row_missing = A row is missing { $after ->
+    [0] before row 1
+   *[other] after row { $after }
+}.
+repair-row_extra = Row { $row } is one too many.
+
+## Refused
+
+error-tables_without_value = No values of the parameters were found for which every cell of both tables has a value. Check the roots, quotients and inverse functions.

@@ -1,0 +1,120 @@
+# Lo que el corrector dice de una tabla: de una correcta, de una incorrecta, y qué la enmendaría.
+
+## Una respuesta correcta, y cómo quedan sus sistemas respecto a la solución de referencia
+
+feedback-same_frames = Sus sistemas de referencia son los de la solución de referencia.
+feedback-other_convention = Su tabla está escrita en la convención { $convention ->
+    [modified] modificada y la solución de referencia en la estándar
+   *[standard] estándar y la solución de referencia en la modificada
+}; ambas describen el mismo robot.
+feedback-axis_reversed = Su z{ $frame }, el eje de la articulación { $joint }, apunta en sentido opuesto al de la solución de referencia. Ambos sentidos son correctos, y los signos de su tabla concuerdan con el suyo.
+feedback-end_axis_reversed = Su z{ $frame } apunta en sentido opuesto al de la solución de referencia. Ambos sentidos son correctos.
+feedback-x_turned = Su x{ $frame } está girado { $degrees }° alrededor de z{ $frame } respecto a la solución de referencia. Su tabla lo tiene en cuenta.
+feedback-origin_slid = El origen de su sistema { $frame } está en otro punto de z{ $frame } que en la solución de referencia. Aquí cualquier punto es correcto.
+feedback-axis_moved = Su z{ $frame } está sobre otra recta, paralela a la de la solución de referencia. Aquí solo importa su dirección.
+feedback-frame_elsewhere = Su sistema { $frame } está colocado de otro modo que en la solución de referencia. Podía elegirlo libremente.
+feedback-variable_reversed = Su q{ $joint } cuenta en sentido opuesto al de la solución de referencia. Ambos sentidos son correctos.
+feedback-variable_offset = Donde la q{ $joint } de la solución de referencia es cero, la suya vale { $offset }. El cero de una variable articular se elige libremente.
+feedback-rounded = Sus valores concuerdan con la solución de referencia dentro de la tolerancia, no exactamente; puede que estén redondeados.
+
+## Una respuesta incorrecta: el conjunto
+
+feedback-not_equivalent = Su tabla no describe este robot, se elijan como se elijan los sistemas de referencia.
+feedback-right_robot = Su tabla describe el robot correcto, pero no cumple todo lo que pide el ejercicio.
+feedback-not_accepted = Su tabla no cumple todo lo que pide el ejercicio.
+feedback-convention_not_asked = El ejercicio pide la convención { $asked ->
+    [modified] modificada
+   *[standard] estándar
+}; su tabla está en la { $given ->
+    [modified] modificada
+   *[standard] estándar
+}.
+feedback-joint_count_wrong = { $given ->
+    [0] Su tabla no tiene articulaciones
+    [1] Su tabla tiene una articulación
+   *[other] Su tabla tiene { $given } articulaciones
+}; el robot tiene { $asked }.
+feedback-mirrored = Su tabla describe la imagen especular del robot: todas las longitudes y los ángulos concuerdan, pero alguno se cuenta al revés. Revise los signos con la regla de la mano derecha.
+feedback-base_axis_missed = Su z0 no está sobre el eje de la articulación 1.
+feedback-base_origin_missed = El origen de su sistema 0 no está donde lo pide el ejercicio.
+feedback-base_frame_missed = Su sistema 0 no es el que prescribe el ejercicio.
+feedback-tool_point_missed = El origen de su último sistema no está en el punto marcado.
+feedback-tool_axis_missed = El eje z de su último sistema no está sobre el eje de la última articulación.
+feedback-tool_frame_missed = Su último sistema no es el que prescribe el ejercicio.
+feedback-zero_missed = En la postura de la figura todas las variables articulares deberían ser cero; las suyas no lo son.
+feedback-direction_missed = Las variables articulares deberían crecer en el sentido de las flechas de la figura; no todas las suyas lo hacen.
+feedback-whole_table = Un mismo error recorre toda la tabla.
+feedback-columns_throughout = Las columnas a y α no corresponden a la convención que declara su tabla.
+feedback-angles_throughout = Los ángulos de su tabla no están en la unidad que declara.
+feedback-lengths_throughout = Las longitudes de su tabla no están en la unidad que declara.
+feedback-twists_throughout = Los ángulos α de su tabla tienen en todas partes el signo equivocado.
+feedback-names_throughout = Una dimensión lleva un nombre equivocado en su tabla.
+feedback-parameter_unknown = El robot no tiene ninguna dimensión llamada { $name }. Sus dimensiones son: { $known }.
+feedback-names_asked = Las dimensiones del robot no tienen valores aquí. Escriba sus nombres: { $known }.
+
+## Una respuesta incorrecta: sus filas
+
+feedback-row_wrong = La fila { $row } no es correcta.
+feedback-twist_wrong = Fila { $row }: la torsión α, el ángulo entre dos ejes z vecinos, no es correcta.
+feedback-length_wrong = Fila { $row }: la longitud a, la distancia entre dos ejes z vecinos, no es correcta.
+feedback-offset_wrong = Fila { $row }: el desplazamiento d, la distancia entre dos ejes x vecinos a lo largo de z, no es correcto.
+feedback-angle_wrong = Fila { $row }: el ángulo θ, entre dos ejes x vecinos alrededor de z, no es correcto.
+feedback-joint_type_wrong = Fila { $row }: la articulación es de otro tipo.
+feedback-row_missing = Falta una fila { $after ->
+    [0] antes de la fila 1
+   *[other] después de la fila { $after }
+}.
+feedback-row_not_needed = La fila { $row } está de más.
+feedback-rows_out_of_order = Las filas { $row } y { $other } están en el orden equivocado.
+
+## Lo que la haría correcta
+
+repair-convention = Leída en la convención { $meant ->
+    [modified] modificada
+   *[standard] estándar
+}, su tabla sería correcta; usted declaró la { $declared ->
+    [modified] modificada
+   *[standard] estándar
+}.
+repair-angles_in_degrees = Los ángulos están en grados, pero la tabla declara radianes.
+repair-angles_in_radians = Los ángulos están en radianes, pero la tabla declara grados.
+repair-length_unit = Las longitudes están en otra unidad que la declarada: milímetros en vez de metros, por ejemplo.
+repair-columns_late = Las columnas a y α están una fila más abajo, como en la otra convención. ¿A qué eslabón pertenece cada fila?
+repair-columns_early = Las columnas a y α están una fila más arriba, como en la otra convención. ¿A qué eslabón pertenece cada fila?
+repair-parameter_misnamed = { $name } no es una dimensión de este robot. ¿A cuál de la figura se refiere?
+repair-parameters_swapped = { $name } y { $other } están la una en lugar de la otra. Compárelas con la figura.
+repair-alpha_sign = Fila { $row }: α tiene el signo equivocado. Gire un eje z hasta el siguiente alrededor de x, según la regla de la mano derecha.
+repair-alpha_value = Fila { $row }: α es otro ángulo. Vuelva a mirar cómo están los dos ejes z uno respecto al otro.
+repair-twists_all_reversed = Todos los α tienen el signo equivocado. Gire un eje z hasta el siguiente alrededor de x con la mano derecha, no con la izquierda.
+repair-a_sign = Fila { $row }: a tiene el signo equivocado. Se cuenta en el sentido de x.
+repair-d_sign = Fila { $row }: d tiene el signo equivocado. Se cuenta en el sentido de z.
+repair-a_d_swapped = Fila { $row }: a y d se han intercambiado. a se mide a lo largo de x, d a lo largo de z.
+repair-a_value = Fila { $row }: a es otra longitud. Mida sobre la perpendicular común a los dos ejes z.
+repair-a_missing = Fila { $row }: a no es cero. Los dos ejes z no se cortan.
+repair-a_not_zero = Fila { $row }: a es cero. Los dos ejes z se cortan o coinciden.
+repair-d_value = Fila { $row }: d es otra longitud. Mida a lo largo de z, de un eje x al siguiente.
+repair-d_missing = Fila { $row }: se ha omitido un desplazamiento d.
+repair-d_not_zero = Fila { $row }: d es cero. Los dos ejes x encuentran a z en el mismo punto.
+repair-cell_length_unit = Fila { $row }: una longitud está en otra unidad que las demás.
+repair-cell_parameter = Fila { $row }: aquí corresponde otra dimensión de la figura.
+repair-cell_in_degrees = Fila { $row }: un ángulo está en grados, pero la tabla declara radianes.
+repair-cell_in_radians = Fila { $row }: un ángulo está en radianes, pero la tabla declara grados.
+repair-theta_value = Fila { $row }: el ángulo constante θ es otro. Gire un eje x hasta el siguiente alrededor de z.
+repair-theta_offset = Fila { $row }: junto a la variable, θ necesita otra constante, para que la variable sea cero en la postura de la figura.
+repair-variable_sign = Fila { $row }: la variable articular cuenta en el sentido equivocado. Póngale el signo opuesto.
+repair-joint_type = Fila { $row }: esta articulación { $joint_type ->
+    [prismatic] se desliza; su variable va en d
+   *[revolute] gira; su variable va en θ
+}.
+repair-joint_fixed = Fila { $row }: esta articulación se mueve; falta su variable.
+repair-joint_moving = Fila { $row }: aquí no se mueve nada; la fila solo tiene constantes.
+repair-rows_swapped = Las filas { $row } y { $other } se han intercambiado.
+repair-row_missing = Falta una fila { $after ->
+    [0] antes de la fila 1
+   *[other] después de la fila { $after }
+}.
+repair-row_extra = La fila { $row } está de más.
+
+## Rechazado
+
+error-tables_without_value = No se encontraron valores de los parámetros para los que todas las celdas de ambas tablas tengan valor. Revise las raíces, los cocientes y las funciones inversas.

@@ -1,0 +1,120 @@
+# O que o corretor diz de uma tabela: de uma certa, de uma errada, e o que a emendaria.
+
+## Uma resposta certa, e como os seus sistemas ficam em relação aos da solução de referência
+
+feedback-same_frames = Os seus sistemas são os da solução de referência.
+feedback-other_convention = A sua tabela está na convenção { $convention ->
+    [modified] modificada e a solução de referência na clássica (standard)
+   *[standard] clássica (standard) e a solução de referência na modificada
+}; ambas descrevem o mesmo robô.
+feedback-axis_reversed = O seu z{ $frame }, o eixo da junta { $joint }, aponta no sentido oposto ao da solução de referência. Ambos os sentidos estão certos, e os sinais da sua tabela concordam com o que escolheu.
+feedback-end_axis_reversed = O seu z{ $frame } aponta no sentido oposto ao da solução de referência. Ambos os sentidos estão certos.
+feedback-x_turned = O seu x{ $frame } está rodado de { $degrees }° em torno de z{ $frame } em relação à solução de referência. A sua tabela leva isso em conta.
+feedback-origin_slid = A origem do seu sistema { $frame } está em outro ponto de z{ $frame } que na solução de referência. Aqui qualquer ponto está certo.
+feedback-axis_moved = O seu z{ $frame } está sobre outra reta, paralela à da solução de referência. Aqui só a direção importa.
+feedback-frame_elsewhere = O seu sistema { $frame } está em outro lugar que na solução de referência. A escolha era livre.
+feedback-variable_reversed = A sua q{ $joint } conta no sentido oposto ao da solução de referência. Ambos os sentidos estão certos.
+feedback-variable_offset = Onde a q{ $joint } da solução de referência é zero, a sua vale { $offset }. O zero de uma variável de junta é de livre escolha.
+feedback-rounded = Os seus valores concordam com a solução de referência dentro da tolerância, mas não exatamente; podem ter sido arredondados.
+
+## Uma resposta errada: o conjunto
+
+feedback-not_equivalent = A sua tabela não descreve este robô, seja qual for a escolha dos sistemas de coordenadas.
+feedback-right_robot = A sua tabela descreve o robô certo, mas não cumpre tudo o que o exercício pede.
+feedback-not_accepted = A sua tabela não cumpre tudo o que o exercício pede.
+feedback-convention_not_asked = O exercício pede a convenção { $asked ->
+    [modified] modificada
+   *[standard] clássica (standard)
+}; a sua tabela está na { $given ->
+    [modified] modificada
+   *[standard] clássica (standard)
+}.
+feedback-joint_count_wrong = { $given ->
+    [0] A sua tabela não tem juntas
+    [1] A sua tabela tem uma junta
+   *[other] A sua tabela tem { $given } juntas
+}; o robô tem { $asked }.
+feedback-mirrored = A sua tabela descreve a imagem do robô num espelho: todos os comprimentos e ângulos conferem, mas um deles é contado ao contrário. Confira os sinais com a regra da mão direita.
+feedback-base_axis_missed = O seu z0 não está sobre o eixo da junta 1.
+feedback-base_origin_missed = A origem do seu sistema 0 não está onde o exercício a quer.
+feedback-base_frame_missed = O seu sistema 0 não é o que o exercício prescreve.
+feedback-tool_point_missed = A origem do seu último sistema não está no ponto marcado.
+feedback-tool_axis_missed = O eixo z do seu último sistema não está sobre o eixo da última junta.
+feedback-tool_frame_missed = O seu último sistema não é o que o exercício prescreve.
+feedback-zero_missed = Na posição mostrada na figura, todas as variáveis de junta deveriam ser zero; as suas não são.
+feedback-direction_missed = As variáveis de junta deveriam crescer no sentido das setas da figura; nem todas as suas o fazem.
+feedback-whole_table = Um mesmo erro percorre toda a tabela.
+feedback-columns_throughout = As colunas a e α não condizem com a convenção que a tabela declara.
+feedback-angles_throughout = Os ângulos da tabela não estão na unidade declarada.
+feedback-lengths_throughout = Os comprimentos da tabela não estão na unidade declarada.
+feedback-twists_throughout = Os ângulos de torção α têm o sinal errado em toda a tabela.
+feedback-names_throughout = Uma dimensão tem o nome errado na sua tabela.
+feedback-parameter_unknown = O robô não tem dimensão chamada { $name }. As suas dimensões são: { $known }.
+feedback-names_asked = As dimensões do robô não têm valores aqui. Escreva os seus nomes: { $known }.
+
+## Uma resposta errada: as linhas
+
+feedback-row_wrong = A linha { $row } não está certa.
+feedback-twist_wrong = Linha { $row }: a torção α, o ângulo entre dois eixos z vizinhos, não está certa.
+feedback-length_wrong = Linha { $row }: o comprimento a, a distância entre dois eixos z vizinhos, não está certo.
+feedback-offset_wrong = Linha { $row }: o deslocamento d, a distância entre dois eixos x vizinhos ao longo de z, não está certo.
+feedback-angle_wrong = Linha { $row }: o ângulo θ, entre dois eixos x vizinhos em torno de z, não está certo.
+feedback-joint_type_wrong = Linha { $row }: a junta é de outro tipo.
+feedback-row_missing = Falta uma linha { $after ->
+    [0] antes da linha 1
+   *[other] depois da linha { $after }
+}.
+feedback-row_not_needed = A linha { $row } está a mais.
+feedback-rows_out_of_order = As linhas { $row } e { $other } estão fora de ordem.
+
+## O que a tornaria certa
+
+repair-convention = Lida na convenção { $meant ->
+    [modified] modificada
+   *[standard] clássica (standard)
+}, a sua tabela estaria certa; foi declarada a { $declared ->
+    [modified] modificada
+   *[standard] clássica (standard)
+}.
+repair-angles_in_degrees = Os ângulos estão em graus, mas a tabela declara radianos.
+repair-angles_in_radians = Os ângulos estão em radianos, mas a tabela declara graus.
+repair-length_unit = Os comprimentos estão em outra unidade que a declarada: milímetros em vez de metros, por exemplo.
+repair-columns_late = As colunas a e α estão uma linha abaixo, como na outra convenção. A que elo pertence cada linha?
+repair-columns_early = As colunas a e α estão uma linha acima, como na outra convenção. A que elo pertence cada linha?
+repair-parameter_misnamed = { $name } não é uma dimensão deste robô. A qual da figura se refere?
+repair-parameters_swapped = { $name } e { $other } estão uma no lugar da outra. Compare-as com a figura.
+repair-alpha_sign = Linha { $row }: α tem o sinal errado. Rode um eixo z até o seguinte em torno de x, pela regra da mão direita.
+repair-alpha_value = Linha { $row }: α é outro ângulo. Veja de novo como os dois eixos z ficam um em relação ao outro.
+repair-twists_all_reversed = Todos os α têm o sinal errado. Rode um eixo z até o seguinte em torno de x com a mão direita, não com a esquerda.
+repair-a_sign = Linha { $row }: a tem o sinal errado. Conta-se no sentido de x.
+repair-d_sign = Linha { $row }: d tem o sinal errado. Conta-se no sentido de z.
+repair-a_d_swapped = Linha { $row }: a e d trocaram de lugar. a mede-se ao longo de x, d ao longo de z.
+repair-a_value = Linha { $row }: a é outro comprimento. Meça sobre a perpendicular comum aos dois eixos z.
+repair-a_missing = Linha { $row }: a não é zero. Os dois eixos z não se cruzam.
+repair-a_not_zero = Linha { $row }: a é zero. Os dois eixos z cruzam-se ou coincidem.
+repair-d_value = Linha { $row }: d é outro comprimento. Meça ao longo de z, de um eixo x ao seguinte.
+repair-d_missing = Linha { $row }: falta um deslocamento d.
+repair-d_not_zero = Linha { $row }: d é zero. Os dois eixos x encontram z no mesmo ponto.
+repair-cell_length_unit = Linha { $row }: um comprimento está em outra unidade que os demais.
+repair-cell_parameter = Linha { $row }: aqui cabe outra dimensão da figura.
+repair-cell_in_degrees = Linha { $row }: um ângulo está em graus, mas a tabela declara radianos.
+repair-cell_in_radians = Linha { $row }: um ângulo está em radianos, mas a tabela declara graus.
+repair-theta_value = Linha { $row }: o ângulo constante θ é outro. Rode um eixo x até o seguinte em torno de z.
+repair-theta_offset = Linha { $row }: ao lado da variável, θ precisa de outra constante, para que a variável seja zero na posição da figura.
+repair-variable_sign = Linha { $row }: a variável de junta conta no sentido errado. Dê-lhe o sinal oposto.
+repair-joint_type = Linha { $row }: esta junta { $joint_type ->
+    [prismatic] desliza; a sua variável fica em d
+   *[revolute] gira; a sua variável fica em θ
+}.
+repair-joint_fixed = Linha { $row }: esta junta move-se; falta a sua variável.
+repair-joint_moving = Linha { $row }: aqui nada se move; a linha só tem constantes.
+repair-rows_swapped = As linhas { $row } e { $other } trocaram de lugar.
+repair-row_missing = Falta uma linha { $after ->
+    [0] antes da linha 1
+   *[other] depois da linha { $after }
+}.
+repair-row_extra = A linha { $row } está a mais.
+
+## Recusado
+
+error-tables_without_value = Não se encontraram valores dos parâmetros para os quais todas as células das duas tabelas tenham valor. Verifique as raízes, os quocientes e as funções inversas.

@@ -1,0 +1,121 @@
+# Ce spune corectorul despre un tabel: despre unul corect, despre unul greșit și ce l-ar îndrepta.
+
+## Un răspuns corect și cum stau sistemele lui față de cele ale rezolvării de referință
+
+feedback-same_frames = Sistemele dumneavoastră sunt cele ale rezolvării de referință.
+feedback-other_convention = Tabelul dumneavoastră este scris în convenția { $convention ->
+    [modified] modificată, iar rezolvarea de referință în cea standard
+   *[standard] standard, iar rezolvarea de referință în cea modificată
+}; amândouă descriu același robot.
+feedback-axis_reversed = Axa z{ $frame }, adică axa cuplei { $joint }, are la dumneavoastră sensul opus celui din rezolvarea de referință. Ambele sensuri sunt corecte, iar semnele din tabel se potrivesc cu alegerea dumneavoastră.
+feedback-end_axis_reversed = Axa z{ $frame } are la dumneavoastră sensul opus celui din rezolvarea de referință. Ambele sensuri sunt corecte.
+feedback-x_turned = Axa x{ $frame } este rotită cu { $degrees }° în jurul lui z{ $frame } față de rezolvarea de referință. Tabelul dumneavoastră ține seama de aceasta.
+feedback-origin_slid = Originea sistemului { $frame } se află în alt loc de pe axa z{ $frame } decât în rezolvarea de referință. Aici orice loc este corect.
+feedback-axis_moved = Axa z{ $frame } se află pe altă dreaptă, paralelă cu cea din rezolvarea de referință. Aici contează numai direcția ei.
+feedback-frame_elsewhere = Sistemul { $frame } este plasat altfel decât în rezolvarea de referință. Alegerea lui vă aparținea.
+feedback-variable_reversed = Variabila q{ $joint } are la dumneavoastră sensul opus celui din rezolvarea de referință. Ambele sensuri sunt corecte.
+feedback-variable_offset = Acolo unde q{ $joint } din rezolvarea de referință este zero, variabila dumneavoastră are valoarea { $offset }. Poziția de zero a unei variabile se alege liber.
+feedback-rounded = Valorile din tabel coincid cu rezolvarea de referință în limita toleranței, nu exact; probabil au fost rotunjite.
+
+## Un răspuns greșit: ansamblul
+
+feedback-not_equivalent = Tabelul dumneavoastră nu descrie acest robot, oricum s-ar alege sistemele de coordonate.
+feedback-right_robot = Tabelul dumneavoastră descrie robotul potrivit, dar nu respectă tot ce cere exercițiul.
+feedback-not_accepted = Tabelul dumneavoastră nu respectă tot ce cere exercițiul.
+feedback-convention_not_asked = Exercițiul cere convenția { $asked ->
+    [modified] modificată
+   *[standard] standard
+}; tabelul dumneavoastră este scris în cea { $given ->
+    [modified] modificată
+   *[standard] standard
+}.
+feedback-joint_count_wrong = { $given ->
+    [0] Tabelul dumneavoastră nu are nicio cuplă
+    [one] Tabelul dumneavoastră are o cuplă
+    [few] Tabelul dumneavoastră are { $given } cuple
+   *[other] Tabelul dumneavoastră are { $given } de cuple
+}; robotul are { $asked }.
+feedback-mirrored = Tabelul dumneavoastră descrie imaginea în oglindă a robotului: toate lungimile și unghiurile se potrivesc, dar una dintre ele este luată în sens invers. Verificați semnele cu regula mâinii drepte.
+feedback-base_axis_missed = Axa z0 nu este pe axa cuplei 1.
+feedback-base_origin_missed = Originea sistemului 0 nu se află unde o cere exercițiul.
+feedback-base_frame_missed = Sistemul 0 nu este cel impus de exercițiu.
+feedback-tool_point_missed = Originea ultimului sistem nu se află în punctul marcat.
+feedback-tool_axis_missed = Axa z a ultimului sistem nu este pe axa ultimei cuple.
+feedback-tool_frame_missed = Ultimul sistem nu este cel impus de exercițiu.
+feedback-zero_missed = În poziția din figură toate variabilele cuplelor ar trebui să fie zero; ale dumneavoastră nu sunt.
+feedback-direction_missed = Variabilele cuplelor ar trebui să crească în sensul săgeților din figură; nu toate ale dumneavoastră fac așa.
+feedback-whole_table = O singură greșeală se repetă în tot tabelul.
+feedback-columns_throughout = Coloanele a și α nu se potrivesc cu convenția pe care o declară tabelul.
+feedback-angles_throughout = Unghiurile din tabel nu sunt în unitatea declarată.
+feedback-lengths_throughout = Lungimile din tabel nu sunt în unitatea declarată.
+feedback-twists_throughout = Unghiurile α au peste tot semnul greșit.
+feedback-names_throughout = O dimensiune poartă în tabel un nume greșit.
+feedback-parameter_unknown = Robotul nu are nicio dimensiune cu numele { $name }. Dimensiunile lui sunt: { $known }.
+feedback-names_asked = Dimensiunile robotului nu au valori aici. Scrieți numele lor: { $known }.
+
+## Un răspuns greșit: rândurile
+
+feedback-row_wrong = Rândul { $row } nu este corect.
+feedback-twist_wrong = Rândul { $row }: unghiul de încrucișare α, dintre două axe z vecine, nu este corect.
+feedback-length_wrong = Rândul { $row }: lungimea a, distanța dintre două axe z vecine, nu este corectă.
+feedback-offset_wrong = Rândul { $row }: offsetul d, distanța dintre două axe x vecine măsurată de-a lungul lui z, nu este corect.
+feedback-angle_wrong = Rândul { $row }: unghiul θ, dintre două axe x vecine în jurul lui z, nu este corect.
+feedback-joint_type_wrong = Rândul { $row }: cupla este de alt tip.
+feedback-row_missing = Lipsește un rând { $after ->
+    [0] înaintea rândului 1
+   *[other] după rândul { $after }
+}.
+feedback-row_not_needed = Rândul { $row } este în plus.
+feedback-rows_out_of_order = Rândurile { $row } și { $other } sunt în ordine greșită.
+
+## Ce l-ar face corect
+
+repair-convention = Citit în convenția { $meant ->
+    [modified] modificată
+   *[standard] standard
+}, tabelul ar fi corect; dumneavoastră ați declarat-o pe cea { $declared ->
+    [modified] modificată
+   *[standard] standard
+}.
+repair-angles_in_degrees = Unghiurile sunt în grade, dar tabelul declară radiani.
+repair-angles_in_radians = Unghiurile sunt în radiani, dar tabelul declară grade.
+repair-length_unit = Lungimile sunt în altă unitate decât cea declarată: de exemplu, milimetri în loc de metri.
+repair-columns_late = Coloanele a și α sunt cu un rând prea jos, ca în cealaltă convenție. Cărei legături îi corespunde fiecare rând?
+repair-columns_early = Coloanele a și α sunt cu un rând prea sus, ca în cealaltă convenție. Cărei legături îi corespunde fiecare rând?
+repair-parameter_misnamed = { $name } nu este o dimensiune a acestui robot. La care dimensiune din figură vă referiți?
+repair-parameters_swapped = { $name } și { $other } sunt puse una în locul celeilalte. Comparați-le cu figura.
+repair-alpha_sign = Rândul { $row }: α are semnul greșit. Rotiți o axă z peste următoarea în jurul lui x, după regula mâinii drepte.
+repair-alpha_value = Rândul { $row }: α este alt unghi. Priviți din nou cum stau cele două axe z una față de alta.
+repair-twists_all_reversed = Toate unghiurile α au semnul greșit. Rotiți o axă z peste următoarea în jurul lui x cu mâna dreaptă, nu cu stânga.
+repair-a_sign = Rândul { $row }: a are semnul greșit. Se măsoară în sensul lui x.
+repair-d_sign = Rândul { $row }: d are semnul greșit. Se măsoară în sensul lui z.
+repair-a_d_swapped = Rândul { $row }: a și d și-au schimbat locurile. a se măsoară de-a lungul lui x, d de-a lungul lui z.
+repair-a_value = Rândul { $row }: a este altă lungime. Măsurați pe perpendiculara comună a celor două axe z.
+repair-a_missing = Rândul { $row }: a nu este zero. Cele două axe z nu se intersectează.
+repair-a_not_zero = Rândul { $row }: a este zero. Cele două axe z se intersectează sau coincid.
+repair-d_value = Rândul { $row }: d este altă lungime. Măsurați de-a lungul lui z, de la o axă x la următoarea.
+repair-d_missing = Rândul { $row }: a fost omis un offset d.
+repair-d_not_zero = Rândul { $row }: d este zero. Cele două axe x întâlnesc axa z în același punct.
+repair-cell_length_unit = Rândul { $row }: o lungime este în altă unitate decât celelalte.
+repair-cell_parameter = Rândul { $row }: aici stă altă dimensiune din figură.
+repair-cell_in_degrees = Rândul { $row }: un unghi este în grade, dar tabelul declară radiani.
+repair-cell_in_radians = Rândul { $row }: un unghi este în radiani, dar tabelul declară grade.
+repair-theta_value = Rândul { $row }: unghiul constant θ este altul. Rotiți o axă x peste următoarea în jurul lui z.
+repair-theta_offset = Rândul { $row }: pe lângă variabilă, θ are nevoie de altă constantă, astfel încât variabila să fie zero în poziția din figură.
+repair-variable_sign = Rândul { $row }: variabila cuplei are sensul greșit. Dați-i semnul opus.
+repair-joint_type = Rândul { $row }: această cuplă { $joint_type ->
+    [prismatic] este de translație; variabila ei stă la d
+   *[revolute] este de rotație; variabila ei stă la θ
+}.
+repair-joint_fixed = Rândul { $row }: această cuplă se mișcă; variabila ei lipsește.
+repair-joint_moving = Rândul { $row }: aici nu se mișcă nimic; rândul are numai constante.
+repair-rows_swapped = Rândurile { $row } și { $other } și-au schimbat locurile.
+repair-row_missing = Lipsește un rând { $after ->
+    [0] înaintea rândului 1
+   *[other] după rândul { $after }
+}.
+repair-row_extra = Rândul { $row } este în plus.
+
+## Refuzat
+
+error-tables_without_value = Nu s-au găsit valori ale parametrilor pentru care fiecare celulă a ambelor tabele să aibă o valoare. Verificați radicalii, rapoartele și funcțiile inverse.
