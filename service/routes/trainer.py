@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from fastapi import APIRouter, Request, Response
 
-from service.web.responses import page_response
+from exercises.errors import UnknownExerciseError
+from exercises.loader import exercise
+from service.web.responses import missing_page, page_language, page_response
 from service.web.shell import Page
 
 router = APIRouter(include_in_schema=False)
@@ -18,7 +20,11 @@ TRAINER = Page(
 )
 
 
-@router.get("/trainer/{exercise}")
-async def trainer(request: Request, exercise: str) -> Response:
+@router.get("/trainer/{exercise_id}")
+async def trainer(request: Request, exercise_id: str) -> Response:
     """Attach frames to the axes of an exercise's robot, by the rules of the procedure."""
-    return page_response(request, TRAINER, {"id": exercise, "title": exercise})
+    try:
+        found = exercise(exercise_id)
+    except UnknownExerciseError:
+        return missing_page(request, depth=1)
+    return page_response(request, TRAINER, {"id": found.id, "title": found.titles[page_language(request)]})

@@ -33,7 +33,13 @@ trainer-candidate-level = on axis { $axis }, level with the origin of frame { $f
 trainer-candidate-axis_point = the point by which axis { $axis } is given
 trainer-candidate-base = as in the given base frame
 trainer-candidate-tool = as in the given tool frame
-trainer-candidate-coordinates = of the coordinates
+trainer-candidate-coordinates =
+    { $axis ->
+        [1] along x of the coordinates
+        [2] along y of the coordinates
+        [3] along z of the coordinates
+       *[other] the origin of the coordinates
+    }
 trainer-candidate-axis = along axis { $axis }
 trainer-candidate-normal = along the normal of axes { $axis } and { $other }
 trainer-candidate-frame_x = along x of frame { $frame }

@@ -33,7 +33,13 @@ trainer-candidate-level = sobre el eje { $axis }, a la altura del origen del sis
 trainer-candidate-axis_point = el punto por el que se da el eje { $axis }
 trainer-candidate-base = como en el sistema de base dado
 trainer-candidate-tool = como en el sistema de herramienta dado
-trainer-candidate-coordinates = de las coordenadas
+trainer-candidate-coordinates =
+    { $axis ->
+        [1] a lo largo de x de las coordenadas
+        [2] a lo largo de y de las coordenadas
+        [3] a lo largo de z de las coordenadas
+       *[other] el origen de las coordenadas
+    }
 trainer-candidate-axis = a lo largo del eje { $axis }
 trainer-candidate-normal = a lo largo de la normal de los ejes { $axis } y { $other }
 trainer-candidate-frame_x = a lo largo de x del sistema { $frame }

@@ -33,7 +33,13 @@ trainer-candidate-level = sur l’axe { $axis }, au niveau de l’origine du rep
 trainer-candidate-axis_point = le point par lequel l’axe { $axis } est donné
 trainer-candidate-base = comme dans le repère de base donné
 trainer-candidate-tool = comme dans le repère d’outil donné
-trainer-candidate-coordinates = des coordonnées
+trainer-candidate-coordinates =
+    { $axis ->
+        [1] le long de x des coordonnées
+        [2] le long de y des coordonnées
+        [3] le long de z des coordonnées
+       *[other] l’origine des coordonnées
+    }
 trainer-candidate-axis = le long de l’axe { $axis }
 trainer-candidate-normal = le long de la normale aux axes { $axis } et { $other }
 trainer-candidate-frame_x = le long de x du repère { $frame }

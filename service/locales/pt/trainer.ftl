@@ -33,7 +33,13 @@ trainer-candidate-level = no eixo { $axis }, ao nível da origem do referencial 
 trainer-candidate-axis_point = o ponto pelo qual o eixo { $axis } é dado
 trainer-candidate-base = como no referencial de base dado
 trainer-candidate-tool = como no referencial de ferramenta dado
-trainer-candidate-coordinates = das coordenadas
+trainer-candidate-coordinates =
+    { $axis ->
+        [1] ao longo de x das coordenadas
+        [2] ao longo de y das coordenadas
+        [3] ao longo de z das coordenadas
+       *[other] a origem das coordenadas
+    }
 trainer-candidate-axis = ao longo do eixo { $axis }
 trainer-candidate-normal = ao longo da normal dos eixos { $axis } e { $other }
 trainer-candidate-frame_x = ao longo de x do referencial { $frame }

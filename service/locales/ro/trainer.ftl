@@ -34,7 +34,13 @@ trainer-candidate-level = pe axa { $axis }, la nivelul originii sistemului { $fr
 trainer-candidate-axis_point = punctul prin care este dată axa { $axis }
 trainer-candidate-base = ca în sistemul de bază dat
 trainer-candidate-tool = ca în sistemul sculei dat
-trainer-candidate-coordinates = al coordonatelor
+trainer-candidate-coordinates =
+    { $axis ->
+        [1] de-a lungul lui x al coordonatelor
+        [2] de-a lungul lui y al coordonatelor
+        [3] de-a lungul lui z al coordonatelor
+       *[other] originea coordonatelor
+    }
 trainer-candidate-axis = de-a lungul axei { $axis }
 trainer-candidate-normal = de-a lungul perpendicularei axelor { $axis } și { $other }
 trainer-candidate-frame_x = de-a lungul lui x din sistemul { $frame }

@@ -34,7 +34,13 @@ trainer-candidate-level = на осі { $axis }, на рівні початку 
 trainer-candidate-axis_point = точка, якою задано вісь { $axis }
 trainer-candidate-base = як у заданій системі основи
 trainer-candidate-tool = як у заданій системі інструмента
-trainer-candidate-coordinates = системи відліку
+trainer-candidate-coordinates =
+    { $axis ->
+        [1] уздовж x системи відліку
+        [2] уздовж y системи відліку
+        [3] уздовж z системи відліку
+       *[other] початок системи відліку
+    }
 trainer-candidate-axis = уздовж осі { $axis }
 trainer-candidate-normal = уздовж перпендикуляра до осей { $axis } і { $other }
 trainer-candidate-frame_x = уздовж x системи { $frame }

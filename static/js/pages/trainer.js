@@ -95,25 +95,20 @@ class Trainer {
     return el("div", { class: "row" }, el("p", { class: "notice notice-good", text: t("trainer-complete") }), el("a", { class: "button", href: address }, t("trainer-open")));
   }
 
+  /** The buttons stay the same elements, so that the focus stays on them. */
   #steps(frames) {
-    fill(
-      $("steps"),
-      frames.map((frame, i) => {
-        const broken = frame.findings.some((finding) => finding.severity === "broken");
-        const state = broken ? "broken" : frame.complete ? "whole" : "open";
-        return el(
-          "button",
-          {
-            type: "button",
-            class: `small step step-${state}`,
-            "aria-pressed": String(i === this.state.current),
-            "aria-label": t("trainer-step", { frame: i, state: t(`trainer-state-${state}`) }),
-            onclick: () => this.#go(i),
-          },
-          `{${i}}`,
-        );
-      }),
-    );
+    const place = $("steps");
+    if (place.children.length !== frames.length) {
+      fill(place, frames.map((_, i) => el("button", { type: "button", onclick: () => this.#go(i) }, `{${i}}`)));
+    }
+    frames.forEach((frame, i) => {
+      const broken = frame.findings.some((finding) => finding.severity === "broken");
+      const state = broken ? "broken" : frame.complete ? "whole" : "open";
+      const button = place.children[i];
+      button.className = `small step step-${state}`;
+      button.setAttribute("aria-pressed", String(i === this.state.current));
+      button.setAttribute("aria-label", t("trainer-step", { frame: i, state: t(`trainer-state-${state}`) }));
+    });
   }
 
   #go(frame) {

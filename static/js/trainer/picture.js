@@ -51,7 +51,7 @@ function choicesModel(state, candidates, size) {
     const end = plus(root, times(unit(candidate.vector), size * SIZE.direction));
     return [
       { kind: "arrow", from: { node: 0, at: root }, to: { node: 0, at: end }, radius: size * 0.008, tone, pick },
-      { kind: "label", at: { node: 0, at: plus(root, times(unit(candidate.vector), size * SIZE.direction * 1.12)) }, text: String(i + 1), tone },
+      { kind: "label", at: { node: 0, at: plus(root, times(unit(candidate.vector), size * SIZE.direction * 1.12)) }, text: String(i + 1), tone, pick },
     ];
   });
   return { nodes: [{ parent: -1, constant: identity() }], items, joints: 0 };

@@ -1,6 +1,6 @@
 /** The table that follows from the frames, row by row as they become complete. */
 
-import { el, math } from "../dom.js";
+import { el } from "../dom.js";
 import { t } from "../i18n.js";
 import { shown } from "../numbers.js";
 
@@ -32,8 +32,7 @@ export function tableView({ rows }, convention) {
 }
 
 function symbol(letter, previous) {
-  const index = previous ? math("mrow", {}, math("mi", {}, "i"), math("mo", {}, "−"), math("mn", {}, "1")) : math("mi", {}, "i");
-  return math("math", {}, math("msub", {}, math("mi", {}, letter), index));
+  return [el("i", { text: letter }), el("sub", { text: previous ? "i−1" : "i" })];
 }
 
 const cell = (value) => (typeof value === "number" ? shown(value) : String(value).replace("-", "−"));
