@@ -48,7 +48,7 @@ class Trial:
 
 
 def find_repairs(work: Work) -> tuple[Repaired, ...]:
-    """The repairs of a wrong table, the smallest and likeliest first; of two edits only if no single one will do."""
+    """The repairs of a wrong table, smallest and likeliest first; of two edits only if no single one helps."""
     budget = Budget(MOST_DECISIONS, time.thread_time() + SECONDS)
     trials = list(_tried(work, changes_of(work)))
     trials.sort(key=lambda trial: (trial.change.extent.value, trial.change.rank))
