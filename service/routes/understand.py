@@ -13,6 +13,7 @@ from kinematics.cells import Limits, RawTable, ReadTable, read_table
 from kinematics.errors import CellError, Fault, TableError
 from kinematics.expressions import Expression, JointVariable, add, multiply, number
 from kinematics.printing.latex import LatexWriter
+from kinematics.printing.mathml import MathmlWriter
 from kinematics.printing.notation import Names
 from kinematics.printing.text import text_writer
 from kinematics.table import CELLS, JointType, SymbolicRow
@@ -48,6 +49,7 @@ EXAMPLES: dict[str, Example] = {
 }
 
 Place = tuple[int, str]
+MATHML = "http://www.w3.org/1998/Math/MathML"
 
 
 @router.post(
@@ -115,14 +117,19 @@ def _without(raw: RawTable, places: frozenset[Place]) -> RawTable:
 
 def _rows(read: ReadTable, unread: frozenset[Place]) -> list[UnderstoodRow]:
     names = Names(parameters=frozenset(read.parameters))
-    latex, text = LatexWriter(names), text_writer(names)
+    mathml, latex, text = MathmlWriter(names), LatexWriter(names), text_writer(names)
     rows = []
     joint = 0
     for i, row in enumerate(read.table.rows):
         joint += row.joint is not JointType.FIXED
         cells = {cell: _entry(row, cell, joint) for cell in CELLS if (i, cell) not in unread}
         meanings = {
-            cell: Meaning(latex=latex.text(entry), text=text.text(entry)) for cell, entry in cells.items()
+            cell: Meaning(
+                mathml=f'<math xmlns="{MATHML}">{mathml.presentation(entry)}</math>',
+                latex=latex.text(entry),
+                text=text.text(entry),
+            )
+            for cell, entry in cells.items()
         }
         variable = None if row.joint is JointType.FIXED else f"q{joint}"
         rows.append(UnderstoodRow(joint=row.joint, sign=row.sign, variable=variable, **meanings))

@@ -21,6 +21,7 @@ class UnderstandRequest(Wire):
 class Meaning(Wire):
     """What a cell was understood as: angles in radians, lengths as they are."""
 
+    mathml: str = Field(description="for a page: one math element")
     latex: str = Field(description="for a formula")
     text: str = Field(description="as a cell would accept it")
 

@@ -1,6 +1,6 @@
 /**
  * The robot of a table that is being typed: reads the table, asks for its link matrices, follows the sliders.
- * Events: `reading` (what was understood, or the faults), `robot` (a scene model and joints to move), `poses`
+ * Events: `typed` (a new table is being looked at), `reading` (what was understood, or the faults), `robot` (a scene model and joints to move), `poses`
  * (matrices at the joints' present values), `failure` (the service could not be reached).
  */
 
@@ -42,6 +42,7 @@ export class LiveRobot extends EventTarget {
   take(table, { now = false } = {}) {
     this.#table = table;
     this.#asked += 1;
+    this.#tell("typed", table);
     if (now) this.#read();
     else this.typed();
   }

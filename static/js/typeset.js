@@ -32,6 +32,19 @@ export async function typeset(element, latex, { display = false } = {}) {
 }
 
 /**
+ * Shows a small formula that the API wrote as MathML; browsers draw it themselves, without anything loaded.
+ * @param {HTMLElement} element @param {string} mathml one math element, or nothing
+ */
+export function showMathml(element, mathml) {
+  if (element.dataset.mathml === mathml) return;
+  element.dataset.mathml = mathml;
+  element.replaceChildren();
+  if (!mathml) return;
+  const parsed = new DOMParser().parseFromString(mathml, "application/xml").documentElement;
+  if (parsed.localName === "math") element.append(document.importNode(parsed, true));
+}
+
+/**
  * A matrix of numbers as MathML, and a way to change its numbers. Its brackets are drawn by the style sheet,
  * because few systems have a font whose brackets stretch.
  * @param {number[][]} values

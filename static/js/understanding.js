@@ -2,7 +2,7 @@
  * What the service makes of a typed table, cell by cell.
  *
  * @typedef {{joint: "revolute" | "prismatic" | "fixed", sign: number, variable: string | null,
- *   latex: Partial<Record<string, string>>}} ReadRow what each cell means, where it can be read
+ *   meanings: Partial<Record<string, string>>}} ReadRow what each cell means as MathML, where it can be read
  * @typedef {{rows: ReadRow[], variables: string[], parameters: {name: string, kind: "length" | "angle"}[]}} Reading
  * @typedef {{reading: Reading | null, rows: ReadRow[], faults: import("./api.js").Fault[]}} Answer
  *   `reading` is there if the whole table could be read
@@ -38,7 +38,7 @@ export class Understanding {
 function readAnswer({ readable, rows, parameters, faults }) {
   const read = rows.map(({ joint, sign, variable, ...cells }) => {
     const known = Object.entries(cells).filter(([, meaning]) => meaning);
-    return { joint, sign, variable, latex: Object.fromEntries(known.map(([cell, { latex }]) => [cell, latex])) };
+    return { joint, sign, variable, meanings: Object.fromEntries(known.map(([cell, { mathml }]) => [cell, mathml])) };
   });
   const variables = read.map((row) => row.variable).filter((variable) => variable !== null);
   return { reading: readable ? { rows: read, variables, parameters } : null, rows: read, faults };

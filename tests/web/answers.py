@@ -61,14 +61,14 @@ def pose(table: Table, values: Mapping[str, float], joints: Sequence[float]) -> 
     return [[f"{entry:.6f}" for entry in line] for line in total]
 
 
+WRIST = ["intersecting_perpendicular", "intersecting_perpendicular"]
 PUMA_VALUES = {"a2": 0.4318, "a3": 0.0203, "d3": 0.15005, "d4": 0.4318}
 ANSWERS: dict[str, dict[str, object]] = {
     "puma560": {
         "table": PUMA,
         "schematic": (
             ["revolute"] * 6,
-            ["intersecting_perpendicular", "parallel", "skew_perpendicular"]
-            + ["intersecting_perpendicular", "intersecting_perpendicular"],
+            ["intersecting_perpendicular", "parallel", "skew_perpendicular", *WRIST],
         ),
         "values": PUMA_VALUES,
         "joints": [30, 45, -60, 90, 45, -30],
@@ -92,8 +92,7 @@ ANSWERS: dict[str, dict[str, object]] = {
         "table": RX90,
         "schematic": (
             ["revolute"] * 6,
-            ["intersecting_perpendicular", "parallel", "intersecting_perpendicular"]
-            + ["intersecting_perpendicular", "intersecting_perpendicular"],
+            ["intersecting_perpendicular", "parallel", "intersecting_perpendicular", *WRIST],
         ),
         "values": {"D3": 0.45, "RL4": 0.45},
         "joints": [30, 45, -60, 90, 45, -30],

@@ -31,7 +31,7 @@ def choose(page: Page, name: str, value: str) -> None:
 
 
 def fill_table(page: Page, table: Table) -> None:
-    """Type a table: convention and rows of cells in the convention's order, `joint` where it is not revolute."""
+    """Type a table: its convention, its joint types, its cells in the convention's order."""
     choose(page, "convention", table["convention"])
     choose(page, "angle-unit", table.get("angle_unit", "deg"))
     rows: Sequence[Mapping[str, str]] = table["rows"]
@@ -74,7 +74,7 @@ def share(page: Page) -> str:
 
 
 def rows(convention: str, text: str) -> list[dict[str, str]]:
-    """Rows from lines of four cells in the convention's order, `P` or `F` in front of other than revolute ones."""
+    """Rows from lines of four cells in the convention's order; `P` or `F` before other than revolute ones."""
     found = []
     for line in text.strip().splitlines():
         cells = line.split()

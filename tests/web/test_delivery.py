@@ -188,7 +188,8 @@ def test_a_page_names_every_module_that_its_script_imports(client: httpx.Client)
 def test_imports_are_followed_as_the_browser_follows_them(tmp_path: Path) -> None:
     (tmp_path / "a").mkdir()
     (tmp_path / "a" / "page.js").write_text(
-        'import {\n  one,\n  two as three,\n} from "../b.js";\nimport "./c.js";\nexport { x } from "./d.js";\n'
+        'import {\n  one,\n  two as three,\n} from "../b.js";\nimport "./c.js";\n'
+        'export { x } from "./d.js";\n'
         'export const y = f("./none.js");\nconst later = () => import("./later.js");\n'
     )
     (tmp_path / "b.js").write_text('import * as page from "./a/page.js";\n')

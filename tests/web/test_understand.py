@@ -48,6 +48,8 @@ def test_every_cell_is_said_in_radians_and_with_its_variable(client: httpx.Clien
         ("fixed", 1, None),
     ]
     assert answer["rows"][0]["alpha"]["latex"] == r"-\frac{\pi}{2}"
+    assert answer["rows"][0]["alpha"]["mathml"].startswith("<math")
+    assert "<mfrac>" in answer["rows"][0]["alpha"]["mathml"]
     assert answer["parameters"] == [{"name": "L1", "kind": "length"}, {"name": "L2", "kind": "length"}]
 
 

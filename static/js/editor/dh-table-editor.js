@@ -121,10 +121,10 @@ export class DhTableEditor extends HTMLElement {
     return emptyCells(this.#table);
   }
 
-  /** Shows what cells were understood as. @param {(Partial<Record<CellName, string>> | null)[]} rows LaTeX */
+  /** Shows what cells were understood as. @param {(import("../understanding.js").ReadRow | undefined)[]} rows */
   showMeaning(rows) {
     this.#table.rows.forEach((_, i) => {
-      for (const cell of CELLS) this.#grid.showMeaning(i, cell, rows[i]?.[cell] ?? "");
+      for (const cell of CELLS) this.#grid.showMeaning(i, cell, rows[i]?.meanings[cell] ?? "");
     });
   }
 

@@ -2,7 +2,7 @@
 
 import { el, fill, iconButton } from "../dom.js";
 import { t } from "../i18n.js";
-import { typeset } from "../typeset.js";
+import { showMathml } from "../typeset.js";
 import { COLUMNS, jointNumbers, variableCell, variableName } from "./model.js";
 
 /**
@@ -67,14 +67,10 @@ export class Grid {
     return this.cells.get(`${row}/${cell}`);
   }
 
-  /** Shows what a cell was understood as. @param {number} row @param {CellName} cell @param {string} latex */
-  showMeaning(row, cell, latex) {
+  /** Shows what a cell was understood as. @param {number} row @param {CellName} cell @param {string} mathml */
+  showMeaning(row, cell, mathml) {
     const found = this.at(row, cell);
-    if (!found || found.meaning.dataset.latex === latex) return;
-    if (!latex) {
-      found.meaning.textContent = "";
-      delete found.meaning.dataset.latex;
-    } else typeset(found.meaning, latex).catch(() => (found.meaning.textContent = latex));
+    if (found) showMathml(found.meaning, mathml);
   }
 
   /** Shows a cell's fault, or none. @param {number} row @param {CellName | "joint"} cell @param {string} text */

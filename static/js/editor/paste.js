@@ -160,7 +160,7 @@ export function readPasted(text, order) {
   const heading = headingOf(rows[0]);
   const body = heading ? rows.slice(1) : rows;
   if (body.length === 0) return null;
-  const columns = heading?.columns ?? guessedColumns(body, order);
+  const columns = heading?.columns ?? (looksLikeValues(body) ? guessedColumns(body, order) : null);
   if (!columns) return null;
   const read = body.map((row) => readRow(row, columns));
   return { format, convention: heading?.convention ?? null, rows: read };
@@ -175,6 +175,13 @@ function headingOf(row) {
   const before = /[ijn]\s*[-−–]\s*1|[ijn]₋₁/i.test(lengths);
   const same = /[_\s]*[ijn]\b|[ᵢⱼₙ]/i.test(lengths.replace(/alpha|alfa|α/gi, ""));
   return { columns, convention: before ? "modified" : same ? "standard" : null };
+}
+
+/** Whether rows without headings may be a table at all: most of their cells hold a number, a Greek letter or one letter. */
+function looksLikeValues(body) {
+  const cells = body.flat();
+  const values = cells.filter((cell) => /[\dα-ωΑ-Ω°]|^-?[A-Za-z]$|pi/u.test(cell));
+  return values.length * 2 > cells.length;
 }
 
 function guessedColumns(body, order) {

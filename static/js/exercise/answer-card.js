@@ -86,7 +86,7 @@ export class AnswerCard {
 
   /** @param {boolean} busy */
   set busy(busy) {
-    fill(this.problem);
+    if (busy) fill(this.problem);
     if (busy) this.button.setAttribute("aria-disabled", "true");
     else this.button.removeAttribute("aria-disabled");
     this.button.textContent = t(busy ? "form-submitting" : "form-submit");
@@ -107,9 +107,9 @@ export class AnswerCard {
     return null;
   }
 
-  /** What the service understood. @param {{reading: any, rows: any[], faults: any[]}} answer */
-  showReading({ reading, rows, faults }) {
-    this.editor.showMeaning((reading?.rows ?? rows).map((row) => row?.latex ?? null));
+  /** What the service understood. @param {import("../understanding.js").Answer} answer */
+  showReading({ rows, faults }) {
+    this.editor.showMeaning(rows);
     const empty = new Set(this.editor.missing.map(({ row, cell }) => `/rows/${row}/${cell}`));
     this.editor.showFaults(faults.filter((fault) => !empty.has(fault.pointer.replace(/^\/table/, ""))));
   }

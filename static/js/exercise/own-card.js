@@ -49,6 +49,7 @@ export class OwnCard {
 
   #listen() {
     const { robot } = this;
+    robot.addEventListener("typed", () => this.scene.setAttribute("aria-busy", "true"));
     robot.addEventListener("reading", (event) => this.#read(/** @type {CustomEvent} */ (event).detail));
     robot.addEventListener("parameters", (event) => this.#showParameters(/** @type {CustomEvent} */ (event).detail));
     robot.addEventListener("robot", (event) => this.#draw(/** @type {CustomEvent} */ (event).detail));
@@ -85,6 +86,7 @@ export class OwnCard {
 
   #dim(dimmed) {
     this.scene.classList.toggle("stale", dimmed);
+    this.scene.removeAttribute("aria-busy");
   }
 
   #fail(error) {

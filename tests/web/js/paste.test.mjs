@@ -77,6 +77,7 @@ test("what is no table is left alone", () => {
   assert.ok(!isTable("q1 + pi/2"));
   assert.ok(!isTable("  0.4318 "));
   assert.equal(readPasted("hello world", COLUMNS.modified), null);
+  assert.equal(readPasted("no table at all\nor is it one", COLUMNS.modified), null);
   assert.equal(readPasted("1\t2\t3", COLUMNS.modified), null);
   assert.equal(readPasted("", COLUMNS.modified), null);
 });

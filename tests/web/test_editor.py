@@ -1,0 +1,208 @@
+"""The table editor: conventions, units, rows, pasting, undo, meanings and faults."""
+
+from __future__ import annotations
+
+from playwright.sync_api import Page, expect
+
+from tests.web.conftest import OpenPage
+from tests.web.driving import PUMA, cell, choose, editor, fill_table, joint, rows
+
+LATEX = r"""
+\begin{tabular}{c|cccc}
+ $i$ & $\theta_i$ & $d_i$ & $a_i$ & $\alpha_i$ \\ \hline
+ 1 & $\theta_1$ & 0 & 0 & $\frac{\pi}{2}$ \\
+ 2 & $\theta_2$ & $0$ & $a_2$ & $0$ \\
+\end{tabular}
+"""
+
+
+def headings(page: Page) -> list[str]:
+    return [text.replace("\n", "") for text in editor(page).locator("thead th").all_inner_texts()]
+
+
+def texts(page: Page, row: int) -> list[str]:
+    return [
+        field.input_value() for field in editor(page).locator(f"tbody tr:nth-child({row + 1}) input").all()
+    ]
+
+
+def paste(page: Page, row: int, name: str, text: str) -> None:
+    """What the browser does when a text is pasted into a cell."""
+    cell(page, row, name).evaluate(
+        """(field, text) => {
+          const data = new DataTransfer();
+          data.setData("text/plain", text);
+          const how = { clipboardData: data, bubbles: true, cancelable: true };
+          if (field.dispatchEvent(new ClipboardEvent("paste", how))) field.setRangeText(text);
+        }""",
+        text,
+    )
+
+
+def test_the_convention_relabels_the_columns_and_changes_no_entry(open_page: OpenPage) -> None:
+    page = open_page("/exercises/puma560")
+    choose(page, "convention", "modified")
+    assert headings(page)[2:6] == ["αi−1 [°]", "ai−1 [m]", "di [m]", "θi [°]"]
+    for name, text in (("alpha", "-90"), ("a", "a2"), ("d", "d3")):
+        cell(page, 0, name).fill(text)
+    choose(page, "convention", "standard")
+    assert headings(page)[2:6] == ["θi [°]", "di [m]", "ai [m]", "αi [°]"]
+    assert texts(page, 0) == ["θ1", "d3", "a2", "-90"]
+    notice = editor(page).locator(".editor-notice")
+    expect(notice).to_contain_text("now read in the standard convention")
+    notice.get_by_role("button", name="Undo").click()
+    assert texts(page, 0) == ["-90", "a2", "d3", "θ1"]
+    expect(editor(page).locator("input[value=modified]")).to_be_checked()
+
+
+def test_another_unit_of_angles_is_said_and_converts_on_request_only(open_page: OpenPage) -> None:
+    page = open_page("/exercises/puma560")
+    cell(page, 0, "alpha").fill("-90")
+    choose(page, "angle-unit", "rad")
+    assert cell(page, 0, "alpha").input_value() == "-90"
+    editor(page).get_by_role("button", name="Convert the numbers").click()
+    assert cell(page, 0, "alpha").input_value() == "-pi/2"
+    choose(page, "angle-unit", "deg")
+    editor(page).get_by_role("button", name="Convert the numbers").click()
+    assert cell(page, 0, "alpha").input_value() == "-90"
+
+
+def test_rows_are_added_moved_and_removed_by_keyboard(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    choose(page, "convention", "modified")
+    cell(page, 0, "a").fill("first")
+    cell(page, 0, "a").press("Alt+ArrowDown")
+    assert cell(page, 1, "a").input_value() == "first"
+    expect(cell(page, 1, "a")).to_be_focused()
+    assert cell(page, 1, "theta").input_value() == "θ2"
+    cell(page, 1, "a").press("ArrowUp")
+    expect(cell(page, 0, "a")).to_be_focused()
+    cell(page, 0, "a").press("Enter")
+    expect(cell(page, 1, "a")).to_be_focused()
+    cell(page, 1, "a").press("Alt+Enter")
+    expect(editor(page).locator("tbody tr")).to_have_count(5)
+    expect(cell(page, 2, "alpha")).to_be_focused()
+    expect(page.locator("#announcer")).to_have_text("Row 3 added")
+    cell(page, 2, "alpha").press("Alt+Delete")
+    expect(editor(page).locator("tbody tr")).to_have_count(4)
+    assert cell(page, 1, "a").input_value() == "first"
+
+
+def test_rows_are_moved_and_removed_by_buttons(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    cell(page, 2, "d").fill("third")
+    editor(page).get_by_role("button", name="Move row 3 up").click()
+    assert cell(page, 1, "d").input_value() == "third"
+    editor(page).get_by_role("button", name="Remove row 1").click()
+    assert cell(page, 0, "d").input_value() == "third"
+    assert cell(page, 0, "theta").input_value() == "θ1"
+
+
+def test_undo_and_redo_bring_back_everything(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    choose(page, "convention", "modified")
+    fill_table(page, {**PUMA, "rows": PUMA["rows"][:4]})
+    before = [texts(page, i) for i in range(4)]
+    editor(page).get_by_role("button", name="Remove row 2").click()
+    joint(page, 0).select_option("prismatic")
+    page.keyboard.press("Control+z")
+    page.keyboard.press("Control+z")
+    assert [texts(page, i) for i in range(4)] == before
+    page.keyboard.press("Control+y")
+    expect(editor(page).locator("tbody tr")).to_have_count(3)
+    editor(page).get_by_role("button", name="Undo", exact=True).click()
+    assert [texts(page, i) for i in range(4)] == before
+
+
+def test_a_spreadsheet_is_pasted_into_the_table(open_page: OpenPage) -> None:
+    page = open_page("/exercises/puma560")
+    choose(page, "convention", "modified")
+    paste(
+        page,
+        0,
+        "alpha",
+        "0\t0\t0\tθ1\n-90\t0\t0\tθ2\n0\t0,4318\t0,15005\tθ3\n-90\ta3\td4\tθ4\n90\t0\t0\tθ5\n-90\t0\t0\tθ6",
+    )
+    assert texts(page, 2) == ["0", "0.4318", "0.15005", "θ3"]
+    expect(editor(page).locator("tbody tr")).to_have_count(6)
+    expect(editor(page).locator(".editor-notice")).to_contain_text("6 rows pasted.")
+    expect(page.locator("#own robot-scene")).not_to_have_class("stale")
+
+
+def test_a_latex_table_is_pasted_with_its_convention(open_page: OpenPage) -> None:
+    page = open_page("/exercises/twolink")
+    choose(page, "convention", "modified")
+    page.get_by_role("button", name="Paste a table").click()
+    dialog = page.get_by_role("dialog")
+    dialog.get_by_label("A table from").fill(LATEX)
+    expect(dialog.locator(".paste-preview")).to_contain_text("2 rows found:")
+    dialog.get_by_role("button", name="Use this table").click()
+    expect(editor(page).locator("input[value=standard]")).to_be_checked()
+    assert texts(page, 0) == ["θ_1", "0", "0", "π/2"]
+    assert texts(page, 1) == ["θ_2", "0", "a_2", "0"]
+    expect(editor(page).locator(".fault:visible")).to_have_count(0)
+
+
+def test_a_text_without_a_table_is_not_taken(open_page: OpenPage) -> None:
+    page = open_page("/exercises/twolink")
+    page.get_by_role("button", name="Paste a table").click()
+    dialog = page.get_by_role("dialog")
+    dialog.get_by_label("A table from").fill("no table at all")
+    expect(dialog).to_contain_text("No table is recognised")
+    expect(dialog.get_by_role("button", name="Use this table")).to_be_disabled()
+    page.keyboard.press("Escape")
+    expect(dialog).to_have_count(0)
+
+
+def test_each_cell_says_what_it_was_understood_as(open_page: OpenPage) -> None:
+    page = open_page("/exercises/twolink")
+    choose(page, "convention", "standard")
+    cell(page, 0, "alpha").fill("-90")
+    cell(page, 0, "a").fill("2L1")
+    meaning = editor(page).locator("tbody tr").first.locator("td:has(input[id$=-alpha]) .meaning")
+    expect(meaning.locator("math mfrac")).to_have_count(1)
+    assert "".join(meaning.inner_text().split()) == "−π2"
+    described = cell(page, 0, "alpha").get_attribute("aria-describedby")
+    assert described is not None
+    assert meaning.get_attribute("id") in described.split()
+
+
+def test_faults_stand_at_their_cells(open_page: OpenPage) -> None:
+    page = open_page("/exercises/twolink")
+    fill_table(page, {"convention": "standard", "rows": rows("standard", "θ1 0 2(L1 0\nθ2 0 L2 0")})
+    fault = editor(page).locator("tbody tr").first.locator("td:has(input[id$=-a]) .fault")
+    expect(fault).to_contain_text("parenthesis")
+    field = cell(page, 0, "a")
+    expect(field).to_have_attribute("aria-invalid", "true")
+    expect(field).to_have_accessible_description(fault.inner_text())
+    expect(cell(page, 1, "a")).not_to_have_attribute("aria-invalid", "true")
+    expect(page.locator("#own")).to_contain_text("One cell cannot be read yet")
+    field.fill("2(L1)")
+    expect(fault).to_be_hidden()
+    expect(field).not_to_have_attribute("aria-invalid", "true")
+
+
+def test_empty_cells_are_pointed_out_and_led_to_when_handed_in(open_page: OpenPage) -> None:
+    page = open_page("/exercises/twolink")
+    page.locator("button[type=submit].primary").click()
+    summary = editor(page).locator(".editor-summary")
+    expect(summary).to_be_focused()
+    expect(summary).to_contain_text("6 cells need your attention:")
+    summary.get_by_role("link").first.click()
+    expect(
+        cell(page, 0, "alpha" if page.locator("input[value=modified]").is_checked() else "d")
+    ).to_be_focused()
+    expect(page.locator("#verdict-card")).to_be_hidden()
+
+
+def test_what_was_typed_survives_a_reload_and_a_change_of_language(open_page: OpenPage) -> None:
+    page = open_page("/exercises/twolink")
+    choose(page, "convention", "standard")
+    cell(page, 0, "a").fill("L1 + 0.25")
+    page.reload()
+    expect(cell(page, 0, "a")).to_have_value("L1 + 0.25")
+    page.locator("#language").select_option("uk")
+    page.wait_for_url("**lang=uk**")
+    expect(page.locator("html[lang=uk][data-ready=true]")).to_have_count(1)
+    expect(cell(page, 0, "a")).to_have_value("L1 + 0.25")
+    expect(editor(page).locator("input[value=standard]")).to_be_checked()

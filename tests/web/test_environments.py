@@ -1,0 +1,251 @@
+"""Where the form has to work: phones, foreign frames, prefixes, no WebGL, no storage, keyboard alone."""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+from collections.abc import Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from service.settings import Settings
+from tests.web.conftest import LANGUAGES, OpenPage, Watch, serving, wait_ready
+from tests.web.driving import PUMA, SCARA, cell, fill_table, share, submit
+
+PAGES = ("/", "/exercises/puma560", "/exercises/scara", "/playground", "/trainer/puma560")
+NO_WEBGL = """
+const real = HTMLCanvasElement.prototype.getContext;
+HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+  return kind.startsWith("webgl") ? null : real.call(this, kind, ...more);
+};
+"""
+
+
+SMALL_TARGETS = """() => [...document.querySelectorAll("a, button, input, select, textarea, summary")]
+  .filter((node) => node.checkVisibility() && !node.closest("p, li .prose") && !node.matches(".skip"))
+  .map((node) => (node.matches("[type=radio], [type=checkbox]") ? (node.closest("label") ?? node) : node))
+  .map((node) => ({ html: node.outerHTML.slice(0, 100), box: node.getBoundingClientRect() }))
+  .filter(({ box }) => box.width > 0 && (box.width < 24 || box.height < 24))
+  .map(({ html, box }) => `${html} ${box.width}x${box.height}`)"""
+STORAGE_BLOCKED = """Object.defineProperty(window, "localStorage", {
+  get() { throw new DOMException("no", "SecurityError"); },
+});"""
+SCENE_IN_WORDS = (
+    "The frames of your table with their axes x, y and z. "
+    "Joints: q1: revolute, q2: revolute, q3: prismatic, q4: revolute. "
+    "Arrow keys turn the view, Shift with arrow keys moves it, + and − zoom, 0 shows everything."
+)
+
+
+def overflow(page: Page) -> list[str]:
+    """Elements that stick out of the page to the right, apart from what scrolls by itself."""
+    return page.evaluate(
+        """() => {
+          const width = document.documentElement.clientWidth;
+          const clips = (node) => getComputedStyle(node).overflowX !== "visible";
+          const scrolls = (node) => node && (clips(node) || scrolls(node.parentElement));
+          if (document.documentElement.scrollWidth <= width) return [];
+          return [...document.body.querySelectorAll("*")]
+            .filter((node) => node.getBoundingClientRect().right > width + 1 && !scrolls(node.parentElement))
+            .map((node) => node.outerHTML.slice(0, 120));
+        }"""
+    )
+
+
+@pytest.mark.parametrize("path", PAGES)
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_page_in_every_language_fits_a_small_phone(
+    open_page: OpenPage, path: str, language: str
+) -> None:
+    """320 × 600 is also what 1280 × 2400 is at 400 % zoom."""
+    page = open_page(path, lang=language, width=320, height=600)
+    assert page.locator("html").get_attribute("lang") == language
+    assert overflow(page) == []
+    visible = page.locator("body").inner_text()
+    assert "form-" not in visible
+    assert "undefined" not in visible
+    assert "[object" not in visible
+
+
+@pytest.mark.parametrize("path", PAGES)
+def test_every_target_is_large_enough(open_page: OpenPage, path: str) -> None:
+    """WCAG 2.5.8: 24 px, apart from links inside sentences."""
+    page = open_page(path, width=320, height=600)
+    assert page.evaluate(SMALL_TARGETS) == []
+
+
+def test_a_phone_grades_an_exercise_by_touch(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara", width=390, height=700, has_touch=True, is_mobile=True)
+    page.locator("#figure-mode label").nth(1).tap()
+    expect(page.locator("#figure-body robot-scene")).to_be_visible()
+    fill_table(page, SCARA)
+    own = page.locator("#own robot-scene")
+    own.scroll_into_view_if_needed()
+    expect(own).to_have_attribute("data-renderer", "webgl")
+    submit(page)
+    assert share(page) == "100 %"
+    assert overflow(page) == []
+
+
+@contextlib.contextmanager
+def other_origin(folder: Path) -> Iterator[str]:
+    """A site of somebody else."""
+
+    class Quiet(SimpleHTTPRequestHandler):
+        def log_message(self, *_: object) -> None:
+            return
+
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder)))
+    thread = threading.Thread(target=server.serve_forever, daemon=True)
+    thread.start()
+    try:
+        yield f"http://localhost:{server.server_port}"
+    finally:
+        server.shutdown()
+        server.server_close()
+        thread.join()
+
+
+@pytest.mark.parametrize("sandbox", ["", 'sandbox="allow-scripts allow-forms allow-same-origin"'])
+def test_an_exercise_is_graded_inside_a_frame_of_another_origin(
+    open_page: OpenPage, web: str, tmp_path: Path, sandbox: str
+) -> None:
+    (tmp_path / "course.html").write_text(
+        '<!doctype html><link rel=icon href="data:,"><title>Course</title>'
+        f'<iframe title="Exercise" width="600" height="600" {sandbox} '
+        f'src="{web}/exercises/scara?lang=en"></iframe>'
+    )
+    with other_origin(tmp_path) as origin:
+        page = open_page("/course.html", origin=origin, lang=None, ready=False)
+        frame = page.frame_locator("iframe")
+        frame.locator("html[data-ready=true].embedded").wait_for(state="attached")
+        inner = page.frames[1]
+        fill_table(inner, SCARA)  # type: ignore[arg-type]
+        inner.locator("button[type=submit].primary").click()
+        expect(inner.locator("#verdict")).to_contain_text("Your table describes this robot.")
+        assert page.context.cookies() == []
+
+
+def test_a_page_in_a_frame_is_refused_where_the_settings_name_no_frame(
+    open_page: OpenPage, tmp_path: Path, watch: Watch
+) -> None:
+    watch.allow("frame-ancestors")
+    watch.allow("ERR_BLOCKED_BY_RESPONSE")
+    with serving(Settings()) as service:
+        (tmp_path / "course.html").write_text(
+            f'<link rel=icon href="data:,"><iframe src="{service}/?lang=en"></iframe>'
+        )
+        with other_origin(tmp_path) as origin:
+            page = open_page("/course.html", origin=origin, lang=None, ready=False)
+            page.wait_for_timeout(300)
+            assert page.frames[1].locator("html[data-page=home]").count() == 0
+
+
+def test_without_storage_a_draft_lives_in_the_page_and_through_a_change_of_language(
+    open_page: OpenPage,
+) -> None:
+    page = open_page("/exercises/scara", before=lambda page: page.add_init_script(STORAGE_BLOCKED))
+    cell(page, 1, "a").fill("a2 + 0")
+    page.locator("#language").select_option("es")
+    page.wait_for_url("**lang=es**")
+    page.locator("html[lang=es][data-ready=true]").wait_for(state="attached")
+    expect(cell(page, 1, "a")).to_have_value("a2 + 0")
+    assert "#" not in page.url
+
+
+def test_without_webgl_the_robots_are_drawn_as_svg(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara", before=lambda page: page.add_init_script(NO_WEBGL))
+    fill_table(page, SCARA)
+    scene = page.locator("#own robot-scene")
+    expect(scene).to_have_attribute("data-renderer", "svg")
+    expect(scene.locator("svg.scene-svg line").first).to_be_attached()
+    before = scene.locator("svg.scene-svg").inner_html()
+    page.get_by_label("Joint angle q1").fill("60")
+    page.wait_for_function(
+        "([scene, before]) => scene.querySelector('svg.scene-svg').innerHTML !== before",
+        arg=[scene.element_handle(), before],
+    )
+    submit(page)
+    assert share(page) == "100 %"
+
+
+def test_a_lost_context_falls_back_to_svg(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    fill_table(page, SCARA)
+    scene = page.locator("#own robot-scene")
+    expect(scene).to_have_attribute("data-renderer", "webgl")
+    lose = "canvas => canvas.getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()"
+    scene.locator("canvas").evaluate(lose)
+    expect(scene).to_have_attribute("data-renderer", "svg")
+    expect(scene.locator("svg.scene-svg line").first).to_be_attached()
+
+
+def test_everything_works_under_a_prefix(open_page: OpenPage) -> None:
+    with serving(Settings(prefix="/robotics/dh")) as origin:
+        page = open_page("/robotics/dh/", origin=origin)
+        page.get_by_role("link", name="SCARA", exact=True).click()
+        page.wait_for_url("**/robotics/dh/exercises/scara?lang=en")
+        wait_ready(page)
+        fill_table(page, SCARA)
+        submit(page)
+        assert share(page) == "100 %"
+        page.get_by_role("link", name="Playground").click()
+        page.wait_for_url("**/robotics/dh/playground?lang=en")
+        wait_ready(page)
+
+
+def tab_to(page: Page, description: str, found: str, most: int = 400) -> None:
+    """Press Tab until the focus is on what is wanted, as somebody without a mouse does."""
+    for _ in range(most):
+        page.keyboard.press("Tab")
+        if page.evaluate(f"() => {found}"):
+            return
+    raise AssertionError(f"Tab does not lead to {description}")
+
+
+def test_puma_is_graded_with_the_keyboard_alone(open_page: OpenPage) -> None:
+    page = open_page("/exercises/puma560")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.className") == "skip"
+    page.keyboard.press("Enter")
+    tab_to(page, "the choice of convention", "document.activeElement.name?.endsWith('-convention')")
+    while page.evaluate("document.activeElement.value") != "modified":
+        page.keyboard.press("ArrowRight")
+    tab_to(page, "the first cell", "document.activeElement.id?.endsWith('-0-alpha')")
+    for column, name in enumerate(("alpha", "a", "d")):
+        for i, row in enumerate(PUMA["rows"]):
+            page.keyboard.press("Control+a")
+            page.keyboard.type(row[name])
+            page.keyboard.press("ArrowDown" if i < 5 else "Tab")
+        if column < 2:
+            for _ in range(5):
+                page.keyboard.press("ArrowUp")
+    page.keyboard.press("Control+Enter")
+    expect(page.locator("#verdict-card")).to_be_focused()
+    expect(page.locator("#announcer")).to_contain_text("Your table describes this robot.")
+
+
+def test_the_scene_is_turned_with_the_keyboard(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    fill_table(page, SCARA)
+    view = page.locator("#own .scene-view")
+    label = page.locator("#own .scene-label").first
+    expect(label).to_be_attached()
+    places = [label.get_attribute("style")]
+    view.focus()
+    for key in ("ArrowLeft", "ArrowUp", "+", "Shift+ArrowRight", "-"):
+        view.press(key)
+        page.wait_for_function(
+            "([label, before]) => label.getAttribute('style') !== before",
+            arg=[label.element_handle(), places[-1]],
+        )
+        places.append(label.get_attribute("style"))
+    view.press("0")
+    page.wait_for_function(
+        "([label, before]) => label.getAttribute('style') === before", arg=[label.element_handle(), places[0]]
+    )
+    expect(view).to_have_accessible_description(SCENE_IN_WORDS)

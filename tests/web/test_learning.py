@@ -1,0 +1,161 @@
+"""What a student learns from an answer: verdicts, repairs, both robots, the history; and nothing before."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from playwright.sync_api import Page, Request, expect
+
+from tests.web.conftest import OpenPage, Watch
+from tests.web.driving import PUMA, SCARA, cell, fill_table, joint, open_part, share, submit
+
+TIP_AND_POINT = """async (scene) => {
+  const base = document.documentElement.dataset.assets;
+  const { poses, position } = await import(new URL(`${base}/js/scene/model.js`, location.href).href);
+  const found = poses(scene.model, scene.joints);
+  const point = scene.model.items.find((item) => item.kind === "ball");
+  return [found.at(-1).slice(0, 3).map((row) => row[3]), position(found, point.at)];
+}"""
+
+
+def wrong(table: dict[str, object], row: int, **cells: str) -> dict[str, object]:
+    rows = [dict(entry) for entry in table["rows"]]  # type: ignore[attr-defined]
+    rows[row].update(cells)
+    return {**table, "rows": rows}
+
+
+def test_a_wrong_answer_is_repaired_from_its_feedback(open_page: OpenPage) -> None:
+    page = open_page("/exercises/puma560")
+    fill_table(page, wrong(dict(PUMA), 2, a="d3", d="a2"))
+    verdict = submit(page)
+    expect(verdict).to_contain_text("Your table describes another robot.")
+    assert share(page) != "100 %"
+    expect(verdict.locator(".badge.bad").first).to_be_visible()
+    repair = verdict.locator(".repairs li:has(a)").first
+    repair.get_by_role("link").click()
+    expect(page.locator("dh-table-editor tbody tr:nth-child(3) input:focus")).to_have_count(1)
+    cell(page, 2, "a").fill("a2")
+    expect(verdict).to_contain_text("You have changed your answer since.")
+    cell(page, 2, "d").fill("d3")
+    submit(page)
+    assert share(page) == "100 %"
+    expect(page.locator("#history li")).to_have_count(2)
+
+
+def test_a_right_answer_says_how_its_frames_differ_and_shows_both_robots(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    # z of the third frame points down: joint 3 counts the other way.
+    rows = [dict(row) for row in SCARA["rows"]]
+    rows[2]["alpha"] = "180"
+    fill_table(page, {**SCARA, "rows": rows})
+    verdict = submit(page)
+    expect(verdict).to_contain_text("Your table describes this robot.")
+    expect(verdict.locator(".feedback li")).not_to_have_count(0)
+    scene = verdict.locator("robot-scene")
+    expect(scene).to_be_visible()
+    scene.scroll_into_view_if_needed()
+    slider = verdict.get_by_label("Point of the motion")
+    seen = set()
+    for phase in ("0", "0.3", "0.7"):
+        slider.fill(phase)
+        tip, point = scene.evaluate(TIP_AND_POINT)
+        seen.add(tuple(point))
+        # The table's last axis is the spindle's: its frame stands above or below the marked point.
+        assert tip[:2] == pytest.approx(point[:2], abs=1e-6)
+    assert len(seen) == 3
+    expect(verdict.get_by_role("button", name="Play")).to_be_visible()
+
+
+def test_motion_starts_by_itself_only_where_it_is_welcome(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara", reduced_motion="no-preference")
+    fill_table(page, SCARA)
+    verdict = submit(page)
+    expect(verdict.get_by_role("button", name="Pause")).to_be_visible()
+    verdict.get_by_role("button", name="Pause").click()
+    expect(verdict.get_by_role("button", name="Play")).to_be_visible()
+
+
+def test_nothing_hints_at_the_answer_before_it_is_graded(open_page: OpenPage) -> None:
+    asked: list[Request] = []
+    shown: list[str] = []
+    for table in (PUMA, wrong(dict(PUMA), 3, d="a2")):
+        page = open_page(
+            "/exercises/puma560",
+            before=lambda page: page.on("request", lambda request: asked.append(request)),
+        )
+        fill_table(page, table)
+        expect(page.locator("#own")).to_contain_text("Drawn from your table: 6 joints.")
+        shown.append(page.locator("#own .own-status").inner_text())
+        expect(page.locator("#verdict-card")).to_be_hidden()
+        expect(page.locator(".badge.good, .badge.bad")).to_have_count(0)
+    assert shown[0] == shown[1]
+    assert not any(request.url.endswith("/grade") for request in asked)
+    calls = {
+        request.url.rsplit("/api/v1/", 1)[1].split("?")[0] for request in asked if "/api/v1/" in request.url
+    }
+    assert calls == {"exercises/puma560", "exercises/puma560/figure.svg", "understand", "forward-kinematics"}
+
+
+def test_what_cannot_be_graded_costs_no_attempt(open_page: OpenPage, watch: Watch) -> None:
+    watch.allow("status of 422")
+    page = open_page("/exercises/scara")
+    fill_table(page, wrong(dict(SCARA), 1, a="a2*("))
+    with page.expect_response(lambda response: response.url.endswith("/grade")) as caught:
+        page.locator("button[type=submit].primary").click()
+    assert caught.value.status == 422
+    expect(page.locator("dh-table-editor .editor-summary")).to_be_focused()
+    expect(page.locator("#history-card")).to_be_hidden()
+
+
+def test_parts_may_be_handed_in_without_the_table(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    part = open_part(page, "workspace")
+    part.get_by_label("Inner radius").fill("0.1")
+    part.get_by_label("Outer radius").fill("0.7")
+    verdict = submit(page)
+    assert share(page) == "100 %"
+    expect(verdict).to_contain_text("Everything that you handed in is right.")
+    expect(verdict).to_contain_text("10 of 100 points.")
+
+
+def test_attempts_are_kept_and_can_be_taken_back(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    fill_table(page, wrong(dict(SCARA), 1, a="a3"))
+    submit(page)
+    joint(page, 0).select_option("fixed")
+    page.reload()
+    expect(page.locator("#history li")).to_have_count(1)
+    page.get_by_role("button", name="Take attempt 1 back into the form").click()
+    expect(cell(page, 1, "a")).to_have_value("a3")
+    expect(joint(page, 0)).to_have_value("revolute")
+    page.get_by_role("button", name="Forget all").click()
+    expect(page.locator("#history-card")).to_be_hidden()
+
+
+def test_a_seed_gives_a_students_own_values(open_page: OpenPage) -> None:
+    def given(page: Page) -> str:
+        return page.locator("#givens .givens").inner_text()
+
+    plain = given(open_page("/exercises/puma560"))
+    one = open_page("/exercises/puma560?seed=student-7")
+    assert given(one) != plain
+    assert given(open_page("/exercises/puma560?seed=student-7")) == given(one)
+    fill_table(one, PUMA)
+    with one.expect_request(lambda request: request.url.endswith("/grade")) as caught:
+        one.locator("button[type=submit].primary").click()
+    assert json.loads(caught.value.post_data or "{}")["seed"] == "student-7"
+    expect(one.locator("#verdict")).to_contain_text("Your table describes this robot.")
+
+
+def test_the_service_may_be_away_for_a_while(open_page: OpenPage, watch: Watch) -> None:
+    watch.allow("ERR_INTERNET_DISCONNECTED")
+    page = open_page("/exercises/scara")
+    page.context.set_offline(True)
+    fill_table(page, SCARA)
+    expect(page.locator("#own")).to_contain_text("The service cannot be reached.")
+    page.locator("button[type=submit].primary").click()
+    expect(page.locator("#submit-problem")).to_contain_text("What you typed is kept")
+    page.context.set_offline(False)
+    submit(page)
+    assert share(page) == "100 %"
