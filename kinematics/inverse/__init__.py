@@ -6,6 +6,7 @@ residuals    how far a pose is from its target
 search       damped least squares from many starts at once
 closed_form  methods that yield all solutions, EAIK's among them
 partition    arms taken apart into a head that places a point and a tail that turns about it
+refinement   from candidates to solutions, none lost at special targets
 position     three joints that bring points to their places
 limits       turns of a joint into its range
 distinct     which solutions are the same, and which belong to a continuum

@@ -16,12 +16,13 @@ from numpy.typing import ArrayLike, NDArray
 from kinematics.errors import Fault, PoseError
 from kinematics.forward import end_poses
 from kinematics.inverse.arm import Array
-from kinematics.inverse.closed_form import NEARLY, Decomposition
+from kinematics.inverse.closed_form import Decomposition
 from kinematics.inverse.distinct import SAME, SINGULAR_VALUE
 from kinematics.inverse.limits import within_limits
+from kinematics.inverse.refinement import AS_IT_IS
 from kinematics.inverse.residuals import pose_errors
 from kinematics.inverse.results import IKStatus, InverseKinematics
-from kinematics.inverse.solve import AS_IT_IS, Solver, nearest_rigid
+from kinematics.inverse.solve import Solver, nearest_rigid
 from kinematics.jacobian import jacobian
 from kinematics.transforms import check_transform
 
@@ -156,17 +157,15 @@ def _together(solver: Solver, decomposition: Decomposition, poses: Array) -> tup
     joints = np.concatenate(found).reshape(-1, solver.arm.n_joints)
     reached = end_poses(solver.table, joints, base=solver.base, tool=solver.tool)
     position, angle = pose_errors(reached, poses[owner])
-    errors = np.hypot(position / solver.arm.size, angle)
     J = jacobian(solver.table, joints, base=solver.base, tool=solver.tool)
     exact = (position <= max(AS_IT_IS, solver.arm.rounding)) & (angle <= AS_IT_IS)
-    care = ~exact
-    care[_singular(J, solver.arm.size)] = True
-    care &= errors < NEARLY
-    done = np.bincount(owner[errors < NEARLY], minlength=len(poses)) > 0
-    done[owner[care]] = False
+    J = jacobian(solver.table, joints, base=solver.base, tool=solver.tool)
+    done = counts > 0
+    done[owner[~exact]] = False
+    done[owner[_singular(J, solver.arm.size)]] = False
     done[_repeated(J, counts)] = False
     joints, fits = within_limits(joints, solver.arm.revolute, solver.box, solver.arm.size)
-    kept = done[owner] & exact & fits
+    kept = done[owner] & fits
     done &= np.bincount(owner[kept], minlength=len(poses)) > 0
     kept &= done[owner]
     return _Part(joints[kept], owner[kept], position[kept], angle[kept]), done

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import combinations
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -83,14 +85,21 @@ def on_continuum(arm: Arm, target: Array, joints: Array) -> tuple[NDArray[np.boo
     directions = np.zeros(joints.shape)
     found = np.zeros(len(joints), dtype=bool)
     volume = np.abs(np.linalg.det(J)) if arm.n_joints == 6 else np.linalg.det(J.transpose(0, 2, 1) @ J)
-    suspects = np.flatnonzero(volume < SMALL_VOLUME)
-    if len(suspects):
-        _, values, rows = np.linalg.svd(J[suspects])
-        directions[suspects] = rows[:, -1]
-        blind = values[:, -1] < SINGULAR_VALUE
-        suspects = suspects[blind]
-        found[suspects] = _moves(arm, target, joints[suspects], directions[suspects], scale)
+    for i in np.flatnonzero(volume < SMALL_VOLUME).tolist():
+        _, values, rows = np.linalg.svd(J[i])
+        blind = rows[: len(values)][values < SINGULAR_VALUE]
+        if len(blind):
+            tried = _combinations(blind)
+            moves = _moves(arm, target, np.broadcast_to(joints[i], tried.shape), tried, scale)
+            found[i] = moves.any()
+            directions[i] = tried[int(np.argmax(moves))]
     return found, directions
+
+
+def _combinations(blind: Array) -> Array:
+    """Directions that the Jacobian does not see: each of a basis, and the sums and differences of two."""
+    pairs = [(one + s * other) / np.sqrt(2.0) for one, other in combinations(blind, 2) for s in (1, -1)]
+    return np.array([*blind, *pairs])
 
 
 def _moves(arm: Arm, target: Array, joints: Array, directions: Array, scale: Array) -> NDArray[np.bool_]:

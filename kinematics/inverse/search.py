@@ -60,6 +60,11 @@ class Box:
     low: Array
     high: Array
 
+    @property
+    def limited(self) -> bool:
+        """Whether there is any bound."""
+        return bool(np.isfinite(self.low).any() or np.isfinite(self.high).any())
+
 
 def unbounded(n_joints: int) -> Box:
     """No limits at all."""
@@ -132,12 +137,11 @@ def descend(
     ended[:] = cost
     damping = np.full(len(q), 1e-2)
     stalled = np.zeros(len(q), dtype=int)
-    bounded = bool(np.isfinite(box.low).any() or np.isfinite(box.high).any())
     at = q.copy()
     for _ in range(iterations):
-        step = _steps(arm.jacobians(frames), e, damping + cost * 1e-3, at, box if bounded else None)
+        step = _steps(arm.jacobians(frames), e, damping + cost * 1e-3, at, box if box.limited else None)
         tried = at + step
-        if bounded:
+        if box.limited:
             np.clip(tried, box.low, box.high, out=tried)
         new_frames = arm.frames(tried)
         new_e = error_vectors(new_frames[-1], target, arm.size)
@@ -194,7 +198,7 @@ def search(arm: Arm, target: Array, box: Box, bounds: Bounds) -> SearchResult:
     if len(found):
         return SearchResult(found, found[0])
     best = np.argsort(np.concatenate(errors), kind="stable")[:4]
-    settled = descend(arm, target, np.concatenate(ends)[best], box, iterations=300, least_gain=1e-9)
+    settled = descend(arm, target, np.concatenate(ends)[best], box, iterations=300, least_gain=1e-13)
     return SearchResult(found, settled.joints[int(np.argmin(settled.errors))])
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -10,10 +10,11 @@ from numpy.typing import ArrayLike
 
 from kinematics.errors import Fault, TableError
 from kinematics.inverse.arm import Arm, Array, arm_of
-from kinematics.inverse.closed_form import NEARLY, ClosedForm, closed_form_of
-from kinematics.inverse.distinct import distinct, on_continuum, one_per_continuum
+from kinematics.inverse.closed_form import ClosedForm, closed_form_of
+from kinematics.inverse.distinct import on_continuum, one_per_continuum
 from kinematics.inverse.limits import JointLimits, read_limits, within_limits
-from kinematics.inverse.residuals import are_solutions, error_vectors, pose_errors
+from kinematics.inverse.refinement import solutions_of
+from kinematics.inverse.residuals import pose_errors
 from kinematics.inverse.results import (
     IKSolution,
     IKStatus,
@@ -23,18 +24,12 @@ from kinematics.inverse.results import (
     NearestPose,
     UnreachableReason,
 )
-from kinematics.inverse.search import JOINTS_OF_SPACE, Bounds, Box, polish, search
+from kinematics.inverse.search import JOINTS_OF_SPACE, Bounds, Box, search
 from kinematics.links import Transform
 from kinematics.table import NumericTable
 from kinematics.transforms import check_transform
 
 MAX_JOINTS = 12
-TOLERANCE = 5e-10
-"""Largest distance [m] and angle [rad] of a solution from a closed form."""
-
-AS_IT_IS = 1e-11
-"""A candidate this exact [m and rad] is left as it is."""
-
 MOST_SOLUTIONS = 64
 """Of a search no more solutions than this are returned."""
 
@@ -69,17 +64,47 @@ class Solver:
             PoseError: not a rigid motion, at ("target", …).
         """
         pose = nearest_rigid(check_transform(target, where=("target",)))
-        candidates = None if self.closed_form is None else self.closed_form.candidates(pose)
-        method = Method.SEARCH if candidates is None else Method.CLOSED_FORM
-        found = np.empty((0, self.arm.n_joints)) if candidates is None else candidates
-        found = refined(self.arm, found, pose)
+        found, method = self._candidates(pose)
+        answer = self._within_limits(found, pose, method)
+        if answer is not None:
+            return answer
+        freely = None
         if not len(found) and self.arm.n_joints <= JOINTS_OF_SPACE:
-            found = search(self.arm, pose, self.box, Bounds.IGNORED).solutions
-            method = Method.SEARCH if len(found) else method
+            freely = search(self.arm, pose, self.box, Bounds.IGNORED)
+            found, method = freely.solutions, Method.SEARCH if len(freely.solutions) else method
+            answer = self._within_limits(found, pose, Method.SEARCH)
+        if answer is not None:
+            return answer
+        if freely is None or self.box.limited:
+            return self._search_within_limits(pose, len(found), method)
+        return self._unreachable(pose, freely.nearest, 0, method)
+
+    def solve_directly(self, target: ArrayLike) -> InverseKinematics | None:
+        """What the closed form alone says: solutions within the limits, or None if it has none; never long.
+
+        Args:
+            target: (4, 4) pose of the tool in the world.
+
+        Raises:
+            PoseError: not a rigid motion, at ("target", …).
+        """
+        pose = nearest_rigid(check_transform(target, where=("target",)))
+        found, method = self._candidates(pose)
+        return self._within_limits(found, pose, method)
+
+    def _candidates(self, pose: Transform) -> tuple[Array, Method]:
+        """Solutions by the closed form, if it has an answer for this target."""
+        found = None if self.closed_form is None else solutions_of(self.arm, self.closed_form, pose)
+        if found is None:
+            return np.empty((0, self.arm.n_joints)), Method.SEARCH
+        return found, Method.CLOSED_FORM
+
+    def _within_limits(self, found: Array, pose: Transform, method: Method) -> InverseKinematics | None:
+        """The result for solutions of which some lie within the limits."""
         inside, fits = within_limits(found, self.arm.revolute, self.box, self.arm.size)
-        if fits.any():
-            return self._answer(inside[fits], pose, method, int((~fits).sum()))
-        return self._within_limits_only(pose, len(found), method)
+        if not fits.any():
+            return None
+        return self._answer(inside[fits], pose, method, int((~fits).sum()))
 
     def _answer(self, joints: Array, pose: Transform, method: Method, outside: int) -> InverseKinematics:
         """The result for solutions within the limits."""
@@ -111,14 +136,20 @@ class Solver:
             outside_limits=outside,
         )
 
-    def _within_limits_only(self, pose: Transform, outside: int, method: Method) -> InverseKinematics:
+    def _search_within_limits(self, pose: Transform, outside: int, method: Method) -> InverseKinematics:
         """The result where no solution is known within the limits: look there, or report the nearest pose."""
         found = search(self.arm, pose, self.box, Bounds.KEPT)
-        if len(found.solutions):
-            joints, fits = within_limits(found.solutions, self.arm.revolute, self.box, self.arm.size)
-            if fits.any():
-                return self._answer(joints[fits], pose, Method.SEARCH, outside)
-        transform = self.arm.frames(found.nearest[None])[-1, 0]
+        answer = self._within_limits(found.solutions, pose, Method.SEARCH)
+        if answer is not None:
+            return replace(answer, outside_limits=outside)
+        return self._unreachable(pose, found.nearest, outside, method)
+
+    def _unreachable(
+        self, pose: Transform, nearest: Array, outside: int, method: Method
+    ) -> InverseKinematics:
+        """The result without solutions, but with the configuration that comes nearest."""
+        wrapped, _ = within_limits(nearest[None], self.arm.revolute, self.box, self.arm.size)
+        transform = self.arm.frames(wrapped)[-1, 0]
         position, angle = pose_errors(transform[None], pose)
         return InverseKinematics(
             status=IKStatus.UNREACHABLE,
@@ -126,7 +157,7 @@ class Solver:
             method=method,
             solutions=(),
             nearest=NearestPose(
-                joints=tuple(found.nearest.tolist()),
+                joints=tuple(wrapped[0].tolist()),
                 transform=transform,
                 position_error=float(position[0]),
                 orientation_error=float(angle[0]),
@@ -187,23 +218,6 @@ def solver_of(
         closed_form=closed_form,
         box=read_limits(limits, arm.n_joints),
     )
-
-
-def refined(arm: Arm, candidates: Array, target: Transform) -> Array:
-    """The solutions among candidates, each once, as exact as floating point has them."""
-    if not len(candidates):
-        return candidates
-    vectors = error_vectors(arm.frames(candidates)[-1], target, arm.size)
-    errors = np.linalg.norm(vectors, axis=1)
-    rough = ~are_solutions(vectors, arm, AS_IT_IS) & (errors < NEARLY)
-    if rough.any():
-        candidates = candidates.copy()
-        candidates[rough] = polish(arm, target, candidates[rough])
-        vectors = error_vectors(arm.frames(candidates)[-1], target, arm.size)
-        errors = np.linalg.norm(vectors, axis=1)
-    exact = are_solutions(vectors, arm, TOLERANCE)
-    ranked = np.argsort(errors[exact], kind="stable")
-    return distinct(arm, target, candidates[exact][ranked])
 
 
 def nearest_rigid(target: Transform) -> Transform:
