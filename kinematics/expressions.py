@@ -196,7 +196,7 @@ def power(base: Expression, exponent: Fraction | int) -> Expression:
 
 
 def call(function: Function, *arguments: Expression) -> Expression:
-    """Value of a function; the square root of a rational square and the absolute value of a number are folded."""
+    """Value of a function; the root of a rational square and the absolute value of a number are folded."""
     value = rational_value(arguments[0])
     if value is not None:
         if function is Function.ABS:
