@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -63,7 +64,7 @@ class IKSolution:
     @property
     def residual(self) -> float:
         """√(position_error² + orientation_error²)."""
-        return float((self.position_error**2 + self.orientation_error**2) ** 0.5)
+        return math.hypot(self.position_error, self.orientation_error)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

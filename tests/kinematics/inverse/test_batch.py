@@ -1,0 +1,78 @@
+"""Many targets: the same answers as one by one."""
+
+import os
+
+import numpy as np
+import pytest
+
+from kinematics.errors import PoseError
+from kinematics.forward import end_poses
+from kinematics.inverse import IKStatus, solve_many, solver_of
+from tests.kinematics.inverse.arms import STANFORD, UR5, apart, random_joints
+from tests.kinematics.robots import PUMA560, PUMA560_CRAIG, RX90
+
+TARGETS = int(os.environ.get("FRAMEWISE_TARGETS", "1000"))
+
+
+@pytest.mark.parametrize("table", [PUMA560, PUMA560_CRAIG], ids=["standard", "modified"])
+def test_a_thousand_poses_eight_solutions_each(table):
+    rng = np.random.default_rng(0)
+    q = np.array([random_joints(rng, table) for _ in range(TARGETS)])
+    targets = end_poses(table, q)
+    batch = solve_many(solver_of(table), targets)
+    assert set(batch.status) == {IKStatus.SOLVED}
+    assert batch.complete.all()
+    assert np.array_equal(np.bincount(batch.target), np.full(TARGETS, 8))
+    assert batch.residual.max() <= 1e-9
+    assert np.abs(end_poses(table, batch.joints) - targets[batch.target]).max() <= 1e-9
+    by_target = batch.joints.reshape(TARGETS, 8, 6)
+    assert apart(table, q[:, None], by_target).min(axis=1).max() < 1e-6
+    twins = apart(table, by_target[:, :, None], by_target[:, None])
+    assert (twins + np.eye(8)).min() > 1e-6
+    assert np.abs(batch.joints).max() <= np.pi
+
+
+@pytest.mark.parametrize("table", [PUMA560, UR5, RX90, STANFORD], ids=["puma", "ur5", "rx90", "stanford"])
+def test_as_one_by_one(table):
+    """At random poses and at singular ones, with limits."""
+    rng = np.random.default_rng(1)
+    q = np.array([random_joints(rng, table, slide=0.4) for _ in range(30)])
+    q[::5, 4] = 0.0
+    q[1::7, 2] = 0.0
+    targets = end_poses(table, q)
+    solver = solver_of(table, limits=[(-2.5, 3.0)] * 6)
+    batch = solve_many(solver, targets)
+    for i, target in enumerate(targets):
+        alone = solver.solve(target)
+        assert batch.status[i] is alone.status
+        assert batch.complete[i] == alone.complete
+        rows = batch.joints[batch.target == i]
+        assert len(rows) == len(alone.solutions)
+        if alone.status is IKStatus.SOLVED:
+            known = np.array([solution.joints for solution in alone.solutions])
+            assert all(apart(table, row, known).min() < 1e-6 for row in rows)
+
+
+def test_an_unreachable_target_among_others():
+    targets = end_poses(PUMA560, np.array([[0.1, 0.2, 0.3, 0.4, 0.5, 0.6]] * 3))
+    targets[1, :3, 3] = 9.0
+    batch = solve_many(solver_of(PUMA560), targets)
+    assert [status.value for status in batch.status] == ["solved", "unreachable", "solved"]
+    assert np.array_equal(np.unique(batch.target), [0, 2])
+
+
+def test_no_targets():
+    batch = solve_many(solver_of(PUMA560), np.empty((0, 4, 4)))
+    assert batch.joints.shape == (0, 6)
+    assert batch.status == ()
+
+
+def test_malformed_targets():
+    solver = solver_of(PUMA560)
+    with pytest.raises(PoseError) as refusal:
+        solve_many(solver, np.eye(4))
+    assert refusal.value.code == "targets_wrong_shape"
+    targets = np.array([np.eye(4), np.ones((4, 4))])
+    with pytest.raises(PoseError) as refusal:
+        solve_many(solver, targets)
+    assert refusal.value.faults[0].where[:2] == ("target", 1)

@@ -1,0 +1,440 @@
+"""One target: every solution is one, all are there, and what is not reachable says so."""
+
+import math
+import os
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kinematics.catalogue import robots
+from kinematics.cells import bind_parameters
+from kinematics.errors import JointValueError, PoseError, TableError
+from kinematics.forward import end_pose, forward_kinematics
+from kinematics.inverse import IKStatus, UnreachableReason, inverse_kinematics, solver_of
+from kinematics.inverse.arm import arm_of
+from kinematics.inverse.results import Isolation, Method
+from kinematics.inverse.search import Bounds, search
+from kinematics.jacobian import jacobian
+from kinematics.table import Convention, DHRow, DHTable, JointType
+from tests.kinematics.inverse.arms import (
+    GENERAL,
+    STANFORD,
+    THREE_LINKS,
+    TWO_LINKS,
+    UR5,
+    apart,
+    random_joints,
+    random_table,
+)
+from tests.kinematics.robots import PLANAR4, PUMA560, PUMA560_CRAIG, RX90, SCARA_RRPR, numeric
+from tests.kinematics.strategies import tables
+
+POSES = int(os.environ.get("FRAMEWISE_POSES", "6"))
+ARMS = int(os.environ.get("FRAMEWISE_ARMS", "20"))
+
+CATALOGUE = {robot.id: bind_parameters(robot.table, robot.parameters) for robot in robots()}
+
+
+def reached(table, solution, **ends):
+    return forward_kinematics(table, solution.joints, **ends).transform
+
+
+def assert_solutions(table, target, answer, tolerance=1e-9, **ends):
+    """Each is a solution by forward kinematics, its residual is true, and none is there twice."""
+    assert answer.solutions
+    for i, solution in enumerate(answer.solutions):
+        off = reached(table, solution, **ends) - target
+        chord = np.linalg.norm(off[:3, :3]) / math.sqrt(8.0)
+        assert np.linalg.norm(off[:3, 3]) == pytest.approx(solution.position_error, abs=1e-12)
+        assert 2 * math.asin(min(chord, 1.0)) == pytest.approx(solution.orientation_error, abs=1e-12)
+        assert solution.residual == math.hypot(solution.position_error, solution.orientation_error)
+        assert solution.residual <= tolerance
+        for other in answer.solutions[:i]:
+            assert apart(table, solution.joints, other.joints) > 1e-6
+
+
+def test_the_arm_is_the_table():
+    rng = np.random.default_rng(0)
+    for n in range(1, 9):
+        table = random_table(rng, n)
+        table = DHTable(
+            convention=table.convention,
+            rows=(
+                *table.rows[:1],
+                DHRow(joint=JointType.FIXED, theta=0.4, d=0.1, a=0.2, alpha=-0.9),
+                *table.rows[1:],
+            ),
+        )
+        base = end_pose(random_table(rng, 3, sliding=0.0), [0.1, 0.2, 0.3])
+        tool = end_pose(random_table(rng, 3, sliding=0.0), [0.3, 0.1, 0.2])
+        arm = arm_of(table, base, tool)
+        q = rng.normal(size=(5, n))
+        frames = arm.frames(q)
+        want = np.array([end_pose(table, one, base=base, tool=tool) for one in q])
+        assert np.allclose(frames[-1], want, atol=1e-12)
+        scale = np.array([arm.size] * 3 + [1.0] * 3)[:, None]
+        signs = np.array([table.rows[i].sign for i in table.joint_rows])
+        assert np.allclose(
+            arm.jacobians(frames) * scale, jacobian(table, q, base=base, tool=tool), atol=1e-12
+        ), signs
+
+
+@pytest.mark.parametrize("table", [PUMA560, PUMA560_CRAIG], ids=["standard", "modified"])
+def test_puma_has_eight(table):
+    rng = np.random.default_rng(1)
+    solver = solver_of(table)
+    for _ in range(POSES):
+        q = random_joints(rng, table)
+        target = end_pose(table, q)
+        answer = solver.solve(target)
+        assert answer.status is IKStatus.SOLVED
+        assert answer.complete
+        assert len(answer.solutions) == 8
+        assert_solutions(table, target, answer)
+        assert min(apart(table, q, s.joints) for s in answer.solutions) < 1e-6
+
+
+@pytest.mark.parametrize("name", CATALOGUE)
+def test_catalogue(name):
+    table = CATALOGUE[name]
+    rng = np.random.default_rng(2)
+    solver = solver_of(table)
+    for _ in range(POSES):
+        q = random_joints(rng, table, slide=0.5 * solver.arm.size)
+        target = end_pose(table, q)
+        answer = solver.solve(target)
+        assert answer.status is not IKStatus.UNREACHABLE
+        assert_solutions(table, target, answer, tolerance=1e-8)
+        if table.n_joints <= 6 and answer.status is IKStatus.SOLVED:
+            assert answer.complete
+            assert min(apart(table, q, s.joints) for s in answer.solutions) < 1e-6
+        assert answer.complete == (table.n_joints <= 6 and answer.status is IKStatus.SOLVED)
+
+
+def test_random_arms_of_four_to_eight_joints():
+    rng = np.random.default_rng(3)
+    for i in range(ARMS):
+        table = random_table(
+            rng, int(rng.integers(4, 9)), sliding=(0.0, 0.15, 0.3)[i % 3], aligned=bool(i % 2)
+        )
+        solver = solver_of(table)
+        for _ in range(max(POSES // 3, 1)):
+            target = end_pose(table, random_joints(rng, table))
+            answer = solver.solve(target)
+            assert answer.status is not IKStatus.UNREACHABLE
+            assert_solutions(table, target, answer, tolerance=1e-8)
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 9, 10, 11, 12])
+def test_from_one_joint_to_twelve(n):
+    rng = np.random.default_rng(n)
+    table = random_table(rng, n, sliding=0.2)
+    target = end_pose(table, random_joints(rng, table))
+    assert_solutions(table, target, inverse_kinematics(table, target), tolerance=1e-8)
+
+
+@settings(max_examples=60)
+@given(tables(min_rows=1, max_rows=7), st.data())
+def test_any_table_and_any_joints(table, data):
+    """Tables full of tiny, huge and parallel things: a pose in reach has a solution, and that is one."""
+    if not 1 <= table.n_joints <= 6:
+        return
+    q = [data.draw(st.floats(-3, 3)) for _ in range(table.n_joints)]
+    target = forward_kinematics(table, q).transform
+    answer = inverse_kinematics(table, target)
+    assert answer.status is not IKStatus.UNREACHABLE
+    for solution in answer.solutions:
+        assert np.abs(reached(table, solution) - target).max() <= 2e-8
+
+
+COMPLETE = {
+    "ur5": UR5,
+    "stanford": STANFORD,
+    "scara": SCARA_RRPR,
+    "three links": THREE_LINKS,
+    "rx90": RX90,
+    "craig": PUMA560_CRAIG,
+}
+
+
+@pytest.mark.parametrize("name", COMPLETE)
+@pytest.mark.parametrize("special", [False, True], ids=["anywhere", "right angles"])
+def test_complete_means_that_a_search_finds_no_more(name, special):
+    table = COMPLETE[name]
+    rng = np.random.default_rng(4)
+    solver = solver_of(table)
+    for _ in range(4):
+        q = random_joints(rng, table, slide=0.5)
+        if special:
+            q = np.where(
+                [j is JointType.REVOLUTE for j in table.joint_types], np.round(q / 1.5707) * math.pi / 2, 0.3
+            )
+        target = end_pose(table, q)
+        answer = solver.solve(target)
+        assert answer.method is Method.CLOSED_FORM
+        if answer.status is not IKStatus.SOLVED:
+            continue
+        known = np.array([solution.joints for solution in answer.solutions])
+        for found in search(solver.arm, target, solver.box, Bounds.IGNORED).solutions:
+            assert apart(table, found, known).min() < 1e-3
+
+
+def test_short_arms_of_every_kind_are_complete():
+    """One to three joints of any types, and one to three before a wrist."""
+    rng = np.random.default_rng(5)
+    wrist = tuple(
+        DHRow(joint=JointType.REVOLUTE, theta=0.0, d=0.0, a=0.0, alpha=alpha) for alpha in (1.4, -1.2, 0.0)
+    )
+    for i in range(24):
+        head = random_table(rng, 1 + i % 3, sliding=0.5, aligned=bool(i % 2))
+        table = DHTable(convention=Convention.STANDARD, rows=head.rows + (wrist if i % 4 < 2 else ()))
+        q = random_joints(rng, table)
+        target = end_pose(table, q)
+        solver = solver_of(table)
+        answer = solver.solve(target)
+        if answer.status is IKStatus.SINGULAR:
+            assert not answer.complete
+            continue
+        assert answer.complete
+        known = np.array([solution.joints for solution in answer.solutions])
+        assert apart(table, q, known).min() < 1e-5
+        for found in search(solver.arm, target, solver.box, Bounds.IGNORED).solutions:
+            assert apart(table, found, known).min() < 1e-3
+
+
+@pytest.mark.parametrize(
+    "twists",
+    [
+        ((-1, 0, 0), (2, 0, 0), (1, 0, 0), (0, 0, 0.2), (1, 0, 0), (0, 0, 0)),
+        ((-1, 0, 0), (0, 0, 0), (-1, 0.3, 0.2), (0, 0, 0), (1, 0, 0), (0, 0.3, 0)),
+        ((1, 0, 0), (0, 0, 0), (1, 0.3, 0), (2, 0, 0.2), (1, 0, 0.2), (0, 0, 0)),
+        ((0, 0, 0), (0, 0, 0), (0, 0.3, 0.2), (0, 0.3, 0)),
+        ((2, 0.3, 0.2), (0, 0, 0), (0, 0, 0.2), (-1, 0, 0.2)),
+    ],
+)
+def test_axes_on_one_line_do_no_harm(twists):
+    """Arms with two joints on one axis, on which the decomposition's own analysis does not come to an end."""
+    rows = [("revolute", alpha * math.pi / 2, a, d, 0.0) for alpha, a, d in twists]
+    table = numeric(Convention.STANDARD, *rows)
+    target = end_pose(table, np.linspace(0.3, 0.9, len(rows)))
+    answer = inverse_kinematics(table, target)
+    assert answer.status is IKStatus.SINGULAR
+    assert not answer.complete
+    assert_solutions(table, target, answer, tolerance=1e-8)
+
+
+@pytest.mark.parametrize("table", [PUMA560, PUMA560_CRAIG, RX90, UR5, STANFORD])
+def test_a_wrist_in_line_is_singular(table):
+    q = np.array([0.3, 0.5, 0.4, 0.2, 0.0, 0.7])
+    answer = inverse_kinematics(table, end_pose(table, q))
+    assert answer.status is IKStatus.SINGULAR
+    assert not answer.complete
+    assert any(solution.isolation is Isolation.CONTINUUM for solution in answer.solutions)
+    assert_solutions(table, end_pose(table, q), answer)
+
+
+def test_beside_the_singularity_there_are_two():
+    q = np.array([0.3, 0.5, 0.4, 0.2, 1e-4, 0.7])
+    answer = inverse_kinematics(PUMA560, end_pose(PUMA560, q))
+    assert answer.status is IKStatus.SOLVED
+    assert answer.complete
+    assert len(answer.solutions) == 8
+
+
+def test_a_stretched_elbow_is_one_solution_and_not_singular():
+    target = end_pose(THREE_LINKS, [0.4, 0.0, 0.3])
+    answer = inverse_kinematics(THREE_LINKS, target)
+    assert answer.status is IKStatus.SOLVED
+    assert answer.complete
+    assert len(answer.solutions) == 1
+    assert np.allclose(answer.solutions[0].joints, (0.4, 0.0, 0.3), atol=1e-4)
+    assert_solutions(THREE_LINKS, target, answer)
+
+
+def test_joints_to_spare_are_no_singularity():
+    table = CATALOGUE["ssrms"]
+    answer = inverse_kinematics(table, end_pose(table, np.full(7, 0.5)))
+    assert answer.status is IKStatus.SOLVED
+    assert not answer.complete
+    assert answer.method is Method.SEARCH
+
+
+def test_a_joint_to_spare_in_the_plane_is_a_continuum():
+    answer = inverse_kinematics(PLANAR4, end_pose(PLANAR4, [0.1, 0.5, 0.4, 0.2]))
+    assert answer.status is IKStatus.SINGULAR
+
+
+def test_out_of_reach_gives_the_nearest_pose():
+    target = np.eye(4)
+    target[:3, 3] = 2.0, 0.3, 0.4
+    for table in (PUMA560, PUMA560_CRAIG):
+        answer = inverse_kinematics(table, target)
+        assert answer.status is IKStatus.UNREACHABLE
+        assert answer.reason is UnreachableReason.OUT_OF_REACH
+        assert answer.complete
+        assert answer.solutions == ()
+        nearest = answer.nearest
+        assert np.allclose(end_pose(table, nearest.joints), nearest.transform, atol=1e-12)
+        # The wrist centre is the tool's origin: as far towards the target as the arm reaches, hand as wanted.
+        reach = math.hypot(0.4318 + math.hypot(0.4318, 0.0203), 0.15005)
+        assert nearest.position_error == pytest.approx(np.linalg.norm(target[:3, 3]) - reach, abs=1e-3)
+        assert nearest.orientation_error < 1e-3
+
+
+def test_slightly_off_is_not_solved_but_said():
+    target = end_pose(TWO_LINKS, [0.3, 0.8])
+    target[2, 3] += 1e-6
+    answer = inverse_kinematics(TWO_LINKS, target)
+    assert answer.status is IKStatus.UNREACHABLE
+    assert answer.nearest.position_error == pytest.approx(1e-6, rel=1e-6)
+    assert np.allclose(answer.nearest.joints, (0.3, 0.8), atol=1e-5)
+
+
+def test_limits_choose_among_solutions():
+    q = np.array([0.3, 0.2, 0.4, 0.2, 0.1, 0.3])
+    target = end_pose(PUMA560, q)
+    answer = inverse_kinematics(PUMA560, target, limits=[(-0.5, 0.5)] * 6)
+    assert answer.status is IKStatus.SOLVED
+    assert answer.complete
+    assert answer.outside_limits == 7
+    assert np.allclose(answer.solutions[0].joints, q, atol=1e-9)
+
+
+def test_limits_wrap_turns():
+    target = end_pose(PUMA560, [0.3, 0.2, 0.4, 0.2, 0.1, 0.3])
+    wound = [(2 * math.pi, 4 * math.pi)] + [None] * 5
+    answer = inverse_kinematics(PUMA560, target, limits=wound)
+    assert len(answer.solutions) == 8
+    assert all(2 * math.pi <= solution.joints[0] <= 4 * math.pi for solution in answer.solutions)
+    wide = inverse_kinematics(PUMA560, target, limits=[(-3 * math.pi, 3 * math.pi)] * 6)
+    free = inverse_kinematics(PUMA560, target)
+    assert [s.joints for s in wide.solutions] == [s.joints for s in free.solutions]
+    assert all(-math.pi < value <= math.pi for s in free.solutions for value in s.joints)
+
+
+def test_one_sided_limits():
+    target = end_pose(STANFORD, [0.3, 0.7, 0.4, 0.2, 0.6, 0.3])
+    both = inverse_kinematics(STANFORD, target)
+    out = inverse_kinematics(STANFORD, target, limits=[None, None, (0.0, None), None, None, None])
+    assert len(both.solutions) == 8
+    assert len(out.solutions) == 4
+    assert all(solution.joints[2] >= 0 for solution in out.solutions)
+
+
+def test_outside_the_limits_says_so():
+    target = end_pose(PUMA560, [0.3, 0.2, 0.4, 0.2, 0.1, 2.3])
+    answer = inverse_kinematics(PUMA560, target, limits=[(-0.5, 0.5)] * 6)
+    assert answer.status is IKStatus.UNREACHABLE
+    assert answer.reason is UnreachableReason.JOINT_LIMITS
+    assert answer.outside_limits == 8
+    assert all(-0.5 <= value <= 0.5 for value in answer.nearest.joints)
+
+
+def test_limits_on_a_spare_joint_are_kept():
+    table = CATALOGUE["ssrms"]
+    limits = [(-1.0, 1.2)] * 7
+    rng = np.random.default_rng(6)
+    for _ in range(5):
+        target = end_pose(table, rng.uniform(-0.9, 1.1, 7))
+        answer = inverse_kinematics(table, target, limits=limits)
+        assert answer.status is IKStatus.SOLVED
+        assert_solutions(table, target, answer, tolerance=1e-8)
+        assert all(-1.0 <= value <= 1.2 for s in answer.solutions for value in s.joints)
+
+
+def test_a_limit_exactly_at_the_solution():
+    target = end_pose(PUMA560, [0.3, 0.2, 0.4, 0.2, 0.1, 0.3])
+    answer = inverse_kinematics(PUMA560, target, limits=[(0.3, 0.3), *[None] * 5])
+    assert answer.solutions
+    assert all(solution.joints[0] == 0.3 for solution in answer.solutions)
+
+
+def test_base_tool_and_fixed_rows():
+    rng = np.random.default_rng(7)
+    base = end_pose(UR5, rng.normal(size=6))
+    tool = end_pose(PUMA560, rng.normal(size=6))
+    table = DHTable(
+        convention=PUMA560.convention,
+        rows=(
+            DHRow(joint=JointType.FIXED, theta=0.3, d=0.7, a=0.1, alpha=0.2),
+            *PUMA560.rows,
+            DHRow(joint=JointType.FIXED, theta=0.1, d=0.2, a=0.0, alpha=0.4),
+        ),
+    )
+    target = end_pose(table, rng.normal(size=6), base=base, tool=tool)
+    answer = inverse_kinematics(table, target, base=base, tool=tool)
+    assert len(answer.solutions) == 8
+    assert_solutions(table, target, answer, base=base, tool=tool)
+
+
+def test_a_general_arm_is_searched():
+    rng = np.random.default_rng(8)
+    q = random_joints(rng, GENERAL)
+    answer = inverse_kinematics(GENERAL, end_pose(GENERAL, q))
+    assert answer.method is Method.SEARCH
+    assert not answer.complete
+    assert min(apart(GENERAL, q, s.joints) for s in answer.solutions) < 1e-5
+
+
+def test_the_same_every_time():
+    target = end_pose(GENERAL, np.linspace(-1, 1, 6))
+    assert inverse_kinematics(GENERAL, target) == inverse_kinematics(GENERAL, target)
+
+
+def test_millimetres_or_metres():
+    mm = DHTable(
+        convention=PUMA560.convention,
+        rows=tuple(
+            DHRow(joint=r.joint, theta=r.theta, d=1000 * r.d, a=1000 * r.a, alpha=r.alpha)
+            for r in PUMA560.rows
+        ),
+    )
+    q = np.array([0.3, -0.8, 0.4, 1.2, 0.9, -0.3])
+    in_m = inverse_kinematics(PUMA560, end_pose(PUMA560, q))
+    in_mm = inverse_kinematics(mm, end_pose(mm, q))
+    assert np.allclose([s.joints for s in in_m.solutions], [s.joints for s in in_mm.solutions], atol=1e-9)
+    assert all(solution.residual < 1e-9 for solution in in_mm.solutions)
+
+
+def test_a_target_with_rounded_digits_is_made_a_rotation():
+    target = np.round(end_pose(PUMA560, [0.3, -0.8, 0.4, 1.2, 0.9, -0.3]), 7)
+    answer = inverse_kinematics(PUMA560, target)
+    assert len(answer.solutions) == 8
+    assert all(solution.residual < 1e-9 for solution in answer.solutions)
+    assert np.abs(reached(PUMA560, answer.solutions[0]) - target).max() < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("limits", "code", "where"),
+    [
+        ([None] * 5, "limits_wrong_length", ("limits",)),
+        ([(1.0, -1.0), *[None] * 5], "limits_reversed", ("limits", 0)),
+        ([None, (math.nan, 1.0), *[None] * 4], "limits_reversed", ("limits", 1)),
+        ([(math.inf, None), *[None] * 5], "limits_reversed", ("limits", 0)),
+    ],
+)
+def test_malformed_limits(limits, code, where):
+    with pytest.raises(JointValueError) as refusal:
+        inverse_kinematics(PUMA560, np.eye(4), limits=limits)
+    assert refusal.value.code == code
+    assert refusal.value.faults[0].where == where
+
+
+def test_other_refusals():
+    with pytest.raises(PoseError) as refusal:
+        inverse_kinematics(PUMA560, np.ones((4, 4)))
+    assert refusal.value.faults[0].where[0] == "target"
+    for name in ("base", "tool"):
+        with pytest.raises(PoseError) as refusal:
+            inverse_kinematics(PUMA560, np.eye(4), **{name: np.diag([1, 1, -1, 1])})
+        assert refusal.value.faults[0].where[0] == name
+    fixed = DHTable(
+        convention=Convention.STANDARD,
+        rows=(DHRow(joint=JointType.FIXED, theta=0.0, d=0.0, a=0.0, alpha=0.0),),
+    )
+    for table in (fixed, DHTable(convention=Convention.STANDARD, rows=PUMA560.rows * 3)):
+        with pytest.raises(TableError) as wrong:
+            inverse_kinematics(table, np.eye(4))
+        assert wrong.value.code == "inverse_joint_count"
