@@ -147,7 +147,7 @@ function block([from, to], content, source) {
     "div",
     { class: "matrix-block" },
     el("div", { class: "matrix-head" }, el("h3", { "aria-label": name }, transformName(from, to)), copyButtons(name, source)),
-    el("div", { class: "scroller", tabindex: "0", role: "region", "aria-label": name }, content),
+    el("div", { class: "scroller", tabindex: "0", role: "group", "aria-label": name }, content),
   );
 }
 

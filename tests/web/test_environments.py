@@ -196,6 +196,7 @@ def test_everything_works_under_a_prefix(open_page: OpenPage) -> None:
         page.get_by_role("link", name="Playground").click()
         page.wait_for_url("**/robotics/dh/playground?lang=en")
         wait_ready(page)
+        page.goto("about:blank")
 
 
 def tab_to(page: Page, description: str, found: str, most: int = 400) -> None:

@@ -154,9 +154,9 @@ def test_a_chain_that_is_none_is_refused_in_words(open_page: OpenPage, watch) ->
     page = open_page("/playground")
     shown_robot(page)
     opened(page, "From an SCM chain")
-    page.get_by_label("row 1, A", exact=False).first.fill("a1 + pi/2")
+    page.locator("#sources details[open]").get_by_label("row 1, A", exact=True).first.fill("2*a1")
     page.locator("#sources details[open]").get_by_role("button", name="Modified table").click()
-    expect(page.locator("#sources details[open] [role=alert]")).to_contain_text("offset")
+    expect(page.locator("#sources details[open] [role=alert]")).to_contain_text("q1")
 
 
 def test_urdf_there_and_back(open_page: OpenPage) -> None:

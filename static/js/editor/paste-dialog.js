@@ -60,7 +60,7 @@ function previewOf(pasted, order, convention) {
     el("p", { class: "hint", text: t("form-paste-found", { rows: pasted.rows.length }) }),
     el(
       "div",
-      { class: "scroller", tabindex: "0", role: "region", "aria-label": t("form-paste-preview") },
+      { class: "scroller", tabindex: "0", role: "group", "aria-label": t("form-paste-preview") },
       el(
         "table",
         { class: "data" },

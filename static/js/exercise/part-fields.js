@@ -56,7 +56,7 @@ export class MatrixField {
       el("legend", {}, transformName(from, to), el("span", { class: "visually-hidden", text: name })),
       el(
         "div",
-        { class: "scroller", tabindex: "0", role: "region", "aria-label": name },
+        { class: "scroller", tabindex: "0", role: "group", "aria-label": name },
         el("table", { class: "matrix-cells", role: "presentation" }, el("tbody", {}, this.cells.map((row) => el("tr", {}, row.map(({ input, line }) => el("td", {}, input, line)))))),
       ),
     );

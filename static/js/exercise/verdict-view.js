@@ -104,7 +104,7 @@ function feedbackList(feedback, focusRow) {
 function linkTable(links, focusRow) {
   return el(
     "div",
-    { class: "scroller", tabindex: "0", role: "region", "aria-label": t("form-links-caption") },
+    { class: "scroller", tabindex: "0", role: "group", "aria-label": t("form-links-caption") },
     el(
       "table",
       { class: "data links-table" },
