@@ -207,6 +207,6 @@ def test_an_answer_that_was_overtaken_is_not_shown(open_page: OpenPage) -> None:
     for angle in (10, 20, 30, 90):
         first.fill(str(angle))
     position = page.locator(".tool", has_text="Pose of the end frame").locator("dd").first
-    expect(position).to_have_text(re.compile(r"^0\.1501?\s+0\.4521"))
+    expect(position).to_have_text(re.compile(r"^0\.15(01)?\s+0\.4521"))
     kept = page.evaluate("JSON.parse(localStorage.getItem('framewise:playground')).joints[0]")
     assert json.dumps(round(kept, 4)) == "1.5708"

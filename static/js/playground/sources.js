@@ -57,7 +57,7 @@ export function axesSource(api, use) {
       point: [row.px, row.py, row.pz].map(cellValue),
       direction: [row.ux, row.uy, row.uz].map(cellValue),
     }));
-    const answer = await api.post("assign-frames", { axes, convention });
+    const answer = await api.post("assign-frames", { axes, convention, angle_unit: "deg" });
     use({ table: answer.table });
     return frameList(answer);
   };
@@ -88,7 +88,7 @@ export function scmSource(api, use) {
   });
   const ends = new Cells(t("playground-chain-end"), entries, { rows: [row(0, 0, 0, 0, 0, 0)], fixed: true });
   const run = async () => {
-    const chain = { joints: joints.rows.map(values), final: values(ends.rows[0]) };
+    const chain = { joints: joints.rows.map(values), final: values(ends.rows[0]), angle_unit: "deg" };
     const answer = await api.post("convert", { scm: chain, to: "modified" });
     use({ table: answer.table });
     return [];
