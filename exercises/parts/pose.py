@@ -12,6 +12,9 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
 
+import numpy as np
+from numpy.typing import NDArray
+
 from exercises.definition import PartKind
 from exercises.grading import (
     BaseRule,
@@ -71,15 +74,15 @@ def grade_pose(
         tolerance: largest error of a position relative to the robot's size, and of a direction cosine.
     """
     allowed = Tolerance(length=tolerance, angle=tolerance)
-    expected = list(_expected(context, joints, transform))
-    best: tuple[float, Matrices, Credit] = (-1.0, answer, Credit.NONE)
-    for pose, credit in expected:
-        cells = agreeing(answer[None], pose[None], context.size, allowed)
-        score = 0.5 * float(cells[:3, :3].all()) + 0.5 * float(cells[:3, 3].all())
-        score = score if cells[3].all() else 0.0
-        if score > best[0]:
-            best = (score, pose, credit)
-    score, pose, credit = best
+    score, answer, pose, credit = max(
+        (
+            (_score(agreeing(given[None], pose[None], context.size, allowed)), given, pose, credit)
+            for pose, credit in _expected(context, joints, transform)
+            for given in _in_either_unit(context, answer)
+        ),
+        key=lambda judged: judged[0],
+        default=(0.0, answer, np.full((4, 4), np.nan), Credit.NONE),
+    )
     cells = agreeing(answer[None], pose[None], context.size, allowed)
     report = PartReport(
         kind=PartKind.POSE,
@@ -96,6 +99,21 @@ def grade_pose(
         feedback=tuple(_feedback(context, answer, pose, score, credit, joints, allowed)),
     )
     return shown(report, context.help_level, _DISCLOSURES)
+
+
+def _score(cells: NDArray[np.bool_]) -> float:
+    """Half for the rotation and half for the position, nothing without a last row 0 0 0 1."""
+    rotation, position = cells[:3, :3].all(), cells[:3, 3].all()
+    return 0.5 * (float(rotation) + float(position)) if cells[3].all() else 0.0
+
+
+def _in_either_unit(context: Context, answer: Matrices) -> Iterator[Matrices]:
+    """The pose in the unit of the student's table; it may have been given in the exercise's."""
+    yield answer
+    if context.unit_ratio != 1.0:
+        converted = answer.copy()
+        converted[:3, 3] *= context.unit_ratio
+        yield converted
 
 
 def _expected(

@@ -5,20 +5,24 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 
 import numpy as np
 
 from exercises.definition import PartKind, ReachFrom, WorkspacePart
+from exercises.figures.camera import Array
 from exercises.figures.points import Points
 from exercises.figures.specification import FigureSpecification
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.parts.comparison import inverse
 from exercises.parts.context import Context
-from exercises.parts.reach import Reach, reach
+from exercises.parts.reach import Interval, Reach, reach
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, shown
 from kinematics.cells import AngleUnit
 from kinematics.equivalence.chains import chain_of
-from kinematics.table import JointType
+from kinematics.table import JointType, NumericTable
+
+Key = tuple[float, float, float]
 
 _DISCLOSURES = {
     "workspace_inner_wrong": Disclosure(level=HelpLevel.ROW),
@@ -59,7 +63,21 @@ def workspace_of(context: Context, part: WorkspacePart, figure: FigureSpecificat
         (0.0, 0.0) if limit is None and joint_type is JointType.PRISMATIC else limit
         for limit, joint_type in zip(limits, table.joint_types, strict=True)
     ]
-    return reach(table, point, origin, axis, free)
+    return _radii(table, _key(point), _key(origin), None if axis is None else _key(axis), tuple(free))
+
+
+@lru_cache(maxsize=512)
+def _radii(
+    table: NumericTable, point: Key, origin: Key, axis: Key | None, limits: tuple[Interval | None, ...]
+) -> Reach:
+    """The radii, once for all who have the same values."""
+    square_to = None if axis is None else np.array(axis)
+    return reach(table, np.array(point), np.array(origin), square_to, limits)
+
+
+def _key(vector: Array) -> Key:
+    x, y, z = np.round(vector, 12).tolist()
+    return x, y, z
 
 
 def grade_workspace(
@@ -69,12 +87,14 @@ def grade_workspace(
 
     Args:
         context: what the answer is judged by.
-        answer: the radii, in the student's unit.
+        answer: the radii, in the student's unit or the exercise's.
         part: from where they are measured, and the tolerance.
         figure: holds the points.
     """
     key = workspace_of(context, part, figure)
     scaled = Reach(inner=key.inner * context.unit_ratio, outer=key.outer * context.unit_ratio)
+    if abs(answer.outer - key.outer) <= part.tolerance * key.outer:
+        scaled = key  # beside a table in another unit, radii may be in the exercise's own
     limit = part.tolerance * scaled.outer
     right = {
         "inner": abs(answer.inner - scaled.inner) <= limit,

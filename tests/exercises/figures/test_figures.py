@@ -1,0 +1,217 @@
+"""Figures: every robot drawn from its geometry, nothing given away, nothing covered."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from exercises.definition import Exercise
+from exercises.drawings import figure_geometry, figure_sentences, figure_svg, key_pose, true_scene
+from exercises.figures.camera import camera_for
+from exercises.figures.svg import split_name
+from exercises.grading import DirectionRule
+from exercises.instance import Instance, generate
+from exercises.loader import exercise, exercise_ids, load_exercise
+from kinematics.table import JointType
+from tests.exercises.folders import folder
+
+ALL = exercise_ids()
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def drawn(exercise_id: str, seed: str | None = None) -> ElementTree.Element:
+    svg = figure_svg(
+        generate(exercise(exercise_id), seed), title="A <robot>", description='"d" & e', language="en"
+    )
+    return ElementTree.fromstring(svg)
+
+
+def texts(root: ElementTree.Element) -> list[str]:
+    return ["".join(node.itertext()) for node in root.iter(f"{SVG}text")]
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+def test_a_figure_is_sound_and_says_what_it_is(exercise_id: str) -> None:
+    root = drawn(exercise_id)
+    assert root.get("role") == "img"
+    named = root.get("aria-labelledby")
+    assert named is not None
+    ids = {node.get("id"): node for node in root.iter() if node.get("id")}
+    assert [ids[name].tag for name in named.split()] == [f"{SVG}title", f"{SVG}desc"]
+    assert ids["figure-title"].text == "A <robot>"
+    tags = {node.tag.removeprefix(SVG) for node in root.iter()}
+    assert tags <= {"svg", "title", "desc", "style", "path", "circle", "text", "tspan"}
+    source = ElementTree.tostring(root, encoding="unicode")
+    assert not re.search(r"url\(|@import|<script|\son[a-z]+=", source)
+    assert set(re.findall(r'href|https?://[^"]*', source)) <= {"http://www.w3.org/2000/svg"}
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+def test_every_joint_dimension_and_point_is_named_once_for_each_time_it_is_drawn(exercise_id: str) -> None:
+    found = exercise(exercise_id)
+    numbers = [str(joint) for joint in range(1, found.reference.table.n_joints + 1)]
+    dimensions = ["".join(split_name(mark.name)) for mark in found.figure.dimensions]
+    assert sorted(texts(drawn(exercise_id))) == sorted([*numbers, *dimensions, *found.figure.marks])
+
+
+def boxes(root: ElementTree.Element) -> list[tuple[str, float, float, float, float]]:
+    """Names with the boxes that their letters take at least."""
+    found = []
+    for node in root.iter(f"{SVG}text"):
+        text, size = "".join(node.itertext()), float(node.get("font-size", 0))
+        x, y = float(node.get("x", 0)), float(node.get("y", 0)) - 0.34 * size
+        width = 0.5 * size * len(text)
+        found.append((text, x - width / 2, y - size / 3, x + width / 2, y + size / 3))
+    return found
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+@pytest.mark.parametrize("seed", [None, "1", "2"])
+def test_names_do_not_cover_each_other_and_stay_on_the_paper(exercise_id: str, seed: str | None) -> None:
+    root = drawn(exercise_id, seed)
+    left, top, width, height = map(float, str(root.get("viewBox")).split())
+    placed = boxes(root)
+    for i, (text, x0, y0, x1, y1) in enumerate(placed):
+        assert left <= x0
+        assert x1 <= left + width
+        assert top <= y0
+        assert y1 <= top + height
+        for other, u0, v0, u1, v1 in placed[:i]:
+            apart = x1 < u0 or u1 < x0 or y1 < v0 or v1 < y0
+            assert apart, f"{text} covers {other}"
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+def test_a_figure_fits_a_phone(exercise_id: str) -> None:
+    """At 320 pixels, names of dimensions are still 8 pixels high, and the figure no taller than a screen."""
+    _, _, width, height = map(float, str(drawn(exercise_id).get("viewBox")).split())
+    assert 18 * 320 / width >= 8
+    assert 320 * height / width < 480
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+def test_directions_of_axes_tell_nothing_of_the_frames(exercise_id: str) -> None:
+    for axis in true_scene(generate(exercise(exercise_id))).axes:
+        assert not axis.signed
+        largest = max(axis.direction, key=abs)
+        assert largest > 0
+    root = drawn(exercise_id)
+    assert not [node for node in root.iter() if node.get("class") == "sense"]
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+def test_geometry_is_true_and_in_metres(exercise_id: str) -> None:
+    instance = generate(exercise(exercise_id), "5")
+    geometry = figure_geometry(instance)
+    metres = float(instance.exercise.length_unit.metres_per_unit)
+    for dimension in geometry["dimensions"]:  # type: ignore[attr-defined]
+        length = np.linalg.norm(np.array(dimension["to"]) - np.array(dimension["from"]))
+        assert length == pytest.approx(instance.parameters[dimension["name"]] * metres)
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+def test_axes_are_those_of_the_reference(exercise_id: str) -> None:
+    """The figure's axes, turned back by the key's base, are the axes of the key at the figure's posture."""
+    from exercises.drawings import values
+    from kinematics.equivalence.chains import chain_of, joint_motions
+    from kinematics.table import bind
+
+    instance = generate(exercise(exercise_id), "5")
+    found = instance.exercise
+    scene, key = true_scene(instance), key_pose(instance)
+    chain = chain_of(bind(found.reference.table, values(instance)))
+    posture = np.array(found.figure.posture or [0.0] * len(chain.axes))
+    motions = joint_motions(chain, posture[:, None])[:, 0]
+    pose = key.base.copy()
+    for drawn_axis, direction, axis, motion in zip(
+        scene.axes, key.directions, chain.axes, motions, strict=True
+    ):
+        assert pose[:3, :3] @ np.array(axis.direction) == pytest.approx(np.array(direction), abs=1e-9)
+        if not axis.prismatic:
+            away = np.array(drawn_axis.point) - (pose[:3, :3] @ np.array(axis.point) + pose[:3, 3])
+            assert np.cross(away, np.array(direction)) == pytest.approx(np.zeros(3), abs=1e-6 * scene.size)
+        pose = pose @ motion
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+def test_the_description_speaks_of_every_joint_and_dimension(exercise_id: str) -> None:
+    found = exercise(exercise_id)
+    sentences = figure_sentences(generate(found))
+    joints = [entry.params["joint"] for entry in sentences if entry.code.startswith("joint-")]
+    assert joints == list(range(1, found.reference.table.n_joints + 1))
+    assert [entry.params["name"] for entry in sentences if entry.code == "dimension"] == [
+        mark.name for mark in found.figure.dimensions
+    ]
+    assert bool(found.figure.lengths) is any(entry.code == "not-to-scale" for entry in sentences)
+
+
+def with_signs(exercise_id: str) -> Instance:
+    found = exercise(exercise_id)
+    signed: Exercise = replace(found, policy=replace(found.policy, direction=DirectionRule.FIGURE))
+    return generate(signed)
+
+
+@pytest.mark.parametrize("exercise_id", ["puma560", "scara", "stanford", "kr125", "ssrms"])
+def test_a_policy_that_fixes_directions_shows_them(exercise_id: str) -> None:
+    instance = with_signs(exercise_id)
+    root = ElementTree.fromstring(figure_svg(instance, title="", description="", language="en"))
+    names = [f"q{joint}" for joint in range(1, instance.exercise.reference.table.n_joints + 1)]
+    assert set(names) <= set(texts(root))
+    arrows = [node for node in root.iter() if node.get("class") == "sense"]
+    assert len(arrows) == 2 * len(names)
+    assert [axis.direction for axis in true_scene(instance).axes] == list(key_pose(instance).directions)
+
+
+def test_arrows_turn_by_the_right_hand_rule() -> None:
+    """Joint 1 of the PUMA turns about the vertical: seen from above, the arrow runs counterclockwise."""
+    root = ElementTree.fromstring(figure_svg(with_signs("puma560"), title="", description="", language="en"))
+    arrow = next(node for node in root.iter() if node.get("class") == "sense")
+    points = np.array([[float(v) for v in pair.split()] for pair in str(arrow.get("d"))[1:].split("L")])
+    centred = points - points.mean(axis=0)
+    area = np.sum(centred[:-1, 0] * centred[1:, 1] - centred[1:, 0] * centred[:-1, 1])
+    assert area < 0  # y points down on paper
+
+
+def test_a_table_alone_gives_a_figure(tmp_path: object) -> None:
+    from pathlib import Path
+
+    assert isinstance(tmp_path, Path)
+    found = load_exercise(folder(tmp_path))
+    root = ElementTree.fromstring(figure_svg(generate(found), title="", description="", language="en"))
+    assert sorted(texts(root)) == ["1", "2", "L1", "L2"]
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+def test_the_automatic_figure_of_every_robot_is_sound(exercise_id: str) -> None:
+    from exercises.figures.specification import FigureSpecification
+
+    bare = replace(exercise(exercise_id), figure=FigureSpecification())
+    scene = true_scene(generate(bare))
+    assert len(scene.axes) == bare.reference.table.n_joints
+    assert len(scene.dimensions) >= 1
+    assert scene.ground is not None
+    figure_svg(generate(bare), title="", description="", language="en")
+
+
+def test_prismatic_joints_are_blocks_and_revolute_ones_cylinders() -> None:
+    scene = true_scene(generate(exercise("stanford")))
+    assert [axis.type for axis in scene.axes] == [
+        JointType.PRISMATIC if joint == 3 else JointType.REVOLUTE for joint in range(1, 7)
+    ]
+    bodies = [node for node in drawn("stanford").iter() if node.get("class") == "body"]
+    curved = [node for node in bodies if "A" in str(node.get("d"))]
+    assert len(curved) == 2 * 5  # a side and a cap each
+    assert len(bodies) - len(curved) == 3  # the faces of the block that can be seen
+
+
+def test_the_camera_keeps_directions() -> None:
+    camera = camera_for(exercise("puma560").figure.view)
+    frame = np.array([camera.right, camera.up, camera.eye])
+    assert frame @ frame.T == pytest.approx(np.eye(3))
+    assert np.linalg.det(frame) == pytest.approx(1.0)
+    on_paper = np.array([[3.0, 4.0]])
+    assert camera.project(camera.lift(on_paper)) == pytest.approx(on_paper)

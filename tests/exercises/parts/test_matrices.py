@@ -1,0 +1,204 @@
+"""Link matrices and ⁰T_N: right, wrong in every known way, and right only for a wrong table."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from exercises.grading import Finding, HelpLevel
+from exercises.parts.report import Credit
+from tests.exercises.answering import (
+    SCARA,
+    SCARA_MATRICES,
+    SCARA_TRANSFORM,
+    codes,
+    edited,
+    judged,
+    part,
+    table,
+)
+
+WRONG = table("standard", (0, "a3", 0, "q1"), (180, "a2", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4"))
+"""a2 and a3 have changed places."""
+WRONG_MATRICES = tuple(
+    [[str(cell).replace("a2", "A").replace("a3", "a2").replace("A", "a3") for cell in row] for row in matrix]
+    for matrix in SCARA_MATRICES
+)
+WRONG_TRANSFORM = [
+    [str(cell).replace("a2", "A").replace("a3", "a2").replace("A", "a3") for cell in row]
+    for row in SCARA_TRANSFORM
+]
+
+
+def matrices(*given: Any) -> list[Any]:
+    return [*given, *SCARA_MATRICES[len(given) :]]
+
+
+def test_right_matrices_in_many_notations() -> None:
+    report = part(judged("scara", table=SCARA, link_matrices=SCARA_MATRICES), "link_matrices")
+    assert (report.correct, report.score, report.credit) == (True, 1.0, Credit.KEY)
+    assert codes(report) == ["matrices_right"]
+
+
+def test_matrices_of_a_wrong_table_earn_their_marks() -> None:
+    report = judged("scara", table=WRONG, link_matrices=WRONG_MATRICES, transform=WRONG_TRANSFORM)
+    assert not part(report, "table").correct
+    links, transform = part(report, "link_matrices"), part(report, "transform")
+    assert (links.correct, links.score, links.credit) == (False, 1.0, Credit.OWN_TABLE)
+    assert (transform.correct, transform.score, transform.credit) == (False, 1.0, Credit.OWN_TABLE)
+    assert codes(links) == ["matrices_follow_table"]
+    assert codes(transform) == ["transform_follows_table"]
+
+
+def test_right_matrices_beside_a_wrong_table_are_right() -> None:
+    report = judged("scara", table=WRONG, link_matrices=SCARA_MATRICES, transform=SCARA_TRANSFORM)
+    links, transform = part(report, "link_matrices"), part(report, "transform")
+    assert (links.correct, links.credit, codes(links)) == (
+        True,
+        Credit.KEY,
+        ["matrices_right_not_from_table"],
+    )
+    assert (transform.correct, codes(transform)) == (True, ["transform_right_not_from_table"])
+
+
+def test_matrices_without_a_table_are_judged_by_their_product() -> None:
+    assert part(judged("scara", link_matrices=SCARA_MATRICES), "link_matrices").correct
+    assert part(judged("scara", transform=SCARA_TRANSFORM), "transform").correct
+    wrong = part(judged("scara", link_matrices=WRONG_MATRICES), "link_matrices")
+    assert (wrong.score, codes(wrong)) == (0.0, ["matrices_product_wrong"])
+    assert codes(part(judged("scara", transform=WRONG_TRANSFORM), "transform")) == ["transform_wrong"]
+
+
+def test_a_transform_from_other_frames_is_right_without_a_table() -> None:
+    turned = [
+        ["sin(q1 + q2 - q4)", "-cos(q1 + q2 - q4)", 0, "0.5 + a2*s1 + a3*s12"],
+        ["-cos(q1 + q2 - q4)", "-sin(q1 + q2 - q4)", 0, "-a2*c1 - a3*c12"],
+        [0, 0, -1, "1 - q3"],
+        [0, 0, 0, 1],
+    ]
+    assert part(judged("scara", transform=turned), "transform").correct
+
+
+def test_equal_dimensions_are_told_apart_by_name() -> None:
+    """RX-90: D3 and RL4 are both 0.45 m."""
+    rows = ((0, 0, 0, "q1"), (90, 0, 0, "q2"), (0, "D3", 0, "q3"), (-90, 0, "RL4", "q4"), (90, 0, 0, "q5"))
+    rx90 = table("modified", *rows, (-90, 0, 0, "q6"))
+    right = [["c3", "-s3", 0, "D3"], ["s3", "c3", 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    given = [None, None, right, None, None, None]
+    assert part(judged("rx90", table=rx90, link_matrices=given), "link_matrices").score == pytest.approx(
+        1 / 6
+    )
+    given[2] = edited(right, 0, 3, "RL4")
+    assert part(judged("rx90", table=rx90, link_matrices=given), "link_matrices").score == 0.0
+    given[2] = edited(right, 0, 3, 0.45)  # a number is as good as its name
+    assert part(judged("rx90", table=rx90, link_matrices=given), "link_matrices").score > 0
+
+
+@pytest.mark.parametrize(
+    ("first", "code"),
+    [
+        ([["c1", "-s1", 0, "-a2*c1"], *SCARA_MATRICES[0][1:]], "matrix_cells_wrong"),
+        ([["c1", "s1", 0, "-a2"], ["-s1", "c1", 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]], "matrix_inverse"),
+        (
+            [["c1", "s1", 0, "a2*c1"], ["-s1", "c1", 0, "a2*s1"], [0, 0, 1, 0], [0, 0, 0, 1]],
+            "matrix_rotation_transposed",
+        ),
+        ([["c1", "-s1", 0, "a2"], ["s1", "c1", 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]], "matrix_other_convention"),
+        ([[1, 0, 0, "a2"], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]], "matrix_without_variable"),
+        (SCARA_MATRICES[3], "matrix_of_other_row"),
+        ([["2*c1", "-s1", 0, "a2*c1"], *SCARA_MATRICES[0][1:]], "matrix_not_rigid"),
+        ([*SCARA_MATRICES[0][:3], [0, 0, 0, 2]], "matrix_not_rigid"),
+        ([["sqrt(-1 - c1^2)", "-s1", 0, "a2*c1"], *SCARA_MATRICES[0][1:]], "matrix_not_rigid"),
+    ],
+)
+def test_a_wrong_matrix_is_explained(first: Any, code: str) -> None:
+    report = part(judged("scara", table=SCARA, link_matrices=matrices(first)), "link_matrices")
+    assert report.score == 0.75
+    assert codes(report) == [code]
+    assert report.facts[0].finding is Finding.WRONG
+
+
+def test_a_missing_matrix_costs_its_share() -> None:
+    report = part(judged("scara", table=SCARA, link_matrices=matrices(None)), "link_matrices")
+    assert (report.score, codes(report)) == (0.75, ["matrix_missing"])
+    assert report.facts[0].finding is Finding.MISSING
+
+
+@pytest.mark.parametrize(
+    ("level", "told", "shows_cells"),
+    [
+        (HelpLevel.VERDICT, ["part_wrong"], False),
+        (HelpLevel.ROW, ["matrix_wrong"], True),
+        (HelpLevel.KIND, ["matrix_cells_wrong"], True),
+        (HelpLevel.REPAIR, ["matrix_inverse"], True),
+    ],
+)
+def test_help_levels_of_matrices(level: HelpLevel, told: list[str], shows_cells: bool) -> None:
+    inverse = [["c1", "s1", 0, "-a2"], ["-s1", "c1", 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    report = part(
+        judged("scara", table=SCARA, link_matrices=matrices(inverse), help_level=level), "link_matrices"
+    )
+    assert codes(report) == told
+    assert bool(report.facts) is shows_cells
+
+
+@pytest.mark.parametrize(
+    ("wrong", "code", "score"),
+    [
+        (edited(SCARA_TRANSFORM, 0, 3, "a2*c1"), "transform_cells_wrong", 0.5),
+        (edited(SCARA_TRANSFORM, 0, 0, "-cos(q1 + q2 - q4)"), "transform_not_rigid", 0.5),
+        (
+            [
+                ["cos(q1+q2-q4)", "sin(q1+q2-q4)", 0, "-a2*cos(q2-q4) - a3*c4"],
+                ["sin(q1+q2-q4)", "-cos(q1+q2-q4)", 0, "-a2*sin(q2-q4) + a3*s4"],
+                [0, 0, -1, "-q3"],
+                [0, 0, 0, 1],
+            ],
+            "transform_inverse",
+            0.5,  # the rotation of this one is its own inverse
+        ),
+        (
+            [["c1", "-s1", 0, "a2*c1"], ["s1", "c1", 0, "a2*s1"], [0, 0, 1, 0], [0, 0, 0, 1]],
+            "transform_links_missing",
+            0.0,
+        ),
+    ],
+)
+def test_a_wrong_transform_is_explained(wrong: Any, code: str, score: float) -> None:
+    report = part(judged("scara", table=SCARA, transform=wrong), "transform")
+    assert (report.score, codes(report)[0]) == (score, code)
+    assert ("transform_rotation_right" in codes(report)) is (score == 0.5 and code != "transform_not_rigid")
+
+
+def test_reversed_order_and_transposition_are_told() -> None:
+    two = table("standard", (0, "L1", 0, "q1"), (0, "L2", 0, "q2"))
+    backwards = [
+        ["c12", "-s12", 0, "L2*c2 + L1*c12"],
+        ["s12", "c12", 0, "L2*s2 + L1*s12"],
+        [0, 0, 1, 0],
+        [0, 0, 0, 1],
+    ]
+    assert (
+        codes(part(judged("twolink", table=two, transform=backwards), "transform"))[0]
+        == "transform_order_reversed"
+    )
+    transposed = [
+        ["c12", "s12", 0, "L1*c1 + L2*c12"],
+        ["-s12", "c12", 0, "L1*s1 + L2*s12"],
+        [0, 0, 1, 0],
+        [0, 0, 0, 1],
+    ]
+    assert codes(part(judged("twolink", table=two, transform=transposed), "transform"))[0] == (
+        "transform_rotation_transposed"
+    )
+
+
+def test_units_of_the_table_are_units_of_the_matrices() -> None:
+    rows = ((-90, 45, 75, "q1"), (0, 115, 0, "q2"), (-90, 20, 0, "q3"), (90, 0, 130, "q4"), (-90, 0, 0, "q5"))
+    dmra = table("standard", *rows, (0, 0, 50, "q6"), length="mm")
+    first = [["c1", 0, "-s1", "45*c1"], ["s1", 0, "c1", "45*s1"], [0, -1, 0, 75], [0, 0, 0, 1]]
+    named = [["c1", 0, "-s1", "a1*c1"], ["s1", 0, "c1", "a1*s1"], [0, -1, 0, "d1"], [0, 0, 0, 1]]
+    for matrix in (first, named):
+        report = judged("dmra", table=dmra, link_matrices=[matrix, None, None, None, None, None])
+        assert part(report, "link_matrices").facts[0].finding is Finding.OK

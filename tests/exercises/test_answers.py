@@ -1,0 +1,121 @@
+"""What cannot be graded is refused with every fault at its place; a level of help is never exceeded."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from exercises.answers import RawAnswer, parse
+from exercises.definition import PartKind
+from exercises.errors import AnswerError
+from exercises.grader import allowed_help
+from exercises.grading import HelpLevel
+from exercises.instance import generate
+from exercises.loader import exercise
+from exercises.parts.schematic import AxisRelation, Schematic
+from kinematics.table import JointType
+from tests.exercises.answering import SCARA, SCARA_MATRICES, SCARA_TRANSFORM, edited, judged, table
+
+EYE = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+
+
+def refused(exercise_id: str = "scara", **parts: Any) -> dict[str, str]:
+    with pytest.raises(AnswerError) as error:
+        parse(generate(exercise(exercise_id)), RawAnswer(**parts))
+    return {".".join(map(str, fault.where)): fault.code for fault in error.value.faults}
+
+
+@pytest.mark.parametrize(
+    ("parts", "faults"),
+    [
+        ({}, {"": "answer_empty"}),
+        ({"table": table("standard")}, {"table.rows": "table_empty"}),
+        ({"table": SCARA, "link_matrices": SCARA_MATRICES[:3]}, {"link_matrices": "link_matrices_count"}),
+        ({"link_matrices": [*SCARA_MATRICES[:3], None]}, {"link_matrices": "link_matrices_need_table"}),
+        ({"pose": EYE}, {"pose": "pose_needs_table"}),
+        ({"transform": EYE[:3]}, {"transform": "matrix_not_4x4"}),
+        ({"transform": edited(EYE, 0, 1, "c3")}, {"transform.0.1": "short_form_unknown"}),
+        ({"transform": edited(EYE, 2, 3, "q5")}, {"transform.2.3": "joint_variable_unknown"}),
+        ({"transform": edited(EYE, 0, 0, "cos(")}, {"transform.0.0": "cell_incomplete"}),
+        ({"transform": edited(EYE, 0, 0, True)}, {"transform.0.0": "cell_not_a_value"}),
+        (
+            {"table": SCARA, "link_matrices": [None, None, edited(EYE, 1, 2, ""), None]},
+            {"link_matrices.2.1.2": "cell_empty"},
+        ),
+        ({"table": SCARA, "pose": edited(EYE, 0, 3, "q1")}, {"pose.0.3": "joint_variable_unknown"}),
+        ({"table": SCARA, "pose": edited(EYE, 0, 3, "a9")}, {"pose.0.3": "name_without_value"}),
+        ({"table": SCARA, "pose": edited(EYE, 0, 3, "sqrt(a3-a2)")}, {"pose.0.3": "value_not_real"}),
+        ({"workspace": {"inner": -1, "outer": 2}}, {"workspace.inner": "radius_negative"}),
+        (
+            {"workspace": {"inner": "x(", "outer": "a9"}},
+            {"workspace.inner": "function_unknown", "workspace.outer": "parameter_missing"},
+        ),
+        (
+            {"schematic": Schematic(joints=(JointType.FIXED, JointType.REVOLUTE), relations=())},
+            {
+                "schematic.joints.0": "schematic_fixed_joint",
+                "schematic.relations": "schematic_relations_count",
+            },
+        ),
+    ],
+)
+def test_what_cannot_be_graded_is_refused(parts: dict[str, Any], faults: dict[str, str]) -> None:
+    found = refused(**parts)
+    assert {place: found.get(place) for place in faults} == faults
+    assert len(found) == len(faults)
+
+
+def test_parts_that_are_not_asked_are_refused() -> None:
+    assert refused("stanford", schematic=Schematic(joints=(JointType.REVOLUTE,), relations=())) == {
+        "schematic": "part_not_asked"
+    }
+
+
+def test_faults_of_all_parts_come_at_once() -> None:
+    found = refused(
+        table=table("standard", (0, "a2", 0, "2*q1")),
+        transform=edited(EYE, 0, 0, "#"),
+        workspace={"inner": 1, "outer": "?"},
+    )
+    assert set(found) == {"table.rows.0.theta", "transform.0.0", "workspace.outer"}
+
+
+def test_a_column_is_that_of_the_cell_as_typed() -> None:
+    with pytest.raises(AnswerError) as error:
+        parse(generate(exercise("scara")), RawAnswer(transform=edited(EYE, 0, 0, "c(q1) + c(q2) + ?")))
+    assert error.value.faults[0].params["column"] == 17
+
+
+def test_all_points_add_up() -> None:
+    relations = (AxisRelation.PARALLEL, AxisRelation.PARALLEL, AxisRelation.COINCIDENT)
+    types = (JointType.REVOLUTE, JointType.REVOLUTE, JointType.PRISMATIC, JointType.REVOLUTE)
+    report = judged(
+        "scara",
+        table=SCARA,
+        link_matrices=SCARA_MATRICES,
+        transform=SCARA_TRANSFORM,
+        pose=[
+            ["sqrt(2)/2", "sqrt(2)/2", 0, 0.3464],
+            ["sqrt(2)/2", "-sqrt(2)/2", 0, 0.5],
+            [0, 0, -1, -0.1],
+            [0, 0, 0, 1],
+        ],
+        schematic=Schematic(joints=types, relations=relations),
+        workspace={"inner": 0.1, "outer": 0.7},
+    )
+    assert (report.points, report.max_points, report.score, report.correct) == (100, 100, 1.0, True)
+    assert report.missing == ()
+    assert judged("scara", table=SCARA).missing == tuple(
+        kind for kind in PartKind if kind is not PartKind.TABLE
+    )
+
+
+@pytest.mark.parametrize("asked", [None, *HelpLevel])
+@pytest.mark.parametrize("allowed", list(HelpLevel))
+def test_help_is_never_more_than_the_exercise_allows(asked: HelpLevel | None, allowed: HelpLevel) -> None:
+    from dataclasses import replace
+
+    order = list(HelpLevel)
+    given = allowed_help(replace(exercise("scara"), help=allowed), asked)
+    assert order.index(given) == min(order.index(asked or HelpLevel.REPAIR), order.index(allowed))

@@ -1,0 +1,169 @@
+"""The command line: list, check, draw, and start exercises from anything."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from exercises.__main__ import main
+from exercises.authoring.scaffold import nice_range
+from exercises.loader import load_exercise
+from tests.exercises.folders import TWO_LINKS, folder
+
+AXES = {
+    "axes": [
+        {"joint": "revolute", "point": [0, 0, 0], "direction": [0, 0, 1]},
+        {"joint": "revolute", "point": [0.1, 0, 0.4], "direction": [0, 1, 0]},
+        {"joint": "prismatic", "point": [0.5, 0, 0.4], "direction": [1, 0, 0]},
+    ]
+}
+TABLE = {
+    "convention": "standard",
+    "angle_unit": "deg",
+    "length_unit": "mm",
+    "rows": [
+        {"theta": "q1", "d": 300, "a": 0, "alpha": 90},
+        {"theta": "q2", "d": 0, "a": "L2", "alpha": 0},
+        {"theta": 0, "d": "q3", "a": -80, "alpha": "30"},
+    ],
+    "parameters": {"L2": 450},
+}
+
+
+def new(tmp_path: Path, *arguments: str) -> Path:
+    assert main(["new", "mine", "--into", str(tmp_path), *arguments]) == 0
+    return tmp_path / "mine"
+
+
+def source(tmp_path: Path, content: dict[str, Any]) -> str:
+    file = tmp_path / "source.json"
+    file.write_text(json.dumps(content), encoding="utf-8")
+    return str(file)
+
+
+def test_the_list_names_every_exercise(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["list"]) == 0
+    assert len(capsys.readouterr().out.splitlines()) == 16
+
+
+@pytest.mark.parametrize("how", ["robot", "table", "axes"])
+def test_a_new_exercise_loads_and_passes_its_own_tests(
+    how: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    given = {"robot": "stanford", "table": source(tmp_path, TABLE), "axes": source(tmp_path, AXES)}
+    if how != "robot":
+        given[how] = source(tmp_path, TABLE if how == "table" else AXES)
+    made = new(tmp_path, f"--{how}", given[how])
+    assert main(["check", str(made), "--seeds", "1"]) == 0
+    assert "failed" not in capsys.readouterr().out
+    assert main(["figure", str(made), "--seed", "3", "--output", str(tmp_path / "f.svg")]) == 0
+    assert (tmp_path / "f.svg").read_text(encoding="utf-8").startswith("<svg")
+
+
+def test_lengths_of_a_table_get_names_and_keep_their_values(tmp_path: Path) -> None:
+    found = load_exercise(new(tmp_path, "--table", source(tmp_path, TABLE)))
+    assert {p.name: float(p.value) for p in found.parameters} == {"d1": 300, "L2": 450, "a3": 80}
+    assert found.length_unit == "mm"
+    assert all(p.draw is not None and p.value in p.draw.values() for p in found.parameters)
+
+
+def test_axes_become_nice_angles(tmp_path: Path) -> None:
+    text = (new(tmp_path, "--axes", source(tmp_path, AXES)) / "exercise.toml").read_text(encoding="utf-8")
+    assert "alpha = -90" in text
+    assert "0.0999" not in text
+
+
+@pytest.mark.parametrize(
+    ("content", "code"),
+    [
+        ({}, "convention is missing"),
+        ({**TABLE, "parameters": {}}, "L2 has no value"),
+        ({**TABLE, "rows": [{"theta": "2q1", "d": 0, "a": 0, "alpha": 0}]}, "multiplied by 2"),
+        ({**TABLE, "colour": 1}, "colour means nothing"),
+    ],
+)
+def test_a_malformed_table_is_refused(
+    content: dict[str, Any], code: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["new", "mine", "--into", str(tmp_path), "--table", source(tmp_path, content)]) == 2
+    assert code in capsys.readouterr().err
+    assert not (tmp_path / "mine").exists()
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        ({"axes": []}, "axes is missing"),
+        ({"axes": [{"joint": "revolute", "point": [0, 0], "direction": [0, 0, 1]}]}, "three numbers"),
+        ({"axes": [{"joint": "screw", "point": [0, 0, 0], "direction": [0, 0, 1]}]}, "none of"),
+        ({"axes": [{"joint": "revolute", "point": [0, 0, 0], "direction": [0, 0, 0]}]}, "direction"),
+    ],
+)
+def test_malformed_axes_are_refused(
+    content: dict[str, Any], words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["new", "mine", "--into", str(tmp_path), "--axes", source(tmp_path, content)]) == 2
+    assert words in capsys.readouterr().err
+
+
+def test_files_that_cannot_be_read(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "list.json").write_text("[1]", encoding="utf-8")
+    (tmp_path / "bad.json").write_text("{", encoding="utf-8")
+    for name in ("nowhere.json", "bad.json", "list.json"):
+        assert main(["new", "mine", "--into", str(tmp_path), "--table", str(tmp_path / name)]) == 2
+        assert name in capsys.readouterr().err
+
+
+def test_ids_and_folders_are_guarded(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in ("../evil", "a/b", "", "a--b"):
+        assert main(["new", name, "--into", str(tmp_path), "--robot", "rx90"]) == 2
+    new(tmp_path, "--robot", "rx90")
+    assert main(["new", "mine", "--into", str(tmp_path), "--robot", "rx90"]) == 2
+    assert main(["new", "other", "--into", str(tmp_path), "--robot", "r2d2"]) == 2
+    assert "rx90" in capsys.readouterr().err
+
+
+def test_check_reports_what_fails(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A sample that expects the wrong judgement, and values that change the robot's structure."""
+    text = TWO_LINKS.replace("from = 0.4, to = 0.6, step = 0.1", "from = 0, to = 0.6, step = 0.6")
+    text += """
+[tests]
+[[tests.samples]]
+name = "the key"
+expect = "incorrect"
+convention = "standard"
+rows = [{ theta = "q1", d = 0, a = "L1", alpha = 0 }, { theta = "q2", d = 0, a = "L2", alpha = 0 }]
+[[tests.samples]]
+name = "half a cell"
+expect = "correct"
+convention = "standard"
+rows = [{ theta = "q1", d = 0, a = "(L1", alpha = 0 }]
+"""
+    text = text.replace('expect = "correct"', 'expect = "invalid"')
+    assert main(["check", str(folder(tmp_path, text)), "--seeds", "6"]) == 1
+    report = capsys.readouterr().out
+    assert "sample: the key" in report
+    assert "half a cell" not in report
+    assert "changes the robot's structure" in report
+    assert "figure: seed" in report
+
+
+def test_an_unknown_exercise_is_said_to_be_one(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", "r2d2"]) == 2
+    assert "there is no exercise r2d2" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"),
+    [
+        (0.4318, ("0.30", "0.60", "0.05")),
+        (7.11, ("5.5", "8.5", "0.5")),
+        (115, ("90", "150", "10")),
+        (0.02, ("0.017", "0.023", "0.001")),
+    ],
+)
+def test_ranges_are_round(value: float, expected: tuple[str, str, str]) -> None:
+    assert nice_range(value) == expected

@@ -1,0 +1,76 @@
+"""Every definition of the package, tested by itself; FRAMEWISE_SEEDS=50 tries more seeds, every mistake."""
+
+from __future__ import annotations
+
+import os
+import re
+
+import pytest
+
+from exercises.definition import LANGUAGES, PartKind
+from exercises.loader import exercise, exercise_ids
+from exercises.selftest.checks import check
+from exercises.statements import names_in
+from kinematics import catalogue
+
+SEEDS = int(os.environ.get("FRAMEWISE_SEEDS", "0"))
+ALL = exercise_ids()
+
+
+def test_every_robot_of_the_catalogue_is_an_exercise() -> None:
+    assert catalogue.robot_ids() == ALL
+    assert len(ALL) == 16
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+def test_a_definition_tests_itself(exercise_id: str) -> None:
+    findings = check(exercise(exercise_id), SEEDS or 1, None if SEEDS else 3)
+    assert not findings.failures
+    assert findings.passed["right"] == findings.passed["certificate"] == 2 * (SEEDS or 1) + 2
+    assert findings.passed["invalid"] == 6
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+def test_a_definition_asks_for_the_table_the_matrices_and_a_pose(exercise_id: str) -> None:
+    found = exercise(exercise_id)
+    asked = {part.kind for part in found.parts}
+    assert {PartKind.TABLE, PartKind.LINK_MATRICES, PartKind.TRANSFORM, PartKind.POSE} <= asked
+    assert found.points == 100
+    assert len(found.misconceptions) >= 10
+
+
+@pytest.mark.parametrize("exercise_id", ["puma560", "scara", "rx90"])
+def test_the_model_exercises_ask_for_every_part(exercise_id: str) -> None:
+    assert {part.kind for part in exercise(exercise_id).parts} == set(PartKind)
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+def test_statements_speak_of_the_same_names_in_every_language(exercise_id: str) -> None:
+    found = exercise(exercise_id)
+    names = {language: names_in(found.statements[language]) for language in LANGUAGES}
+    assert set(names) == set(LANGUAGES)
+    assert all(found_names == names["en"] for found_names in names.values())
+    figure = set(found.figure.marks) | {mark.name for mark in found.figure.dimensions}
+    told = names["en"] | figure
+    assert {parameter.name for parameter in found.parameters} <= told
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+def test_every_dimension_stands_in_the_figure(exercise_id: str) -> None:
+    found = exercise(exercise_id)
+    drawn = {mark.name for mark in found.figure.dimensions}
+    assert drawn == {parameter.name for parameter in found.parameters}
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+def test_statements_are_written_in_their_language(exercise_id: str) -> None:
+    """Each language has letters or words that the others lack; none is the copy of another."""
+    found = exercise(exercise_id)
+    texts = [found.statements[language] for language in LANGUAGES]
+    assert len(set(texts)) == len(LANGUAGES)
+    assert re.search("[а-яіїє]", found.statements["uk"])
+    assert re.search("[ăâîșț]", found.statements["ro"])
+    assert re.search(r"\b(eixo|junta|elo)s?\b", found.statements["pt"])
+    assert re.search(r"\b(axe|articulation|segment)s?\b", found.statements["fr"])
+    assert re.search(r"\b(eje|articulación|articulaciones|eslabón)s?\b", found.statements["es"])
+    assert not re.search("[ţşŢŞ]", found.statements["ro"])  # the cedilla is not Romanian

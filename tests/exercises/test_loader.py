@@ -1,0 +1,181 @@
+"""Definitions are read strictly: every fault at once, each with file and key."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from exercises.definition import PosePart, ReachFrom, WorkspacePart
+from exercises.errors import DefinitionError, UnknownExerciseError
+from exercises.grading import BaseRule, HelpLevel, ToolRule
+from exercises.loader import exercise, load_exercise
+from tests.exercises.folders import changed, folder, with_part
+
+
+def faults(made: Path) -> dict[str, str]:
+    """Codes by place."""
+    with pytest.raises(DefinitionError) as refused:
+        load_exercise(made)
+    return {".".join(map(str, fault.where)): fault.code for fault in refused.value.faults}
+
+
+def test_a_definition_is_read(tmp_path: Path) -> None:
+    found = load_exercise(folder(tmp_path))
+    assert (found.id, found.version, found.titles["fr"]) == ("two", 1, "Deux")
+    assert [parameter.name for parameter in found.parameters] == ["L1", "L2"]
+    assert found.parameters[0].draw is not None
+    assert found.parameters[1].draw is None
+    assert (found.policy.tool, found.policy.base, found.help) == (
+        ToolRule.AXIS,
+        BaseRule.FREE,
+        HelpLevel.REPAIR,
+    )
+
+
+def test_an_unknown_exercise_names_those_that_exist() -> None:
+    with pytest.raises(UnknownExerciseError) as refused:
+        exercise("puma")
+    assert refused.value.code == "exercise_unknown"
+    assert "puma560" in str(refused.value)
+
+
+def test_every_fault_is_reported_at_once(tmp_path: Path) -> None:
+    text = changed("version = 1", 'version = "one"\ncolour = "red"')
+    text = changed('kind = "table"', 'kind = "tables"', text)
+    text = changed("points = 10", "points = 0", text)
+    text = changed("L2.value = 0.3", "L3.value = 0.3", text)
+    made = folder(tmp_path, text)
+    (made / "statement.uk.md").unlink()
+    assert faults(made) == {
+        "two.statement.uk.md": "statement_missing",
+        "two.exercise.toml.version": "exercise_value_type",
+        "two.exercise.toml.colour": "exercise_key_unknown",
+        "two.exercise.toml.parts.0.kind": "exercise_value_unknown",
+        "two.exercise.toml.parts.0.points": "points_not_positive",
+        "two.exercise.toml.parts": "table_not_asked",
+        "two.exercise.toml.parameters.L3": "parameter_unused",
+        "two.exercise.toml.parameters.L2": "parameter_missing",
+    }
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "place", "code"),
+    [
+        ("[reference]", 'robot = "puma560"\n[reference]', "title.robot", "exercise_key_unknown"),
+        ("version = 1", 'version = 1\nrobot = "r2d2"', "robot", "exercise_robot_unknown"),
+        ("version = 1", 'version = 1\nrobot = "rx90"', "reference", "robot_and_reference"),
+        ('en = "Two"\n', "", "title.en", "exercise_key_missing"),
+        ('theta = "q1"', 'theta = "2*q1"', "reference.rows.0.theta", "variable_scaled"),
+        ('theta = "q1", ', "", "reference.rows.0.theta", "exercise_key_missing"),
+        ('convention = "standard"', 'convention = "craig"', "reference.convention", "exercise_value_unknown"),
+        ("from = 0.4, to = 0.6", "from = 0.6, to = 0.4", "parameters.L1.draw", "draw_empty"),
+        ("step = 0.1", "step = 0", "parameters.L1.draw", "draw_empty"),
+        ("step = 0.1", "step = 1e-9", "parameters.L1.draw", "draw_too_large"),
+        ("step = 0.1", "step = 0.1, without = [0.4, 0.5, 0.6]", "parameters.L1.draw", "draw_empty"),
+        ("[[parts]]", '[policy]\ntool = "tip"\n[[parts]]', "policy.tool", "exercise_value_unknown"),
+        (
+            "[[parts]]",
+            "[policy.tolerance]\nangle = 3\n[[parts]]",
+            "policy.tolerance.angle",
+            "tolerance_out_of_range",
+        ),
+        ("[[parts]]", '[help]\nmost = "all"\n[[parts]]', "help.most", "exercise_value_unknown"),
+        (
+            "[[parts]]",
+            '[tests]\nmisconceptions = ["sloth"]\n[[parts]]',
+            "tests.misconceptions.0",
+            "misconception_unknown",
+        ),
+        ("[[parts]]", "[figure]\nposture = [0]\n[[parts]]", "figure.posture", "joints_wrong_length"),
+        ("[[parts]]", "[figure]\nwidth = 5\n[[parts]]", "figure.width", "width_out_of_range"),
+        ("[[parts]]", '[figure]\nlinks = ["O0"]\n[[parts]]', "figure.links", "exercise_value_type"),
+        ("[[parts]]", "[figure]\npoints.A = {}\n[[parts]]", "figure.points.A", "point_without_form"),
+        ("[[parts]]", '[figure]\njoints.3 = { at = "O0" }\n[[parts]]', "figure.joints.3", "unknown_joint"),
+        ("[[parts]]", "[figure]\nlengths = { L9 = 1 }\n[[parts]]", "figure.lengths.L9", "parameter_unused"),
+    ],
+)
+def test_a_fault_names_its_key(tmp_path: Path, old: str, new: str, place: str, code: str) -> None:
+    assert faults(folder(tmp_path, changed(old, new)))[f"two.exercise.toml.{place}"] == code
+
+
+@pytest.mark.parametrize(
+    ("figure", "place", "code"),
+    [
+        ('links = [["O0", "X"]]', "links.0.1", "unknown_point"),
+        ('marks = ["P"]', "marks.0", "unknown_point"),
+        ('points.P = { from = "Q", by = [0, 0, 1] }\nmarks = ["P"]', "points.P.from", "unknown_point"),
+        ('points.P = { frame = 7 }\nmarks = ["P"]', "points.P.frame", "unknown_frame"),
+        ('points.P = { frame = 0, at = ["L9", 0, 0] }\nmarks = ["P"]', "points.P.at.0", "parameter_missing"),
+        (
+            'points.P = { from = "O0", joint = 9, distance = 1 }\nmarks = ["P"]',
+            "points.P.joint",
+            "unknown_joint",
+        ),
+        ('joints.1 = { at = "O1" }', "joints.1.at", "joint_off_axis"),
+        ('gripper = { at = "O0", away_from = "O0" }', "gripper", "gripper_without_direction"),
+        ('gripper = { at = "O1", away_from = "O0", jaws = [1, 0, 0] }', "gripper.jaws", "jaws_along_gripper"),
+        ('[[figure.dimensions]]\nname = "L1"\nfrom = "O0"\nto = "O2"', "dimensions.0", "dimension_disagrees"),
+        ('[[figure.dimensions]]\nname = "L1"\nfrom = "O0"\nto = "O0"', "dimensions.0", "dimension_disagrees"),
+    ],
+)
+def test_a_figure_cannot_contradict_its_robot(tmp_path: Path, figure: str, place: str, code: str) -> None:
+    text = changed("[[parts]]", f"[figure]\n{figure}\n\n[[parts]]")
+    assert faults(folder(tmp_path, text))[f"two.exercise.toml.figure.{place}"] == code
+
+
+def test_a_statement_speaks_of_what_is_there(tmp_path: Path) -> None:
+    made = folder(tmp_path, statement="A link *L1*, a link *L7* and *emphasis of several words*.")
+    assert faults(made) == {
+        f"two.statement.{x}.md": "statement_name_unknown" for x in ("en", "ro", "pt", "fr", "uk", "es")
+    }
+
+
+@pytest.mark.parametrize("content", ["version = ", "version = 1\nversion = 2", "\x00"])
+def test_what_is_not_toml_is_said_to_be_none(tmp_path: Path, content: str) -> None:
+    assert faults(folder(tmp_path, content)) == {"two.exercise.toml": "exercise_file_not_toml"}
+
+
+def test_a_folder_without_a_definition(tmp_path: Path) -> None:
+    made = folder(tmp_path)
+    (made / "exercise.toml").unlink()
+    assert faults(made) == {"two.exercise.toml": "exercise_file_missing"}
+
+
+def test_parts_with_values_are_read(tmp_path: Path) -> None:
+    text = with_part('kind = "pose"\npoints = 5\njoints = [30, -45]')
+    text = with_part('kind = "workspace"\npoints = 5\npoint = "P"\nlimits = [[0, 90], []]', text)
+    text += '\n[figure]\nmarks = ["P"]\npoints.P = { frame = 2 }\n'
+    found = load_exercise(folder(tmp_path, text))
+    pose, workspace = found.parts[1:]
+    assert isinstance(pose, PosePart)
+    assert pose.joints == (30, -45)
+    assert isinstance(workspace, WorkspacePart)
+    assert (workspace.reach_from, workspace.limits) == (ReachFrom.AXIS, ((0, 90), None))
+
+
+@pytest.mark.parametrize(
+    ("part", "place", "code"),
+    [
+        ('kind = "pose"\npoints = 5\njoints = [30]', "parts.1.joints", "joints_wrong_length"),
+        ('kind = "table"\npoints = 5', "parts.1.kind", "part_twice"),
+        ('kind = "workspace"\npoints = 5\npoint = "P"', "parts.1.point", "unknown_point"),
+        (
+            'kind = "workspace"\npoints = 5\npoint = "P"\nlimits = "catalogue"',
+            "parts.1.limits",
+            "exercise_limits_unknown",
+        ),
+        (
+            'kind = "workspace"\npoints = 5\npoint = "P"\nlimits = [[1, 0], []]',
+            "parts.1.limits.0",
+            "exercise_limits_reversed",
+        ),
+        (
+            'kind = "workspace"\npoints = 5\npoint = "P"\nlimits = [[0, 1]]',
+            "parts.1.limits",
+            "joints_wrong_length",
+        ),
+    ],
+)
+def test_a_fault_in_a_part_names_its_key(tmp_path: Path, part: str, place: str, code: str) -> None:
+    assert faults(folder(tmp_path, with_part(part)))[f"two.exercise.toml.{place}"] == code
