@@ -198,7 +198,6 @@ form-total-missing = Not handed in: { $parts }.
 form-verdict-outdated = You have changed your answer since.
 form-basis-proved = Proved: the identity holds for all joint values.
 form-basis-verified = Verified on many configurations.
-form-basis-refuted = No choice of frames makes it the same mechanism.
 form-score = { $score } %
 form-links-caption = What is right in each row
 form-fact-twist = Twist α

@@ -198,7 +198,6 @@ form-total-missing = Sin entregar: { $parts }.
 form-verdict-outdated = Desde entonces ha cambiado su respuesta.
 form-basis-proved = Demostrado: la identidad vale para todos los valores articulares.
 form-basis-verified = Verificado en muchas configuraciones.
-form-basis-refuted = Ninguna elección de sistemas lo convierte en el mismo mecanismo.
 form-score = { $score } %
 form-links-caption = Lo que está bien en cada fila
 form-fact-twist = Torsión α

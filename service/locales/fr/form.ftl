@@ -47,11 +47,11 @@ form-scene-zoom-out = Réduire
 form-scene-reset = Tout montrer
 form-scene-keys = Les flèches tournent la vue, Maj et flèches la déplacent, + et − agrandissent et réduisent, 0 montre tout.
 
-form-joint = Liaison
+form-joint = Articulation
 form-joint-revolute = rotoïde
 form-joint-prismatic = prismatique
 form-joint-fixed = fixe
-form-joint-of-row = Type de liaison, ligne { $row }
+form-joint-of-row = Type d’articulation, ligne { $row }
 form-joint-turn = Angle articulaire { $name }
 form-joint-slide = Déplacement articulaire { $name }
 form-joint-value = { $name } en { $unit }
@@ -60,8 +60,8 @@ form-joints-reset = Remettre les articulations en place
 form-convention = Convention
 form-convention-standard = standard
 form-convention-modified = modifiée
-form-convention-now-standard = Vos entrées restent telles quelles et se lisent maintenant dans la convention standard : a et α appartiennent au corps i, la liaison i agit selon l’axe z du repère i−1.
-form-convention-now-modified = Vos entrées restent telles quelles et se lisent maintenant dans la convention modifiée : a et α appartiennent au corps i−1, la liaison i agit selon l’axe z du repère i.
+form-convention-now-standard = Vos entrées restent telles quelles et se lisent maintenant dans la convention standard : a et α appartiennent au corps i, l’articulation i agit selon l’axe z du repère i−1.
+form-convention-now-modified = Vos entrées restent telles quelles et se lisent maintenant dans la convention modifiée : a et α appartiennent au corps i−1, l’articulation i agit selon l’axe z du repère i.
 form-angle-unit = Unité des angles
 form-degrees = degrés
 form-radians = radians
@@ -155,7 +155,7 @@ form-part-wrong = À revoir :
 form-radius-inner = Rayon intérieur
 form-radius-outer = Rayon extérieur
 form-matrix-cell = { $name }, ligne { $row }, colonne { $column }
-form-schematic-joint = Liaison { $joint }
+form-schematic-joint = Articulation { $joint }
 form-schematic-relation = Axe { $joint } par rapport à l’axe { $next }
 form-relation-coincident = confondus
 form-relation-parallel = parallèles
@@ -180,10 +180,10 @@ form-own-unread =
 form-own-values = Pour dessiner votre robot, donnez une valeur à : { $names }.
 form-own-shown =
     { $joints ->
-        [one] Dessiné d’après votre tableau : une liaison.
-       *[other] Dessiné d’après votre tableau : { $joints } liaisons.
+        [one] Dessiné d’après votre tableau : une articulation.
+       *[other] Dessiné d’après votre tableau : { $joints } articulations.
     }
-form-own-description = Les repères de votre tableau avec leurs axes x, y et z. Liaisons : { $joints }.
+form-own-description = Les repères de votre tableau avec leurs axes x, y et z. Articulations : { $joints }.
 form-own-parameters = Valeurs pour le dessin
 form-joints = Articulations
 form-matrices = Matrices
@@ -198,13 +198,12 @@ form-total-missing = Non rendu : { $parts }.
 form-verdict-outdated = Vous avez modifié votre réponse depuis.
 form-basis-proved = Prouvé : l’identité vaut pour toutes les valeurs articulaires.
 form-basis-verified = Vérifié sur de nombreuses configurations.
-form-basis-refuted = Aucun choix de repères n’en fait le même mécanisme.
 form-score = { $score } %
 form-links-caption = Ce qui est juste dans chaque ligne
 form-fact-twist = Torsion α
 form-fact-length = Longueur a
 form-fact-offset = Décalage
-form-fact-joint = Type de liaison
+form-fact-joint = Type d’articulation
 form-finding-ok = juste
 form-finding-wrong = faux
 form-finding-missing = manque

@@ -198,7 +198,6 @@ form-total-missing = Por entregar: { $parts }.
 form-verdict-outdated = Entretanto alterou a sua resposta.
 form-basis-proved = Provado: a identidade vale para todos os valores das juntas.
 form-basis-verified = Verificado em muitas configurações.
-form-basis-refuted = Nenhuma escolha de referenciais faz dele o mesmo mecanismo.
 form-score = { $score } %
 form-links-caption = O que está certo em cada linha
 form-fact-twist = Torção α

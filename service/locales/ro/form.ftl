@@ -205,7 +205,6 @@ form-total-missing = Nepredate: { $parts }.
 form-verdict-outdated = Între timp ați modificat răspunsul.
 form-basis-proved = Demonstrat: identitatea are loc pentru toate valorile cuplelor.
 form-basis-verified = Verificat pentru multe configurații.
-form-basis-refuted = Nicio alegere a sistemelor de axe nu îl face același mecanism.
 form-score = { $score } %
 form-links-caption = Ce este corect în fiecare rând
 form-fact-twist = Torsiunea α

@@ -24,10 +24,10 @@ form-home-api-text = Те саме через HTTP, як документ OpenAP
 form-home-best = Найкращий результат { $score } %
 form-home-joints =
     { $joints ->
-        [one] { $joints } шарнір
-        [few] { $joints } шарніри
-        [many] { $joints } шарнірів
-       *[other] { $joints } шарніра
+        [one] { $joints } зчленування
+        [few] { $joints } зчленування
+        [many] { $joints } зчленувань
+       *[other] { $joints } зчленування
     }
 form-home-trainer = Тренування: вибір систем координат
 
@@ -49,21 +49,21 @@ form-scene-zoom-out = Зменшити
 form-scene-reset = Показати все
 form-scene-keys = Стрілки повертають вигляд, Shift зі стрілками зсуває його, + і − змінюють масштаб, 0 показує все.
 
-form-joint = Шарнір
-form-joint-revolute = обертальний
-form-joint-prismatic = поступальний
-form-joint-fixed = нерухомий
-form-joint-of-row = Тип шарніра, рядок { $row }
-form-joint-turn = Кут шарніра { $name }
-form-joint-slide = Зміщення шарніра { $name }
+form-joint = Зчленування
+form-joint-revolute = обертальне
+form-joint-prismatic = поступальне
+form-joint-fixed = нерухоме
+form-joint-of-row = Тип зчленування, рядок { $row }
+form-joint-turn = Кут зчленування { $name }
+form-joint-slide = Зміщення зчленування { $name }
 form-joint-value = { $name }, { $unit }
-form-joints-reset = Повернути шарніри на місце
+form-joints-reset = Повернути зчленування на місце
 
 form-convention = Угода
 form-convention-standard = стандартна
 form-convention-modified = модифікована
-form-convention-now-standard = Уведене лишається без змін і тепер читається за стандартною угодою: a й α належать ланці i, шарнір i рухається відносно осі z системи i−1.
-form-convention-now-modified = Уведене лишається без змін і тепер читається за модифікованою угодою: a й α належать ланці i−1, шарнір i рухається відносно осі z системи i.
+form-convention-now-standard = Уведене лишається без змін і тепер читається за стандартною угодою: a й α належать ланці i, зчленування i рухається відносно осі z системи i−1.
+form-convention-now-modified = Уведене лишається без змін і тепер читається за модифікованою угодою: a й α належать ланці i−1, зчленування i рухається відносно осі z системи i.
 form-angle-unit = Одиниця кутів
 form-degrees = градуси
 form-radians = радіани
@@ -163,7 +163,7 @@ form-part-wrong = Варто переглянути:
 form-radius-inner = Внутрішній радіус
 form-radius-outer = Зовнішній радіус
 form-matrix-cell = { $name }, рядок { $row }, стовпець { $column }
-form-schematic-joint = Шарнір { $joint }
+form-schematic-joint = Зчленування { $joint }
 form-schematic-relation = Вісь { $joint } відносно осі { $next }
 form-relation-coincident = збігаються
 form-relation-parallel = паралельні
@@ -192,14 +192,14 @@ form-own-unread =
 form-own-values = Щоб намалювати вашого робота, задайте значення: { $names }.
 form-own-shown =
     { $joints ->
-        [one] Намальовано за вашою таблицею: { $joints } шарнір.
-        [few] Намальовано за вашою таблицею: { $joints } шарніри.
-        [many] Намальовано за вашою таблицею: { $joints } шарнірів.
-       *[other] Намальовано за вашою таблицею: { $joints } шарніра.
+        [one] Намальовано за вашою таблицею: { $joints } зчленування.
+        [few] Намальовано за вашою таблицею: { $joints } зчленування.
+        [many] Намальовано за вашою таблицею: { $joints } зчленувань.
+       *[other] Намальовано за вашою таблицею: { $joints } зчленування.
     }
-form-own-description = Системи координат вашої таблиці з осями x, y, z. Шарніри: { $joints }.
+form-own-description = Системи координат вашої таблиці з осями x, y, z. Зчленування: { $joints }.
 form-own-parameters = Значення для рисунка
-form-joints = Шарніри
+form-joints = Зчленування
 form-matrices = Матриці
 
 form-verdict-heading = Висновок
@@ -212,13 +212,12 @@ form-total-missing = Не подано: { $parts }.
 form-verdict-outdated = Відтоді ви змінили відповідь.
 form-basis-proved = Доведено: тотожність справджується за всіх значень узагальнених координат.
 form-basis-verified = Перевірено в багатьох конфігураціях.
-form-basis-refuted = За жодного вибору систем координат це не той самий механізм.
 form-score = { $score } %
 form-links-caption = Що правильно в кожному рядку
 form-fact-twist = Скручення α
 form-fact-length = Довжина a
 form-fact-offset = Зсув
-form-fact-joint = Тип шарніра
+form-fact-joint = Тип зчленування
 form-finding-ok = правильно
 form-finding-wrong = неправильно
 form-finding-missing = бракує

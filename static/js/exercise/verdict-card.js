@@ -42,6 +42,7 @@ export class VerdictCard {
       Object.values(others).map((report) => partView(report, partName(report.kind), (where) => placeName(report.kind, where))),
     );
     this.#both?.describe();
+    this.card.dataset.shown = String(Number(this.card.dataset.shown ?? 0) + 1);
     announce(`${verdictWord(graded)} ${t("form-score", { score: Math.round(shareOf(graded) * 100) })}`);
     this.card.focus({ preventScroll: true });
     const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;

@@ -17,7 +17,6 @@ const MARKS = { ok: "check", wrong: "cross", missing: "cross" };
 export function verdictView(graded, { convention, focusRow }) {
   const share = shareOf(graded);
   const tone = share >= 1 ? "good" : share > 0 ? "partly" : "bad";
-  const hasTable = graded.basis !== null;
   return el(
     "div",
     { class: "stack" },
@@ -29,12 +28,12 @@ export function verdictView(graded, { convention, focusRow }) {
         "div",
         {},
         el("p", { class: "verdict-word", text: verdictWord(graded) }),
-        hasTable ? el("p", { class: "hint", text: t(`form-basis-${graded.basis}`) }) : null,
+        graded.basis && graded.correct ? el("p", { class: "hint", text: t(`form-basis-${graded.basis}`) }) : null,
         totalLine(graded.total),
       ),
     ),
     feedbackList(graded.feedback, focusRow),
-    graded.links.some(hasNews) ? linkTable(graded.links, focusRow) : null,
+    !graded.correct && graded.links.some(hasNews) ? linkTable(graded.links, focusRow) : null,
     repairList(graded.repairs, convention, focusRow),
   );
 }
@@ -76,6 +75,7 @@ function scoreRing(score) {
 
 function rowLink(row, text, focusRow, cell) {
   return el("a", {
+    class: "row-link",
     href: `#row-${row}`,
     text,
     onclick: (event) => {
@@ -94,8 +94,8 @@ function feedbackList(feedback, focusRow) {
       el(
         "li",
         { dataset: { code } },
-        row && focusRow ? [rowLink(row, t("form-row", { row }), focusRow), ": "] : null,
         message,
+        row && focusRow ? [" ", rowLink(row, t("form-row", { row }), focusRow)] : null,
       ),
     ),
   );
@@ -134,8 +134,8 @@ function repairList(repairs, convention, focusRow) {
     return el(
       "li",
       { dataset: { code } },
-      row ? [rowLink(row, t("form-row", { row }) + name, focusRow, cell), ": "] : null,
       message,
+      row ? [" ", rowLink(row, t("form-row", { row }) + name, focusRow, cell)] : null,
     );
   };
   return el(
