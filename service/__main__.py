@@ -13,13 +13,15 @@ from pydantic import ValidationError
 from service.app import create_app
 from service.settings import Settings
 
+_LARGEST_PORT = 65535
+
 
 def main(arguments: Sequence[str] | None = None) -> None:
     """Serve until interrupted; options on the command line go before the environment."""
     settings = _settings()
     parser = argparse.ArgumentParser(prog="framewise", description="Serve kinematics over HTTP.")
     parser.add_argument("--host", default=settings.host, help="address to listen on (%(default)s)")
-    parser.add_argument("--port", default=settings.port, type=int, help="port to listen on (%(default)s)")
+    parser.add_argument("--port", default=settings.port, type=_port, help="port to listen on (%(default)s)")
     parser.add_argument("--workers", default=settings.workers, type=int, help="processes (%(default)s)")
     chosen = parser.parse_args(arguments)
     options: dict[str, object] = {
@@ -33,7 +35,17 @@ def main(arguments: Sequence[str] | None = None) -> None:
     if chosen.workers > 1:
         uvicorn.run("service.app:create_app", factory=True, workers=chosen.workers, **options)  # type: ignore[arg-type]
     else:
-        uvicorn.run(create_app(settings), **options)  # type: ignore[arg-type]
+        app = create_app(settings)
+        try:
+            uvicorn.run(app, **options)  # type: ignore[arg-type]
+        finally:
+            app.state.workers.close()  # or they would outlive a server that could not start
+
+
+def _port(text: str) -> int:
+    if not text.isdecimal() or int(text) > _LARGEST_PORT:
+        raise argparse.ArgumentTypeError(f"a port is a number from 0 to {_LARGEST_PORT}, not {text}")
+    return int(text)
 
 
 def _settings() -> Settings:

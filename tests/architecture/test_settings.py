@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import socket
+import subprocess
 import sys
 
 import pytest
@@ -46,6 +48,21 @@ def test_a_setting_that_is_wrong_stops_the_service_and_is_named(
     monkeypatch.setenv(f"FRAMEWISE_{name}", value)
     with pytest.raises(SystemExit, match=f"FRAMEWISE_{name}"):
         main(["--port", "0"])
+
+
+def test_a_port_that_is_taken_ends_the_program() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = str(taken.getsockname()[1])
+        command = [sys.executable, "-m", "service", "--port", port]
+        result = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=120)
+    assert result.returncode != 0
+    assert "address already in use" in result.stderr
+
+
+@pytest.mark.parametrize("port", ["65536", "-1", "http"])
+def test_a_port_that_is_none_is_refused(port: str) -> None:
+    with pytest.raises(SystemExit):
+        main([f"--port={port}"])
 
 
 def test_lists_are_separated_by_spaces_or_commas(monkeypatch: pytest.MonkeyPatch) -> None:
