@@ -1,0 +1,179 @@
+"""A DH table to URDF.
+
+A modified row is one joint: Rot_x(α) Trans_x(a) Rot_z(θ) Trans_z(d) is its origin, and it moves about or along
+its own z, so its link is frame i. In a standard row the joint moves about z_{i-1} and what follows is constant:
+that constant becomes the origin of the next joint, so the link of joint i turns with the arm but stands where
+frame i-1 stood. A reversed variable is an axis 0 0 -1. A fixed row is a fixed joint.
+"""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinematics.errors import DescriptionError, Fault
+from kinematics.inverse.limits import JointLimits, read_limits
+from kinematics.links import Transform, link_transform
+from kinematics.poses import rpy_from_transform
+from kinematics.table import Convention, JointType, NumericTable
+from kinematics.transforms import check_transform
+
+BASE_LINK = "base_link"
+TIP_LINK = "tool0"
+UNKNOWN_TRAVEL = 1000.0
+"""Range ± of a sliding joint of unknown limits [m]: URDF has no sliding joint without limits."""
+
+_NOTE = "Kinematics alone: no masses, no shapes. Effort and velocity of every limit are placeholders."
+_UNKNOWN = "Limits unknown: this range stands for none."
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class WrittenUrdf:
+    """A URDF description of a table.
+
+    Attributes:
+        text: the description, XML; lengths in [m].
+        base_link: name of its first link.
+        tip_link: name of its last link: the end frame, the tool included.
+        assumed_limits: numbers, from 1, of sliding joints whose range stands for no limits.
+    """
+
+    text: str
+    base_link: str
+    tip_link: str
+    assumed_limits: tuple[int, ...]
+
+
+def urdf_from_table(
+    table: NumericTable,
+    *,
+    name: str = "robot",
+    base: ArrayLike | None = None,
+    tool: ArrayLike | None = None,
+    limits: JointLimits | None = None,
+    metres_per_unit: float = 1.0,
+) -> WrittenUrdf:
+    """URDF that has the pose base · A_1 ⋯ A_N · tool between its first and its last link.
+
+    Args:
+        table: the DH table.
+        name: the robot's name.
+        base: (4, 4) pose of frame 0 in the first link; the identity if left out.
+        tool: (4, 4) pose of the last link in frame N; the identity if left out.
+        limits: (lowest, highest) of joint 1 … n [rad, or the table's length unit], None where there is none.
+        metres_per_unit: length of the table's unit [m].
+
+    Raises:
+        DescriptionError: a name that is empty or holds control characters, or a length beyond all measure.
+        JointValueError: limits of the wrong number, or reversed.
+        TableError: an entry of the table is NaN or infinite.
+        PoseError: base or tool is not a rigid transform.
+    """
+    if not name.strip() or not name.isprintable():
+        message = "a robot's name is a line of visible characters"
+        raise DescriptionError(Fault(code="urdf_name_invalid", message=message, where=("name",)))
+    box = read_limits(limits, table.n_joints)
+    writer = _Writer(metres_per_unit)
+    if base is not None:
+        writer.fixed("base", check_transform(base, where=("base",)))
+    bounds = list(zip(box.low.tolist(), box.high.tolist(), strict=True))
+    _write_rows(writer, table, bounds)
+    end = np.eye(4) if tool is None else check_transform(tool, where=("tool",))
+    writer.last(end)
+    lines = [
+        '<?xml version="1.0"?>',
+        f'<robot name="{html.escape(name)}">',
+        f"  <!-- {_NOTE} -->",
+        *writer.lines,
+        "</robot>",
+        "",
+    ]
+    return WrittenUrdf(
+        text="\n".join(lines),
+        base_link=BASE_LINK,
+        tip_link=TIP_LINK,
+        assumed_limits=tuple(writer.assumed),
+    )
+
+
+def _write_rows(writer: _Writer, table: NumericTable, bounds: Sequence[tuple[float, float]]) -> None:
+    numbers = {row: joint for joint, row in enumerate(table.joint_rows)}
+    for i, row in enumerate(table.rows):
+        constant = link_transform(replace(row, joint=JointType.FIXED), table.convention)
+        if row.joint is JointType.FIXED:
+            writer.fixed(f"row_{i + 1}", constant)
+            continue
+        before, behind = (
+            (constant, np.eye(4)) if table.convention is Convention.MODIFIED else (np.eye(4), constant)
+        )
+        writer.moving(numbers[i] + 1, row.joint, row.sign, before, bounds[numbers[i]])
+        writer.behind = behind
+
+
+class _Writer:
+    """Writes joint after joint; `behind` is what is constant since the last one."""
+
+    def __init__(self, metres_per_unit: float) -> None:
+        self.lines = [f'  <link name="{BASE_LINK}"/>']
+        self.behind: Transform = np.eye(4)
+        self.assumed: list[int] = []
+        self._metres = metres_per_unit
+        self._link = BASE_LINK
+
+    def fixed(self, name: str, pose: Transform) -> None:
+        """A fixed joint and its link."""
+        self._joint(f"fixed_{name}", "fixed", name, pose, ())
+
+    def last(self, pose: Transform) -> None:
+        """The fixed joint to the last link."""
+        self._joint("fixed_tool", "fixed", TIP_LINK, pose, ())
+
+    def moving(
+        self, number: int, joint: JointType, sign: int, pose: Transform, bounds: tuple[float, float]
+    ) -> None:
+        """A joint that moves about or along z of its frame."""
+        details = [f'<axis xyz="0 0 {"1" if sign > 0 else "-1"}"/>']
+        kind = joint.value
+        low, high = bounds
+        known = bool(np.isfinite(low) and np.isfinite(high))
+        if joint is JointType.PRISMATIC:
+            if known:
+                low, high = low * self._metres, high * self._metres
+            else:
+                low, high = -UNKNOWN_TRAVEL, UNKNOWN_TRAVEL
+                details.append(f"<!-- {_UNKNOWN} -->")
+                self.assumed.append(number)
+        elif not known:
+            kind = "continuous"
+        if kind != "continuous":
+            details.append(f'<limit lower="{_text(low)}" upper="{_text(high)}" effort="1" velocity="1"/>')
+        self._joint(f"joint_{number}", kind, f"link_{number}", pose, details)
+
+    def _joint(self, name: str, kind: str, child: str, pose: Transform, details: Sequence[str]) -> None:
+        origin = self.behind @ pose
+        self.behind = np.eye(4)
+        rpy = rpy_from_transform(origin)
+        xyz = [value * self._metres for value in origin[:3, 3].tolist()]
+        if not np.all(np.isfinite(xyz)):
+            message = "a length is too large to be written in metres"
+            raise DescriptionError(Fault(code="urdf_length_overflow", message=message))
+        self.lines += [
+            f'  <link name="{child}"/>',
+            f'  <joint name="{name}" type="{kind}">',
+            f'    <parent link="{self._link}"/>',
+            f'    <child link="{child}"/>',
+            f'    <origin xyz="{" ".join(map(_text, xyz))}" rpy="{" ".join(map(_text, rpy))}"/>',
+            *(f"    {detail}" for detail in details),
+            "  </joint>",
+        ]
+        self._link = child
+
+
+def _text(value: float) -> str:
+    """The shortest decimal that is this number."""
+    text = repr(value + 0.0)
+    return text.removesuffix(".0")

@@ -1,0 +1,11 @@
+"""The workspace: how near, how far and in which box the joints bring the end frame's origin.
+
+goals     what is to be made as great as possible: a distance, its negative, a coordinate
+climbing  the greatest value of a goal: joint by joint in closed form, then Newton's steps
+spans     the ranges of the joints
+reach     radii, box and points of a robot
+"""
+
+from kinematics.workspace.reach import Radii, Radius, Workspace, workspace
+
+__all__ = ["Radii", "Radius", "Workspace", "workspace"]

@@ -1,0 +1,213 @@
+"""The greatest value that a goal can have within the joints' ranges.
+
+While the other joints stand still, a place goes round a circle or along a line, and the value of a goal is
+a + b cos q + c sin q + d cos 2q + e sin 2q, or a parabola. So the best value of one joint is found in closed
+form. Going through the joints from the tip to the base, again and again and from many starts, climbs to the
+top; Newton's steps in all joints at once make the last digits right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from kinematics.forward import end_poses, forward_kinematics
+from kinematics.links import Transform
+from kinematics.table import Convention, JointType, NumericTable
+from kinematics.workspace.goals import Array, Goal, Goals, stacked
+from kinematics.workspace.spans import spread
+
+LOOKS = 768
+"""Configurations that are looked at before the climb."""
+STARTS = 32
+"""Configurations from which a goal is climbed to."""
+MOST_SWEEPS = 120
+FEWEST_SWEEPS = 6
+NEWTON_STEPS = 40
+
+_GRID = 65
+_SMALL_GAIN = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Summit:
+    """Where a goal is greatest.
+
+    Attributes:
+        value: its value.
+        joints: (n,) configuration.
+        place: (3,) place in frame 0.
+    """
+
+    value: float
+    joints: Array
+    place: Array
+
+
+def summits(
+    table: NumericTable, goals: Sequence[Goal], spans: Array, tool: Transform | None = None
+) -> list[Summit]:
+    """For each goal the greatest value that the origin of the tool can have.
+
+    Args:
+        table: the robot.
+        goals: what is to be great, in frame 0.
+        spans: (n, 2) ranges of the joints.
+        tool: (4, 4) pose of the tool in frame N.
+    """
+    climbers = stacked(goals, STARTS)
+    joints = _starts(table, goals, spans, tool)
+    before = np.full(len(goals), -np.inf)
+    for sweep in range(MOST_SWEEPS):
+        joints = _swept(table, climbers, joints, spans, tool)
+        values = climbers.values(_places(table, joints, tool)).reshape(len(goals), STARTS)
+        best = values.max(axis=1)
+        small = best - before <= _SMALL_GAIN * (1.0 + np.abs(values).max())
+        if sweep >= FEWEST_SWEEPS and bool(np.all(small)):
+            break
+        before = best
+    found = []
+    for k, goal in enumerate(goals):
+        start = joints[k * STARTS + int(values[k].argmax())]
+        found.append(_polished(table, goal, start, spans, tool))
+    return found
+
+
+def _starts(table: NumericTable, goals: Sequence[Goal], spans: Array, tool: Transform | None) -> Array:
+    """For each goal the best of what was looked at, and others from all over the ranges."""
+    looked = spread(spans, LOOKS)
+    places = _places(table, looked, tool)
+    fixed = np.arange(0, LOOKS, 2 * LOOKS // STARTS)
+    chosen = []
+    for goal in goals:
+        value = stacked([goal], LOOKS).values(places)
+        chosen += [np.argsort(-value, kind="stable")[: STARTS - len(fixed)], fixed]
+    return np.asarray(looked[np.concatenate(chosen)])
+
+
+def _places(table: NumericTable, joints: Array, tool: Transform | None) -> Array:
+    return np.asarray(end_poses(table, joints, tool=tool)[:, :3, 3])
+
+
+def _axes(table: NumericTable, joints: Array) -> tuple[Array, Array]:
+    """(m, n, 3) directions of the joints' positive motions, and points of their axes, in frame 0."""
+    frames = forward_kinematics(table, joints).frames
+    rows = np.array(table.joint_rows)
+    if table.convention is Convention.STANDARD:
+        first = np.broadcast_to(np.eye(4), (len(joints), 1, 4, 4))
+        frames = np.concatenate((first, frames[:, :-1]), axis=1)
+    signs = np.array([table.rows[i].sign for i in table.joint_rows], dtype=np.float64)
+    moving = frames[:, rows]
+    return moving[..., :3, 2] * signs[:, None], moving[..., :3, 3]
+
+
+def first_axis(table: NumericTable) -> tuple[Array, Array]:
+    """(3,) point and (3,) direction of the first joint's axis in frame 0."""
+    directions, points = _axes(table, np.zeros((1, table.n_joints)))
+    return points[0, 0] + 0.0, directions[0, 0] + 0.0
+
+
+def _swept(
+    table: NumericTable, goals: Goals, joints: Array, spans: Array, tool: Transform | None
+) -> Array:
+    """Every joint once at its best, from the tip to the base: what lies before a joint stays where it is."""
+    directions, points = _axes(table, joints)
+    p = _places(table, joints, tool)
+    joints = joints.copy()
+    for i in range(table.n_joints - 1, -1, -1):
+        u, low, high = directions[:, i], float(spans[i, 0]), float(spans[i, 1])
+        if table.joint_types[i] is JointType.PRISMATIC:
+            still = p - joints[:, i, None] * u
+            joints[:, i] = _best_slide(goals, still, u, low, high)
+            p = still + joints[:, i, None] * u
+            continue
+        arm = p - points[:, i]
+        along = np.einsum("mi,mi->m", arm, u)[:, None] * u
+        a, b = arm - along, np.cross(u, arm)
+        c, s = np.cos(joints[:, i, None]), np.sin(joints[:, i, None])
+        a, b = c * a - s * b, s * a + c * b  # at q = 0, and a quarter turn on
+        centre = points[:, i] + along
+        joints[:, i] = _best_turn(goals, centre, a, b, low, high)
+        p = centre + np.cos(joints[:, i, None]) * a + np.sin(joints[:, i, None]) * b
+    return joints
+
+
+def _best_slide(goals: Goals, still: Array, u: Array, low: float, high: float) -> Array:
+    Wu = np.einsum("mij,mj->mi", goals.W, u)
+    second = np.einsum("mi,mi->m", Wu, u)
+    first = 2.0 * np.einsum("mi,mi->m", Wu, still - goals.origin) + np.einsum("mi,mi->m", goals.c, u)
+    vertex = np.clip(-first / np.where(second < 0.0, 2.0 * second, 1.0), low, high)
+    ends = np.where(first * (high - low) + second * (high**2 - low**2) > 0.0, high, low)
+    return np.where(second < 0.0, vertex, ends)
+
+
+def _best_turn(goals: Goals, centre: Array, a: Array, b: Array, low: float, high: float) -> Array:
+    """The best angle where the place is centre + a cos q + b sin q."""
+    Wa, Wb = np.einsum("mij,mj->mi", goals.W, a), np.einsum("mij,mj->mi", goals.W, b)
+    lever = 2.0 * np.einsum("mij,mj->mi", goals.W, centre - goals.origin) + goals.c
+    c1, s1 = np.einsum("mi,mi->m", lever, a), np.einsum("mi,mi->m", lever, b)
+    c2 = (np.einsum("mi,mi->m", a, Wa) - np.einsum("mi,mi->m", b, Wb)) / 2.0
+    s2 = np.einsum("mi,mi->m", a, Wb)
+    grid = np.linspace(low, high, _GRID)
+    waves = np.array([np.cos(grid), np.sin(grid), np.cos(2 * grid), np.sin(2 * grid)])
+    coefficients = np.column_stack((c1, s1, c2, s2))
+    curve = coefficients @ waves
+    start = grid[curve.argmax(axis=1)]
+    q = start
+    for _ in range(4):
+        c, s, cc, ss = np.cos(q), np.sin(q), np.cos(2 * q), np.sin(2 * q)
+        slope = -c1 * s + s1 * c - 2 * c2 * ss + 2 * s2 * cc
+        bend = -c1 * c - s1 * s - 4 * c2 * cc - 4 * s2 * ss
+        step = np.where(bend < 0.0, -slope / np.where(bend < 0.0, bend, 1.0), 0.0)
+        q = np.clip(q + np.clip(step, -0.1, 0.1), low, high)
+    value = np.einsum("mk,km->m", coefficients, np.array([np.cos(q), np.sin(q), np.cos(2 * q), np.sin(2 * q)]))
+    return np.where(value >= curve.max(axis=1), q, start)
+
+
+def _polished(
+    table: NumericTable, goal: Goal, joints: Array, spans: Array, tool: Transform | None
+) -> Summit:
+    """The summit near a configuration, by Newton's steps within the ranges."""
+    one = stacked([goal], 1)
+    q, place = joints, _places(table, joints[None], tool)[0]
+    value = float(one.values(place[None])[0])
+    for _ in range(NEWTON_STEPS):
+        gradient, hessian = _slopes(table, goal, q, place)
+        at_low, at_high = q <= spans[:, 0], q >= spans[:, 1]
+        free = ~((at_low & (gradient <= 0.0)) | (at_high & (gradient >= 0.0)))
+        if not free.any():
+            break
+        gradient, hessian = gradient[free], hessian[np.ix_(free, free)]
+        eigenvalues, vectors = np.linalg.eigh(-hessian)
+        scale = float(np.abs(eigenvalues).max()) or 1.0
+        gained = False
+        for damping in (1e-13, 1e-9, 1e-6, 1e-3, 1.0):
+            bent = np.maximum(np.abs(eigenvalues), damping * scale)
+            trial = q.copy()
+            trial[free] += vectors @ ((vectors.T @ gradient) / bent)
+            trial = np.clip(trial, spans[:, 0], spans[:, 1])
+            there = _places(table, trial[None], tool)[0]
+            reached = float(one.values(there[None])[0])
+            if reached > value:
+                q, place, value, gained = trial, there, reached, True
+                break
+        if not gained:
+            break
+    return Summit(value, q, place)
+
+
+def _slopes(table: NumericTable, goal: Goal, q: Array, place: Array) -> tuple[Array, Array]:
+    """Gradient (n,) and Hessian (n, n) of a goal with respect to the joints.
+
+    ∂p/∂q_i = z_i × (p − p_i), and ∂²p/∂q_i∂q_j = z_i × ∂p/∂q_j for i ≤ j; of a sliding joint z_i, and 0.
+    """
+    directions, points = (array[0] for array in _axes(table, q[None]))
+    turning = np.array([kind is JointType.REVOLUTE for kind in table.joint_types])
+    J = np.where(turning[:, None], np.cross(directions, place - points), directions)
+    lever = 2.0 * goal.W @ (place - goal.origin) + goal.c
+    turned = np.cross(directions[:, None], J[None, :]) @ lever
+    upper = np.triu(np.where(turning[:, None], turned, 0.0))
+    hessian = 2.0 * J @ goal.W @ J.T + upper + np.triu(upper, 1).T
+    return J @ lever, hessian

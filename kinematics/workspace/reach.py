@@ -1,0 +1,140 @@
+"""Radii, box and points of a robot's workspace."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinematics.errors import Fault, TableError
+from kinematics.forward import end_poses
+from kinematics.inverse.limits import JointLimits
+from kinematics.table import NumericTable
+from kinematics.transforms import check_transform
+from kinematics.workspace.climbing import Summit, first_axis, summits
+from kinematics.workspace.goals import Array, direction_goal, distance_goals
+from kinematics.workspace.spans import joint_spans, spread
+
+Vector3 = tuple[float, float, float]
+
+AS_GOOD_AS_ZERO = 1e-12
+"""A radius below this part of the greatest one is 0."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Radius:
+    """A distance, with a configuration that has it.
+
+    Attributes:
+        value: the distance, in the table's unit.
+        joints: q_1 … q_n [rad, or the table's unit].
+    """
+
+    value: float
+    joints: tuple[float, ...]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Radii:
+    """The same radius measured in two ways.
+
+    Attributes:
+        axis: at right angles from the axis of the first joint.
+        origin: from the origin of frame 0.
+    """
+
+    axis: Radius
+    origin: Radius
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Workspace:
+    """Where the origin of the end frame can be.
+
+    Attributes:
+        inner: the least distances.
+        outer: the greatest distances.
+        low: least x, y, z, in the world.
+        high: greatest x, y, z, in the world.
+        points: (samples, 3) places, in the world.
+    """
+
+    inner: Radii
+    outer: Radii
+    low: Vector3
+    high: Vector3
+    points: Array
+
+
+def workspace(
+    table: NumericTable,
+    limits: JointLimits | None = None,
+    *,
+    base: ArrayLike | None = None,
+    tool: ArrayLike | None = None,
+    samples: int = 0,
+) -> Workspace:
+    """How near and how far the joints bring the origin of the end frame, and in which box.
+
+    Every number is that of a configuration within the limits, so no number promises more than the robot can
+    do. That nothing lies beyond is found by climbing from many starts, and not proved.
+
+    Args:
+        table: the DH table.
+        limits: (lowest, highest) of joint 1 … n [rad, or the table's unit]; None for a revolute joint that
+            turns fully.
+        base: (4, 4) pose of frame 0 in the world; it moves box and points, never the radii.
+        tool: (4, 4) pose of the end frame in frame N.
+        samples: number of points, spread evenly over the joints' ranges.
+
+    Raises:
+        TableError: the table has no joint, or an entry is NaN or infinite.
+        JointValueError: limits of the wrong number or reversed, or a sliding joint without them.
+        PoseError: base or tool is not a rigid transform.
+    """
+    if table.n_joints == 0:
+        message = "nothing moves: a workspace needs a revolute or a prismatic row"
+        raise TableError(Fault(code="workspace_without_joints", message=message, where=("rows",)))
+    spans = joint_spans(table, limits)
+    T_w_0 = np.eye(4) if base is None else check_transform(base, where=("base",))
+    T_n_t = None if tool is None else check_transform(tool, where=("tool",))
+    point, direction = first_axis(table)
+    sides = [T_w_0[k, :3] * sign for sign in (-1.0, 1.0) for k in range(3)]
+    goals = [
+        *distance_goals(point, direction),
+        *distance_goals(np.zeros(3), None),
+        *(direction_goal(side) for side in sides),
+    ]
+    near_axis, far_axis, near, far, *corners = summits(table, goals, spans, T_n_t)
+    across = np.eye(3) - np.outer(direction, direction)
+    reach = float(np.linalg.norm(far.place))
+    ends = [corner.value for corner in corners]
+    low = [float(T_w_0[k, 3]) - ends[k] for k in range(3)]
+    high = [float(T_w_0[k, 3]) + ends[3 + k] for k in range(3)]
+    return Workspace(
+        inner=Radii(
+            axis=_radius(near_axis, across @ (near_axis.place - point), reach),
+            origin=_radius(near, near.place, reach),
+        ),
+        outer=Radii(
+            axis=_radius(far_axis, across @ (far_axis.place - point), reach),
+            origin=_radius(far, far.place, reach),
+        ),
+        low=_vector(low, reach),
+        high=_vector(high, reach),
+        points=end_poses(table, spread(spans, samples), base=base, tool=tool)[:, :3, 3]
+        if samples
+        else np.empty((0, 3)),
+    )
+
+
+def _radius(summit: Summit, away: Array, reach: float) -> Radius:
+    value = math.hypot(*away.tolist())
+    return Radius(value=value if value > AS_GOOD_AS_ZERO * reach else 0.0, joints=tuple(summit.joints.tolist()))
+
+
+def _vector(values: list[float], reach: float) -> Vector3:
+    x, y, z = (value if abs(value) > AS_GOOD_AS_ZERO * reach else 0.0 for value in values)
+    return x, y, z
