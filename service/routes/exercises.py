@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from functools import partial
 from typing import Annotated
 
@@ -64,7 +65,10 @@ async def show_exercise(
 
 @router.get(
     "/exercises/{exercise_id}/figure.svg",
-    responses={200: {"content": {SVG: {"schema": {"type": "string"}}}}, **problems(404)},
+    responses={
+        200: {"content": {SVG: {"schema": {"type": "string"}}}},
+        **problems(404, 503),
+    },
     response_class=Response,
     summary="The figure of an exercise",
 )
@@ -75,7 +79,13 @@ async def show_figure(
     language = language_of(request)
     with known_exercise():
         figure = await desk_of(request).judge(partial(figure_file, exercise_id, seed, language))
-    return _answer(figure, language, SVG)
+    tag = f'"{hashlib.blake2b(figure, digest_size=12).hexdigest()}"'
+    if request.headers.get("if-none-match") == tag:
+        return Response(status_code=304, headers={"ETag": tag, "Vary": "Accept-Language"})
+    answer = _answer(figure, language, SVG)
+    answer.headers["ETag"] = tag
+    answer.headers["Content-Security-Policy"] = "default-src 'none'; style-src 'unsafe-inline'"
+    return answer
 
 
 @direct.post(
@@ -107,7 +117,7 @@ async def _judged(request: ApiRequest) -> tuple[Instance, Answer, Report]:
     exercise_id = request.path_params["exercise_id"]
     instance_of(exercise_id, None)  # an address at which nothing is comes before what is wrong with the body
     wire: ExerciseAnswer = validated(_ANSWER, await request.json())
-    instance = instance_of(exercise_id, None if wire.seed is None else str(wire.seed))
+    instance = instance_of(exercise_id, wire.seed)
     raw, limits = wire.raw(), request.settings.cell_limits
 
     def work() -> tuple[Instance, Answer, Report]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias
 
-from pydantic import Field
+from pydantic import Field, PlainValidator, WithJsonSchema
+from pydantic_core import PydanticCustomError
 
 from exercises.answers import RawAnswer
 from exercises.definition import PartKind
@@ -26,6 +27,22 @@ from service.schemas.verdicts import (
 CellRow: TypeAlias = Annotated[list[Cell], Field(min_length=4, max_length=4)]
 CellMatrix: TypeAlias = Annotated[
     list[CellRow], Field(min_length=4, max_length=4, description="4×4 of numbers or expressions, row by row")
+]
+
+
+def _seed(value: object) -> str | None:
+    """The seed as text; a whole number is as good."""
+    if value is None or isinstance(value, str):
+        return value
+    if isinstance(value, int) and not isinstance(value, bool):
+        return str(value)
+    raise PydanticCustomError("seed_invalid", "a seed is a text or a whole number")
+
+
+Seed: TypeAlias = Annotated[
+    Any,
+    PlainValidator(_seed),
+    WithJsonSchema({"anyOf": [{"type": "string", "maxLength": 200}, {"type": "integer"}, {"type": "null"}]}),
 ]
 
 
@@ -58,7 +75,7 @@ class ExerciseAnswer(Wire):
     pose: CellMatrix | None = Field(None, description="⁰T_N in numbers, at the exercise's joint values")
     schematic: SchematicModel | None = Field(None, description="joint types, and how neighbouring axes lie")
     workspace: WorkspaceModel | None = Field(None, description="inner and outer radius")
-    seed: str | int | None = Field(None, description="the seed that the student's values were drawn from")
+    seed: Seed = Field(None, description="the seed that the student's values were drawn from")
     help: Help | None = Field(None, description="less help than the exercise allows; more is not given")
 
     def raw(self) -> RawAnswer:

@@ -120,6 +120,9 @@ class CertificateModel(Wire):
     base: Matrix4
     tool: Matrix4
     exact: ExactModel | None
+    parameters: dict[str, Real] = Field(
+        description="values of the parameters for which the numbers above hold, in the submission's units"
+    )
     residual: Real = Field(
         description="largest difference of the two sides, relative to the robot's size or in rad"
     )

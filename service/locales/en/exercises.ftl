@@ -163,6 +163,7 @@ error-schematic_relations_count = { $joints ->
     [one] one pair
    *[other] { $expected } pairs
 } of neighbouring axes. Give one relation for each pair.
+error-seed_invalid = A seed is a text or a whole number.
 error-seed_too_long = A seed has at most { $limit } characters.
 error-exercise_unknown = There is no exercise { $id }. There are { $known }.
 error-language_unknown = { $language } is not spoken here. There are { $known }.

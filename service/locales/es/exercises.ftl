@@ -163,6 +163,7 @@ error-schematic_relations_count = { $joints ->
     [one] un par
    *[other] { $expected } pares
 } de ejes vecinos. Dé una relación por cada par.
+error-seed_invalid = Una semilla es un texto o un número entero.
 error-seed_too_long = Una semilla tiene como máximo { $limit } caracteres.
 error-exercise_unknown = No hay ningún ejercicio { $id }. Hay { $known }.
 error-language_unknown = El idioma { $language } no está disponible aquí. Hay { $known }.

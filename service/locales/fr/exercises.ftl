@@ -163,6 +163,7 @@ error-schematic_relations_count = { $joints ->
     [one] une paire
    *[other] { $expected } paires
 } d'axes voisins. Donnez une relation par paire.
+error-seed_invalid = Une graine est un texte ou un nombre entier.
 error-seed_too_long = Une graine a au plus { $limit } caractères.
 error-exercise_unknown = Il n'y a pas d'exercice { $id }. Il y a { $known }.
 error-language_unknown = La langue { $language } n'est pas proposée ici. Il y a { $known }.

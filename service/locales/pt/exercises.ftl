@@ -163,6 +163,7 @@ error-schematic_relations_count = { $joints ->
     [one] um par
    *[other] { $expected } pares
 } de eixos vizinhos. Dê uma relação para cada par.
+error-seed_invalid = Uma semente é um texto ou um número inteiro.
 error-seed_too_long = Uma semente tem no máximo { $limit } caracteres.
 error-exercise_unknown = Não há exercício { $id }. Há { $known }.
 error-language_unknown = O idioma { $language } não está disponível aqui. Há { $known }.

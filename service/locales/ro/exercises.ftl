@@ -171,6 +171,7 @@ error-schematic_relations_count = { $joints ->
     [few] { $expected } perechi
    *[other] { $expected } de perechi
 } de axe vecine. Dați câte o relație pentru fiecare pereche.
+error-seed_invalid = O sămânță este un text sau un număr întreg.
 error-seed_too_long = O sămânță are cel mult { $limit } caractere.
 error-exercise_unknown = Nu există exercițiul { $id }. Există { $known }.
 error-language_unknown = Limba { $language } nu este disponibilă aici. Există { $known }.

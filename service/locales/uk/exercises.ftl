@@ -170,6 +170,7 @@ error-schematic_relations_count = { $joints ->
     [few] { $expected } пари
    *[other] { $expected } пар
 } сусідніх осей. Подайте одне відношення для кожної пари.
+error-seed_invalid = Зерно — це текст або ціле число.
 error-seed_too_long = Зерно має щонайбільше { $limit } символів.
 error-exercise_unknown = Немає вправи { $id }. Є такі: { $known }.
 error-language_unknown = Мови { $language } тут немає. Є такі: { $known }.

@@ -1,0 +1,285 @@
+"""Exercises over HTTP: list, statement, figure, grading."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+
+from exercises.loader import exercise, exercise_ids
+from service.schemas.examples_grading import ANSWERS, SCARA_BY_THE_BOOK
+
+LANGUAGES = ("en", "es", "fr", "pt", "ro", "uk")
+PUMA_BY_CRAIG = {
+    "convention": "modified",
+    "angle_unit": "deg",
+    "rows": [
+        {"alpha": 0, "a": 0, "d": 0, "theta": "q1"},
+        {"alpha": -90, "a": 0, "d": 0, "theta": "q2"},
+        {"alpha": 0, "a": "a2", "d": "d3", "theta": "q3"},
+        {"alpha": -90, "a": "a3", "d": "d4", "theta": "q4"},
+        {"alpha": 90, "a": 0, "d": 0, "theta": "q5"},
+        {"alpha": -90, "a": 0, "d": 0, "theta": "q6"},
+    ],
+}
+
+
+def grade(client: httpx.Client, exercise_id: str, body: Any, **headers: str) -> httpx.Response:
+    return client.post(f"/api/v1/exercises/{exercise_id}/grade", json=body, headers=headers)
+
+
+def test_the_list_names_sixteen_exercises_in_every_language(client: httpx.Client) -> None:
+    titles = set()
+    for language in LANGUAGES:
+        answer = client.get("/api/v1/exercises", params={"lang": language})
+        assert answer.headers["content-language"] == language
+        body = answer.json()
+        assert [entry["id"] for entry in body["exercises"]] == list(exercise_ids())
+        assert body["languages"] == list(LANGUAGES)
+        titles.add(next(entry["title"] for entry in body["exercises"] if entry["id"] == "cloos"))
+        assert all(entry["summary"].endswith(".") for entry in body["exercises"])
+    assert len(titles) == 6
+
+
+def test_accept_language_decides_unless_the_address_does(client: httpx.Client) -> None:
+    header = {"Accept-Language": "uk;q=0.9, de"}
+    assert client.get("/api/v1/exercises/dmra", headers=header).json()["language"] == "uk"
+    assert client.get("/api/v1/exercises/dmra?lang=ro", headers=header).json()["language"] == "ro"
+    refused = client.get("/api/v1/exercises/dmra?lang=de")
+    assert (refused.status_code, refused.json()["code"], refused.json()["errors"][0]["in"]) == (
+        422,
+        "language_unknown",
+        "query",
+    )
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("exercise_id", exercise_ids())
+def test_an_exercise_tells_all_that_a_student_needs(
+    client: httpx.Client, exercise_id: str, language: str
+) -> None:
+    body = client.get(f"/api/v1/exercises/{exercise_id}", params={"lang": language, "seed": "4"}).json()
+    found = exercise(exercise_id)
+    assert body["title"] == found.titles[language]
+    assert body["statement"]["html"].startswith("<p>")
+    assert set(body["parameters"]) == {parameter.name for parameter in found.parameters}
+    assert [part["kind"] for part in body["parts"]] == [part.kind for part in found.parts]
+    assert all(part["task"] and "{" not in part["task"] for part in body["parts"])
+    assert len(body["rules"]) == 5
+    assert all("{" not in rule and rule.endswith(".") for rule in body["rules"])
+    assert body["points"] == 100
+    assert len(body["joints"]) == len(body["figure"]["axes"]) == found.reference.table.n_joints
+    assert body["figure"]["description"].count(".") > 4
+    assert {entry["name"] for entry in body["figure"]["dimensions"]} == set(body["parameters"])
+
+
+@pytest.mark.parametrize("exercise_id", exercise_ids())
+def test_the_key_is_never_told(client: httpx.Client, exercise_id: str) -> None:
+    body = client.get(f"/api/v1/exercises/{exercise_id}").json()
+    del body["policy"]
+    names = set(re.findall(r'"(\w+)":', json.dumps(body)))
+    assert not names & {
+        "reference",
+        "table",
+        "rows",
+        "alpha",
+        "theta",
+        "base",
+        "posture",
+        "frames",
+        "frame",
+        "key",
+    }
+    assert all(max(axis["direction"], key=abs) > 0 for axis in body["figure"]["axes"])
+
+
+def test_values_follow_the_seed(client: httpx.Client) -> None:
+    def parameters(query: str) -> Any:
+        return client.get(f"/api/v1/exercises/puma560{query}").json()["parameters"]
+
+    assert parameters("") == {"a2": 0.4318, "a3": 0.0203, "d3": 0.15005, "d4": 0.4318}
+    assert parameters("?seed=7") == parameters("?seed=7") != parameters("")
+    assert len({json.dumps(parameters(f"?seed={seed}")) for seed in range(20)}) > 15
+    too_long = client.get("/api/v1/exercises/puma560", params={"seed": "x" * 201})
+    assert too_long.status_code == 422
+
+
+@pytest.mark.parametrize("path", ["", "/figure.svg"])
+def test_an_unknown_exercise_is_an_address_at_which_nothing_is(client: httpx.Client, path: str) -> None:
+    answer = client.get(f"/api/v1/exercises/r2d2{path}")
+    assert (answer.status_code, answer.json()["code"]) == (404, "exercise_unknown")
+    assert grade(client, "r2d2", {}).status_code == 404
+    assert grade(client, "r2d2", {"colour": 1}).status_code == 404
+
+
+@pytest.mark.parametrize("exercise_id", ["puma560", "scara", "rx90"])
+def test_the_figure_is_svg_in_the_readers_language(client: httpx.Client, exercise_id: str) -> None:
+    for language in LANGUAGES:
+        answer = client.get(f"/api/v1/exercises/{exercise_id}/figure.svg", params={"lang": language})
+        assert answer.headers["content-type"] == "image/svg+xml"
+        assert f'lang="{language}"' in answer.text
+        assert exercise(exercise_id).titles[language] in answer.text
+
+
+def test_a_figure_is_not_sent_twice(client: httpx.Client) -> None:
+    first = client.get("/api/v1/exercises/uw/figure.svg")
+    again = client.get("/api/v1/exercises/uw/figure.svg", headers={"If-None-Match": first.headers["etag"]})
+    assert (again.status_code, again.content) == (304, b"")
+    other = client.get(
+        "/api/v1/exercises/uw/figure.svg?lang=fr", headers={"If-None-Match": first.headers["etag"]}
+    )
+    assert other.status_code == 200
+
+
+def test_the_figures_style_may_be_applied(client: httpx.Client) -> None:
+    """Opened by itself, the figure follows the reader's dark scheme: its policy must allow its own style."""
+    policy = client.get("/api/v1/exercises/uw/figure.svg").headers["content-security-policy"]
+    assert "style-src 'unsafe-inline'" in policy
+    assert "default-src 'none'" in policy
+
+
+def test_puma_in_craigs_form_is_right(client: httpx.Client) -> None:
+    for seed in (None, "3", 17):
+        body = grade(client, "puma560", {"table": PUMA_BY_CRAIG, "seed": seed}).json()
+        assert (body["correct"], body["score"], body["basis"]) == (True, 1.0, "proved")
+        assert body["seed"] == (None if seed is None else str(seed))
+        assert body["parts"]["table"]["points"] == 35
+        assert body["total"]["score"] == 0.35
+        assert body["total"]["missing"] == ["schematic", "link_matrices", "transform", "pose", "workspace"]
+
+
+def test_puma_in_numbers_is_right_for_its_own_seed_only(client: httpx.Client) -> None:
+    values = client.get("/api/v1/exercises/puma560?seed=7").json()["parameters"]
+    rows = [{name: values.get(cell, cell) for name, cell in row.items()} for row in PUMA_BY_CRAIG["rows"]]
+    table = {**PUMA_BY_CRAIG, "rows": rows}
+    assert grade(client, "puma560", {"table": table, "seed": "7"}).json()["correct"]
+    assert not grade(client, "puma560", {"table": table}).json()["correct"]
+
+
+def test_every_part_of_the_answer_is_judged(client: httpx.Client) -> None:
+    body = grade(client, "scara", ANSWERS["all parts"]).json()
+    scores = {kind: part["score"] for kind, part in body["parts"].items()}
+    assert scores == {"schematic": 1, "table": 1, "link_matrices": 0.75, "transform": 1, "workspace": 1}
+    assert body["parts"]["link_matrices"]["facts"][3] == {"where": [3], "finding": "missing"}
+    assert body["total"]["points"] == pytest.approx(15 + 35 + 11.25 + 15 + 10)
+    assert body["help"] == "kind"
+
+
+def test_an_accepted_answer_shows_the_key_in_the_figure(client: httpx.Client) -> None:
+    right = grade(client, "scara", {"table": SCARA_BY_THE_BOOK}).json()
+    assert set(right["figure"]) == {"base", "posture", "directions"}
+    assert np.array(right["figure"]["base"]).shape == (4, 4)
+    wrong = {
+        **SCARA_BY_THE_BOOK,
+        "rows": [{**SCARA_BY_THE_BOOK["rows"][0], "alpha": 90}, *SCARA_BY_THE_BOOK["rows"][1:]],
+    }
+    assert grade(client, "scara", {"table": wrong}).json()["figure"] is None
+
+
+def test_parts_alone_are_judged_without_a_table(client: httpx.Client) -> None:
+    body = grade(client, "scara", {"workspace": {"inner": 0.1, "outer": 0.9}}).json()
+    assert (body["correct"], body["score"], body["basis"], body["certificate"]) == (False, 0.5, None, None)
+    assert set(body["parts"]) == {"workspace"}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_feedback_is_spoken_in_every_language(client: httpx.Client, language: str) -> None:
+    matrix = [["c1", "s1", 0, "-a2"], ["-s1", "c1", 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    wrong = {
+        **SCARA_BY_THE_BOOK,
+        "rows": [{**SCARA_BY_THE_BOOK["rows"][0], "alpha": 90}, *SCARA_BY_THE_BOOK["rows"][1:]],
+    }
+    answer = grade(
+        client,
+        "scara",
+        {
+            "table": wrong,
+            "link_matrices": [matrix, None, None, None],
+            "workspace": {"inner": 0.9, "outer": 0.9},
+            "schematic": {"joints": ["revolute"], "relations": []},
+        },
+        **{"Accept-Language": language},
+    )
+    assert answer.headers["content-language"] == language
+    body = answer.json()
+    for entry in told(body):
+        assert entry["message"] != entry["code"]
+        assert "{" not in entry["message"]
+
+
+def told(body: Any) -> Iterator[Any]:
+    yield from body["feedback"]
+    for repair in body["repairs"]:
+        yield from repair["edits"]
+    for part in body["parts"].values():
+        yield from part["feedback"]
+
+
+@pytest.mark.parametrize(
+    ("body", "code", "pointer"),
+    [
+        ({}, "answer_empty", ""),
+        ({"table": {**SCARA_BY_THE_BOOK, "rows": []}}, "table_empty", "/table/rows"),
+        (
+            {"table": {**SCARA_BY_THE_BOOK, "rows": [{"theta": "(q1", "d": 0, "a": 0, "alpha": 0}]}},
+            "parenthesis_not_closed",
+            "/table/rows/0/theta",
+        ),
+        ({"table": SCARA_BY_THE_BOOK, "colour": 1}, "field_unknown", "/colour"),
+        ({"transform": [[1, 2, 3]]}, "list_too_short", "/transform/0"),
+        (
+            {"transform": [["#", 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]},
+            "character_not_allowed",
+            "/transform/0/0",
+        ),
+        ({"pose": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}, "pose_needs_table", "/pose"),
+        (
+            {"schematic": {"joints": ["revolute"], "relations": ["parallel"]}},
+            "schematic_relations_count",
+            "/schematic/relations",
+        ),
+        ({"schematic": {"joints": ["screw"], "relations": []}}, "value_not_allowed", "/schematic/joints/0"),
+        ({"workspace": {"inner": "#", "outer": 1}}, "character_not_allowed", "/workspace/inner"),
+        ({"table": SCARA_BY_THE_BOOK, "help": "all"}, "value_not_allowed", "/help"),
+        ({"table": SCARA_BY_THE_BOOK, "seed": "x" * 201}, "seed_too_long", "/seed"),
+        ({"table": SCARA_BY_THE_BOOK, "seed": 1.5}, "seed_invalid", "/seed"),
+        ([], "body_not_object", ""),
+    ],
+)
+def test_what_cannot_be_graded_costs_no_attempt(
+    client: httpx.Client, body: Any, code: str, pointer: str
+) -> None:
+    answer = grade(client, "scara", body)
+    problem = answer.json()
+    assert answer.headers["content-type"] == "application/problem+json"
+    assert answer.status_code == 422
+    assert (problem["code"], problem["pointer"]) == (code, pointer)
+    assert problem["attempt_counted"] is False
+    assert problem["note"] == "This answer was not graded and costs no attempt."
+
+
+def test_a_body_that_is_not_json_costs_no_attempt(client: httpx.Client) -> None:
+    answer = client.post(
+        "/api/v1/exercises/scara/grade",
+        content=b"{",
+        headers={"Content-Type": "application/json", "Accept-Language": "fr"},
+    )
+    assert (answer.status_code, answer.json()["attempt_counted"]) == (400, False)
+    assert answer.json()["note"] == "Cette réponse n'a pas été notée et ne coûte aucun essai."
+
+
+def test_less_help_may_be_asked_for(client: httpx.Client) -> None:
+    wrong = {
+        **SCARA_BY_THE_BOOK,
+        "rows": [{**SCARA_BY_THE_BOOK["rows"][0], "alpha": 90}, *SCARA_BY_THE_BOOK["rows"][1:]],
+    }
+    for level, repairs, rows in (("verdict", 0, False), ("row", 0, True), ("repair", 1, True)):
+        body = grade(client, "scara", {"table": wrong, "help": level}).json()
+        assert body["help"] == level
+        assert bool(body["repairs"]) is bool(repairs)
+        assert any(entry["row"] for entry in body["feedback"]) is rows
