@@ -67,7 +67,7 @@ class Reader(Generic[Question]):
         """
         request.body_limit = request.settings.batch_body_limit
         preparation: Preparation = request.scope["app"].state.preparation
-        if request.fields.get(b"content-type", b"").startswith(_NPY):
+        if request.fields.get(b"content-type", b"").partition(b";")[0].strip().lower() == _NPY:
             return await self._from_npy(request, preparation)
         body = await request.json(NPY)
         if len(await request.body()) >= LARGE_BODY:

@@ -35,7 +35,11 @@ def decode_json(body: bytes) -> Any:
         if body.startswith(_BYTE_ORDER_MARK):
             return decode_json(body[len(_BYTE_ORDER_MARK) :])
         raise BodyError(_syntax_faults(body, error)) from None
-    if body.count(b'"') != _quotes_written(value, body):
+    try:
+        quotes = _quotes_written(value, body)
+    except (RecursionError, orjson.JSONEncodeError):  # what can be read may be too deep to be walked again
+        raise BodyError(_too_deep()) from None
+    if body.count(b'"') != quotes:
         raise BodyError(
             Fault(
                 code="json_duplicate_key",
@@ -50,9 +54,10 @@ def decode_json(body: bytes) -> Any:
 
 def _quotes_written(value: Any, body: bytes) -> int:
     """How many quotation marks the value needs: fewer than the body has when a key was overwritten."""
+    written = orjson.dumps(value)
     if b"\\" in body:
         return body.count(b'"') if next(_duplicates(body), None) is None else -1
-    return orjson.dumps(value).count(b'"')
+    return written.count(b'"')
 
 
 def _duplicates(body: bytes) -> Iterator[tuple[str | int, ...]]:
@@ -119,9 +124,13 @@ def _syntax_fault(body: bytes, error: orjson.JSONDecodeError) -> Fault:
     if _UTF8_MESSAGE in error.msg:
         return Fault(code="json_not_utf8", message="the body is not UTF-8, as JSON must be")
     if _DEPTH_MESSAGE in error.msg:
-        return Fault(code="json_too_deep", message="the JSON document is nested too deeply")
+        return _too_deep()
     return Fault(
         code="json_invalid",
         message=f"the body is not JSON: {error.msg} at line {error.lineno}, column {error.colno}",
         params={"line": error.lineno, "column": error.colno, "reason": error.msg},
     )
+
+
+def _too_deep() -> Fault:
+    return Fault(code="json_too_deep", message="the JSON document is nested too deeply")

@@ -22,6 +22,8 @@ from service.errors import BodyError
 _MAGIC = b"\x93NUMPY"
 _LENGTH_BYTES = {(1, 0): 2, (2, 0): 4, (3, 0): 4}
 _LONGEST_HEADER = 4096
+_MOST_DIMENSIONS = 32
+_LARGEST_SIZE = 2**63 - 1
 _NUMBER = re.compile(r"[<>|=]?(f[248]|[iu][1248])")
 _OBJECT = re.compile(r"[<>|=]?O\d*")
 _RULES = {
@@ -31,7 +33,7 @@ _RULES = {
     "literal": "its header must be a dictionary written in Python",
     "keys": "its header must name descr, fortran_order and shape",
     "order": "fortran_order must be True or False",
-    "shape": "its shape must be a tuple of sizes",
+    "shape": "its shape must be a tuple of sizes that an array can have",
 }
 _KEYS = {"descr", "fortran_order", "shape"}
 
@@ -59,7 +61,10 @@ def read_npy(body: bytes) -> NDArray[np.float64]:
             )
         )
     flat = np.frombuffer(body, dtype=dtype, offset=start)
-    array = flat.reshape(shape, order="F" if header["fortran_order"] else "C")
+    try:
+        array = flat.reshape(shape, order="F" if header["fortran_order"] else "C")
+    except ValueError:  # no data, because one size is 0; and another is absurd
+        raise _invalid("shape") from None
     return np.ascontiguousarray(array, dtype=np.float64).reshape(shape)
 
 
@@ -117,7 +122,9 @@ def _dtype(description: object) -> np.dtype[Any]:
 
 
 def _shape(shape: object) -> tuple[int, ...]:
-    if not isinstance(shape, tuple) or not all(type(size) is int and size >= 0 for size in shape):
+    if not isinstance(shape, tuple) or len(shape) > _MOST_DIMENSIONS:
+        raise _invalid("shape")
+    if not all(type(size) is int and 0 <= size <= _LARGEST_SIZE for size in shape):
         raise _invalid("shape")
     return shape
 

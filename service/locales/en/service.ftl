@@ -81,7 +81,7 @@ error-npy_header_invalid =
         [literal] its header must be a dictionary written in Python
         [keys] its header must name descr, fortran_order and shape
         [order] fortran_order must be True or False
-       *[shape] its shape must be a tuple of sizes
+       *[shape] its shape must be a tuple of sizes that an array can have
     }.
 error-npy_length_mismatch = The npy header promises { $promised } bytes of data; { $present } follow it.
 error-npy_object_refused = The npy file holds Python objects, which are never unpickled. Send an array of numbers.

@@ -81,7 +81,7 @@ error-npy_header_invalid =
         [literal] su cabecera debe ser un diccionario escrito en Python
         [keys] su cabecera debe nombrar descr, fortran_order y shape
         [order] fortran_order debe ser True o False
-       *[shape] shape debe ser una tupla de dimensiones
+       *[shape] shape debe ser una tupla de dimensiones que pueda tener un array
     }.
 error-npy_length_mismatch = La cabecera npy promete { $promised } bytes de datos; le siguen { $present }.
 error-npy_object_refused = El archivo npy contiene objetos de Python, que nunca se deserializan. Envíe una matriz de números.

@@ -81,7 +81,7 @@ error-npy_header_invalid =
         [literal] son en-tête doit être un dictionnaire écrit en Python
         [keys] son en-tête doit nommer descr, fortran_order et shape
         [order] fortran_order doit valoir True ou False
-       *[shape] shape doit être un n-uplet de dimensions
+       *[shape] shape doit être un n-uplet de dimensions qu’un tableau peut avoir
     }.
 error-npy_length_mismatch = L’en-tête npy promet { $promised } octets de données ; il en suit { $present }.
 error-npy_object_refused = Le fichier npy contient des objets Python, qui ne sont jamais désérialisés. Envoyez un tableau de nombres.

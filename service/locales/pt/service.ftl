@@ -81,7 +81,7 @@ error-npy_header_invalid =
         [literal] o cabeçalho tem de ser um dicionário escrito em Python
         [keys] o cabeçalho tem de indicar descr, fortran_order e shape
         [order] fortran_order tem de ser True ou False
-       *[shape] shape tem de ser um tuplo de dimensões
+       *[shape] shape tem de ser um tuplo de dimensões que um array possa ter
     }.
 error-npy_length_mismatch = O cabeçalho npy promete { $promised } bytes de dados; seguem-se { $present }.
 error-npy_object_refused = O ficheiro npy contém objetos Python, que nunca são desserializados. Envie uma matriz de números.

@@ -85,7 +85,7 @@ error-npy_header_invalid =
         [literal] antetul trebuie să fie un dicționar scris în Python
         [keys] antetul trebuie să numească descr, fortran_order și shape
         [order] fortran_order trebuie să fie True sau False
-       *[shape] shape trebuie să fie un tuplu de dimensiuni
+       *[shape] shape trebuie să fie un tuplu de dimensiuni pe care le poate avea un tablou
     }.
 error-npy_length_mismatch = Antetul npy promite { $promised } octeți de date; urmează { $present }.
 error-npy_object_refused = Fișierul npy conține obiecte Python, care nu sunt niciodată deserializate. Trimiteți un tablou de numere.

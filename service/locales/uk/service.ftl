@@ -85,7 +85,7 @@ error-npy_header_invalid =
         [literal] його заголовок має бути словником, записаним мовою Python
         [keys] його заголовок має називати descr, fortran_order і shape
         [order] fortran_order має бути True або False
-       *[shape] shape має бути кортежем розмірів
+       *[shape] shape має бути кортежем розмірів, які може мати масив
     }.
 error-npy_length_mismatch = Заголовок npy обіцяє { $promised } байт даних; за ним іде { $present }.
 error-npy_object_refused = Файл npy містить об’єкти Python, які ніколи не десеріалізуються. Надішліть масив чисел.
