@@ -1,0 +1,102 @@
+"""Inverse kinematics between the wire and the domain."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+from anyio.to_thread import run_sync
+
+from kinematics.inverse import IKSolution, InverseKinematics, NearestPose, inverse_kinematics, solver_of
+from kinematics.table import NumericTable
+from service.errors import located
+from service.preparation import Robot
+from service.schemas.inverse_kinematics import (
+    InverseKinematicsAnswer,
+    InverseKinematicsRequest,
+    Limits,
+    Nearest,
+    Solution,
+)
+from service.workers import Lane, Workers
+
+JointRanges: TypeAlias = list[tuple[float | None, float | None] | None]
+Matrix: TypeAlias = list[list[float]]
+
+
+async def solved(
+    request: InverseKinematicsRequest, robot: Robot, workers: Workers
+) -> InverseKinematicsAnswer:
+    """The joint values that reach a target: by a closed form at once, else by a search in a worker process.
+
+    Raises:
+        KinematicsError: malformed limits or poses, or a table that inverse kinematics does not take.
+        ServiceError: no place for a search, or it took too long.
+    """
+    ranges = joint_ranges(request.limits, robot)
+    with located("table"):
+        solver_of(robot.table)
+    solver = solver_of(robot.table, base=request.base, tool=request.tool, limits=ranges)
+    answer = await run_sync(solver.solve_directly, request.target)
+    if answer is None:
+        question = (robot.table, request.target, request.base, request.tool, ranges)
+        answer = await workers.run(Lane.SLOW, _search, *question)
+    return _answer(answer, robot)
+
+
+def joint_ranges(limits: Limits | None, robot: Robot) -> JointRanges | None:
+    """Limits of a request in [rad] and length units, as many as were given."""
+    if limits is None:
+        return None
+    units = [*robot.joint_units, *[1.0] * len(limits)]
+    return [
+        None if pair is None else (_scaled(pair[0], unit), _scaled(pair[1], unit))
+        for pair, unit in zip(limits, units, strict=False)
+    ]
+
+
+def _scaled(value: float | None, unit: float) -> float | None:
+    return None if value is None else value * unit
+
+
+def _search(
+    table: NumericTable, target: Matrix, base: Matrix | None, tool: Matrix | None, ranges: JointRanges | None
+) -> InverseKinematics:
+    """What a worker process does."""
+    return inverse_kinematics(table, target, base=base, tool=tool, limits=ranges)
+
+
+def _answer(answer: InverseKinematics, robot: Robot) -> InverseKinematicsAnswer:
+    nearest = answer.nearest
+    return InverseKinematicsAnswer(
+        angle_unit=robot.read.angle_unit.value,
+        length_unit=robot.read.length_unit.value,
+        status=answer.status,
+        complete=answer.complete,
+        method=answer.method,
+        solutions=[
+            Solution(**_reached(solution, robot), isolation=solution.isolation)
+            for solution in answer.solutions
+        ],
+        nearest=None if nearest is None else _nearest(nearest, robot),
+        reason=answer.reason,
+        outside_limits=answer.outside_limits,
+    )
+
+
+def _nearest(nearest: NearestPose, robot: Robot) -> Nearest:
+    return Nearest(**_reached(nearest, robot), transform=(nearest.transform + 0.0).tolist())
+
+
+def _reached(found: IKSolution | NearestPose, robot: Robot) -> dict[str, Any]:
+    return {
+        "joints": _in_units(found.joints, robot),
+        "residual": float(np.hypot(found.position_error, found.orientation_error)),
+        "position_error": found.position_error,
+        "orientation_error": found.orientation_error / robot.angle,
+    }
+
+
+def _in_units(joints: Sequence[float], robot: Robot) -> list[float]:
+    return [value / unit + 0.0 for value, unit in zip(joints, robot.joint_units, strict=True)]

@@ -1,0 +1,6 @@
+# Modèle géométrique inverse.
+
+error-inverse_joint_count = Le modèle géométrique inverse accepte de 1 à { $limit } articulations ; ce tableau en a { $count }.
+error-limits_wrong_length = Le bras a { $expected } articulations, mais { $given } butées ont été données ; donnez-en une par articulation, null là où il n’y en a pas.
+error-limits_reversed = Les butées de l’articulation { $joint } sont sa valeur minimale puis sa valeur maximale, dans cet ordre.
+error-targets_wrong_shape = Plusieurs situations à atteindre se donnent comme une liste de matrices 4×4.

@@ -1,0 +1,6 @@
+# Cinemática inversa.
+
+error-inverse_joint_count = A cinemática inversa admite de 1 a { $limit } juntas; esta tabela tem { $count }.
+error-limits_wrong_length = O braço tem { $expected } juntas, mas foram dados { $given } limites; dê um para cada junta, null onde não houver limite.
+error-limits_reversed = Os limites da junta { $joint } são o valor mínimo e o valor máximo, nesta ordem.
+error-targets_wrong_shape = Vários alvos são dados como uma lista de matrizes 4×4.

@@ -1,0 +1,52 @@
+"""Poses to joint values."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from fastapi import Body, Request
+
+from service.inverse import solved
+from service.openapi import problems
+from service.preparation import Preparation
+from service.routing import api_router
+from service.schemas import examples
+from service.schemas.inverse_kinematics import InverseKinematicsAnswer, InverseKinematicsRequest
+
+router = api_router("kinematics")
+
+_TARGET = [[0, 0, 1, 0.5], [0, -1, 0, 0.2], [1, 0, 0, 0.3], [0, 0, 0, 1]]
+_EXAMPLES = {
+    "PUMA 560: all eight": {"table": examples.PUMA_560, "target": _TARGET},
+    "PUMA 560: within limits": {
+        "robot": "puma560",
+        "target": _TARGET,
+        "limits": [[-160, 160], [-225, 45], [-45, 225], [-110, 170], [-100, 100], [-266, 266]],
+    },
+    "two links: out of reach, so the nearest pose": {
+        "table": examples.TWO_LINKS,
+        "parameters": {"L1": 0.5, "L2": 0.3},
+        "target": [[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
+    },
+}
+
+
+@router.post(
+    "/inverse-kinematics",
+    summary="A pose to the joint values that reach it",
+    response_model_exclude_none=True,
+    responses=problems(400, 413, 415, 422, 503),
+)
+async def inverse_kinematics(
+    request: Request,
+    body: Annotated[InverseKinematicsRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+) -> InverseKinematicsAnswer:
+    """All distinct solutions of arms that have a closed form, and of other arms those that a search finds.
+
+    Closed forms: most arms of five and six turning joints with a wrist or parallel axes, arms of up to four
+    joints of any kind, and up to three joints of any kind before a wrist. Others, of up to twelve joints, are
+    searched from many starts. Every residual is that of the forward kinematics. Unreachable and singular are
+    results.
+    """
+    preparation: Preparation = request.app.state.preparation
+    return await solved(body, preparation.prepare(body), request.app.state.workers)

@@ -1,0 +1,70 @@
+"""POST /inverse-kinematics on the wire."""
+
+from __future__ import annotations
+
+from typing import Annotated, TypeAlias
+
+from pydantic import Field
+
+from kinematics.inverse.results import IKStatus, Isolation, Method, UnreachableReason
+from service.schemas.base import Matrix4, Real, Wire
+from service.schemas.robots import RobotQuestion
+from service.schemas.tables import Units
+
+Limit: TypeAlias = Annotated[list[Real | None], Field(min_length=2, max_length=2)]
+Limits: TypeAlias = Annotated[
+    list[Limit | None],
+    Field(
+        max_length=64,
+        description="[least, greatest] of each joint in joint order, in the table's units; "
+        "null for a joint or an end without a limit",
+    ),
+]
+
+
+class InverseKinematicsRequest(RobotQuestion):
+    """A robot, and a pose for its tool to reach."""
+
+    target: Matrix4 = Field(description="the wanted pose of the tool in the world")
+    limits: Limits | None = None
+    base: Matrix4 | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: Matrix4 | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+
+
+class Solution(Wire):
+    """One way to reach the target."""
+
+    joints: list[Real] = Field(
+        description="q_1 … q_n in the table's units; of several turns the one nearest 0"
+    )
+    residual: Real = Field(
+        description="√(position_error² + angle²), the angle always in radians, by forward kinematics"
+    )
+    position_error: Real = Field(description="distance from the target")
+    orientation_error: Real = Field(description="angle from the target, in the answer's angle unit")
+    isolation: Isolation = Field(description="continuum: it can be moved while the target stays reached")
+
+
+class Nearest(Wire):
+    """The configuration within the limits that comes nearest to an unreachable target."""
+
+    joints: list[Real] = Field(description="q_1 … q_n, in the table's units")
+    transform: Matrix4 = Field(description="the pose there")
+    residual: Real = Field(description="√(position_error² + angle²), the angle always in radians")
+    position_error: Real = Field(description="its distance from the target")
+    orientation_error: Real = Field(description="its angle from the target, in the answer's angle unit")
+
+
+class InverseKinematicsAnswer(Units):
+    """Unreachable and singular are results."""
+
+    status: IKStatus = Field(
+        description="solved; singular: infinitely many solutions of an arm without a spare joint, "
+        "some of them returned; unreachable: none within the limits"
+    )
+    complete: bool = Field(description="whether these are all solutions within the limits")
+    method: Method = Field(description="closed_form finds all solutions, search as many as it does")
+    solutions: list[Solution]
+    nearest: Nearest | None = Field(None, description="if unreachable: the nearest pose")
+    reason: UnreachableReason | None = Field(None, description="if unreachable: why")
+    outside_limits: int = Field(description="solutions that were found outside the limits")

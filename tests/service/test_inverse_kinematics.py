@@ -1,0 +1,171 @@
+"""POST /inverse-kinematics over HTTP."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+
+from kinematics.catalogue import robot, robot_ids
+from kinematics.cells import bind_parameters
+from kinematics.forward import end_pose
+from kinematics.table import JointType
+from service.schemas.examples import PUMA_560
+
+URL = "/api/v1/inverse-kinematics"
+
+
+def asked(client: httpx.Client, **body: Any) -> dict[str, Any]:
+    response = client.post(URL, json=body)
+    assert response.status_code == 200, response.text
+    answer: dict[str, Any] = response.json()
+    return answer
+
+
+def forward(client: httpx.Client, **body: Any) -> np.ndarray:
+    response = client.post("/api/v1/forward-kinematics", json=body)
+    assert response.status_code == 200, response.text
+    return np.array(response.json()["transform"])
+
+
+def test_puma_over_http(client: httpx.Client) -> None:
+    joints = [20, -40, 70, 30, 50, -80]
+    target = forward(client, table=PUMA_560, joints=joints)
+    answer = asked(client, table=PUMA_560, target=target.tolist())
+    assert answer["status"] == "solved"
+    assert answer["complete"] is True
+    assert answer["method"] == "closed_form"
+    assert answer["angle_unit"] == "deg"
+    assert len(answer["solutions"]) == 8
+    assert "nearest" not in answer
+    for solution in answer["solutions"]:
+        assert solution["residual"] <= 1e-9
+        assert np.abs(forward(client, table=PUMA_560, joints=solution["joints"]) - target).max() <= 1e-9
+    assert min(np.abs(np.array(s["joints"]) - joints).max() for s in answer["solutions"]) < 1e-6
+
+
+@pytest.mark.parametrize("robot_id", robot_ids())
+def test_every_robot_of_the_catalogue(client: httpx.Client, robot_id: str) -> None:
+    entry = robot(robot_id)
+    table = bind_parameters(entry.table, entry.parameters)
+    q = [0.1 if j is JointType.PRISMATIC else 0.3 + 0.2 * i for i, j in enumerate(table.joint_types)]
+    target = end_pose(table, q)
+    answer = asked(client, robot=robot_id, target=target.tolist())
+    assert answer["status"] == "solved"
+    assert answer["complete"] is (table.n_joints <= 6)
+    for solution in answer["solutions"]:
+        reached = forward(client, robot=robot_id, joints=solution["joints"])
+        assert np.abs(reached - target).max() <= 1e-8 * max(1.0, np.abs(target).max())
+
+
+def test_limits_in_the_units_of_the_table(client: httpx.Client) -> None:
+    joints = [20, -40, 70, 30, 50, -80]
+    target = forward(client, table=PUMA_560, joints=joints).tolist()
+    limits = [[0, 90], [-90, None], None, [None, 90], [0, 180], [-90, 0]]
+    answer = asked(client, table=PUMA_560, target=target, limits=limits)
+    assert len(answer["solutions"]) == 1
+    assert np.allclose(answer["solutions"][0]["joints"], joints, atol=1e-6)
+    assert answer["outside_limits"] == 7
+    tight = asked(client, table=PUMA_560, target=target, limits=[[21, 22], *[None] * 5])
+    assert tight["status"] == "unreachable"
+    assert tight["reason"] == "joint_limits"
+    assert 21 <= tight["nearest"]["joints"][0] <= 22
+
+
+def test_singular_and_unreachable_are_results(client: httpx.Client) -> None:
+    target = forward(client, table=PUMA_560, joints=[20, -40, 70, 30, 0, -80]).tolist()
+    answer = asked(client, table=PUMA_560, target=target)
+    assert answer["status"] == "singular"
+    assert answer["complete"] is False
+    assert {"isolated", "continuum"} == {solution["isolation"] for solution in answer["solutions"]}
+    target[0][3] = 5.0
+    answer = asked(client, table=PUMA_560, target=target)
+    assert answer["status"] == "unreachable"
+    assert answer["reason"] == "out_of_reach"
+    assert answer["solutions"] == []
+    nearest = answer["nearest"]
+    reached = forward(client, table=PUMA_560, joints=nearest["joints"])
+    assert np.allclose(reached, nearest["transform"], atol=1e-9)
+    assert nearest["position_error"] == pytest.approx(
+        np.linalg.norm(reached[:3, 3] - np.array(target)[:3, 3])
+    )
+
+
+def test_base_tool_and_parameters(client: httpx.Client) -> None:
+    table = {
+        "convention": "modified",
+        "length_unit": "mm",
+        "rows": [
+            {"alpha": 0, "a": 0, "d": "H", "theta": "q1"},
+            {"alpha": 0, "a": "A", "d": 0, "theta": "q2"},
+            {"alpha": 0, "a": "B", "d": "q3", "theta": 0, "joint": "prismatic"},
+            {"alpha": 0, "a": 0, "d": 0, "theta": "q4"},
+        ],
+    }
+    question = {
+        "table": table,
+        "parameters": {"H": 300, "A": 400, "B": 250},
+        "base": [[0, -1, 0, 10], [1, 0, 0, 20], [0, 0, 1, 30], [0, 0, 0, 1]],
+        "tool": [[1, 0, 0, 0], [0, -1, 0, 0], [0, 0, -1, 50], [0, 0, 0, 1]],
+    }
+    target = forward(client, **question, joints=[0.3, 0.9, -60.0, 0.4])
+    answer = asked(client, **question, target=target.tolist())
+    assert answer["complete"] is True
+    assert len(answer["solutions"]) == 2
+    assert answer["length_unit"] == "mm"
+    for solution in answer["solutions"]:
+        assert np.abs(forward(client, **question, joints=solution["joints"]) - target).max() < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("change", "code", "pointer"),
+    [
+        ({"target": [[1, 0], [0, 1]]}, "pose_wrong_shape", "/target"),
+        (
+            {"target": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]},
+            "pose_not_orthonormal",
+            "/target",
+        ),
+        ({"limits": [[0, 1]]}, "limits_wrong_length", "/limits"),
+        ({"limits": [[1, 0], *[None] * 5]}, "limits_reversed", "/limits/0"),
+        ({"limits": [None] * 9}, "limits_wrong_length", "/limits"),
+        ({"limits": [[0, 1, 2], *[None] * 5]}, "list_too_long", "/limits/0"),
+        ({"tool": [[1]]}, "pose_wrong_shape", "/tool"),
+        ({"robot": "puma560"}, "table_or_robot", ""),
+    ],
+)
+def test_refusals(client: httpx.Client, change: dict[str, Any], code: str, pointer: str) -> None:
+    body = {"table": PUMA_560, "target": np.eye(4).tolist(), **change}
+    response = client.post(URL, json=body, headers={"Accept-Language": "ro"})
+    assert response.status_code == 422
+    problem = response.json()
+    assert problem["code"] == code
+    assert problem["pointer"] == pointer
+
+
+def test_too_many_joints(client: httpx.Client) -> None:
+    row = {"joint": "revolute", "alpha": 0.3, "a": 0.1, "d": 0, "theta": 0}
+    table = {"convention": "standard", "rows": [row] * 13}
+    response = client.post(URL, json={"table": table, "target": np.eye(4).tolist()})
+    assert response.status_code == 422
+    assert response.json()["code"] == "inverse_joint_count"
+    assert response.json()["pointer"] == "/table/rows"
+
+
+def test_a_search_runs_in_a_worker(client: httpx.Client) -> None:
+    rows = [
+        {"joint": "revolute", "alpha": 1.1 - 0.3 * i, "a": 0.3, "d": 0.1 * i, "theta": 0.2 * i}
+        for i in range(8)
+    ]
+    table = {"convention": "modified", "rows": rows}
+    target = forward(client, table=table, joints=[0.1] * 8)
+    answer = asked(client, table=table, target=target.tolist(), limits=[[-2, 2]] * 8)
+    assert answer["method"] == "search"
+    assert answer["complete"] is False
+    for solution in answer["solutions"]:
+        assert all(-2 <= value <= 2 for value in solution["joints"])
+        assert np.abs(forward(client, table=table, joints=solution["joints"]) - target).max() < 1e-8
+    assert math.isfinite(answer["solutions"][0]["residual"])
