@@ -49,6 +49,21 @@ def grade(
     return _grade(reference, submission, policy, given, help_level)
 
 
+def accept(
+    reference: ReadTable,
+    submission: ReadTable,
+    policy: Policy,
+    parameters: Mapping[str, float] | None = None,
+) -> Verdict | None:
+    """The verdict on a right answer, or None: what `grade` says, without the search that explains a wrong one.
+
+    Args and raises as in `grade`.
+    """
+    given = tuple(sorted((parameters or {}).items(), key=lambda item: item[0]))
+    decided = _decided(reference, submission, policy, given)
+    return decided if isinstance(decided, Verdict) else None
+
+
 @lru_cache(maxsize=REMEMBERED)
 def _grade(
     reference: ReadTable,
@@ -57,6 +72,21 @@ def _grade(
     parameters: tuple[tuple[str, float], ...],
     help_level: HelpLevel,
 ) -> Verdict:
+    decided = _decided(reference, submission, policy, parameters)
+    if isinstance(decided, Verdict):
+        return decided
+    decision, way = decided
+    return _rejected(decision, way, reference, submission, policy, help_level)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _decided(
+    reference: ReadTable,
+    submission: ReadTable,
+    policy: Policy,
+    parameters: tuple[tuple[str, float], ...],
+) -> Verdict | tuple[Decision, Comparison]:
+    """The verdict on a right answer; of a wrong one the decision that says most, and what was compared."""
     ways = comparisons(reference, submission, dict(parameters))
     decisions: list[Decision] = []
     for way in ways:
@@ -65,7 +95,7 @@ def _grade(
             return _accepted(decision, way, submission)
         decisions.append(decision)
     best = next((i for i, decision in enumerate(decisions) if decision.same_robot), 0)
-    return _rejected(decisions[best], ways[best], reference, submission, policy, help_level)
+    return decisions[best], ways[best]
 
 
 def _accepted(decision: Decision, comparison: Comparison, submission: ReadTable) -> Verdict:
