@@ -2,8 +2,9 @@
 
 import { el, fill, segmented } from "../dom.js";
 import { t } from "../i18n.js";
-import { keep, recall } from "../storage.js";
+import { resetButton, usualRanges } from "../joint-sliders.js";
 import { figureRobot } from "../scene/robots.js";
+import { keep, recall } from "../storage.js";
 
 /**
  * @param {{figure: any, title: string}} exercise
@@ -13,18 +14,16 @@ export function showFigure({ figure, title }, { mode, body, drawing, description
   description.textContent = figure.description;
   drawing.alt = t("form-figure-alt", { title });
   const model = figureRobot(figure);
-  /** @type {any} */
-  let scene = null;
+  /** @type {HTMLElement | null} */
+  let space = null;
   const show = (which) => {
     keep("figure-mode", which);
     drawing.hidden = which !== "drawing";
-    if (which === "space" && !scene) {
-      scene = el("robot-scene", { label: t("form-figure-label", { title }) });
-      body.append(scene);
-      scene.describe(figure.description);
-      scene.model = model;
+    if (which === "space" && !space) {
+      space = inSpace(model, figure, title);
+      body.append(space);
     }
-    if (scene) scene.hidden = which !== "space";
+    if (space) space.hidden = which !== "space";
   };
   const chosen = recall("figure-mode", "drawing");
   fill(
@@ -41,4 +40,22 @@ export function showFigure({ figure, title }, { mode, body, drawing, description
     }),
   );
   show(chosen);
+}
+
+/** The robot in space, with a slider for each of its joints, counted from the posture of the drawing. */
+function inSpace(model, figure, title) {
+  const scene = /** @type {any} */ (el("robot-scene", { label: t("form-figure-label", { title }) }));
+  const element = el("div", {}, scene);
+  if (model.joints) {
+    const sliders = /** @type {any} */ (el("joint-sliders"));
+    const joints = figure.axes.map(({ joint, type }) => ({ name: String(joint), type }));
+    sliders.joints = usualRanges(joints, figure.size);
+    sliders.addEventListener("joints-change", (event) => (scene.joints = event.detail.values));
+    sliders.addEventListener("change", () => scene.settle());
+    const head = el("div", { class: "card-head" }, el("span", { class: "hint", text: t("form-figure-posture") }), resetButton(sliders));
+    element.append(el("details", { class: "figure-text" }, el("summary", { text: t("form-figure-move") }), head, sliders));
+  }
+  scene.describe(`${figure.description} ${t("form-scene-keys")}`);
+  scene.model = model;
+  return element;
 }

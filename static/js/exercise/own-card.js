@@ -55,6 +55,7 @@ export class OwnCard {
     robot.addEventListener("robot", (event) => this.#draw(/** @type {CustomEvent} */ (event).detail));
     robot.addEventListener("poses", (event) => this.matrices.showNumbers(/** @type {CustomEvent} */ (event).detail));
     robot.addEventListener("failure", (event) => this.#fail(/** @type {CustomEvent} */ (event).detail));
+    this.sliders.addEventListener("change", () => this.scene.settle());
     this.sliders.addEventListener("joints-change", (event) => {
       this.scene.joints = event.detail.values;
       robot.joints = event.detail.values;

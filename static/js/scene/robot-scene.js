@@ -11,7 +11,7 @@
 import { announce, el, fill, iconButton, svg, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { whenIdle } from "../page.js";
-import { fitted, orbited, panned, VIEWS, zoomed } from "./camera.js";
+import { fitted, orbited, panned, project, VIEWS, zoomed } from "./camera.js";
 import { labelElement, placeLabels } from "./labels.js";
 import { drawnPoints, emptyModel, poses } from "./model.js";
 import { pickAt } from "./picking.js";
@@ -32,6 +32,7 @@ export class RobotScene extends HTMLElement {
   #frame = 0;
   #framed = false;
   #touched = false;
+  #text = "";
   #started = false;
 
   connectedCallback() {
@@ -80,7 +81,8 @@ export class RobotScene extends HTMLElement {
 
   /** Text that stands for the picture. @param {string} text */
   describe(text) {
-    this.description.textContent = text;
+    this.#text = text;
+    if (this.description) this.description.textContent = text;
   }
 
   /** Shows the whole scene again, from one of VIEWS. @param {string} [view] */
@@ -91,14 +93,18 @@ export class RobotScene extends HTMLElement {
     this.#draw();
   }
 
-  /** Fits the view to what is shown, without turning it. */
-  fit() {
+  /** Shows the whole scene again if some of it has moved out of the picture, and nobody has chosen a view. */
+  settle() {
+    if (this.#touched) return;
+    const { width, height } = this.#camera;
+    const points = drawnPoints(this.#model, this.#joints).map((point) => project(this.#camera, point));
+    if (points.every(({ x, y }) => x > 0 && x < width && y > 0 && y < height)) return;
     this.#framed = false;
     this.#draw();
   }
 
   #build() {
-    this.description = el("p", { id: uniqueId("scene-text"), class: "visually-hidden" });
+    this.description = el("p", { id: uniqueId("scene-text"), class: "visually-hidden", text: this.#text });
     this.overlay = el("div", { class: "scene-labels", "aria-hidden": "true" });
     this.viewport = el(
       "div",

@@ -14,7 +14,7 @@ import { piecesOf } from "./bodies.js";
 import { apply, column, dot, identity, inverse, minus, multiply, norm, plus, poseAlong, times, unit } from "./matrix.js";
 
 /** How large things are drawn, relative to the robot. */
-const SIZE = { joint: 0.042, jointLength: 0.13, tube: 0.014, triad: 0.15, axis: 0.2, point: 0.018, plate: 0.14 };
+const SIZE = { joint: 0.042, jointLength: 0.13, tube: 0.014, triad: 0.15, axis: 0.2, point: 0.018, plate: 0.14, dimension: 0.1 };
 
 /** Size of a robot from its constant transforms: the sum of its link lengths. @param {Matrix[]} links */
 export function reach(links) {
@@ -122,9 +122,10 @@ export function figureRobot(figure, { dimensions = true } = {}) {
   for (const point of figure.points ?? []) {
     const place = bodyPlace(world, pieces ? bodyOf(point.at, pieces, size) : 0, point.at);
     model.items.push({ kind: "ball", at: place, radius: size * SIZE.point, tone: "pick" });
-    model.items.push({ kind: "label", at: place, text: point.name, tone: "pick" });
+    model.items.push({ kind: "label", at: place, ...named(point.name), tone: "pick" });
   }
-  if (dimensions) for (const mark of figure.dimensions ?? []) model.items.push(...dimensionItems(mark, size));
+  const bodyAt = (point) => (pieces ? bodyOf(point, pieces, size) : 0);
+  if (dimensions) for (const mark of figure.dimensions ?? []) model.items.push(...dimensionItems(mark, bodyAt, world, size));
   return model;
 }
 
@@ -159,21 +160,38 @@ function axisItems(axis, node, size) {
   ]);
 }
 
-/** @returns {Item[]} */
-function dimensionItems(mark, size) {
-  const middle = times(plus(mark.from, mark.to), 0.5);
+/** To the right as one looks from the usual corner; where dimensions of upright lengths stand. */
+const ASIDE = /** @type {Vector} */ ([0.867, 0.498, 0]);
+
+/**
+ * A dimension beside its length; its ends move with the pieces that they lie on.
+ * @returns {Item[]}
+ */
+function dimensionItems(mark, bodyAt, world, size) {
   const along = unit(minus(mark.to, mark.from));
+  const away = Math.abs(along[2]) > 0.9 ? ASIDE : /** @type {Vector} */ ([0, 0, 1]);
+  const side = times(unit(minus(away, times(along, dot(away, along)))), size * SIZE.dimension);
+  const [start, end] = [mark.from, mark.to].map((point) => {
+    const body = bodyAt(point);
+    return (forward, aside) => bodyPlace(world, body, plus(plus(point, times(along, forward * size)), times(side, aside)));
+  });
+  const line = (from, to) => ({ kind: "line", from, to, tone: "muted" });
+  const head = (place, sense) => ({ kind: "arrow", from: place(sense * 0.03, 1), to: place(0, 1), radius: size * 0.004, tone: "muted" });
+  const half = norm(minus(mark.to, mark.from)) / 2 / size;
   return /** @type {Item[]} */ ([
-    { kind: "line", from: { node: -1, at: mark.from }, to: { node: -1, at: mark.to }, tone: "muted" },
-    ...[mark.from, mark.to].map((end, k) => ({
-      kind: "arrow",
-      from: { node: -1, at: plus(end, times(along, (k ? -1 : 1) * size * 0.03)) },
-      to: { node: -1, at: end },
-      radius: size * 0.004,
-      tone: "muted",
-    })),
-    { kind: "label", at: { node: -1, at: middle }, text: mark.name, tone: "muted" },
+    line(start(0, 1), end(0, 1)),
+    line(start(0, 0), start(0, 1.15)),
+    line(end(0, 0), end(0, 1.15)),
+    head(start, 1),
+    head(end, -1),
+    { kind: "label", at: start(half, 1.35), ...named(mark.name), tone: "muted" },
   ]);
+}
+
+/** A name with its digits as an index. @param {string} name */
+function named(name) {
+  const match = /^([A-Za-z]+)_?(\d+)$/.exec(name);
+  return match ? { text: match[1], sub: match[2] } : { text: name };
 }
 
 function extent(figure) {
