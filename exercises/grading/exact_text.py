@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import lru_cache
 
 from kinematics.cells import AngleUnit
 from kinematics.expressions import Expression, Number, Pi, Power, Sum, add, multiply, number, pi_fraction
@@ -10,9 +11,13 @@ from kinematics.printing.notation import Names
 from kinematics.printing.text import text_writer
 
 
+_WRITER = text_writer(Names())
+
+
+@lru_cache(maxsize=4096)
 def expression_text(expression: Expression) -> str:
     """The expression as infix text."""
-    return text_writer(Names()).text(expression)
+    return _WRITER.text(expression)
 
 
 def angle_text(angle: Expression, unit: AngleUnit) -> str:

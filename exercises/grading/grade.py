@@ -55,7 +55,7 @@ def accept(
     policy: Policy,
     parameters: Mapping[str, float] | None = None,
 ) -> Verdict | None:
-    """The verdict on a right answer, or None: what `grade` says, without the search that explains a wrong one.
+    """The verdict on a right answer, or None: what `grade` says, without the search that explains others.
 
     Args and raises as in `grade`.
     """
