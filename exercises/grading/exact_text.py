@@ -10,7 +10,6 @@ from kinematics.expressions import Expression, Number, Pi, Power, Sum, add, mult
 from kinematics.printing.notation import Names
 from kinematics.printing.text import text_writer
 
-
 _WRITER = text_writer(Names())
 
 
