@@ -7,7 +7,7 @@ PEERS := .venv-peers
 PY := $(VENV)/bin/python
 PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
-.PHONY: help serve test test-clone lint bench lock browser clean vendor
+.PHONY: help serve test test-clone lint bench lock browser clean vendor picture
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -57,8 +57,18 @@ $(PEERS)/.peers: bench/requirements-peers.lock | $(PEERS)/bin/python
 	$(PEERS)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes -r $<
 	@touch $@
 
+exercise: $(VENV)/.runtime ## start an exercise: NEW=id and ROBOT=id, TABLE=file or AXES=file (INTO=folder)
+	$(PY) -m exercises new $(NEW) $(if $(ROBOT),--robot $(ROBOT)) $(if $(TABLE),--table $(TABLE)) \
+	    $(if $(AXES),--axes $(AXES)) $(if $(URDF),--urdf $(URDF)) $(if $(INTO),--into $(INTO))
+
+check-exercises: $(VENV)/.runtime ## let exercises test themselves: SEEDS=50 students each (ONLY="puma560 scara": some)
+	$(PY) -m exercises check $(ONLY) --seeds $(or $(SEEDS),50)
+
 browser: ## Chromium for the end-to-end tests (Debian; needs root)
 	apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium wrk
+
+picture: $(VENV)/.dev vendor ## renew the README's pictures from the live page (needs Chromium)
+	$(PY) -m tools.picture
 
 vendor: static/vendor/.complete
 
