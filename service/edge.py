@@ -19,12 +19,14 @@ from service.compression import accepts_gzip, compressing
 from service.errors import INTERNAL, PROBLEM_JSON, Problem
 from service.messages import language_for
 from service.settings import Settings
+from service.uploads import Upload, may_be_under_way
 
 REQUEST_ID = "request_id"
 _SANE_REQUEST_ID = re.compile(rb"[A-Za-z0-9._:-]{1,64}")
 _SANE_PREFIX = re.compile(r"(/[A-Za-z0-9._~-]+)+")
 _REQUEST_ID = b"x-request-id"
 _POLICY = b"content-security-policy"
+_REFUSED = 400
 _HEADERS = (
     (b"x-content-type-options", b"nosniff"),
     (b"referrer-policy", b"no-referrer"),
@@ -58,12 +60,15 @@ class Edge:
             scope = {**scope, "method": "GET"}
         elif accepts_gzip(fields.get(b"accept-encoding", b"")):
             send = compressing(send)
+        upload = Upload(receive, 2 * self._settings.batch_body_limit) if may_be_under_way(fields) else None
         started = False
 
         async def send_with_headers(message: Message) -> None:
             nonlocal started
             if message["type"] == "http.response.start":
                 started = True
+                if upload and message["status"] >= _REFUSED:
+                    await upload.drain()
                 headers = message["headers"] = [
                     *message.get("headers", ()),
                     *_HEADERS,
@@ -76,7 +81,7 @@ class Edge:
             await send(message)
 
         try:
-            await self._app(scope, receive, send_with_headers)
+            await self._app(scope, upload or receive, send_with_headers)
         except ClientDisconnect:
             _log.info("request %s: the caller went away", request_id.decode())
         except Exception:

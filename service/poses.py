@@ -21,6 +21,7 @@ from kinematics.poses import pose_notations
 from kinematics.table import JointType
 from kinematics.transforms import inverse_transform
 from service.npy import npy_data, npy_header
+from service.pieces import blocks, list_pieces, written
 from service.preparation import Robot
 from service.schemas.forward_kinematics import STANDARD_PARTS, Part
 
@@ -104,11 +105,11 @@ def json_blocks(question: PoseQuestion) -> Iterator[bytes]:
     yield orjson.dumps(question.robot.units)[:-1]
     for part in question.parts:
         if part is Part.ORIENTATION:
-            yield b',"orientation":' + _orientations(question)
+            yield from _orientations(question)
             continue
         yield f',"{part}":['.encode()
-        for start, stop in _blocks(len(question.joints), JSON_BLOCK):
-            yield (b"," if start else b"") + _written(question.array(part, start, stop))[1:-1]
+        for start, stop in blocks(len(question.joints), JSON_BLOCK):
+            yield (b"," if start else b"") + written(question.array(part, start, stop))[1:-1]
         yield b"]"
     yield b"}"
 
@@ -117,7 +118,7 @@ def npy_blocks(question: PoseQuestion) -> Iterator[bytes | memoryview]:
     """The one array that is wanted of a batch, as pieces of an npy file."""
     (part,) = question.parts
     yield npy_header(npy_shape(question))
-    for start, stop in _blocks(len(question.joints), NPY_BLOCK):
+    for start, stop in blocks(len(question.joints), NPY_BLOCK):
         yield npy_data(question.array(part, start, stop))
 
 
@@ -157,7 +158,7 @@ def refuse_overflow(question: PoseQuestion) -> None:
     Raises:
         JointValueError: a result overflows, at the configuration where it does.
     """
-    for start, stop in _blocks(len(question.joints), NPY_BLOCK):
+    for start, stop in blocks(len(question.joints), NPY_BLOCK):
         try:
             poses = question.poses(start, stop)
             for part in ARRAY_PARTS:
@@ -178,14 +179,6 @@ def _reach(question: PoseQuestion) -> float:
     return reach
 
 
-def _blocks(count: int, size: int) -> Iterator[tuple[int, int]]:
-    return ((start, min(start + size, count)) for start in range(0, count, size))
-
-
-def _written(array: Floats) -> bytes:
-    return orjson.dumps(np.ascontiguousarray(array), option=orjson.OPT_SERIALIZE_NUMPY)
-
-
 def _notations(transform: Floats, angle: float) -> list[float]:
     """Quaternion, roll, pitch and yaw, X Y Z A B C, axis, angle: in one row, angles in the answer's unit."""
     _, quaternion, rpy, (axis, turn), xyzabc = pose_notations(transform)
@@ -204,21 +197,29 @@ def _orientation(row: list[float]) -> dict[str, object]:
     }
 
 
-def _orientations(question: PoseQuestion) -> bytes:
+def _orientations(question: PoseQuestion) -> Iterator[bytes]:
     count, angle = len(question.joints), question.robot.angle
     quaternion, axis = np.empty((count, 4)), np.empty((count, 3))
     turn, xyzabc = np.empty(count), np.empty((count, 6))
-    for start, stop in _blocks(count, NPY_BLOCK):
+    for start, stop in blocks(count, NPY_BLOCK):
         poses = question.poses(start, stop).transform
         quaternion[start:stop] = quaternions_from_transforms(poses)
         axis[start:stop], turn[start:stop] = axis_angles_from_transforms(poses)
         xyzabc[start:stop] = xyzabcs_from_transforms(poses)
+        yield b""
     turn /= angle
     xyzabc[:, 3:] /= angle
-    rpy = xyzabc[:, :2:-1]
-    return b'{"quaternion":%b,"rpy":%b,"axis_angle":{"axis":%b,"angle":%b},"xyzabc":%b}' % tuple(
-        map(_written, (quaternion, rpy, axis, turn, xyzabc))
-    )
+    yield b',"orientation":{"quaternion":'
+    yield from list_pieces(quaternion)
+    yield b',"rpy":'
+    yield from list_pieces(xyzabc[:, :2:-1])
+    yield b',"axis_angle":{"axis":'
+    yield from list_pieces(axis)
+    yield b',"angle":'
+    yield from list_pieces(turn)
+    yield b'},"xyzabc":'
+    yield from list_pieces(xyzabc)
+    yield b"}"
 
 
 def _later(fault: Fault, start: int) -> Fault:

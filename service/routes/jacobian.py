@@ -15,6 +15,7 @@ from kinematics.jacobian import RANK_TOLERANCE, Dexterity, JacobianFrame, Mobili
 from kinematics.jacobian import jacobian as jacobian_of
 from service.asking import Asked, Reader, answered
 from service.openapi import NPY_QUERY, problems, request_body
+from service.pieces import member_pieces, written
 from service.routing import JSON, ApiRequest, DirectRoute, Written, api_router
 from service.schemas import examples
 from service.schemas.jacobian import JacobianQuestion, JacobianRequest
@@ -90,13 +91,13 @@ class _Answer:
 
     def blocks(self) -> Iterator[bytes]:
         """The answer for a batch, in pieces."""
-        yield orjson.dumps({**self._head(), **self._dexterity}, option=orjson.OPT_SERIALIZE_NUMPY)[:-1]
+        yield b"{"
+        yield from member_pieces({**self._head(), **self._dexterity})
         for frame in self._frames:
             yield f',"{_NAMES[frame]}":['.encode()
             for start in range(0, len(self._asked.joints), _BLOCK):
                 block = self._jacobians(frame, self._asked.joints[start : start + _BLOCK])
-                written = orjson.dumps(block, option=orjson.OPT_SERIALIZE_NUMPY)
-                yield (b"," if start else b"") + written[1:-1]
+                yield (b"," if start else b"") + written(block)[1:-1]
             yield b"]"
         yield b"}"
 
@@ -125,6 +126,6 @@ def _measures(measured: Dexterity) -> dict[str, Any]:
 
 
 def _mobility(mobility: Mobility) -> dict[str, Any]:
-    """Each measure as plain numbers; orjson writes what is not finite as null."""
-    values = {field.name: getattr(mobility, field.name) for field in fields(mobility)}
-    return {name: np.asarray(value).tolist() for name, value in values.items()}
+    """Each measure by its name: a plain number of one configuration, an array of a batch."""
+    values = {field.name: np.asarray(getattr(mobility, field.name)) for field in fields(mobility)}
+    return {name: value if value.ndim else value.item() for name, value in values.items()}

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import http.client
+import json
 import logging
+import socket
 
 import httpx
 import pytest
@@ -157,3 +160,37 @@ def test_small_answers_and_arrays_are_not_compressed(client: httpx.Client) -> No
     array = client.post("/api/v1/forward-kinematics", json=body, headers={"Accept": "application/x-npy"})
     assert "content-encoding" not in small.headers
     assert "content-encoding" not in array.headers
+
+
+@pytest.mark.parametrize(
+    ("path", "media_type", "status", "code"),
+    [
+        ("/api/v1/forward-kinematics", "application/json", 413, "body_too_large"),
+        ("/api/v1/symbolic", "application/json", 413, "body_too_large"),
+        ("/api/v1/symbolic", "text/plain", 415, "media_type_unsupported"),
+        ("/api/v1/nothing", "application/json", 404, "address_unknown"),
+    ],
+)
+@pytest.mark.parametrize("chunked", [False, True], ids=["announced", "chunked"])
+def test_a_caller_that_closes_reads_why_a_long_body_was_refused(
+    base_url: str, path: str, media_type: str, status: int, code: str, chunked: bool
+) -> None:
+    long = b" " * (33 * 1024 * 1024)
+    body = iter([long[:20_000_000], long[20_000_000:]]) if chunked else long
+    headers = {"Content-Type": media_type, "Connection": "close"}
+    connection = http.client.HTTPConnection(base_url.removeprefix("http://"), timeout=60)
+    connection.request("POST", path, body=body, headers=headers, encode_chunked=chunked)
+    answer = connection.getresponse()
+    assert answer.status == status
+    assert json.loads(answer.read())["code"] == code
+    connection.close()
+
+
+def test_a_caller_that_stops_sending_is_answered_all_the_same(
+    base_url: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("service.uploads.SECONDS", 0.1)
+    host, _, port = base_url.removeprefix("http://").partition(":")
+    with socket.create_connection((host, int(port)), timeout=60) as connection:
+        connection.sendall(b"POST /api/v1/nothing HTTP/1.1\r\nHost: here\r\nContent-Length: 9000000\r\n\r\n{")
+        assert connection.recv(64).startswith(b"HTTP/1.1 404 ")

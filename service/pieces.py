@@ -1,0 +1,50 @@
+"""Long answers as JSON in pieces, none so long that the writing of it holds others up.
+
+What writes JSON doesn't let other threads run meanwhile: a list of a million numbers, written at once, would
+keep every other request waiting for a good part of a second.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+import orjson
+from numpy.typing import NDArray
+
+ROWS = 4096
+
+
+def blocks(count: int, size: int) -> Iterator[tuple[int, int]]:
+    """The bounds of blocks of so many of `count` things."""
+    return ((start, min(start + size, count)) for start in range(0, count, size))
+
+
+def written(value: object) -> bytes:
+    """The value as JSON, all at once; what is not finite becomes null."""
+    if isinstance(value, np.ndarray):
+        value = np.ascontiguousarray(value) if value.ndim else value.item()
+    return orjson.dumps(value, option=orjson.OPT_SERIALIZE_NUMPY)
+
+
+def list_pieces(array: NDArray[Any]) -> Iterator[bytes]:
+    """An array of one axis or more as a JSON list."""
+    yield b"["
+    for start, stop in blocks(len(array), ROWS):
+        yield (b"," if start else b"") + written(array[start:stop])[1:-1]
+    yield b"]"
+
+
+def member_pieces(value: Mapping[str, Any]) -> Iterator[bytes]:
+    """The members of a JSON object, which may be objects or arrays; the braces are left to the caller."""
+    for place, (name, member) in enumerate(value.items()):
+        yield (b"," if place else b"") + written(name) + b":"
+        if isinstance(member, Mapping):
+            yield b"{"
+            yield from member_pieces(member)
+            yield b"}"
+        elif isinstance(member, np.ndarray) and member.ndim:
+            yield from list_pieces(member)
+        else:
+            yield written(member)

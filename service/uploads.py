@@ -1,0 +1,49 @@
+"""What a refused caller is still sending: taken in and thrown away, so that the refusal arrives.
+
+A server that closes a connection while a body is under way resets it, and the caller sees a broken pipe where
+the sentence should be. What is taken in is bounded in size and in time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import anyio
+from starlette.types import Message, Receive
+
+SECONDS = 5.0
+_SMALL = 5
+"""A body whose length has no more digits than this fits into the buffers of a connection."""
+
+
+class Upload:
+    """A request's body, and how much of it has come."""
+
+    def __init__(self, receive: Receive, limit: int) -> None:
+        self._receive = receive
+        self._limit = limit
+        self._received = 0
+        self._more = True
+
+    async def __call__(self) -> Message:
+        """The next message of the connection."""
+        message = await self._receive()
+        self._received += len(message.get("body", b""))
+        self._more = bool(message.get("more_body", False))
+        return message
+
+    async def drain(self) -> None:
+        """Throw the rest of the body away, as long as it is not too much and does not take too long."""
+        with anyio.move_on_after(SECONDS):
+            while self._more and self._received <= self._limit:
+                await self()
+
+
+def may_be_under_way(fields: Mapping[bytes, bytes]) -> bool:
+    """Whether a body may still be on its way when the request is refused.
+
+    A caller that waits to be told to go on (Expect: 100-continue) sends nothing before.
+    """
+    if b"expect" in fields:
+        return False
+    return len(fields.get(b"content-length", b"")) > _SMALL or b"transfer-encoding" in fields
