@@ -52,9 +52,7 @@ def _parents(document: UrdfDocument) -> dict[str, UrdfJoint]:
         other = above.setdefault(joint.child, joint)
         if other is not joint:
             message = f"link {joint.child} hangs on two joints, {other.name} and {joint.name}"
-            raise refused(
-                "urdf_two_parents", message, link=joint.child, first=other.name, second=joint.name
-            )
+            raise refused("urdf_two_parents", message, link=joint.child, first=other.name, second=joint.name)
     return above
 
 

@@ -11,7 +11,7 @@ import math
 import re
 from dataclasses import dataclass
 from typing import Any
-from xml.etree.ElementTree import Element, ParseError, TreeBuilder  # noqa: S405 - types; defusedxml parses
+from xml.etree.ElementTree import Element, ParseError, TreeBuilder
 
 import numpy as np
 from defusedxml import DefusedXmlException
@@ -154,12 +154,16 @@ def read_document(text: str) -> UrdfDocument:
     """
     root = _parse(text)
     if root.tag != "robot":
-        raise refused("urdf_no_robot", f"the root is <{_short(root.tag)}>, not <robot>", found=_short(root.tag))
+        raise refused(
+            "urdf_no_robot", f"the root is <{_short(root.tag)}>, not <robot>", found=_short(root.tag)
+        )
     if any("xacro" in str(element.tag) for element in root.iter()):
         message = "this is xacro, a macro language; expand it first: xacro robot.xacro > robot.urdf"
         raise refused("urdf_is_xacro", message)
     links = tuple(_named(element, "link") for element in root.findall("link"))
     joints = tuple(_joint(element) for element in root.findall("joint"))
+    if not links:
+        raise refused("urdf_no_links", "the description has no links")
     _check_names("link", links)
     _check_names("joint", tuple(joint.name for joint in joints))
     known = set(links)
@@ -179,7 +183,7 @@ class _BoundedBuilder(TreeBuilder):
         self._depth = 0
         self._elements = 0
 
-    def start(self, tag: str, attrs: dict[str, str]) -> Element:  # type: ignore[override]
+    def start(self, tag: str, attrs: dict[str, str]) -> Element:
         self._depth += 1
         self._elements += 1
         if self._depth > MAX_DEPTH or self._elements > MAX_ELEMENTS:
@@ -205,7 +209,9 @@ def _parse(text: str) -> Element:
         parser.feed(text)
         root: Element = parser.close()
     except DefusedXmlException:
-        message = "a URDF has no document type, no entities and refers to no other file; take <!DOCTYPE …> out"
+        message = (
+            "a URDF has no document type, no entities and refers to no other file; take <!DOCTYPE …> out"
+        )
         raise refused("urdf_unsafe", message) from None
     except ParseError as error:
         line, column = error.position
@@ -227,7 +233,9 @@ def _joint(element: Element) -> UrdfJoint:
             raise refused("urdf_joint_incomplete", message, joint=name, element=tag)
         ends[tag] = _short(link)
     kind = element.get("type", "")
-    return UrdfJoint(name=name, kind=_short(kind), parent=ends["parent"], child=ends["child"], element=element)
+    return UrdfJoint(
+        name=name, kind=_short(kind), parent=ends["parent"], child=ends["child"], element=element
+    )
 
 
 def _named(element: Element, tag: str) -> str:

@@ -1,9 +1,9 @@
 """A DH table to URDF.
 
-A modified row is one joint: Rot_x(α) Trans_x(a) Rot_z(θ) Trans_z(d) is its origin, and it moves about or along
-its own z, so its link is frame i. In a standard row the joint moves about z_{i-1} and what follows is constant:
-that constant becomes the origin of the next joint, so the link of joint i turns with the arm but stands where
-frame i-1 stood. A reversed variable is an axis 0 0 -1. A fixed row is a fixed joint.
+A modified row is one joint: Rot_x(α) Trans_x(a) Rot_z(θ) Trans_z(d) is its origin, and it moves about or
+along its own z, so its link is frame i. In a standard row the joint moves about z_{i-1} and what follows is
+constant: that constant becomes the origin of the next joint, so the link of joint i moves with the arm but
+stands where frame i-1 stood. A reversed variable is an axis 0 0 -1. A fixed row is a fixed joint.
 """
 
 from __future__ import annotations

@@ -109,9 +109,7 @@ def first_axis(table: NumericTable) -> tuple[Array, Array]:
     return points[0, 0] + 0.0, directions[0, 0] + 0.0
 
 
-def _swept(
-    table: NumericTable, goals: Goals, joints: Array, spans: Array, tool: Transform | None
-) -> Array:
+def _swept(table: NumericTable, goals: Goals, joints: Array, spans: Array, tool: Transform | None) -> Array:
     """Every joint once at its best, from the tip to the base: what lies before a joint stays where it is."""
     directions, points = _axes(table, joints)
     p = _places(table, joints, tool)
@@ -140,7 +138,7 @@ def _best_slide(goals: Goals, still: Array, u: Array, low: float, high: float) -
     first = 2.0 * np.einsum("mi,mi->m", Wu, still - goals.origin) + np.einsum("mi,mi->m", goals.c, u)
     vertex = np.clip(-first / np.where(second < 0.0, 2.0 * second, 1.0), low, high)
     ends = np.where(first * (high - low) + second * (high**2 - low**2) > 0.0, high, low)
-    return np.where(second < 0.0, vertex, ends)
+    return np.asarray(np.where(second < 0.0, vertex, ends))
 
 
 def _best_turn(goals: Goals, centre: Array, a: Array, b: Array, low: float, high: float) -> Array:
@@ -162,13 +160,13 @@ def _best_turn(goals: Goals, centre: Array, a: Array, b: Array, low: float, high
         bend = -c1 * c - s1 * s - 4 * c2 * cc - 4 * s2 * ss
         step = np.where(bend < 0.0, -slope / np.where(bend < 0.0, bend, 1.0), 0.0)
         q = np.clip(q + np.clip(step, -0.1, 0.1), low, high)
-    value = np.einsum("mk,km->m", coefficients, np.array([np.cos(q), np.sin(q), np.cos(2 * q), np.sin(2 * q)]))
-    return np.where(value >= curve.max(axis=1), q, start)
+    value = np.einsum(
+        "mk,km->m", coefficients, np.array([np.cos(q), np.sin(q), np.cos(2 * q), np.sin(2 * q)])
+    )
+    return np.asarray(np.where(value >= curve.max(axis=1), q, start))
 
 
-def _polished(
-    table: NumericTable, goal: Goal, joints: Array, spans: Array, tool: Transform | None
-) -> Summit:
+def _polished(table: NumericTable, goal: Goal, joints: Array, spans: Array, tool: Transform | None) -> Summit:
     """The summit near a configuration, by Newton's steps within the ranges."""
     one = stacked([goal], 1)
     q, place = joints, _places(table, joints[None], tool)[0]

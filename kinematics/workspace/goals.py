@@ -26,7 +26,9 @@ class Goal:
     c: Array
 
 
-def distance_goals(origin: Sequence[float] | Array, axis: Sequence[float] | Array | None) -> tuple[Goal, Goal]:
+def distance_goals(
+    origin: Sequence[float] | Array, axis: Sequence[float] | Array | None
+) -> tuple[Goal, Goal]:
     """The goals of being near, and of being far.
 
     Args:

@@ -94,9 +94,7 @@ def workspace(
         JointValueError: limits of the wrong number or reversed, or a sliding joint without them.
         PoseError: base or tool is not a rigid transform.
     """
-    if table.n_joints == 0:
-        message = "nothing moves: a workspace needs a revolute or a prismatic row"
-        raise TableError(Fault(code="workspace_without_joints", message=message, where=("rows",)))
+    check_joints(table)
     spans = joint_spans(table, limits)
     T_w_0 = np.eye(4) if base is None else check_transform(base, where=("base",))
     T_n_t = None if tool is None else check_transform(tool, where=("tool",))
@@ -130,9 +128,22 @@ def workspace(
     )
 
 
+def check_joints(table: NumericTable) -> None:
+    """Make sure that something moves.
+
+    Raises:
+        TableError: nothing does.
+    """
+    if table.n_joints == 0:
+        message = "nothing moves: a workspace needs a revolute or a prismatic row"
+        raise TableError(Fault(code="workspace_without_joints", message=message, where=("rows",)))
+
+
 def _radius(summit: Summit, away: Array, reach: float) -> Radius:
     value = math.hypot(*away.tolist())
-    return Radius(value=value if value > AS_GOOD_AS_ZERO * reach else 0.0, joints=tuple(summit.joints.tolist()))
+    return Radius(
+        value=value if value > AS_GOOD_AS_ZERO * reach else 0.0, joints=tuple(summit.joints.tolist())
+    )
 
 
 def _vector(values: list[float], reach: float) -> Vector3:

@@ -15,22 +15,25 @@ from service.conversion.chains import described_chain
 from service.conversion.described import Described
 from service.conversion.products import product_answer
 from service.conversion.tables import described_table, table_answer
+from service.conversion.urdf import described_urdf, urdf_answer
 from service.schemas.conversion import ConvertAnswer, ConvertRequest, Target
 from service.settings import Settings
 
 Source = Callable[[ConvertRequest, Settings], Described]
-Writer = Callable[[Described, Target], ConvertAnswer]
+Writer = Callable[[Described, ConvertRequest], ConvertAnswer]
 
 SOURCES: Mapping[str, Source] = {
     "table": described_table,
     "robot": described_table,
     "scm": described_chain,
+    "urdf": described_urdf,
 }
 
 TARGETS: Mapping[Target, Writer] = {
     Target.STANDARD: table_answer,
     Target.MODIFIED: table_answer,
     Target.POE: product_answer,
+    Target.URDF: urdf_answer,
 }
 
 
@@ -41,4 +44,4 @@ def converted(request: ConvertRequest, settings: Settings) -> ConvertAnswer:
         KinematicsError: the description cannot be read, or not be written in the other form.
     """
     source = next(name for name in SOURCES if getattr(request, name) is not None)
-    return TARGETS[request.to](SOURCES[source](request, settings), request.to)
+    return TARGETS[request.to](SOURCES[source](request, settings), request)

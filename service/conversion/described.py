@@ -27,6 +27,9 @@ class Described:
         tool: what stands behind it.
         spellings: how a person wrote the constant entries.
         variable_cells: how a person wrote the cells with the joint variables, by joint number.
+        name: the robot's name, if it has one.
+        joint_names: the names of joint 1 … n, if the source has any.
+        limits: (lowest, highest) of joint 1 … n [rad, or the table's length unit], if the source has any.
     """
 
     read: ReadTable
@@ -35,3 +38,6 @@ class Described:
     tool: Transform = field(default_factory=_identity)
     spellings: Spellings = field(default_factory=dict)
     variable_cells: Mapping[int, WireCell] = field(default_factory=dict)
+    name: str | None = None
+    joint_names: tuple[str, ...] | None = None
+    limits: tuple[tuple[float, float] | None, ...] | None = None

@@ -5,10 +5,10 @@ from __future__ import annotations
 from kinematics.screws import product_of_exponentials
 from service.conversion.described import Described
 from service.preparation import robot_of
-from service.schemas.conversion import ProductAnswer, Screw, Target
+from service.schemas.conversion import ConvertRequest, ProductAnswer, Screw
 
 
-def product_answer(robot: Described, _target: Target) -> ProductAnswer:
+def product_answer(robot: Described, _request: ConvertRequest) -> ProductAnswer:
     """The joint screws and the home pose of a robot whose parameters all have values.
 
     Raises:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from kinematics import catalogue
 from kinematics.cells import ParameterKind, RawTable, ReadTable, bind_parameters, read_table
 from kinematics.conversion import XScrew, convert, fixed_row
 from kinematics.expressions import ONE, ZERO, Expression, Function, call, evaluate, negate, parameters_in
@@ -17,7 +18,7 @@ from kinematics.table import Convention, DHTable
 from service.conversion.described import Described
 from service.errors import located
 from service.preparation import listed_robot, robot_of
-from service.schemas.conversion import ConvertRequest, TableAnswer, Target
+from service.schemas.conversion import ConvertRequest, TableAnswer
 from service.schemas.tables import Row, Table
 from service.settings import Settings
 from service.writing import CELL_KINDS, VARIABLE_CELL, Spellings, TableWriter, WireCell
@@ -31,8 +32,11 @@ def described_table(request: ConvertRequest, settings: Settings) -> Described:
     Raises:
         KinematicsError: the table cannot be read, or the parameters that were given do not fit.
     """
+    name: str | None = None
+    limits = None
     if request.table is None:
         listed = listed_robot(str(request.robot))
+        name, limits = listed.id, _listed_limits(listed)
         raw, read = listed.raw, listed.table
         parameters: Mapping[str, float] | None = {**listed.parameters, **(request.parameters or {})}
     else:
@@ -47,16 +51,26 @@ def described_table(request: ConvertRequest, settings: Settings) -> Described:
         parameters=parameters,
         spellings=_spellings(raw, read),
         variable_cells=_variable_cells(raw, read),
+        name=name,
+        limits=limits,
     )
 
 
-def table_answer(robot: Described, target: Target) -> TableAnswer:
+def _listed_limits(listed: catalogue.Robot) -> tuple[tuple[float, float], ...] | None:
+    """The limits of a robot of the catalogue, in [rad] and its length unit."""
+    if listed.limits is None:
+        return None
+    units = robot_of(listed.table, listed.parameters).joint_units
+    return tuple((low * unit, high * unit) for (low, high), unit in zip(listed.limits, units, strict=True))
+
+
+def table_answer(robot: Described, request: ConvertRequest) -> TableAnswer:
     """The robot's table in a convention, its entries moved and never computed.
 
     Raises:
         ParameterError: a parameter of base or tool has no finite value.
     """
-    converted = convert(robot.read.table, Convention(target.value))
+    converted = convert(robot.read.table, Convention(request.to.value))
     writer = TableWriter(
         angle_unit=robot.read.angle_unit,
         length_unit=robot.read.length_unit,
@@ -72,7 +86,13 @@ def table_answer(robot: Described, target: Target) -> TableAnswer:
         tool=_matrix(converted.tool, robot, behind=robot.tool),
         base_row=_row(converted.base, writer, robot.base),
         tool_row=_row(converted.tool, writer, robot.tool),
+        joint_names=None if robot.joint_names is None else list(robot.joint_names),
+        limits=_limits(robot) if robot.joint_names is not None else None,
     )
+
+
+def _limits(robot: Described) -> list[list[float] | None]:
+    return [None if pair is None else list(pair) for pair in robot.limits or ()]
 
 
 def _matrix(

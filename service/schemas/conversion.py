@@ -9,7 +9,9 @@ from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from kinematics.table import JointType
+from kinematics.urdf import MAX_CHARACTERS
 from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.limits import JointRanges
 from service.schemas.scm import Chain
 from service.schemas.tables import Parameters, Row, Table, Units
 
@@ -20,26 +22,68 @@ class Target(StrEnum):
     STANDARD = "standard"
     MODIFIED = "modified"
     POE = "poe"
+    URDF = "urdf"
+
+
+OPTIONS = {"to", "parameters", "base_link", "tip_link", "name", "limits"}
+"""Fields of a request that describe no robot."""
 
 
 class ConvertRequest(Wire):
     """A robot, described in exactly one way, and the description that is wanted."""
 
     to: Annotated[Target, Field(strict=False)] = Field(
-        description="standard or modified: a DH table; poe: a product of exponentials"
+        description="standard, modified: a DH table; poe: a product of exponentials; urdf: a URDF description"
     )
     table: Table | None = Field(None, description="a DH table")
     robot: str | None = Field(None, max_length=64, description="the id of a robot of the catalogue")
     scm: Chain | None = Field(None, description="an SCM chain; it becomes a DH table (SCM2DH)")
+    urdf: str | None = Field(
+        None,
+        max_length=MAX_CHARACTERS,
+        description="a URDF description, XML; one serial chain of it is taken",
+    )
+    base_link: str | None = Field(
+        None, max_length=200, description="of a URDF: the first link of the chain; the root if left out"
+    )
+    tip_link: str | None = Field(
+        None,
+        max_length=200,
+        description="of a URDF: the last link of the chain; needed where the description branches",
+    )
+    name: str | None = Field(
+        None, min_length=1, max_length=100, description="to URDF: the robot's name in the description"
+    )
+    limits: JointRanges | None = Field(
+        None,
+        description="to URDF: [least, greatest] of each joint in the table's units, null where there is "
+        "none; left out, those of the source if it has any",
+    )
     parameters: Parameters | None = None
 
     @model_validator(mode="after")
     def _one_source(self) -> Self:
-        names = sorted(set(type(self).model_fields) - {"to", "parameters"})
+        names = sorted(set(type(self).model_fields) - OPTIONS)
         given = [name for name in names if getattr(self, name) is not None]
         if len(given) != 1:
             raise PydanticCustomError(
                 "one_source", "describe the robot in exactly one way: {allowed}", {"allowed": tuple(names)}
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _no_idle_option(self) -> Self:
+        idle = {
+            "base_link": self.urdf is None,
+            "tip_link": self.urdf is None,
+            "name": self.to is not Target.URDF,
+            "limits": self.to is not Target.URDF,
+            "parameters": self.urdf is not None,
+        }
+        found = tuple(name for name, is_idle in idle.items() if is_idle and getattr(self, name) is not None)
+        if found:
+            raise PydanticCustomError(
+                "option_idle", "leave out {found}: this conversion has no use for it", {"found": found}
             )
         return self
 
@@ -60,6 +104,10 @@ class TableAnswer(Units):
     tool: MatrixOfCells = Field(description="what stands behind the table")
     base_row: Row | None = Field(None, description="the base as a fixed row, where it is one")
     tool_row: Row | None = Field(None, description="the tool as a fixed row, where it is one")
+    joint_names: list[str] | None = Field(None, description="the names of joint 1 … n, if the source has any")
+    limits: list[Annotated[list[Real], Field(min_length=2, max_length=2)] | None] | None = Field(
+        None, description="[least, greatest] of each joint, if the source is a URDF; null where there is none"
+    )
 
 
 class Screw(Wire):
@@ -81,4 +129,16 @@ class ProductAnswer(Units):
     home: Matrix4 = Field(description="the pose of the end frame at q = 0")
 
 
-ConvertAnswer: TypeAlias = TableAnswer | ProductAnswer
+class UrdfAnswer(Units):
+    """A URDF description; its lengths are in metres and its angles in radians, as the format has it."""
+
+    urdf: str = Field(description="the description, XML")
+    base_link: str = Field(description="the name of its first link")
+    tip_link: str = Field(description="the name of its last link, the end frame")
+    assumed_limits: list[int] = Field(
+        description="sliding joints, counted from 1, whose limits are unknown: the format has no sliding "
+        "joint without limits, so they were given ±1000 m"
+    )
+
+
+ConvertAnswer: TypeAlias = TableAnswer | ProductAnswer | UrdfAnswer

@@ -64,6 +64,21 @@ JACOBIAN: dict[str, Any] = {
     },
 }
 
+TURNING_ARM = """\
+<robot name="turning_arm">
+  <link name="floor"/><link name="post"/><link name="arm"/><link name="hand"/><link name="camera"/>
+  <joint name="turn" type="continuous">
+    <parent link="floor"/><child link="post"/><origin xyz="0 0 0.4"/><axis xyz="0 0 1"/>
+  </joint>
+  <joint name="lift" type="revolute">
+    <parent link="post"/><child link="arm"/><origin xyz="0.1 0 0" rpy="-1.5707963267948966 0 0"/>
+    <axis xyz="0 0 1"/><limit lower="-1.5" upper="1.5" effort="10" velocity="1"/>
+  </joint>
+  <joint name="grip" type="fixed"><parent link="arm"/><child link="hand"/><origin xyz="0.5 0 0"/></joint>
+  <joint name="mount" type="fixed"><parent link="post"/><child link="camera"/></joint>
+</robot>
+"""
+
 CONVERT: dict[str, Any] = {
     "PUMA 560 to the modified convention": {"table": PUMA_560, "to": "modified"},
     "a table with parameters to the standard convention": {"table": CYLINDRICAL, "to": "standard"},
@@ -71,6 +86,13 @@ CONVERT: dict[str, Any] = {
     "an SCM chain to the modified convention (SCM2DH)": {
         "scm": {"joints": [{"a": "a1"}, {"x": "L1", "a": "-a2"}, {"z": "-d3"}], "final": {"c": "pi"}},
         "to": "modified",
+    },
+    "a robot of the catalogue to URDF": {"robot": "rx90", "to": "urdf"},
+    "a chain of a URDF description to the standard convention": {
+        "urdf": TURNING_ARM,
+        "base_link": "floor",
+        "tip_link": "hand",
+        "to": "standard",
     },
 }
 

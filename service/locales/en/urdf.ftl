@@ -1,0 +1,36 @@
+# URDF and the workspace.
+
+error-urdf_not_xml = The text is not well-formed XML: line { $line }, column { $column }.
+error-urdf_unsafe = A URDF has no document type, no entities and refers to no other file. Take <!DOCTYPE …> out.
+error-urdf_too_long = The description is longer than { $limit } characters.
+error-urdf_too_complex = The description is nested deeper than { $depth } or has more than { $elements } elements.
+error-urdf_no_robot = The root element is <{ $found }>; a URDF begins with <robot>.
+error-urdf_is_xacro = This is xacro, a macro language. Expand it first: xacro robot.xacro > robot.urdf
+error-urdf_no_links = The description has no links.
+error-urdf_name_missing = An element <{ $element }> has no name.
+error-urdf_name_twice = Two elements <{ $element }> are called “{ $name }”.
+error-urdf_name_invalid = A robot’s name is one line of visible characters.
+error-urdf_joint_incomplete = Joint “{ $joint }” lacks <{ $element } link="…"/>.
+error-urdf_link_missing = Joint “{ $joint }” names the link “{ $link }”, which the description does not have.
+error-urdf_link_unknown = The description has no link “{ $link }”; it has { $known }.
+error-urdf_two_parents = Link “{ $link }” hangs on two joints, “{ $first }” and “{ $second }”. Each link has one parent.
+error-urdf_ring = The links form a ring through “{ $link }”. A description is a tree.
+error-urdf_base_needed = { $count } links hang on no other. Name one as base_link: { $links }.
+error-urdf_tip_needed = The description branches and has { $count } ends. Name one as tip_link: { $links }.
+error-urdf_no_path = No joints lead from link “{ $base }” to link “{ $tip }”.
+error-urdf_nothing_moves = Nothing moves between link “{ $base }” and link “{ $tip }”.
+error-urdf_too_many_joints = The chain has { $count } moving joints; a table takes at most { $limit }.
+error-urdf_several_freedoms = Joint “{ $joint }” is { $kind }: it moves in several ways, a row of a DH table in one.
+error-urdf_type_unknown = Joint “{ $joint }” is of the type “{ $kind }”; known are { $known }.
+error-urdf_mimic = Joint “{ $joint }” mimics another joint; in a DH table every joint has a variable of its own.
+error-urdf_axis_zero = The axis of joint “{ $joint }” is 0 0 0, which points nowhere.
+error-urdf_limits_reversed = The lower limit of joint “{ $joint }” lies above its upper limit.
+error-urdf_numbers_malformed = Joint “{ $joint }”: { $attribute } in <{ $element }> takes { $count ->
+        [one] one finite number
+       *[other] { $count } finite numbers with spaces between
+    }, none larger than { $limit }.
+error-urdf_length_overflow = A length is too large to be written in metres.
+error-option_idle = Leave out { $found }: this conversion has no use for it.
+
+error-workspace_without_joints = Nothing moves: a workspace needs a revolute or a prismatic row.
+error-slide_without_limits = Joint { $joint } slides: without a least and a greatest value the workspace has no end.

@@ -1,0 +1,36 @@
+# URDF y el espacio de trabajo.
+
+error-urdf_not_xml = El texto no es XML bien formado: línea { $line }, columna { $column }.
+error-urdf_unsafe = Un URDF no tiene tipo de documento ni entidades y no remite a otros archivos. Quite <!DOCTYPE …>.
+error-urdf_too_long = La descripción tiene más de { $limit } caracteres.
+error-urdf_too_complex = La descripción tiene más de { $depth } niveles o más de { $elements } elementos.
+error-urdf_no_robot = El elemento raíz es <{ $found }>; un URDF empieza por <robot>.
+error-urdf_is_xacro = Esto es xacro, un lenguaje de macros. Expándalo primero: xacro robot.xacro > robot.urdf
+error-urdf_no_links = La descripción no tiene eslabones (link).
+error-urdf_name_missing = Un elemento <{ $element }> no tiene nombre.
+error-urdf_name_twice = Dos elementos <{ $element }> se llaman «{ $name }».
+error-urdf_name_invalid = El nombre de un robot es una línea de caracteres visibles.
+error-urdf_joint_incomplete = A la articulación «{ $joint }» le falta <{ $element } link="…"/>.
+error-urdf_link_missing = La articulación «{ $joint }» nombra el eslabón «{ $link }», que la descripción no tiene.
+error-urdf_link_unknown = La descripción no tiene el eslabón «{ $link }»; tiene { $known }.
+error-urdf_two_parents = El eslabón «{ $link }» cuelga de dos articulaciones, «{ $first }» y «{ $second }». Cada eslabón tiene un solo padre.
+error-urdf_ring = Los eslabones forman un anillo que pasa por «{ $link }». Una descripción es un árbol.
+error-urdf_base_needed = Eslabones que no cuelgan de otro: { $count }. Nombre uno como base_link: { $links }.
+error-urdf_tip_needed = La descripción se ramifica; extremos: { $count }. Nombre uno como tip_link: { $links }.
+error-urdf_no_path = Ninguna serie de articulaciones lleva del eslabón «{ $base }» al eslabón «{ $tip }».
+error-urdf_nothing_moves = Nada se mueve entre el eslabón «{ $base }» y el eslabón «{ $tip }».
+error-urdf_too_many_joints = La cadena tiene { $count } articulaciones móviles; una tabla admite { $limit } como máximo.
+error-urdf_several_freedoms = La articulación «{ $joint }» es de tipo { $kind }: se mueve de varias maneras, y una fila de la tabla DH, de una sola.
+error-urdf_type_unknown = La articulación «{ $joint }» es del tipo «{ $kind }»; se conocen { $known }.
+error-urdf_mimic = La articulación «{ $joint }» imita a otra; en una tabla DH cada articulación tiene su propia variable.
+error-urdf_axis_zero = El eje de la articulación «{ $joint }» es 0 0 0 y no apunta a ninguna parte.
+error-urdf_limits_reversed = El límite inferior de la articulación «{ $joint }» está por encima del superior.
+error-urdf_numbers_malformed = Articulación «{ $joint }»: { $attribute } en <{ $element }> admite { $count ->
+        [one] un número finito
+       *[other] { $count } números finitos separados por espacios
+    }, ninguno mayor que { $limit }.
+error-urdf_length_overflow = Una longitud es demasiado grande para escribirla en metros.
+error-option_idle = Omita { $found }: esta conversión no lo necesita.
+
+error-workspace_without_joints = Nada se mueve: un espacio de trabajo necesita una fila de revolución o prismática.
+error-slide_without_limits = La articulación { $joint } se desliza: sin un valor mínimo y uno máximo, el espacio de trabajo no tiene fin.

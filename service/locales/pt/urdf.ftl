@@ -1,0 +1,36 @@
+# URDF e o espaço de trabalho.
+
+error-urdf_not_xml = O texto não é XML bem formado: linha { $line }, coluna { $column }.
+error-urdf_unsafe = Um URDF não tem tipo de documento nem entidades e não se refere a outros arquivos. Retire <!DOCTYPE …>.
+error-urdf_too_long = A descrição tem mais de { $limit } caracteres.
+error-urdf_too_complex = A descrição tem mais de { $depth } níveis ou mais de { $elements } elementos.
+error-urdf_no_robot = O elemento raiz é <{ $found }>; um URDF começa com <robot>.
+error-urdf_is_xacro = Isto é xacro, uma linguagem de macros. Expanda-o primeiro: xacro robot.xacro > robot.urdf
+error-urdf_no_links = A descrição não tem elos (link).
+error-urdf_name_missing = Um elemento <{ $element }> não tem nome.
+error-urdf_name_twice = Dois elementos <{ $element }> chamam-se “{ $name }”.
+error-urdf_name_invalid = O nome de um robô é uma linha de caracteres visíveis.
+error-urdf_joint_incomplete = Falta <{ $element } link="…"/> à junta “{ $joint }”.
+error-urdf_link_missing = A junta “{ $joint }” nomeia o elo “{ $link }”, que a descrição não tem.
+error-urdf_link_unknown = A descrição não tem o elo “{ $link }”; tem { $known }.
+error-urdf_two_parents = O elo “{ $link }” pende de duas juntas, “{ $first }” e “{ $second }”. Cada elo tem um só pai.
+error-urdf_ring = Os elos formam um anel que passa por “{ $link }”. Uma descrição é uma árvore.
+error-urdf_base_needed = Elos que não pendem de nenhum outro: { $count }. Nomeie um como base_link: { $links }.
+error-urdf_tip_needed = A descrição ramifica-se; extremidades: { $count }. Nomeie uma como tip_link: { $links }.
+error-urdf_no_path = Nenhuma sequência de juntas leva do elo “{ $base }” ao elo “{ $tip }”.
+error-urdf_nothing_moves = Nada se move entre o elo “{ $base }” e o elo “{ $tip }”.
+error-urdf_too_many_joints = A cadeia tem { $count } juntas móveis; uma tabela aceita no máximo { $limit }.
+error-urdf_several_freedoms = A junta “{ $joint }” é do tipo { $kind }: move-se de várias maneiras, e uma linha da tabela DH, de uma só.
+error-urdf_type_unknown = A junta “{ $joint }” é do tipo “{ $kind }”; são conhecidos { $known }.
+error-urdf_mimic = A junta “{ $joint }” imita outra; numa tabela DH cada junta tem a sua própria variável.
+error-urdf_axis_zero = O eixo da junta “{ $joint }” é 0 0 0 e não aponta para lado nenhum.
+error-urdf_limits_reversed = O limite inferior da junta “{ $joint }” está acima do superior.
+error-urdf_numbers_malformed = Junta “{ $joint }”: { $attribute } em <{ $element }> recebe { $count ->
+        [one] um número finito
+       *[other] { $count } números finitos separados por espaços
+    }, nenhum maior que { $limit }.
+error-urdf_length_overflow = Um comprimento é grande demais para ser escrito em metros.
+error-option_idle = Deixe { $found } de fora: esta conversão não lhe dá uso.
+
+error-workspace_without_joints = Nada se move: um espaço de trabalho precisa de uma linha de revolução ou prismática.
+error-slide_without_limits = A junta { $joint } desliza: sem um valor mínimo e um máximo, o espaço de trabalho não tem fim.

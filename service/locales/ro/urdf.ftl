@@ -1,0 +1,36 @@
+# URDF și spațiul de lucru.
+
+error-urdf_not_xml = Textul nu este XML bine format: linia { $line }, coloana { $column }.
+error-urdf_unsafe = Un URDF nu are tip de document, nici entități și nu trimite la alte fișiere. Eliminați <!DOCTYPE …>.
+error-urdf_too_long = Descrierea are mai mult de { $limit } caractere.
+error-urdf_too_complex = Descrierea are mai mult de { $depth } niveluri sau mai mult de { $elements } elemente.
+error-urdf_no_robot = Elementul rădăcină este <{ $found }>; un URDF începe cu <robot>.
+error-urdf_is_xacro = Acesta este xacro, un limbaj de macrouri. Expandați-l mai întâi: xacro robot.xacro > robot.urdf
+error-urdf_no_links = Descrierea nu are elemente (link).
+error-urdf_name_missing = Un element <{ $element }> nu are nume.
+error-urdf_name_twice = Două elemente <{ $element }> se numesc „{ $name }”.
+error-urdf_name_invalid = Numele unui robot este un rând de caractere vizibile.
+error-urdf_joint_incomplete = Cuplei „{ $joint }” îi lipsește <{ $element } link="…"/>.
+error-urdf_link_missing = Cupla „{ $joint }” numește elementul „{ $link }”, pe care descrierea nu îl are.
+error-urdf_link_unknown = Descrierea nu are elementul „{ $link }”; are { $known }.
+error-urdf_two_parents = Elementul „{ $link }” este purtat de două cuple, „{ $first }” și „{ $second }”. Fiecare element are un singur părinte.
+error-urdf_ring = Elementele formează un inel prin „{ $link }”. O descriere este un arbore.
+error-urdf_base_needed = Elemente care nu sunt purtate de altul: { $count }. Numiți unul ca base_link: { $links }.
+error-urdf_tip_needed = Descrierea se ramifică; capete: { $count }. Numiți unul ca tip_link: { $links }.
+error-urdf_no_path = Nicio succesiune de cuple nu duce de la elementul „{ $base }” la elementul „{ $tip }”.
+error-urdf_nothing_moves = Nimic nu se mișcă între elementul „{ $base }” și elementul „{ $tip }”.
+error-urdf_too_many_joints = Lanțul are { $count } cuple mobile; un tabel primește cel mult { $limit }.
+error-urdf_several_freedoms = Cupla „{ $joint }” este de tip { $kind }: are mai multe grade de libertate, iar un rând al tabelului DH are unul.
+error-urdf_type_unknown = Cupla „{ $joint }” este de tipul „{ $kind }”; sunt cunoscute { $known }.
+error-urdf_mimic = Cupla „{ $joint }” o imită pe alta; într-un tabel DH fiecare cuplă are propria variabilă.
+error-urdf_axis_zero = Axa cuplei „{ $joint }” este 0 0 0 și nu indică nicăieri.
+error-urdf_limits_reversed = Limita inferioară a cuplei „{ $joint }” este deasupra celei superioare.
+error-urdf_numbers_malformed = Cupla „{ $joint }”: { $attribute } din <{ $element }> primește { $count ->
+        [one] un număr finit
+       *[other] { $count } numere finite separate prin spații
+    }, niciunul mai mare decât { $limit }.
+error-urdf_length_overflow = O lungime este prea mare pentru a fi scrisă în metri.
+error-option_idle = Omiteți { $found }: această conversie nu are nevoie de așa ceva.
+
+error-workspace_without_joints = Nimic nu se mișcă: un spațiu de lucru are nevoie de un rând de rotație sau de translație.
+error-slide_without_limits = Cupla { $joint } translează: fără o valoare minimă și una maximă, spațiul de lucru nu are capăt.

@@ -1,0 +1,33 @@
+# URDF і робоча зона.
+
+error-urdf_not_xml = Текст не є правильно побудованим XML: рядок { $line }, стовпець { $column }.
+error-urdf_unsafe = URDF не має типу документа й сутностей і не посилається на інші файли. Вилучіть <!DOCTYPE …>.
+error-urdf_too_long = Опис довший за { $limit } символів.
+error-urdf_too_complex = В описі понад { $depth } рівнів вкладення або понад { $elements } елементів.
+error-urdf_no_robot = Кореневий елемент — <{ $found }>; URDF починається з <robot>.
+error-urdf_is_xacro = Це xacro, мова макросів. Спершу розгорніть його: xacro robot.xacro > robot.urdf
+error-urdf_no_links = В описі немає ланок (link).
+error-urdf_name_missing = Елемент <{ $element }> не має імені.
+error-urdf_name_twice = Два елементи <{ $element }> мають ім’я «{ $name }».
+error-urdf_name_invalid = Ім’я робота — один рядок видимих символів.
+error-urdf_joint_incomplete = Зчленуванню «{ $joint }» бракує <{ $element } link="…"/>.
+error-urdf_link_missing = Зчленування «{ $joint }» називає ланку «{ $link }», якої в описі немає.
+error-urdf_link_unknown = В описі немає ланки «{ $link }»; є { $known }.
+error-urdf_two_parents = Ланку «{ $link }» несуть два зчленування, «{ $first }» і «{ $second }». Кожна ланка має одного предка.
+error-urdf_ring = Ланки утворюють кільце через «{ $link }». Опис має бути деревом.
+error-urdf_base_needed = Ланок, яких не несе жодна інша: { $count }. Назвіть одну як base_link: { $links }.
+error-urdf_tip_needed = Опис розгалужується; кінців: { $count }. Назвіть один як tip_link: { $links }.
+error-urdf_no_path = Жодні зчленування не ведуть від ланки «{ $base }» до ланки «{ $tip }».
+error-urdf_nothing_moves = Між ланкою «{ $base }» і ланкою «{ $tip }» ніщо не рухається.
+error-urdf_too_many_joints = Рухомих зчленувань у ланцюзі: { $count }; таблиця приймає щонайбільше { $limit }.
+error-urdf_several_freedoms = Зчленування «{ $joint }» має тип { $kind }: у нього кілька степенів вільності, а в рядка таблиці ДХ — один.
+error-urdf_type_unknown = Зчленування «{ $joint }» має тип «{ $kind }»; відомі { $known }.
+error-urdf_mimic = Зчленування «{ $joint }» повторює рух іншого; у таблиці ДХ кожне зчленування має власну змінну.
+error-urdf_axis_zero = Вісь зчленування «{ $joint }» — 0 0 0, вона нікуди не вказує.
+error-urdf_limits_reversed = Нижня межа зчленування «{ $joint }» вища за верхню.
+error-urdf_numbers_malformed = Зчленування «{ $joint }»: { $attribute } у <{ $element }> приймає скінченні числа через пропуск (кількість: { $count }), не більші за { $limit }.
+error-urdf_length_overflow = Довжина завелика, щоб записати її в метрах.
+error-option_idle = Приберіть { $found }: для цього перетворення воно зайве.
+
+error-workspace_without_joints = Ніщо не рухається: робоча зона потребує обертального або поступального рядка.
+error-slide_without_limits = Зчленування { $joint } поступальне: без найменшого й найбільшого значень робоча зона не має меж.

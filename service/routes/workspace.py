@@ -1,0 +1,95 @@
+"""How far a robot reaches."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from fastapi import Body, Request
+
+from kinematics.inverse.limits import JointLimits
+from kinematics.transforms import check_transform
+from kinematics.workspace import Radius, Workspace, check_joints, joint_spans, workspace
+from service.errors import located
+from service.openapi import problems
+from service.preparation import Preparation, Robot, listed_robot
+from service.routing import api_router
+from service.schemas import examples
+from service.schemas import workspace as wire
+from service.schemas.limits import domain_limits
+from service.workers import Lane, Workers
+
+router = api_router("kinematics")
+
+_DMRA: dict[str, Any] = {"robot": "dmra"}
+_EXAMPLES: dict[str, Any] = {
+    "DMRA, every joint turning fully": _DMRA,
+    "a SCARA within its limits, with points": {"robot": "scara", "samples": 16},
+    "two links with an elbow that bends by 30° to 120°": {
+        "table": {**examples.TWO_LINKS, "angle_unit": "deg"},
+        "parameters": {"L1": 0.4, "L2": 0.3},
+        "limits": [None, [30, 120]],
+    },
+}
+
+
+@router.post(
+    "/workspace",
+    summary="Radii, box and points of the workspace",
+    response_model_exclude_none=True,
+    responses=problems(400, 413, 415, 422, 503),
+)
+async def reach(
+    request: Request,
+    body: Annotated[wire.WorkspaceRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+) -> wire.WorkspaceAnswer:
+    """How near and how far the joints bring the origin of the end frame, and in which box.
+
+    Radii are measured from the axis of the first joint and from the origin of frame 0. Each number is that
+    of a configuration within the limits, exact to rounding; that nothing lies beyond is found by climbing
+    from many starts, not proved.
+    """
+    preparation: Preparation = request.app.state.preparation
+    robot = preparation.prepare(body)
+    limits = _limits(body, robot)
+    with located("table"):
+        check_joints(robot.table)
+    joint_spans(robot.table, limits)
+    for name in ("base", "tool"):
+        if getattr(body, name) is not None:
+            check_transform(getattr(body, name), where=(name,))
+    workers: Workers = request.app.state.workers
+    found = await workers.run(Lane.SLOW, _found, robot.table, limits, body.base, body.tool, body.samples or 0)
+    return _answer(found, robot)
+
+
+def _limits(body: wire.WorkspaceRequest, robot: Robot) -> JointLimits | None:
+    if body.limits is None and body.robot is not None:
+        return domain_limits(listed_robot(body.robot).limits, robot.joint_units)
+    return domain_limits(body.limits, robot.joint_units)
+
+
+def _found(table: Any, limits: Any, base: Any, tool: Any, samples: int) -> Workspace:
+    return workspace(table, limits, base=base, tool=tool, samples=samples)
+
+
+def _answer(found: Workspace, robot: Robot) -> wire.WorkspaceAnswer:
+    units: dict[str, Any] = dict(robot.units)
+    return wire.WorkspaceAnswer(
+        **units,
+        inner_radius=wire.Radius(axis=found.inner.axis.value, origin=found.inner.origin.value),
+        outer_radius=wire.Radius(axis=found.outer.axis.value, origin=found.outer.origin.value),
+        box=wire.Box(min=list(found.low), max=list(found.high)),
+        reached=wire.Reached(
+            inner_radius=wire.RadiusJoints(
+                axis=_joints(found.inner.axis, robot), origin=_joints(found.inner.origin, robot)
+            ),
+            outer_radius=wire.RadiusJoints(
+                axis=_joints(found.outer.axis, robot), origin=_joints(found.outer.origin, robot)
+            ),
+        ),
+        points=found.points.tolist() if len(found.points) else None,
+    )
+
+
+def _joints(radius: Radius, robot: Robot) -> list[float]:
+    return [q / unit for q, unit in zip(radius.joints, robot.joint_units, strict=True)]
