@@ -1,0 +1,81 @@
+"""How soon a page stands and answers on a slow phone, and what travels until then; JSON on standard output.
+
+    python -m tools.measure_web
+
+Each page is opened several times in fresh contexts (nothing cached) with the processor slowed down four
+times; medians count.
+"""
+
+from __future__ import annotations
+
+import json
+import statistics
+import sys
+from typing import Any
+
+from playwright.sync_api import Browser
+
+from tools.web import chromium, service
+
+PAGES = ("/", "/exercises/puma560", "/playground", "/trainer/puma560")
+SLOW_DOWN = 4
+ROUNDS = 5
+SETTLED = 3500
+"""Milliseconds after which everything that a page loads by itself has been loaded."""
+
+WATCH = """
+new MutationObserver(() => {
+  if (document.documentElement.dataset.ready && !window.answersAt) {
+    requestAnimationFrame(() => (window.answersAt = performance.now()));
+  }
+}).observe(document, { attributes: true, subtree: true, attributeFilter: ["data-ready"] });
+"""
+TIMES = """() => ({
+  painted: performance.getEntriesByName("first-contentful-paint")[0].startTime,
+  answers: window.answersAt,
+})"""
+
+
+def visit(browser: Browser, address: str) -> dict[str, float]:
+    """One visit: first contentful paint [ms], controls answer [ms], bytes without fonts."""
+    context = browser.new_context(viewport={"width": 412, "height": 915}, device_scale_factor=2)
+    page = context.new_page()
+    session = context.new_cdp_session(page)
+    session.send("Network.enable")
+    session.send("Emulation.setCPUThrottlingRate", {"rate": SLOW_DOWN})
+    names: dict[str, str] = {}
+    sizes: dict[str, float] = {}
+
+    def named(event: dict[str, Any]) -> None:
+        names[event["requestId"]] = event["response"]["url"]
+
+    def sized(event: dict[str, Any]) -> None:
+        sizes[names.get(event["requestId"], "")] = event["encodedDataLength"]
+
+    session.on("Network.responseReceived", named)
+    session.on("Network.loadingFinished", sized)
+    page.add_init_script(WATCH)
+    page.goto(address)
+    page.locator("html[data-ready=true]").wait_for(state="attached")
+    page.wait_for_function("window.answersAt")
+    times = page.evaluate(TIMES)
+    page.evaluate("scrollTo(0, document.body.scrollHeight)")
+    page.wait_for_timeout(SETTLED)
+    context.close()
+    bytes_ = sum(size for name, size in sizes.items() if not name.endswith(".woff2"))
+    return {**times, "bytes": bytes_}
+
+
+def measure() -> dict[str, dict[str, float]]:
+    """Medians by page."""
+    with service() as origin, chromium() as browser:
+        visit(browser, origin + PAGES[0])
+        found = {}
+        for path in PAGES:
+            visits = [visit(browser, f"{origin}{path}?lang=en") for _ in range(ROUNDS)]
+            found[path] = {name: statistics.median(one[name] for one in visits) for name in visits[0]}
+        return found
+
+
+if __name__ == "__main__":
+    json.dump(measure(), sys.stdout)
