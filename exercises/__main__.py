@@ -18,6 +18,7 @@ from exercises.loader import FILE, ROOT, exercise, exercise_ids, load_exercise
 from exercises.selftest.checks import check
 
 SEEDS = 10
+NOTE = "not to scale"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -89,7 +90,7 @@ def _check(options: argparse.Namespace) -> int:
 
 def _figure(options: argparse.Namespace) -> int:
     found = _found(options.exercise)
-    svg = figure_svg(generate(found, options.seed), title=found.titles["en"], description="", language="en")
+    svg = figure_svg(generate(found, options.seed), title=found.titles["en"], description="", language="en", note=NOTE)
     if options.output is None:
         sys.stdout.write(f"{svg}\n")
     else:

@@ -1,0 +1,96 @@
+"""docs/authoring.md is executed: its files load, its commands run, its requests are graded."""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+import tomllib
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from exercises.__main__ import main
+from exercises.definition import LANGUAGES, PartKind
+from exercises.loader import load_exercise
+from exercises.selftest.mistakes import MISTAKES
+from service.schemas.exercises import ExerciseAnswer
+from tests.exercises.answering import judged
+
+PAGE = (Path(__file__).parents[2] / "docs" / "authoring.md").read_text(encoding="utf-8")
+BLOCKS = re.findall(r"^```(\w+)(?: (\w+)=(\S+))?\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
+
+
+def files() -> dict[str, str]:
+    return {name: content for _, kind, name, content in BLOCKS if kind == "file"}
+
+
+@pytest.fixture
+def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with the page's files in it, and the crane's statement in every language."""
+    for name, content in files().items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(content, encoding="utf-8")
+    statement = files()["crane/statement.en.md"]
+    for language in LANGUAGES:
+        (tmp_path / "crane" / f"statement.{language}.md").write_text(statement, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_every_command_runs(desk: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    commands = [line for language, *_, content in BLOCKS if language == "sh" for line in content.splitlines()]
+    assert len(commands) == 6
+    for command in commands:
+        words = shlex.split(command)
+        assert words[:3] == ["python", "-m", "exercises"]
+        arguments = ["2" if before == "--seeds" else word for before, word in pairwise(words[2:])]
+        assert main(arguments) == 0, capsys.readouterr()
+    assert (desk / "my-arm.svg").read_text(encoding="utf-8").startswith("<svg")
+
+
+def test_the_full_definition_says_what_its_comments_say(desk: Path) -> None:
+    crane = load_exercise(desk / "crane")
+    assert {part.kind for part in crane.parts} == set(PartKind)
+    assert crane.points == 100
+    assert crane.figure.marks == ("P",)
+    assert len(crane.samples) == 1
+
+
+def keys(node: Any, where: tuple[str, ...] = ()) -> Iterator[str]:
+    """Keys of a definition; names that an author makes up are none."""
+    if isinstance(node, list):
+        for entry in node:
+            yield from keys(entry, where)
+    if isinstance(node, dict):
+        for key, value in node.items():
+            if where[-1:] not in {("points",), ("lengths",), ("parameters",), ("joints",), ("title",)}:
+                yield key
+            yield from keys(value, (*where, key))
+
+
+def test_every_key_of_the_shipped_definitions_is_explained() -> None:
+    explained = set(keys(tomllib.loads(files()["crane/exercise.toml"])))
+    root = Path(__file__).parents[2] / "exercises" / "definitions"
+    used = {
+        key for file in root.glob("*/exercise.toml") for key in keys(tomllib.loads(file.read_text("utf-8")))
+    }
+    assert used - explained == {"robot"}
+    assert 'robot = "puma560"' in PAGE
+
+
+def test_every_misconception_is_listed() -> None:
+    paragraph = PAGE.split("Misconceptions that can be listed:")[1].split("What each means")[0]
+    assert set(re.findall(r"`(\w+)`", paragraph)) == set(MISTAKES)
+
+
+def test_requests_are_graded() -> None:
+    requests = [(name, json.loads(content)) for _, kind, name, content in BLOCKS if kind == "grade"]
+    assert requests
+    for exercise_id, body in requests:
+        raw = ExerciseAnswer.model_validate(body).raw()
+        report = judged(exercise_id, table=raw.table, workspace=raw.workspace)
+        assert report.correct
