@@ -21,10 +21,11 @@ from kinematics.expressions import (
     power,
 )
 from kinematics.symbolic.angles import angle_of, cosine_and_sine
+from kinematics.symbolic.elements import Form, Monomial, Symbol
 from kinematics.symbolic.motions import Motion, motions_of
 from kinematics.symbolic.poses import ExactPose, read_matrix
 from kinematics.symbolic.reading import Reader
-from kinematics.symbolic.ring import Form, Monomial, Ring, Symbol
+from kinematics.symbolic.ring import Ring
 from kinematics.symbolic.verdict import Verdict
 from kinematics.table import SymbolicTable
 

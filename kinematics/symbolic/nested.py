@@ -139,28 +139,26 @@ class Arena:
         return known
 
     def _gathered_term(self, a: Nested) -> Term:
-        weight = _shared_weight(a)
-        shared = _shared_factors(a)
-        if weight == -1:
-            a = self.negative(a)
-        elif weight != 1:
-            a = tuple((_plain(Fraction(w) / weight), f) for w, f in a)
-        if shared:
-            a = tuple((w, _without(f, shared)) for w, f in a)
+        weight, shared, rest = _stripped(a)
+        opposite = self.negative(rest)
+        if rest not in self._groups and (opposite in self._groups or _leads_negative(rest)):
+            rest, weight = opposite, -weight
+        return weight, tuple(sorted((*shared, self._group(rest))))
+
+    def _group(self, a: Nested) -> int:
         group = self._groups.get(a)
         if group is None:
-            group = self._groups.get(self.negative(a))
-            if group is not None:
-                weight = -weight
-            else:
-                group = self._groups[a] = self._new(self.expression(a), _Rank.PARENTHESES)
-        return weight, tuple(sorted((*shared, group)))
+            group = self._groups[a] = self._new(self.expression(a), _Rank.PARENTHESES)
+        return group
 
     def gathered(self, a: Nested) -> Nested:
         """The sum with what all its terms share taken out, if there is anything."""
-        if len(a) < 2 or (not _shared_factors(a) and abs(_shared_weight(a)) == 1):
+        if len(a) < 2:
             return a
-        return (self.term(a),)
+        weight, shared, rest = _stripped(a)
+        if not shared and abs(weight) == 1:
+            return a
+        return ((weight, tuple(sorted((*shared, self._group(rest))))),)
 
     def expression(self, a: Nested) -> Expression:
         """The nested sum as an expression tree; parentheses that occur twice are one object."""
@@ -256,6 +254,26 @@ def _shared_weight(a: Nested) -> Rational:
     if any(weight not in (size, -size) for weight, _ in a):
         size = 1
     return size if any(weight > 0 for weight, _ in a) else -size
+
+
+def _leads_negative(a: Nested) -> bool:
+    """Whether a sum without parentheses within looks better with the opposite sign: c4·c6 - s4·c5·s6."""
+    if any(factors and factors[-1] >> _RANK_BITS == _Rank.PARENTHESES for _, factors in a):
+        return False
+    return min(a, key=lambda term: term[1])[0] < 0
+
+
+def _stripped(a: Nested) -> tuple[Rational, tuple[int, ...], Nested]:
+    """What all terms share, a number and factors, and the sum that is left."""
+    weight = _shared_weight(a)
+    shared = _shared_factors(a)
+    if weight == -1:
+        a = tuple((-w, f) for w, f in a)
+    elif weight != 1:
+        a = tuple((_plain(Fraction(w) / weight), f) for w, f in a)
+    if shared:
+        a = tuple((w, _without(f, shared)) for w, f in a)
+    return weight, shared, a
 
 
 def _without(factors: tuple[int, ...], shared: tuple[int, ...]) -> tuple[int, ...]:

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from kinematics.expressions import Expression
 from kinematics.links import Kind
+from kinematics.symbolic.elements import ONE_FORM, ZERO_FORM, Form
 from kinematics.symbolic.motions import Motion
 from kinematics.symbolic.reading import Reader
-from kinematics.symbolic.ring import ONE_FORM, ZERO_FORM, Form
 from kinematics.symbolic.surds import tidy
 
 _SHORT = 4

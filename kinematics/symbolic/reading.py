@@ -18,17 +18,17 @@ from kinematics.expressions import (
     Product,
     Sum,
 )
-from kinematics.symbolic.ring import (
+from kinematics.symbolic.elements import (
     IMAGINARY_UNIT,
     ONE_FORM,
     UNIT,
     ZERO_FORM,
     Form,
     Monomial,
-    Ring,
     Symbol,
     Terms,
 )
+from kinematics.symbolic.ring import Ring
 from kinematics.symbolic.roots import has_large_prime
 from kinematics.symbolic.surds import algebraic_reciprocal, denested_root, root_of_rational, tidy
 

@@ -14,59 +14,19 @@ Keys mean something only within one `Ring`. `Ring.terms` writes a form without r
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from math import gcd
-from typing import NamedTuple, TypeAlias
+from math import gcd, lcm
 
 from kinematics.errors import Fault, FormSizeError
-from kinematics.symbolic.roots import basis_terms
-
-Exponents: TypeAlias = frozenset[tuple["Symbol", Fraction]]
+from kinematics.symbolic.elements import ONE_FORM, ZERO_FORM, Exponents, Form, Monomial, Symbol, Terms
+from kinematics.symbolic.roots import basis_steps
 
 _FIELD_BITS = 40
 _ROOT_MASK = 0xFF
 _ROOT_BITS = 8
 _HALF_TURN = 12
-
-
-class Symbol(NamedTuple):
-    """What a factor of a term is a power of.
-
-    kind "power": `of` itself (a parameter, π, something opaque). "radical": the root of the prime `of`.
-    "exponential": e^(i·of), `of` a `Monomial`. "root": e^(2πi), its exponent a turn.
-    """
-
-    kind: str
-    of: Hashable
-
-
-class Monomial(NamedTuple):
-    """A term without its rational coefficient: ζ^turn times powers of symbols."""
-
-    turn: Fraction
-    exponents: Exponents
-
-
-Terms: TypeAlias = dict[Monomial, Fraction]
-UNIT = Monomial(Fraction(0), frozenset())
-
-
-@dataclass(frozen=True, slots=True)
-class Form:
-    """An element of the ring: integer coefficients by key, over a common denominator."""
-
-    coefficients: Mapping[int, int]
-    denominator: int = 1
-
-    def __bool__(self) -> bool:
-        return bool(self.coefficients)
-
-
-ZERO_FORM = Form({})
-ONE_FORM = Form({0: 1})
-IMAGINARY_UNIT = Form({6: 1})
+_ORDER = 24
 
 
 @dataclass(slots=True)
@@ -105,7 +65,7 @@ class Ring:
     def turn(self, turn: Fraction) -> Form:
         """The root of unity e^(2πi·turn)."""
         turn %= 1
-        steps = turn * 24
+        steps = turn * _ORDER
         if steps.denominator != 1:
             return self.symbol(Symbol("root", None), turn)
         if steps >= _HALF_TURN:
@@ -207,20 +167,66 @@ class Ring:
         """Whether a form is zero; denominators are cleared first, for they never are."""
         if len(a.coefficients) < 2:
             return not a.coefficients
-        return not self.terms(self._cleared(a))
+        parts = self._parts(self._cleared(a))
+        if not parts or self._keys_are_normal:
+            return not parts
+        return not self._merged(parts, 1)
 
     def terms(self, a: Form) -> Terms:
         """A form in its normal form: monomials in the basis, and their rational coefficients."""
+        return self._merged(self._parts(self._reduced(a)), a.denominator)
+
+    @property
+    def _keys_are_normal(self) -> bool:
+        """Whether keys that differ, roots of unity aside, are different exponents."""
+        symbols = {place.symbol for place in self._fields if place.symbol.kind != "root"}
+        plain = [place for place in self._fields if place.symbol.kind != "root"]
+        return len(symbols) == len(plain) and not any(symbol.kind == "radical" for symbol in symbols)
+
+    def _parts(self, a: Form) -> dict[int, dict[Fraction, int]]:
+        """What stands beside each key without roots of unity: a sum of roots of unity in the basis."""
+        order = lcm(
+            _ORDER, *(place.unit.denominator for place in self._fields if place.symbol.kind == "root")
+        )
+        found = {}
+        for rest, by_step in self._by_rest(a, order).items():
+            reduced: dict[Fraction, int] = {}
+            for step, coefficient in by_step.items():
+                for piece, sign in basis_steps(step, order):
+                    reduced[piece] = reduced.get(piece, 0) + sign * coefficient
+            reduced = {piece: coefficient for piece, coefficient in reduced.items() if coefficient}
+            if reduced:
+                found[rest] = reduced
+        return found
+
+    def _merged(self, parts: dict[int, dict[Fraction, int]], denominator: int) -> Terms:
+        """The parts as terms; keys that are the same exponents are added."""
         out: Terms = {}
-        for key, coefficient in self._reduced(a).coefficients.items():
-            turn, exponents, factor = self._decode(key)
-            weight = Fraction(coefficient, a.denominator)
-            if factor != 1:
-                weight *= factor
-            for piece, sign in basis_terms(turn):
+        for rest, reduced in parts.items():
+            exponents, factor = self._decode(rest)
+            for piece, coefficient in reduced.items():
                 monomial = Monomial(piece, exponents)
-                out[monomial] = out.get(monomial, Fraction(0)) + sign * weight
+                weight = Fraction(coefficient, denominator)
+                if factor != 1:
+                    weight *= factor
+                out[monomial] = out[monomial] + weight if monomial in out else weight
         return {monomial: weight for monomial, weight in out.items() if weight}
+
+    def _by_rest(self, a: Form, order: int) -> dict[int, dict[int, int]]:
+        """The coefficients by what the keys hold besides roots of unity, and by the roots' turn."""
+        places = [place for place in self._fields if place.symbol.kind == "root"]
+        found: dict[int, dict[int, int]] = {}
+        for key, coefficient in a.coefficients.items():
+            step = (key & _ROOT_MASK) * (order // _ORDER)
+            rest = key - (key & _ROOT_MASK)
+            for place in places:
+                raw = self._raw(key, place)
+                rest -= raw << place.shift
+                step += raw * (order // place.unit.denominator)
+            by_step = found.setdefault(rest, {})
+            step %= order
+            by_step[step] = by_step.get(step, 0) + coefficient
+        return found
 
     def form(self, terms: Terms) -> Form:
         """The form of which `terms` is the normal form."""
@@ -232,9 +238,9 @@ class Ring:
             total = self.add(total, product)
         return total
 
-    def _decode(self, key: int) -> tuple[Fraction, Exponents, Fraction]:
-        steps = key & _ROOT_MASK
-        turn, factor = Fraction(steps, 24), Fraction(1)
+    def _decode(self, key: int) -> tuple[Exponents, Fraction]:
+        """The exponents in a key without roots of unity, and what pairs of equal square roots give."""
+        factor = Fraction(1)
         key >>= _ROOT_BITS
         found: dict[Symbol, Fraction] = {}
         for place in self._fields:
@@ -246,15 +252,12 @@ class Ring:
             if raw:
                 found[place.symbol] = found.get(place.symbol, Fraction(0)) + raw * place.unit
         for symbol, exponent in list(found.items()):
-            if symbol.kind == "root":
-                turn += exponent
-                del found[symbol]
-            elif symbol.kind == "radical":
+            if symbol.kind == "radical":
                 pairs, rest = divmod(exponent.numerator, 2)
                 assert isinstance(symbol.of, int)
                 factor *= Fraction(symbol.of) ** pairs
                 found[symbol] = Fraction(rest)
-        return turn % 1, frozenset(item for item in found.items() if item[1]), factor
+        return frozenset(item for item in found.items() if item[1]), factor
 
     def _reduced(self, a: Form) -> Form:
         """The form with every related symbol's exponent below the degree of its relation."""

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import lru_cache
-from math import gcd, isqrt
+from math import isqrt
 
 LARGEST_PRIME = 31
 """Relations are used for primes up to this; a turn with a larger prime in its denominator stays as it is."""
@@ -34,6 +34,12 @@ def basis_terms(turn: Fraction) -> tuple[tuple[Fraction, int], ...]:
             for piece, sign in reduced
         }
     return tuple(terms.items())
+
+
+@lru_cache(maxsize=65536)
+def basis_steps(step: int, order: int) -> tuple[tuple[Fraction, int], ...]:
+    """The same for e^(2πi·step/order)."""
+    return basis_terms(Fraction(step, order))
 
 
 def has_large_prime(turn: Fraction) -> bool:
@@ -114,11 +120,3 @@ def _reduce_part(prime: int, part: Fraction) -> list[tuple[Fraction, int]]:
     if prime > LARGEST_PRIME or part < Fraction(prime - 1, prime):
         return [(part, 1)]
     return [(part - Fraction(step, prime), -1) for step in range(1, prime)]
-
-
-def common_order(turns: list[Fraction]) -> int:
-    """Least N such that every turn is a multiple of 1/N."""
-    order = 1
-    for turn in turns:
-        order *= turn.denominator // gcd(order, turn.denominator)
-    return order

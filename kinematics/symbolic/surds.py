@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from fractions import Fraction
 from itertools import product
-from math import gcd, isqrt
+from math import gcd, isqrt, lcm
 
-from kinematics.symbolic.ring import ONE_FORM, UNIT, ZERO_FORM, Form, Monomial, Ring, Symbol, Terms
+from kinematics.symbolic.elements import ONE_FORM, UNIT, ZERO_FORM, Form, Monomial, Symbol, Terms
+from kinematics.symbolic.ring import Ring
 from kinematics.symbolic.roots import LARGEST_PRIME, square_free, square_root_of_prime
 
 _CONJUGATES_LIMIT = 64
@@ -41,8 +42,14 @@ def root_of_rational(ring: Ring, value: Fraction) -> Form:
 
 def denested_root(ring: Ring, terms: Terms) -> Form | None:
     """√(a + b√c) = √((a+d)/2) ± √((a-d)/2) where d² = a² - b²c is the square of a rational number."""
-    rational = terms.get(UNIT, Fraction(0))
-    surd = ring.form({monomial: weight for monomial, weight in terms.items() if monomial != UNIT})
+    conjugates = _conjugates(ring, terms)
+    if not conjugates:
+        return None
+    total = ZERO_FORM
+    for conjugate in conjugates:
+        total = ring.add(total, conjugate)
+    rational = ring.terms(ring.scale(total, Fraction(1, len(conjugates)))).get(UNIT, Fraction(0))
+    surd = ring.add(ring.form(terms), ring.rational(rational), -1)
     squared = ring.terms(ring.multiply(surd, surd))
     if rational <= 0 or squared.keys() != {UNIT} or squared[UNIT] <= 0:
         return None
@@ -60,24 +67,34 @@ def denested_root(ring: Ring, terms: Terms) -> Form | None:
 
 def algebraic_reciprocal(ring: Ring, terms: Terms) -> Form | None:
     """1/x of an algebraic number: the product of its other conjugates over its norm, if they are few."""
-    symbols = {symbol for monomial in terms for symbol, _ in monomial.exponents}
-    if any(symbol.kind != "radical" for symbol in symbols):
-        return None
-    order = 1
-    for monomial in terms:
-        order *= monomial.turn.denominator // gcd(order, monomial.turn.denominator)
-    if order > _LARGEST_ORDER:
-        return None
-    units = [k for k in range(1, order + 1) if gcd(k, order) == 1]
-    if len(units) * 2 ** len(symbols) > _CONJUGATES_LIMIT:
+    conjugates = _conjugates(ring, terms)
+    if not conjugates:
         return None
     others = ONE_FORM
-    for unit, signs in product(units, product((1, -1), repeat=len(symbols))):
-        if unit != 1 or -1 in signs:
-            flips = dict(zip(sorted(symbols), signs, strict=True))
-            others = tidy(ring, ring.multiply(others, _conjugate(ring, terms, unit, flips)))
-    norm = ring.terms(ring.multiply(ring.form(terms), others))
+    for conjugate in conjugates[1:]:
+        others = tidy(ring, ring.multiply(others, conjugate))
+    norm = ring.terms(ring.multiply(conjugates[0], others))
     return ring.scale(others, 1 / norm[UNIT]) if norm.keys() == {UNIT} else None
+
+
+def _conjugates(ring: Ring, terms: Terms) -> list[Form]:
+    """The images of an algebraic number, itself first, under the Galois group of a field that it lies in.
+
+    Nothing of what is no algebraic number, and of a number in a field whose group is large.
+    """
+    symbols = {symbol for monomial in terms for symbol, _ in monomial.exponents}
+    order = 1
+    for monomial in terms:
+        order = lcm(order, monomial.turn.denominator)
+    if order > _LARGEST_ORDER or any(symbol.kind != "radical" for symbol in symbols):
+        return []
+    units = [k for k in range(1, order + 1) if gcd(k, order) == 1]
+    if len(units) * 2 ** len(symbols) > _CONJUGATES_LIMIT:
+        return []
+    return [
+        _conjugate(ring, terms, unit, dict(zip(sorted(symbols), signs, strict=True)))
+        for unit, signs in product(units, product((1, -1), repeat=len(symbols)))
+    ]
 
 
 def _conjugate(ring: Ring, terms: Terms, unit: int, flips: dict[Symbol, int]) -> Form:

@@ -1,0 +1,48 @@
+"""The elements of the ring: symbols, monomials, and forms."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple, TypeAlias
+
+Exponents: TypeAlias = frozenset[tuple["Symbol", Fraction]]
+
+
+class Symbol(NamedTuple):
+    """What a factor of a term is a power of.
+
+    kind "power": `of` itself (a parameter, π, something opaque). "radical": the root of the prime `of`.
+    "exponential": e^(i·of), `of` a `Monomial`. "root": e^(2πi), its exponent a turn.
+    """
+
+    kind: str
+    of: Hashable
+
+
+class Monomial(NamedTuple):
+    """A term without its rational coefficient: ζ^turn times powers of symbols."""
+
+    turn: Fraction
+    exponents: Exponents
+
+
+Terms: TypeAlias = dict[Monomial, Fraction]
+UNIT = Monomial(Fraction(0), frozenset())
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """An element of the ring: integer coefficients by key, over a common denominator."""
+
+    coefficients: Mapping[int, int]
+    denominator: int = 1
+
+    def __bool__(self) -> bool:
+        return bool(self.coefficients)
+
+
+ZERO_FORM = Form({})
+ONE_FORM = Form({0: 1})
+IMAGINARY_UNIT = Form({6: 1})

@@ -1,0 +1,217 @@
+"""The canonical form as an oracle: equal functions have one form, different ones do not."""
+
+from __future__ import annotations
+
+import cmath
+import os
+import random
+from fractions import Fraction
+
+import pytest
+import sympy
+
+from kinematics.errors import FormSizeError
+from kinematics.expressions import (
+    ONE,
+    Expression,
+    Function,
+    JointVariable,
+    Parameter,
+    add,
+    call,
+    evaluate,
+    multiply,
+    negate,
+    number,
+    pi_times,
+    power,
+)
+from kinematics.symbolic import Verdict, canonical, canonical_transform, closed_form, compare, same_function
+from kinematics.symbolic.roots import LARGEST_PRIME, basis_terms, square_free, square_root_of_prime
+from kinematics.table import Convention
+from tests.kinematics.symbolic.rewriting import (
+    PARAMETERS,
+    changed,
+    cos,
+    random_expression,
+    rewritten,
+    root,
+    sin,
+)
+from tests.kinematics.symbolic.tables import other_convention, puma, random_table
+
+PAIRS = int(os.environ.get("FRAMEWISE_PAIRS", "200"))
+L1, L2, ALPHA = map(Parameter, ("L1", "L2", "alpha"))
+q1, q2 = JointVariable(1), JointVariable(2)
+
+
+def test_pairs_made_equal_by_identities_have_one_form() -> None:
+    wrong = []
+    for seed in range(PAIRS):
+        rng = random.Random(seed)
+        first = random_expression(rng)
+        second = rewritten(first, rng, rng.randrange(1, 9))
+        forms = canonical(first), canonical(second)
+        same = forms[0] == forms[1] and hash(forms[0]) == hash(forms[1])
+        if not same_function(first, second) or (forms[1].exact and not same):
+            wrong.append(seed)
+    assert not wrong
+
+
+def test_pairs_made_unequal_by_one_change_have_two() -> None:
+    wrong = []
+    for seed in range(PAIRS):
+        rng = random.Random(-1 - seed)
+        first = random_expression(rng)
+        second = changed(rewritten(first, rng, rng.randrange(0, 6)), rng)
+        if compare(first, second) is Verdict.PROVED:
+            wrong.append(seed)
+    assert not wrong
+
+
+def test_without_quotients_the_form_is_exact_and_the_same_object_in_every_sense() -> None:
+    seen: dict[object, Expression] = {}
+    for seed in range(PAIRS // 4):
+        rng = random.Random(seed)
+        expression = random_expression(rng)
+        form = canonical(expression)
+        assert form.exact
+        assert len({form, canonical(expression)}) == 1
+        other = seen.setdefault(form, expression)
+        names = {name: 0.37 + 0.21 * i for i, name in enumerate(PARAMETERS)}
+        assert evaluate(other, names, (0.3, 1.1, -0.7)) == pytest.approx(
+            evaluate(expression, names, (0.3, 1.1, -0.7)), rel=1e-9, abs=1e-9
+        )
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_a_form_can_be_written_as_an_expression(seed: int) -> None:
+    rng = random.Random(seed)
+    expression = random_expression(rng)
+    written = canonical(expression).expression()
+    assert canonical(written) == canonical(expression)
+    names = {name: 0.41 + 0.23 * i for i, name in enumerate(PARAMETERS)}
+    expected = evaluate(expression, names, (0.5, -1.2, 0.9))
+    assert evaluate(written, names, (0.5, -1.2, 0.9)) == pytest.approx(expected, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("a", "b"),
+    [
+        (cos(pi_times(Fraction(1, 12))), multiply((number("1/4"), add((root(6), root(2)))))),
+        (cos(pi_times(Fraction(2, 5))), multiply((number("1/4"), add((root(5), number(-1)))))),
+        (multiply((number(8), *(cos(pi_times(Fraction(k, 7))) for k in (1, 2, 3)))), ONE),
+        (root(72), multiply((number(6), root(2)))),
+        (call(Function.SQRT, add((number(2), root(3)))), multiply((number("1/2"), add((root(6), root(2)))))),
+        (call(Function.SQRT, add((number(6), negate(root(20))))), add((root(5), number(-1)))),
+        (power(add((ONE, root(2))), -1), add((root(2), number(-1)))),
+        (power(add((root(37), root(41))), -1), multiply((number("1/4"), add((root(41), negate(root(37))))))),
+        (call(Function.ASIN, number("1/2")), pi_times(Fraction(1, 6))),
+        (call(Function.ATAN2, number(-1), number(-1)), pi_times(Fraction(-3, 4))),
+        (call(Function.ACOS, multiply((number("-1/2"), root(3)))), pi_times(Fraction(5, 6))),
+        (
+            call(Function.ABS, multiply((number(-2), L1))),
+            multiply((number(2), call(Function.SQRT, power(L1, 2)))),
+        ),
+    ],
+    ids=str,
+)
+def test_exact_numbers(a: Expression, b: Expression) -> None:
+    assert same_function(a, b)
+    assert canonical(a).terms == canonical(b).terms
+
+
+@pytest.mark.parametrize("function", [Function.ATAN2, Function.ASIN, Function.ACOS, Function.ATAN])
+def test_the_sine_and_cosine_of_an_arc_are_known(function: Function) -> None:
+    arc = call(function, L1, L2) if function is Function.ATAN2 else call(function, L1)
+    assert same_function(add((power(cos(arc), 2), power(sin(arc), 2))), ONE)
+    hypotenuse = call(Function.SQRT, add((power(L1, 2), power(L2, 2))))
+    known = {
+        Function.ATAN2: (multiply((hypotenuse, sin(arc))), L1),
+        Function.ASIN: (sin(arc), L1),
+        Function.ACOS: (cos(arc), L1),
+        Function.ATAN: (call(Function.TAN, arc), L1),
+    }
+    assert same_function(*known[function])
+
+
+def test_what_is_not_decided_is_said() -> None:
+    assert compare(root(2), multiply((number("1/2"), root(8)))) is Verdict.PROVED
+    assert compare(L1, L2) is Verdict.REFUTED
+    product = call(Function.SQRT, multiply((L1, L2)))
+    apart = multiply((call(Function.SQRT, L1), call(Function.SQRT, L2)))
+    assert compare(product, apart) is Verdict.UNDECIDED
+    assert not same_function(product, apart)
+    assert not canonical(product).exact
+    assert canonical(multiply((L1, cos(ALPHA)))).exact
+
+
+def test_rational_angles_are_independent_of_each_other_and_of_lengths() -> None:
+    """Lindemann-Weierstrass: e^(0.3 i) and e^(0.7 i) satisfy no relation with algebraic coefficients."""
+    assert compare(cos(number("0.3")), cos(number("0.31"))) is Verdict.REFUTED
+    double = add((multiply((number(2), power(cos(number("0.3")), 2))), number(-1)))
+    assert compare(cos(number("0.6")), double) is Verdict.PROVED
+    # with π beside it nothing is known but by Schanuel's conjecture
+    mixed = multiply((pi_times(1), cos(number("0.3"))))
+    assert not canonical(mixed).exact
+    assert compare(mixed, L1) is Verdict.UNDECIDED
+
+
+def test_nested_functions_of_angles_are_not_claimed() -> None:
+    assert not canonical(cos(cos(q1))).exact
+    assert same_function(cos(add((cos(q1), q2))), cos(add((q2, cos(q1)))))
+
+
+def test_a_limit_ends_what_would_grow_without_bound() -> None:
+    grown = multiply(add((cos(multiply((number(k), q1))), Parameter(f"L{k}"))) for k in range(1, 30))
+    with pytest.raises(FormSizeError) as refused:
+        canonical(grown, limit=10_000)
+    assert refused.value.code == "form_too_large"
+    huge = power(power(power(power(L1, 1000), 1000), 1000), 1000)
+    with pytest.raises(FormSizeError):
+        canonical(huge)
+
+
+@pytest.mark.parametrize("convention", list(Convention))
+def test_the_expanded_and_the_nested_transform_have_the_same_form(convention: Convention) -> None:
+    table = puma(convention)
+    expanded = canonical_transform(table)
+    nested = closed_form(table).transform
+    assert [[canonical(entry) for entry in row] for row in nested[:3]] == [list(row) for row in expanded]
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_two_tables_of_one_robot_have_one_canonical_transform(seed: int) -> None:
+    rng = random.Random(seed)
+    table = random_table(rng, 3, fixed=1)
+    assert canonical_transform(table) == canonical_transform(other_convention(table))
+
+
+def test_the_basis_of_roots_of_unity() -> None:
+    """For every order the number of basis elements is φ(n), and each root is the sum it is said to be."""
+    for order in (n for n in range(1, 61) if max(sympy.primefactors(n), default=2) <= LARGEST_PRIME):
+        elements: set[Fraction] = set()
+        for k in range(order):
+            turn = Fraction(k, order)
+            terms = basis_terms(turn)
+            elements.update(piece for piece, _ in terms)
+            value = sum(sign * cmath.exp(2j * cmath.pi * piece) for piece, sign in terms)
+            assert abs(value - cmath.exp(2j * cmath.pi * turn)) < 1e-12
+        assert len(elements) == sympy.totient(order)
+        assert elements == {piece for k in range(order) for piece, _ in basis_terms(Fraction(k, order))}
+
+
+def test_gauss_sums_are_square_roots() -> None:
+    for prime in sympy.primerange(2, LARGEST_PRIME + 1):
+        value = sum(sign * cmath.exp(2j * cmath.pi * turn) for turn, sign in square_root_of_prime(prime))
+        assert abs(value - prime**0.5) < 1e-12
+
+
+def test_square_free_parts() -> None:
+    for value in (*range(1, 400), 10**12 + 39, 4 * 10007**2, 3 * 10009 * 10037):
+        base, primes, certain = square_free(value)
+        product = base * base
+        for prime in primes:
+            product *= prime
+        assert product == value
+        assert not certain or all(map(sympy.isprime, primes))
