@@ -23,7 +23,6 @@ from service.routing import LARGE_BODY, NPY, ApiRequest, Written
 from service.schemas.robots import RobotQuestion
 from service.validation import validated
 
-_NPY = NPY.encode()
 _SMALL = 64
 _PLAIN = {"table", "robot", "parameters", "joints"}
 
@@ -67,7 +66,7 @@ class Reader(Generic[Question]):
         """
         request.body_limit = request.settings.batch_body_limit
         preparation: Preparation = request.scope["app"].state.preparation
-        if request.fields.get(b"content-type", b"").partition(b";")[0].strip().lower() == _NPY:
+        if request.brings_npy:
             return await self._from_npy(request, preparation)
         body = await request.json(NPY)
         if len(await request.body()) >= LARGE_BODY:

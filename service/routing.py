@@ -25,6 +25,7 @@ LARGE_BODY = 256 * 1024
 """A body of this size [byte] is read in a thread, so that others are served meanwhile."""
 
 _JSON = JSON.encode()
+_NPY = NPY.encode()
 _ANYTHING = b"*/*"
 _UTF8 = ("", "utf-8", "utf8", "us-ascii", "ascii")
 
@@ -81,6 +82,11 @@ class ApiRequest(Request):
             pieces.append(piece)
             more = message.get("more_body", False)
         return pieces[0] if len(pieces) == 1 else b"".join(pieces)
+
+    @property
+    def brings_npy(self) -> bool:
+        """Whether the body says that it is an npy file."""
+        return self.fields.get(b"content-type", b"").partition(b";")[0].strip().lower() == _NPY
 
     def media_type(self) -> str:
         """The media type of the body, without parameters.

@@ -118,7 +118,7 @@ async def answered(
 
 async def symbolic_body(request: ApiRequest) -> Mapping[str, Any] | None:
     """The body of a request that says "form": "symbolic"; None of any other."""
-    if request.headers.get("content-type", "").startswith(NPY):
+    if request.brings_npy:
         return None
     request.body_limit = request.settings.batch_body_limit
     body = await request.json(NPY)

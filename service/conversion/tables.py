@@ -117,9 +117,10 @@ def _matrix(
 
 
 def _motion(screw: XScrew[Expression], robot: Described) -> Transform:
-    """The motion with the robot's parameters, bound as a row of its table would be."""
+    """The motion with the robot's parameters, bound as a row of its table is; without them it needs none."""
     table = DHTable(convention=robot.read.table.convention, rows=(fixed_row(screw),))
-    bound = bind_parameters(replace(robot.read, table=table), robot.parameters or {})
+    needed = {} if robot.parameters is None else robot.read.parameters
+    bound = bind_parameters(replace(robot.read, table=table, parameters=needed), robot.parameters or {})
     return link_transform(bound.rows[0], bound.convention)
 
 

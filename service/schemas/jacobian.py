@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, TypeAlias
 
-from pydantic import Field
+from pydantic import BeforeValidator, Field
+from pydantic_core import PydanticCustomError
 
 from kinematics.jacobian import JacobianFrame
 from service.schemas.base import Matrix4, Real, Wire
@@ -18,6 +19,16 @@ Matrix6: TypeAlias = Annotated[
 ]
 
 
+_FORMS = ("numeric", "symbolic")
+
+
+def _known_form(form: object) -> object:
+    if form not in _FORMS:
+        expected = " or ".join(map(repr, _FORMS))
+        raise PydanticCustomError("value_not_allowed", "this must be {expected}", {"expected": expected})
+    return form
+
+
 class JacobianQuestion(RobotQuestion):
     """What is asked of a robot, without the joint values."""
 
@@ -26,7 +37,9 @@ class JacobianQuestion(RobotQuestion):
     frame: Annotated[JacobianFrame, Field(strict=False)] | None = Field(
         None, description="base for J0 alone, end for Jn alone; both if left out"
     )
-    form: Literal["numeric"] = Field("numeric", description="the word symbolic asks for closed forms instead")
+    form: Annotated[Literal["numeric"], BeforeValidator(_known_form)] = Field(
+        "numeric", description="the word symbolic asks for closed forms instead"
+    )
     tolerance: Real = Field(
         1e-9, gt=0, lt=1, description="singular values below this fraction of the largest count as zero"
     )

@@ -127,6 +127,22 @@ def test_symbols_survive_with_and_without_values(client: httpx.Client, angle_uni
     assert [screw["joint"] for screw in product["screws"]] == ["revolute", "prismatic"]
 
 
+@pytest.mark.parametrize("angle_unit", ["rad", "deg"])
+@pytest.mark.parametrize(("to", "end"), [("standard", "base"), ("modified", "tool")])
+def test_what_is_left_over_without_a_parameter_needs_no_values(
+    client: httpx.Client, angle_unit: str, to: str, end: str
+) -> None:
+    convention = "modified" if to == "standard" else "standard"
+    known = {"joint": "fixed", "alpha": "1/3", "a": 0.25, "d": 0, "theta": 0.5}
+    rows = [known, *SYMBOLIC["rows"][:2], known]
+    table = {"convention": convention, "angle_unit": angle_unit, "rows": rows}
+    found = answered(client, PATH, {"table": table, "to": to})
+    assert found[end][0][3] == 0.25
+    ends = {"base": found["base"], "tool": found["tool"]}
+    moved = pose(client, found["table"], [0.3, 0.1], parameters=VALUES, **ends)
+    np.testing.assert_allclose(moved, pose(client, table, [0.3, 0.1], parameters=VALUES), atol=1e-12)
+
+
 def test_a_robot_of_the_catalogue(client: httpx.Client) -> None:
     found = answered(client, PATH, {"robot": "puma560", "to": "modified"})
     joints = [10.0, -20, 30, 40, -50, 60]

@@ -6,10 +6,12 @@ from typing import Any
 
 import httpx
 import numpy as np
+import pytest
 from hypothesis import given, settings
 
 from service.schemas.examples import PUMA_560, TWO_LINKS
 from tests.service import oracle
+from tests.service.test_bad_input import check_problem
 from tests.service.test_forward_kinematics import questions
 
 PATH = "/api/v1/jacobian"
@@ -124,3 +126,24 @@ def test_an_arm_without_joints_has_an_empty_jacobian(client: httpx.Client) -> No
     found = asked(client, {"table": table, "joints": []})
     assert found["J0"] == [[]] * 6
     assert (found["rank"], found["singular"]) == (0, False)
+
+
+@pytest.mark.parametrize("form", ["short", None, ["symbolic"]])
+def test_both_forms_are_named_when_another_is_asked_for(client: httpx.Client, form: object) -> None:
+    body = {"robot": "puma560", "joints": [0.0] * 6, "form": form}
+    response = client.post("/api/v1/jacobian", json=body)
+    problem = check_problem(response, 422, "value_not_allowed", "/form")
+    assert problem["errors"][0]["params"]["expected"] == "'numeric' or 'symbolic'"
+
+
+@pytest.mark.parametrize("media_type", ["application/x-npy", "Application/X-NPY; version=1"])
+@pytest.mark.parametrize("call", ["jacobian", "forward-kinematics"])
+def test_media_types_have_no_case(client: httpx.Client, call: str, media_type: str) -> None:
+    stream = io.BytesIO()
+    np.save(stream, np.zeros((2, 6)))
+    response = client.post(
+        f"/api/v1/{call}?robot=puma560",
+        content=stream.getvalue(),
+        headers={"Content-Type": media_type},
+    )
+    assert response.status_code == 200
