@@ -75,6 +75,11 @@ def within_limits(
     Returns:
         (m, n) and (m,).
     """
+    if not box.limited and revolute.all():
+        turned = np.abs(q) > np.pi
+        if turned.any():
+            q = np.where(turned, q - 2.0 * np.pi * np.ceil((q - np.pi) / (2.0 * np.pi)), q)
+        return q, np.ones(len(q), dtype=bool)
     slack = np.where(revolute, ON_LIMIT, ON_LIMIT * size)
     near_zero = q - 2.0 * np.pi * np.ceil((q - np.pi) / (2.0 * np.pi))
     least = np.ceil((box.low - slack - near_zero) / (2.0 * np.pi))
