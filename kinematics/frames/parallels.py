@@ -34,6 +34,9 @@ PARALLEL_TOLERANCE = 5e-3
 
 MAX_PARALLEL_TOLERANCE = 0.1
 
+_DECIDES = 1e-4
+"""Mean square of the sine to a direction above which axes decide where their middle is along it."""
+
 
 class NearParallel(StrEnum):
     """What becomes of two near-parallel axes.
@@ -118,17 +121,18 @@ def with_dummies(lines: Sequence[Line], tolerance: float, size: float) -> tuple[
 def middle(lines: Sequence[Line]) -> Vector:
     """The point with the least sum of squared distances to the axes; prismatic axes have no place and no say.
 
-    It does not depend on which points of the axes were given, but for a pull of 1e-6 towards their mean,
-    which decides where the axes alone do not.
+    Along directions in which the axes alone decide nothing, or nothing sound (they are parallel, or all but
+    parallel and meet far away), it is level with the mean of the points that were given.
     """
     placed = [line for line in lines if line.joint is not JointType.PRISMATIC] or list(lines)
     points = np.array([line.point for line in placed])
     directions = np.array([line.direction for line in placed])
     across = np.eye(3) - directions[:, :, None] * directions[:, None, :]
     mean = points.mean(axis=0)
-    A = across.sum(axis=0) + 1e-6 * np.eye(3)
-    b = np.einsum("kij,kj->i", across, points) + 1e-6 * mean
-    x, y, z = np.linalg.solve(A, b).tolist()
+    values, vectors = np.linalg.eigh(across.sum(axis=0))
+    sides = vectors.T @ np.einsum("kij,kj->i", across, points - mean)
+    sound = values > _DECIDES * len(placed)
+    x, y, z = (mean + vectors @ np.where(sound, sides / np.where(sound, values, 1.0), 0.0)).tolist()
     return (x, y, z)
 
 

@@ -1,0 +1,135 @@
+"""A table as URDF has the table's poses in a foreign library."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from defusedxml.ElementTree import fromstring
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kinematics import catalogue, end_poses
+from kinematics.cells import bind_parameters
+from kinematics.errors import DescriptionError, JointValueError, PoseError
+from kinematics.table import Convention, DHTable, JointType
+from kinematics.urdf import table_from_urdf, urdf_from_table
+from tests.kinematics.robots import PRISMATIC_ENDS, PUMA560, SCARA_RRPR, numeric
+from tests.kinematics.strategies import tables, transforms
+from tests.kinematics.urdf.foreign import foreign_poses
+
+
+def random_joints(table, count, seed=0):
+    rng = np.random.default_rng(seed)
+    return rng.uniform(-3.0, 3.0, (count, table.n_joints))
+
+
+@pytest.mark.parametrize("robot_id", catalogue.robot_ids())
+def test_every_robot_there_and_back(robot_id):
+    """Table → URDF → table, each against the foreign library's poses [m]."""
+    listed = catalogue.robot(robot_id)
+    table = bind_parameters(listed.table, listed.parameters)
+    metres = float(listed.table.length_unit.metres_per_unit)
+    written = urdf_from_table(table, name=robot_id, metres_per_unit=metres)
+    joints = random_joints(table, 25)
+    foreign = foreign_poses(written.text, joints, written.base_link, written.tip_link)
+    own = joints / [metres if kind is JointType.PRISMATIC else 1.0 for kind in table.joint_types]
+    poses = end_poses(table, own)
+    poses[:, :3, 3] *= metres
+    size = max(1.0, float(np.abs(poses[:, :3, 3]).max()))
+    np.testing.assert_allclose(foreign, poses, atol=1e-12 * size, rtol=0)
+    for convention in Convention:
+        back = table_from_urdf(written.text, convention)
+        assert back.name == robot_id
+        assert back.joints == tuple(f"joint_{i}" for i in range(1, table.n_joints + 1))
+        again = end_poses(back.table, joints, base=back.base, tool=back.tool)
+        np.testing.assert_allclose(again, foreign, atol=1e-12 * size, rtol=0)
+
+
+@settings(max_examples=40, deadline=None)
+@given(tables(max_rows=7), transforms(), transforms(), st.sampled_from([1.0, 0.001, 0.0254]))
+def test_any_table_has_the_same_poses(table, base, tool, metres):
+    written = urdf_from_table(table, base=base, tool=tool, metres_per_unit=metres)
+    joints = random_joints(table, 4)
+    foreign = foreign_poses(written.text, joints, written.base_link, written.tip_link)
+    own = joints / [metres if kind is JointType.PRISMATIC else 1.0 for kind in table.joint_types]
+    poses = end_poses(table, own.reshape(4, -1), base=base, tool=tool)
+    poses[:, :3, 3] *= metres
+    size = 1.0 + sum(abs(row.a) + abs(row.d) for row in table.rows) * metres
+    np.testing.assert_allclose(foreign, poses, atol=4e-12 * size, rtol=0)
+
+
+def elements(text):
+    return {joint.get("name"): joint for joint in fromstring(text).findall("joint")}
+
+
+def test_limits_become_metres_and_unlimited_joints_turn_on():
+    table = replace(SCARA_RRPR, rows=SCARA_RRPR.rows)
+    limits = [(-1.0, 2.0), None, (100.0, 400.0), (None, 3.0)]
+    written = urdf_from_table(table, limits=limits, metres_per_unit=0.001)
+    found = elements(written.text)
+    kinds = [found[f"joint_{i}"].get("type") for i in range(1, 5)]
+    assert kinds == ["revolute", "continuous", "prismatic", "continuous"]
+    assert found["joint_1"].find("limit").attrib["lower"] == "-1"
+    slide = found["joint_3"].find("limit").attrib
+    assert (float(slide["lower"]), float(slide["upper"])) == pytest.approx((0.1, 0.4))
+    assert written.assumed_limits == ()
+    assert table_from_urdf(written.text, Convention.STANDARD).limits[0] == (-1.0, 2.0)
+
+
+def test_a_slide_of_unknown_limits_is_told_of():
+    written = urdf_from_table(PRISMATIC_ENDS)
+    assert written.assumed_limits == (1, 3)
+    assert written.text.count("Limits unknown") == 2
+    assert elements(written.text)["joint_1"].find("limit").attrib["upper"] == "1000"
+
+
+def test_a_reversed_variable_is_a_reversed_axis():
+    rows = (replace(PUMA560.rows[0], sign=-1), *PUMA560.rows[1:])
+    found = elements(urdf_from_table(replace(PUMA560, rows=rows)).text)
+    assert found["joint_1"].find("axis").get("xyz") == "0 0 -1"
+    assert found["joint_2"].find("axis").get("xyz") == "0 0 1"
+
+
+def test_right_angles_and_zeros_are_exact():
+    """A row's α and θ are the roll and yaw of its origin, digit for digit."""
+    found = elements(urdf_from_table(PUMA560).text)
+    assert found["joint_2"].find("origin").attrib == {"xyz": "0 0 0", "rpy": f"{math.pi / 2!r} 0 0"}
+    assert found["joint_3"].find("origin").attrib == {"xyz": "0.4318 0 0", "rpy": "0 0 0"}
+
+
+def test_fixed_rows_are_fixed_joints():
+    found = elements(urdf_from_table(PRISMATIC_ENDS, base=np.eye(4), tool=np.eye(4)).text)
+    kinds = [joint.get("type") for joint in found.values()]
+    assert list(found) == ["fixed_base", "joint_1", "fixed_row_2", "joint_2", "joint_3", "fixed_tool"]
+    assert kinds == ["fixed", "prismatic", "fixed", "continuous", "prismatic", "fixed"]
+
+
+def test_a_name_cannot_break_out():
+    name = "a\"/><link name='x'/>&<b>"
+    assert table_from_urdf(urdf_from_table(PUMA560, name=name).text, Convention.STANDARD).name == name
+
+
+@pytest.mark.parametrize("name", ["", "  ", "two\nlines", "\x00"])
+def test_names_that_are_none(name):
+    with pytest.raises(DescriptionError) as refusal:
+        urdf_from_table(PUMA560, name=name)
+    assert refusal.value.code == "urdf_name_invalid"
+
+
+def test_what_else_is_refused():
+    with pytest.raises(JointValueError):
+        urdf_from_table(PUMA560, limits=[None])
+    with pytest.raises(JointValueError):
+        urdf_from_table(PUMA560, limits=[(1.0, -1.0), *[None] * 5])
+    with pytest.raises(PoseError):
+        urdf_from_table(PUMA560, tool=np.ones((4, 4)))
+    far = numeric(Convention.STANDARD, ("revolute", 0.0, 1e300, 0.0, 0.0))
+    with pytest.raises(DescriptionError) as refusal:
+        urdf_from_table(far, metres_per_unit=1e300)
+    assert refusal.value.code == "urdf_length_overflow"
+
+
+def test_a_table_without_rows_is_a_fixed_tool():
+    written = urdf_from_table(DHTable(convention=Convention.STANDARD, rows=()))
+    assert [joint.get("type") for joint in fromstring(written.text).findall("joint")] == ["fixed"]
