@@ -163,10 +163,10 @@ class FoundRow(Wire):
     """A row that follows from two frames; its variable's cell holds the variable."""
 
     joint: JointType
-    alpha: Real | str
-    a: Real | str
-    d: Real | str
-    theta: Real | str
+    alpha: Real | str = Field(description="link twist, of the row's own link or of the one before")
+    a: Real | str = Field(description="link length, likewise")
+    d: Real | str = Field(description="link offset; of a prismatic joint its variable, with the offset")
+    theta: Real | str = Field(description="joint angle; of a revolute joint its variable, with the offset")
 
 
 class CheckFramesAnswer(Units):
