@@ -155,8 +155,10 @@ def _fraction(
     r"""A product with its numbers and roots in one fraction: \frac{\sqrt{3}}{2}c_{1}."""
     sign, size = "-" if weight < 0 else "", abs(weight)
     decimal = decimal_text(size)
-    denominator = [_bracketed(factor, Binding.POWER) for factor in below]
-    if decimal is None and size.denominator != 1:
+    divided = decimal is None and size.denominator != 1
+    weakest = Binding.SUM if len(below) == 1 and not divided else Binding.POWER
+    denominator = [_bracketed(factor, weakest) for factor in below]
+    if divided:
         denominator.insert(0, str(size.denominator))
     head = [decimal] if decimal else [str(size.numerator)] if size.numerator != 1 else []
     head += [_bracketed(factor, Binding.PRODUCT) for factor in constants]

@@ -183,8 +183,10 @@ def _fraction(
     """A product with its numbers and roots in one fraction: (√3/2) c1."""
     size, negative = abs(weight), weight < 0
     decimal = decimal_text(size)
-    denominator = [factor.within(Binding.PRODUCT) for factor in below]
-    if decimal is None and size.denominator != 1:
+    divided = decimal is None and size.denominator != 1
+    weakest = Binding.SUM if len(below) == 1 and not divided else Binding.PRODUCT
+    denominator = [factor.within(weakest) for factor in below]
+    if divided:
         denominator.insert(0, f"<mn>{size.denominator}</mn>")
     head = [f"<mn>{decimal or size.numerator}</mn>"] if decimal or size.numerator != 1 else []
     head += [factor.within(Binding.PRODUCT) for factor in constants]

@@ -1,0 +1,141 @@
+"""Infix text: the cell grammar reads it back as the same function."""
+
+from __future__ import annotations
+
+import random
+from fractions import Fraction
+
+import pytest
+
+from kinematics.cells import AngleUnit
+from kinematics.cells.grammar import parse
+from kinematics.cells.limits import Limits
+from kinematics.cells.meaning import Position, interpret
+from kinematics.cells.variables import variable_index
+from kinematics.expressions import (
+    Expression,
+    Function,
+    JointVariable,
+    Parameter,
+    Pi,
+    add,
+    call,
+    multiply,
+    negate,
+    number,
+    pi_times,
+    power,
+)
+from kinematics.printing.notation import Names, Notation
+from kinematics.printing.numbers import decimal_text
+from kinematics.printing.text import text_writer
+from kinematics.symbolic import closed_form, same_function
+from tests.kinematics.symbolic.rewriting import random_expression
+from tests.kinematics.symbolic.tables import random_table
+
+L1, L2 = Parameter("L1"), Parameter("L2")
+q1, q2, q3 = map(JointVariable, (1, 2, 3))
+AMPLE = Limits(cell_characters=10**6, cell_depth=500, cell_symbols=64, digits=60)
+
+
+def full(expression: Expression) -> str:
+    return text_writer(Names()).text(expression)
+
+
+def short(expression: Expression, **names: object) -> str:
+    return text_writer(Names(notation=Notation.SHORT, **names)).text(expression)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("value", "written"),
+    [
+        ("1/2", None),
+        ("3/4", None),
+        ("1/8", None),
+        ("1/3", None),
+        ("7", None),
+        ("0.4318", "0.4318"),
+        ("0.1", "0.1"),
+        ("-0.05", "-0.05"),
+        ("2.5", None),  # 5/2
+        ("12.04", "12.04"),
+        ("0.0625", "0.0625"),
+        ("1e-7", "0.0000001"),
+        ("123456.789", "123456.789"),
+        ("0.7071067811865476", "0.7071067811865476"),
+    ],
+)
+def test_a_decimal_is_written_as_typed(value: str, written: str | None) -> None:
+    assert decimal_text(Fraction(value)) == written
+    if written is not None:
+        assert Fraction(written) == Fraction(value)
+
+
+@pytest.mark.parametrize(
+    ("expression", "written"),
+    [
+        (pi_times(Fraction(1, 2)), "pi/2"),
+        (pi_times(Fraction(-37, 180)), "-37*pi/180"),
+        (multiply((number("1/2"), call(Function.SQRT, number(2)))), "sqrt(2)/2"),
+        (multiply((number("-3/4"), L1)), "-3*L1/4"),
+        (multiply((number("0.4318"), L1)), "0.4318*L1"),
+        (add((L1, negate(L2))), "L1 - L2"),
+        (add((negate(L1), L2)), "-L1 + L2"),
+        (multiply((L1, add((L1, negate(L2))))), "L1*(L1 - L2)"),
+        (negate(multiply((L1, add((L1, L2))))), "-L1*(L1 + L2)"),
+        (power(add((L1, L2)), 2), "(L1 + L2)^2"),
+        (power(L1, -1), "1/L1"),
+        (power(add((L1, L2)), -2), "1/(L1 + L2)^2"),
+        (multiply((number("2/3"), L1, power(L2, -1))), "2*L1/(3*L2)"),
+        (power(L1, Fraction(1, 3)), "L1^(1/3)"),
+        (power(L1, Fraction(1, 2)), "sqrt(L1)"),
+        (call(Function.ATAN2, L1, negate(L2)), "atan2(L1, -L2)"),
+        (power(call(Function.COS, q1), 2), "cos(q1)^2"),
+        (number(-2), "-2"),
+        (power(number("-2"), Fraction(1, 3)), "(-2)^(1/3)"),
+    ],
+)
+def test_spelling(expression: Expression, written: str) -> None:
+    assert full(expression) == written
+
+
+def test_short_names_stand_where_nothing_else_can_be_meant() -> None:
+    c23 = call(Function.COS, add((q2, q3)))
+    assert short(c23) == "c23"
+    assert short(call(Function.SIN, q1)) == "s1"
+    assert short(call(Function.COS, add((q2, negate(q3))))) == "cos(q2 - q3)"
+    assert short(call(Function.COS, add((q1, pi_times(Fraction(1, 4)))))) == "cos(q1 + pi/4)"
+    assert short(c23, parameters={"c23"}) == "cos(q2 + q3)"
+    assert short(c23, separated=True) == "c2_3"
+    assert short(call(Function.COS, JointVariable(12))) == "c12"
+    assert short(call(Function.TAN, q1)) == "tan(q1)"
+    assert full(c23) == "cos(q2 + q3)"
+
+
+def variable_of(name: str) -> JointVariable | None:
+    index = variable_index(name)
+    return None if index is None else JointVariable(index)
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_the_cell_grammar_reads_it_back_as_the_same_function(seed: int) -> None:
+    expression = random_expression(random.Random(seed), 2)
+    node = parse(full(expression), AMPLE)
+    again = interpret(node, Position.LENGTH, AngleUnit.RAD, AMPLE, variable_of).expression
+    assert same_function(again, expression)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_entries_of_closed_forms_are_cells(seed: int) -> None:
+    rng = random.Random(seed)
+    transform = closed_form(random_table(rng, 3, fixed=1)).transform
+    writer = text_writer(Names())
+    for line in transform:
+        for entry in line:
+            parse(writer.text(entry), AMPLE)
+
+
+def test_a_shared_node_is_written_once_and_reads_the_same_everywhere() -> None:
+    shared = add((L1, multiply((L2, Pi()))))
+    writer = text_writer(Names())
+    assert writer.text(multiply((shared, shared))) == "(L1 + L2*pi)*(L1 + L2*pi)"
