@@ -57,7 +57,7 @@ $(PEERS)/.peers: bench/requirements-peers.lock | $(PEERS)/bin/python
 	$(PEERS)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes -r $<
 	@touch $@
 
-exercise: $(VENV)/.runtime ## start an exercise: NEW=id and ROBOT=id, TABLE=file or AXES=file (INTO=folder)
+exercise: $(VENV)/.runtime ## start an exercise: NEW=id and ROBOT=id, TABLE=, AXES= or URDF=file (INTO=folder)
 	$(PY) -m exercises new $(NEW) $(if $(ROBOT),--robot $(ROBOT)) $(if $(TABLE),--table $(TABLE)) \
 	    $(if $(AXES),--axes $(AXES)) $(if $(URDF),--urdf $(URDF)) $(if $(INTO),--into $(INTO))
 

@@ -9,7 +9,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from exercises.authoring.scaffold import scaffold
-from exercises.authoring.sources import Source, from_axes_file, from_robot, from_table_file
+from exercises.authoring.sources import Source, from_axes_file, from_robot, from_table_file, from_urdf_file
 from exercises.definition import Exercise
 from exercises.drawings import figure_svg
 from exercises.errors import ExerciseError
@@ -65,6 +65,7 @@ def _parser() -> argparse.ArgumentParser:
     source.add_argument("--robot", help="a robot of the catalogue")
     source.add_argument("--table", type=Path, help="a DH table in JSON or TOML, with values under parameters")
     source.add_argument("--axes", type=Path, help="joint axes in JSON or TOML")
+    source.add_argument("--urdf", type=Path, help="a URDF file with one serial chain")
     new.set_defaults(run=_new)
     return parser
 
@@ -90,7 +91,9 @@ def _check(options: argparse.Namespace) -> int:
 
 def _figure(options: argparse.Namespace) -> int:
     found = _found(options.exercise)
-    svg = figure_svg(generate(found, options.seed), title=found.titles["en"], description="", language="en", note=NOTE)
+    svg = figure_svg(
+        generate(found, options.seed), title=found.titles["en"], description="", language="en", note=NOTE
+    )
     if options.output is None:
         sys.stdout.write(f"{svg}\n")
     else:
@@ -108,7 +111,9 @@ def _new(options: argparse.Namespace) -> int:
 def _source(options: argparse.Namespace) -> Source:
     if options.robot:
         return from_robot(options.robot)
-    return from_table_file(options.table) if options.table else from_axes_file(options.axes)
+    if options.table:
+        return from_table_file(options.table)
+    return from_axes_file(options.axes) if options.axes else from_urdf_file(options.urdf)
 
 
 def _found(name: str) -> Exercise:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from importlib.resources import files
 from importlib.resources.abc import Traversable
+from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
@@ -32,10 +33,40 @@ FILE = "exercise.toml"
 ROOT = files("exercises") / "definitions"
 
 
+_folders: list[Traversable] = [ROOT]
+
+
+def use_folders(folders: Sequence[Path]) -> None:
+    """Take exercises from further folders, too; one of them goes before a packaged one of its id.
+
+    Raises:
+        DefinitionError: a folder does not exist, or holds a malformed exercise; every fault.
+    """
+    missing = [
+        Fault(code="folder_missing", message=f"there is no folder {folder}", params={"folder": str(folder)})
+        for folder in folders
+        if not folder.is_dir()
+    ]
+    if missing:
+        raise DefinitionError(missing)
+    _folders[:] = [*folders, ROOT]
+    exercise_ids.cache_clear()
+    exercise.cache_clear()
+    faults: list[Fault] = []
+    for exercise_id in exercise_ids():
+        try:
+            exercise(exercise_id)
+        except DefinitionError as error:
+            faults += error.faults
+    if faults:
+        raise DefinitionError(faults)
+
+
 @cache
 def exercise_ids() -> tuple[str, ...]:
-    """Ids of all exercises that come with the package, in alphabetical order."""
-    return tuple(sorted(folder.name for folder in ROOT.iterdir() if (folder / FILE).is_file()))
+    """Ids of all exercises, in alphabetical order."""
+    found = (entry for folder in _folders for entry in folder.iterdir())
+    return tuple(sorted({entry.name for entry in found if (entry / FILE).is_file()}))
 
 
 @cache
@@ -56,7 +87,7 @@ def exercise(exercise_id: str) -> Exercise:
                 params={"id": exercise_id, "known": known},
             )
         )
-    return load_exercise(ROOT / exercise_id)
+    return load_exercise(next(f / exercise_id for f in _folders if (f / exercise_id / FILE).is_file()))
 
 
 def load_exercise(folder: Traversable) -> Exercise:

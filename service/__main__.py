@@ -10,6 +10,7 @@ from collections.abc import Sequence
 import uvicorn
 from pydantic import ValidationError
 
+from exercises.errors import DefinitionError
 from service.app import create_app
 from service.settings import Settings
 
@@ -35,7 +36,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
     if chosen.workers > 1:
         uvicorn.run("service.app:create_app", factory=True, workers=chosen.workers, **options)  # type: ignore[arg-type]
     else:
-        app = create_app(settings)
+        try:
+            app = create_app(settings)
+        except DefinitionError as error:
+            sys.exit(f"These exercises cannot be read:\n{error}")
         try:
             uvicorn.run(app, **options)  # type: ignore[arg-type]
         finally:

@@ -11,6 +11,7 @@ from starlette.exceptions import HTTPException
 from starlette.middleware.cors import CORSMiddleware
 from starlette.routing import Match
 
+from exercises.loader import use_folders
 from kinematics.errors import Fault, KinematicsError
 from service import __version__, openapi
 from service.batches import Gate
@@ -25,6 +26,7 @@ from service.errors import (
     ServiceError,
     problem_of,
 )
+from service.grading_desk import GradingDesk
 from service.messages import language_for
 from service.preparation import Preparation
 from service.routes import routers
@@ -71,6 +73,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.state.settings = settings
     app.state.preparation = Preparation(settings)
     app.state.gate = Gate(settings)
+    app.state.grading_desk = GradingDesk(settings.grading_threads, settings.grading_queue)
+    use_folders(settings.exercise_folders)
     app.state.workers = Workers(settings)
     found = [route for router in routers() for route in router.routes]
     app.router.routes.extend(sorted(found, key=lambda route: not isinstance(route, DirectRoute)))

@@ -20,14 +20,18 @@ KEPT = 512
 """Instances and figures that are kept."""
 
 
-@lru_cache(maxsize=KEPT)
 def instance_of(exercise_id: str, seed: str | None) -> Instance:
     """An exercise with the values of a seed.
 
     Raises:
         ExerciseError: there is no such exercise, or the seed is too long.
     """
-    return generate(exercise(exercise_id), seed)
+    return _instance(exercise(exercise_id), seed)
+
+
+@lru_cache(maxsize=KEPT)
+def _instance(found: Exercise, seed: str | None) -> Instance:
+    return generate(found, seed)
 
 
 def exercise_list(language: str) -> dict[str, Any]:
@@ -95,9 +99,8 @@ def figure_description(instance: Instance, language: str) -> str:
 
 
 @lru_cache(maxsize=KEPT)
-def figure_file(exercise_id: str, seed: str | None, language: str) -> bytes:
+def figure_file(instance: Instance, language: str) -> bytes:
     """The figure as an SVG file."""
-    instance = instance_of(exercise_id, seed)
     title = sentence(language, "figure-title", {"title": instance.exercise.titles[language]}) or ""
     description = figure_description(instance, language)
     note = sentence(language, "figure-note") or ""

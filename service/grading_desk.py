@@ -13,8 +13,6 @@ from kinematics.errors import Fault
 from service.errors import BusyError
 
 RETRY_SECONDS = 2
-THREADS = 2
-WAITING = 512
 
 _Result = TypeVar("_Result")
 
@@ -22,7 +20,7 @@ _Result = TypeVar("_Result")
 class GradingDesk:
     """Lets so many answers be judged at a time, and so many wait."""
 
-    def __init__(self, threads: int = THREADS, waiting: int = WAITING) -> None:
+    def __init__(self, threads: int, waiting: int) -> None:
         self._limiter = anyio.CapacityLimiter(threads)
         self._places = threads + waiting
         self._taken = 0
@@ -51,8 +49,5 @@ class GradingDesk:
 
 def desk_of(request: Request) -> GradingDesk:
     """The desk of the application that serves a request."""
-    state = request.scope["app"].state
-    if not hasattr(state, "grading_desk"):
-        state.grading_desk = GradingDesk()
-    desk: GradingDesk = state.grading_desk
+    desk: GradingDesk = request.scope["app"].state.grading_desk
     return desk

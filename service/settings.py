@@ -68,7 +68,13 @@ class Settings(BaseSettings):
         1024 * MIB, description="memory that one process for closed forms may take [byte]"
     )
 
-    @field_validator("trusted_proxies", "frame_ancestors", "cors_origins", mode="before")
+    exercise_folders: Annotated[tuple[Path, ...], NoDecode] = Field(
+        (), description="folders with exercises of your own; one of them goes before a packaged one of its id"
+    )
+    grading_threads: PositiveInt = Field(2, description="wrong answers that are explained at the same time")
+    grading_queue: NonNegativeInt = Field(512, description="wrong answers that may wait for their turn")
+
+    @field_validator("exercise_folders", "trusted_proxies", "frame_ancestors", "cors_origins", mode="before")
     @classmethod
     def _split(cls, value: object) -> object:
         return tuple(value.replace(",", " ").split()) if isinstance(value, str) else value

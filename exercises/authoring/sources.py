@@ -17,11 +17,12 @@ from exercises.sample_reading import read_raw_table
 from exercises.selftest.answers import typed
 from kinematics import catalogue
 from kinematics.cells import AngleUnit, LengthUnit, RawTable, ReadTable, read_table
-from kinematics.errors import Fault
+from kinematics.errors import Fault, KinematicsError
 from kinematics.expressions import Expression, Number, Parameter, multiply, pi_times, rational_value
 from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import JointAxis
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable, SymbolicRow
+from kinematics.urdf import table_from_urdf
 
 TINY = 1e-9
 STEPS_OF_PI = 12
@@ -116,6 +117,21 @@ def from_axes_file(path: Path) -> Source:
     return from_numeric_table(assigned.table, unit)
 
 
+def from_urdf_file(path: Path) -> Source:
+    """The one serial chain of a URDF description.
+
+    Raises:
+        DefinitionError: the file cannot be read, or its chain is none that a DH table can hold.
+    """
+    try:
+        robot = table_from_urdf(path.read_text(encoding="utf-8"), Convention.MODIFIED)
+    except KinematicsError as error:
+        raise DefinitionError(fault.within(path.name) for fault in error.faults) from error
+    except (OSError, UnicodeDecodeError) as error:
+        raise DefinitionError(_unreadable(path, str(error))) from error
+    return from_numeric_table(robot.table, LengthUnit.M)
+
+
 def from_numeric_table(table: NumericTable, unit: LengthUnit) -> Source:
     """A table of numbers, in [rad] and a length unit; angles that are nearly nice become so."""
     rows = tuple(
@@ -187,17 +203,12 @@ def _document(path: Path) -> dict[str, Any]:
         text = path.read_text(encoding="utf-8")
         document = json.loads(text) if path.suffix == ".json" else tomllib.loads(text)
     except (OSError, ValueError) as error:
-        message = f"{path.name} cannot be read: {error}"
-        raise DefinitionError(
-            Fault(
-                code="source_unreadable", message=message, where=(path.name,), params={"reason": str(error)}
-            )
-        ) from error
+        raise DefinitionError(_unreadable(path, str(error))) from error
     if not isinstance(document, dict):
-        message = f"{path.name} holds no table of keys"
-        raise DefinitionError(
-            Fault(
-                code="source_unreadable", message=message, where=(path.name,), params={"reason": "no object"}
-            )
-        )
+        raise DefinitionError(_unreadable(path, "it holds no table of keys"))
     return document
+
+
+def _unreadable(path: Path, reason: str) -> Fault:
+    message = f"{path.name} cannot be read: {reason}"
+    return Fault(code="source_unreadable", message=message, where=(path.name,), params={"reason": reason})

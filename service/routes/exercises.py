@@ -78,7 +78,8 @@ async def show_figure(
     """The robot with its joints, dimensions and marked points, and no frames: they are the question."""
     language = language_of(request)
     with known_exercise():
-        figure = await desk_of(request).judge(partial(figure_file, exercise_id, seed, language))
+        instance = instance_of(exercise_id, seed)
+    figure = await desk_of(request).judge(partial(figure_file, instance, language))
     tag = f'"{hashlib.blake2b(figure, digest_size=12).hexdigest()}"'
     if request.headers.get("if-none-match") == tag:
         return Response(status_code=304, headers={"ETag": tag, "Vary": "Accept-Language"})

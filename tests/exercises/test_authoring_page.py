@@ -43,7 +43,7 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def test_every_command_runs(desk: Path, capsys: pytest.CaptureFixture[str]) -> None:
     commands = [line for language, *_, content in BLOCKS if language == "sh" for line in content.splitlines()]
-    assert len(commands) == 6
+    assert len(commands) == 7
     for command in commands:
         words = shlex.split(command)
         assert words[:3] == ["python", "-m", "exercises"]

@@ -49,14 +49,25 @@ def test_the_list_names_every_exercise(capsys: pytest.CaptureFixture[str]) -> No
     assert len(capsys.readouterr().out.splitlines()) == 16
 
 
-@pytest.mark.parametrize("how", ["robot", "table", "axes"])
+URDF = """<robot name="arm"><link name="a"/><link name="b"/><link name="c"/>
+<joint name="one" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint>
+<joint name="two" type="prismatic"><parent link="b"/><child link="c"/>
+<origin xyz="0.3 0 0.2"/><axis xyz="1 0 0"/>
+<limit lower="0" upper="1" effort="1" velocity="1"/></joint></robot>"""
+
+
+@pytest.mark.parametrize("how", ["robot", "table", "axes", "urdf"])
 def test_a_new_exercise_loads_and_passes_its_own_tests(
     how: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    given = {"robot": "stanford", "table": source(tmp_path, TABLE), "axes": source(tmp_path, AXES)}
-    if how != "robot":
-        given[how] = source(tmp_path, TABLE if how == "table" else AXES)
-    made = new(tmp_path, f"--{how}", given[how])
+    (tmp_path / "arm.urdf").write_text(URDF, encoding="utf-8")
+    given = {
+        "robot": lambda: "stanford",
+        "table": lambda: source(tmp_path, TABLE),
+        "axes": lambda: source(tmp_path, AXES),
+        "urdf": lambda: str(tmp_path / "arm.urdf"),
+    }
+    made = new(tmp_path, f"--{how}", given[how]())
     assert main(["check", str(made), "--seeds", "1"]) == 0
     assert "failed" not in capsys.readouterr().out
     assert main(["figure", str(made), "--seed", "3", "--output", str(tmp_path / "f.svg")]) == 0
@@ -107,6 +118,14 @@ def test_malformed_axes_are_refused(
 ) -> None:
     assert main(["new", "mine", "--into", str(tmp_path), "--axes", source(tmp_path, content)]) == 2
     assert words in capsys.readouterr().err
+
+
+def test_a_malformed_urdf_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for content in ("<robot", "<robot name='x'/>"):
+        (tmp_path / "bad.urdf").write_text(content, encoding="utf-8")
+        assert main(["new", "mine", "--into", str(tmp_path), "--urdf", str(tmp_path / "bad.urdf")]) == 2
+        assert "bad.urdf" in capsys.readouterr().err
+    assert main(["new", "mine", "--into", str(tmp_path), "--urdf", str(tmp_path / "nowhere.urdf")]) == 2
 
 
 def test_files_that_cannot_be_read(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

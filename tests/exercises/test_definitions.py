@@ -1,4 +1,4 @@
-"""Every definition of the package, tested by itself; FRAMEWISE_SEEDS=50 tries more seeds, every mistake."""
+"""Every definition of the package, tested by itself; EXERCISE_SEEDS=50 tries more seeds, every mistake."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from exercises.selftest.checks import check
 from exercises.statements import names_in
 from kinematics import catalogue
 
-SEEDS = int(os.environ.get("FRAMEWISE_SEEDS", "0"))
+SEEDS = int(os.environ.get("EXERCISE_SEEDS", "0"))
 ALL = exercise_ids()
 
 

@@ -9,7 +9,7 @@ import pytest
 from exercises.definition import PosePart, ReachFrom, WorkspacePart
 from exercises.errors import DefinitionError, UnknownExerciseError
 from exercises.grading import BaseRule, HelpLevel, ToolRule
-from exercises.loader import exercise, load_exercise
+from exercises.loader import exercise, exercise_ids, load_exercise, use_folders
 from tests.exercises.folders import changed, folder, with_part
 
 
@@ -179,3 +179,20 @@ def test_parts_with_values_are_read(tmp_path: Path) -> None:
 )
 def test_a_fault_in_a_part_names_its_key(tmp_path: Path, part: str, place: str, code: str) -> None:
     assert faults(folder(tmp_path, with_part(part)))[f"two.exercise.toml.{place}"] == code
+
+
+def test_own_folders_go_before_the_packaged_ones(tmp_path: Path) -> None:
+    try:
+        folder(tmp_path, name="two")
+        folder(tmp_path, name="puma560")
+        use_folders([tmp_path])
+        assert {"two", "puma560", "rx90"} <= set(exercise_ids())
+        assert exercise("puma560").titles["en"] == "Two"
+        folder(tmp_path, "version = 1", name="bad")
+        with pytest.raises(DefinitionError, match=r"bad\.exercise\.toml"):
+            use_folders([tmp_path])
+        with pytest.raises(DefinitionError, match="no folder"):
+            use_folders([tmp_path / "nowhere"])
+    finally:
+        use_folders([])
+    assert exercise("puma560").titles["en"] == "PUMA 560"

@@ -5,14 +5,19 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import httpx
 import numpy as np
 import pytest
 
-from exercises.loader import exercise, exercise_ids
+from exercises.loader import exercise, exercise_ids, use_folders
+from service.__main__ import main
 from service.schemas.examples_grading import ANSWERS, SCARA_BY_THE_BOOK
+from service.settings import Settings
+from tests.exercises.folders import folder
+from tests.service.conftest import running
 
 LANGUAGES = ("en", "es", "fr", "pt", "ro", "uk")
 PUMA_BY_CRAIG = {
@@ -283,3 +288,33 @@ def test_less_help_may_be_asked_for(client: httpx.Client) -> None:
         assert body["help"] == level
         assert bool(body["repairs"]) is bool(repairs)
         assert any(entry["row"] for entry in body["feedback"]) is rows
+
+
+def test_exercises_of_ones_own_are_served(tmp_path: Path) -> None:
+    folder(tmp_path, name="crane")
+    try:
+        with running(Settings(exercise_folders=(tmp_path,))) as url, httpx.Client(base_url=url) as own:
+            assert "crane" in {entry["id"] for entry in own.get("/api/v1/exercises").json()["exercises"]}
+            assert own.get("/api/v1/exercises/crane/figure.svg").status_code == 200
+            table = {
+                "convention": "modified",
+                "rows": [
+                    {"alpha": 0, "a": 0, "d": 0, "theta": "q1"},
+                    {"alpha": 0, "a": "L1", "d": 0, "theta": "q2"},
+                ],
+            }
+            assert grade(own, "crane", {"table": table}).json()["correct"]
+    finally:
+        use_folders([])
+
+
+def test_a_malformed_exercise_of_ones_own_stops_the_service(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder(tmp_path, "version = 1")
+    monkeypatch.setenv("FRAMEWISE_EXERCISE_FOLDERS", str(tmp_path))
+    try:
+        with pytest.raises(SystemExit, match=r"two\.exercise\.toml\.title"):
+            main(["--port", "0"])
+    finally:
+        use_folders([])
