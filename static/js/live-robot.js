@@ -48,16 +48,26 @@ export class LiveRobot extends EventTarget {
   }
 
   /**
-   * The robot of a table, drawn if it is not drawn yet; null if it cannot be.
+   * The robot of the present table, as soon as it is drawn; null if it cannot be drawn, or another one came.
    * @param {any} table @returns {Promise<Robot | null>}
    */
-  async of(table) {
+  of(table) {
     const key = JSON.stringify(table);
-    if (this.#drawn?.key !== key && JSON.stringify(this.#table) === key) {
-      this.#asked += 1;
-      await this.#read();
-    }
-    return this.#drawn?.key === key ? this.#drawn.robot : null;
+    if (this.#drawn?.key === key) return Promise.resolve(this.#drawn.robot);
+    if (JSON.stringify(this.#table) !== key) return Promise.resolve(null);
+    return new Promise((resolve) => {
+      const over = new AbortController();
+      const settle = (robot) => {
+        over.abort();
+        resolve(robot);
+      };
+      const listen = (name, listener) => this.addEventListener(name, listener, { signal: over.signal });
+      listen("robot", () => settle(this.#drawn?.key === key ? this.#drawn.robot : null));
+      listen("reading", (event) => /** @type {CustomEvent} */ (event).detail.reading || settle(null));
+      listen("failure", () => settle(null));
+      listen("typed", () => settle(null));
+      this.#read();
+    });
   }
 
   /** Values of the parameters, in the table's units. @param {Record<string, number>} parameters */

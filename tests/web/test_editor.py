@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import unicodedata
+
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
@@ -161,7 +163,7 @@ def test_each_cell_says_what_it_was_understood_as(open_page: OpenPage) -> None:
     cell(page, 0, "a").fill("2L1")
     meaning = editor(page).locator("tbody tr").first.locator("td:has(input[id$=-alpha]) .meaning")
     expect(meaning.locator("math mfrac")).to_have_count(1)
-    assert "".join(meaning.inner_text().split()) == "−π2"
+    assert "".join(unicodedata.normalize("NFKC", meaning.inner_text()).split()) == "−π2"
     described = cell(page, 0, "alpha").get_attribute("aria-describedby")
     assert described is not None
     assert meaning.get_attribute("id") in described.split()
