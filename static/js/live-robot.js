@@ -64,6 +64,7 @@ export class LiveRobot extends EventTarget {
       const listen = (name, listener) => this.addEventListener(name, listener, { signal: over.signal });
       listen("robot", () => settle(this.#drawn?.key === key ? this.#drawn.robot : null));
       listen("reading", (event) => /** @type {CustomEvent} */ (event).detail.reading || settle(null));
+      listen("parameters", (event) => /** @type {CustomEvent} */ (event).detail.missing.length && settle(null));
       listen("failure", () => settle(null));
       listen("typed", () => settle(null));
       this.#read();
