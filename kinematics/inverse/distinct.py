@@ -19,8 +19,9 @@ DOUBLE_ROOT = 1e-3
 SINGULAR_VALUE = 1e-7
 """Least singular value of the Jacobian below which a solution is examined for a continuum."""
 
-EXACT = 1e-9
-"""Size of the error vector of a solution; [rad], or parts of the size."""
+UNMOVED = 1e-12
+"""Size of the error vector with which a continuum is followed, and between two ends of a double root [rad, or
+parts of the size]; beside a singularity an arm does not stay so near."""
 
 SMALL_VOLUME = 1e-4
 """|det J| (of arms with fewer than six joints det JᵀJ) above which no singular value is that small."""
@@ -62,7 +63,7 @@ def _between(arm: Arm, target: Array, q: Array, others: Array) -> NDArray[np.boo
     scale = np.where(arm.revolute, 1.0, arm.size)
     middle = others + 0.5 * differences(np.broadcast_to(q, others.shape), others, arm) * scale
     e = error_vectors(arm.frames(middle)[-1], target, arm.size)
-    return np.asarray(np.linalg.norm(e, axis=1) <= EXACT)
+    return np.asarray(np.linalg.norm(e, axis=1) <= UNMOVED)
 
 
 def on_continuum(arm: Arm, target: Array, joints: Array) -> tuple[NDArray[np.bool_], Array]:
@@ -112,7 +113,7 @@ def _moves(arm: Arm, target: Array, joints: Array, directions: Array, scale: Arr
         residual = np.concatenate((e, (_STEP - moved)[:, None]), axis=1)
         q = q + (np.linalg.pinv(J, rcond=1e-12) @ residual[:, :, None])[:, :, 0] * scale
     e = error_vectors(arm.frames(q)[-1], target, arm.size)
-    return np.asarray(np.linalg.norm(e, axis=1) <= EXACT)
+    return np.asarray(np.linalg.norm(e, axis=1) <= UNMOVED)
 
 
 def one_per_continuum(
