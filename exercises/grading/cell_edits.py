@@ -166,14 +166,18 @@ def _times(ratio: float) -> Callable[[float], float]:
     return lambda x: x * ratio
 
 
-def any_length(work: Work) -> Iterator[Change]:
-    """A or d as the whole robot asks for, where no single fact of it shows the value."""
+def any_cell(work: Work) -> Iterator[Change]:
+    """A cell as the whole robot asks for, where no single fact of it shows the value."""
     for i, row in enumerate(work.tables[0].rows):
-        for cell in ("a", "d"):
-            if cell == "d" and row.joint is JointType.PRISMATIC:
-                continue
+        cells = ["a", "alpha"]
+        if row.joint is not JointType.PRISMATIC:
+            cells.append("d")
+        if row.joint is not JointType.REVOLUTE:
+            cells.append("theta")
+        for cell in cells:
             for table in fitted_tables(work, work.tables[0], 0, ((i, cell),)):
-                code = _story(work, i, cell, getattr(table.rows[i], cell))
+                value = getattr(table.rows[i], cell)
+                code = f"{cell}_value" if cell in ("alpha", "theta") else _story(work, i, cell, value)
                 yield change(code, _fitted_to_all(work, i, cell), extent=Extent.CELL, row=i, cell=cell)
 
 

@@ -9,18 +9,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
 
 from exercises.grading.work import Work, with_cell
-from kinematics.equivalence.cell_fitting import fitted_lengths
+from kinematics.equivalence import Policy
+from kinematics.equivalence.cell_fitting import fitted_cells
 from kinematics.equivalence.chains import chain_of
 from kinematics.equivalence.diagnosis import likely_signs
 from kinematics.equivalence.invariants import Invariant, Measure
+from kinematics.equivalence.reference import Reference
 from kinematics.table import NumericTable
 
 INFLUENCE = 1e-6
 OFF = 0.1
 MOST_STRAINED = 4
-MOST_SIGNS = 3
+MOST_SIGNS = 4
 
 
 def fitting_values(work: Work, table: NumericTable, draw: int, row: int, cell: str) -> list[float]:
@@ -55,22 +58,27 @@ def fitting_values(work: Work, table: NumericTable, draw: int, row: int, cell: s
 def fitted_tables(
     work: Work, table: NumericTable, draw: int, places: Sequence[tuple[int, str]]
 ) -> list[NumericTable]:
-    """The table with some lengths changed so that it fits the key as a whole.
+    """The table with some cells changed so that it fits the key as a whole.
 
     Args:
         work: the key.
         table: the table.
         draw: number of the parameter draw.
-        places: rows, counted from 0, and "a" or "d".
+        places: rows, counted from 0, and cells.
     """
     reference = work.references[draw]
     if table.joint_types != reference.table.joint_types:
         return []
-    for signs in likely_signs(reference, chain_of(table), work.policy)[:MOST_SIGNS]:
-        found = fitted_lengths(reference, table, places, signs, work.policy.tolerance)
+    for signs in _likely_signs(reference, table, work.policy)[:MOST_SIGNS]:
+        found = fitted_cells(reference, table, places, signs, work.policy.tolerance)
         if found is not None:
             return [found]
     return []
+
+
+@lru_cache(maxsize=256)
+def _likely_signs(reference: Reference, table: NumericTable, policy: Policy) -> list[tuple[int, ...]]:
+    return likely_signs(reference, chain_of(table), policy)
 
 
 def _solutions(

@@ -5,9 +5,11 @@ from __future__ import annotations
 import time
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from itertools import chain
 
-from exercises.grading.cell_edits import any_length
+from exercises.grading.cell_edits import any_cell
 from exercises.grading.misconceptions import changes_of
+from exercises.grading.row_edits import any_row_left_out
 from exercises.grading.work import Change, Work
 from kinematics.equivalence.search import Effort
 from kinematics.table import NumericTable
@@ -48,15 +50,15 @@ class Trial:
 
 
 def find_repairs(work: Work) -> tuple[Repaired, ...]:
-    """The repairs of a wrong table, smallest and likeliest first; of two edits only if no single one helps."""
-    budget = Budget(MOST_DECISIONS, time.thread_time() + SECONDS)
+    """The repairs of a wrong table, smallest and likeliest first; of two edits only if no one edit helps."""
     trials = list(_tried(work, changes_of(work)))
+    budget = Budget(MOST_DECISIONS, time.thread_time() + SECONDS)
     trials.sort(key=lambda trial: (trial.change.extent.value, trial.change.rank))
     for effort in Effort:
         singles = [Repaired((change,)) for change in _helping(work, trials, budget, effort)]
         if singles:
             return tuple(singles[:MOST_REPAIRS])
-    fitted = list(_tried(work, any_length(work)))
+    fitted = list(_tried(work, chain(any_cell(work), any_row_left_out(work))))
     singles = [Repaired((change,)) for change in _helping(work, fitted, budget, Effort.REFINED)]
     return tuple(singles or _pairs(work, trials, budget))[:MOST_REPAIRS]
 

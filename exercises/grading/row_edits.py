@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import combinations
 
 from exercises.grading.cell_edits import RIGHT_ANGLES
-from exercises.grading.fitting import fitting_values
+from exercises.grading.fitting import fitted_tables, fitting_values
 from exercises.grading.work import Apply, Change, Extent, Work, change, with_cell, with_row, with_rows
 from kinematics.table import DHRow, JointType, NumericRow, NumericTable
 
@@ -117,6 +117,33 @@ def row_left_out(work: Work) -> Iterator[Change]:
             yield change("row_missing", apply, extent=Extent.ROW, row=place, touched=touched, params=params)
 
 
+def any_row_left_out(work: Work) -> Iterator[Change]:
+    """A row put in as the whole robot asks for, where no single fact of it shows its cells."""
+    wanted, given = work.references[0].table.joint_types, work.tables[0].joint_types
+    for place in range(len(work.tables[0].rows) + 1):
+        joint = _missing(wanted, given, sum(index < place for index in work.tables[0].joint_rows))
+        if joint is None:
+            continue
+        touched = tuple((place, cell) for cell in ("alpha", "a", "d", "joint"))
+        params = {"place": place + 1, "after": place}
+        apply = _filled_as_a_whole(work, place, joint)
+        yield change("row_missing", apply, extent=Extent.ROW, row=place, touched=touched, params=params)
+
+
+def _filled_as_a_whole(work: Work, place: int, joint: JointType) -> Apply:
+    cells = ("alpha", "a", "theta" if joint is JointType.PRISMATIC else "d")
+
+    def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
+        for alpha in RIGHT_ANGLES:
+            blank = DHRow(joint=joint, theta=0.0, d=0.0, a=0.0, alpha=alpha)
+            first = with_rows(table, (*table.rows[:place], blank, *table.rows[place:]))
+            if not _fits_elsewhere(work, first, draw, place):
+                return
+            yield from fitted_tables(work, first, draw, [(place, cell) for cell in cells])
+
+    return apply
+
+
 def _missing(wanted: tuple[JointType, ...], given: tuple[JointType, ...], before: int) -> JointType | None:
     """The type of the joint that is missing after so many, if one put in there makes the types right."""
     if len(wanted) != len(given) + 1 or (*given[:before], wanted[before], *given[before:]) != wanted:
@@ -129,10 +156,25 @@ def _filled(work: Work, place: int, blank: NumericRow) -> Apply:
 
     def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
         first = with_rows(table, (*table.rows[:place], blank, *table.rows[place:]))
+        if not _fits_elsewhere(work, first, draw, place):
+            return
         for cells in ORDERS[blank.joint]:
             yield from _solved(work, first, draw, place, cells)
 
     return apply
+
+
+def _fits_elsewhere(work: Work, table: NumericTable, draw: int, row: int) -> bool:
+    """Whether everything fits that has nothing to do with a row's joint and its neighbours."""
+    if table.joint_types != work.references[draw].table.joint_types:
+        return False
+    joint = table.joint_rows.index(row) + 1
+    axes = work.axes(table)
+    return all(
+        max(invariant.axes) >= joint - 1 and min(invariant.axes) <= joint + 1
+        for invariant in work.invariants[draw]
+        if not invariant.fits(axes)
+    )
 
 
 def _solved(

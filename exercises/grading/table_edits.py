@@ -15,6 +15,7 @@ from kinematics.expressions import Parameter
 from kinematics.table import Convention, DHTable, NumericRow, NumericTable, bind
 
 LENGTH_RATIOS = (1000.0, 0.001, 100.0, 0.01, 10.0, 0.1)
+SMALLEST_EXTENT, LARGEST_EXTENT = 0.05, 300.0
 CLEARLY_DEGREES = 2 * math.pi
 
 
@@ -76,7 +77,10 @@ def all_in_other_length_unit(work: Work) -> Iterator[Change]:
     def scaled(ratio: float) -> Callable[[NumericRow], NumericRow]:
         return lambda row: replace(row, a=row.a * ratio, d=row.d * ratio)
 
+    extent = sum(abs(row.a) + abs(row.d) for row in work.tables[0].rows)
     for ratio in LENGTH_RATIOS:
+        if not SMALLEST_EXTENT < extent * ratio / work.references[0].size < LARGEST_EXTENT:
+            continue
         yield _whole(work, "length_unit", _every_row(scaled(ratio)), ("a", "d"))
 
 

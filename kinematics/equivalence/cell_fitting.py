@@ -1,12 +1,12 @@
-"""Lengths of a table with which it would describe the reference, found together with the certificate.
+"""Cells of a table with which it would describe the reference, found together with the certificate.
 
-Where sliders let the axes between them be drawn anywhere, no single invariant shows which length is wrong.
-F_s is an affine function of every length in the table, so the unknown ones join δ, B and E in the least
-squares.
+Where sliders let the axes between them be drawn anywhere, no single invariant shows which cell is wrong. So
+the unknown cells join δ, B and E in the least squares, and what comes out is tried like any other edit.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TypeAlias
@@ -24,48 +24,61 @@ from kinematics.equivalence.verification import joint_values
 from kinematics.table import DHTable, NumericTable
 
 Place: TypeAlias = tuple[int, str]
-"""A row, counted from 0, and "a" or "d"."""
+"""A row, counted from 0, and the name of a cell."""
 
-ROUNDS = 8
+ROUNDS = 10
 SETTLED = 1e-6
 CLOSE_ENOUGH = 0.5
+WORTHWHILE = 0.8
+FEWER_SAMPLES = 24
+ANGLES = ("alpha", "theta")
+SMALL_ANGLE = 1e-4
 
 
-def fitted_lengths(
+def fitted_cells(
     reference: Reference,
     table: NumericTable,
     places: Sequence[Place],
     signs: Sequence[int],
     tolerance: Tolerance,
 ) -> NumericTable | None:
-    """The table with some lengths changed so that it describes the reference, as nearly as they can do that.
+    """The table with some cells changed so that it describes the reference, as nearly as they can do that.
 
     Args:
         reference: the reference.
         table: a table with the same types of joints.
-        places: which lengths may change.
+        places: which cells may change.
         signs: σ.
         tolerance: what counts as near.
 
     Returns:
-        None if the mean error stays above the tolerance.
+        None if the mean error stays above half the tolerance.
     """
     candidate = _start(reference, table, signs, tolerance)
+    reference = _sampled_less(reference)
+    scales = np.array([1.0 if cell in ANGLES else reference.size for _, cell in places])
+    twists = np.repeat((1.0, reference.size), 3)[:, None] * FREE_TWISTS
     for _ in range(ROUNDS):
         chain = chain_of(table)
-        scaled = np.repeat((1.0, reference.size), 3)[:, None] * FREE_TWISTS
-        problem = Problem(reference, chain, tolerance, scaled, scaled, offsets_free=True)
-        columns = [_column(reference, table, place, candidate) for place in places]
+        problem = Problem(reference, chain, tolerance, twists, twists, offsets_free=True)
+        joints = joint_values(reference, candidate)
+        columns = [_column(table, place, joints, scale) for place, scale in zip(places, scales, strict=True)]
         model = problem.linearised(candidate, *columns)
         if model.mean_square() < CLOSE_ENOUGH**2:
             return table
         step = model.least_squares()
-        candidate = problem.moved(candidate, step)
-        changes = step[-len(places) :] * reference.size
-        table = _changed(table, places, changes.tolist())
-        if np.abs(step).max() < SETTLED:
+        if model.mean_square(step) > WORTHWHILE * model.mean_square() or np.abs(step).max() < SETTLED:
             return None
+        candidate = problem.moved(candidate, step)
+        table = _changed(table, places, (step[-len(places) :] * scales).tolist())
     return None
+
+
+def _sampled_less(reference: Reference) -> Reference:
+    """The reference with fewer configurations: enough to solve for a handful of numbers."""
+    return replace(
+        reference, joints=reference.joints[:, :FEWER_SAMPLES], poses=reference.poses[:FEWER_SAMPLES]
+    )
 
 
 def _start(
@@ -79,17 +92,24 @@ def _start(
 
 
 def _column(
-    reference: Reference, table: NumericTable, place: Place, candidate: Candidate
+    table: NumericTable, place: Place, joints: NDArray[np.float64], scale: float
 ) -> NDArray[np.float64]:
-    """How frame N moves when a length grows by the robot's size: (samples, 6); it does not turn."""
-    joints = joint_values(reference, candidate)
-    longer = _changed(table, (place,), (reference.size,))
-    shift = poses(chain_of(longer), joints)[:, :3, 3] - poses(chain_of(table), joints)[:, :3, 3]
-    return np.concatenate([np.zeros_like(shift), shift], axis=1)
+    """How frame N turns and moves with a cell, per unit of the step: (samples, 6).
+
+    F_s is an affine function of every length, so its difference is exact.
+    """
+    step = SMALL_ANGLE if place[1] in ANGLES else scale
+    before = poses(chain_of(_changed(table, (place,), (-step / 2,))), joints)
+    after = poses(chain_of(_changed(table, (place,), (step / 2,))), joints)
+    turn = 0.5 * np.cross(before[:, :3, :3], after[:, :3, :3], axis=1).sum(axis=2)
+    shift = after[:, :3, 3] - before[:, :3, 3]
+    return np.concatenate([turn, shift], axis=1) * (scale / step)
 
 
 def _changed(table: NumericTable, places: Sequence[Place], changes: Sequence[float]) -> NumericTable:
     rows = list(table.rows)
     for (row, cell), change in zip(places, changes, strict=True):
-        rows[row] = replace(rows[row], **{cell: getattr(rows[row], cell) + change})
+        value = getattr(rows[row], cell) + change
+        value = math.remainder(value, 2 * math.pi) if cell in ANGLES else value
+        rows[row] = replace(rows[row], **{cell: value})  # type: ignore[arg-type]
     return DHTable(convention=table.convention, rows=tuple(rows))

@@ -221,12 +221,12 @@ def _left_side(submission: Chain, joints: Matrix) -> tuple[Matrix, Matrix]:
         prefix = prefix @ motions[i]
     left = prefix @ to_matrix(submission.end)
     jacobian = np.zeros((samples, 6, n))
-    for i, axis in enumerate(submission.axes):
-        if axis.prismatic:
-            jacobian[:, 3:, i] = directions[i]
-        else:
-            jacobian[:, :3, i] = directions[i]
-            jacobian[:, 3:, i] = np.cross(directions[i], left[:, :3, 3] - points[i])
+    slides = [axis.prismatic for axis in submission.axes]
+    turns = [not axis.prismatic for axis in submission.axes]
+    jacobian[:, 3:, slides] = directions[slides].transpose(1, 2, 0)
+    jacobian[:, :3, turns] = directions[turns].transpose(1, 2, 0)
+    arms = np.cross(directions[turns], left[:, :3, 3] - points[turns])
+    jacobian[:, 3:, turns] = arms.transpose(1, 2, 0)
     return left, jacobian
 
 

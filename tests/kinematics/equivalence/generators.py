@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from random import Random
 
 import numpy as np
@@ -39,7 +40,7 @@ class Robot:
 
 @dataclass(frozen=True)
 class Line:
-    """A line that becomes a z axis; `joint` is FIXED for a dummy, `sign` says which way the variable counts."""
+    """A line that becomes a z axis; `joint` is FIXED for a dummy, `sign` is the variable's in its row."""
 
     point: np.ndarray
     direction: np.ndarray
@@ -154,7 +155,7 @@ class Normal:
 
 
 def common_normal(one: Line, two: Line, rng: Random, scale: float) -> Normal:
-    """A common normal of two lines; any of them, where there are many; x either way where both are possible."""
+    """A common normal of two lines: any of them, where there are many; x either way, where both will do."""
     u, v, w = one.direction, two.direction, two.point - one.point
     across = np.cross(u, v)
     sine = float(np.linalg.norm(across))
@@ -183,7 +184,7 @@ def draw_table(robot: Robot, rng: Random, choices: Choices) -> NumericTable:
         lines.append(end_line(robot, rng, choices, robot.joints[-1]))
     else:
         lines.insert(0, end_line(robot, rng, choices, robot.joints[0]))
-    normals = [common_normal(a, b, rng, robot.size) for a, b in zip(lines, lines[1:], strict=False)]
+    normals = [common_normal(a, b, rng, robot.size) for a, b in pairwise(lines)]
     free = lines[0] if standard else lines[-1]
     loose_x = some_normal(free.direction, rng)
     loose_o = free.point + rng.uniform(-1, 1) * robot.size * free.direction
@@ -209,17 +210,17 @@ def draw_table(robot: Robot, rng: Random, choices: Choices) -> NumericTable:
 
 def random_valid_table(table: NumericTable, rng: Random, **changes: object) -> NumericTable:
     """A random valid table of the robot that a table describes."""
-    choices = replace(
-        Choices(convention=rng.choice(list(Convention)), dummies=rng.choice((0.0, 0.0, 0.3))), **changes
-    )
-    return draw_table(moved(robot_of(table), rng), rng, choices)
+    usual = Choices(convention=rng.choice(list(Convention)), dummies=rng.choice((0.0, 0.0, 0.3)))
+    choices = replace(usual, **changes)
+    robot = robot_of(table)
+    return draw_table(robot if choices.keep_zero else moved(robot, rng), rng, choices)
 
 
 RIGHT_ANGLES = (0.0, math.pi / 2, -math.pi / 2, math.pi, 0.0, math.pi / 2)
 
 
 def random_robot(rng: Random, joints: int | None = None) -> NumericTable:
-    """A table of a random robot, full of parallel, coincident, perpendicular, intersecting and prismatic axes."""
+    """A random robot, full of parallel, coincident, perpendicular, intersecting and prismatic axes."""
     n = joints or rng.randint(1, 12)
     rows = []
     prismatic_share = rng.choice((0.0, 0.2, 0.2, 0.5, 1.0))
