@@ -25,7 +25,7 @@ export class OwnCard {
     this.parameters = el("div", { class: "own-parameters", hidden: true }, el("h3", { text: t("form-own-parameters") }), this.fields);
     this.jointCard = el(
       "div",
-      { hidden: true },
+      { class: "own-joints", hidden: true },
       el("div", { class: "card-head" }, el("h3", { text: t("form-joints") }), resetButton(this.sliders)),
       this.sliders,
     );
