@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from exercises.consistency import values_in_radians
 from exercises.figures.camera import Array
 from exercises.figures.description import Sentence, describe
 from exercises.figures.drawing import draw_figure
@@ -12,7 +13,6 @@ from exercises.figures.geometry import Scene, Vector, build_scene
 from exercises.figures.points import rotation_rpy
 from exercises.grading import DirectionRule, ZeroRule
 from exercises.instance import Instance
-from exercises.loader import values_in_radians
 from kinematics.table import JointType
 
 

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from exercises import grading
 from exercises.answers import Answer
+from exercises.consistency import values_in_radians
 from exercises.definition import Exercise, Part, PartKind, PosePart, WorkspacePart
 from exercises.grading import Feedback, HelpLevel, Verdict
 from exercises.instance import Instance
-from exercises.loader import values_in_radians
 from exercises.parts.context import Context
 from exercises.parts.link_matrices import grade_link_matrices
 from exercises.parts.matrix_cells import SymbolicMatrix

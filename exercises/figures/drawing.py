@@ -15,6 +15,14 @@ from exercises.figures.camera import Array, Camera, camera_for, fitted
 from exercises.figures.dimensioning import DimensionLine, halo
 from exercises.figures.geometry import JointAxis, Scene, scene_points
 from exercises.figures.placement import Candidate, Label, PaperMap, Placer
+from exercises.figures.shapes import (
+    REACH,
+    axis_ends,
+    gripper_lines,
+    ground_lines,
+    sense_arrow,
+    trimmed,
+)
 from exercises.figures.specification import View
 from exercises.figures.strokes import in_front
 from exercises.figures.svg import Canvas, document, line, text_width
@@ -27,12 +35,10 @@ NARROWEST = 420.0
 MOST_SCALE = 2000.0
 LINK_WIDTH = 7.5
 LINK_CORE = 4.7
-REACH = 0.11
 NUMBER_SIZE = 14.0
 DISC = 10.5
 NAME_SIZE = 18.0
 NOTE_SIZE = 13.0
-FINGER = 0.05
 
 Style = dict[str, Any]
 
@@ -87,7 +93,7 @@ class _Drawing:
         self.scene, self.camera = scene, camera
         self.canvas = Canvas()
         self.bodies = [body_of(axis, scene.size, camera) for axis in scene.axes]
-        self.links = [_trimmed(np.array(chain), scene) for chain in scene.links]
+        self.links = [trimmed(np.array(chain), scene) for chain in scene.links]
         points = camera.project(np.array(list(_extent(scene, camera))))
         low = points.min(axis=0)
         high = points.max(axis=0)
@@ -97,9 +103,15 @@ class _Drawing:
 
     def draw(self) -> None:
         """Everything, from the back to the front."""
-        axes = [self.axis_ends(axis, body) for axis, body in zip(self.scene.axes, self.bodies, strict=True)]
-        senses = [self.sense(axis, body) for axis, body in zip(self.scene.axes, self.bodies, strict=True)]
-        gripper, ground = self.gripper_lines(), self.ground_lines()
+        scene, camera = self.scene, self.camera
+        axes = [
+            axis_ends(axis, body, scene.size) for axis, body in zip(self.scene.axes, self.bodies, strict=True)
+        ]
+        senses = [
+            sense_arrow(axis, body, scene.size, camera)
+            for axis, body in zip(self.scene.axes, self.bodies, strict=True)
+        ]
+        gripper, ground = gripper_lines(scene, camera), ground_lines(scene, camera)
         self.take(axes, senses, gripper, ground)
         dimensions, labels = self.place(axes, senses)
         for run, width in ground:
@@ -290,65 +302,6 @@ class _Drawing:
             self.canvas.path(line(run), "sense", stroke="currentColor", stroke_width=1.6)
             self.canvas.path(line(head), "sense", stroke="currentColor", stroke_width=1.6)
 
-    # shapes
-
-    def axis_ends(self, axis: JointAxis, body: Body) -> tuple[Array, Array]:
-        """Ends in space of the axis as drawn, the first one behind."""
-        reach = body.half + REACH * self.scene.size * axis.reach
-        direction = np.array(axis.direction)
-        return body.centre - direction * reach, body.centre + direction * reach
-
-    def sense(self, axis: JointAxis, body: Body) -> tuple[Array, ...]:
-        """On paper: the run of the arrow of the positive sense, its head, and where its name belongs."""
-        if not axis.signed:
-            return ()
-        direction = np.array(axis.direction)
-        if axis.type is JointType.PRISMATIC:
-            side = body.across[0] * body.radius * 1.9
-            reach = body.half * 0.9
-            space = body.centre + side + np.outer(np.linspace(-reach, reach, 8), direction)
-        else:
-            turn = np.linspace(0.3, 0.3 + 1.5 * np.pi, 28)[:, None]
-            u = body.across[0]
-            v = np.cross(direction, u)
-            centre = body.centre + direction * (body.half + 0.03 * self.scene.size)
-            space = centre + 1.25 * body.radius * (np.cos(turn) * u + np.sin(turn) * v)
-        run = self.camera.project(space)
-        along = run[-1] - run[-2]
-        along = along / max(float(np.linalg.norm(along)), 1e-9)
-        across = np.array([-along[1], along[0]])
-        head = np.array([run[-1] - 6 * along + 4 * across, run[-1], run[-1] - 6 * along - 4 * across])
-        return run, head, run[0]
-
-    def gripper_lines(self) -> list[Array]:
-        """On paper: palm and two fingers."""
-        gripper = self.scene.gripper
-        if gripper is None:
-            return []
-        finger = FINGER * self.scene.size
-        at, direction = np.array(gripper.at), np.array(gripper.direction)
-        jaws = np.array(gripper.jaws) if gripper.jaws else _widest(direction, self.camera)
-        palm = at - direction * finger
-        side = jaws * finger * 0.62
-        tip = at + direction * finger * 0.25
-        return [self.camera.project(np.array([tip - side, palm - side, palm + side, tip + side]))]
-
-    def ground_lines(self) -> list[tuple[Array, float]]:
-        """On paper: the line of the ground and the hatches behind it, with their widths."""
-        ground = self.scene.ground
-        if ground is None:
-            return []
-        at = self.camera.project(ground.at)
-        out = self.camera.project(np.array(ground.at) + np.array(ground.normal)) - at
-        out = out / max(float(np.linalg.norm(out)), 1e-9)
-        along = np.array([-out[1], out[0]])
-        half, step, deep = 32.0, 8.0, 9.0
-        lines: list[tuple[Array, float]] = [(np.array([at - along * half, at + along * half]), 2.0)]
-        for k in np.arange(-half + 4, half + 0.1, step):
-            foot = at + along * k
-            lines.append((np.array([foot, foot - out * deep - along * deep * 0.8]), 1.0))
-        return lines
-
 
 def _extent(scene: Scene, camera: Camera) -> list[Array]:
     """Points in space that must be on the paper: links, points, bodies and their axes."""
@@ -358,19 +311,3 @@ def _extent(scene: Scene, camera: Camera) -> list[Array]:
         reach = body.half + REACH * scene.size * axis.reach
         points += [body.centre + np.array(axis.direction) * reach * side for side in (-1, 1)]
     return points
-
-
-def _trimmed(chain: Array, scene: Scene) -> Array:
-    """The chain, ending at the palm where it would run on between the jaws of the gripper."""
-    gripper = scene.gripper
-    if gripper is None or not np.allclose(chain[-1], gripper.at):
-        return chain
-    palm = np.array(gripper.at) - np.array(gripper.direction) * (FINGER + 0.01) * scene.size
-    return np.concatenate([chain[:-1], palm[None]])
-
-
-def _widest(direction: Array, camera: Camera) -> Array:
-    """The coordinate direction square to a direction that is longest on paper."""
-    square = [axis - direction * (axis @ direction) for axis in np.eye(3)]
-    best = max(square, key=lambda v: float(np.linalg.norm(camera.project(v) - camera.project(np.zeros(3)))))
-    return np.asarray(best / np.linalg.norm(best), dtype=np.float64)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from exercises.answers import RawAnswer, values_in_unit
+from exercises.consistency import values_in_radians
 from exercises.definition import PartKind, WorkspacePart
 from exercises.grader import pose_joints
 from exercises.grading.exact_text import angle_text, expression_text
 from exercises.instance import Instance
-from exercises.loader import values_in_radians
 from exercises.parts.context import Context
 from exercises.parts.matrix_cells import CellMatrix
 from exercises.parts.schematic import schematic_of

@@ -1,0 +1,91 @@
+"""What must hold between the pieces of a definition: figure and robot, statements and names, points."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+
+from exercises.definition import Exercise, PartKind, WorkspacePart
+from exercises.errors import DefinitionError
+from exercises.figures.geometry import build_scene
+from exercises.figures.specification import FigureSpecification
+from exercises.statements import names_in
+from kinematics.cells import AngleUnit, ParameterKind
+from kinematics.errors import Fault
+
+FILE = "exercise.toml"
+
+
+def inconsistencies(exercise: Exercise) -> Iterator[Fault]:
+    """What does not fit together, each at (file, key, …)."""
+    yield from _figure_faults(exercise)
+    yield from _name_faults(exercise)
+
+
+def values_in_radians(
+    parameters: Mapping[str, float], kinds: Mapping[str, ParameterKind], angle_unit: AngleUnit
+) -> dict[str, float]:
+    """Parameter values as the kinematics takes them: angles in [rad], lengths in the exercise's unit."""
+    degrees = angle_unit is AngleUnit.DEG
+    return {
+        name: math.radians(value) if degrees and kinds.get(name) is ParameterKind.ANGLE else value
+        for name, value in parameters.items()
+    }
+
+
+def _figure_faults(exercise: Exercise) -> list[Fault]:
+    """What keeps the figure from being drawn, as it is and as it is drawn."""
+    values = values_in_radians(
+        {parameter.name: float(parameter.value) for parameter in exercise.parameters},
+        exercise.reference.parameters,
+        exercise.angle_unit,
+    )
+    unknown = [name for name in exercise.figure.lengths if name not in values]
+    if unknown:
+        return [
+            Fault(
+                code="parameter_unused",
+                message=f"the table has no {name}",
+                where=(FILE, "figure", "lengths", name),
+                params={"name": name},
+            )
+            for name in unknown
+        ]
+    for drawn in (False, True):
+        try:
+            build_scene(exercise.figure, exercise.reference.table, values, signed_axes=False, drawn=drawn)
+        except DefinitionError as error:
+            return [fault.within(FILE, "figure") for fault in error.faults]
+    return []
+
+
+def _name_faults(exercise: Exercise) -> list[Fault]:
+    """Names in statements that stand neither in the table nor in the figure; parts that lack their point."""
+    known = {parameter.name for parameter in exercise.parameters} | _figure_names(exercise.figure)
+    faults = [
+        Fault(
+            code="statement_name_unknown",
+            message=f"{name} is neither a dimension of the robot nor a point or dimension of the figure",
+            where=(f"statement.{language}.md",),
+            params={"name": name},
+        )
+        for language, text in exercise.statements.items()
+        for name in sorted(names_in(text) - known)
+    ]
+    workspace = exercise.part(PartKind.WORKSPACE)
+    if isinstance(workspace, WorkspacePart):
+        faults += [
+            Fault(
+                code="unknown_point",
+                message=f"the figure marks no point {name}",
+                where=(FILE, "parts", exercise.parts.index(workspace), key),
+                params={"name": name},
+            )
+            for key, name in (("point", workspace.point), ("from", workspace.origin))
+            if name is not None and name not in exercise.figure.marks
+        ]
+    return faults
+
+
+def _figure_names(figure: FigureSpecification) -> set[str]:
+    return set(figure.marks) | {mark.name for mark in figure.dimensions}

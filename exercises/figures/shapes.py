@@ -1,0 +1,93 @@
+"""Shapes of a figure besides bodies and links: axes, arrows of positive sense, gripper, ground."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from exercises.figures.bodies import Body
+from exercises.figures.camera import Array, Camera
+from exercises.figures.geometry import JointAxis, Scene
+from kinematics.table import JointType
+
+REACH = 0.11
+"""How far an axis is drawn beyond its body, relative to the size of the robot."""
+
+FINGER = 0.05
+"""Length of a gripper's fingers, relative to the size of the robot."""
+
+
+def axis_ends(axis: JointAxis, body: Body, size: float) -> tuple[Array, Array]:
+    """Ends in space of the axis as drawn, against its direction first."""
+    reach = body.half + REACH * size * axis.reach
+    direction = np.array(axis.direction)
+    return body.centre - direction * reach, body.centre + direction * reach
+
+
+def sense_arrow(axis: JointAxis, body: Body, size: float, camera: Camera) -> tuple[Array, ...]:
+    """On paper: the arrow of the positive sense, its head, and where its name belongs; or nothing."""
+    if not axis.signed:
+        return ()
+    direction = np.array(axis.direction)
+    if axis.type is JointType.PRISMATIC:
+        side = body.across[0] * body.radius * 1.9
+        reach = body.half * 0.9
+        space = body.centre + side + np.outer(np.linspace(-reach, reach, 8), direction)
+    else:
+        turn = np.linspace(0.3, 0.3 + 1.5 * np.pi, 28)[:, None]
+        u = body.across[0]
+        v = np.cross(direction, u)
+        centre = body.centre + direction * (body.half + 0.03 * size)
+        space = centre + 1.25 * body.radius * (np.cos(turn) * u + np.sin(turn) * v)
+    run = camera.project(space)
+    along = run[-1] - run[-2]
+    along = along / max(float(np.linalg.norm(along)), 1e-9)
+    across = np.array([-along[1], along[0]])
+    head = np.array([run[-1] - 6 * along + 4 * across, run[-1], run[-1] - 6 * along - 4 * across])
+    return run, head, run[0]
+
+
+def gripper_lines(scene: Scene, camera: Camera) -> list[Array]:
+    """On paper: palm and two fingers."""
+    gripper = scene.gripper
+    if gripper is None:
+        return []
+    finger = FINGER * scene.size
+    at, direction = np.array(gripper.at), np.array(gripper.direction)
+    jaws = np.array(gripper.jaws) if gripper.jaws else _widest(direction, camera)
+    palm = at - direction * finger
+    side = jaws * finger * 0.62
+    tip = at + direction * finger * 0.25
+    return [camera.project(np.array([tip - side, palm - side, palm + side, tip + side]))]
+
+
+def ground_lines(scene: Scene, camera: Camera) -> list[tuple[Array, float]]:
+    """On paper: the line of the ground and the hatches behind it, with their widths."""
+    ground = scene.ground
+    if ground is None:
+        return []
+    at = camera.project(ground.at)
+    out = camera.project(np.array(ground.at) + np.array(ground.normal)) - at
+    out = out / max(float(np.linalg.norm(out)), 1e-9)
+    along = np.array([-out[1], out[0]])
+    half, step, deep = 32.0, 8.0, 9.0
+    lines: list[tuple[Array, float]] = [(np.array([at - along * half, at + along * half]), 2.0)]
+    for k in np.arange(-half + 4, half + 0.1, step):
+        foot = at + along * k
+        lines.append((np.array([foot, foot - out * deep - along * deep * 0.8]), 1.0))
+    return lines
+
+
+def trimmed(chain: Array, scene: Scene) -> Array:
+    """The chain, ending at the palm where it would run on between the jaws of the gripper."""
+    gripper = scene.gripper
+    if gripper is None or not np.allclose(chain[-1], gripper.at):
+        return chain
+    palm = np.array(gripper.at) - np.array(gripper.direction) * (FINGER + 0.01) * scene.size
+    return np.concatenate([chain[:-1], palm[None]])
+
+
+def _widest(direction: Array, camera: Camera) -> Array:
+    """The coordinate direction square to a direction that is longest on paper."""
+    square = [axis - direction * (axis @ direction) for axis in np.eye(3)]
+    best = max(square, key=lambda v: float(np.linalg.norm(camera.project(v) - camera.project(np.zeros(3)))))
+    return np.asarray(best / np.linalg.norm(best), dtype=np.float64)
