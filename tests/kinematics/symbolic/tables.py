@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
+from typing import Any
 
 from kinematics.expressions import (
     ZERO,
@@ -12,6 +13,7 @@ from kinematics.expressions import (
     Parameter,
     add,
     call,
+    evaluate,
     multiply,
     negate,
     number,
@@ -130,3 +132,56 @@ def with_axis_turned(old: SymbolicTable, where: int) -> SymbolicTable:
     flip = row(JointType.FIXED, alpha=pi_times(1))
     turned = row(r.joint, theta=negate(r.theta), d=negate(r.d), a=r.a, alpha=r.alpha, sign=-r.sign)
     return table(old.convention, *old.rows[:where], flip, turned, flip, *old.rows[where + 1 :])
+
+
+def sympy_product(symbolic: SymbolicTable, q: tuple[Any, ...]) -> Any:
+    """⁰T_N as a plain product of elementary matrices, by SymPy."""
+    import sympy
+
+    def value(cell: Expression) -> Any:
+        return sympy.Float(evaluate(cell), 30) if not isinstance(cell, int) else cell
+
+    def turn(axis: int, angle: Any) -> Any:
+        c, s = sympy.cos(angle), sympy.sin(angle)
+        if axis == 2:
+            return sympy.Matrix([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+        return sympy.Matrix([[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])
+
+    def slide(axis: int, length: Any) -> Any:
+        matrix = sympy.eye(4)
+        matrix[axis, 3] = length
+        return matrix
+
+    product, joint = sympy.eye(4), 0
+    for r in symbolic.rows:
+        theta, d = value(r.theta), value(r.d)
+        if r.joint is not JointType.FIXED:
+            if r.joint is JointType.REVOLUTE:
+                theta += r.sign * q[joint]
+            else:
+                d += r.sign * q[joint]
+            joint += 1
+        about_z = turn(2, theta) * slide(2, d)
+        about_x = slide(0, value(r.a)) * turn(0, value(r.alpha))
+        product *= about_z * about_x if symbolic.convention is Convention.STANDARD else about_x * about_z
+    return product
+
+
+def general_table(rng: random.Random) -> SymbolicTable:
+    """Seven rows with general numeric twists."""
+
+    def length() -> Expression:
+        return number(Fraction(rng.randrange(-999, 1000), 1000))
+
+    rows = [
+        row(
+            rng.choice([JointType.REVOLUTE] * 4 + [JointType.PRISMATIC]),
+            theta=rng.choice([ZERO, TWISTS[2], number(Fraction(rng.randrange(-314, 314), 100))]),
+            d=length(),
+            a=length(),
+            alpha=rng.choice([*GENERAL, number(Fraction(rng.randrange(-3141, 3141), 1000))]),
+            sign=rng.choice([1, -1]),
+        )
+        for _ in range(7)
+    ]
+    return table(rng.choice(list(Convention)), *rows)

@@ -14,8 +14,6 @@ import sympy
 
 from kinematics.catalogue import robots
 from kinematics.expressions import (
-    ZERO,
-    Expression,
     Function,
     Parameter,
     add,
@@ -34,7 +32,15 @@ from kinematics.symbolic import Matrix, canonical, closed_form, count_operations
 from kinematics.symbolic.exact_poses import exact_pose
 from kinematics.table import Convention, JointType, SymbolicRow, SymbolicTable, bind, table_parameters
 from kinematics.transforms import inverse_transform
-from tests.kinematics.symbolic.tables import GENERAL, puma, random_length, random_table, row, table
+from tests.kinematics.symbolic.tables import (
+    general_table,
+    puma,
+    random_length,
+    random_table,
+    row,
+    sympy_product,
+    table,
+)
 
 TABLES = int(os.environ.get("FRAMEWISE_TABLES", "12"))
 CONFIGURATIONS = 100
@@ -98,58 +104,6 @@ def test_every_matrix_agrees_with_the_numeric_core(seed: int) -> None:
         agrees(
             jacobian(symbolic, frame, base=base, tool=tool), numeric_jacobian(numeric, joints, frame, **poses)
         )
-
-
-def sympy_product(symbolic: SymbolicTable, q: tuple[sympy.Symbol, ...]) -> sympy.Matrix:
-    """⁰T_N as a plain product of elementary matrices, by SymPy."""
-
-    def value(cell: Expression) -> sympy.Expr:
-        return sympy.Float(evaluate(cell), 30) if not isinstance(cell, int) else cell
-
-    def turn(axis: int, angle: sympy.Expr) -> sympy.Matrix:
-        c, s = sympy.cos(angle), sympy.sin(angle)
-        if axis == 2:
-            return sympy.Matrix([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
-        return sympy.Matrix([[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])
-
-    def slide(axis: int, length: sympy.Expr) -> sympy.Matrix:
-        matrix = sympy.eye(4)
-        matrix[axis, 3] = length
-        return matrix
-
-    product, joint = sympy.eye(4), 0
-    for r in symbolic.rows:
-        theta, d = value(r.theta), value(r.d)
-        if r.joint is not JointType.FIXED:
-            if r.joint is JointType.REVOLUTE:
-                theta += r.sign * q[joint]
-            else:
-                d += r.sign * q[joint]
-            joint += 1
-        about_z = turn(2, theta) * slide(2, d)
-        about_x = slide(0, value(r.a)) * turn(0, value(r.alpha))
-        product *= about_z * about_x if symbolic.convention is Convention.STANDARD else about_x * about_z
-    return product
-
-
-def general_table(rng: random.Random) -> SymbolicTable:
-    """Seven rows with general numeric twists."""
-
-    def length() -> Expression:
-        return number(Fraction(rng.randrange(-999, 1000), 1000))
-
-    rows = [
-        row(
-            rng.choice([JointType.REVOLUTE] * 4 + [JointType.PRISMATIC]),
-            theta=rng.choice([ZERO, RIGHT, number(Fraction(rng.randrange(-314, 314), 100))]),
-            d=length(),
-            a=length(),
-            alpha=rng.choice([*GENERAL, number(Fraction(rng.randrange(-3141, 3141), 1000))]),
-            sign=rng.choice([1, -1]),
-        )
-        for _ in range(7)
-    ]
-    return table(rng.choice(list(Convention)), *rows)
 
 
 @pytest.mark.parametrize("seed", range(TABLES))
