@@ -10,11 +10,12 @@ from pathlib import Path
 
 from exercises.authoring.scaffold import scaffold
 from exercises.authoring.sources import Source, from_axes_file, from_robot, from_table_file, from_urdf_file
+from exercises.consistency import FILE
 from exercises.definition import Exercise
 from exercises.drawings import figure_svg
 from exercises.errors import ExerciseError
 from exercises.instance import generate
-from exercises.loader import FILE, ROOT, exercise, exercise_ids, load_exercise
+from exercises.loader import ROOT, exercise, exercise_ids, load_exercise
 from exercises.selftest.checks import check
 
 SEEDS = 10

@@ -6,9 +6,9 @@ import math
 from pathlib import Path
 
 from exercises.authoring.sources import Source
+from exercises.consistency import FILE
 from exercises.definition import LANGUAGES
 from exercises.errors import DefinitionError
-from exercises.loader import FILE
 from kinematics.cells import AngleUnit, RawRow, read_table
 from kinematics.errors import Fault
 from kinematics.table import JointType

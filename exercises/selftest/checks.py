@@ -25,6 +25,7 @@ from exercises.selftest.variants import some_lengths, variant
 from kinematics.cells import AngleUnit, ParameterKind, RawRow, RawTable, ReadTable, in_length_unit
 from kinematics.equivalence.chains import chain_of, size_of
 from kinematics.forward import forward_kinematics
+from kinematics.links import Transform
 from kinematics.table import JointType, NumericTable, bind
 
 CONFIGURATIONS = 5
@@ -229,7 +230,7 @@ def certificate_holds(instance: Instance, read: ReadTable, verdict: Verdict, rng
     return True
 
 
-def _pose(table: NumericTable, joints: list[float]) -> np.ndarray:  # type: ignore[type-arg]
+def _pose(table: NumericTable, joints: list[float]) -> Transform:
     return forward_kinematics(table, joints).transform
 
 

@@ -17,6 +17,7 @@ from kinematics.expressions import ZERO, Expression, Number, add, multiply, nega
 from kinematics.table import Convention, DHRow, DHTable, JointType, SymbolicRow, SymbolicTable
 
 Rows = list[SymbolicRow]
+Rule = Callable[[Rows, tuple[Expression, ...], Random], Rows]
 HALF = pi_times(1)
 EMPTY: SymbolicRow = DHRow(joint=JointType.FIXED, theta=ZERO, d=ZERO, a=ZERO, alpha=ZERO)
 
@@ -68,8 +69,8 @@ def _conventions(policy: Policy) -> list[Convention]:
     return [Convention(policy.convention.value)]
 
 
-def _rules(policy: Policy) -> list[Callable[[Rows, tuple[Expression, ...], Random], Rows]]:
-    rules = [_turn_x, _turn_z, _slide_origin, _move_slide, _insert_row]
+def _rules(policy: Policy) -> list[Rule]:
+    rules: list[Rule] = [_turn_x, _turn_z, _slide_origin, _move_slide, _insert_row]
     if policy.zero is ZeroRule.FREE:
         rules.append(_other_zero)
     if policy.direction is DirectionRule.FREE:
