@@ -70,6 +70,7 @@ def page_response(
         version=store.version,
         modules=store.imports(f"js/pages/{page.name}.js"),
         translate=translate,
+        query=[item for item in request.query_params.multi_items() if item[0] != "lang"],
         values=values,
     )
     headers = {

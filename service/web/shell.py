@@ -14,6 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+from urllib.parse import urlencode
 
 TEMPLATES = Path(__file__).resolve().parent / "templates"
 FIELD = re.compile(r"\$\{(?P<value>\.)?(?P<name>[a-z][a-z0-9_-]*)(?P<safe>!)?\}")
@@ -79,6 +80,7 @@ def render(
     version: str,
     modules: Sequence[str],
     translate: Translate,
+    query: Sequence[tuple[str, str]] = (),
     values: Mapping[str, str] | None = None,
 ) -> str:
     """A whole page.
@@ -89,6 +91,7 @@ def render(
         version: the assets' version.
         modules: what the page's module imports, to be fetched at once.
         translate: message id → text in that language.
+        query: the address's query without its language; links to the other languages keep it.
         values: what the page's own template asks for; `title` overrides the page's title.
     """
     root = "../" * page.depth or "./"
@@ -105,7 +108,8 @@ def render(
             "body": body,
             "styles": "".join(_style(own["assets"], name) for name in page.styles),
             "preload": "".join(_preload(own["assets"], name) for name in modules),
-            "languages": _language_options(language),
+            "language": LANGUAGE_NAMES[language],
+            "languages": _language_links(language, query),
         },
     )
 
@@ -118,9 +122,13 @@ def _preload(assets: str, name: str) -> str:
     return f'<link rel="modulepreload" href="{assets}/{name}">\n'
 
 
-def _language_options(language: str) -> str:
-    options = []
+def _language_links(language: str, query: Sequence[tuple[str, str]]) -> str:
+    """A link to this page in every language, with the rest of its query."""
+    links = []
     for code, name in LANGUAGE_NAMES.items():
-        chosen = " selected" if code == language else ""
-        options.append(f'<option value="{code}" lang="{code}"{chosen}>{html.escape(name)}</option>')
-    return "".join(options)
+        address = html.escape("?" + urlencode([*query, ("lang", code)]))
+        current = ' aria-current="true"' if code == language else ""
+        links.append(
+            f'<li><a href="{address}" lang="{code}" hreflang="{code}"{current}>{html.escape(name)}</a></li>'
+        )
+    return "".join(links)

@@ -31,19 +31,28 @@ export async function startPage(run) {
   for (const link of document.querySelectorAll("[data-nav]")) {
     if (link.dataset.nav === pageName) link.setAttribute("aria-current", "page");
   }
-  document.getElementById("language")?.addEventListener("change", switchLanguage);
+  prepareLanguages();
   await loadMessages(root, rooms || "form");
   await run();
   document.documentElement.dataset.ready = "true";
 }
 
-function switchLanguage(event) {
-  const address = new URL(location.href);
-  address.searchParams.set("lang", event.target.value);
-  address.hash = location.hash;
-  const fragment = carried();
-  if (fragment) address.hash = fragment;
-  location.assign(address.href);
+/** The menu of languages: its links take along what only memory holds; Escape and a click elsewhere close it. */
+function prepareLanguages() {
+  const menu = /** @type {HTMLDetailsElement | null} */ (document.getElementById("language"));
+  if (!menu) return;
+  menu.addEventListener("click", (event) => {
+    const link = /** @type {Element} */ (event.target).closest("a");
+    if (link) link.hash = carried() || location.hash;
+  });
+  menu.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || !menu.open) return;
+    menu.open = false;
+    menu.querySelector("summary")?.focus();
+  });
+  document.addEventListener("click", (event) => {
+    if (!menu.contains(/** @type {Node} */ (event.target))) menu.open = false;
+  });
 }
 
 let sheets = new Map();

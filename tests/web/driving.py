@@ -44,6 +44,11 @@ def fill_table(page: Page, table: Table) -> None:
             cell(page, i, name).fill(row[name])
 
 
+def switch_language(page: Page, language: str) -> None:
+    page.locator("#language summary").click()
+    page.locator(f"#language a[hreflang={language}]").click()
+
+
 def open_part(page: Page, kind: str) -> Locator:
     part = page.locator(f"#part-{kind}")
     if part.get_attribute("open") is None:

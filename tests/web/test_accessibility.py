@@ -18,6 +18,10 @@ def as_it_opens(page: Page) -> None:
     return
 
 
+def languages_open(page: Page) -> None:
+    page.locator("#language summary").click()
+
+
 def table_typed(page: Page) -> None:
     fill_table(page, PUMA)
     page.evaluate("document.querySelectorAll('details').forEach((details) => (details.open = true))")
@@ -59,6 +63,7 @@ def table_pasted(page: Page) -> None:
 
 STATES: list[tuple[str, State]] = [
     ("/", as_it_opens),
+    ("/", languages_open),
     ("/exercises/puma560", as_it_opens),
     ("/exercises/puma560", table_typed),
     ("/exercises/scara", symbols_shown),

@@ -41,6 +41,12 @@ def test_a_page_speaks_the_language_that_is_asked_for(client: httpx.Client, lang
     assert "Accept-Language" in by_browser.headers["vary"]
 
 
+def test_links_to_other_languages_keep_the_rest_of_the_address(client: httpx.Client) -> None:
+    page = client.get("/exercises/puma560", params={"seed": 'a&b"', "lang": "en"}).text
+    assert 'href="?seed=a%26b%22&amp;lang=ro" lang="ro"' in page
+    assert page.count("aria-current") == 1
+
+
 def test_an_unknown_language_is_the_browsers(client: httpx.Client) -> None:
     answer = client.get("/", params={"lang": '"><script>'}, headers={"Accept-Language": "ro"})
     assert '<html lang="ro"' in answer.text

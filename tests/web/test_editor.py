@@ -7,7 +7,7 @@ import unicodedata
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.driving import PUMA, cell, choose, editor, fill_table, joint, rows
+from tests.web.driving import PUMA, cell, choose, editor, fill_table, joint, rows, switch_language
 
 LATEX = r"""
 \begin{tabular}{c|cccc}
@@ -203,7 +203,7 @@ def test_what_was_typed_survives_a_reload_and_a_change_of_language(open_page: Op
     cell(page, 0, "a").fill("L1 + 0.25")
     page.reload()
     expect(cell(page, 0, "a")).to_have_value("L1 + 0.25")
-    page.locator("#language").select_option("uk")
+    switch_language(page, "uk")
     page.wait_for_url("**lang=uk**")
     expect(page.locator("html[lang=uk][data-ready=true]")).to_have_count(1)
     expect(cell(page, 0, "a")).to_have_value("L1 + 0.25")

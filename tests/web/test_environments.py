@@ -14,7 +14,7 @@ from playwright.sync_api import Page, expect
 
 from service.settings import Settings
 from tests.web.conftest import LANGUAGES, OpenPage, Watch, serving, wait_ready
-from tests.web.driving import PUMA, SCARA, cell, fill_table, share, submit
+from tests.web.driving import PUMA, SCARA, cell, fill_table, share, submit, switch_language
 
 PAGES = ("/", "/exercises/puma560", "/exercises/scara", "/playground", "/trainer/puma560")
 NO_WEBGL = """
@@ -150,7 +150,7 @@ def test_without_storage_a_draft_lives_in_the_page_and_through_a_change_of_langu
 ) -> None:
     page = open_page("/exercises/scara", before=lambda page: page.add_init_script(STORAGE_BLOCKED))
     cell(page, 1, "a").fill("a2 + 0")
-    page.locator("#language").select_option("es")
+    switch_language(page, "es")
     page.wait_for_url("**lang=es**")
     page.locator("html[lang=es][data-ready=true]").wait_for(state="attached")
     expect(cell(page, 1, "a")).to_have_value("a2 + 0")

@@ -5,7 +5,6 @@ form-nav-label = Pages
 form-nav-exercises = Exercises
 form-nav-playground = Playground
 form-language = Language
-form-language-go = Change
 form-needs-script = This page needs JavaScript: it draws the robot and checks the table while you type.
 form-unreachable = The service cannot be reached. What you typed is kept; try again in a moment.
 form-retry = Try again

@@ -5,7 +5,6 @@ form-nav-label = Páginas
 form-nav-exercises = Ejercicios
 form-nav-playground = Taller
 form-language = Idioma
-form-language-go = Cambiar
 form-needs-script = Esta página necesita JavaScript: con él dibuja el robot y comprueba la tabla mientras se escribe.
 form-unreachable = No se puede contactar con el servicio. Lo escrito se conserva; vuelva a intentarlo en un momento.
 form-retry = Reintentar

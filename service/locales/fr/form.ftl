@@ -5,7 +5,6 @@ form-nav-label = Pages
 form-nav-exercises = Exercices
 form-nav-playground = Atelier
 form-language = Langue
-form-language-go = Changer
 form-needs-script = Cette page a besoin de JavaScript : il dessine le robot et vérifie le tableau pendant la saisie.
 form-unreachable = Le service est injoignable. Votre saisie est conservée ; réessayez dans un instant.
 form-retry = Réessayer

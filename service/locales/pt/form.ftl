@@ -5,7 +5,6 @@ form-nav-label = Páginas
 form-nav-exercises = Exercícios
 form-nav-playground = Oficina
 form-language = Língua
-form-language-go = Mudar
 form-needs-script = Esta página precisa de JavaScript: é ele que desenha o robô e verifica a tabela enquanto se escreve.
 form-unreachable = Não é possível contactar o serviço. O que escreveu foi guardado; tente de novo daqui a pouco.
 form-retry = Tentar de novo

@@ -5,7 +5,6 @@ form-nav-label = Pagini
 form-nav-exercises = Exerciții
 form-nav-playground = Atelier
 form-language = Limbă
-form-language-go = Schimbă
 form-needs-script = Pagina are nevoie de JavaScript: cu el desenează robotul și verifică tabelul în timp ce scrieți.
 form-unreachable = Serviciul nu poate fi contactat. Ce ați scris s-a păstrat; încercați din nou peste câteva clipe.
 form-retry = Încearcă din nou

@@ -5,7 +5,6 @@ form-nav-label = Сторінки
 form-nav-exercises = Вправи
 form-nav-playground = Майстерня
 form-language = Мова
-form-language-go = Змінити
 form-needs-script = Ця сторінка потребує JavaScript: він малює робота й перевіряє таблицю під час введення.
 form-unreachable = Сервіс недоступний. Уведене збережено; спробуйте ще раз за мить.
 form-retry = Спробувати ще раз
