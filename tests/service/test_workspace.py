@@ -1,0 +1,76 @@
+"""POST /workspace."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+
+from service.schemas.examples import CYLINDRICAL, PUMA_560, TWO_LINKS
+from tests.service.test_bad_input import check_problem
+
+PATH = "/api/v1/workspace"
+FK = "/api/v1/forward-kinematics"
+LENGTHS = {"L1": 400, "L2": 120, "L3": 75}
+
+
+def answered(client: httpx.Client, body: dict[str, Any]) -> Any:
+    response = client.post(PATH, json=body)
+    assert response.status_code == 200, response.text
+    return response.json()
+
+
+def test_degrees_and_units(client: httpx.Client) -> None:
+    table = {**TWO_LINKS, "angle_unit": "deg", "length_unit": "mm"}
+    found = answered(
+        client, {"table": table, "parameters": {"L1": 400, "L2": 300}, "limits": [[0, 90], [90, 90]]}
+    )
+    assert (found["angle_unit"], found["length_unit"]) == ("deg", "mm")
+    assert found["inner_radius"] == pytest.approx({"axis": 500, "origin": 500})
+    assert found["outer_radius"] == pytest.approx({"axis": 500, "origin": 500})
+    assert found["box"]["min"] == pytest.approx([-300, 300, 0])
+    assert found["box"]["max"] == pytest.approx([400, 500, 0])
+    assert found["reached"]["outer_radius"]["axis"][1] == pytest.approx(90)
+    assert "points" not in found
+
+
+def test_the_catalogue_knows_its_limits(client: httpx.Client) -> None:
+    own = answered(client, {"robot": "scara", "samples": 20})
+    free = answered(client, {"robot": "scara", "limits": [None, None, [-0.2, 0], None]})
+    assert own["inner_radius"]["axis"] > 0.2
+    assert free["inner_radius"]["axis"] == pytest.approx(0.1)
+    assert len(own["points"]) == 20
+    low, high = np.array(own["box"]["min"]), np.array(own["box"]["max"])
+    assert all(((low - 1e-12 <= p) & (p <= high + 1e-12)).all() for p in np.array(own["points"]))
+
+
+def test_a_radius_can_be_checked(client: httpx.Client) -> None:
+    found = answered(client, {"robot": "puma560"})
+    joints = found["reached"]["outer_radius"]["origin"]
+    there = client.post(FK, json={"robot": "puma560", "joints": joints}).json()["position"]
+    assert np.linalg.norm(there) == pytest.approx(found["outer_radius"]["origin"], abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("body", "code", "pointer"),
+    [
+        ({}, "table_or_robot", ""),
+        ({"robot": "nobody"}, "robot_unknown", "/robot"),
+        ({"table": CYLINDRICAL, "parameters": LENGTHS}, "slide_without_limits", "/limits/1"),
+        ({"robot": "stanford"}, "slide_without_limits", "/limits/2"),
+        ({"table": PUMA_560, "limits": [None]}, "limits_wrong_length", "/limits"),
+        ({"table": PUMA_560, "limits": [[1, -1], *[None] * 5]}, "limits_reversed", "/limits/0"),
+        ({"table": PUMA_560, "samples": 0}, "number_too_small", "/samples"),
+        ({"table": PUMA_560, "samples": 10**9}, "number_too_large", "/samples"),
+        ({"table": PUMA_560, "tool": [[1]]}, "pose_wrong_shape", "/tool"),
+        (
+            {"table": {"convention": "standard", "rows": [{"alpha": 0, "a": 1, "d": 0, "theta": 0}]}},
+            "workspace_without_joints",
+            "/table/rows",
+        ),
+    ],
+)
+def test_what_is_refused(client: httpx.Client, body: dict[str, Any], code: str, pointer: str) -> None:
+    check_problem(client.post(PATH, json=body), 422, code, pointer)
