@@ -1,8 +1,8 @@
 """Fill static/vendor/ with what the web form takes from npm: pinned, copied, compressed, nothing else.
 
 Runs `npm ci` with the Node of the system or, where there is none, with the one that comes as a Python wheel;
-copies the few files that are served; rewrites bare imports to relative ones, so that pages need no import
-map; and writes `.complete` last. Does nothing when what is there was made from the same lock.
+copies the few files that are served, as modules that import each other by relative address, so that pages need
+no import map; and writes `.complete` last. Does nothing when what is there was made from the same lock.
 
     python tools/vendor.py [--omit-dev]      --omit-dev leaves out what only tests need (axe-core)
 """
@@ -26,11 +26,9 @@ COMPLETE = VENDOR / ".complete"
 MODULES = ROOT / "node_modules"
 OLDEST_NODE = 18
 
-THREE = "three/three.module.min.js"
 COPIES = {
-    "three/build/three.module.min.js": THREE,
+    "three/build/three.module.min.js": "three/three.module.min.js",
     "three/build/three.core.min.js": "three/three.core.min.js",
-    "three/examples/jsm/controls/OrbitControls.js": "three/OrbitControls.js",
     "three/LICENSE": "three/LICENSE",
     "katex/LICENSE": "katex/LICENSE",
 }
@@ -132,8 +130,7 @@ def copy_into(folder: Path) -> None:
         path.write_text(text, encoding="utf-8", newline="\n")
 
     for source, target in COPIES.items():
-        text = (MODULES / source).read_text(encoding="utf-8")
-        write(target, text.replace("from 'three'", f"from './{Path(THREE).name}'"))
+        write(target, (MODULES / source).read_text(encoding="utf-8"))
     for source, target in WRAPPED.items():
         write(target, as_module((MODULES / source).read_text(encoding="utf-8")))
     css = (MODULES / "katex" / "dist" / "katex.min.css").read_text(encoding="utf-8")
