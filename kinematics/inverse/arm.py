@@ -140,6 +140,13 @@ def arm_of(table: NumericTable, base: Transform | None = None, tool: Transform |
     )
 
 
+def volumes(J: Array) -> Array:
+    """How far Jacobians (m, 6, n) are from losing rank: |det J| of six joints, else det JᵀJ ≥ 0; (m,)."""
+    with np.errstate(divide="ignore", under="ignore"):  # lengths of 1e-308 are pivots, too
+        square = J if J.shape[2] == 6 else J.transpose(0, 2, 1) @ J
+        return np.asarray(np.abs(np.linalg.det(square)))
+
+
 def _cross(u: Array, v: Array) -> Array:
     """Vector products along the last axis; several times faster than numpy.cross on small arrays."""
     w = np.empty(np.broadcast_shapes(u.shape, v.shape))

@@ -22,9 +22,8 @@ from kinematics.inverse.limits import within_limits
 from kinematics.inverse.refinement import AS_IT_IS
 from kinematics.inverse.residuals import pose_errors
 from kinematics.inverse.results import IKStatus, InverseKinematics
-from kinematics.inverse.solve import Solver, nearest_rigid
+from kinematics.inverse.solve import Solver, rigid_target
 from kinematics.jacobian import jacobian
-from kinematics.transforms import check_transform
 
 Indices = NDArray[np.intp]
 
@@ -148,7 +147,7 @@ def _checked(targets: ArrayLike) -> Array:
         return poses
     rigid = poses.copy()
     for i in np.flatnonzero(suspects).tolist():
-        rigid[i] = nearest_rigid(check_transform(poses[i], where=("target", i)))
+        rigid[i] = rigid_target(poses[i], where=("target", i))
     return rigid
 
 

@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.arm import Arm, Array, volumes
 from kinematics.inverse.residuals import error_vectors
 
 SAME = 1e-6
@@ -85,7 +85,7 @@ def on_continuum(arm: Arm, target: Array, joints: Array) -> tuple[NDArray[np.boo
     J = arm.jacobians(arm.frames(joints)) * scale
     directions = np.zeros(joints.shape)
     found = np.zeros(len(joints), dtype=bool)
-    volume = np.abs(np.linalg.det(J)) if arm.n_joints == 6 else np.linalg.det(J.transpose(0, 2, 1) @ J)
+    volume = volumes(J)
     for i in np.flatnonzero(volume < SMALL_VOLUME).tolist():
         _, values, rows = np.linalg.svd(J[i])
         blind = rows[: len(values)][values < SINGULAR_VALUE]

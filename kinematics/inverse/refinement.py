@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.arm import Arm, Array, volumes
 from kinematics.inverse.closed_form import NEARLY, ClosedForm, Decomposition
 from kinematics.inverse.distinct import differences, distinct
 from kinematics.inverse.residuals import are_solutions, error_vectors
@@ -94,7 +94,7 @@ def _polished(arm: Arm, target: Transform, q: Array, which: NDArray[np.bool_], s
 
 def _near_singular(arm: Arm, joints: Array) -> bool:
     J = arm.jacobians(arm.frames(joints)) * np.where(arm.revolute, 1.0, arm.size)
-    volume = np.abs(np.linalg.det(J)) if arm.n_joints == 6 else np.linalg.det(J.transpose(0, 2, 1) @ J)
+    volume = volumes(J)
     return bool((volume < SMALL_VOLUME).any())
 
 

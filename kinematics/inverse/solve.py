@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinematics.errors import Fault, TableError
+from kinematics.errors import Fault, PoseError, TableError
 from kinematics.inverse.arm import Arm, Array, arm_of
 from kinematics.inverse.closed_form import ClosedForm, closed_form_of
 from kinematics.inverse.distinct import on_continuum, one_per_continuum
@@ -32,6 +32,8 @@ from kinematics.transforms import check_transform
 MAX_JOINTS = 12
 MOST_SOLUTIONS = 64
 """Of a search no more solutions than this are returned."""
+LARGEST_LENGTH = 1e60
+"""Powers of lengths up to the fourth occur on the way, and a double ends at 1.8e308."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -61,9 +63,9 @@ class Solver:
             target: (4, 4) pose of the tool in the world.
 
         Raises:
-            PoseError: not a rigid motion, at ("target", …).
+            PoseError: not a rigid motion, or too far away to be computed with, at ("target", …).
         """
-        pose = nearest_rigid(check_transform(target, where=("target",)))
+        pose = rigid_target(target, where=("target",))
         found, method = self._candidates(pose)
         answer = self._within_limits(found, pose, method)
         if answer is not None:
@@ -86,9 +88,9 @@ class Solver:
             target: (4, 4) pose of the tool in the world.
 
         Raises:
-            PoseError: not a rigid motion, at ("target", …).
+            PoseError: not a rigid motion, or too far away to be computed with, at ("target", …).
         """
-        pose = nearest_rigid(check_transform(target, where=("target",)))
+        pose = rigid_target(target, where=("target",))
         found, method = self._candidates(pose)
         return self._within_limits(found, pose, method)
 
@@ -207,6 +209,9 @@ def solver_of(
     """The table made ready for many targets; arguments and refusals are those of `inverse_kinematics`."""
     T_w_0 = None if base is None else check_transform(base, where=("base",))
     T_n_t = None if tool is None else check_transform(tool, where=("tool",))
+    for pose, name in ((T_w_0, "base"), (T_n_t, "tool")):
+        if pose is not None and _is_long(np.abs(pose[:3, 3]).max()):
+            raise PoseError(_too_long((name,)))
     arm, closed_form = _prepared(
         table, None if T_w_0 is None else T_w_0.tobytes(), None if T_n_t is None else T_n_t.tobytes()
     )
@@ -218,6 +223,18 @@ def solver_of(
         closed_form=closed_form,
         box=read_limits(limits, arm.n_joints),
     )
+
+
+def rigid_target(target: ArrayLike, where: tuple[str | int, ...]) -> Transform:
+    """The target as a rigid motion that can be computed with.
+
+    Raises:
+        PoseError: not a rigid motion, or a position beyond `LARGEST_LENGTH`, at `where`.
+    """
+    pose = nearest_rigid(check_transform(target, where=where))
+    if _is_long(np.abs(pose[:3, 3]).max()):
+        raise PoseError(_too_long(where))
+    return pose
 
 
 def nearest_rigid(target: Transform) -> Transform:
@@ -236,6 +253,10 @@ def nearest_rigid(target: Transform) -> Transform:
 
 @lru_cache(maxsize=256)
 def _prepared(table: NumericTable, base: bytes | None, tool: bytes | None) -> tuple[Arm, ClosedForm | None]:
+    cells = [(i, cell) for i in range(len(table.rows)) for cell in ("a", "d")]
+    faults = [_too_long(("rows", i, cell)) for i, cell in cells if _is_long(getattr(table.rows[i], cell))]
+    if faults:
+        raise TableError(faults)
     if not 1 <= table.n_joints <= MAX_JOINTS:
         raise TableError(
             Fault(
@@ -248,3 +269,12 @@ def _prepared(table: NumericTable, base: bytes | None, tool: bytes | None) -> tu
     ends = [None if T is None else np.frombuffer(T).reshape(4, 4) for T in (base, tool)]
     arm = arm_of(table, *ends)
     return arm, closed_form_of(arm)
+
+
+def _is_long(length: float) -> bool:
+    return abs(length) > LARGEST_LENGTH
+
+
+def _too_long(where: tuple[str | int, ...]) -> Fault:
+    message = f"lengths beyond {LARGEST_LENGTH:.0e} give results too large for a double; they must be smaller"
+    return Fault(code="result_not_finite", message=message, where=where)

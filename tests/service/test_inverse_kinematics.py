@@ -169,3 +169,20 @@ def test_a_search_runs_in_a_worker(client: httpx.Client) -> None:
         assert all(-2 <= value <= 2 for value in solution["joints"])
         assert np.abs(forward(client, table=table, joints=solution["joints"]) - target).max() < 1e-8
     assert math.isfinite(answer["solutions"][0]["residual"])
+
+
+@pytest.mark.parametrize(
+    ("parameters", "x", "pointer"),
+    [({"L1": 1.0}, 1e308, "/target"), ({"L1": 1e308}, 1.0, "/table/rows/0/a")],
+)
+def test_lengths_near_the_end_of_the_doubles(
+    client: httpx.Client, parameters: dict[str, float], x: float, pointer: str
+) -> None:
+    rows = [{"alpha": 0, "a": "L1", "d": 0, "theta": "q1"}, {"alpha": 0, "a": 1, "d": 0, "theta": "q2"}]
+    target = np.eye(4)
+    target[:2, 3] = x
+    body = {"table": {"convention": "standard", "rows": rows}, "parameters": parameters}
+    response = client.post(URL, json={**body, "target": target.tolist()})
+    assert response.status_code == 422
+    assert response.json()["code"] == "result_not_finite"
+    assert response.json()["pointer"] == pointer

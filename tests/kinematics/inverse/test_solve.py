@@ -2,6 +2,7 @@
 
 import math
 import os
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -438,3 +439,18 @@ def test_other_refusals():
         with pytest.raises(TableError) as wrong:
             inverse_kinematics(table, np.eye(4))
         assert wrong.value.code == "inverse_joint_count"
+
+
+@pytest.mark.parametrize("size", [1e160, 1.7e308])
+def test_lengths_that_overflow_on_the_way_are_refused_at_their_place(size):
+    far = np.eye(4)
+    far[:2, 3] = size
+    for ends, place in (({}, "target"), ({"base": far}, "base"), ({"tool": far}, "tool")):
+        with pytest.raises(PoseError) as refusal:
+            inverse_kinematics(PUMA560, np.eye(4) if ends else far, **ends)
+        assert refusal.value.code == "result_not_finite"
+        assert refusal.value.faults[0].where == (place,)
+    long = replace(PUMA560, rows=(*PUMA560.rows[:5], replace(PUMA560.rows[5], a=size, d=-size)))
+    with pytest.raises(TableError) as wrong:
+        inverse_kinematics(long, np.eye(4))
+    assert [fault.where for fault in wrong.value.faults] == [("rows", 5, "a"), ("rows", 5, "d")]
