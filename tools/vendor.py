@@ -1,8 +1,8 @@
 """Fill static/vendor/ with what the web form takes from npm: pinned, copied, compressed, nothing else.
 
 Runs `npm ci` with the Node of the system or, where there is none, with the one that comes as a Python wheel;
-copies the few files that are served, as modules that import each other by relative address, so that pages need
-no import map; and writes `.complete` last. Does nothing when what is there was made from the same lock.
+copies the few files that are served, as modules that import each other by relative address, so that pages
+need no import map; and writes `.complete` last. Does nothing when what is there was made from the same lock.
 
     python tools/vendor.py [--omit-dev]      --omit-dev leaves out what only tests need (axe-core)
 """
