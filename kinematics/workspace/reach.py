@@ -20,7 +20,7 @@ from kinematics.workspace.spans import joint_spans, spread
 Vector3 = tuple[float, float, float]
 
 AS_GOOD_AS_ZERO = 1e-12
-"""A radius below this part of the greatest one is 0."""
+"""A radius below this part of the greatest one is 0, and so is a joint value below this [rad, or length]."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -142,7 +142,8 @@ def check_joints(table: NumericTable) -> None:
 def _radius(summit: Summit, away: Array, reach: float) -> Radius:
     value = math.hypot(*away.tolist())
     return Radius(
-        value=value if value > AS_GOOD_AS_ZERO * reach else 0.0, joints=tuple(summit.joints.tolist())
+        value=value if value > AS_GOOD_AS_ZERO * reach else 0.0,
+        joints=tuple(q if abs(q) > AS_GOOD_AS_ZERO else 0.0 for q in summit.joints.tolist()),
     )
 
 

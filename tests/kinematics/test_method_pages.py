@@ -1,21 +1,14 @@
-"""The examples of the methods' pages give what they say."""
-
-from __future__ import annotations
+"""The examples of the pages on URDF and the workspace print what they say."""
 
 import doctest
 from pathlib import Path
 
 import pytest
 
-DOCS = Path(__file__).resolve().parents[2] / "docs"
+DOCS = Path(__file__).parents[2] / "docs"
 
 
-@pytest.mark.parametrize(("name", "least"), [("frames", 8), ("inverse-kinematics", 8)])
-def test_every_example_of_the_page(name, least):
-    page = DOCS / f"{name}.md"
-    text = page.read_text(encoding="utf-8").replace("```", "")
-    examples = doctest.DocTestParser().get_doctest(text, {}, name, str(page), 0)
-    reports = []
-    result = doctest.DocTestRunner().run(examples, out=reports.append)
-    assert result.attempted >= least
-    assert not result.failed, "".join(reports)
+@pytest.mark.parametrize("page", ["urdf.md", "workspace.md"])
+def test_every_example_of_the_page(page):
+    found = doctest.testfile(str(DOCS / page), module_relative=False)
+    assert (found.failed, found.attempted > 3) == (0, True)
