@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,11 +11,11 @@ from numpy.typing import NDArray
 from kinematics.angles import cos_sin
 from kinematics.equivalence.rigid import (
     IDENTITY,
+    ORIGIN,
     Motion,
     Vector,
     across,
     cross,
-    dot,
     norm,
     plus,
     position,
@@ -113,27 +114,35 @@ def frames_of(table: NumericTable) -> list[Motion]:
 def size_of(chain: Chain) -> float:
     """A length that is typical of the robot, whatever its frames: what relative tolerances refer to.
 
-    Starting on the first revolute axis, go to the nearest point of the next one and so on, and at last to the
-    origin of frame N; the lengths of these steps do not change with q, and neither a far-away world frame nor
-    the huge offsets of nearly parallel axes inflate them. Where there are none, the sum of all |a| and |d|.
+    Starting with the origin of frame 0, go to the nearest point of the first revolute axis, from there to the
+    nearest point of the next one and so on, and at last to the origin of frame N; the same from the other
+    end; add up the steps but for the first one of the forward way, and take the shorter way. These steps do
+    not change with q, and neither a far-away world frame nor the huge offsets of nearly parallel axes inflate
+    them. Where all are zero, the sum of all |a| and |d|.
 
     Returns:
         A length, in the table's unit; 0 if all its lengths are zero.
     """
-    here: Vector | None = None
+    turning = [axis for axis in chain.axes if not axis.prismatic]
+    if not turning:
+        return chain.extent
+    end = position(chain.end)
+    start, _ = _walk(ORIGIN, turning[:1])
+    there, forward = _walk(start, turning[1:])
+    _, backward = _walk(end, turning[::-1])
+    ways = [forward + norm(subtract(end, there)), backward]
+    smallest = 1e-12 * chain.extent
+    return min((way for way in ways if way > smallest), default=chain.extent)
+
+
+def _walk(here: Vector, axes: Sequence[Axis]) -> tuple[Vector, float]:
+    """From a point to the nearest point of one axis after the other: where that ends, and how long it is."""
     total = 0.0
-    for axis in chain.axes:
-        if axis.prismatic:
-            continue
-        if here is None:
-            here = plus(axis.point, scale(axis.direction, -dot(axis.point, axis.direction)))
-            continue
+    for axis in axes:
         step = across(subtract(axis.point, here), axis.direction)
         total += norm(step)
         here = plus(here, step)
-    if here is not None:
-        total += norm(subtract(position(chain.end), here))
-    return total if total > 1e-12 * chain.extent else chain.extent
+    return here, total
 
 
 def screw_bases(chain: Chain) -> NDArray[np.float64]:

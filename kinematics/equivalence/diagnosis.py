@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from kinematics.equivalence.alignment import Alignment, align
 from kinematics.equivalence.chains import Axis, Chain
@@ -32,6 +32,7 @@ from kinematics.equivalence.rigid import (
     turn_onto,
 )
 from kinematics.equivalence.tools import placements, tool_choices
+from kinematics.equivalence.verification import size_for
 from kinematics.table import Convention, NumericTable
 
 WIDTH = 8
@@ -48,18 +49,22 @@ class Trail:
         here: the motion of the submission so far.
         mismatches: the wrong facts.
         signs: the signs taken.
+        worst: the largest misfit in units of what counts as wrong, and the joint at which it was.
     """
 
     cost: float
     here: Motion
     mismatches: tuple[Mismatch, ...]
     signs: tuple[int, ...]
+    worst: tuple[float, int] = (0.0, 1)
 
 
 def diagnose(
     reference: Reference, table: NumericTable, submission: Chain, policy: Policy
 ) -> tuple[Mismatch, ...]:
     """The smallest set of wrong facts that explains a submission with as many joints as the reference.
+
+    If every fact is right by itself, but not all together, the one that is least so.
 
     Args:
         reference: the reference.
@@ -75,7 +80,8 @@ def diagnose(
             if best is None or trail.cost < best.cost:
                 best = trail
     assert best is not None
-    return tuple(_placed(mismatch, table) for mismatch in best.mismatches)
+    mismatches = best.mismatches or (Mismatch(kind=Kind.LENGTH, joint=best.worst[1]),)
+    return tuple(_placed(mismatch, table) for mismatch in mismatches)
 
 
 def likely_signs(reference: Reference, submission: Chain, policy: Policy) -> list[tuple[int, ...]]:
@@ -87,15 +93,21 @@ def likely_signs(reference: Reference, submission: Chain, policy: Policy) -> lis
 
 def _trails(plan: Plan, reference: Reference, submission: Chain, policy: Policy) -> list[Trail]:
     """The best few ways down the chain."""
+    size = size_for(reference, submission)
+    judge = _Judge(
+        reference.chain.axes,
+        NOTICEABLE * policy.tolerance.angle,
+        NOTICEABLE * policy.tolerance.length * size,
+    )
     trails = [Trail(0.0, start, (), ()) for start in plan.starts]
     for depth, step in enumerate(plan.steps):
         axis = submission.axes[depth]
         following = plan.steps[depth + 1].group if depth + 1 < len(plan.steps) else plan.last
-        longer = [_onward(trail, step, axis, sign, reference, policy) for trail in trails for sign in (1, -1)]
+        longer = [_onward(trail, step, axis, sign, judge) for trail in trails for sign in (1, -1)]
         longer.sort(key=lambda trail: trail.cost)
         trails = []
         for trail in longer:
-            if not any(_same(following, trail.here, other.here, reference.size) for other in trails):
+            if not any(_same(following, trail.here, other.here, size) for other in trails):
                 trails.append(trail)
             if len(trails) == WIDTH:
                 break
@@ -107,34 +119,52 @@ def _same(group: Group, here: Motion, other: Motion, size: float) -> bool:
     return angle < 1e-6 and length < 1e-6 * size
 
 
-def _onward(trail: Trail, step: Step, axis: Axis, sign: int, reference: Reference, policy: Policy) -> Trail:
-    direction, point = rotate(trail.here, axis.direction), move(trail.here, axis.point)
+def _onward(trail: Trail, step: Step, axis: Axis, sign: int, judge: _Judge) -> Trail:
+    """The trail one joint longer; what cannot be aligned is forced, so that the next joints can be judged."""
     target = step.axis
-    joint = len(trail.signs) + 1
-    found = align(step, direction, point, sign)
+    found = align(step, rotate(trail.here, axis.direction), move(trail.here, axis.point), sign)
     here = compose(found.motion, trail.here)
-    limit_angle = NOTICEABLE * policy.tolerance.angle
-    limit_length = NOTICEABLE * policy.tolerance.length * reference.size
-    mismatches: list[Mismatch] = []
-    leftover = found.angle / math.pi
-    if axis.prismatic is not target.prismatic:
-        mismatches.append(Mismatch(kind=Kind.JOINT_TYPE, joint=joint))
-    if found.angle > limit_angle:
-        previous = reference.chain.axes[joint - 2] if joint > 1 else None
-        mismatches += _angles(step, previous, found, joint, limit_angle)
-    judged_by_place = not axis.prismatic and not target.prismatic
-    if judged_by_place:
-        leftover += found.distance / (found.distance + reference.size)
-        if found.distance > limit_length:
-            mismatches += _lengths(step, found.gap, joint, limit_length)
-    turn = turn_onto(target.point, found.direction, target.direction)
-    here = compose(turn, here)
+    wrong, strain = judge.of(step, axis, found, len(trail.signs) + 1)
+    here = compose(turn_onto(target.point, found.direction, target.direction), here)
     if not target.prismatic:
         gap = subtract(target.point, move(here, axis.point))
         gap = subtract(gap, scale(target.direction, dot(gap, target.direction)))
         here = compose(translation(gap), here)
-    cost = trail.cost + len(mismatches) + 1e-3 * leftover + (1e-6 if sign < 0 else 0.0)
-    return Trail(cost, here, (*trail.mismatches, *mismatches), (*trail.signs, sign))
+    small_change = 1e-3 * strain / (1.0 + strain) + (1e-6 if sign < 0 else 0.0)
+    worst = max(trail.worst, (strain, len(trail.signs) + 1))
+    mismatches = (*trail.mismatches, *wrong)
+    return Trail(trail.cost + len(wrong) + small_change, here, mismatches, (*trail.signs, sign), worst)
+
+
+@dataclass(frozen=True, slots=True)
+class _Judge:
+    """Says which of the misfits of an alignment are wrong facts.
+
+    Attributes:
+        axes: the reference's joint axes.
+        angle: the largest angle that is none [rad].
+        length: the largest distance that is none.
+    """
+
+    axes: tuple[Axis, ...]
+    angle: float
+    length: float
+
+    def of(self, step: Step, axis: Axis, found: Alignment, joint: int) -> tuple[list[Mismatch], float]:
+        """The wrong facts at a joint, and the largest misfit in units of what is none."""
+        target = step.axis
+        wrong: list[Mismatch] = []
+        strain = found.angle / self.angle
+        if axis.prismatic is not target.prismatic:
+            wrong.append(Mismatch(kind=Kind.JOINT_TYPE, joint=joint))
+        if found.angle > self.angle:
+            previous = self.axes[joint - 2] if joint > 1 else None
+            wrong += _angles(step, previous, found, joint, self.angle)
+        if not axis.prismatic and not target.prismatic:
+            strain = max(strain, found.distance / self.length)
+            if found.distance > self.length:
+                wrong += _lengths(step, found.gap, joint, self.length)
+        return wrong, strain
 
 
 def _angles(step: Step, previous: Axis | None, found: Alignment, joint: int, limit: float) -> list[Mismatch]:
@@ -192,7 +222,7 @@ def _end(trail: Trail, plan: Plan, reference: Reference, submission: Chain, poli
     if best[0] <= NOTICEABLE:
         return trail
     mismatch = Mismatch(kind=Kind.TOOL, joint=len(trail.signs) or None, angle=best[1], length=best[2])
-    return Trail(trail.cost + 1.0, trail.here, (*trail.mismatches, mismatch), trail.signs)
+    return replace(trail, cost=trail.cost + 1.0, mismatches=(*trail.mismatches, mismatch))
 
 
 def _tool_error(rule: ToolRule, here: Motion, target: Motion, step: Step | None) -> tuple[float, float]:

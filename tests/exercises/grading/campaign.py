@@ -48,7 +48,7 @@ def mended_tables(block: int) -> Outcome:
 
 
 def drawn_by_hand(reference: NumericTable, rng: Random) -> NumericTable | None:
-    """A valid table as a person might draw it: no axis so far away that lengths are many times the robot's."""
+    """A valid table as a person might draw it: no length many times the robot's size."""
     for _ in range(ATTEMPTS):
         table = random_valid_table(reference, rng, dummies=0.0, signed_rows=False, textbook_ends=True)
         longest = max(abs(length) for row in table.rows for length in (row.a, row.d))

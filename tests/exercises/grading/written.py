@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 
 from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable, ReadTable, read_table
-from kinematics.table import JointType, NumericTable
+from kinematics.table import Convention, JointType, NumericTable
 
 Cell = int | float | str
 
@@ -20,7 +20,7 @@ def read(
     """A table from its cells, in the order alpha, a, d, theta."""
     return read_table(
         RawTable(
-            convention=convention,  # type: ignore[arg-type]
+            convention=Convention(convention),
             rows=tuple(RawRow(alpha=alpha, a=a, d=d, theta=theta) for alpha, a, d, theta in rows),
             angle_unit=AngleUnit(angle_unit),
             length_unit=LengthUnit(length_unit),

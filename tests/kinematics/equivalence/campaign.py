@@ -1,4 +1,4 @@
-"""Campaigns: the checker against many tables, valid and wrong. `make test` runs a few, `make campaign` a million.
+"""Campaigns: the checker against many tables, valid and wrong; `make campaign` runs a million.
 
 Every function here takes the number of a block and returns what happened in it, so that blocks can be run by
 as many processes as there are, and any block again by itself.
@@ -141,7 +141,7 @@ def matching_tolerance(reference: NumericTable, table: NumericTable, half_step: 
 
 
 def wrong_tables(block: int) -> Outcome:
-    """A table with a mistake is rejected, or accepted with a certificate that stands when evaluated afresh."""
+    """A table with a mistake is rejected, or accepted with a certificate that stands afresh."""
     rng = Random(f"wrong {block}")
     known = references()
     policy = Policy(tool=ToolRule.FREE)

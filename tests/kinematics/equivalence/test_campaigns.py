@@ -1,0 +1,54 @@
+"""The campaigns with small counts; `make campaign` runs them at length."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from kinematics.equivalence import Policy, Tolerance, ToolRule
+from kinematics.equivalence.chains import chain_of
+from kinematics.equivalence.invariants import axes_of, invariants_of
+from kinematics.equivalence.reference import prepared
+from tests.kinematics.equivalence.campaign import (
+    Outcome,
+    references,
+    rounded_tables,
+    valid_tables,
+    wrong_tables,
+)
+from tests.kinematics.equivalence.generators import random_valid_table
+
+
+@pytest.mark.parametrize("block", range(12))
+def test_valid_tables_are_accepted(block: int) -> None:
+    outcome = valid_tables(block)
+    assert outcome.failures == []
+    assert outcome.accepted == outcome.tables
+    assert outcome.residual <= 1e-9
+
+
+@pytest.mark.parametrize("block", range(6))
+def test_valid_tables_with_rounded_entries_are_accepted(block: int) -> None:
+    outcome = rounded_tables(block)
+    assert outcome.failures == []
+    assert outcome.accepted == outcome.tables
+
+
+def test_wrong_tables_are_rejected_or_have_a_certificate_that_stands() -> None:
+    total = Outcome()
+    for block in range(8):
+        total += wrong_tables(block)
+    assert total.failures == []
+    assert 0 < total.accepted < total.tables
+    assert len(total.kinds) > 15
+
+
+def test_invariants_are_shared_by_all_valid_tables() -> None:
+    policy = Policy(tool=ToolRule.FREE, tolerance=Tolerance(length=1e-8, angle=1e-8))
+    rng = Random("invariants")
+    for _, reference in references():
+        invariants = invariants_of(prepared(reference), policy)
+        table = random_valid_table(reference, rng)
+        axes = axes_of(chain_of(table), policy)
+        assert all(invariant.fits(axes) for invariant in invariants)

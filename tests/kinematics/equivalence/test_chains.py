@@ -1,0 +1,80 @@
+"""Chains: the product of exponentials against the product of link transforms."""
+
+from __future__ import annotations
+
+from random import Random
+
+import numpy as np
+import pytest
+
+from kinematics.equivalence import mirrored
+from kinematics.equivalence.chains import chain_of, frames_of, poses, size_of
+from kinematics.equivalence.reference import prepared, sample_joints
+from kinematics.equivalence.rigid import to_matrix
+from kinematics.forward import forward_kinematics
+from kinematics.table import DHTable
+from tests.kinematics.equivalence.generators import random_robot, random_valid_table
+from tests.kinematics.equivalence.tables import HALF, PUMA, SCARA, F, P, R, changed, standard, table
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_exponentials_of_screws_are_the_forward_kinematics(seed: int) -> None:
+    rng = Random(seed)
+    drawn = random_valid_table(random_robot(rng), rng)
+    q = np.random.default_rng(seed).uniform(-3, 3, (drawn.n_joints, 4))
+    found = poses(chain_of(drawn), q)
+    for k in range(4):
+        expected = forward_kinematics(drawn, q[:, k])
+        assert np.allclose(found[k], expected.transform, atol=1e-10 * (1 + chain_of(drawn).extent))
+    at_zero = forward_kinematics(drawn, np.zeros(drawn.n_joints)).frames
+    frames = [to_matrix(frame) for frame in frames_of(drawn)]
+    assert np.allclose(frames[0], np.eye(4))
+    assert np.allclose(frames[1:], at_zero, atol=1e-10 * (1 + chain_of(drawn).extent))
+
+
+def test_size_hardly_depends_on_the_frames() -> None:
+    rng = Random(5)
+    for robot in (PUMA, SCARA):
+        size = size_of(chain_of(robot))
+        assert 0.5 < size < 1.5
+        rows = [(r.joint, r.alpha, r.a, r.d, r.theta) for r in robot.rows]
+        far_away = table(robot.convention, (F, 0.3, 10.0, 7.0, 0.2), *rows)
+        assert size_of(chain_of(far_away)) == pytest.approx(size, rel=0.5)
+        for _ in range(20):
+            drawn = random_valid_table(robot, rng, dummies=0.0, textbook_ends=True)
+            assert 0.3 * size < size_of(chain_of(drawn)) < 3.0 * size
+
+
+def test_offsets_of_nearly_parallel_axes_do_not_inflate_the_size() -> None:
+    arm = standard((R, HALF, 0, 0.1, 0), (R, 0.003, -0.4, 137.2, 0), (R, 0, -0.4, -137.1, 0))
+    assert size_of(chain_of(arm)) < 2.0
+
+
+def test_size_of_degenerate_robots() -> None:
+    assert size_of(chain_of(standard((R, 1.0, 0, 0, 0), (R, 0, 0, 0, 0)))) == 0.0
+    assert size_of(chain_of(standard((P, 1.0, 0.2, 0.3, 0)))) == 0.5
+    assert prepared(standard((R, 1.0, 0, 0, 0))).scaleless
+
+
+def test_samples_lie_on_no_grid() -> None:
+    q = sample_joints(12)
+    assert q.shape == (12, 64)
+    assert np.abs(q).max() <= 1.0
+    for row in q:
+        assert len(np.unique(np.round(row, 9))) == 64
+        assert abs(row.mean()) < 0.1
+
+
+def test_the_mirror_image_is_a_reflection() -> None:
+    arm = changed(PUMA, 2, alpha=0.4, joint=P)
+    image = mirrored(arm)
+    assert mirrored(image) == arm
+    flip = np.diag([1.0, 1.0, -1.0, 1.0])
+    q = np.array([0.3, 0.2, -0.5, 1.0, 0.7, 0.1])
+    expected = flip @ forward_kinematics(arm, q).transform @ flip
+    assert np.allclose(forward_kinematics(image, q).transform, expected)
+
+
+def test_a_table_without_joints_is_a_constant() -> None:
+    post = DHTable(convention=PUMA.convention, rows=standard((F, 0.1, 0.2, 0.3, 0.4)).rows)
+    assert poses(chain_of(post), np.empty((0, 3))).shape == (3, 4, 4)
