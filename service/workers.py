@@ -11,15 +11,13 @@ from __future__ import annotations
 
 import asyncio
 import math
-import multiprocessing
 import resource
 import signal
-import tempfile
 import threading
 from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager, suppress
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import asynccontextmanager
 from enum import StrEnum
-from multiprocessing.context import BaseContext
 from typing import Any, TypeVar
 
 from fastapi import FastAPI
@@ -27,6 +25,7 @@ from pebble import ProcessExpired, ProcessPool
 
 from kinematics.errors import Fault
 from service.errors import BusyError, RequestError
+from service.processes import process_context
 from service.settings import Settings
 
 RETRY_SECONDS = 2
@@ -109,6 +108,9 @@ class _Processes:
             raise _out_of_memory(self._memory) from None
         except ProcessExpired:
             raise _aborted() from None
+        except BrokenProcessPool:
+            await asyncio.to_thread(self.close)  # the next task makes a new one
+            raise _aborted() from None
         finally:
             self._taken -= 1
 
@@ -119,6 +121,7 @@ class _Processes:
         if self._pool is not None:
             pool: Any = self._pool
             self._pool = None
+            self._started = threading.Event()
             pool.stop()
             pool.join()
 
@@ -128,9 +131,10 @@ class _Processes:
                 max_workers=self._processes,
                 initializer=_confine,
                 initargs=(self._memory,),
-                context=_context(),
+                context=process_context(),
             )
-            self._pool.schedule(_nothing).add_done_callback(lambda _: self._started.set())
+            started = self._started
+            self._pool.schedule(_nothing).add_done_callback(lambda _: started.set())
         return self._pool.schedule(function, args=arguments, timeout=self._seconds)
 
 
@@ -143,19 +147,6 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         yield
     finally:
         await asyncio.to_thread(workers.close)
-
-
-def _context() -> BaseContext:
-    """How processes are made: from a server that has imported what tasks need, or each anew.
-
-    The server listens on a socket in the folder for temporary files, which a container may not have.
-    """
-    with suppress(FileNotFoundError):
-        tempfile.gettempdir()
-        context = multiprocessing.get_context("forkserver")
-        context.set_forkserver_preload(["service.closed_forms"])
-        return context
-    return multiprocessing.get_context("spawn")
 
 
 def _confine(memory: int) -> None:

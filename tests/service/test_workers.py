@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import asyncio
 import os
+import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import AsyncIterator, Callable, Coroutine
 from contextlib import asynccontextmanager
@@ -14,6 +16,7 @@ import pytest
 
 from kinematics.errors import Fault, FormSizeError
 from service.errors import BusyError, RequestError
+from service.processes import process_context
 from service.settings import Settings
 from service.workers import Lane, Workers
 
@@ -134,3 +137,27 @@ def test_a_caller_who_goes_away_frees_the_process() -> None:
             assert await asyncio.wait_for(pool.run(Lane.SLOW, double, 7), 15) == 14
 
     run(test)
+
+
+def test_the_main_module_is_never_run_again_nor_needed() -> None:
+    """A script without the usual guard, read from standard input, where there is no file to import."""
+    program = """
+from starlette.testclient import TestClient
+from service.app import create_app
+from service.schemas.symbolic import PUMA_LENGTHS
+print("begin")
+print(TestClient(create_app()).post("/api/v1/symbolic", json={"table": PUMA_LENGTHS}).status_code)
+"""
+    for command in ([sys.executable, "-"], [sys.executable, "-c", program]):
+        done = subprocess.run(command, input=program, capture_output=True, text=True, check=True, timeout=60)
+        assert done.stdout.split() == ["begin", "200"]
+
+
+def test_without_a_folder_for_temporary_files_processes_are_spawned(monkeypatch: pytest.MonkeyPatch) -> None:
+    def nowhere() -> str:
+        raise FileNotFoundError
+
+    monkeypatch.setattr(tempfile, "gettempdir", nowhere)
+    assert process_context().get_start_method() == "spawn"
+    monkeypatch.undo()
+    assert process_context().get_start_method() == "forkserver"
