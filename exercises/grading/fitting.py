@@ -22,6 +22,7 @@ from kinematics.table import NumericTable
 
 INFLUENCE = 1e-6
 OFF = 0.1
+NEGLIGIBLE = 1e-9
 MOST_STRAINED = 4
 MOST_SIGNS = 4
 
@@ -49,7 +50,8 @@ def fitting_values(work: Work, table: NumericTable, draw: int, row: int, cell: s
     )
     scale = work.references[draw].size
     for _, k in strained[:MOST_STRAINED]:
-        found = list(_solutions(work, table, work.invariants[draw][k], row, cell, scale))
+        solutions = _solutions(work, table, work.invariants[draw][k], row, cell, scale)
+        found = [0.0 if abs(value) < NEGLIGIBLE * scale else value for value in solutions]
         if found:
             return found
     return []

@@ -12,6 +12,7 @@ from exercises.grading.work import Apply, Change, Extent, Work, change, with_cel
 from kinematics.table import DHRow, JointType, NumericRow, NumericTable
 
 MOST_ROWS_FOR_ALL_PAIRS = 8
+_VARIABLE_CELLS = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
 ORDERS = {
     JointType.REVOLUTE: (("alpha", "a", "d"), ("alpha", "d", "a")),
     JointType.PRISMATIC: (("alpha", "theta", "a"), ("theta", "alpha", "a")),
@@ -36,14 +37,13 @@ def cells_swapped(work: Work) -> Iterator[Change]:
 
 def joint_of_other_type(work: Work) -> Iterator[Change]:
     """A revolute joint made prismatic, or the reverse."""
-    other = {JointType.REVOLUTE: JointType.PRISMATIC, JointType.PRISMATIC: JointType.REVOLUTE}
     wanted = work.references[0].table.joint_types
     given = work.tables[0].joint_types
     if len(wanted) != len(given):
         return
     for joint, index in enumerate(work.tables[0].joint_rows):
         if wanted[joint] is not given[joint]:
-            yield _of_type("joint_type", index, other[given[joint]], wanted[joint].value)
+            yield _of_type(work, "joint_type", index, wanted[joint])
 
 
 def joint_left_out(work: Work) -> Iterator[Change]:
@@ -52,17 +52,25 @@ def joint_left_out(work: Work) -> Iterator[Change]:
     given = work.tables[0].joint_types
     for i, row in enumerate(work.tables[0].rows):
         if row.joint is JointType.FIXED and len(given) < len(wanted):
-            for joint in {JointType.REVOLUTE, JointType.PRISMATIC} & set(wanted):
-                yield _of_type("joint_fixed", i, joint, joint.value)
+            for joint in sorted(set(wanted)):
+                yield _of_type(work, "joint_fixed", i, joint)
         elif row.joint is not JointType.FIXED and len(given) > len(wanted):
-            yield _of_type("joint_moving", i, JointType.FIXED, JointType.FIXED.value)
+            yield _of_type(work, "joint_moving", i, JointType.FIXED)
 
 
-def _of_type(code: str, index: int, joint: JointType, name: str) -> Change:
+def _of_type(work: Work, code: str, index: int, joint: JointType) -> Change:
+    """The row with another type of joint; where the variable stood, a constant is solved for."""
+
     def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
-        return (with_row(table, index, replace(table.rows[index], joint=joint)),)
+        first = with_row(table, index, replace(table.rows[index], joint=joint))
+        freed = _VARIABLE_CELLS.get(table.rows[index].joint)
+        yield first
+        if freed is not None:
+            for value in fitting_values(work, first, draw, index, freed):
+                yield with_cell(first, index, freed, value)
 
-    return change(code, apply, extent=Extent.ROW, row=index, cell="joint", params={"joint_type": name})
+    params = {"joint_type": joint.value}
+    return change(code, apply, extent=Extent.ROW, row=index, cell="joint", params=params)
 
 
 def rows_swapped(work: Work) -> Iterator[Change]:

@@ -13,6 +13,8 @@ from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.rigid import to_matrix
 
+NOTHING = 1e-12
+
 
 class Residual(NamedTuple):
     """The largest difference between the two sides of equation (1).
@@ -36,7 +38,7 @@ class Residual(NamedTuple):
 
 def size_for(reference: Reference, submission: Chain) -> float:
     """What relative lengths refer to: the reference's size, or the submission's if that has none."""
-    return submission.extent if reference.scaleless and submission.extent > 0.0 else reference.size
+    return submission.extent if reference.scaleless and submission.extent > NOTHING else reference.size
 
 
 def joint_values(reference: Reference, candidate: Candidate) -> NDArray[np.float64]:

@@ -1,0 +1,45 @@
+"""The catalogue of misconceptions, and the repairs found with it."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from exercises.grading.misconceptions import CATALOGUE, repair_codes
+from tests.exercises.grading.campaign import mended_tables
+from tests.kinematics.equivalence.campaign import Outcome
+
+LOCALES = Path(__file__).parents[3] / "service" / "locales"
+GRADING = Path(__file__).parents[3] / "exercises" / "grading"
+LANGUAGES = ("en", "ro", "pt", "fr", "uk", "es")
+
+
+def test_every_misconception_has_a_code_and_a_story() -> None:
+    assert len({entry.code for entry in CATALOGUE}) == len(CATALOGUE)
+    assert all(re.fullmatch(r"[a-z_]+", entry.code) and entry.story for entry in CATALOGUE)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_code_has_its_message(language: str) -> None:
+    text = (LOCALES / language / "feedback.ftl").read_text(encoding="utf-8")
+    known = set(re.findall(r"^([a-z]+-[a-z0-9_]+) =", text, re.M))
+    sources = "".join(path.read_text(encoding="utf-8") for path in GRADING.glob("*.py"))
+    told = set(re.findall(r'Feedback\(code="([a-z_]+)"', sources))
+    told |= set(re.findall(r'"([a-z_]+_(?:wrong|throughout|missed|needed|order))"', sources))
+    told |= {f"base_{rule}_missed" for rule in ("axis", "origin", "frame")}
+    told |= {f"tool_{rule}_missed" for rule in ("point", "axis", "frame")}
+    missing = {f"feedback-{code}" for code in told} | {f"repair-{code}" for code in repair_codes()}
+    assert missing - known == set()
+    assert "error-tables_without_value" in known
+
+
+def test_single_mistakes_are_mended() -> None:
+    """At least 99 % of them, each in the right row; `make campaign` runs more."""
+    total = Outcome()
+    for block in range(4):
+        total += mended_tables(block)
+    assert total.tables >= 400
+    assert len(total.kinds) > 18
+    assert len(total.failures) <= 0.02 * total.tables, total.failures
