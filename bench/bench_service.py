@@ -26,8 +26,8 @@ ABOUT = """
 One worker, 32 connections kept open, `wrk` on the same machine, rounds in turns, medians. The *empty
 endpoint* is a route of the same application, `async def empty(): return {}`, sent the same body. The *bare
 endpoint* is the least that the application can answer with: the body is read and two bytes are written, past
-FastAPI's own handling. Our figure is the same in both rows. The answer to `/forward-kinematics` is the whole of
-it (⁰T_6, six links, six frames, position, orientation in four notations; 3 kB), computed anew for each request.
+FastAPI's own handling. Our figure is the same in both rows. The answer to `/forward-kinematics` is all of it
+(⁰T_6, six links, six frames, position, orientation in four notations; 3 kB), computed anew for each request.
 
 The npy row is a client's whole round trip on one connection: 4.8 MB of joint values there, 12.8 MB of poses
 back.
