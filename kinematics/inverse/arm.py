@@ -17,6 +17,9 @@ from kinematics.table import Convention, JointType, NumericTable
 
 Array = NDArray[np.float64]
 
+_TINY, _TINY_BESIDE_A_SLIDE = 1e-9, 1e-6
+"""Offsets below this part of 1 (or of the distance of the base) say nothing about the arm's size."""
+
 _REVERSED = np.diag([1.0, -1.0, -1.0, 1.0])
 
 
@@ -41,6 +44,11 @@ class Arm:
     def n_joints(self) -> int:
         """Number of joints."""
         return len(self.revolute)
+
+    @cached_property
+    def units(self) -> Array:
+        """(n,) unit of each joint variable: 1 rad of one that turns, the size of one that slides."""
+        return np.where(self.revolute, 1.0, self.size)
 
     @cached_property
     def link_basis(self) -> Array:
@@ -131,7 +139,8 @@ def arm_of(table: NumericTable, base: Transform | None = None, tool: Transform |
     K = np.array(constants)
     offsets = float(np.linalg.norm(K[1:, :3, 3], axis=1).sum())
     away = max(1.0, float(np.linalg.norm(K[0, :3, 3])))
-    size = offsets if offsets > 1e-6 * away else away
+    least = _TINY if all(revolute) else _TINY_BESIDE_A_SLIDE
+    size = offsets if offsets > least * away else away
     return Arm(
         constants=K,
         revolute=np.array(revolute, dtype=bool),

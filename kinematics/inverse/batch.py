@@ -22,7 +22,7 @@ from kinematics.inverse.limits import within_limits
 from kinematics.inverse.refinement import AS_IT_IS
 from kinematics.inverse.residuals import pose_errors
 from kinematics.inverse.results import IKStatus, InverseKinematics
-from kinematics.inverse.solve import Solver, rigid_target
+from kinematics.inverse.solve import LARGEST_LENGTH, Solver, rigid_target
 from kinematics.jacobian import jacobian
 
 Indices = NDArray[np.intp]
@@ -138,13 +138,18 @@ def _checked(targets: ArrayLike) -> Array:
                 message="many targets are a list of 4×4 matrices",
             )
         )
-    R = poses[:, :3, :3]
-    off = np.abs(R.transpose(0, 2, 1) @ R - np.eye(3)).max(axis=(1, 2)) if len(poses) else np.empty(0)
-    suspects = ~(off <= 1e-14) | ~np.isfinite(poses).all(axis=(1, 2))
-    suspects |= (poses[:, 3] != (0.0, 0.0, 0.0, 1.0)).any(axis=1)
-    suspects |= (np.cross(R[:, :, 0], R[:, :, 1]) * R[:, :, 2]).sum(axis=1) < 0.0
-    if not suspects.any():
+    if not len(poses):
         return poses
+    R = poses[:, :3, :3]
+    with np.errstate(all="ignore"):
+        off = np.abs(R.transpose(0, 2, 1) @ R - np.eye(3)).reshape(-1, 9)
+        handed = (np.cross(R[:, :, 0], R[:, :, 1]) * R[:, :, 2]).sum(axis=1)
+        bottom = poses[:, 3] - (0.0, 0.0, 0.0, 1.0)
+    far = np.abs(poses[:, :3, 3])
+    if off.max() <= 1e-14 and handed.min() > 0.0 and not bottom.any() and far.max() < LARGEST_LENGTH:
+        return poses
+    suspects = ~(off.max(axis=1) <= 1e-14) | ~(handed > 0.0) | (bottom != 0.0).any(axis=1)
+    suspects |= ~(far.max(axis=1) < LARGEST_LENGTH)
     rigid = poses.copy()
     for i in np.flatnonzero(suspects).tolist():
         rigid[i] = rigid_target(poses[i], where=("target", i))

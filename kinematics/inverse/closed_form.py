@@ -97,7 +97,7 @@ def _looks_special(arm: Arm) -> bool:
 def _has_full_rank(arm: Arm) -> bool:
     """Whether the arm has no joint to spare: its Jacobian has full rank somewhere."""
     q = 2.0 * np.pi * low_discrepancy(8, arm.n_joints)
-    scale = np.where(arm.revolute, 1.0, arm.size)
+    scale = arm.units
     J = arm.jacobians(arm.frames(q * np.where(arm.revolute, 1.0, arm.size / np.pi))) * scale
     return bool(np.linalg.svd(J, compute_uv=False)[:, -1].max() > FULL_RANK)
 

@@ -60,7 +60,7 @@ def distinct(arm: Arm, target: Array, joints: Array) -> Array:
 
 
 def _between(arm: Arm, target: Array, q: Array, others: Array) -> NDArray[np.bool_]:
-    scale = np.where(arm.revolute, 1.0, arm.size)
+    scale = arm.units
     middle = others + 0.5 * differences(np.broadcast_to(q, others.shape), others, arm) * scale
     e = error_vectors(arm.frames(middle)[-1], target, arm.size)
     return np.asarray(np.linalg.norm(e, axis=1) <= UNMOVED)
@@ -81,7 +81,7 @@ def on_continuum(arm: Arm, target: Array, joints: Array) -> tuple[NDArray[np.boo
     Returns:
         (m,), and (m, n) the unit directions along which those can be moved; slides divided by the size.
     """
-    scale = np.where(arm.revolute, 1.0, arm.size)
+    scale = arm.units
     J = arm.jacobians(arm.frames(joints)) * scale
     directions = np.zeros(joints.shape)
     found = np.zeros(len(joints), dtype=bool)

@@ -93,7 +93,7 @@ def _polished(arm: Arm, target: Transform, q: Array, which: NDArray[np.bool_], s
 
 
 def _near_singular(arm: Arm, joints: Array) -> bool:
-    J = arm.jacobians(arm.frames(joints)) * np.where(arm.revolute, 1.0, arm.size)
+    J = arm.jacobians(arm.frames(joints)) * arm.units
     volume = volumes(J)
     return bool((volume < SMALL_VOLUME).any())
 

@@ -7,6 +7,9 @@ from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
 
+_PARTS = np.array(([0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [1.0, 0.0]) * 3)
+"""Sums the squares of the upper three rows of a 4×4 matrix into those of its position and of its rotation."""
+
 
 def pose_errors(poses: Array, targets: Array) -> tuple[Array, Array]:
     """Distance [m] of the origins and angle [rad] between the orientations.
@@ -21,9 +24,8 @@ def pose_errors(poses: Array, targets: Array) -> tuple[Array, Array]:
         (m,) and (m,).
     """
     difference = poses[..., :3, :] - targets[..., :3, :]
-    squares = difference * difference
-    position = np.sqrt(squares[..., 3].sum(axis=-1))
-    chord = np.sqrt(squares[..., :3].sum(axis=(-2, -1)))
+    sums = np.square(difference, out=difference).reshape(len(poses), 12) @ _PARTS
+    position, chord = np.sqrt(sums).T
     return position, 2.0 * np.arcsin(np.minimum(chord / np.sqrt(8.0), 1.0))
 
 

@@ -139,7 +139,7 @@ def descend(
     stalled = np.zeros(len(q), dtype=int)
     at = q.copy()
     for _ in range(iterations):
-        step = _steps(arm.jacobians(frames), e, damping + cost * 1e-3, at, box if box.limited else None)
+        step = _steps(arm, arm.jacobians(frames), e, damping + cost * 1e-3, at, box if box.limited else None)
         tried = at + step
         if box.limited:
             np.clip(tried, box.low, box.high, out=tried)
@@ -234,8 +234,8 @@ def polish(arm: Arm, targets: Array, joints: Array, steps: int = 20) -> Array:
     e = error_vectors(frames[-1], targets, arm.size)
     cost = (e * e).sum(axis=1)
     for _ in range(steps):
-        J = arm.jacobians(frames)
-        tried = q + (np.linalg.pinv(J, rcond=1e-9) @ e[:, :, None])[:, :, 0]
+        J = arm.jacobians(frames) * arm.units
+        tried = q + (np.linalg.pinv(J, rcond=1e-9) @ e[:, :, None])[:, :, 0] * arm.units
         new_frames = arm.frames(tried)
         new_e = error_vectors(new_frames[-1], targets, arm.size)
         new_cost = (new_e * new_e).sum(axis=1)
@@ -249,7 +249,9 @@ def polish(arm: Arm, targets: Array, joints: Array, steps: int = 20) -> Array:
     return q
 
 
-def _steps(J: Array, e: Array, damping: Array, q: Array, box: Box | None) -> Array:
+def _steps(arm: Arm, J: Array, e: Array, damping: Array, q: Array, box: Box | None) -> Array:
+    """Solutions δ of (JᵀJ + λ) δ = Jᵀe, slides in units of the size and λ of the mean diagonal of JᵀJ."""
+    J = J * arm.units
     gradient = (J.transpose(0, 2, 1) @ e[:, :, None])[:, :, 0]
     if box is not None:
         held = ((q <= box.low) & (gradient < 0)) | ((q >= box.high) & (gradient > 0))
@@ -257,5 +259,6 @@ def _steps(J: Array, e: Array, damping: Array, q: Array, box: Box | None) -> Arr
         gradient = np.where(held, 0.0, gradient)
     A = J.transpose(0, 2, 1) @ J
     n = A.shape[1]
-    A[:, range(n), range(n)] += damping[:, None]
-    return np.asarray(np.linalg.solve(A, gradient[:, :, None])[:, :, 0])
+    diagonal = range(n)
+    A[:, diagonal, diagonal] += (damping * np.maximum(A[:, diagonal, diagonal].mean(axis=1), 1e-3))[:, None]
+    return np.asarray(np.linalg.solve(A, gradient[:, :, None])[:, :, 0] * arm.units)
