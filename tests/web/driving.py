@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Frame, Locator, Page, expect
 
 ORDER = {"modified": ("alpha", "a", "d", "theta"), "standard": ("theta", "d", "a", "alpha")}
 
@@ -42,6 +42,12 @@ def fill_table(page: Page, table: Table) -> None:
         joint(page, i).select_option(row.get("joint", "revolute"))
         for name in ORDER[table["convention"]]:
             cell(page, i, name).fill(row[name])
+
+
+def put_table(page: Page | Frame, table: Table) -> None:
+    """Put a whole table into the editor at once, where a test is not about typing."""
+    wire = {"angle_unit": "deg", "length_unit": "m", **table}
+    page.evaluate("table => (document.querySelector('dh-table-editor').table = table)", wire)
 
 
 def switch_language(page: Page, language: str) -> None:

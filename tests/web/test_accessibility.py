@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage, Watch
-from tests.web.driving import PUMA, SCARA, cell, fill_table, submit
+from tests.web.driving import PUMA, SCARA, cell, put_table, submit
 
 State = Callable[[Page], None]
 Check = Callable[[Page], None]
@@ -23,15 +23,15 @@ def languages_open(page: Page) -> None:
 
 
 def table_typed(page: Page) -> None:
-    fill_table(page, PUMA)
-    page.evaluate("document.querySelectorAll('details').forEach((details) => (details.open = true))")
+    put_table(page, PUMA)
+    page.evaluate("document.querySelectorAll('main details').forEach((details) => (details.open = true))")
     expect(page.locator("#own")).to_contain_text("Drawn from your table")
     page.get_by_text("3-D", exact=True).click()
     expect(page.locator("#figure-body robot-scene")).to_be_visible()
 
 
 def symbols_shown(page: Page) -> None:
-    fill_table(page, SCARA)
+    put_table(page, SCARA)
     page.locator("#own details > summary").last.click()
     page.locator("matrix-panel input[value=symbols]").check()
     page.locator("matrix-panel .katex").first.wait_for()
@@ -46,12 +46,12 @@ def cells_at_fault(page: Page) -> None:
 
 
 def wrong_answer(page: Page) -> None:
-    fill_table(page, {**SCARA, "rows": [{**row, "alpha": "90"} for row in SCARA["rows"]]})
+    put_table(page, {**SCARA, "rows": [{**row, "alpha": "90"} for row in SCARA["rows"]]})
     submit(page)
 
 
 def right_answer(page: Page) -> None:
-    fill_table(page, SCARA)
+    put_table(page, SCARA)
     submit(page)
     expect(page.locator("#verdict robot-scene")).to_be_visible()
 
@@ -92,6 +92,6 @@ def test_no_violation_in_another_language_on_a_phone(
     open_page: OpenPage, assert_accessible: Check, language: str
 ) -> None:
     page = open_page("/exercises/scara", lang=language, width=320, height=600)
-    fill_table(page, SCARA)
+    put_table(page, SCARA)
     submit(page)
     assert_accessible(page)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 import threading
 from collections.abc import Iterator
 from functools import partial
@@ -14,7 +15,7 @@ from playwright.sync_api import Page, expect
 
 from service.settings import Settings
 from tests.web.conftest import LANGUAGES, OpenPage, Watch, serving, wait_ready
-from tests.web.driving import PUMA, SCARA, cell, fill_table, share, submit, switch_language
+from tests.web.driving import PUMA, SCARA, cell, fill_table, put_table, share, submit, switch_language
 
 PAGES = ("/", "/exercises/puma560", "/exercises/scara", "/playground", "/trainer/puma560")
 NO_WEBGL = """
@@ -57,18 +58,18 @@ def overflow(page: Page) -> list[str]:
 
 
 @pytest.mark.parametrize("path", PAGES)
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_every_page_in_every_language_fits_a_small_phone(
-    open_page: OpenPage, path: str, language: str
-) -> None:
+def test_every_page_in_every_language_fits_a_small_phone(open_page: OpenPage, path: str) -> None:
     """320 × 600 is also what 1280 × 2400 is at 400 % zoom."""
-    page = open_page(path, lang=language, width=320, height=600)
-    assert page.locator("html").get_attribute("lang") == language
-    assert overflow(page) == []
-    visible = page.locator("body").inner_text()
-    assert "form-" not in visible
-    assert "undefined" not in visible
-    assert "[object" not in visible
+    page = open_page(path, lang="en", width=320, height=600)
+    english = page.locator("h1").inner_text()
+    for language in LANGUAGES:
+        page.goto(page.url.replace(f"lang={page.locator('html').get_attribute('lang')}", f"lang={language}"))
+        wait_ready(page)
+        assert page.locator("html").get_attribute("lang") == language
+        assert overflow(page) == []
+        visible = page.locator("body").inner_text()
+        assert page.locator("h1").inner_text() != english or language == "en" or path.startswith("/exercises")
+        assert not re.search(r"\b(form|playground|trainer)-[a-z]|undefined|\[object|NaN", visible)
 
 
 @pytest.mark.parametrize("path", PAGES)
@@ -124,7 +125,7 @@ def test_an_exercise_is_graded_inside_a_frame_of_another_origin(
         frame = page.frame_locator("iframe")
         frame.locator("html[data-ready=true].embedded").wait_for(state="attached")
         inner = page.frames[1]
-        fill_table(inner, SCARA)  # type: ignore[arg-type]
+        put_table(inner, SCARA)
         inner.locator("button[type=submit].primary").click()
         expect(inner.locator("#verdict")).to_contain_text("Your table describes this robot.")
         assert page.context.cookies() == []
@@ -159,7 +160,7 @@ def test_without_storage_a_draft_lives_in_the_page_and_through_a_change_of_langu
 
 def test_without_webgl_the_robots_are_drawn_as_svg(open_page: OpenPage) -> None:
     page = open_page("/exercises/scara", before=lambda page: page.add_init_script(NO_WEBGL))
-    fill_table(page, SCARA)
+    put_table(page, SCARA)
     scene = page.locator("#own robot-scene")
     expect(scene).to_have_attribute("data-renderer", "svg")
     expect(scene.locator("svg.scene-svg line").first).to_be_attached()
@@ -175,7 +176,7 @@ def test_without_webgl_the_robots_are_drawn_as_svg(open_page: OpenPage) -> None:
 
 def test_a_lost_context_falls_back_to_svg(open_page: OpenPage) -> None:
     page = open_page("/exercises/scara")
-    fill_table(page, SCARA)
+    put_table(page, SCARA)
     scene = page.locator("#own robot-scene")
     expect(scene).to_have_attribute("data-renderer", "webgl")
     lose = "canvas => canvas.getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()"
@@ -190,7 +191,7 @@ def test_everything_works_under_a_prefix(open_page: OpenPage) -> None:
         page.get_by_role("link", name="SCARA", exact=True).click()
         page.wait_for_url("**/robotics/dh/exercises/scara?lang=en")
         wait_ready(page)
-        fill_table(page, SCARA)
+        put_table(page, SCARA)
         submit(page)
         assert share(page) == "100 %"
         page.get_by_role("link", name="Playground").click()
@@ -232,7 +233,7 @@ def test_puma_is_graded_with_the_keyboard_alone(open_page: OpenPage) -> None:
 
 def test_the_scene_is_turned_with_the_keyboard(open_page: OpenPage) -> None:
     page = open_page("/exercises/scara")
-    fill_table(page, SCARA)
+    put_table(page, SCARA)
     view = page.locator("#own .scene-view")
     label = page.locator("#own .scene-label").first
     expect(label).to_be_attached()

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page, Request, expect
 
 from tests.web.conftest import OpenPage, Watch
-from tests.web.driving import PUMA, SCARA, cell, fill_table, joint, open_part, share, submit
+from tests.web.driving import PUMA, SCARA, cell, joint, open_part, put_table, share, submit
 
 TIP_AND_POINT = """async (scene) => {
   const base = document.documentElement.dataset.assets;
@@ -27,7 +27,7 @@ def wrong(table: dict[str, object], row: int, **cells: str) -> dict[str, object]
 
 def test_a_wrong_answer_is_repaired_from_its_feedback(open_page: OpenPage) -> None:
     page = open_page("/exercises/puma560")
-    fill_table(page, wrong(dict(PUMA), 2, a="d3", d="a2"))
+    put_table(page, wrong(dict(PUMA), 2, a="d3", d="a2"))
     verdict = submit(page)
     expect(verdict).to_contain_text("Your table describes another robot.")
     assert share(page) != "100 %"
@@ -48,7 +48,7 @@ def test_a_right_answer_says_how_its_frames_differ_and_shows_both_robots(open_pa
     # z of the third frame points down: joint 3 counts the other way.
     rows = [dict(row) for row in SCARA["rows"]]
     rows[2]["alpha"] = "180"
-    fill_table(page, {**SCARA, "rows": rows})
+    put_table(page, {**SCARA, "rows": rows})
     verdict = submit(page)
     expect(verdict).to_contain_text("Your table describes this robot.")
     expect(verdict.locator(".feedback li")).not_to_have_count(0)
@@ -69,7 +69,7 @@ def test_a_right_answer_says_how_its_frames_differ_and_shows_both_robots(open_pa
 
 def test_motion_starts_by_itself_only_where_it_is_welcome(open_page: OpenPage) -> None:
     page = open_page("/exercises/scara", reduced_motion="no-preference")
-    fill_table(page, SCARA)
+    put_table(page, SCARA)
     verdict = submit(page)
     expect(verdict.get_by_role("button", name="Pause")).to_be_visible()
     verdict.get_by_role("button", name="Pause").click()
@@ -84,7 +84,7 @@ def test_nothing_hints_at_the_answer_before_it_is_graded(open_page: OpenPage) ->
             "/exercises/puma560",
             before=lambda page: page.on("request", lambda request: asked.append(request)),
         )
-        fill_table(page, table)
+        put_table(page, table)
         expect(page.locator("#own")).to_contain_text("Drawn from your table: 6 joints.")
         shown.append(page.locator("#own .own-status").inner_text())
         expect(page.locator("#verdict-card")).to_be_hidden()
@@ -100,7 +100,7 @@ def test_nothing_hints_at_the_answer_before_it_is_graded(open_page: OpenPage) ->
 def test_what_cannot_be_graded_costs_no_attempt(open_page: OpenPage, watch: Watch) -> None:
     watch.allow("status of 422")
     page = open_page("/exercises/scara")
-    fill_table(page, wrong(dict(SCARA), 1, a="a2*("))
+    put_table(page, wrong(dict(SCARA), 1, a="a2*("))
     with page.expect_response(lambda response: response.url.endswith("/grade")) as caught:
         page.locator("button[type=submit].primary").click()
     assert caught.value.status == 422
@@ -121,7 +121,7 @@ def test_parts_may_be_handed_in_without_the_table(open_page: OpenPage) -> None:
 
 def test_attempts_are_kept_and_can_be_taken_back(open_page: OpenPage) -> None:
     page = open_page("/exercises/scara")
-    fill_table(page, wrong(dict(SCARA), 1, a="a3"))
+    put_table(page, wrong(dict(SCARA), 1, a="a3"))
     submit(page)
     joint(page, 0).select_option("fixed")
     page.reload()
@@ -141,7 +141,7 @@ def test_a_seed_gives_a_students_own_values(open_page: OpenPage) -> None:
     one = open_page("/exercises/puma560?seed=student-7")
     assert given(one) != plain
     assert given(open_page("/exercises/puma560?seed=student-7")) == given(one)
-    fill_table(one, PUMA)
+    put_table(one, PUMA)
     with one.expect_request(lambda request: request.url.endswith("/grade")) as caught:
         one.locator("button[type=submit].primary").click()
     assert json.loads(caught.value.post_data or "{}")["seed"] == "student-7"
@@ -152,7 +152,7 @@ def test_the_service_may_be_away_for_a_while(open_page: OpenPage, watch: Watch) 
     watch.allow("ERR_INTERNET_DISCONNECTED")
     page = open_page("/exercises/scara")
     page.context.set_offline(True)
-    fill_table(page, SCARA)
+    put_table(page, SCARA)
     expect(page.locator("#own")).to_contain_text("The service cannot be reached.")
     page.locator("button[type=submit].primary").click()
     expect(page.locator("#submit-problem")).to_contain_text("What you typed is kept")

@@ -8,7 +8,7 @@ from playwright.sync_api import CDPSession, Page, expect
 
 from tests.web.answers import PUMA_VALUES
 from tests.web.conftest import OpenPage, Watch
-from tests.web.driving import PUMA, SCARA, cell, fill_table, rows
+from tests.web.driving import PUMA, SCARA, cell, put_table, rows
 
 FIRST_LOAD = 350_000
 """Bytes that may travel, compressed, without fonts."""
@@ -48,7 +48,7 @@ def first_number(page: Page) -> str:
 def test_the_scene_follows_a_slider_without_the_network(open_page: OpenPage, watch: Watch) -> None:
     watch.allow("ERR_FAILED")
     page = open_page("/exercises/scara")
-    fill_table(page, SCARA)
+    put_table(page, SCARA)
     expect(page.locator("#own")).to_contain_text("Drawn from your table: 4 joints.")
     page.wait_for_load_state("networkidle")
     page.route("**/api/**", lambda route: route.abort())
@@ -79,7 +79,7 @@ def test_the_scene_agrees_with_the_service(open_page: OpenPage, web: str) -> Non
     for convention in ("modified", "standard"):
         typed = [dict(row) for row in PUMA["rows"]]
         typed[1]["theta"], typed[3]["theta"] = "-θ2 + 30", "θ4 - 90"
-        fill_table(page, {"convention": convention, "rows": typed})
+        put_table(page, {"convention": convention, "rows": typed})
         expect(page.locator("#own robot-scene:not(.stale, [aria-busy])")).to_be_visible()
         joints = [12.0, 33.0, -70.0, 45.0, 101.0, -5.0]
         for i, value in enumerate(joints):
@@ -104,7 +104,7 @@ def test_the_scene_agrees_with_the_service(open_page: OpenPage, web: str) -> Non
 def test_matrices_shown_are_those_of_the_last_joint_values(open_page: OpenPage) -> None:
     """While a slider is dragged, answers are slow and of different slowness; the last one is what stays."""
     page = open_page("/exercises/twolink", before=lambda page: page.add_init_script(LATE))
-    fill_table(page, TWO_LINKS)
+    put_table(page, TWO_LINKS)
     open_matrices(page)
     delay(page, "forward-kinematics", 500, 50, 300, 0)
     number = page.get_by_label("q1 in °")
@@ -119,7 +119,7 @@ def test_matrices_shown_are_those_of_the_last_joint_values(open_page: OpenPage) 
 def test_the_robot_shown_is_that_of_the_last_table(open_page: OpenPage) -> None:
     """Answers about what was typed before are dropped, in whatever order they arrive."""
     page = open_page("/exercises/twolink", before=lambda page: page.add_init_script(LATE))
-    fill_table(page, {"convention": "standard", "rows": rows("standard", "θ1 0 1 0\nθ2 0 1 0")})
+    put_table(page, {"convention": "standard", "rows": rows("standard", "θ1 0 1 0\nθ2 0 1 0")})
     open_matrices(page)
     delay(page, "understand", 1000, 0, 0)
     cell(page, 1, "a").fill("2")
@@ -134,7 +134,7 @@ def test_the_robot_shown_is_that_of_the_last_table(open_page: OpenPage) -> None:
 def test_matrices_in_symbols_and_their_sources(open_page: OpenPage) -> None:
     page = open_page("/exercises/twolink")
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
-    fill_table(page, TWO_LINKS)
+    put_table(page, TWO_LINKS)
     open_matrices(page)
     page.locator("matrix-panel input[value=symbols]").check()
     first = page.locator("matrix-panel .matrix-block").first
@@ -178,7 +178,7 @@ def test_the_first_load_is_small_and_all_our_own(open_page: OpenPage, web: str) 
     for path in ("/", "/exercises/puma560"):
         page = open_page(path, height=2000, before=listen)
         if "exercises" in path:
-            fill_table(page, PUMA)
+            put_table(page, PUMA)
             expect(page.locator("#own robot-scene")).to_have_attribute("data-renderer", "webgl")
             expect(page.locator(".meaning math").first).to_be_visible()
         page.wait_for_load_state("networkidle")
