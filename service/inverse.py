@@ -15,13 +15,12 @@ from service.preparation import Robot
 from service.schemas.inverse_kinematics import (
     InverseKinematicsAnswer,
     InverseKinematicsRequest,
-    Limits,
     Nearest,
     Solution,
 )
+from service.schemas.limits import DomainLimits, domain_limits
 from service.workers import Lane, Workers
 
-JointRanges: TypeAlias = list[tuple[float | None, float | None] | None]
 Matrix: TypeAlias = list[list[float]]
 
 
@@ -34,7 +33,7 @@ async def solved(
         KinematicsError: malformed limits or poses, or a table that inverse kinematics does not take.
         ServiceError: no place for a search, or it took too long.
     """
-    ranges = joint_ranges(request.limits, robot)
+    ranges = domain_limits(request.limits, robot.joint_units)
     with located("table"):
         solver_of(robot.table)
     solver = solver_of(robot.table, base=request.base, tool=request.tool, limits=ranges)
@@ -45,23 +44,8 @@ async def solved(
     return _answer(answer, robot)
 
 
-def joint_ranges(limits: Limits | None, robot: Robot) -> JointRanges | None:
-    """Limits of a request in [rad] and length units, as many as were given."""
-    if limits is None:
-        return None
-    units = [*robot.joint_units, *[1.0] * len(limits)]
-    return [
-        None if pair is None else (_scaled(pair[0], unit), _scaled(pair[1], unit))
-        for pair, unit in zip(limits, units, strict=False)
-    ]
-
-
-def _scaled(value: float | None, unit: float) -> float | None:
-    return None if value is None else value * unit
-
-
 def _search(
-    table: NumericTable, target: Matrix, base: Matrix | None, tool: Matrix | None, ranges: JointRanges | None
+    table: NumericTable, target: Matrix, base: Matrix | None, tool: Matrix | None, ranges: DomainLimits | None
 ) -> InverseKinematics:
     """What a worker process does."""
     return inverse_kinematics(table, target, base=base, tool=tool, limits=ranges)

@@ -2,31 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Annotated, TypeAlias
-
 from pydantic import Field
 
 from kinematics.inverse.results import IKStatus, Isolation, Method, UnreachableReason
 from service.schemas.base import Matrix4, Real, Wire
+from service.schemas.limits import JointRanges
 from service.schemas.robots import RobotQuestion
 from service.schemas.tables import Units
-
-Limit: TypeAlias = Annotated[list[Real | None], Field(min_length=2, max_length=2)]
-Limits: TypeAlias = Annotated[
-    list[Limit | None],
-    Field(
-        max_length=64,
-        description="[least, greatest] of each joint in joint order, in the table's units; "
-        "null for a joint or an end without a limit",
-    ),
-]
 
 
 class InverseKinematicsRequest(RobotQuestion):
     """A robot, and a pose for its tool to reach."""
 
     target: Matrix4 = Field(description="the wanted pose of the tool in the world")
-    limits: Limits | None = None
+    limits: JointRanges | None = None
     base: Matrix4 | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
     tool: Matrix4 | None = Field(None, description="pose of the tool in frame N; the identity if left out")
 
