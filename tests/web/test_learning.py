@@ -119,6 +119,18 @@ def test_parts_may_be_handed_in_without_the_table(open_page: OpenPage) -> None:
     expect(verdict).to_contain_text("10 of 100 points.")
 
 
+def test_a_wrong_part_leads_to_its_fields(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    part = open_part(page, "workspace")
+    part.get_by_label("Inner radius").fill("0.1")
+    part.get_by_label("Outer radius").fill("0.9")
+    verdict = submit(page)
+    assert share(page) == "50 %"
+    part.locator("summary").click()
+    verdict.get_by_role("link", name="Outer radius").click()
+    expect(part.get_by_label("Outer radius")).to_be_focused()
+
+
 def test_attempts_are_kept_and_can_be_taken_back(open_page: OpenPage) -> None:
     page = open_page("/exercises/scara")
     put_table(page, wrong(dict(SCARA), 1, a="a3"))

@@ -143,6 +143,14 @@ export class AnswerCard {
     this.editor.focusCell(row, cell ?? (this.convention === "standard" ? "theta" : "alpha"));
   }
 
+  /** Leads to a place in a part. @param {string} kind @param {(string | number)[]} where */
+  focusPart(kind, where) {
+    const i = this.parts.findIndex(({ part }) => part.kind === kind);
+    if (i < 0) return;
+    /** @type {HTMLDetailsElement} */ (this.sections[i]).open = true;
+    this.parts[i].field.focus(where);
+  }
+
   #edited() {
     this.#resize();
     this.changed("table");

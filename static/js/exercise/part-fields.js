@@ -1,7 +1,7 @@
 /**
  * Fields for what is asked besides the table. Each has the same interface:
  * `element`, `value` (as it goes to the API, or null if nothing was typed), `state` (get and set: what was
- * typed), `showFaults(faults)`, `onchange`.
+ * typed), `showFaults(faults)`, `focus(where?)`, `onchange`.
  */
 
 import { el, fill, uniqueId } from "../dom.js";
@@ -89,8 +89,8 @@ export class MatrixField {
     }
   }
 
-  focus() {
-    this.cells[0][0].input.focus();
+  focus([row = 0, column = 0] = []) {
+    this.cells[row]?.[column]?.input.focus();
   }
 
   #paste(event, row, column) {
@@ -148,8 +148,8 @@ export class MatrixListField {
     this.fields.forEach((field, i) => field.showFaults(faults.filter(({ where }) => where[0] === i).map(({ where, text }) => ({ where: where.slice(1), text }))));
   }
 
-  focus() {
-    this.fields[0]?.focus();
+  focus([index = 0, ...where] = []) {
+    this.fields[index]?.focus(where);
   }
 }
 
@@ -202,8 +202,8 @@ export class NumbersField {
     }
   }
 
-  focus() {
-    [...this.inputs.values()][0].input.focus();
+  focus([name] = []) {
+    (this.inputs.get(name) ?? [...this.inputs.values()][0]).input.focus();
   }
 }
 
@@ -273,7 +273,7 @@ export class SchematicField {
     }
   }
 
-  focus() {
-    this.joints[0]?.input.focus();
+  focus([list, index = 0] = []) {
+    (list === "relations" ? this.relations : this.joints)[index]?.input.focus();
   }
 }

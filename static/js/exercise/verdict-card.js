@@ -39,7 +39,12 @@ export class VerdictCard {
       this.place,
       verdictView(graded, { convention: answer.convention, focusRow }),
       this.#both?.element,
-      Object.values(others).map((report) => partView(report, partName(report.kind), (where) => placeName(report.kind, where))),
+      Object.values(others).map((report) =>
+        partView(report, partName(report.kind), {
+          nameOf: (where) => placeName(report.kind, where),
+          goTo: (where) => answer.focusPart(report.kind, where),
+        }),
+      ),
     );
     this.#both?.describe();
     this.card.dataset.shown = String(Number(this.card.dataset.shown ?? 0) + 1);

@@ -149,22 +149,27 @@ function repairList(repairs, convention, focusRow) {
   );
 }
 
-/** What is said of a part beyond the table. @param {any} report @param {string} name @param {(where: (string | number)[]) => string} placeName */
-export function partView(report, name, placeName) {
+/**
+ * What is said of a part beyond the table.
+ * @param {any} report @param {string} name
+ * @param {{nameOf: (where: (string | number)[]) => string, goTo: (where: (string | number)[]) => void}} places
+ */
+export function partView(report, name, { nameOf, goTo }) {
   const percent = Math.round(report.score * 100);
   const wrong = report.facts.filter(({ finding: found }) => found === "wrong" || found === "missing");
+  const tone = percent === 100 ? "good" : percent ? "warn" : "bad";
+  const link = ({ where }) => {
+    const follow = (event) => {
+      event.preventDefault();
+      goTo(where);
+    };
+    return [" ", el("a", { class: "row-link", href: `#part-${report.kind}`, onclick: follow, text: nameOf(where) })];
+  };
   return el(
     "section",
     { class: "part-report", "aria-label": name },
-    el(
-      "h3",
-      {},
-      name,
-      " ",
-      el("span", { class: `badge ${percent === 100 ? "good" : percent ? "warn" : "bad"}`, text: t("form-score", { score: percent }) }),
-    ),
+    el("h3", {}, name, " ", el("span", { class: `badge ${tone}`, text: t("form-score", { score: percent }) })),
     feedbackList(report.feedback, null),
-    wrong.length ? el("p", { class: "hint" }, t("form-part-wrong"), " ", wrong.map((fact) => placeName(fact.where)).join(", ")) : null,
+    wrong.length ? el("p", { class: "hint" }, t("form-part-wrong"), wrong.map(link)) : null,
   );
 }
-
