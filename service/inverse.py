@@ -34,14 +34,20 @@ async def solved(
         ServiceError: no place for a search, or it took too long.
     """
     ranges = domain_limits(request.limits, robot.joint_units)
-    with located("table"):
-        solver_of(robot.table)
-    solver = solver_of(robot.table, base=request.base, tool=request.tool, limits=ranges)
-    answer = await run_sync(solver.solve_directly, request.target)
+    question = (robot.table, request.target, request.base, request.tool, ranges)
+    answer = await run_sync(_directly, *question)
     if answer is None:
-        question = (robot.table, request.target, request.base, request.tool, ranges)
         answer = await workers.run(Lane.SLOW, _search, *question)
     return _answer(answer, robot)
+
+
+def _directly(
+    table: NumericTable, target: Matrix, base: Matrix | None, tool: Matrix | None, ranges: DomainLimits | None
+) -> InverseKinematics | None:
+    """What the closed form alone says, in a thread; every refusal is made here, none in a worker."""
+    with located("table"):
+        solver_of(table)
+    return solver_of(table, base=base, tool=tool, limits=ranges).solve_directly(target)
 
 
 def _search(

@@ -177,7 +177,7 @@ def assign_frames(
     geometry = _geometry(lines, convention, first, last, size)
     table = _table(geometry, convention)
     frames = _frames(geometry, convention)
-    base_pose = geometry.first or _pose(frames[0])
+    base_pose = geometry.first or Pose(frames[0].origin, frames[0].x, frames[0].z)
     on_axis = [frame.origin for frame in frames[convention is Convention.MODIFIED :]]
     warnings = tilt_remarks(tilts, table, on_axis, near_parallel)
     if first is not None and geometry.first is None:
@@ -285,10 +285,6 @@ def _frame(pose: Pose, rule: Rule, relation: Relation | None, free: tuple[Freedo
         relation=relation,
         free=free,
     )
-
-
-def _pose(frame: AssignedFrame) -> Pose:
-    return Pose(frame.origin, frame.x, frame.z)
 
 
 def _remainder(g: _Geometry, table: NumericTable, T_w_0: Transform, last: Pose | None) -> Transform:
