@@ -219,7 +219,7 @@ def test_a_refusal_in_a_table_names_the_cell(text, code, column):
         (b"1", "bytes"),
         (object(), "object"),
     ],
-    ids=repr,
+    ids=lambda value: type(value).__name__,
 )
 def test_a_cell_of_another_type_is_refused(cell, kind):
     with pytest.raises(CellError) as caught:
