@@ -115,7 +115,7 @@ def policy_and_choices(reference: NumericTable, rng: Random) -> tuple[Policy, di
 def rounded_tables(block: int) -> Outcome:
     """Valid tables with entries rounded to three decimals must be accepted at the matching tolerance.
 
-    Left out are tables with axes so far away that rounding moves the end frame by a tenth of the robot's size.
+    Left out are tables with axes so far away that rounding moves the end by a tenth of the robot's size.
     """
     rng = Random(f"rounded {block}")
     known = references()
