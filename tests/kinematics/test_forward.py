@@ -217,8 +217,8 @@ def test_puma_of_craig_in_closed_form():
 
 
 def test_equal_tables_share_a_plan_and_leave_it_behind_when_they_travel():
-    twin = DHTable(convention=PUMA560.convention, rows=PUMA560.rows)
-    assert plan_of(twin) is plan_of(PUMA560)
+    one, twin = (DHTable(convention=PUMA560.convention, rows=PUMA560.rows) for _ in range(2))
+    assert plan_of(twin) is plan_of(one)
     for _ in range(2 * WARM):
         expected = end_pose(PUMA560, [0.1] * 6)
     for copied in (pickle.loads(pickle.dumps(PUMA560)), copy.deepcopy(PUMA560), copy.copy(PUMA560)):
