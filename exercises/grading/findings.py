@@ -1,4 +1,4 @@
-"""What to say of a wrong answer: what is wrong, how much is right, and what the help level lets through."""
+"""What to say of a wrong answer: what is wrong, and what the help level lets through."""
 
 from __future__ import annotations
 
@@ -6,14 +6,12 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from exercises.grading.repairs import Repaired
 from exercises.grading.verdict import Edit, Feedback, Finding, HelpLevel, LinkFinding, ParamValue, Repair
+from exercises.grading.work import Change
 from kinematics.equivalence import Decision, Kind, Mismatch, Policy
 from kinematics.table import JointType, NumericTable
 
 FACTS = ("length", "twist", "offset", "joint")
 LEVELS = tuple(HelpLevel)
-WITHOUT_REPAIR = 0.9
-HIGHEST_PARTIAL = 0.95
-RULE = 1.0
 
 _FACT_OF_KIND = {
     Kind.LENGTH: "length",
@@ -38,6 +36,7 @@ _THROUGHOUT = {
     "parameter_misnamed": "names_throughout",
     "parameters_swapped": "names_throughout",
 }
+_SIGNS = {"alpha_sign": "α", "a_sign": "a", "d_sign": "d"}
 _CODE_OF_FACT = {
     "length": "length_wrong",
     "twist": "twist_wrong",
@@ -54,15 +53,33 @@ def told_from(level: HelpLevel, needed: HelpLevel) -> bool:
 def wrong_facts(
     decision: Decision, repairs: Sequence[Repaired], table: NumericTable
 ) -> frozenset[tuple[int, str]]:
-    """The wrong facts as (row counted from 0, fact): of the likeliest repair, else of the diagnosis."""
+    """The wrong facts as (row counted from 0, fact): of the likeliest repair, else of the diagnosis.
+
+    Where another sign in the same row would mend the table as well, nobody can say which one is wrong, and
+    all of them count.
+    """
     if repairs:
-        cells = {place for change in repairs[0].changes for place in change.touched}
+        changes = signs_in_one_row(repairs) or repairs[0].changes
+        cells = {place for change in changes for place in change.touched}
         return frozenset((row, _fact(table, row, cell)) for row, cell in cells)
     return frozenset(
         (m.row, _FACT_OF_KIND[m.kind])
         for m in decision.mismatches
         if m.row is not None and m.kind in _FACT_OF_KIND
     )
+
+
+def signs_in_one_row(repairs: Sequence[Repaired]) -> tuple[Change, ...]:
+    """The signs of one row, each of which mends the table alone, if the likeliest repair is one of several.
+
+    A mirrored arm has one handedness that is wrong, and as many signs that set it right.
+    """
+    singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
+    if not singles or singles[0] is not repairs[0].changes[0] or singles[0].edit.code not in _SIGNS:
+        return ()
+    row = singles[0].edit.row
+    found = tuple(change for change in singles if change.edit.row == row and change.edit.code in _SIGNS)
+    return found if len(found) > 1 else ()
 
 
 def _fact(table: NumericTable, row: int, cell: str) -> str:
@@ -74,27 +91,6 @@ def _fact(table: NumericTable, row: int, cell: str) -> str:
         case "joint":
             return "joint"
     return "offset"
-
-
-def score_of(decision: Decision, repairs: Sequence[Repaired], table: NumericTable, joints: int) -> float:
-    """Partial credit of a wrong answer, in [0, 0.95].
-
-    With a repair, 1 less the share of the rows that its misconceptions spoiled: half a row for a cell, a row
-    for a row, one and a half for a misconception about the table, out of one more than there are rows.
-    Without one,
-    nine tenths of the share of facts that are right: a type for every joint, a length and a twist between
-    neighbours, an offset along every inner joint.
-    """
-    if repairs:
-        spoiled = sum(change.extent.value for change in repairs[0].changes)
-        return round(max(0.0, min(HIGHEST_PARTIAL, 1.0 - spoiled / (len(table.rows) + 1))), 4)
-    if decision.same_robot:
-        return round(min(HIGHEST_PARTIAL, 1.0 - RULE * len(decision.mismatches) / (joints + 1)), 4)
-    facts = joints + 2 * max(joints - 1, 0) + max(joints - 2, 0)
-    named = {(m.kind, m.joint) for m in decision.mismatches if m.kind is not Kind.HANDEDNESS}
-    missing = abs(joints - table.n_joints)
-    wrong = len(named) + 3 * missing
-    return round(max(0.0, WITHOUT_REPAIR * (1.0 - wrong / facts)), 4) if facts else 0.0
 
 
 def link_findings(
@@ -164,6 +160,11 @@ def _in_place(
     """Where something is wrong, and from `kind` on what: by the likeliest repair, else by the diagnosis."""
     if not repairs:
         yield from _facts(wrong, table, level)
+        return
+    if (signs := signs_in_one_row(repairs)) and told_from(level, HelpLevel.KIND):
+        row = signs[0].edit.row
+        cells = ", ".join(_SIGNS[change.edit.code] for change in signs)
+        yield Feedback(code="sign_wrong", row=row, params={"row": row or 0, "cells": cells})
         return
     for change in repairs[0].changes:
         edit = change.edit

@@ -10,7 +10,7 @@ from exercises.grading.exact_text import angle_text, expression_text
 from exercises.grading.verdict import Feedback, ParamValue
 from kinematics.cells import AngleUnit
 from kinematics.equivalence import Certificate, ExactCertificate
-from kinematics.equivalence.chains import frames_of
+from kinematics.equivalence.chains import chain_of, frames_of
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.rigid import (
     Motion,
@@ -87,7 +87,7 @@ def _body_motions(key: NumericTable, certificate: Certificate) -> list[Motion]:
 
 def _frames(key: NumericTable, answer: NumericTable, certificate: Certificate) -> Iterator[Feedback]:
     """Frame by frame: z reversed, x turned, origin elsewhere."""
-    size = prepared(key).size
+    size = prepared(key).beside(chain_of(answer)).size
     motions = _body_motions(key, certificate)
     ours, theirs = frames_of(key), frames_of(answer)
     body = 0

@@ -11,12 +11,12 @@ from exercises.grading.findings import (
     all_right,
     feedback_of,
     link_findings,
-    score_of,
     told_repairs,
     wrong_facts,
 )
 from exercises.grading.frames import explained
 from exercises.grading.repairs import find_repairs
+from exercises.grading.score import score_of
 from exercises.grading.verdict import Basis, Feedback, HelpLevel, Verdict
 from exercises.grading.work import Work
 from kinematics.cells import ReadTable
@@ -133,7 +133,7 @@ def _rejected(
     feedback = feedback_of(decision, repairs, wrong, key, answer, policy, help_level)
     return Verdict(
         correct=False,
-        score=score_of(decision, repairs, answer, key.n_joints),
+        score=score_of(decision, repairs, answer, key),
         basis=Basis.REFUTED,
         certificate=None,
         links=link_findings(answer, wrong, decision, repairs, help_level),

@@ -70,8 +70,9 @@ class Work:
 
     @cached_property
     def references(self) -> tuple[Reference, ...]:
-        """The key at each draw, prepared."""
-        return tuple(prepared(table) for table in self.comparison.references)
+        """The key at each draw, prepared; at the answer's size, if it has none."""
+        pairs = zip(self.comparison.references, self.comparison.submissions, strict=True)
+        return tuple(prepared(key).beside(chain_of(answer)) for key, answer in pairs)
 
     @cached_property
     def invariants(self) -> tuple[tuple[Invariant, ...], ...]:

@@ -59,6 +59,7 @@ feedback-twist_wrong = Row { $row }: the twist α, the angle between two neighbo
 feedback-length_wrong = Row { $row }: the length a, the distance between two neighbouring z axes, is not right.
 feedback-offset_wrong = Row { $row }: the offset d, the distance between two neighbouring x axes along z, is not right.
 feedback-angle_wrong = Row { $row }: the angle θ, between two neighbouring x axes about z, is not right.
+feedback-sign_wrong = Row { $row }: one sign is the wrong way round, in one of the cells { $cells }.
 feedback-joint_type_wrong = Row { $row }: the joint is of another type.
 feedback-row_missing = A row is missing { $after ->
     [0] before row 1

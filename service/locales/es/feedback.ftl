@@ -59,6 +59,7 @@ feedback-twist_wrong = Fila { $row }: la torsión α, el ángulo entre dos ejes 
 feedback-length_wrong = Fila { $row }: la longitud a, la distancia entre dos ejes z vecinos, no es correcta.
 feedback-offset_wrong = Fila { $row }: el desplazamiento d, la distancia entre dos ejes x vecinos a lo largo de z, no es correcto.
 feedback-angle_wrong = Fila { $row }: el ángulo θ, entre dos ejes x vecinos alrededor de z, no es correcto.
+feedback-sign_wrong = Fila { $row }: hay un signo al revés, en una de las celdas { $cells }.
 feedback-joint_type_wrong = Fila { $row }: la articulación es de otro tipo.
 feedback-row_missing = Falta una fila { $after ->
     [0] antes de la fila 1

@@ -59,6 +59,7 @@ feedback-twist_wrong = Ligne { $row } : l’angle de torsion α, entre deux axes
 feedback-length_wrong = Ligne { $row } : la longueur a, distance entre deux axes z voisins, n’est pas juste.
 feedback-offset_wrong = Ligne { $row } : le décalage d, distance entre deux axes x voisins le long de z, n’est pas juste.
 feedback-angle_wrong = Ligne { $row } : l’angle θ, entre deux axes x voisins autour de z, n’est pas juste.
+feedback-sign_wrong = Ligne { $row } : un signe est à l’envers, dans l’une des cellules { $cells }.
 feedback-joint_type_wrong = Ligne { $row } : l’articulation est d’un autre type.
 feedback-row_missing = Il manque une ligne { $after ->
     [0] avant la ligne 1

@@ -59,6 +59,7 @@ feedback-twist_wrong = Linha { $row }: a torção α, o ângulo entre dois eixos
 feedback-length_wrong = Linha { $row }: o comprimento a, a distância entre dois eixos z vizinhos, não está certo.
 feedback-offset_wrong = Linha { $row }: o deslocamento d, a distância entre dois eixos x vizinhos ao longo de z, não está certo.
 feedback-angle_wrong = Linha { $row }: o ângulo θ, entre dois eixos x vizinhos em torno de z, não está certo.
+feedback-sign_wrong = Linha { $row }: um sinal está ao contrário, numa das células { $cells }.
 feedback-joint_type_wrong = Linha { $row }: a junta é de outro tipo.
 feedback-row_missing = Falta uma linha { $after ->
     [0] antes da linha 1

@@ -60,6 +60,7 @@ feedback-twist_wrong = Rândul { $row }: unghiul de încrucișare α, dintre dou
 feedback-length_wrong = Rândul { $row }: lungimea a, distanța dintre două axe z vecine, nu este corectă.
 feedback-offset_wrong = Rândul { $row }: offsetul d, distanța dintre două axe x vecine măsurată de-a lungul lui z, nu este corect.
 feedback-angle_wrong = Rândul { $row }: unghiul θ, dintre două axe x vecine în jurul lui z, nu este corect.
+feedback-sign_wrong = Rândul { $row }: un semn este luat invers, într-una dintre celulele { $cells }.
 feedback-joint_type_wrong = Rândul { $row }: cupla este de alt tip.
 feedback-row_missing = Lipsește un rând { $after ->
     [0] înaintea rândului 1

@@ -60,6 +60,7 @@ feedback-twist_wrong = Рядок { $row }: кут закручування α �
 feedback-length_wrong = Рядок { $row }: довжина a, відстань між двома сусідніми осями z, неправильна.
 feedback-offset_wrong = Рядок { $row }: зміщення d, відстань між двома сусідніми осями x уздовж z, неправильне.
 feedback-angle_wrong = Рядок { $row }: кут θ між двома сусідніми осями x навколо z неправильний.
+feedback-sign_wrong = Рядок { $row }: один знак протилежний, в одній із комірок { $cells }.
 feedback-joint_type_wrong = Рядок { $row }: зчленування іншого типу.
 feedback-row_missing = Бракує рядка { $after ->
     [0] перед рядком 1

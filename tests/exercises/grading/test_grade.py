@@ -13,6 +13,7 @@ from exercises.grading import (
     DirectionRule,
     Finding,
     HelpLevel,
+    LinkFinding,
     Policy,
     Tolerance,
     ToolRule,
@@ -293,9 +294,24 @@ def test_three_mistakes_still_earn_something() -> None:
     assert {"twist_wrong", "length_wrong"} & set(codes(verdict))
 
 
+def test_a_table_of_zeros_earns_nothing() -> None:
+    zeros: Rows = [(0, 0, 0, f"q{i}") for i in range(1, 7)]
+    verdict = grade(KEY, read("standard", zeros), USUAL)
+    assert (verdict.repairs, verdict.score) == ((), 0.0)
+
+
 def test_a_mirror_image_is_said_to_be_one() -> None:
     assert "mirrored" in codes(
         grade(KEY, read("standard", MISTAKES["twists_all_reversed"][0]), USUAL, VALUES)
+    )
+
+
+def test_of_several_signs_none_is_accused_alone() -> None:
+    verdict = grade(KEY, read("standard", with_cells(PUMA, (3, 2, "-d3"))), USUAL, VALUES)
+    told = verdict.feedback[-1]
+    assert (told.code, told.row, told.params["cells"]) == ("sign_wrong", 3, "α, a, d")
+    assert verdict.links[2] == LinkFinding(
+        row=3, length=Finding.WRONG, twist=Finding.WRONG, offset=Finding.WRONG, joint=Finding.OK
     )
 
 
