@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
+import gc
 import os
-import random
 import time
 from collections.abc import Callable
 from itertools import chain
 from typing import Any
 
-import numpy as np
-
-from bench import Better, Outcome, measured
+from bench import Better, Outcome, measured, sympy_puma
+from bench.symbolic_oracles import pairs, random_tables
 
 TITLE = "Closed forms"
 ABOUT = """
@@ -19,8 +18,11 @@ PUMA 560 with the lengths a2, a3, d3, d4 as symbols, unless the row says otherwi
 elementary matrices (twists exact), every entry through `trigsimp`; `ETS.fkine` of roboticstoolbox with SymPy
 symbols, as it returns it. Both are timed once, for they take seconds. Operations are counted by SymPy's
 `count_ops` over the twelve entries, ours read from the infix text. Rows beside a bar of milliseconds
-have the bar as their peer. The random tables have seven rows and general numeric twists; the oracle is held
-against pairs that were made equal by identities, or unequal by one change (tests/kinematics/symbolic).
+have the bar as their peer. The random tables have seven rows and general numeric twists; SymPy's product is
+evaluated link by link. The oracle is held against pairs made equal by identities (addition theorems, double
+and triple angles, products to sums, Pythagoras, surds) and against pairs with one number, sign, function or
+symbol changed, by as little as 10⁻¹⁵; mpmath at sixty digits is the judge of both (tests/kinematics/symbolic).
+FRAMEWISE_PAIRS and FRAMEWISE_TABLES set how many there are.
 """
 
 SYMPY, TOOLBOX = "SymPy product + `trigsimp`", "roboticstoolbox `ETS.fkine`"
@@ -31,7 +33,7 @@ _FAST = 15
 
 def rows() -> list[Outcome]:
     """Measure."""
-    return [*_transform(), *_jacobian(), *_catalogue(), *_random_tables(), *_oracle(), *_proof()]
+    return [*_transform(), *_jacobian(), *_catalogue(), *_proof(), *random_tables(TABLES), *pairs(PAIRS)]
 
 
 def _transform() -> list[Outcome]:
@@ -56,11 +58,12 @@ def _transform() -> list[Outcome]:
     printer = MatrixPrinter(n_joints=6, parameters=PUMA_LENGTHS)
     text = printer.write(matrix, (Format.TEXT,), purpose)["text"]
     entries = [sympy.sympify(entry) for row in text[:3] for entry in row]
-    product, product_seconds = _timed(_sympy_puma)
-    toolbox, toolbox_seconds = _timed(_toolbox_puma)
-    toolbox = [sympy.nsimplify(entry) for entry in toolbox]  # without the factors 1.0 that it leaves
+    product, product_seconds = _timed(sympy_puma.simplified)
+    toolbox, toolbox_seconds = _timed(sympy_puma.by_toolbox)
+    product = list(product[:3, :])
+    toolbox = [sympy.nsimplify(entry) for entry in toolbox[:3, :]]  # without the factors 1.0 that it leaves
     for theirs in (product, toolbox):
-        _agree(entries, theirs)
+        sympy_puma.assert_agree(entries, theirs)
     operations = sum(map(sympy.count_ops, entries))
     outcomes: list[Outcome] = [
         measured(
@@ -118,11 +121,10 @@ def _jacobian() -> list[Outcome]:
     from tests.kinematics.symbolic.tables import puma
 
     table = puma(Convention.STANDARD)
-    q = _joints()
-    position = _unsimplified()[:3, 3]
+    position = sympy_puma.unsimplified()[:3, 3]
 
     def theirs() -> sympy.Matrix:
-        return position.jacobian(q).applyfunc(sympy.trigsimp)
+        return position.jacobian(sympy_puma.joints()).applyfunc(sympy.trigsimp)
 
     _, taken = _timed(theirs)
     outcomes: list[Outcome] = []
@@ -190,77 +192,6 @@ def _catalogue() -> list[Outcome]:
     ]
 
 
-def _random_tables() -> list[Outcome]:
-    import sympy
-
-    from kinematics.printing import Format, MatrixPrinter, Purpose
-    from kinematics.symbolic import closed_form
-    from tests.kinematics.symbolic.tables import general_table, sympy_product
-
-    q = sympy.symbols("q1:8")
-    printer = MatrixPrinter(n_joints=7, parameters=())
-    purpose = Purpose(name="pose", meaning="The pose.")
-    agreeing, slowest = 0, 0.0
-    for seed in range(TABLES):
-        table = general_table(random.Random(seed))
-        start = time.perf_counter()
-        written = printer.write(closed_form(table).transform, (Format.NUMPY, Format.LATEX), purpose)
-        slowest = max(slowest, time.perf_counter() - start)
-        scope: dict[str, Any] = {}
-        exec(written["numpy"], scope)
-        joints = np.random.default_rng(seed).uniform(-np.pi, np.pi, (100, 7))
-        product = sympy.lambdify([q], sympy_product(table, q), "numpy", cse=True)
-        theirs = np.array([product(configuration) for configuration in joints], dtype=float)
-        agreeing += bool(np.abs(scope["pose"](joints) - theirs).max() <= 1e-12)
-    return [
-        measured(
-            f"{TABLES} random tables of 7 general rows that agree with SymPy to 1e-12 at 100 configurations",
-            peer="all of them",
-            ours=agreeing,
-            theirs=TABLES,
-            unit="tables",
-            better=Better.MORE,
-            bar=1,
-        ),
-        measured(
-            "the slowest of them, closed form with LaTeX and NumPy",
-            peer="a bar of 50 ms",
-            ours=slowest,
-            theirs=50e-3,
-            unit="s",
-            better=Better.LESS,
-            bar=1,
-        ),
-    ]
-
-
-def _oracle() -> list[Outcome]:
-    from kinematics.symbolic import Verdict, compare
-    from tests.kinematics.symbolic.rewriting import changed, random_expression, rewritten
-
-    right = {"equal": 0, "unequal": 0}
-    for seed in range(PAIRS):
-        rng = random.Random(seed)
-        first = random_expression(rng)
-        right["equal"] += compare(first, rewritten(first, rng, rng.randrange(1, 9))) is Verdict.PROVED
-        rng = random.Random(-1 - seed)
-        first = random_expression(rng)
-        other = changed(rewritten(first, rng, rng.randrange(0, 6)), rng)
-        right["unequal"] += compare(first, other) is not Verdict.PROVED
-    return [
-        measured(
-            f"{PAIRS} pairs made {kind}, decided rightly",
-            peer="all of them",
-            ours=count,
-            theirs=PAIRS,
-            unit="pairs",
-            better=Better.MORE,
-            bar=1,
-        )
-        for kind, count in right.items()
-    ]
-
-
 def _proof() -> list[Outcome]:
     import sympy
     from sympy.core.cache import clear_cache
@@ -272,7 +203,7 @@ def _proof() -> list[Outcome]:
 
     table = puma(Convention.STANDARD)
     other = other_convention(table)
-    simplified = _sympy_puma_matrix()
+    simplified = sympy_puma.simplified()
 
     def ours() -> None:
         proof = prove_identity(table, other, signs=(1,) * 6, offsets=(ZERO,) * 6)
@@ -280,7 +211,7 @@ def _proof() -> list[Outcome]:
 
     def theirs() -> None:
         clear_cache()
-        difference = _unsimplified() - simplified
+        difference = sympy_puma.unsimplified() - simplified
         expanded = difference.applyfunc(lambda entry: sympy.expand(sympy.expand_trig(entry)))
         assert expanded.applyfunc(sympy.trigsimp) == sympy.zeros(4, 4)
 
@@ -300,10 +231,13 @@ def _proof() -> list[Outcome]:
 def _median(function: Callable[[], object]) -> float:
     function()
     samples = []
+    gc.collect()
+    gc.disable()
     for _ in range(_FAST):
         start = time.perf_counter()
         function()
         samples.append(time.perf_counter() - start)
+    gc.enable()
     return sorted(samples)[_FAST // 2]
 
 
@@ -311,62 +245,3 @@ def _timed(function: Callable[[], Any]) -> tuple[Any, float]:
     start = time.perf_counter()
     result = function()
     return result, time.perf_counter() - start
-
-
-def _joints() -> tuple[Any, ...]:
-    import sympy
-
-    joints: tuple[Any, ...] = sympy.symbols("q1:7")
-    return joints
-
-
-def _unsimplified() -> Any:
-    """The product A_1 ⋯ A_6 with exact twists, as SymPy forms it."""
-    import sympy
-
-    a2, a3, d3, d4 = sympy.symbols("a2 a3 d3 d4")
-    right = sympy.pi / 2
-    cells = [(right, 0, 0), (0, a2, 0), (-right, a3, d3), (right, 0, d4), (-right, 0, 0), (0, 0, 0)]
-    product = sympy.eye(4)
-    for angle, (alpha, a, d) in zip(_joints(), cells, strict=True):
-        c, s, ca, sa = sympy.cos(angle), sympy.sin(angle), sympy.cos(alpha), sympy.sin(alpha)
-        product *= sympy.Matrix(
-            [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
-        )
-    return product
-
-
-def _sympy_puma_matrix() -> Any:
-    import sympy
-
-    return _unsimplified().applyfunc(sympy.trigsimp)
-
-
-def _sympy_puma() -> list[Any]:
-    return list(_sympy_puma_matrix()[:3, :])
-
-
-def _toolbox_puma() -> list[Any]:
-    import roboticstoolbox as rtb
-    import sympy
-
-    a2, a3, d3, d4 = sympy.symbols("a2 a3 d3 d4")
-    right = sympy.pi / 2
-    cells = [(right, 0, 0), (0, a2, 0), (-right, a3, d3), (right, 0, d4), (-right, 0, 0), (0, 0, 0)]
-    ets = rtb.ETS()
-    for joint, (alpha, a, d) in enumerate(cells):
-        ets *= rtb.ET.Rz(jindex=joint) * rtb.ET.tz(d) * rtb.ET.tx(a) * rtb.ET.Rx(alpha)
-    pose = ets.fkine(np.array(_joints(), dtype=object))
-    matrix = sympy.Matrix(np.array(pose.A if hasattr(pose, "A") else pose))
-    return list(matrix[:3, :])
-
-
-def _agree(ours: list[Any], theirs: list[Any]) -> None:
-    """Both are the same function, at a few configurations."""
-    import sympy
-
-    names = sorted(set().union(*(entry.free_symbols for entry in ours)), key=str)
-    for shift in (0.0, 0.7):
-        point = {name: 0.31 + 0.17 * i + shift for i, name in enumerate(names)}
-        for mine, other in zip(ours, theirs, strict=True):
-            assert abs(sympy.N(mine.subs(point) - other.subs(point))) < 1e-9

@@ -1,4 +1,4 @@
-"""Pairs of expressions: made equal by identities, made unequal by one change.
+"""Random expressions, and other ways to write them.
 
 The rules are identities of a school book. Each is applied at a random place of the tree, so that equal
 expressions look nothing alike after some rounds; a rule knows nothing of normal forms.
@@ -6,13 +6,11 @@ expressions look nothing alike after some rounds; a rule knows nothing of normal
 
 from __future__ import annotations
 
-import math
 import random
 from collections.abc import Callable
 from fractions import Fraction
 
 from kinematics.expressions import (
-    MINUS_ONE,
     Call,
     Expression,
     Function,
@@ -24,7 +22,6 @@ from kinematics.expressions import (
     Sum,
     add,
     call,
-    evaluate,
     multiply,
     negate,
     number,
@@ -252,46 +249,11 @@ def rewritten(expression: Expression, rng: random.Random, rounds: int) -> Expres
     A tangent is a quotient; within the angle of a sine it is beyond what the canonical form decides.
     """
     for _ in range(rounds):
-        expression = _somewhere(expression, rng, rng.choice(RULES))
+        expression = somewhere(expression, rng, rng.choice(RULES))
     return expression
 
 
-def changed(expression: Expression, rng: random.Random) -> Expression:
-    """Another function: one number, sign, function or symbol in it is not what it was."""
-    before = _sample(expression)
-    for _ in range(100):
-        candidate = _somewhere(expression, rng, _change)
-        after = _sample(candidate)
-        if (
-            before
-            and after
-            and any(abs(x - y) > 1e-7 * (1 + abs(x)) for x, y in zip(before, after, strict=True))
-        ):
-            return candidate
-    return add((expression, number("0.001")))
-
-
-def _change(node: Expression, rng: random.Random) -> Expression | None:
-    match node:
-        case Call(Function.COS, (angle,)):
-            return rng.choice([sin(angle), cos(add((angle, pi_times(Fraction(1, 180)))))])
-        case Call(Function.SIN, (angle,)):
-            return rng.choice([cos(angle), negate(sin(angle))])
-        case Number(value):
-            return Number(value + Fraction(1, 1000))
-        case Parameter(name):
-            return Parameter(rng.choice([p for p in ("L1", "L2") if p != name]))
-        case JointVariable(index):
-            return JointVariable(index % JOINTS + 1)
-        case Sum(terms):
-            i = rng.randrange(len(terms))
-            return add((*terms[:i], negate(terms[i]), *terms[i + 1 :]))
-        case Product(factors):
-            return multiply((MINUS_ONE, *factors))
-    return None
-
-
-def _somewhere(expression: Expression, rng: random.Random, rule: Rule) -> Expression:
+def somewhere(expression: Expression, rng: random.Random, rule: Rule) -> Expression:
     """The expression with a rule applied at one of its nodes, if it applies anywhere it is tried."""
     for _ in range(8):
         path: list[tuple[Expression, int]] = []
@@ -333,14 +295,3 @@ def _with_child(node: Expression, i: int, child: Expression) -> Expression:
         case Power(_, exponent):
             return power(child, exponent)
     raise AssertionError(node)
-
-
-def _sample(expression: Expression) -> list[float]:
-    values = []
-    for k in range(4):
-        names = {name: 0.7 + 0.31 * i + 0.17 * k for i, name in enumerate(PARAMETERS)}
-        try:
-            values.append(evaluate(expression, names, [math.sin(k + 2.1 * j) for j in range(JOINTS)]))
-        except Exception:
-            return []
-    return values

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
+from functools import cache
 from typing import Any
+
+import numpy as np
 
 from kinematics.expressions import (
     ZERO,
@@ -134,37 +137,50 @@ def with_axis_turned(old: SymbolicTable, where: int) -> SymbolicTable:
     return table(old.convention, *old.rows[:where], flip, turned, flip, *old.rows[where + 1 :])
 
 
-def sympy_product(symbolic: SymbolicTable, q: tuple[Any, ...]) -> Any:
-    """⁰T_N as a plain product of elementary matrices, by SymPy."""
+def sympy_poses(symbolic: SymbolicTable, configurations: Any) -> Any:
+    """⁰T_N at each configuration: SymPy's link matrices, evaluated and multiplied."""
+    link = _sympy_link(symbolic.convention)
+    cells = [[evaluate(cell) for cell in (r.theta, r.d, r.a, r.alpha)] for r in symbolic.rows]
+    poses = []
+    for configuration in configurations:
+        pose, joint = np.eye(4), 0
+        for r, (theta, d, a, alpha) in zip(symbolic.rows, cells, strict=True):
+            if r.joint is not JointType.FIXED:
+                moved = r.sign * configuration[joint]
+                joint += 1
+                theta, d = (theta + moved, d) if r.joint is JointType.REVOLUTE else (theta, d + moved)
+            pose = pose @ np.array(link(theta, d, a, alpha), dtype=float)
+        poses.append(pose)
+    return np.array(poses)
+
+
+@cache
+def _sympy_link(convention: Convention) -> Any:
+    """A row's matrix as a function of theta, d, a, alpha: elementary matrices, multiplied by SymPy."""
     import sympy
 
-    def value(cell: Expression) -> Any:
-        return sympy.Float(evaluate(cell), 30) if not isinstance(cell, int) else cell
+    theta, d, a, alpha = sympy.symbols("theta d a alpha")
+    about_z = _sympy_turn(2, theta) * _sympy_slide(2, d)
+    about_x = _sympy_slide(0, a) * _sympy_turn(0, alpha)
+    product = about_z * about_x if convention is Convention.STANDARD else about_x * about_z
+    return sympy.lambdify([theta, d, a, alpha], product.tolist(), "math")
 
-    def turn(axis: int, angle: Any) -> Any:
-        c, s = sympy.cos(angle), sympy.sin(angle)
-        if axis == 2:
-            return sympy.Matrix([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
-        return sympy.Matrix([[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])
 
-    def slide(axis: int, length: Any) -> Any:
-        matrix = sympy.eye(4)
-        matrix[axis, 3] = length
-        return matrix
+def _sympy_turn(axis: int, angle: Any) -> Any:
+    import sympy
 
-    product, joint = sympy.eye(4), 0
-    for r in symbolic.rows:
-        theta, d = value(r.theta), value(r.d)
-        if r.joint is not JointType.FIXED:
-            if r.joint is JointType.REVOLUTE:
-                theta += r.sign * q[joint]
-            else:
-                d += r.sign * q[joint]
-            joint += 1
-        about_z = turn(2, theta) * slide(2, d)
-        about_x = slide(0, value(r.a)) * turn(0, value(r.alpha))
-        product *= about_z * about_x if symbolic.convention is Convention.STANDARD else about_x * about_z
-    return product
+    c, s = sympy.cos(angle), sympy.sin(angle)
+    if axis == 2:
+        return sympy.Matrix([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+    return sympy.Matrix([[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])
+
+
+def _sympy_slide(axis: int, length: Any) -> Any:
+    import sympy
+
+    matrix = sympy.eye(4)
+    matrix[axis, 3] = length
+    return matrix
 
 
 def general_table(rng: random.Random) -> SymbolicTable:
