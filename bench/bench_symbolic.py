@@ -21,7 +21,7 @@ symbols, as it returns it. Both are timed once, for they take seconds. Operation
 have the bar as their peer. The random tables have seven rows and general numeric twists; SymPy's product is
 evaluated link by link. The oracle is held against pairs made equal by identities (addition theorems, double
 and triple angles, products to sums, Pythagoras, surds) and against pairs with one number, sign, function or
-symbol changed, by as little as 10⁻¹⁵; mpmath at sixty digits is the judge of both (tests/kinematics/symbolic).
+symbol changed, by as little as 10⁻¹⁵; mpmath at sixty digits judges both (tests/kinematics/symbolic).
 FRAMEWISE_PAIRS and FRAMEWISE_TABLES set how many there are.
 """
 
