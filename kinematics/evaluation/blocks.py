@@ -9,6 +9,7 @@ longer needed.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -75,6 +76,7 @@ def run_blocks(tape: Tape, joint_types: Sequence[JointType], joints: Floats, out
             _hand_out(layout.outputs, tape.constants, buffers, out[start : start + size])
 
 
+@lru_cache(maxsize=256)
 def _layout(tape: Tape) -> _Layout:
     """Give every register a buffer, an old one where an operand is used for the last time."""
     last_use = {x: k for k, operation in enumerate(tape.operations) for x in operation[1:]}

@@ -12,6 +12,7 @@ limits       turns of a joint into its range
 distinct     which solutions are the same, and which belong to a continuum
 solve        one target
 batch        many targets
+judging      what is asked of all their candidates, in one pass
 """
 
 from kinematics.inverse.batch import InverseKinematicsBatch, solve_many

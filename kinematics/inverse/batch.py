@@ -14,33 +14,25 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kinematics.errors import Fault, PoseError
-from kinematics.forward import end_poses
+from kinematics.evaluation.plan import plan_of
 from kinematics.inverse.arm import Array
 from kinematics.inverse.closed_form import Decomposition
 from kinematics.inverse.distinct import SAME, SINGULAR_VALUE
+from kinematics.inverse.judging import judge
 from kinematics.inverse.limits import within_limits
 from kinematics.inverse.refinement import AS_IT_IS
-from kinematics.inverse.residuals import pose_errors
 from kinematics.inverse.results import IKStatus, InverseKinematics
 from kinematics.inverse.solve import LARGEST_LENGTH, Solver, rigid_target
 from kinematics.jacobian import jacobian
 
 Indices = NDArray[np.intp]
 
-DELICATE = 2e-5
-"""|det J|, lengths in units of the size, above which no singular value is below `SINGULAR_VALUE`; with room
-for single precision."""
-
+DELICATE = 1e-6
+"""|det J|, lengths in units of the size, above which no singular value is below `SINGULAR_VALUE`: the squares
+of all six add up to twelve at most, so the product of the larger five is below nine."""
 
 TOGETHER = 500
 """How many targets are solved in the same array operations: more would not fit into the cache."""
-
-_MIXING = np.linalg.qr(np.cos(np.arange(36.0).reshape(6, 6) ** 1.5))[0].astype(np.float32)
-"""Some rotation of six-dimensional space without a zero in it."""
-
-
-_ABREAST = 4096
-"""How many matrices are eliminated abreast."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -165,15 +157,13 @@ def _together(solver: Solver, decomposition: Decomposition, poses: Array) -> tup
     counts = np.fromiter(map(len, found), dtype=np.intp, count=len(found))
     owner = np.repeat(np.arange(len(poses)), counts)
     joints = np.concatenate(found).reshape(-1, solver.arm.n_joints)
-    reached = end_poses(solver.table, joints, base=solver.base, tool=solver.tool)
-    position, angle = pose_errors(reached, poses[owner])
-    J = jacobian(solver.table, joints, base=solver.base, tool=solver.tool)
+    plan = plan_of(solver.table, solver.base, solver.tool)
+    position, angle, volume, fingerprint = judge(plan, joints, poses, counts)
     exact = (position <= max(AS_IT_IS, solver.arm.rounding)) & (angle <= AS_IT_IS)
-    J = jacobian(solver.table, joints, base=solver.base, tool=solver.tool)
     done = counts > 0
     done[owner[~exact]] = False
-    done[owner[_singular(J, solver.arm.size)]] = False
-    done[_repeated(J, counts)] = False
+    done[owner[_singular(solver, joints, volume)]] = False
+    done[_repeated(fingerprint, counts)] = False
     joints, fits = within_limits(joints, solver.arm.revolute, solver.box, solver.arm.size)
     kept = done[owner] & fits
     done &= np.bincount(owner[kept], minlength=len(poses)) > 0
@@ -181,43 +171,23 @@ def _together(solver: Solver, decomposition: Decomposition, poses: Array) -> tup
     return _Part(joints[kept], owner[kept], position[kept], angle[kept]), done
 
 
-def _singular(J: Array, size: float) -> Indices:
+def _singular(solver: Solver, joints: Array, volume: Array) -> Indices:
     """Configurations at which the Jacobian all but loses rank."""
-    delicate = np.flatnonzero(_volumes(J) < DELICATE * size**3)
-    scaled = J[delicate] / np.array([size] * 3 + [1.0] * 3)[:, None]
-    least = np.linalg.svd(scaled, compute_uv=False)[:, -1] if len(delicate) else np.empty(0)
-    return np.asarray(delicate[least < SINGULAR_VALUE])
+    size = solver.arm.size
+    delicate = np.flatnonzero(~(volume > DELICATE * size**3))
+    if not len(delicate):
+        return delicate
+    J = jacobian(solver.table, joints[delicate], base=solver.base, tool=solver.tool)
+    J[:, :3] /= size
+    return np.asarray(delicate[np.linalg.svd(J, compute_uv=False)[:, -1] < SINGULAR_VALUE])
 
 
-def _volumes(J: Array) -> NDArray[np.float32]:
-    """|det J| of many 6×6 matrices to 1e-5, by elimination without pivoting, all matrices abreast.
-
-    Jacobians have zeros in fixed places; a fixed rotation of the columns, which leaves the determinant alone,
-    keeps them out of the pivots. Several times as fast as a determinant each, and exact enough to tell small
-    from not.
-    """
-    volumes = np.empty(len(J), dtype=np.float32)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        for start in range(0, len(J), _ABREAST):
-            mixed = J[start : start + _ABREAST].astype(np.float32) @ _MIXING
-            M = np.ascontiguousarray(mixed.transpose(1, 2, 0))
-            volume = M[0, 0].copy()
-            for k in range(5):
-                M[k + 1 :, k] /= M[k, k]
-                M[k + 1 :, k + 1 :] -= M[k + 1 :, k, None] * M[k, None, k + 1 :]
-                volume *= M[k + 1, k + 1]
-            volumes[start : start + _ABREAST] = volume
-    return np.nan_to_num(np.abs(volumes), nan=0.0)
-
-
-def _repeated(J: Array, counts: Indices) -> Indices:
-    """Targets of which two candidates are the same: equal configurations have equal Jacobians."""
-    print_of = J.reshape(len(J), -1) @ np.cos(np.arange(1.0, 1.0 + J[0].size)) if len(J) else np.empty(0)
+def _repeated(fingerprint: Array, counts: Indices) -> Indices:
+    """Targets of which two candidates are the same, or by a rare chance look so."""
     ends = np.cumsum(counts)
-    repeated = []
+    repeated = [np.empty(0, dtype=np.intp)]
     for count in np.unique(counts[counts > 1]).tolist():
         targets = np.flatnonzero(counts == count)
-        prints = print_of[(ends[targets] - count)[:, None] + np.arange(count)]
-        same = np.diff(np.sort(prints, axis=1), axis=1) <= SAME
-        repeated.append(targets[same.any(axis=1)])
-    return np.concatenate(repeated) if repeated else np.empty(0, dtype=np.intp)
+        prints = np.sort(fingerprint[(ends[targets] - count)[:, None] + np.arange(count)], axis=1)
+        repeated.append(targets[(np.diff(prints, axis=1) <= SAME).any(axis=1)])
+    return np.concatenate(repeated)

@@ -7,6 +7,9 @@ from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
 
+_TINY = 1e-8
+"""Up to here asin x = x to the last bit: the next term, x³/6, is less than half of it."""
+
 _PARTS = np.array(([0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [1.0, 0.0]) * 3)
 """Sums the squares of the upper three rows of a 4×4 matrix into those of its position and of its rotation."""
 
@@ -26,7 +29,15 @@ def pose_errors(poses: Array, targets: Array) -> tuple[Array, Array]:
     difference = poses[..., :3, :] - targets[..., :3, :]
     sums = np.square(difference, out=difference).reshape(len(poses), 12) @ _PARTS
     position, chord = np.sqrt(sums).T
-    return position, 2.0 * np.arcsin(np.minimum(chord / np.sqrt(8.0), 1.0))
+    return position, angles_of_chords(chord)
+
+
+def angles_of_chords(chord: Array) -> Array:
+    """Angles [rad] between orientations from ‖R - R*‖_F; where all are tiny, the arc sine is its argument."""
+    half = chord / np.sqrt(8.0)
+    if half.max(initial=0.0) > _TINY or np.isnan(half).any():
+        half = np.arcsin(np.minimum(half, 1.0))
+    return np.asarray(2.0 * half)
 
 
 def residuals(poses: Array, targets: Array) -> Array:
