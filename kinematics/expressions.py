@@ -31,11 +31,21 @@ class Function(StrEnum):
     ABS = "abs"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Number:
     """A rational number; decimals as typed are rational (0.1 is 1/10)."""
 
     value: Fraction
+
+    # trees are compared and looked up all the time, and a fraction takes long over both
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not Number:
+            return NotImplemented
+        one, two = self.value, other.value
+        return one is two or (one.numerator == two.numerator and one.denominator == two.denominator)
+
+    def __hash__(self) -> int:
+        return hash((self.value.numerator, self.value.denominator))
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.cells import AngleUnit, Cell, Limits
+from kinematics.cells.entries import cell_meaning
 from kinematics.cells.meaning import Position
-from kinematics.cells.reading import cell_meaning
 from kinematics.cells.refusals import Refusal
 from kinematics.cells.variables import variable_index
 from kinematics.errors import CellError, Fault, ParameterError

@@ -6,8 +6,9 @@ meaning in `meaning`.
 """
 
 from kinematics.cells.binding import bind_parameters, in_length_unit, parameter_values
+from kinematics.cells.entries import read_cell
 from kinematics.cells.limits import DEFAULT, Limits
-from kinematics.cells.reading import read_cell, read_table
+from kinematics.cells.reading import read_table
 from kinematics.cells.scanner import canonical_name
 from kinematics.cells.tables import Cell, RawRow, RawTable, ReadTable
 from kinematics.cells.units import AngleUnit, LengthUnit, ParameterKind

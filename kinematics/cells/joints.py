@@ -59,14 +59,15 @@ def row_joints(
         stated: the type that each row states, or None.
         syntax: the syntax trees of each row's cells.
     """
-    by_joint = _assigned(stated, syntax, Numbering.BY_JOINT)
-    by_row = _assigned(stated, syntax, Numbering.BY_ROW)
-    candidates = [(joints, *_agreement(joints, syntax)) for joints in (by_joint, by_row)]
+    numberings = [_assigned(stated, syntax, Numbering.BY_JOINT)]
+    if any(joint.joint is JointType.FIXED for joint in numberings[0]):
+        numberings.append(_assigned(stated, syntax, Numbering.BY_ROW))
+    candidates = [(joints, *_agreement(joints, syntax)) for joints in numberings]
     fitting = [(joints, named) for joints, named, foreign in candidates if not foreign]
     if fitting:
         return max(fitting, key=lambda candidate: candidate[1])[0], ()
     joints, _, foreign = min(candidates, key=lambda candidate: len(candidate[2]))
-    return joints, _numbering_faults(by_joint, by_row, joints, syntax, foreign)
+    return joints, _numbering_faults(numberings[0], numberings[-1], joints, syntax, foreign)
 
 
 def _assigned(

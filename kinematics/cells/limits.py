@@ -44,8 +44,14 @@ class Limits:
 
     def admits(self, value: Fraction) -> bool:
         """Whether a number is of a size that is read."""
+        numerator, denominator = abs(value.numerator), value.denominator
+        if not numerator:
+            return True
         smallest, largest = _exact_range(self.smallest, self.largest)
-        return not value or smallest <= abs(value) <= largest
+        return (
+            smallest.numerator * denominator <= numerator * smallest.denominator
+            and numerator * largest.denominator <= largest.numerator * denominator
+        )
 
 
 @lru_cache(maxsize=64)

@@ -8,8 +8,8 @@ from fractions import Fraction
 from types import MappingProxyType
 
 from kinematics.cells import DEFAULT, AngleUnit, Cell, LengthUnit, Limits, ParameterKind
+from kinematics.cells.entries import cell_meaning, text_length
 from kinematics.cells.meaning import Position
-from kinematics.cells.reading import cell_meaning, text_length
 from kinematics.cells.refusals import Refusal
 from kinematics.cells.variables import variable_index
 from kinematics.errors import DescriptionError, Fault, ParamValue

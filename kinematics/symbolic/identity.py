@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import chain
 
 from kinematics.errors import FormSizeError
-from kinematics.expressions import Expression, multiply, number
+from kinematics.expressions import ZERO, Expression, negate
 from kinematics.symbolic.motions import Motion, motions_of
 from kinematics.symbolic.poses import ExactPose, read_matrix
 from kinematics.symbolic.reading import Reader
@@ -97,7 +97,8 @@ def _first_failure(
         sign = signs[index] * mine.sign * other.sign
         if mine.kind is not other.kind or not X.carries(mine.kind, sign):
             return index + 1
-        X.undo(Motion(other.kind, multiply((number(other.sign), offsets[index]))))
+        if offsets[index] != ZERO:
+            X.undo(Motion(other.kind, offsets[index] if other.sign > 0 else negate(offsets[index])))
         X.tidy()
     return None if X.ends_with(read_matrix(reader, tool)) else 0
 

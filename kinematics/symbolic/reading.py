@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cache
 from math import gcd, lcm
 
 from kinematics.expressions import (
@@ -17,9 +18,12 @@ from kinematics.expressions import (
     Power,
     Product,
     Sum,
+    pi_fraction,
+    pi_times,
 )
 from kinematics.symbolic.elements import (
     IMAGINARY_UNIT,
+    MINUS_ONE_FORM,
     ONE_FORM,
     UNIT,
     ZERO_FORM,
@@ -35,6 +39,7 @@ from kinematics.symbolic.surds import algebraic_reciprocal, denested_root, root_
 PI_SYMBOL = Symbol("power", Pi())
 _PI_MONOMIAL = Monomial(Fraction(0), frozenset({(PI_SYMBOL, Fraction(1))}))
 _STEPS = 24
+_HALF_TURN = 12
 
 
 @dataclass(slots=True)
@@ -69,7 +74,12 @@ class Reader:
         """Cosine and sine of an angle [rad]."""
         known = self._circle.get(angle)
         if known is None:
-            known = self._circle[angle] = self._cosine_and_sine(self.form(angle))
+            turns = pi_fraction(angle)
+            if turns is not None and _HALF_TURN % turns.denominator == 0:
+                known = _twelfths(int(turns * _HALF_TURN) % _STEPS)
+            else:
+                known = self._cosine_and_sine(self.form(angle))
+            self._circle[angle] = known
         return known
 
     def half_turns(self, angle: Expression) -> Fraction | None:
@@ -265,6 +275,19 @@ class Reader:
         key = (name, detail, *(frozenset(self.ring.terms(argument).items()) for argument in arguments))
         value = arguments[0] if degree else ZERO_FORM
         return self.ring.symbol(Symbol("power", key), degree=degree, value=value)
+
+
+@cache
+def _twelfths(steps: int) -> tuple[Form, Form]:
+    """Cosine and sine of a multiple of π/12: roots of unity alone, and so the same in every ring."""
+    reader = Reader()
+    cosine, sine = reader._cosine_and_sine(reader.form(pi_times(Fraction(steps, _HALF_TURN))))
+    return _shared(cosine), _shared(sine)
+
+
+def _shared(form: Form) -> Form:
+    """The form, or the very object that 0, 1 or -1 is known by."""
+    return next((known for known in (ZERO_FORM, ONE_FORM, MINUS_ONE_FORM) if known == form), form)
 
 
 def _content(terms: Terms) -> Fraction:

@@ -1,0 +1,116 @@
+"""From one cell to the exact expression that it means."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterable
+from fractions import Fraction
+
+from kinematics.cells.exact import snapped
+from kinematics.cells.grammar import parse
+from kinematics.cells.limits import DEFAULT, Limits
+from kinematics.cells.meaning import Meaning, Position, VariableOf, interpret
+from kinematics.cells.refusals import Refusal
+from kinematics.cells.syntax import Node
+from kinematics.cells.tables import Cell, NoCell, as_cell
+from kinematics.cells.units import AngleUnit, ParameterKind
+from kinematics.cells.variables import variable_index
+from kinematics.errors import CellError
+from kinematics.expressions import Expression, JointVariable, Number, pi_times
+
+_PLAIN_NUMBER = re.compile(r"\s*([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,2})?)\s*", re.ASCII)
+
+
+def read_cell(
+    cell: Cell,
+    kind: ParameterKind,
+    *,
+    angle_unit: AngleUnit = AngleUnit.RAD,
+    limits: Limits = DEFAULT,
+    variable: Callable[[str], int | None] = variable_index,
+) -> Expression:
+    """The exact expression that one cell means.
+
+    Args:
+        cell: a number or text.
+        kind: whether a length or an angle stands in it.
+        angle_unit: unit of plain numbers where an angle stands.
+        limits: how large it may be.
+        variable: the number of the joint variable that a canonical name is, or None.
+
+    Returns:
+        The expression; an angle in [rad], a length in the unit of the cell. How joint variables enter is not
+        checked: that is a question of the row.
+
+    Raises:
+        CellError: the cell cannot be read.
+    """
+
+    def variable_of(name: str) -> Expression | None:
+        index = variable(name)
+        return None if index is None else JointVariable(index)
+
+    try:
+        return cell_meaning(cell, Position(kind.value), angle_unit, limits, variable_of).expression
+    except Refusal as refusal:
+        raise CellError(refusal.at()) from None
+
+
+def cell_meaning(
+    cell: Cell | NoCell, position: Position, angle_unit: AngleUnit, limits: Limits, variable_of: VariableOf
+) -> Meaning:
+    """What a cell means, and the kinds of its parameters.
+
+    Raises:
+        Refusal: the cell cannot be read.
+    """
+    return entry_of(cell_syntax(cell, limits), position, angle_unit, limits, variable_of)
+
+
+def entry_of(
+    node: Node | Fraction, position: Position, angle_unit: AngleUnit, limits: Limits, variable_of: VariableOf
+) -> Meaning:
+    """What a cell means whose syntax tree, or plain number, is known.
+
+    Raises:
+        Refusal: the cell has no meaning here, or no finite value.
+    """
+    if not isinstance(node, Fraction):
+        return interpret(node, position, angle_unit, limits, variable_of)
+    expression: Expression = Number(node)
+    if position is Position.ANGLE:
+        expression = pi_times(node / 180) if angle_unit is AngleUnit.DEG else snapped(node)
+    return Meaning(expression=expression, kinds={})
+
+
+def cell_syntax(cell: Cell | NoCell, limits: Limits) -> Node | Fraction:
+    """The syntax tree of a cell, or the value of one that is a plain number.
+
+    Raises:
+        Refusal: the cell cannot be read.
+    """
+    value = as_cell(cell) if not isinstance(cell, NoCell) else cell
+    if isinstance(value, NoCell):
+        raise Refusal("cell_not_a_value", kind=value.kind)
+    if isinstance(value, str):
+        short = len(value) <= min(limits.digits, limits.cell_characters)
+        plain = _PLAIN_NUMBER.fullmatch(value) if short else None
+        return _sized(Fraction(plain.group(1)), limits) if plain else parse(value, limits)
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            raise Refusal("cell_not_finite")
+        return _sized(Fraction(repr(value)), limits)
+    return _sized(Fraction(value), limits)
+
+
+def text_length(cells: Iterable[object], limits: Limits) -> int:
+    """The characters of all cells that are text; those that are too long by themselves are not counted."""
+    lengths = (len(cell) for cell in cells if isinstance(cell, str))
+    return sum(length for length in lengths if length <= limits.cell_characters)
+
+
+def _sized(value: Fraction, limits: Limits) -> Fraction:
+    if not limits.admits(value):
+        raise Refusal("number_out_of_range", column=1, smallest=limits.smallest, largest=limits.largest)
+    return value

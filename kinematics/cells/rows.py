@@ -1,0 +1,142 @@
+"""One row of a DH table: its cells read, its joint variable found.
+
+Rows that were read before are remembered: in a course most rows of most tables have been handed in by
+somebody else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+
+from kinematics.cells.entries import cell_syntax, entry_of
+from kinematics.cells.joints import VARIABLE_CELLS, RowJoint
+from kinematics.cells.limits import Limits
+from kinematics.cells.meaning import Position
+from kinematics.cells.refusals import Refusal
+from kinematics.cells.syntax import Node
+from kinematics.cells.tables import RawRow
+from kinematics.cells.units import AngleUnit, ParameterKind
+from kinematics.cells.variables import Use, refuse_numberless, uses
+from kinematics.errors import Fault, ParamValue
+from kinematics.expressions import ZERO, Expression
+from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
+
+POSITIONS = {"alpha": Position.ANGLE, "a": Position.LENGTH, "d": Position.LENGTH, "theta": Position.ANGLE}
+REMEMBERED = 4096
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RowSyntax:
+    """The cells of a row before anything is known of its joint; each cell is in one of the three.
+
+    Attributes:
+        trees: the syntax trees of cells that are more than a number.
+        numbers: the values of plain numbers.
+        faults: why the others cannot be read; their place is the cell.
+    """
+
+    trees: Mapping[str, Node]
+    numbers: Mapping[str, Fraction]
+    faults: Mapping[str, Fault]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RowMeaning:
+    """A row, understood.
+
+    Attributes:
+        row: its exact entries; 0 where a cell cannot be read.
+        kinds: cell, name and kind of every parameter, in the order in which they stand.
+        faults: why cells cannot be read; their place is the cell.
+    """
+
+    row: SymbolicRow
+    kinds: tuple[tuple[str, str, ParameterKind], ...]
+    faults: Mapping[str, Fault]
+
+
+@lru_cache(maxsize=REMEMBERED)
+def row_syntax(row: RawRow, limits: Limits) -> RowSyntax:
+    """The cells of a row, before anything is known of its joint."""
+    trees: dict[str, Node] = {}
+    numbers: dict[str, Fraction] = {}
+    faults: dict[str, Fault] = {}
+    for cell in CELLS:
+        try:
+            node = cell_syntax(getattr(row, cell), limits)
+            if isinstance(node, Fraction):
+                numbers[cell] = node
+            else:
+                refuse_numberless(node)
+                trees[cell] = node
+        except Refusal as refusal:
+            faults[cell] = refusal.at()
+    return RowSyntax(trees=trees, numbers=numbers, faults=faults)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def row_meaning(row: RawRow, joint: RowJoint, angle_unit: AngleUnit, limits: Limits) -> RowMeaning:
+    """The exact entries of a row whose joint is known."""
+    syntax = row_syntax(row, limits)
+    sign = 1
+    entries: dict[str, Expression] = dict.fromkeys(CELLS, ZERO)
+    kinds: list[tuple[str, str, ParameterKind]] = []
+    faults = dict(syntax.faults)
+
+    for cell in CELLS:
+        if cell in faults:
+            continue
+
+        def offset_of(name: str, cell: str = cell) -> Expression | None:
+            return None if joint.variable(name, cell) is None else ZERO
+
+        node = syntax.numbers.get(cell) if cell in syntax.numbers else syntax.trees[cell]
+        assert node is not None
+        try:
+            sign *= _sign(joint, cell, syntax.trees)
+            meaning = entry_of(node, POSITIONS[cell], angle_unit, limits, offset_of)
+        except Refusal as refusal:
+            faults[cell] = refusal.at()
+            continue
+        entries[cell] = meaning.expression
+        kinds.extend((cell, name, kind) for name, kind in meaning.kinds.items())
+    return RowMeaning(row=DHRow(joint=joint.joint, sign=sign, **entries), kinds=tuple(kinds), faults=faults)
+
+
+def _sign(joint: RowJoint, cell: str, trees: Mapping[str, Node]) -> int:
+    """The sign with which the joint variable stands in a cell; 1 where none does."""
+    if cell not in trees:
+        return 1
+    found = list(uses(trees[cell], lambda name: joint.variable(name, cell) is not None))
+    if not found:
+        return 1
+    first = found[0].name
+    place: dict[str, ParamValue] = {"column": first.column, "name": first.name}
+    if cell in {"alpha", "a"}:
+        raise Refusal("variable_in_constant_cell", cell=cell, **place)
+    if joint.joint is JointType.FIXED:
+        raise Refusal("variable_in_fixed_row", **place)
+    expected = VARIABLE_CELLS[joint.joint]
+    if cell != expected:
+        if not joint.stated and joint.variable(first.name, cell) == joint.number:
+            raise Refusal("variable_twice", **place)
+        raise Refusal(
+            "variable_in_wrong_cell", cell=cell, joint=joint.joint.value, expected=expected, **place
+        )
+    return _sign_of(found, joint, cell)
+
+
+def _sign_of(found: list[Use], joint: RowJoint, cell: str) -> int:
+    for use in found:
+        if use.fault:
+            place: dict[str, ParamValue] = {"column": use.name.column, "name": use.name.name}
+            factor = {"factor": str(abs(use.weight))} if use.fault == "variable_scaled" else {}
+            raise Refusal(use.fault, **place, **factor)
+    numbers = [joint.variable(use.name.name, cell) for use in found]
+    for use, number in list(zip(found, numbers, strict=True))[1:]:
+        if numbers.count(number) > 1:
+            raise Refusal("variable_twice", column=use.name.column, name=use.name.name)
+    return 1 if found[0].weight > 0 else -1
