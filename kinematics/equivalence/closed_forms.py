@@ -29,6 +29,7 @@ from kinematics.expressions import (
     evaluate,
     multiply,
     number,
+    pi_fraction,
     pi_times,
 )
 from kinematics.table import SymbolicTable
@@ -47,7 +48,13 @@ def length_atoms(tables: Iterable[SymbolicTable]) -> list[Expression]:
 
 def angle_atoms(tables: Iterable[SymbolicTable]) -> list[Expression]:
     """What the angles of the tables are sums of, multiples of π and rational factors apart."""
-    entries = [entry for table in tables for row in table.rows for entry in (row.theta, row.alpha)]
+    entries = [
+        entry
+        for table in tables
+        for row in table.rows
+        for entry in (row.theta, row.alpha)
+        if pi_fraction(entry) is None
+    ]
     constants = {abs(term.value) for entry in entries for term in _terms(entry) if isinstance(term, Number)}
     return _atoms(entries) + [Number(value) for value in sorted(constants) if value]
 
@@ -61,7 +68,7 @@ def _atoms(entries: Iterable[Expression]) -> list[Expression]:
     for entry in entries:
         for term in _terms(entry):
             rest = _unweighted(term)
-            if not isinstance(rest, Number | Pi):
+            if not isinstance(rest, (Number, Pi)):
                 found[rest] = None
     return list(found)
 
@@ -98,59 +105,88 @@ def known_number(value: float) -> Expression | None:
     """The exact form of a small rational number, or of a product of two cosines of multiples of π/12."""
     key = round(value / CLOSE)
     known = _known_numbers()
-    return next((known[k] for k in (key, key - 1, key + 1) if k in known), None)
+    return known.get(key) or known.get(key - 1) or known.get(key + 1)
 
 
-def length_form(
-    values: Sequence[float], atoms: Sequence[Expression], draws: Sequence[Mapping[str, float]]
-) -> Expression | None:
-    """The combination of atoms, or of atoms and a decimal number, that takes these values at these draws.
+class LengthForms:
+    """Closed forms of lengths, from their values at some draws of the parameters."""
 
-    First a sum or difference of at most three atoms is tried, which a few draws suffice to tell; then, if
-    there are more draws than atoms, any linear combination with known coefficients.
-    """
-    if max(map(abs, values)) < CLOSE:
-        return ZERO
-    matrix = np.array([[evaluate(atom, draw) for atom in atoms] for draw in draws]).reshape(
-        len(draws), len(atoms)
-    )
-    goal = np.array(values)
-    for signs in _few(len(atoms)):
-        if np.abs(sum(sign * matrix[:, k] for k, sign in signs) - goal).max() < CLOSE * max(
-            1.0, *map(abs, values)
-        ):
-            return add(multiply((number(sign), atoms[k])) for k, sign in signs)
-    return _combination(goal, atoms, matrix)
+    def __init__(self, atoms: Sequence[Expression], draws: Sequence[Mapping[str, float]]) -> None:
+        """Prepare.
+
+        Args:
+            atoms: what the lengths may be sums of.
+            draws: values of the parameters.
+        """
+        self._atoms = atoms
+        self._values = np.array([[evaluate(atom, draw) for draw in draws] for atom in atoms])
+        self._sums = _few(len(atoms)) @ self._values if atoms else np.empty((0, len(draws)))
+
+    def form(self, values: Sequence[float]) -> Expression | None:
+        """The combination of atoms and of a decimal number that takes these values at the draws.
+
+        A sum or difference of at most three atoms and a number is told by a few draws. If there are more
+        draws than atoms, any linear combination with known coefficients is tried after that.
+        """
+        most = max(map(abs, values))
+        if most < CLOSE:
+            return ZERO
+        near = CLOSE * max(1.0, most)
+        several = len(values) > 1
+        if (several or not self._atoms) and max(values) - min(values) < near:
+            return _decimal(values[0])
+        rest = np.array(values) - self._sums
+        (exact,) = np.nonzero(np.abs(rest).max(axis=1) < near)
+        if exact.size:
+            return self._sum(exact[0])
+        (constant,) = np.nonzero(np.ptp(rest, axis=1) < near) if several else (exact,)
+        if constant.size:
+            return add((self._sum(constant[0]), _decimal(rest[constant[0], 0])))
+        return self._combination(np.array(values))
+
+    def _sum(self, choice: int) -> Expression:
+        weights = _few(len(self._atoms))[choice].tolist()
+        return add(
+            multiply((number(int(weight)), atom))
+            for weight, atom in zip(weights, self._atoms, strict=True)
+            if weight
+        )
+
+    def _combination(self, goal: Matrix) -> Expression | None:
+        basis = np.column_stack([self._values.T, np.ones(len(goal))])
+        if basis.shape[0] < basis.shape[1]:
+            return None
+        weights, _, rank, _ = np.linalg.lstsq(basis, goal, rcond=1e-10)
+        scale = max(1.0, float(np.abs(goal).max()))
+        if rank < basis.shape[1] or np.abs(basis @ weights - goal).max() > CLOSE * scale:
+            return None
+        *known, constant = weights.tolist()
+        exact = [known_number(weight) for weight in known]
+        if None in exact:
+            return None
+        parts = [
+            multiply((weight, atom))
+            for weight, atom in zip(exact, self._atoms, strict=True)
+            if weight is not None
+        ]
+        return add([*parts, _decimal(constant)])
+
+
+def _decimal(value: float) -> Expression:
+    return Number(Fraction(str(round(value, DIGITS))))
 
 
 @cache
-def _few(n: int) -> tuple[tuple[tuple[int, int], ...], ...]:
-    """Choices of one to three of n atoms, with signs."""
-    return tuple(
-        tuple(zip(chosen, signs, strict=True))
-        for k in (1, 2, 3)
-        for chosen in combinations(range(n), k)
-        for signs in product((1, -1), repeat=k)
-    )
-
-
-def _combination(goal: Matrix, atoms: Sequence[Expression], matrix: Matrix) -> Expression | None:
-    basis = np.column_stack([matrix, np.ones(len(goal))])
-    if basis.shape[0] < basis.shape[1]:
-        return None
-    weights, _, rank, _ = np.linalg.lstsq(basis, goal, rcond=1e-10)
-    scale = max(1.0, float(np.abs(goal).max()))
-    if rank < basis.shape[1] or np.abs(basis @ weights - goal).max() > CLOSE * scale:
-        return None
-    *known, constant = weights.tolist()
-    exact = [known_number(weight) for weight in known]
-    decimal = Fraction(str(round(constant, DIGITS)))
-    if None in exact or abs(float(decimal) - constant) > CLOSE * scale:
-        return None
-    parts = [
-        multiply((weight, atom)) for weight, atom in zip(exact, atoms, strict=True) if weight is not None
-    ]
-    return add([*parts, Number(decimal)])
+def _few(n: int) -> Matrix:
+    """Weights of the sums and differences of one to three of n atoms."""
+    rows = []
+    for k in (1, 2, 3):
+        for chosen in combinations(range(n), k):
+            for signs in product((1.0, -1.0), repeat=k):
+                row = np.zeros(n)
+                row[list(chosen)] = signs
+                rows.append(row)
+    return np.array(rows)
 
 
 def angle_form(
@@ -165,10 +201,16 @@ def angle_form(
         steps = {round(value / _STEP) % 24 for value in rest}
         off = max(abs(value - _STEP * round(value / _STEP)) for value in rest)
         if len(steps) == 1 and off < CLOSE:
-            turns = Fraction(steps.pop(), 12)
-            half_turns = turns - 2 if turns > 1 else turns
-            return add([pi_times(half_turns), *(multiply((number(sign), atom)) for sign, atom in chosen)])
+            turn = _multiple(steps.pop())
+            return add([turn, *(multiply((number(sign), atom)) for sign, atom in chosen)]) if chosen else turn
     return None
+
+
+@cache
+def _multiple(steps: int) -> Expression:
+    """steps·π/12 in (-π, π], of steps in 0 … 23."""
+    half_turns = Fraction(steps, 12)
+    return pi_times(half_turns - 2 if half_turns > 1 else half_turns)
 
 
 def _choices(atoms: Sequence[Expression]) -> Iterable[tuple[tuple[int, Expression], ...]]:

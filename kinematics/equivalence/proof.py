@@ -8,11 +8,11 @@ from typing import TypeAlias
 
 from kinematics.equivalence.certificates import Candidate
 from kinematics.equivalence.closed_forms import (
+    LengthForms,
     angle_atoms,
     angle_form,
     known_number,
     length_atoms,
-    length_form,
 )
 from kinematics.equivalence.rigid import Motion
 from kinematics.errors import ParameterError
@@ -81,17 +81,17 @@ def _guess(
     draws: Sequence[Mapping[str, float]],
 ) -> ExactCertificate | None:
     tables = (reference, submission)
-    lengths, angles = length_atoms(tables), angle_atoms(tables)
+    lengths, angles = LengthForms(length_atoms(tables), draws), angle_atoms(tables)
     offsets: list[Expression] = []
     for i, joint in enumerate(reference.joint_types):
         values = [candidate.offsets[i] for candidate in candidates]
         slides = joint is JointType.PRISMATIC
-        form = length_form(values, lengths, draws) if slides else angle_form(values, angles, draws)
+        form = lengths.form(values) if slides else angle_form(values, angles, draws)
         if form is None:
             return None
         offsets.append(form)
-    base = _matrix([candidate.base for candidate in candidates], lengths, draws)
-    tool = _matrix([candidate.tool for candidate in candidates], lengths, draws)
+    base = _matrix([candidate.base for candidate in candidates], lengths)
+    tool = _matrix([candidate.tool for candidate in candidates], lengths)
     if base is None or tool is None:
         return None
     return ExactCertificate(
@@ -99,13 +99,11 @@ def _guess(
     )
 
 
-def _matrix(
-    motions: Sequence[Motion], atoms: Sequence[Expression], draws: Sequence[Mapping[str, float]]
-) -> ExactMatrix | None:
+def _matrix(motions: Sequence[Motion], lengths: LengthForms) -> ExactMatrix | None:
     rows: list[tuple[Expression, ...]] = []
     for i in range(3):
         turning = [known_number(motions[0][3 * i + j]) for j in range(3)]
-        shift = length_form([motion[9 + i] for motion in motions], atoms, draws)
+        shift = lengths.form([motion[9 + i] for motion in motions])
         if shift is None or any(entry is None for entry in turning):
             return None
         rows.append((*(entry for entry in turning if entry is not None), shift))

@@ -9,7 +9,7 @@ import pytest
 
 from kinematics.cells import ReadTable
 from kinematics.equivalence import ExactCertificate, Policy, ToolRule, decide_draws, prove
-from kinematics.equivalence.closed_forms import angle_form, known_number, length_form
+from kinematics.equivalence.closed_forms import LengthForms, angle_form, known_number
 from kinematics.expressions import Parameter, add, evaluate, multiply, number, pi_times
 from kinematics.table import bind, table_parameters
 from tests.exercises.grading.written import read
@@ -57,6 +57,14 @@ def test_offsets_and_frames_with_symbols() -> None:
     assert exact.base[2][3] == Parameter("h")
 
 
+def test_a_number_among_names_is_proved() -> None:
+    on_a_pillar = [*PUMA]
+    on_a_pillar[0] = ("pi/2", 0, 0.66, "q1")
+    exact = proved(read("standard", PUMA), read("standard", on_a_pillar))
+    assert exact is not None
+    assert exact.base[2][3] == number("0.66")
+
+
 def test_numbers_are_proved_as_well() -> None:
     lengths = {"a2": 0.4318, "a3": 0.0203, "d3": 0.15005, "d4": 0.4318}
     numeric = [tuple(lengths.get(cell, cell) for cell in row) for row in PUMA]
@@ -102,11 +110,16 @@ def test_lengths_are_recognised_at_three_draws() -> None:
     draws = [{f"L{k}": rng.uniform(0.4, 1.6) for k in range(1, 7)} for _ in range(3)]
     wanted = add((atoms[4], multiply((number(-1), atoms[1]))))
     values = [evaluate(wanted, draw) for draw in draws]
-    form = length_form(values, atoms, draws)
+    lengths = LengthForms(atoms, draws)
+    form = lengths.form(values)
     assert form is not None
     assert [evaluate(form, draw) for draw in draws] == pytest.approx(values)
-    assert length_form([0.1, 0.2, 0.4], atoms, draws) is None
-    assert length_form([0.25], [], [{}]) == number("0.25")
+    assert lengths.form([0.1, 0.2, 0.4]) is None
+    with_number = lengths.form([value + 0.25 for value in values])
+    assert with_number is not None
+    assert evaluate(with_number, draws[0]) == pytest.approx(values[0] + 0.25)
+    assert lengths.form([0.25, 0.25, 0.25]) == number("0.25")
+    assert LengthForms([], [{}]).form([0.25]) == number("0.25")
 
 
 def test_angles_are_recognised() -> None:
