@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from exercises.grading.certificate_report import in_unit
 from exercises.grading.exact_text import angle_text, expression_text
@@ -24,8 +25,8 @@ from kinematics.equivalence.rigid import (
 )
 from kinematics.table import Convention, JointType, NumericTable
 
-ANGLE = 1e-3
-LENGTH = 1e-3
+NOTICED = 1e-3
+NOTICED_IF_ROUNDED = 0.02
 ROUNDED = 1e-8
 DIGITS = 6
 
@@ -47,18 +48,37 @@ def explained(
         unit: the answer's angle unit.
     """
     told: list[Feedback] = []
+    noticed = _Noticed.beside(key, answer, certificate)
     if answer.convention is not key.convention:
         told.append(Feedback(code="other_convention", params={"convention": answer.convention.value}))
     if _same_layout(key, answer):
-        told += _frames(key, answer, certificate)
+        told += _frames(key, answer, certificate, noticed)
     else:
         told += _joints(answer, certificate)
-        told += _zeros(answer, certificate, exact, unit)
+        told += _zeros(answer, certificate, exact, unit, noticed)
     if not told:
         told.append(Feedback(code="same_frames"))
     if certificate.residual > ROUNDED:
         told.append(Feedback(code="rounded"))
     return tuple(told)
+
+
+@dataclass(frozen=True, slots=True)
+class _Noticed:
+    """From where on a difference is told; rounded entries turn and move frames by a little of their own.
+
+    Attributes:
+        angle: [rad].
+        length: in the answer's length unit.
+    """
+
+    angle: float
+    length: float
+
+    @classmethod
+    def beside(cls, key: NumericTable, answer: NumericTable, certificate: Certificate) -> _Noticed:
+        share = NOTICED if certificate.residual <= ROUNDED else NOTICED_IF_ROUNDED
+        return cls(share, share * prepared(key).beside(chain_of(answer)).size)
 
 
 def _same_layout(key: NumericTable, answer: NumericTable) -> bool:
@@ -85,9 +105,10 @@ def _body_motions(key: NumericTable, certificate: Certificate) -> list[Motion]:
     return motions
 
 
-def _frames(key: NumericTable, answer: NumericTable, certificate: Certificate) -> Iterator[Feedback]:
+def _frames(
+    key: NumericTable, answer: NumericTable, certificate: Certificate, noticed: _Noticed
+) -> Iterator[Feedback]:
     """Frame by frame: z reversed, x turned, origin elsewhere."""
-    size = prepared(key).beside(chain_of(answer)).size
     motions = _body_motions(key, certificate)
     ours, theirs = frames_of(key), frames_of(answer)
     body = 0
@@ -95,7 +116,7 @@ def _frames(key: NumericTable, answer: NumericTable, certificate: Certificate) -
         if k and key.rows[k - 1].joint is not JointType.FIXED:
             body += 1
         apart = compose(compose(inverse(ours[k]), motions[body]), theirs[k])
-        yield from _apart(apart, k, _joint_of_axis(answer, k), size)
+        yield from _apart(apart, k, _joint_of_axis(answer, k), noticed)
 
 
 def _joint_of_axis(table: NumericTable, k: int) -> int | None:
@@ -104,12 +125,12 @@ def _joint_of_axis(table: NumericTable, k: int) -> int | None:
     return table.joint_rows.index(row) + 1 if row in table.joint_rows else None
 
 
-def _apart(apart: Motion, k: int, joint: int | None, size: float) -> Iterator[Feedback]:
+def _apart(apart: Motion, k: int, joint: int | None, noticed: _Noticed) -> Iterator[Feedback]:
     """What tells the answer's frame k from the key's, in the coordinates of the key's."""
     row = k or None
     params: dict[str, ParamValue] = {"frame": k}
     x, y, z = position(apart)
-    if abs(abs(apart[8]) - 1.0) > ANGLE**2:
+    if math.hypot(apart[2], apart[5]) > noticed.angle:
         yield Feedback(code="frame_elsewhere", row=row, params=params)
         return
     if apart[8] < 0.0 and joint is None:
@@ -117,11 +138,11 @@ def _apart(apart: Motion, k: int, joint: int | None, size: float) -> Iterator[Fe
     elif apart[8] < 0.0 and joint is not None:
         yield Feedback(code="axis_reversed", row=row, params={**params, "joint": joint})
     turned = math.degrees(math.atan2(apart[3], apart[0]))
-    if abs(turned) > math.degrees(ANGLE):
+    if abs(turned) > math.degrees(noticed.angle):
         yield Feedback(code="x_turned", row=row, params={**params, "degrees": _whole(abs(turned))})
-    if math.hypot(x, y) > LENGTH * size:
+    if math.hypot(x, y) > noticed.length:
         yield Feedback(code="axis_moved", row=row, params=params)
-    elif abs(z) > LENGTH * size:
+    elif abs(z) > noticed.length:
         yield Feedback(code="origin_slid", row=row, params=params)
 
 
@@ -139,12 +160,16 @@ def _joints(answer: NumericTable, certificate: Certificate) -> Iterator[Feedback
 
 
 def _zeros(
-    answer: NumericTable, certificate: Certificate, exact: ExactCertificate | None, unit: AngleUnit
+    answer: NumericTable,
+    certificate: Certificate,
+    exact: ExactCertificate | None,
+    unit: AngleUnit,
+    noticed: _Noticed,
 ) -> Iterator[Feedback]:
     """Joint by joint: the variable is zero elsewhere."""
     for i, offset in enumerate(certificate.joint_offsets):
         joint = answer.joint_types[i]
-        limit = ANGLE if joint is JointType.REVOLUTE else LENGTH * max(abs(offset), 1e-9)
+        limit = noticed.angle if joint is JointType.REVOLUTE else noticed.length
         if abs(offset) <= limit:
             continue
         if exact is None:
