@@ -232,6 +232,8 @@ def evaluate(
         ParameterError: a parameter has no value, or the value does not exist (1/0, sqrt(-1)) or is infinite.
     """
     try:
+        if type(expression) is Number:  # what most cells hold
+            return expression.value.numerator / expression.value.denominator
         value = _value(expression, parameters or {}, joints)
     except KeyError as missing:
         name = str(missing.args[0])

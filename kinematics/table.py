@@ -75,6 +75,14 @@ class DHTable(Generic[Entry]):
     convention: Convention
     rows: tuple[DHRow[Entry], ...]
 
+    def __hash__(self) -> int:
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        """Computed once: a table is what most caches look results up by."""
+        return hash((self.convention, self.rows))
+
     @cached_property
     def joint_rows(self) -> tuple[int, ...]:
         """For joint 1 … n the index of its row, counted from 0."""

@@ -14,6 +14,8 @@ from service.negotiation import preferred_language
 
 LOCALES = Path(__file__).parent / "locales"
 DEFAULT_LANGUAGE = "en"
+SENTENCES = 4096
+"""Sentences that are kept: most students are told the same."""
 _TEXT_LIMIT = 200
 _EXACT_INTEGER = 2**53
 
@@ -42,7 +44,11 @@ def bundle(language: str) -> FluentBundle:
 
 def sentence(language: str, identifier: str, params: Mapping[str, object] | None = None) -> str | None:
     """The message with its parameters in place, in the language or else in English; None if there is none."""
-    arguments = {name: _argument(value) for name, value in (params or {}).items()}
+    return _formatted(language, identifier, tuple((k, _argument(v)) for k, v in (params or {}).items()))
+
+
+@lru_cache(maxsize=SENTENCES)
+def _formatted(language: str, identifier: str, arguments: tuple[tuple[str, str | int], ...]) -> str | None:
     for candidate in dict.fromkeys((language, DEFAULT_LANGUAGE)):
         messages = bundle(candidate)
         if not messages.has_message(identifier):
@@ -50,7 +56,7 @@ def sentence(language: str, identifier: str, params: Mapping[str, object] | None
         pattern = messages.get_message(identifier).value
         if pattern is None:
             continue
-        text, faults = messages.format_pattern(pattern, arguments)
+        text, faults = messages.format_pattern(pattern, dict(arguments))
         for fault in faults:
             _log.warning("message %s in %s: %s", identifier, candidate, fault)
         return str(text)

@@ -88,7 +88,7 @@ def comparisons(
     found = [
         comparison
         for fixed in _fixings(reference, submission, values)
-        if (comparison := _comparison(key.table, submission.table, fixed, values)) is not None
+        if (comparison := _comparison(key, submission, fixed, values)) is not None
     ]
     if not found:
         bind(key.table, {name: float(value) for name, value in values.given.items()})
@@ -129,12 +129,17 @@ def _given(
         if found is not None:
             faults.append(found)
         elif name is not None and kinds[name] is ParameterKind.LENGTH:
-            values[name] = Fraction(repr(value)) * ratio
+            values[name] = _typed(value) * ratio
         elif name is not None:
             values[name] = math.radians(value) if reference.angle_unit is AngleUnit.DEG else float(value)
     if faults:
         raise ParameterError(faults)
     return values
+
+
+@lru_cache(maxsize=4096)
+def _typed(value: float) -> Fraction:
+    return Fraction(repr(value))
 
 
 def _fault(
@@ -185,10 +190,10 @@ def _are_told_apart(values: Values) -> bool:
 
 
 def _comparison(
-    reference: SymbolicTable, submission: SymbolicTable, fixed: frozenset[str], values: Values
+    reference: ReadTable, submission: ReadTable, fixed: frozenset[str], values: Values
 ) -> Comparison | None:
     try:
-        key, answer = (_with_values(table, fixed, values) for table in (reference, submission))
+        key, answer = (_with_values(read, fixed, values) for read in (reference, submission))
     except ZeroDivisionError:
         return None
     names = sorted(set(values.kinds) - fixed)
@@ -198,7 +203,7 @@ def _comparison(
     for attempt in range(ATTEMPTS if names else 1):
         draw = {name: _drawn(name, attempt, values) for name in names}
         try:
-            bound = bind(key, draw), bind(answer, draw)
+            bound = _bound(key, tuple(draw.items())), bind(answer, draw)
         except ParameterError:
             continue
         draws.append(draw)
@@ -218,25 +223,40 @@ def _comparison(
     )
 
 
+@lru_cache(maxsize=1024)
+def _bound(key: SymbolicTable, draw: tuple[tuple[str, float], ...]) -> NumericTable:
+    """The key at a draw; remembered, for one key is compared with many answers."""
+    return bind(key, dict(draw))
+
+
 def _drawn(name: str, attempt: int, values: Values) -> float:
     """A value for a parameter: the later the attempt, the nearer to the given one, so that roots exist."""
-    random = Random(f"{name}/{attempt}")  # noqa: S311 - reproducible values, not secrets
-    spread = 0.6 / (1.0 + attempt // 4)
     given = float(values.given.get(name, 0.0))
     if given:
-        return given * (1.0 + random.uniform(-spread, spread))
+        return given * (1.0 + _deviation(name, attempt, 0.6 / (1.0 + attempt // 4)))
     middle = values.scale if values.kinds[name] is ParameterKind.LENGTH else 0.7
-    return middle * (1.0 + random.uniform(-0.6, 0.6))
+    return middle * (1.0 + _deviation(name, attempt, 0.6))
 
 
-def _with_values(table: SymbolicTable, names: frozenset[str], values: Values) -> SymbolicTable:
+@lru_cache(maxsize=1024)
+def _deviation(name: str, attempt: int, spread: float) -> float:
+    random = Random(f"{name}/{attempt}")  # noqa: S311 - reproducible values, not secrets
+    return random.uniform(-spread, spread)
+
+
+def _with_values(read: ReadTable, names: frozenset[str], values: Values) -> SymbolicTable:
     """The table with some of its parameters replaced by their values."""
-    if not names:
-        return table
-    known = {name: Number(Fraction(values.given[name])) for name in names}
-    return substituted(table, lambda name: known.get(name))
+    known = tuple((name, Fraction(values.given[name])) for name in read.parameters if name in names)
+    return _with_numbers(read.table, known) if known else read.table
 
 
+@lru_cache(maxsize=1024)
+def _with_numbers(table: SymbolicTable, known: tuple[tuple[str, Fraction], ...]) -> SymbolicTable:
+    numbers = {name: Number(value) for name, value in known}
+    return substituted(table, lambda name: numbers.get(name))
+
+
+@lru_cache(maxsize=256)
 def _typical_length(table: SymbolicTable) -> float:
     """Mean of the plain numbers that stand as lengths, or 1."""
     entries = [entry for row in table.rows for entry in (row.a, row.d)]

@@ -19,6 +19,7 @@ def expression_text(expression: Expression) -> str:
     return _WRITER.text(expression)
 
 
+@lru_cache(maxsize=4096)
 def angle_text(angle: Expression, unit: AngleUnit) -> str:
     """An angle as it would stand in a cell of a table with that angle unit."""
     if unit is AngleUnit.RAD:
