@@ -14,6 +14,7 @@ from enum import StrEnum
 from fractions import Fraction
 from typing import TypeAlias
 
+from kinematics.angles import cos_sin
 from kinematics.errors import Fault, ParameterError
 
 
@@ -106,8 +107,8 @@ PI = Pi()
 
 _FUNCTIONS: dict[Function, Callable[..., float]] = {
     Function.SQRT: math.sqrt,
-    Function.SIN: math.sin,
-    Function.COS: math.cos,
+    Function.SIN: lambda angle: cos_sin(angle)[1],
+    Function.COS: lambda angle: cos_sin(angle)[0],
     Function.TAN: math.tan,
     Function.ASIN: math.asin,
     Function.ACOS: math.acos,

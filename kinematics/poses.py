@@ -22,6 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kinematics.angles import cos_sin
 from kinematics.errors import Fault, ParamValue, PoseError
 from kinematics.links import Transform
 
@@ -169,7 +170,7 @@ def transform_from_rpy(rpy: Sequence[float], position: Sequence[float] = (0, 0, 
         PoseError: not three finite numbers.
     """
     roll, pitch, yaw = _finite(rpy, "rpy", ("roll", "pitch", "yaw"))
-    (cr, sr), (cp, sp), (cy, sy) = ((math.cos(angle), math.sin(angle)) for angle in (roll, pitch, yaw))
+    (cr, sr), (cp, sp), (cy, sy) = (cos_sin(angle) for angle in (roll, pitch, yaw))
     return _assemble(
         (cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr),
         (sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr),
@@ -205,8 +206,8 @@ def transform_from_axis_angle(
         message = "an axis whose length is zero or overflows has no direction; give a unit vector"
         raise PoseError(Fault(code="axis_length", message=message, where=("axis",)))
     x, y, z = x / length, y / length, z / length
-    c, s = math.cos(turn), math.sin(turn)
-    v = 2.0 * math.sin(turn / 2) ** 2
+    c, s = cos_sin(turn)
+    v = 1.0 - c if c < 0.5 else 2.0 * math.sin(turn / 2) ** 2
     return _assemble(
         (c + v * x * x, v * x * y - s * z, v * x * z + s * y),
         (v * x * y + s * z, c + v * y * y, v * y * z - s * x),
@@ -242,7 +243,7 @@ def _finite(values: Sequence[float], what: str, names: tuple[str, ...]) -> list[
 
 def _assemble(r0: Vector3, r1: Vector3, r2: Vector3, position: Sequence[float]) -> Transform:
     x, y, z = _finite(position, "position", ("x", "y", "z"))
-    return np.array([[*r0, x], [*r1, y], [*r2, z], [0.0, 0.0, 0.0, 1.0]])
+    return np.array([[*r0, x], [*r1, y], [*r2, z], [0.0, 0.0, 0.0, 1.0]]) + 0.0  # no -0.0
 
 
 def _quaternion(r0: list[float], r1: list[float], r2: list[float]) -> Quaternion:

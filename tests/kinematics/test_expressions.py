@@ -150,6 +150,12 @@ def test_a_missing_parameter_is_named():
     assert error.value.faults[0].where == ("parameters", "L9")
 
 
+def test_sines_and_cosines_of_right_angles_are_exact():
+    quarters = [pi_times(Fraction(k, 2)) for k in range(-4, 5)]
+    assert [evaluate(call(Function.COS, angle)) for angle in quarters] == [1, 0, -1, 0, 1, 0, -1, 0, 1]
+    assert [evaluate(call(Function.SIN, angle)) for angle in quarters] == [0, 1, 0, -1, 0, 1, 0, -1, 0]
+
+
 def test_names_in_an_expression():
     expression = multiply((Parameter("L1"), call(Function.COS, add((JointVariable(2), Parameter("beta"))))))
     assert parameters_in(expression) == {"L1", "beta"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import numpy as np
@@ -150,6 +151,16 @@ def test_xyzabc_is_a_translation_and_three_turns(position, a, b, c):
     assert tuple(transform[:3, 3].tolist()) == position
     again = transform_from_xyzabc(xyzabc_from_transform(transform))
     np.testing.assert_allclose(again, transform, rtol=0, atol=3e-12)
+
+
+@pytest.mark.parametrize("a", range(-2, 3))
+def test_right_angles_leave_zeros_and_ones(a):
+    for b, c in itertools.product(range(-2, 3), repeat=2):
+        pose = transform_from_xyzabc([0.0, 0.0, 0.0, a * RIGHT, b * RIGHT, c * RIGHT])
+        assert set(np.abs(pose).ravel().tolist()) == {0.0, 1.0}
+        assert not np.signbit(pose[pose == 0.0]).any()
+    about_z = transform_from_axis_angle([0.0, 0.0, 2.0], a * RIGHT)
+    assert np.array_equal(about_z, transform_from_xyzabc([0.0, 0.0, 0.0, a * RIGHT, 0.0, 0.0]))
 
 
 @settings(max_examples=100)
