@@ -133,9 +133,12 @@ def rotation_about(point: Vector, axis: Vector, cosine: float, sine: float) -> M
     """Rotation about the line through a point along a unit axis, by an angle of this cosine and sine."""
     x, y, z = axis
     t = 1.0 - cosine
-    r00, r01, r02 = cosine + t * x * x, t * x * y - sine * z, t * x * z + sine * y
-    r10, r11, r12 = t * x * y + sine * z, cosine + t * y * y, t * y * z - sine * x
-    r20, r21, r22 = t * x * z - sine * y, t * y * z + sine * x, cosine + t * z * z
+    tx, ty = t * x, t * y
+    xy, xz, yz = tx * y, tx * z, ty * z
+    sx, sy, sz = sine * x, sine * y, sine * z
+    r00, r01, r02 = cosine + tx * x, xy - sz, xz + sy
+    r10, r11, r12 = xy + sz, cosine + ty * y, yz - sx
+    r20, r21, r22 = xz - sy, yz + sx, cosine + t * z * z
     px, py, pz = point
     return (
         r00, r01, r02, r10, r11, r12, r20, r21, r22,
