@@ -81,7 +81,7 @@ class TableWriter:
                 return math.degrees(value)
         if value is not None:
             return _number(value)
-        return text_writer(Names()).write(entry).text
+        return text_writer(Names()).text(entry)
 
 
 def numeric_table(table: NumericTable, angle_unit: AngleUnit, length_unit: LengthUnit) -> WireTable:

@@ -10,13 +10,11 @@ from kinematics.expressions import Expression, Number, Pi, Power, Sum, add, mult
 from kinematics.printing.notation import Names
 from kinematics.printing.text import text_writer
 
-_WRITER = text_writer(Names())
-
 
 @lru_cache(maxsize=4096)
 def expression_text(expression: Expression) -> str:
     """The expression as infix text."""
-    return _WRITER.text(expression)
+    return text_writer(Names()).text(expression)
 
 
 @lru_cache(maxsize=4096)

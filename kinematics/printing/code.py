@@ -4,49 +4,44 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
 
-from kinematics.printing.infix import InfixWriter, Spelling
+from kinematics.printing.bodies import Body, write_bodies
 from kinematics.printing.languages import JAVASCRIPT, MATLAB, NUMPY, PYTHON, C, Language
+from kinematics.printing.ledger import Ledger
 from kinematics.printing.program import Plan, Program, Purpose, program
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 
 
-def write_function(
-    language: str, computed: Plan, purpose: Purpose, *, n_joints: int, parameters: Sequence[str]
-) -> str:
-    """The source of one function of the joint variables q and of every parameter.
+def write_functions(
+    ledger: Ledger,
+    computed: Plan,
+    purpose: Purpose,
+    *,
+    languages: Sequence[str],
+    n_joints: int,
+    parameters: Sequence[str],
+) -> dict[str, str]:
+    """The source of one function of the joint variables q and of every parameter, in each language.
 
     Args:
-        language: python, numpy, c, matlab or javascript.
+        ledger: where the nodes are.
         computed: what it computes.
         purpose: what it is called.
+        languages: some of python, numpy, c, matlab, javascript.
         n_joints: number of joint variables.
         parameters: the table's parameters; each is an argument, whether this matrix holds it or not.
     """
-    spoken, layout = _LANGUAGES[language]
-    named = program(computed, purpose, n_joints=n_joints, parameters=parameters, reserved=spoken.reserved)
-    spelling = Spelling(
-        pi=spoken.pi,
-        whole=spoken.whole,
-        functions=spoken.functions,
-        variable=spoken.variable,
-        parameter=named.arguments.__getitem__,
-        power=spoken.power,
-    )
-    writer = InfixWriter(spelling, named.name)
-    writer.write_all(computed.nodes)
-    steps = [(name, writer.definition(node)) for name, node in zip(named.steps, computed.steps, strict=True)]
-    entries = [[writer.text(entry) for entry in row] for row in computed.entries]
-    return layout(named, Body(steps, entries))
-
-
-class Body(NamedTuple):
-    """What is computed, in the words of a language: named steps and the entries."""
-
-    steps: list[tuple[str, str]]
-    entries: list[list[str]]
+    programs = []
+    for language in languages:
+        spoken, _ = _LANGUAGES[language]
+        named = program(computed, purpose, n_joints=n_joints, parameters=parameters, reserved=spoken.reserved)
+        programs.append((named, spoken.spelling))
+    bodies = write_bodies(ledger, programs)
+    return {
+        language: _LANGUAGES[language][1](named, body)
+        for language, (named, _), body in zip(languages, programs, bodies, strict=True)
+    }
 
 
 def _comments(code: Program) -> list[str]:
@@ -66,17 +61,16 @@ def _signature(code: Program) -> str:
 
 
 def _python(code: Program, body: Body) -> str:
-    used = sorted({PYTHON.functions[function] for function in code.plan.functions} - {"abs"})
+    used = [*{PYTHON.spelling.functions[function] for function in code.plan.functions} - {"abs"}]
+    if code.plan.holds_pi:
+        used.append("pi")
     steps = [f"    {name} = {value}" for name, value in body.steps]
     rows = [f"        [{', '.join(row)}]," for row in body.entries]
-    text = "\n".join([*steps, "    return [", *rows, "    ]"])
-    if "pi" in _words(text):
-        used = sorted([*used, "pi"])
-    lines = [f"from math import {', '.join(used)}", "", ""] if used else []
+    lines = [f"from math import {', '.join(sorted(used))}", "", ""] if used else []
     lines += [f"def {code.purpose.name}({_signature(code)}):", *_docstring(code)]
     if code.n_joints:
         lines += [f"    if len(q) != {code.n_joints}:", f'        raise ValueError("{_length(code)}")']
-    return "\n".join([*lines, text, ""])
+    return "\n".join([*lines, *steps, "    return [", *rows, "    ]", ""])
 
 
 def _numpy(code: Program, body: Body) -> str:
@@ -105,13 +99,13 @@ def _c(code: Program, body: Body) -> str:
         for i, row in enumerate(body.entries)
         for j, entry in enumerate(row)
     ]
-    used = _words("\n".join([*steps, *entries]))
-    unused = [
-        f"    (void){name};" for name in ("q", *code.arguments.values(), code.result) if name not in used
-    ]
+    unused = [] if code.plan.moves else ["q"]
+    unused += [word for name, word in code.arguments.items() if name not in code.plan.parameters]
+    unused += [] if columns else [code.result]
+    ignored = [f"    (void){name};" for name in unused]
     comment = ["/*", *(f" * {line}" for line in _comments(code)), " */"]
     head = [f"void {code.purpose.name}({', '.join(arguments)})", "{"]
-    return "\n".join(["#include <math.h>", "", *comment, *head, *steps, *unused, *entries, "}", ""])
+    return "\n".join(["#include <math.h>", "", *comment, *head, *steps, *ignored, *entries, "}", ""])
 
 
 def _matlab(code: Program, body: Body) -> str:
@@ -147,10 +141,6 @@ def _docstring(code: Program, *more: str) -> list[str]:
 
 def _length(code: Program) -> str:
     return f"q holds {code.n_joints} joint variables"
-
-
-def _words(text: str) -> set[str]:
-    return set(_WORD.findall(text))
 
 
 _LANGUAGES: dict[str, tuple[Language, Callable[[Program, Body], str]]] = {

@@ -18,8 +18,9 @@ from kinematics.expressions import (
     Product,
     Sum,
 )
+from kinematics.printing.ledger import Numbered
 from kinematics.printing.numbers import decimal_text
-from kinematics.symbolic.size import bottom_up
+from kinematics.printing.writer import Writer
 
 _FUNCTIONS = {
     Function.SQRT: "<root/>",
@@ -34,34 +35,23 @@ _FUNCTIONS = {
 }
 
 
-class ContentWriter:
-    """Writes expressions in content markup; what has been written once is remembered."""
+class ContentWriter(Writer[str]):
+    """Writes expressions in content markup."""
 
-    def __init__(self) -> None:
-        self._written: dict[int, str] = {}
-        self._kept: list[Expression] = []
-
-    def matrix(self, matrix: Sequence[Sequence[Expression]]) -> str:
-        """A matrix."""
-        rows = "".join(f"<matrixrow>{''.join(map(self.content, row))}</matrixrow>" for row in matrix)
+    def table(self, entries: Numbered) -> str:
+        """A matrix, by numbers."""
+        rows = "".join(f"<matrixrow>{''.join(row)}</matrixrow>" for row in self.entries(entries))
         return f"<matrix>{rows}</matrix>"
 
-    def content(self, expression: Expression) -> str:
-        """Content markup of one expression."""
-        if id(expression) not in self._written:
-            self._kept.append(expression)
-            for node in bottom_up((expression,), self._written):
-                self._written[id(node)] = self._node(node)
-        return self._written[id(expression)]
-
-    def _node(self, node: Expression) -> str:
-        match node:
+    def _write(self, number: int) -> str:
+        below = [self._written[child] for child in self.ledger.below[number]]
+        match self.ledger.nodes[number]:
             case Product(factors):
-                return self._product(factors)
-            case Sum(terms):
-                return f"<apply><plus/>{self._all(terms)}</apply>"
-            case Call(function, arguments):
-                return f"<apply>{_FUNCTIONS[function]}{self._all(arguments)}</apply>"
+                return _product(factors[0], below)
+            case Sum():
+                return f"<apply><plus/>{''.join(below)}</apply>"
+            case Call(function, _):
+                return f"<apply>{_FUNCTIONS[function]}{''.join(below)}</apply>"
             case Number(value):
                 return _number(value)
             case Parameter(name):
@@ -70,20 +60,17 @@ class ContentWriter:
                 return f"<ci>q{index}</ci>"
             case Pi():
                 return "<pi/>"
-            case Power(base, exponent):
-                return f"<apply><power/>{self._written[id(base)]}{_number(exponent)}</apply>"
+            case Power(_, exponent):
+                return f"<apply><power/>{below[0]}{_number(exponent)}</apply>"
 
-    def _product(self, factors: Sequence[Expression]) -> str:
-        first = factors[0]
-        if isinstance(first, Number) and first.value < 0:
-            positive = [] if first.value == -1 else [_number(-first.value)]
-            parts = positive + [self._written[id(factor)] for factor in factors[1:]]
-            inner = parts[0] if len(parts) == 1 else f"<apply><times/>{''.join(parts)}</apply>"
-            return f"<apply><minus/>{inner}</apply>"
-        return f"<apply><times/>{self._all(factors)}</apply>"
 
-    def _all(self, nodes: Sequence[Expression]) -> str:
-        return "".join(self._written[id(node)] for node in nodes)
+def _product(first: Expression, factors: Sequence[str]) -> str:
+    if not isinstance(first, Number) or first.value > 0:
+        return f"<apply><times/>{''.join(factors)}</apply>"
+    positive = [] if first.value == -1 else [_number(-first.value)]
+    parts = [*positive, *factors[1:]]
+    inner = parts[0] if len(parts) == 1 else f"<apply><times/>{''.join(parts)}</apply>"
+    return f"<apply><minus/>{inner}</apply>"
 
 
 def _number(value: Fraction) -> str:

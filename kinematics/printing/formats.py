@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from enum import StrEnum
+from itertools import chain
 from typing import Any, TypeAlias
 
 from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import Expression
-from kinematics.printing.code import write_function
+from kinematics.printing.code import write_functions
 from kinematics.printing.latex import LatexWriter
+from kinematics.printing.ledger import Ledger, Numbered
 from kinematics.printing.mathml import MathmlWriter
 from kinematics.printing.notation import Names, Notation
-from kinematics.printing.program import Plan, Purpose, plan
-from kinematics.printing.text import text_writer
-from kinematics.printing.trees import to_tree
-from kinematics.symbolic.size import bottom_up, count_operations
+from kinematics.printing.program import Purpose, plan
+from kinematics.printing.text import TextWriter
+from kinematics.printing.trees import TreeWriter
 
 Matrix: TypeAlias = Sequence[Sequence[Expression]]
 
@@ -41,10 +42,6 @@ class Format(StrEnum):
     JAVASCRIPT = "javascript"
 
 
-WRITTEN_OUT = (Format.LATEX, Format.MATHML, Format.TEXT, Format.JSON)
-"""Formats in which nothing is abbreviated, so that their length grows with the number of operations."""
-
-
 class MatrixPrinter:
     """Writes the matrices of one table; what they share is written once."""
 
@@ -60,16 +57,13 @@ class MatrixPrinter:
         self._parameters = tuple(parameters)
         self._limit = limit
         self._names = Names(notation=notation, parameters=frozenset(parameters), separated=n_joints > 9)
-        self._latex = LatexWriter(self._names)
-        self._mathml = MathmlWriter(self._names)
-        self._text = text_writer(self._names)
-        self._full_text = text_writer(Names())
-        self._symbols: dict[str, str] = {}
-        self._writers: dict[Format, Callable[[Matrix], Any]] = {
-            Format.LATEX: self._latex.matrix,
-            Format.MATHML: self._mathml.matrix,
-            Format.TEXT: lambda matrix: [[self._text.text(entry) for entry in row] for row in matrix],
-            Format.JSON: lambda matrix: [[to_tree(entry) for entry in row] for row in matrix],
+        self._ledger = Ledger()
+        self._answers: dict[tuple[Numbered, Purpose, tuple[Format, ...]], dict[str, Any]] = {}
+        self._writers: dict[Format, Callable[[Numbered], Any]] = {
+            Format.LATEX: LatexWriter(self._names, self._ledger).bmatrix,
+            Format.MATHML: MathmlWriter(self._names, self._ledger).table,
+            Format.TEXT: TextWriter(self._names, self._ledger).lines,
+            Format.JSON: TreeWriter(self._ledger).entries,
         }
 
     def write(self, matrix: Matrix, formats: Iterable[Format], purpose: Purpose) -> dict[str, Any]:
@@ -79,30 +73,44 @@ class MatrixPrinter:
             FormSizeError: written out, it has more operations than the limit; as a function it may still do.
         """
         wanted = tuple(formats)
-        if any(chosen in WRITTEN_OUT for chosen in wanted):
-            self._refuse_large(matrix)
-        computed = None if set(wanted) <= set(WRITTEN_OUT) else plan(matrix)
-        return {chosen.value: self._write(matrix, computed, chosen, purpose) for chosen in wanted}
+        entries = self._ledger.matrix(matrix)
+        answer = self._answers.get((entries, purpose, wanted))
+        if answer is None:
+            answer = self._answers[entries, purpose, wanted] = self._written(entries, wanted, purpose)
+        return answer
 
     def symbols(self, matrices: Iterable[Matrix]) -> dict[str, str]:
         """What the short names in some matrices stand for: c23 for cos(q2 + q3)."""
-        entries = (entry for matrix in matrices for row in matrix for entry in row)
-        found = {}
-        for node in bottom_up(entries):
+        rows = chain.from_iterable(map(self._ledger.matrix, matrices))
+        full, found = TextWriter(Names(), self._ledger), {}
+        for number in self._ledger.under(chain.from_iterable(rows)):
+            node = self._ledger.nodes[number]
             name = self._names.short(node)
             if name is not None:
-                found[name.plain] = self._full_text.text(node)
+                found[name.plain] = full.text(node)
         return dict(sorted(found.items()))
 
-    def _write(self, matrix: Matrix, computed: Plan | None, chosen: Format, purpose: Purpose) -> Any:
-        if computed is None or chosen in WRITTEN_OUT:
-            return self._writers[chosen](matrix)
-        return write_function(
-            chosen.value, computed, purpose, n_joints=self._n_joints, parameters=self._parameters
-        )
+    def _written(self, entries: Numbered, wanted: Sequence[Format], purpose: Purpose) -> dict[str, Any]:
+        languages = [chosen.value for chosen in wanted if chosen not in self._writers]
+        if len(languages) < len(wanted):
+            self._refuse_large(entries)
+        sources: dict[str, Any] = {}
+        if languages:
+            sources = write_functions(
+                self._ledger,
+                plan(self._ledger, entries),
+                purpose,
+                languages=languages,
+                n_joints=self._n_joints,
+                parameters=self._parameters,
+            )
+        return {
+            chosen.value: self._writers[chosen](entries) if chosen in self._writers else sources[chosen.value]
+            for chosen in wanted
+        }
 
-    def _refuse_large(self, matrix: Matrix) -> None:
-        operations = count_operations(entry for row in matrix for entry in row)
+    def _refuse_large(self, entries: Numbered) -> None:
+        operations = sum(self._ledger.operations[number] for number in chain.from_iterable(entries))
         if operations > self._limit:
             raise FormSizeError(
                 Fault(

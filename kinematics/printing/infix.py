@@ -2,51 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from enum import IntEnum
 from fractions import Fraction
 
-from kinematics.expressions import (
-    MINUS_ONE,
-    Call,
-    Expression,
-    Function,
-    JointVariable,
-    Number,
-    Parameter,
-    Pi,
-    Power,
-    Product,
-    Sum,
-)
-from kinematics.printing.numbers import decimal_text
-from kinematics.printing.products import sorted_factors
-from kinematics.symbolic.size import bottom_up
-
-_PLAIN = {Call, Sum, Parameter, JointVariable, Pi}
-
-
-class Binding(IntEnum):
-    """How strongly the outermost operation of a text binds."""
-
-    SUM = 1
-    SIGN = 2
-    PRODUCT = 3
-    POWER = 4
-    ATOM = 5
-
-
-@dataclass(frozen=True, slots=True)
-class Written:
-    """A text and how strongly it binds."""
-
-    text: str
-    binding: Binding
-
-    def within(self, binding: Binding) -> str:
-        """The text, in parentheses unless it binds at least so strongly."""
-        return self.text if self.binding >= binding else f"({self.text})"
+from kinematics.expressions import Call, Function
+from kinematics.printing.ledger import Ledger, Quotient
+from kinematics.printing.writer import Binding, LineWriter, Written
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -55,137 +17,74 @@ class Spelling:
 
     Attributes:
         pi: the number π.
-        whole: an integer.
+        whole: an integer, given its digits.
         functions: names of the functions.
         variable: a joint variable, given its number.
-        parameter: a parameter, given its name.
-        power: base ** exponent, the base being written already.
+        power: base ** exponent, for an exponent that is neither 1 nor 1/2, given the base as it stands alone
+            and as it stands before an operator.
     """
 
     pi: str = "pi"
-    whole: Callable[[int], str] = str
+    whole: Callable[[str], str] = str
     functions: Mapping[Function, str]
     variable: Callable[[int], str]
-    parameter: Callable[[str], str]
-    power: Callable[[Written, Fraction], Written]
+    power: Callable[[str, str, Fraction], Written]
 
 
-class InfixWriter:
-    """Writes expressions in one spelling; what has been written once is remembered."""
+class InfixWriter(LineWriter):
+    """Writes expressions in one spelling."""
 
-    def __init__(self, spelling: Spelling, name: Callable[[Expression], str | None]) -> None:
+    plus, minus = " + ", " - "
+
+    def __init__(self, spelling: Spelling, ledger: Ledger | None = None) -> None:
+        super().__init__(ledger)
         self._spelling = spelling
-        self._name = name
-        self._written: dict[int, Written] = {}
-        self._kept: list[Expression] = []
 
-    def text(self, expression: Expression) -> str:
-        """The expression on one line."""
-        return self.write(expression).text
+    def _call(self, node: Call, arguments: Sequence[Written]) -> Written:
+        inner = ", ".join(map(self._signed, arguments))
+        return Written(f"{self._spelling.functions[node.function]}({inner})", Binding.ATOM)
 
-    def write(self, expression: Expression) -> Written:
-        """The expression on one line, and how strongly it binds."""
-        known = self._written.get(id(expression))
-        if known is None:
-            self._kept.append(expression)
-            for node in bottom_up((expression,), self._written):
-                self._written[id(node)] = self._node(node)
-            known = self._written[id(expression)]
-        return known
+    def _raised(self, base: int, exponent: Fraction) -> Written:
+        written, spelling = self._written[base], self._spelling
+        if exponent == 1:
+            return written
+        if exponent == Fraction(1, 2):
+            return Written(f"{spelling.functions[Function.SQRT]}({self._signed(written)})", Binding.ATOM)
+        return spelling.power(self._signed(written), self._within(written, Binding.ATOM), exponent)
 
-    def write_all(self, nodes: Iterable[Expression]) -> None:
-        """Write nodes of which the children come before the parents."""
-        for node in nodes:
-            self._written[id(node)] = self._node(node)
-
-    def definition(self, expression: Expression) -> str:
-        """The expression on one line, even if it has a name."""
-        self.write(expression)
-        return self._body(expression).text
-
-    def _node(self, node: Expression) -> Written:
-        name = self._name(node)
-        return self._body(node) if name is None else Written(name, Binding.ATOM)
-
-    def _body(self, node: Expression) -> Written:
-        spelling = self._spelling
-        match node:
-            case Product(factors):
-                return self._product(factors)
-            case Sum(terms):
-                return self._sum(terms)
-            case Call(function, arguments):
-                inner = ", ".join(self._written[id(argument)].text for argument in arguments)
-                return Written(f"{spelling.functions[function]}({inner})", Binding.ATOM)
-            case Number(value):
-                return self._number(value)
-            case Parameter(name):
-                return Written(spelling.parameter(name), Binding.ATOM)
-            case JointVariable(index):
-                return Written(spelling.variable(index), Binding.ATOM)
-            case Pi():
-                return Written(spelling.pi, Binding.ATOM)
-            case Power(base, exponent):
-                if exponent < 0:
-                    return self._quotient([], [self._raised(base, -exponent)], Fraction(1))
-                return self._raised(base, exponent)
-
-    def _raised(self, base: Expression, exponent: Fraction) -> Written:
-        return (
-            self._written[id(base)]
-            if exponent == 1
-            else self._spelling.power(self._written[id(base)], exponent)
-        )
-
-    def _number(self, value: Fraction) -> Written:
-        decimal = decimal_text(value)
-        if decimal is not None:
-            return Written(decimal, Binding.SIGN if value < 0 else Binding.ATOM)
-        if value.denominator == 1:
-            sign = "-" if value < 0 else ""
-            return Written(
-                sign + self._spelling.whole(abs(value.numerator)), Binding.SIGN if sign else Binding.ATOM
-            )
-        return self._quotient([], [], value)
-
-    def _sum(self, terms: Iterable[Expression]) -> Written:
-        parts: list[str] = []
-        for term in terms:
-            text = self._written[id(term)].text
-            if not parts:
-                parts.append(text)
-            elif text.startswith("-"):
-                parts.append(f" - {text[1:]}")
-            else:
-                parts.append(f" + {text}")
-        return Written("".join(parts), Binding.SUM)
-
-    def _product(self, factors: tuple[Expression, ...]) -> Written:
-        sign = "-" if factors[0] == MINUS_ONE else ""
-        rest = factors[1:] if sign else factors
-        if all(type(factor) in _PLAIN for factor in rest):
-            texts = [self._written[id(factor)].within(Binding.PRODUCT) for factor in rest]
-            return Written(sign + "*".join(texts), Binding.SIGN if sign else Binding.PRODUCT)
-        parts = sorted_factors(factors)
-        above = [self._written[id(factor)] for factor in (*parts.constants, *parts.above)]
-        return self._quotient(above, [self._raised(*divisor) for divisor in parts.below], parts.weight)
-
-    def _quotient(self, above: list[Written], below: list[Written], weight: Fraction) -> Written:
-        sign = "-" if weight < 0 else ""
-        size = abs(weight)
-        decimal = decimal_text(size)
-        numbers = (
-            [decimal] if decimal else [self._spelling.whole(size.numerator)] if size.numerator != 1 else []
-        )
-        numerator = numbers + [factor.within(Binding.PRODUCT) for factor in above]
-        denominator = [factor.within(Binding.POWER) for factor in below]
-        if not decimal and size.denominator != 1:
-            denominator.insert(0, self._spelling.whole(size.denominator))
-        text = "*".join(numerator) or self._spelling.whole(1)
+    def _quotient(self, quotient: Quotient) -> Written:
+        weight, whole = quotient.weight, self._spelling.whole
+        above = [self._written[factor] for factor in quotient.typed]
+        numerator = [self._within(factor, Binding.PRODUCT) for factor in above]
+        if weight.digits:
+            numerator.insert(0, weight.decimal or whole(weight.digits))
+        denominator = [whole(str(weight.denominator))] if weight.divides else []
+        denominator += [
+            self._within(self._raised(base, exponent), Binding.POWER) for base, exponent in quotient.below
+        ]
+        text = "*".join(numerator) or whole("1")
         if denominator:
             under = denominator[0] if len(denominator) == 1 else f"({'*'.join(denominator)})"
-            text = f"{text}/{under}"
-        binding = Binding.PRODUCT if denominator or len(numerator) > 1 else Binding.ATOM
-        if binding is Binding.ATOM and above:
-            binding = above[0].binding
-        return Written(sign + text, Binding.SIGN if sign else binding)
+            return Written(f"{text}/{under}", Binding.PRODUCT, weight.negative)
+        if len(numerator) > 1:
+            return Written(text, Binding.PRODUCT, weight.negative)
+        return Written(text, above[0].binding if above else Binding.ATOM, weight.negative)
+
+    def _parameter(self, name: str) -> str:
+        return name
+
+    def _variable(self, index: int) -> str:
+        return self._spelling.variable(index)
+
+    def _pi(self) -> str:
+        return self._spelling.pi
+
+
+def infix_power(operator: str) -> Callable[[str, str, Fraction], Written]:
+    """base^2, base^(1/3)."""
+
+    def power(_: str, base: str, exponent: Fraction) -> Written:
+        written = str(exponent) if exponent.denominator == 1 else f"({exponent})"
+        return Written(f"{base}{operator}{written}", Binding.POWER)
+
+    return power

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import keyword
-from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
 from kinematics.expressions import Function
-from kinematics.printing.infix import Binding, Written
+from kinematics.printing.infix import Spelling, infix_power
+from kinematics.printing.writer import Binding, Written
 
 _COMMON = {function: function.value for function in Function}
 _PYTHON = _COMMON | {Function.ABS: "abs"}
@@ -58,80 +58,57 @@ class Language:
 
     Attributes:
         reserved: words that no identifier may be: keywords, and names that the written code relies on.
-        functions: names of the functions.
-        pi: the number π.
-        whole: an integer.
-        variable: the joint variable of the given number, from 1.
-        power: base ** exponent.
+        spelling: how expressions are written.
     """
 
     reserved: frozenset[str]
-    functions: dict[Function, str]
-    pi: str
-    whole: Callable[[int], str] = str
-    variable: Callable[[int], str]
-    power: Callable[[Written, Fraction], Written]
+    spelling: Spelling
 
 
-def _infix_power(operator: str, root: str) -> Callable[[Written, Fraction], Written]:
-    def power(base: Written, exponent: Fraction) -> Written:
-        if exponent == Fraction(1, 2):
-            return Written(f"{root}({base.text})", Binding.ATOM)
-        written = str(exponent) if exponent.denominator == 1 else f"({exponent})"
-        return Written(f"{base.within(Binding.ATOM)}{operator}{written}", Binding.POWER)
-
-    return power
-
-
-def _c_power(base: Written, exponent: Fraction) -> Written:
-    if exponent == Fraction(1, 2):
-        return Written(f"sqrt({base.text})", Binding.ATOM)
+def _c_power(base: str, factor: str, exponent: Fraction) -> Written:
     if exponent == 2:
-        factor = base.within(Binding.POWER)
         return Written(f"({factor}*{factor})", Binding.ATOM)
     written = f"{exponent.numerator}.0" + (f"/{exponent.denominator}.0" if exponent.denominator != 1 else "")
-    return Written(f"pow({base.text}, {written})", Binding.ATOM)
+    return Written(f"pow({base}, {written})", Binding.ATOM)
 
 
-def _javascript_power(base: Written, exponent: Fraction) -> Written:
-    if exponent == Fraction(1, 2):
-        return Written(f"Math.sqrt({base.text})", Binding.ATOM)
-    return Written(f"Math.pow({base.text}, {exponent})", Binding.ATOM)
+def _javascript_power(base: str, _: str, exponent: Fraction) -> Written:
+    return Written(f"Math.pow({base}, {exponent})", Binding.ATOM)
 
 
 PYTHON = Language(
     reserved=frozenset([*keyword.kwlist, *keyword.softkwlist, *_PYTHON.values(), "pi", "len", "ValueError"]),
-    functions=_PYTHON,
-    pi="pi",
-    variable=lambda joint: f"q[{joint - 1}]",
-    power=_infix_power("**", "sqrt"),
+    spelling=Spelling(functions=_PYTHON, variable=lambda joint: f"q[{joint - 1}]", power=infix_power("**")),
 )
 NUMPY = Language(
     reserved=frozenset([*keyword.kwlist, *keyword.softkwlist, "np", "float", "ValueError"]),
-    functions=_NUMPY,
-    pi="np.pi",
-    variable=lambda joint: f"q[..., {joint - 1}]",
-    power=_infix_power("**", "np.sqrt"),
+    spelling=Spelling(
+        pi="np.pi",
+        functions=_NUMPY,
+        variable=lambda joint: f"q[..., {joint - 1}]",
+        power=infix_power("**"),
+    ),
 )
 C = Language(
     reserved=frozenset(_C_WORDS.split()),
-    functions=_C,
-    pi="3.14159265358979323846",
-    whole="{}.0".format,
-    variable=lambda joint: f"q[{joint - 1}]",
-    power=_c_power,
+    spelling=Spelling(
+        pi="3.14159265358979323846",
+        whole="{}.0".format,
+        functions=_C,
+        variable=lambda joint: f"q[{joint - 1}]",
+        power=_c_power,
+    ),
 )
 MATLAB = Language(
     reserved=frozenset(_MATLAB_WORDS.split()),
-    functions=_COMMON,
-    pi="pi",
-    variable="q({})".format,
-    power=_infix_power("^", "sqrt"),
+    spelling=Spelling(functions=_COMMON, variable="q({})".format, power=infix_power("^")),
 )
 JAVASCRIPT = Language(
     reserved=frozenset(_JAVASCRIPT_WORDS.split()),
-    functions=_JAVASCRIPT,
-    pi="Math.PI",
-    variable=lambda joint: f"q[{joint - 1}]",
-    power=_javascript_power,
+    spelling=Spelling(
+        pi="Math.PI",
+        functions=_JAVASCRIPT,
+        variable=lambda joint: f"q[{joint - 1}]",
+        power=_javascript_power,
+    ),
 )

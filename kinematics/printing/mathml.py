@@ -10,33 +10,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import NamedTuple
 from xml.sax.saxutils import escape
 
-from kinematics.expressions import (
-    Call,
-    Expression,
-    Function,
-    JointVariable,
-    Number,
-    Parameter,
-    Pi,
-    Power,
-    Product,
-    Sum,
-)
+from kinematics.expressions import Call, Expression, Function
 from kinematics.printing.content import ContentWriter
-from kinematics.printing.infix import Binding
+from kinematics.printing.ledger import Ledger, Numbered
 from kinematics.printing.notation import Names
-from kinematics.printing.numbers import decimal_text
-from kinematics.printing.products import sorted_factors
 from kinematics.printing.symbols import split_name
-from kinematics.symbolic.size import bottom_up
+from kinematics.printing.writer import Binding, Typesetter, Written
 
 _TIMES = "<mo>\u2062</mo>"
+_DOT = "<mo>⋅</mo>"
+_WITH_DIGITS = ("<mn>", "<msup><mn>")
 _APPLY = "<mo>\u2061</mo>"
 _MINUS = "<mo>−</mo>"
-_PLUS = "<mo>+</mo>"
 _NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 _FUNCTIONS = {
     Function.SIN: "sin",
@@ -49,42 +36,25 @@ _FUNCTIONS = {
 }
 
 
-class Markup(NamedTuple):
-    """Presentation markup of an expression without its sign, and whether that is a minus."""
+class MathmlWriter(Typesetter):
+    """Writes expressions in MathML."""
 
-    body: str
-    binding: Binding
-    negative: bool = False
+    plus, minus, sign = "<mo>+</mo>", _MINUS, _MINUS
 
-    @property
-    def signed(self) -> str:
-        """The markup with its sign."""
-        return f"<mrow>{_MINUS}{self.body}</mrow>" if self.negative else self.body
-
-    def within(self, binding: Binding) -> str:
-        """The markup with its sign, in parentheses unless it binds at least so strongly."""
-        if self.negative or self.binding < binding:
-            return f"<mrow><mo>(</mo>{self.signed}<mo>)</mo></mrow>"
-        return self.body
-
-
-class MathmlWriter:
-    """Writes expressions in MathML; what has been written once is remembered."""
-
-    def __init__(self, names: Names) -> None:
+    def __init__(self, names: Names, ledger: Ledger | None = None) -> None:
+        super().__init__(ledger)
         self._names = names
-        self._content = ContentWriter()
-        self._written: dict[int, Markup] = {}
-        self._kept: list[Expression] = []
+        self._content = ContentWriter(self.ledger)
 
     def matrix(self, matrix: Sequence[Sequence[Expression]]) -> str:
         """A matrix in square brackets, as one `math` element."""
-        rows = "".join(
-            f"<mtr>{''.join(f'<mtd>{self.presentation(entry)}</mtd>' for entry in row)}</mtr>"
-            for row in matrix
-        )
+        return self.table(self.ledger.matrix(matrix))
+
+    def table(self, entries: Numbered) -> str:
+        """The same, by numbers."""
+        rows = "".join(f"<mtr>{_cells(row)}</mtr>" for row in self.lines(entries))
         drawn = f"<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>"
-        meant = self._content.matrix(matrix)
+        meant = self._content.table(entries)
         return (
             f'<math xmlns="{_NAMESPACE}" display="block"><semantics>{drawn}'
             f'<annotation-xml encoding="MathML-Content">{meant}</annotation-xml></semantics></math>'
@@ -92,118 +62,79 @@ class MathmlWriter:
 
     def presentation(self, expression: Expression) -> str:
         """Presentation markup of one expression."""
-        known = self._written.get(id(expression))
-        if known is None:
-            self._kept.append(expression)
-            for node in bottom_up((expression,), self._written):
-                self._written[id(node)] = self._node(node)
-            known = self._written[id(expression)]
-        return known.signed
+        return self.text(expression)
 
-    def _node(self, node: Expression) -> Markup:
+    def _call(self, node: Call, arguments: Sequence[Written]) -> Written:
         short = self._names.short(node)
         if short is not None:
             index = short.index
             script = f"<mn>{index}</mn>" if index.isdigit() else f"<mtext>{index}</mtext>"
-            return Markup(f"<msub><mi>{short.letter}</mi>{script}</msub>", Binding.ATOM)
-        match node:
-            case Product(factors):
-                return self._product(factors)
-            case Sum(terms):
-                return self._sum(terms)
-            case Call(function, arguments):
-                return self._call(function, [self._written[id(argument)] for argument in arguments])
-            case Number(value):
-                return _fraction(value)
-            case Parameter(name):
-                return Markup(_parameter(name), Binding.ATOM)
-            case JointVariable(joint):
-                return Markup(f"<msub><mi>q</mi><mn>{joint}</mn></msub>", Binding.ATOM)
-            case Pi():
-                return Markup("<mi>π</mi>", Binding.ATOM)
-            case Power(base, exponent):
-                if exponent < 0:
-                    return _fraction(Fraction(1), below=[self._raised(base, -exponent)])
-                return self._raised(base, exponent)
+            return Written(f"<msub><mi>{short.letter}</mi>{script}</msub>", Binding.ATOM)
+        inner = "<mo>,</mo>".join(map(self._signed, arguments))
+        if node.function is Function.SQRT:
+            return Written(self._root(inner), Binding.ATOM)
+        if node.function is Function.ABS:
+            return Written(f"<mrow><mo>|</mo>{inner}<mo>|</mo></mrow>", Binding.ATOM)
+        return Written(f"<mrow>{_name(node.function)}{_APPLY}{self._bracketed(inner)}</mrow>", Binding.ATOM)
 
-    def _call(self, function: Function, arguments: Sequence[Markup]) -> Markup:
-        inner = "<mo>,</mo>".join(argument.signed for argument in arguments)
-        if function is Function.SQRT:
-            return Markup(f"<msqrt>{inner}</msqrt>", Binding.ATOM)
-        if function is Function.ABS:
-            return Markup(f"<mrow><mo>|</mo>{inner}<mo>|</mo></mrow>", Binding.ATOM)
-        name = f"<mi>{_FUNCTIONS[function]}</mi>"
-        return Markup(f"<mrow>{name}{_APPLY}<mrow><mo>(</mo>{inner}<mo>)</mo></mrow></mrow>", Binding.ATOM)
+    def _power(self, base: int, exponent: Fraction) -> Written:
+        written, node = self._written[base], self.ledger.nodes[base]
+        power = _exponent(exponent)
+        if isinstance(node, Call) and node.function in _FUNCTIONS and self._names.short(node) is None:
+            name = _name(node.function)
+            raised = written.body.replace(name, f"<msup>{name}{power}</msup>", 1)
+            return Written(raised, Binding.POWER)
+        return Written(f"<msup>{self._within(written, Binding.ATOM)}{power}</msup>", Binding.POWER)
 
-    def _raised(self, base: Expression, exponent: Fraction) -> Markup:
-        written = self._written[id(base)]
-        if exponent == 1:
-            return written
-        if exponent == Fraction(1, 2):
-            return Markup(f"<msqrt>{written.signed}</msqrt>", Binding.ATOM)
-        power = _fraction(exponent).signed
-        return Markup(f"<msup>{written.within(Binding.ATOM)}{power}</msup>", Binding.POWER)
+    def _joined(self, parts: Sequence[str]) -> str:
+        return f"<mrow>{''.join(parts)}</mrow>"
 
-    def _sum(self, terms: Sequence[Expression]) -> Markup:
-        parts: list[str] = []
-        for term in terms:
-            written = self._written[id(term)]
-            if written.negative:
-                parts.append(_MINUS)
-            elif parts:
-                parts.append(_PLUS)
-            parts.append(written.body)
-        return Markup(f"<mrow>{''.join(parts)}</mrow>", Binding.SUM)
+    def _signed(self, written: Written) -> str:
+        return f"<mrow>{_MINUS}{written.body}</mrow>" if written.negative else written.body
 
-    def _product(self, factors: Sequence[Expression]) -> Markup:
-        parts = sorted_factors(factors)
-        return _fraction(
-            parts.weight,
-            [self._written[id(factor)] for factor in parts.constants],
-            [self._written[id(factor)] for factor in parts.above],
-            [self._raised(base, exponent) for base, exponent in parts.below],
-        )
+    def _bracketed(self, text: str) -> str:
+        return f"<mrow><mo>(</mo>{text}<mo>)</mo></mrow>"
+
+    def _parameter(self, name: str) -> str:
+        word, script, greek = split_name(name)
+        letter = f"<mi>{escape(greek or word)}</mi>"
+        if not script:
+            return letter
+        kind = "mn" if script.isdigit() else "mi"
+        return f"<msub>{letter}<{kind}>{escape(script)}</{kind}></msub>"
+
+    def _variable(self, index: int) -> str:
+        return f"<msub><mi>q</mi><mn>{index}</mn></msub>"
+
+    def _pi(self) -> str:
+        return "<mi>π</mi>"
+
+    def _digits(self, digits: str) -> str:
+        return f"<mn>{digits}</mn>"
+
+    def _over(self, numerator: str, denominator: str) -> str:
+        return f"<mfrac>{numerator}{denominator}</mfrac>"
+
+    def _root(self, radicand: str) -> str:
+        return f"<msqrt>{radicand}</msqrt>"
+
+    def _times(self, factors: Sequence[str]) -> str:
+        if len(factors) == 1:
+            return factors[0]
+        parts = [factors[0]]
+        for factor in factors[1:]:
+            parts += (_DOT if factor.startswith(_WITH_DIGITS) else _TIMES, factor)
+        return f"<mrow>{''.join(parts)}</mrow>"
 
 
-def _parameter(name: str) -> str:
-    word, script, greek = split_name(name)
-    letter = f"<mi>{escape(greek or word)}</mi>"
-    if not script:
-        return letter
-    kind = "mn" if script.isdigit() else "mi"
-    return f"<msub>{letter}<{kind}>{escape(script)}</{kind}></msub>"
+def _cells(row: Sequence[str]) -> str:
+    return f"<mtd>{'</mtd><mtd>'.join(row)}</mtd>" if row else ""
 
 
-def _fraction(
-    weight: Fraction,
-    constants: Sequence[Markup] = (),
-    above: Sequence[Markup] = (),
-    below: Sequence[Markup] = (),
-) -> Markup:
-    """A product with its numbers and roots in one fraction: (√3/2) c1."""
-    size, negative = abs(weight), weight < 0
-    decimal = decimal_text(size)
-    divided = decimal is None and size.denominator != 1
-    weakest = Binding.SUM if len(below) == 1 and not divided else Binding.PRODUCT
-    denominator = [factor.within(weakest) for factor in below]
-    if divided:
-        denominator.insert(0, f"<mn>{size.denominator}</mn>")
-    head = [f"<mn>{decimal or size.numerator}</mn>"] if decimal or size.numerator != 1 else []
-    head += [factor.within(Binding.PRODUCT) for factor in constants]
-    tail = [factor.within(Binding.PRODUCT) for factor in above]
-    if below or (denominator and not head and len(tail) == 1 and above[0].binding >= Binding.POWER):
-        head, tail = head + tail, []
-    if denominator:
-        head = [f"<mfrac>{_multiplied(head)}{_multiplied(denominator)}</mfrac>"]
-    if len(head) + len(tail) != 1:
-        return Markup(_multiplied(head + tail), Binding.PRODUCT if head or tail else Binding.ATOM, negative)
-    if denominator:
-        return Markup(head[0], Binding.PRODUCT, negative)
-    alone = (*constants, *above)
-    return Markup((head + tail)[0], alone[0].binding if alone else Binding.ATOM, negative)
+def _name(function: Function) -> str:
+    return f"<mi>{_FUNCTIONS[function]}</mi>"
 
 
-def _multiplied(factors: Sequence[str]) -> str:
-    if not factors:
-        return "<mn>1</mn>"
-    return factors[0] if len(factors) == 1 else f"<mrow>{_TIMES.join(factors)}</mrow>"
+def _exponent(exponent: Fraction) -> str:
+    whole = f"<mn>{exponent.numerator}</mn>"
+    return whole if exponent.denominator == 1 else f"<mfrac>{whole}<mn>{exponent.denominator}</mn></mfrac>"

@@ -4,23 +4,16 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Collection, Hashable, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from itertools import chain
 
-from kinematics.expressions import (
-    Call,
-    Expression,
-    Function,
-    JointVariable,
-    Number,
-    Power,
-    Product,
-    Sum,
-    joint_variables_in,
-)
-from kinematics.printing.notation import short_name
-from kinematics.symbolic.size import bottom_up, children
+from kinematics.expressions import Call, Function, JointVariable, Parameter, Pi, Power, Product, Sum
+from kinematics.printing.ledger import Ledger, Numbered
+from kinematics.printing.notation import ShortName, short_name
 
+_HALF = Fraction(1, 2)
 _FOREIGN = re.compile(r"[^A-Za-z0-9_]")
 
 
@@ -41,21 +34,26 @@ class Purpose:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Plan:
-    """What a function computes, before its names are chosen.
+    """What a function computes, before its names are chosen; nodes are numbers of a ledger.
 
     Attributes:
         entries: the matrix.
-        nodes: all nodes, children before parents.
-        steps: what is computed first and given a name, in an order in which that is possible.
-        step_of: which step a node is, by the node's id.
+        nodes: all nodes, those below first.
+        steps: what is computed first and given a name, in an order in which that is possible, with the short
+            name of what is a sine or cosine of joint variables.
         functions: what is called.
+        parameters: names of the parameters that occur.
+        moves: whether a joint variable occurs.
+        holds_pi: whether π does.
     """
 
-    entries: Sequence[Sequence[Expression]]
-    nodes: Sequence[Expression]
-    steps: tuple[Expression, ...]
-    step_of: dict[int, int]
+    entries: Numbered
+    nodes: Sequence[int]
+    steps: dict[int, ShortName | None]
     functions: frozenset[Function]
+    parameters: frozenset[str]
+    moves: bool
+    holds_pi: bool
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -75,34 +73,37 @@ class Program:
     purpose: Purpose
     n_joints: int
     arguments: dict[str, str]
-    steps: tuple[str, ...]
+    steps: dict[int, str]
     result: str
 
-    def name(self, node: Expression) -> str | None:
-        """The name of a node that has one."""
-        step = self.plan.step_of.get(id(node))
-        return None if step is None else self.steps[step]
 
-
-def plan(matrix: Sequence[Sequence[Expression]]) -> Plan:
+def plan(ledger: Ledger, entries: Numbered) -> Plan:
     """Find what occurs more than once, and every sine and cosine of a joint."""
-    nodes = bottom_up(entry for row in matrix for entry in row)
-    kinds = _interned(nodes)
-    firsts = _firsts(nodes, kinds)
-    uses = Counter(kinds[id(child)] for node in firsts for child in children(node))
-    uses.update(kinds[id(entry)] for row in matrix for entry in row)
-    steps = [node for node in firsts if _deserves_name(node, uses[kinds[id(node)]])]
+    nodes = ledger.under(chain.from_iterable(entries))
+    uses = Counter(chain.from_iterable([ledger.below[number] for number in nodes]))
+    uses.update(chain.from_iterable(entries))
+    functions: set[Function] = set()
+    parameters: set[str] = set()
+    steps = []
+    for number in nodes:
+        node = ledger.nodes[number]
+        if isinstance(node, Parameter):
+            parameters.add(node.name)
+        elif isinstance(node, Call):
+            functions.add(node.function)
+        elif isinstance(node, Power) and abs(node.exponent) == _HALF:
+            functions.add(Function.SQRT)
+        if _deserves_name(ledger, number, uses[number]):
+            steps.append((number, short_name(node)))
     steps.sort(key=_place)
-    order = {kinds[id(node)]: i for i, node in enumerate(steps)}
-    functions = {node.function for node in nodes if isinstance(node, Call)}
-    if any(isinstance(node, Power) and node.exponent.denominator == 2 for node in nodes):
-        functions.add(Function.SQRT)
     return Plan(
-        entries=matrix,
+        entries=entries,
         nodes=nodes,
-        steps=tuple(steps),
-        step_of={id(node): order[kinds[id(node)]] for node in nodes if kinds[id(node)] in order},
+        steps=dict(steps),
         functions=frozenset(functions),
+        parameters=frozenset(parameters),
+        holds_pi=any(isinstance(ledger.nodes[number], Pi) for number in nodes),
+        moves=any(map(ledger.moving.__getitem__, chain.from_iterable(entries))),
     )
 
 
@@ -118,26 +119,23 @@ def program(
         parameters: the table's parameters in the order in which they are to be arguments.
         reserved: words that no identifier may be.
     """
-    identifiers = _Identifiers({*reserved, purpose.name, "q"})
+    identifiers = _Identifiers(reserved, {purpose.name, "q"})
     arguments = {name: identifiers.take(name) for name in parameters}
-    steps = []
-    for node in plan.steps:
-        short = short_name(node)
-        steps.append(identifiers.take(short.word) if short else identifiers.number("t"))
+    steps = {
+        number: identifiers.take(short.word) if short else identifiers.number("t")
+        for number, short in plan.steps.items()
+    }
+    result = identifiers.take(purpose.result)
     return Program(
-        plan=plan,
-        purpose=purpose,
-        n_joints=n_joints,
-        arguments=arguments,
-        steps=tuple(steps),
-        result=identifiers.take(purpose.result),
+        plan=plan, purpose=purpose, n_joints=n_joints, arguments=arguments, steps=steps, result=result
     )
 
 
 class _Identifiers:
     """Names that are not taken yet."""
 
-    def __init__(self, taken: set[str]) -> None:
+    def __init__(self, reserved: Collection[str], taken: set[str]) -> None:
+        self._reserved = reserved
         self._taken = taken
         self._numbers: Counter[str] = Counter()
 
@@ -146,7 +144,7 @@ class _Identifiers:
         name = _FOREIGN.sub("_", wanted)
         if not name[:1].isalpha():
             name = f"p{name}"
-        while name in self._taken:
+        while name in self._taken or name in self._reserved:
             name += "_"
         self._taken.add(name)
         return name
@@ -157,55 +155,27 @@ class _Identifiers:
         return self.take(f"{letter}{self._numbers[letter]}")
 
 
-def _interned(nodes: Sequence[Expression]) -> dict[int, int]:
-    """For each node, by its id, the number of its kind: equal nodes have one number."""
-    kinds: dict[int, int] = {}
-    numbers: dict[Hashable, int] = {}
-    for node in nodes:
-        below = tuple(kinds[id(child)] for child in children(node))
-        key: Hashable
-        match node:
-            case Sum() | Product():
-                key = (type(node), below)
-            case Power(_, exponent):
-                key = (Power, exponent, below)
-            case Call(function, _):
-                key = (Call, function, below)
-            case _:
-                key = node
-        kinds[id(node)] = numbers.setdefault(key, len(numbers))
-    return kinds
-
-
-def _firsts(nodes: Sequence[Expression], kinds: dict[int, int]) -> list[Expression]:
-    """The first node of each kind."""
-    first: dict[int, Expression] = {}
-    for node in nodes:
-        first.setdefault(kinds[id(node)], node)
-    return list(first.values())
-
-
-def _deserves_name(node: Expression, uses: int) -> bool:
+def _deserves_name(ledger: Ledger, number: int, uses: int) -> bool:
+    node = ledger.nodes[number]
     match node:
-        case Call(Function.SIN | Function.COS, (angle,)) if joint_variables_in(angle):
-            return True
-        case Product((Number(), _)):
-            return False
+        case Product() if uses > 1:
+            quotient = ledger.quotients[number]
+            assert quotient is not None
+            # a number times a name is not worth a name of its own
+            return len(quotient.typed) + len(quotient.below) > 1
         case Sum(terms):
-            return uses > 1 and not _is_angle(terms)
-        case Power(_, exponent) if exponent < 0:
-            return False  # it is written as a division
-        case Product() | Power() | Call():
+            # the sum of an angle only stands under a sine or cosine, where adding again costs nothing
+            return uses > 1 and not any(isinstance(term, JointVariable) for term in terms)
+        case Call(Function.SIN | Function.COS, _) if ledger.moving[number]:
+            return True
+        case Call():
             return uses > 1
+        case Power(_, exponent):
+            return uses > 1 and exponent > 0  # a negative power is written as a division
     return False
 
 
-def _place(node: Expression) -> tuple[int, tuple[tuple[int, int], ...], str]:
+def _place(step: tuple[int, ShortName | None]) -> tuple[int, tuple[tuple[int, int], ...], str]:
     """Sines and cosines of joint variables first, in the order of the joints; then as they are needed."""
-    short = short_name(node)
+    short = step[1]
     return (0, short.joints, short.letter) if short else (1, (), "")
-
-
-def _is_angle(terms: Sequence[Expression]) -> bool:
-    """Whether a sum only stands under a sine or cosine, where adding joint variables again costs nothing."""
-    return any(isinstance(term, JointVariable) for term in terms)

@@ -2,32 +2,39 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
+from collections.abc import Sequence
 
-from kinematics.expressions import Expression, Function
-from kinematics.printing.infix import Binding, InfixWriter, Spelling, Written
+from kinematics.expressions import Call, Function
+from kinematics.printing.infix import InfixWriter, Spelling, infix_power
+from kinematics.printing.ledger import Ledger
 from kinematics.printing.notation import Names
+from kinematics.printing.writer import Binding, Written
 
-_FUNCTIONS = {function: function.value for function in Function}
+_SPELLING = Spelling(
+    functions={function: function.value for function in Function},
+    variable="q{}".format,
+    power=infix_power("^"),
+)
 
 
-def text_writer(names: Names) -> InfixWriter:
-    """A writer of infix text.
+class TextWriter(InfixWriter):
+    """Writes infix text.
 
     In full notation every entry is an expression of the cell grammar. In short notation c23 stands for
     cos(q2 + q3); the difference of two joints has no unambiguous short name on one line and is written out.
     """
 
-    def name(node: Expression) -> str | None:
-        short = names.short(node)
-        return short.word if short is not None and short.is_sum else None
+    def __init__(self, names: Names, ledger: Ledger | None = None) -> None:
+        super().__init__(_SPELLING, ledger)
+        self._names = names
 
-    spelling = Spelling(functions=_FUNCTIONS, variable="q{}".format, parameter=str, power=_power)
-    return InfixWriter(spelling, name)
+    def _call(self, node: Call, arguments: Sequence[Written]) -> Written:
+        short = self._names.short(node)
+        if short is not None and short.is_sum:
+            return Written(short.word, Binding.ATOM)
+        return super()._call(node, arguments)
 
 
-def _power(base: Written, exponent: Fraction) -> Written:
-    if exponent == Fraction(1, 2):
-        return Written(f"sqrt({base.text})", Binding.ATOM)
-    power = str(exponent) if exponent.denominator == 1 else f"({exponent})"
-    return Written(f"{base.within(Binding.ATOM)}^{power}", Binding.POWER)
+def text_writer(names: Names) -> TextWriter:
+    """A writer of infix text."""
+    return TextWriter(names)

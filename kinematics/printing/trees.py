@@ -19,7 +19,7 @@ from kinematics.expressions import (
     Sum,
 )
 from kinematics.printing.numbers import decimal_text
-from kinematics.symbolic.size import bottom_up
+from kinematics.printing.writer import Writer
 
 Tree: TypeAlias = dict[str, Any]
 
@@ -31,10 +31,31 @@ def to_tree(expression: Expression) -> Tree:
     product (factors), power (base, exponent: "2" or "1/2") and call (function, arguments). What occurs twice
     is one and the same dictionary.
     """
-    known: dict[int, Tree] = {}
-    for node in bottom_up((expression,)):
-        known[id(node)] = _tree(node, known)
-    return known[id(expression)]
+    return TreeWriter().written(expression)
+
+
+class TreeWriter(Writer[Tree]):
+    """Writes expressions as trees."""
+
+    def _write(self, number: int) -> Tree:
+        below = [self._written[child] for child in self.ledger.below[number]]
+        match self.ledger.nodes[number]:
+            case Product():
+                return {"type": "product", "factors": below}
+            case Sum():
+                return {"type": "sum", "terms": below}
+            case Call(function, _):
+                return {"type": "call", "function": function.value, "arguments": below}
+            case Number(value):
+                return {"type": "number", "value": decimal_text(value) or str(value)}
+            case Parameter(name):
+                return {"type": "parameter", "name": name}
+            case JointVariable(index):
+                return {"type": "variable", "name": f"q{index}", "index": index}
+            case Pi():
+                return {"type": "pi"}
+            case Power(_, exponent):
+                return {"type": "power", "base": below[0], "exponent": str(exponent)}
 
 
 def from_tree(tree: Mapping[str, Any]) -> Expression:
@@ -47,31 +68,6 @@ def from_tree(tree: Mapping[str, Any]) -> Expression:
         return _READERS[tree["type"]](tree)
     except (KeyError, TypeError, ValueError, ZeroDivisionError) as error:
         raise ValueError("this is not an expression tree") from error
-
-
-def _tree(node: Expression, known: Mapping[int, Tree]) -> Tree:
-    match node:
-        case Number(value):
-            return {"type": "number", "value": _rational(value)}
-        case Pi():
-            return {"type": "pi"}
-        case Parameter(name):
-            return {"type": "parameter", "name": name}
-        case JointVariable(index):
-            return {"type": "variable", "name": f"q{index}", "index": index}
-        case Sum(terms):
-            return {"type": "sum", "terms": [known[id(term)] for term in terms]}
-        case Product(factors):
-            return {"type": "product", "factors": [known[id(factor)] for factor in factors]}
-        case Power(base, exponent):
-            return {"type": "power", "base": known[id(base)], "exponent": str(exponent)}
-        case Call(function, arguments):
-            parts = [known[id(argument)] for argument in arguments]
-            return {"type": "call", "function": function.value, "arguments": parts}
-
-
-def _rational(value: Fraction) -> str:
-    return decimal_text(value) or str(value)
 
 
 def _all(trees: Sequence[Mapping[str, Any]]) -> tuple[Expression, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable
+from collections.abc import Container, Iterable, Sequence
 
 from kinematics.expressions import Call, Expression, Number, Power, Product, Sum
 
@@ -61,27 +61,27 @@ def count_operations(expressions: Iterable[Expression]) -> int:
     roots = tuple(expressions)
     known: dict[int, int] = {}
     for node in bottom_up(roots):
-        known[id(node)] = _operations(node, known)
+        known[id(node)] = operations_of(node, [known[id(child)] for child in children(node)])
     return sum(known[id(root)] for root in roots)
 
 
-def _operations(node: Expression, known: dict[int, int]) -> int:
+def operations_of(node: Expression, below: Sequence[int]) -> int:
+    """The count for one node, given those for the nodes directly below it."""
     match node:
-        case Number(value):
-            return (value < 0) + (value.denominator != 1)
-        case Sum(terms):
-            negative = sum(map(is_negative, terms))
-            inner = sum(known[id(term)] for term in terms) - negative
-            return inner + len(terms) - 1 + (negative == len(terms))
         case Product(factors):
-            written, total = len(factors), sum(known[id(factor)] for factor in factors)
+            written = len(factors)
             if isinstance(factors[0], Number):
                 written -= abs(factors[0].value.numerator) == 1
-            return total + written - 1
-        case Power(base, exponent):
-            return known[id(base)] + (exponent != -1) + (exponent < 0)
-        case Call(_, arguments):
-            return 1 + sum(known[id(argument)] for argument in arguments)
+            return sum(below) + written - 1
+        case Sum(terms):
+            negative = sum(map(is_negative, terms))
+            return sum(below) - negative + len(terms) - 1 + (negative == len(terms))
+        case Call():
+            return 1 + sum(below)
+        case Number(value):
+            return (value < 0) + (value.denominator != 1)
+        case Power(_, exponent):
+            return below[0] + (exponent != -1) + (exponent < 0)
     return 0
 
 

@@ -138,7 +138,7 @@ def _expressions(screw: XScrew[Expression]) -> Matrix:
 
 def _entry(entry: Expression) -> WireCell:
     if parameters_in(entry):
-        return text_writer(Names()).write(entry).text
+        return text_writer(Names()).text(entry)
     return evaluate(entry) + 0.0
 
 

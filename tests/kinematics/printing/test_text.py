@@ -18,6 +18,8 @@ from kinematics.expressions import (
     JointVariable,
     Parameter,
     Pi,
+    Product,
+    Sum,
     add,
     call,
     multiply,
@@ -133,6 +135,12 @@ def test_entries_of_closed_forms_are_cells(seed: int) -> None:
     for line in transform:
         for entry in line:
             parse(writer.text(entry), AMPLE)
+
+
+def test_trees_that_no_constructor_made_are_written_as_they_are() -> None:
+    """Two numbers in a product, a sum within a sum: the constructors fold them, but nothing else must."""
+    assert full(Product((L1, number(2), number("1/3")))) == "2*L1/3"
+    assert full(Sum((L1, Sum((negate(L2), L1))))) == "L1 + (-L2 + L1)"
 
 
 def test_a_shared_node_is_written_once_and_reads_the_same_everywhere() -> None:

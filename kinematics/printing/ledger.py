@@ -1,0 +1,187 @@
+"""The nodes of the matrices of one table, each once.
+
+Equal nodes have one number, and a node has a larger one than those below it. Whatever is written of a node is
+kept under its number, so matrices that share their entries, as all matrices of one table do, are written in
+the time that what is new in each of them takes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Hashable, Iterable, Sequence
+from fractions import Fraction
+from typing import NamedTuple, TypeAlias
+
+from kinematics.expressions import (
+    Call,
+    Expression,
+    Function,
+    JointVariable,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+)
+from kinematics.printing.numbers import decimal_text
+from kinematics.symbolic.size import bottom_up, children, operations_of
+
+Numbered: TypeAlias = tuple[tuple[int, ...], ...]
+"""The entries of a matrix by their numbers."""
+
+
+class Weight(NamedTuple):
+    """A rational number as it is written.
+
+    Attributes:
+        negative: whether it has a minus sign.
+        numerator: of its absolute value.
+        denominator: likewise.
+        decimal: its absolute value as a decimal, if it is written as one.
+    """
+
+    negative: bool
+    numerator: int
+    denominator: int
+    decimal: str | None
+
+    @property
+    def divides(self) -> bool:
+        """Whether it is written as a fraction."""
+        return self.denominator != 1 and self.decimal is None
+
+    @property
+    def digits(self) -> str:
+        """What stands above the line, nothing for 1."""
+        return self.decimal or ("" if self.numerator == 1 else str(self.numerator))
+
+
+class Quotient(NamedTuple):
+    """A product, sorted by what stands above and below the line; a number is one without factors.
+
+    Attributes:
+        weight: the rational number.
+        constants: roots of numbers and π, which are typeset with that number: √3/2.
+        above: the other factors.
+        typed: both, in the order of the product.
+        below: what is divided by, and to which positive power.
+    """
+
+    weight: Weight
+    constants: tuple[int, ...] = ()
+    above: tuple[int, ...] = ()
+    typed: tuple[int, ...] = ()
+    below: tuple[tuple[int, Fraction], ...] = ()
+
+
+_ONE = Weight(negative=False, numerator=1, denominator=1, decimal=None)
+
+
+class Ledger:
+    """The nodes in use.
+
+    Attributes:
+        nodes: the first node of each number.
+        below: the numbers of the nodes directly below.
+        quotients: of a product, a number, and a negative power what stands above and below the line.
+        operations: how many operations there are in the whole tree, written out.
+        moving: whether a joint variable occurs in it.
+    """
+
+    def __init__(self) -> None:
+        self.nodes: list[Expression] = []
+        self.below: list[tuple[int, ...]] = []
+        self.quotients: list[Quotient | None] = []
+        self.operations: list[int] = []
+        self.moving: list[bool] = []
+        self._numbers: dict[Hashable, int] = {}
+        self._known: dict[int, int] = {}
+        self._kept: list[Expression] = []
+
+    def numbers(self, expressions: Iterable[Expression]) -> tuple[int, ...]:
+        """The numbers of some expressions, which are entered if they are new."""
+        roots = tuple(expressions)
+        new = [root for root in roots if id(root) not in self._known]
+        if new:
+            self._kept += new  # an id is a node's only while the node lives
+            for node in bottom_up(new, self._known):
+                self._known[id(node)] = self._enter(node)
+        return tuple([self._known[id(root)] for root in roots])
+
+    def matrix(self, matrix: Sequence[Sequence[Expression]]) -> Numbered:
+        """The entries of a matrix by their numbers."""
+        return tuple([self.numbers(row) for row in matrix])
+
+    def under(self, roots: Iterable[int], known: Container[int] = ()) -> list[int]:
+        """The numbers of all nodes in some trees, in the order in which they are needed, but those known."""
+        order: list[int] = []
+        seen: set[int] = set()
+        stack = [*roots]
+        stack.reverse()
+        while stack:
+            number = stack.pop()
+            if number < 0:
+                order.append(~number)
+            elif number not in seen and number not in known:
+                seen.add(number)
+                below = self.below[number]
+                if below:
+                    stack.append(~number)
+                    stack += below[::-1]
+                else:
+                    order.append(number)
+        return order
+
+    def _enter(self, node: Expression) -> int:
+        below = tuple([self._known[id(child)] for child in children(node)])
+        key: Hashable
+        match node:
+            case Sum() | Product():
+                key = (type(node), below)
+            case Call(function, _):
+                key = (function, below)
+            case Power(_, exponent):
+                key = (exponent, below)
+            case _:
+                key = node
+        number = self._numbers.get(key)
+        if number is None:
+            number = self._numbers[key] = len(self.nodes)
+            self.nodes.append(node)
+            self.below.append(below)
+            self.quotients.append(self._quotient(node, below))
+            self.operations.append(operations_of(node, [self.operations[child] for child in below]))
+            self.moving.append(isinstance(node, JointVariable) or any(self.moving[child] for child in below))
+        return number
+
+    def _quotient(self, node: Expression, below: tuple[int, ...]) -> Quotient | None:
+        if isinstance(node, Number):
+            return Quotient(_weight(node.value))
+        if isinstance(node, Power):
+            return Quotient(_ONE, below=((below[0], -node.exponent),)) if node.exponent < 0 else None
+        if not isinstance(node, Product):
+            return None
+        value: Fraction | None = None
+        typed: list[int] = []
+        divisors: list[tuple[int, Fraction]] = []
+        for number, factor in zip(below, node.factors, strict=True):
+            if isinstance(factor, Number):
+                value = factor.value if value is None else value * factor.value
+            elif isinstance(factor, Power) and factor.exponent < 0:
+                divisors.append((self.below[number][0], -factor.exponent))
+            else:
+                typed.append(number)
+        constants = [number for number in typed if _is_constant(self.nodes[number])]
+        above = [number for number in typed if number not in constants] if constants else typed
+        weight = _ONE if value is None else _weight(value)
+        return Quotient(weight, tuple(constants), tuple(above), tuple(typed), tuple(divisors))
+
+
+def _weight(value: Fraction) -> Weight:
+    return Weight(value < 0, abs(value.numerator), value.denominator, decimal_text(abs(value)))
+
+
+def _is_constant(factor: Expression) -> bool:
+    match factor:
+        case Pi() | Call(Function.SQRT, (Number(),)):
+            return True
+    return False

@@ -1,0 +1,192 @@
+"""What every way of writing expressions has in common."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from enum import IntEnum
+from fractions import Fraction
+from itertools import chain
+from typing import Generic, NamedTuple, TypeVar
+
+from kinematics.expressions import Call, Expression, JointVariable, Parameter, Pi, Power, Sum
+from kinematics.printing.ledger import Ledger, Numbered, Quotient
+
+W = TypeVar("W")
+
+
+class Writer(ABC, Generic[W]):
+    """Writes the nodes of a ledger, each once."""
+
+    def __init__(self, ledger: Ledger | None = None) -> None:
+        self.ledger = Ledger() if ledger is None else ledger
+        self._written: dict[int, W] = {}
+
+    def written(self, expression: Expression) -> W:
+        """An expression, written."""
+        return self.entries((self.ledger.numbers((expression,)),))[0][0]
+
+    def entries(self, entries: Numbered) -> list[list[W]]:
+        """The entries of a matrix, written."""
+        known = self._written
+        for number in self.ledger.under(chain.from_iterable(entries), known):
+            known[number] = self._write(number)
+        return [[known[number] for number in row] for row in entries]
+
+    @abstractmethod
+    def _write(self, number: int) -> W:
+        """One node, those below being written."""
+
+
+class Binding(IntEnum):
+    """How strongly the outermost operation of something written binds."""
+
+    SUM = 1
+    PRODUCT = 2
+    POWER = 3
+    ATOM = 4
+
+
+class Written(NamedTuple):
+    """An expression without its sign, how strongly it binds, and whether the sign is a minus."""
+
+    body: str
+    binding: Binding
+    negative: bool = False
+
+
+class LineWriter(Writer[Written]):
+    """Writes expressions as lines of signs and symbols.
+
+    Attributes:
+        plus: what stands between two terms.
+        minus: what stands before a term that is subtracted.
+        sign: what stands before a negative first term.
+    """
+
+    plus = "+"
+    minus = "-"
+    sign = "-"
+
+    def text(self, expression: Expression) -> str:
+        """The expression with its sign."""
+        return self._signed(self.written(expression))
+
+    def lines(self, entries: Numbered) -> list[list[str]]:
+        """The entries of a matrix with their signs."""
+        return [list(map(self._signed, row)) for row in self.entries(entries)]
+
+    def _write(self, number: int) -> Written:
+        quotient = self.ledger.quotients[number]
+        if quotient is not None:
+            return self._quotient(quotient)
+        below = self.ledger.below[number]
+        match self.ledger.nodes[number]:
+            case Sum():
+                return self._sum([self._written[term] for term in below])
+            case Call() as node:
+                return self._call(node, [self._written[argument] for argument in below])
+            case Parameter(name):
+                return Written(self._parameter(name), Binding.ATOM)
+            case JointVariable(index):
+                return Written(self._variable(index), Binding.ATOM)
+            case Pi():
+                return Written(self._pi(), Binding.ATOM)
+            case Power(_, exponent):
+                return self._raised(below[0], exponent)
+        raise AssertionError(number)
+
+    def _sum(self, terms: Sequence[Written]) -> Written:
+        parts: list[str] = []
+        for body, binding, negative in terms:
+            if negative:
+                parts.append(self.minus if parts else self.sign)
+            elif parts:
+                parts.append(self.plus)
+            parts.append(body if binding > Binding.SUM else self._bracketed(body))
+        return Written(self._joined(parts), Binding.SUM)
+
+    def _joined(self, parts: Sequence[str]) -> str:
+        return "".join(parts)
+
+    def _signed(self, written: Written) -> str:
+        return self.sign + written.body if written.negative else written.body
+
+    def _within(self, written: Written, binding: Binding) -> str:
+        """What is written, with its sign, in parentheses unless it binds at least so strongly."""
+        if written.negative or written.binding < binding:
+            return self._bracketed(self._signed(written))
+        return written.body
+
+    def _bracketed(self, text: str) -> str:
+        return f"({text})"
+
+    @abstractmethod
+    def _quotient(self, quotient: Quotient) -> Written: ...
+
+    @abstractmethod
+    def _call(self, node: Call, arguments: Sequence[Written]) -> Written: ...
+
+    @abstractmethod
+    def _raised(self, base: int, exponent: Fraction) -> Written:
+        """A positive power."""
+
+    @abstractmethod
+    def _parameter(self, name: str) -> str: ...
+
+    @abstractmethod
+    def _variable(self, index: int) -> str: ...
+
+    @abstractmethod
+    def _pi(self) -> str: ...
+
+
+class Typesetter(LineWriter):
+    """Writes expressions in two dimensions: fractions with a line, roots, powers above."""
+
+    def _quotient(self, quotient: Quotient) -> Written:
+        """A product with its numbers and roots in one fraction: (√3/2)·c1."""
+        weight = quotient.weight
+        constants = [self._written[factor] for factor in quotient.constants]
+        above = [self._written[factor] for factor in quotient.above]
+        below = [self._raised(base, exponent) for base, exponent in quotient.below]
+        weakest = Binding.SUM if len(below) == 1 and not weight.divides else Binding.PRODUCT
+        denominator = [self._digits(str(weight.denominator))] if weight.divides else []
+        denominator += [self._within(factor, weakest) for factor in below]
+        head = [self._digits(weight.digits)] if weight.digits else []
+        head += [self._within(factor, Binding.PRODUCT) for factor in constants]
+        tail = [self._within(factor, Binding.PRODUCT) for factor in above]
+        if below or (denominator and not head and len(tail) == 1 and above[0].binding >= Binding.POWER):
+            head, tail = head + tail, []
+        if denominator:
+            over = self._over(self._times(head or [self._digits("1")]), self._times(denominator))
+            return Written(self._times([over, *tail]), Binding.PRODUCT, weight.negative)
+        factors = head + tail
+        if len(factors) > 1:
+            return Written(self._times(factors), Binding.PRODUCT, weight.negative)
+        alone = (*constants, *above)
+        binding = alone[0].binding if alone else Binding.ATOM
+        return Written(factors[0] if factors else self._digits("1"), binding, weight.negative)
+
+    def _raised(self, base: int, exponent: Fraction) -> Written:
+        written = self._written[base]
+        if exponent == 1:
+            return written
+        if exponent == Fraction(1, 2):
+            return Written(self._root(self._signed(written)), Binding.ATOM)
+        return self._power(base, exponent)
+
+    @abstractmethod
+    def _power(self, base: int, exponent: Fraction) -> Written: ...
+
+    @abstractmethod
+    def _digits(self, digits: str) -> str: ...
+
+    @abstractmethod
+    def _times(self, factors: Sequence[str]) -> str: ...
+
+    @abstractmethod
+    def _over(self, numerator: str, denominator: str) -> str: ...
+
+    @abstractmethod
+    def _root(self, radicand: str) -> str: ...
