@@ -34,7 +34,7 @@ from kinematics.frames.parallels import (
 from kinematics.frames.placement import draw_prismatic_axes
 from kinematics.frames.remarks import tilt_remarks, tolerance_fault, unfit_base, unfit_tool
 from kinematics.frames.size import robot_size
-from kinematics.frames.vectors import Vector, cross, dot, minus, turn
+from kinematics.frames.vectors import Vector, cross, dot, minus, scaled, turn
 from kinematics.links import Transform
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
 
@@ -279,7 +279,7 @@ def _frame(pose: Pose, rule: Rule, relation: Relation | None, free: tuple[Freedo
     return AssignedFrame(
         origin=pose.origin,
         x=pose.x,
-        y=cross(pose.z, pose.x),
+        y=scaled(1.0, cross(pose.z, pose.x)),
         z=pose.z,
         rule=rule,
         relation=relation,

@@ -30,7 +30,7 @@ from kinematics.frames.parallels import PARALLEL_TOLERANCE, straighten
 from kinematics.frames.placement import draw_prismatic_axes
 from kinematics.frames.rules import Finding, Place, broken_rules, own_axis, partner_axis
 from kinematics.frames.size import robot_size
-from kinematics.frames.vectors import dot, minus, turn
+from kinematics.frames.vectors import Vector, cross, dot, minus, norm, turn, unit
 from kinematics.links import Transform
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericRow, NumericTable
 from kinematics.transforms import inverse_transform
@@ -44,11 +44,17 @@ class ChosenFrame:
         origin: the origin [m], or None.
         x: direction of x, or None.
         z: direction of z, or None.
+        y: None, or the direction z × x beside both of them.
     """
 
     origin: Sequence[float] | None = None
     x: Sequence[float] | None = None
     z: Sequence[float] | None = None
+    y: Sequence[float] | None = None
+
+
+SAME_DIRECTION = 1e-6
+"""A y that differs from z × x by no more than this is it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -109,7 +115,7 @@ def check_frames(
         tool: (4, 4) tool, or the gripper, if any: no advice is given on frame N then.
 
     Raises:
-        DescriptionError: malformed axes or frames, or more than N+1 frames.
+        DescriptionError: malformed axes or frames, a y that is not z × x, or more than N+1 frames.
         PoseError: base or tool is not a rigid motion.
     """
     lines, _ = straighten(read_axes(axes), PARALLEL_TOLERANCE)
@@ -153,16 +159,33 @@ def _read_frames(chosen: Sequence[ChosenFrame | None], count: int) -> list[Parti
         frame = chosen[i] if i < len(chosen) else None
         frame = ChosenFrame() if frame is None else frame
         where = ("frames", i)
-        frames.append(
-            PartialPose(
-                None if frame.origin is None else read_point(frame.origin, (*where, "origin"), faults),
-                None if frame.x is None else read_direction(frame.x, (*where, "x"), faults),
-                None if frame.z is None else read_direction(frame.z, (*where, "z"), faults),
-            )
+        read = PartialPose(
+            None if frame.origin is None else read_point(frame.origin, (*where, "origin"), faults),
+            None if frame.x is None else read_direction(frame.x, (*where, "x"), faults),
+            None if frame.z is None else read_direction(frame.z, (*where, "z"), faults),
         )
+        frames.append(read)
+        if frame.y is not None:
+            before = len(faults)
+            y = read_direction(frame.y, (*where, "y"), faults)
+            if len(faults) == before and not _follows(y, read):
+                faults.append(_foreign_y((*where, "y")))
     if faults:
         raise DescriptionError(faults)
     return frames
+
+
+def _follows(y: Vector, frame: PartialPose) -> bool:
+    """Whether y is z × x; where x lies along z that rule is broken, and y is not to be blamed for it."""
+    if frame.x is None or frame.z is None:
+        return False
+    across = cross(frame.z, frame.x)
+    return norm(across) < SAME_DIRECTION or norm(minus(y, unit(across))) <= SAME_DIRECTION
+
+
+def _foreign_y(where: tuple[str | int, ...]) -> Fault:
+    message = "y follows from z and x: leave it out, or give z × x beside both of them"
+    return Fault(code="frame_y_not_z_cross_x", where=where, message=message)
 
 
 def _drawn_lines(

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias
 
-from pydantic import Field
+from pydantic import Discriminator, Field, Tag
 
 from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.frames.assignment import Freedom, Rule
@@ -16,6 +16,7 @@ from kinematics.frames.trainer import ChosenFrame
 from kinematics.table import Convention, JointType
 from service.schemas.base import Matrix4, Real, Vector3, Wire
 from service.schemas.tables import Table, Units
+from service.validation import CHOICE
 
 
 class Axis(Wire):
@@ -44,7 +45,14 @@ class GripperTool(Wire):
         return Gripper(point=self.point, approach=self.approach, jaws=self.jaws)
 
 
-Tool: TypeAlias = Matrix4 | GripperTool
+def _kind_of(tool: Any) -> str:
+    return CHOICE + ("gripper" if isinstance(tool, dict | GripperTool) else "matrix")
+
+
+Tool: TypeAlias = Annotated[
+    Annotated[Matrix4, Tag(CHOICE + "matrix")] | Annotated[GripperTool, Tag(CHOICE + "gripper")],
+    Discriminator(_kind_of),
+]
 
 
 class AxesQuestion(Wire):
@@ -105,15 +113,20 @@ class AssignFramesAnswer(Units):
 
 
 class Chosen(Wire):
-    """A frame as far as it has been chosen; y follows from z and x."""
+    """A frame as far as it has been chosen; those of /assign-frames are taken as they are."""
 
     origin: Vector3 | None = None
     x: Vector3 | None = None
+    y: Vector3 | None = Field(None, description="follows from z and x: left out, or z × x beside both")
     z: Vector3 | None = None
+    rule: Annotated[Rule, Field(strict=False)] | None = Field(
+        None, description="as /assign-frames tells it; frames are judged without it"
+    )
+    free: list[Annotated[Freedom, Field(strict=False)]] | None = Field(None, description="likewise")
 
     def frame(self) -> ChosenFrame:
         """The frame as the domain knows it."""
-        return ChosenFrame(origin=self.origin, x=self.x, z=self.z)
+        return ChosenFrame(origin=self.origin, x=self.x, y=self.y, z=self.z)
 
 
 class CheckFramesRequest(AxesQuestion):

@@ -103,13 +103,51 @@ def test_a_students_frames_are_judged_in_their_language(client) -> None:
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_the_assigned_frames_break_no_rule_and_give_the_same_table(client, convention) -> None:
     assigned = assign(client, convention=convention, angle_unit="deg").json()
-    frames = [{name: frame[name] for name in ("origin", "x", "z")} for frame in assigned["frames"]]
-    body = client.post(
+    answer = client.post(
         "/api/v1/check-frames",
-        json={"axes": ELBOW, "convention": convention, "frames": frames, "angle_unit": "deg"},
-    ).json()
+        json={"axes": ELBOW, "convention": convention, "frames": assigned["frames"], "angle_unit": "deg"},
+    )
+    assert answer.status_code == 200, answer.text
+    body = answer.json()
     assert [frame["findings"] for frame in body["frames"]] == [[], [], [], []]
     assert body["table"] == assigned["table"]
+
+
+@pytest.mark.parametrize(
+    "frame",
+    [
+        {"x": [1, 0, 0], "y": [0, -1, 0], "z": [0, 0, 1]},
+        {"x": [1, 0, 0], "y": [0, 1, 0]},
+        {"y": [0, 1, 0], "z": [0, 0, 1]},
+    ],
+    ids=["left-handed", "without z", "without x"],
+)
+def test_a_y_that_does_not_follow(client, frame) -> None:
+    request = {"axes": ELBOW, "convention": "modified", "frames": [None, frame]}
+    answer = client.post("/api/v1/check-frames", json=request)
+    assert (answer.status_code, answer.json()["code"]) == (422, "frame_y_not_z_cross_x")
+    assert answer.json()["pointer"] == "/frames/1/y"
+
+
+def test_a_y_is_not_blamed_for_an_x_along_z(client) -> None:
+    frame = {"origin": [0, 0, 0], "x": [0, 0, 2], "y": [0, 1, 0], "z": [0, 0, 1]}
+    request = {"axes": ELBOW, "convention": "modified", "frames": [frame]}
+    body = client.post("/api/v1/check-frames", json=request).json()
+    assert body["frames"][0]["findings"][0]["rule"] == "x_not_across_z"
+
+
+@pytest.mark.parametrize(
+    ("tool", "code", "pointer"),
+    [
+        ({"point": [0, 0, 0], "approach": [1, 0, 0]}, "field_missing", "/tool/jaws"),
+        ([[1, 0], [0, 1]], "pose_wrong_shape", "/tool"),
+        ("gripper", "list_expected", "/tool"),
+    ],
+)
+def test_a_malformed_tool_is_named_as_the_caller_wrote_it(client, tool, code, pointer) -> None:
+    answer = assign(client, tool=tool)
+    assert (answer.status_code, answer.json()["code"], answer.json()["pointer"]) == (422, code, pointer)
+    assert len(answer.json()["errors"]) == 1
 
 
 def test_too_many_frames(client) -> None:

@@ -22,6 +22,7 @@ error-gripper_jaws_along_approach = The jaws slide across the approach direction
 error-vector_malformed = Give three finite numbers x, y, z, none larger than { $limit }.
 error-direction_zero = A direction needs a length: 0, 0, 0 points nowhere.
 error-frames_too_many = A chain of { $count } joints has the frames 0 to { $count }.
+error-frame_y_not_z_cross_x = y follows from z and x. Leave it out, or give z × x beside both of them.
 error-parallel_tolerance_out_of_range = The tolerance for parallel axes lies between { $least } and { $greatest } rad.
 error-near_parallel = Axes { $previous } and { $joint } are parallel but for { $angle } rad and were taken as parallel; that moves the robot by at most { $displacement }.
 error-near_parallel_dummy_row = Axes { $previous } and { $joint } are parallel but for { $angle } rad; a fixed row between them keeps the table exact.

@@ -22,6 +22,7 @@ error-gripper_jaws_along_approach = Las mordazas se deslizan transversalmente a 
 error-vector_malformed = Dé tres números finitos x, y, z, ninguno mayor que { $limit }.
 error-direction_zero = Una dirección necesita longitud: 0, 0, 0 no apunta a ninguna parte.
 error-frames_too_many = Una cadena de { $count } articulaciones tiene los sistemas 0 a { $count }.
+error-frame_y_not_z_cross_x = y se deduce de z y x. Omítalo o dé z × x junto a ambos.
 error-parallel_tolerance_out_of_range = La tolerancia para ejes paralelos está entre { $least } y { $greatest } rad.
 error-near_parallel = Los ejes { $previous } y { $joint } son paralelos salvo { $angle } rad y se tomaron como paralelos; eso desplaza el robot { $displacement } como mucho.
 error-near_parallel_dummy_row = Los ejes { $previous } y { $joint } son paralelos salvo { $angle } rad; una fila fija entre ellos mantiene exacta la tabla.

@@ -22,6 +22,7 @@ error-gripper_jaws_along_approach = Les mors glissent en travers de la direction
 error-vector_malformed = Donnez trois nombres finis x, y, z, aucun plus grand que { $limit }.
 error-direction_zero = Une direction a besoin d’une longueur : 0, 0, 0 ne pointe nulle part.
 error-frames_too_many = Une chaîne de { $count } articulations a les repères 0 à { $count }.
+error-frame_y_not_z_cross_x = y découle de z et de x. Ne le donnez pas, ou donnez z × x à côté des deux.
 error-parallel_tolerance_out_of_range = La tolérance pour les axes parallèles est comprise entre { $least } et { $greatest } rad.
 error-near_parallel = Les axes { $previous } et { $joint } sont parallèles à { $angle } rad près et ont été pris comme parallèles ; cela déplace le robot d’au plus { $displacement }.
 error-near_parallel_dummy_row = Les axes { $previous } et { $joint } sont parallèles à { $angle } rad près ; une ligne fixe entre eux garde le tableau exact.

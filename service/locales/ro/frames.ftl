@@ -22,6 +22,7 @@ error-gripper_jaws_along_approach = Fălcile alunecă transversal față de dire
 error-vector_malformed = Dați trei numere finite x, y, z, niciunul mai mare decât { $limit }.
 error-direction_zero = O direcție are nevoie de lungime: 0, 0, 0 nu indică nicăieri.
 error-frames_too_many = Un lanț cu { $count } cuple are sistemele de la 0 la { $count }.
+error-frame_y_not_z_cross_x = y rezultă din z și x. Omiteți-l sau dați z × x alături de ambele.
 error-parallel_tolerance_out_of_range = Toleranța pentru axe paralele este între { $least } și { $greatest } rad.
 error-near_parallel = Axele { $previous } și { $joint } sunt paralele cu o abatere de { $angle } rad și au fost considerate paralele; aceasta deplasează robotul cu cel mult { $displacement }.
 error-near_parallel_dummy_row = Axele { $previous } și { $joint } sunt paralele cu o abatere de { $angle } rad; un rând fix între ele păstrează tabelul exact.
