@@ -27,6 +27,7 @@ from kinematics.errors import Fault
 from service.errors import BusyError, RequestError
 from service.processes import process_context
 from service.settings import Settings
+from service.turns import take_short_turns
 
 RETRY_SECONDS = 2
 START_SECONDS = 20.0
@@ -141,6 +142,7 @@ class _Processes:
 @asynccontextmanager
 async def lifespan(app: FastAPI) -> AsyncIterator[None]:
     """Start the workers with the application, and end them with it."""
+    take_short_turns()
     workers: Workers = app.state.workers
     workers.warm()
     try:

@@ -1,0 +1,22 @@
+"""How the threads of a server process take turns."""
+
+from __future__ import annotations
+
+import gc
+import sys
+from functools import cache
+
+SWITCH_SECONDS = 0.001
+
+
+@cache
+def take_short_turns() -> None:
+    """Have threads that compute give way soon; done once for the process.
+
+    While a wrong answer is explained in a thread, the event loop waits up to this long whenever it wakes, and
+    it wakes several times for every request. The collector is told to leave alone what was loaded at the
+    start: it stays as long as the process, and going over it stops all threads.
+    """
+    sys.setswitchinterval(SWITCH_SECONDS)
+    gc.collect()
+    gc.freeze()
