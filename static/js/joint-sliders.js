@@ -8,11 +8,12 @@
 
 import { el, fill, iconButton, uniqueId } from "./dom.js";
 import { t } from "./i18n.js";
+import { clamped } from "./joint-ranges.js";
 import { degrees, plain, radians } from "./numbers.js";
 
 const STEPS = 360;
 
-/** @typedef {{name: string, type: string, min: number, max: number, value?: number}} JointRange */
+/** @typedef {import("./joint-ranges.js").JointRange} JointRange */
 
 export class JointSliders extends HTMLElement {
   /** @type {JointRange[]} */
@@ -29,9 +30,11 @@ export class JointSliders extends HTMLElement {
 
   set joints(joints) {
     const same = joints.length === this.#joints.length && joints.every((joint, i) => joint.type === this.#joints[i].type);
-    this.#values = joints.map((joint, i) => clamp(joint, same ? this.#values[i] : (joint.value ?? 0)));
+    const called = same && joints.every((joint, i) => joint.name === this.#joints[i].name);
+    this.#values = joints.map((joint, i) => clamped(joint, same ? this.#values[i] : (joint.value ?? 0)));
     this.#joints = joints;
-    this.#build();
+    if (called) this.#range();
+    else this.#build();
   }
 
   get values() {
@@ -48,13 +51,14 @@ export class JointSliders extends HTMLElement {
   }
 
   set units(units) {
+    const { angle, length } = this.#units;
     this.#units = { ...this.#units, ...units };
-    this.#build();
+    if (angle !== this.#units.angle || length !== this.#units.length) this.#build();
   }
 
   /** Back to the values that the joints came with. */
   reset() {
-    this.#values = this.#joints.map((joint) => clamp(joint, joint.value ?? 0));
+    this.#values = this.#joints.map((joint) => clamped(joint, joint.value ?? 0));
     this.#show();
     this.#tell();
   }
@@ -65,20 +69,25 @@ export class JointSliders extends HTMLElement {
       this,
       this.#joints.map((joint, i) => this.#line(joint, i)),
     );
+    this.#range();
+  }
+
+  /** How far the sliders go; the elements stay, so that one that is being dragged goes on being dragged. */
+  #range() {
+    this.#inputs.forEach(({ range }, i) => {
+      const joint = this.#joints[i];
+      const [min, max] = [this.#outward(joint, joint.min), this.#outward(joint, joint.max)];
+      Object.assign(range, { min, max, step: niceStep((max - min) / STEPS) });
+    });
     this.#show();
   }
 
   #line(joint, i) {
     const id = uniqueId("joint");
-    const [min, max] = [this.#outward(joint, joint.min), this.#outward(joint, joint.max)];
-    const step = niceStep((max - min) / STEPS);
     const label = t(joint.type === "prismatic" ? "form-joint-slide" : "form-joint-turn", { name: joint.name });
     const range = el("input", {
       id,
       type: "range",
-      min,
-      max,
-      step,
       "aria-label": `${label} [${this.#unit(joint)}]`,
       oninput: () => this.#take(i, Number(range.value), range),
     });
@@ -111,7 +120,9 @@ export class JointSliders extends HTMLElement {
     this.#inputs.forEach(({ range, number }, i) => {
       const value = this.#outward(this.#joints[i], this.#values[i]);
       if (range !== except) range.value = String(value);
-      if (number !== except) number.value = plain(value, this.#units.angle === "deg" ? 2 : 4);
+      const text = plain(value, this.#units.angle === "deg" ? 2 : 4);
+      const typing = number === document.activeElement && Number(number.value) === Number(text);
+      if (number !== except && !typing) number.value = text;
       range.setAttribute("aria-valuetext", `${plain(value, 2)} ${this.#unit(this.#joints[i])}`);
     });
   }
@@ -134,10 +145,6 @@ export class JointSliders extends HTMLElement {
   }
 }
 
-function clamp(joint, value) {
-  return Math.min(joint.max, Math.max(joint.min, value ?? 0));
-}
-
 /** @param {string} name */
 function nameOf(name) {
   const match = /^([^\d_]+)_?(\d+)$/.exec(name);
@@ -153,19 +160,6 @@ function niceStep(step) {
 /** A bar with a reset button for sliders. @param {JointSliders} sliders */
 export function resetButton(sliders) {
   return iconButton("home", t("form-joints-reset"), () => sliders.reset());
-}
-
-/**
- * Ranges for a robot's joints where nothing else is known: a turn either way, a slide of half the robot's size.
- * @param {{type: string, name: string}[]} joints @param {number} size
- * @returns {JointRange[]}
- */
-export function usualRanges(joints, size) {
-  return joints.map((joint) =>
-    joint.type === "prismatic"
-      ? { ...joint, min: -size / 2, max: size / 2 }
-      : { ...joint, min: -Math.PI, max: Math.PI },
-  );
 }
 
 customElements.define("joint-sliders", JointSliders);

@@ -1,12 +1,19 @@
 /**
  * The robot of a table that is being typed: reads the table, asks for its link matrices, follows the sliders.
- * Events: `typed` (a new table is being looked at), `reading` (what was understood, or the faults), `robot` (a scene model and joints to move), `poses`
- * (matrices at the joints' present values), `failure` (the service could not be reached).
+ *
+ * What is looked at is one state, replaced as a whole; what is drawn is one `Subject`, made of one state and the
+ * service's reading of its table. Every call is built from one of them, so that no call ever mixes the table of
+ * one robot with the values or the joints of another.
+ *
+ * Events: `typed` (a new table is being looked at), `reading` (what was understood, or the faults), `parameters`
+ * (the names that the table uses, and which of them have no value), `robot` (a scene model and joints to move),
+ * `poses` (matrices at the joints' present values), `failure` (the service could not be reached).
  */
 
-import { Problem, Throttled } from "./api.js";
+import { Latest, Problem, Throttled } from "./api.js";
 import { debounced } from "./dom.js";
-import { degrees } from "./numbers.js";
+import { clamped, usualRanges } from "./joint-ranges.js";
+import { degrees, radians } from "./numbers.js";
 import { reach, tableRobot } from "./scene/robots.js";
 import { Understanding } from "./understanding.js";
 
@@ -14,19 +21,23 @@ const TYPING_PAUSE = 220;
 const DRAGGING_PAUSE = 60;
 
 /**
- * @typedef {{model: import("./scene/model.js").Model, joints: {name: string, type: string}[], size: number}} Robot
+ * @typedef {import("./joint-ranges.js").JointRange} JointRange
+ * @typedef {{table: any, parameters: Record<string, number>, joints: number[] | null}} State
+ *   what is looked at: the table as it goes to the API, values of parameters in its units, and the joint values
+ *   [rad or length] that it is to be shown at, or null to leave the joints where they are
+ * @typedef {{table: any, parameters: Record<string, number>, types: string[], ranges: JointRange[], joints: number[]}} Subject
+ *   what is drawn: a table that could be read, values of just its parameters, joint types and ranges, joint values
+ * @typedef {{model: import("./scene/model.js").Model, joints: JointRange[], values: number[], size: number}} Robot
  */
 
 export class LiveRobot extends EventTarget {
-  #asked = 0;
-  #table = /** @type {any} */ (null);
-  /** @type {Record<string, number>} */
-  #parameters = {};
-  #joints = /** @type {number[]} */ ([]);
-  #types = /** @type {string[]} */ ([]);
-  #ready = false;
-  /** @type {{key: string, robot: Robot} | null} */
+  /** @type {State} */
+  #state = { table: null, parameters: {}, joints: null };
+  /** @type {{table: any, reading: import("./understanding.js").Reading} | null} */
+  #read = null;
+  /** @type {{subject: Subject, robot: Robot, state: State} | null} */
   #drawn = null;
+  #drawing = new Latest();
 
   /** @param {import("./api.js").Api} api @param {{size?: number, prime?: string}} [options] */
   constructor(api, options = {}) {
@@ -35,113 +46,103 @@ export class LiveRobot extends EventTarget {
     this.options = options;
     this.understanding = new Understanding(api);
     this.dragging = new Throttled(DRAGGING_PAUSE);
-    this.typed = debounced(() => this.#read(), TYPING_PAUSE);
-  }
-
-  /** The table as it goes to the API. @param {any} table @param {{now?: boolean}} [options] */
-  take(table, { now = false } = {}) {
-    this.#table = table;
-    this.#asked += 1;
-    this.#tell("typed", table);
-    if (now) this.#read();
-    else this.typed();
+    this.paused = debounced(() => this.#look(), TYPING_PAUSE);
   }
 
   /**
-   * The robot of the present table, as soon as it is drawn; null if it cannot be drawn, or another one came.
-   * @param {any} table @returns {Promise<Robot | null>}
+   * Looks at a table from now on.
+   * @param {any} table as it goes to the API
+   * @param {{now?: boolean, parameters?: Record<string, number>, joints?: number[] | null}} [options]
+   *   `now` does not wait for a pause in typing; parameters that are left out stay as they are, and so do joints
    */
-  of(table) {
-    const key = JSON.stringify(table);
-    if (this.#drawn?.key === key) return Promise.resolve(this.#drawn.robot);
-    if (JSON.stringify(this.#table) !== key) return Promise.resolve(null);
-    return new Promise((resolve) => {
-      const over = new AbortController();
-      const settle = (robot) => {
-        over.abort();
-        resolve(robot);
-      };
-      const listen = (name, listener) => this.addEventListener(name, listener, { signal: over.signal });
-      listen("robot", () => settle(this.#drawn?.key === key ? this.#drawn.robot : null));
-      listen("reading", (event) => /** @type {CustomEvent} */ (event).detail.reading || settle(null));
-      listen("parameters", (event) => /** @type {CustomEvent} */ (event).detail.missing.length && settle(null));
-      listen("failure", () => settle(null));
-      listen("typed", () => settle(null));
-      this.#read();
-    });
+  take(table, { now = false, parameters = this.#state.parameters, joints = this.#pending } = {}) {
+    this.#state = { table, parameters, joints };
+    this.#tell("typed", table);
+    if (now) this.#look();
+    else this.paused();
   }
 
   /** Values of the parameters, in the table's units. @param {Record<string, number>} parameters */
   set parameters(parameters) {
-    this.#parameters = parameters;
-    if (this.reading) this.#draw(this.#asked);
+    this.#state = { ...this.#state, parameters, joints: this.#pending };
+    if (this.#state.table) this.paused();
   }
 
   get parameters() {
-    return this.#parameters;
+    return this.#state.parameters;
   }
 
-  /** Joint values [rad or length]. @param {number[]} values */
-  set joints(values) {
-    this.#joints = values;
-    if (this.#ready) this.dragging.run(() => this.#pose()).catch((error) => this.#fail(error));
+  /** Joint values of the robot that is drawn [rad or length]. @param {number[]} joints */
+  set joints(joints) {
+    if (!this.#drawn) return;
+    this.#drawn = { ...this.#drawn, subject: { ...this.#drawn.subject, joints } };
+    this.dragging.run(() => this.#pose()).catch((error) => this.#fail(error));
   }
 
-  /** What goes into a call that concerns the table as it was last understood. */
-  get request() {
-    const names = new Set(this.reading?.parameters.map(({ name }) => name));
-    const parameters = Object.fromEntries(Object.entries(this.#parameters).filter(([name]) => names.has(name)));
-    return { table: this.read, parameters };
+  /** Joint values that were asked for [rad or length], or those of the robot that is drawn. */
+  get joints() {
+    return this.#pending ?? this.#drawn?.subject.joints ?? [];
   }
 
-  async #read() {
-    const asked = this.#asked;
-    const table = this.#table;
+  /** What is drawn, if it is what is looked at. @returns {Subject | null} */
+  get subject() {
+    return this.#drawn?.state === this.#state ? this.#drawn.subject : null;
+  }
+
+  /** Joint values that were asked for and not yet shown. */
+  get #pending() {
+    return this.#drawn?.state === this.#state ? null : this.#state.joints;
+  }
+
+  /** Reads the table unless that was done, and draws it. */
+  async #look() {
+    const { table } = this.#state;
+    if (this.subject) return;
     try {
-      const answer = await this.understanding.ask(table);
-      if (!answer || asked !== this.#asked) return;
-      this.reading = answer.reading;
-      if (answer.reading) this.read = table;
-      this.#tell("reading", answer);
-      if (answer.reading) await this.#draw(asked);
+      if (this.#read?.table !== table) {
+        this.#drawing.cancel();
+        const answer = await this.understanding.ask(table);
+        if (!answer || table !== this.#state.table) return;
+        this.#read = answer.reading && { table, reading: answer.reading };
+        this.#tell("reading", answer);
+      }
+      if (this.#read) await this.#draw(this.#state, this.#read.reading);
     } catch (error) {
-      this.#fail(error);
+      if (table === this.#state.table) this.#fail(error);
     }
   }
 
-  async #draw(asked) {
-    const reading = this.reading;
-    const missing = reading.parameters.filter(({ name }) => !Number.isFinite(this.#parameters[name]));
-    this.#ready = missing.length === 0;
-    if (missing.length) return this.#tell("parameters", { missing, parameters: reading.parameters });
-    const types = reading.rows.map((row) => row.joint).filter((joint) => joint !== "fixed");
-    if (types.join() !== this.#types.join()) this.#joints = types.map(() => 0);
-    this.#types = types;
-    try {
-      const request = { ...this.request, joints: types.map(() => 0), parts: ["links"] };
-      const { links } = await this.api.post("forward-kinematics", request);
-      if (asked !== this.#asked) return;
-      const size = this.options.size ?? reach(links);
-      const model = tableRobot({ convention: this.read.convention, rows: reading.rows, links, size, prime: this.options.prime });
-      const joints = types.map((type, i) => ({ type, name: reading.variables[i] ?? `q${i + 1}` }));
-      this.#tell("parameters", { missing: [], parameters: reading.parameters });
-      this.#drawn = { key: JSON.stringify(this.read), robot: { model, joints, size } };
-      this.#tell("robot", this.#drawn.robot);
-      await this.dragging.run(() => this.#pose());
-    } catch (error) {
-      this.#fail(error);
-    }
+  /** @param {State} state @param {import("./understanding.js").Reading} reading of its table */
+  async #draw(state, reading) {
+    const missing = reading.parameters.filter(({ name }) => !Number.isFinite(state.parameters[name]));
+    this.#tell("parameters", { missing, parameters: reading.parameters });
+    if (missing.length) return this.#drawing.cancel();
+    const answer = await this.#drawing.run((signal) => modelled(this.api, state, reading, { ...this.options, signal }));
+    if (!answer || state !== this.#state) return;
+    const { subject, model, joints, size } = answer.value;
+    const values = this.#values(state, joints);
+    this.#drawn = { subject: { ...subject, joints: values }, robot: { model, joints, values, size }, state };
+    this.#tell("robot", this.#drawn.robot);
+    await this.dragging.run(() => this.#pose());
+  }
+
+  /** Where the joints of a robot stand at first: as asked for, else where they stood, as far as they may. */
+  #values(state, joints) {
+    if (state.joints) return joints.map((_, i) => (state.joints?.length === joints.length ? state.joints[i] : 0));
+    const before = this.#drawn?.subject;
+    const same = before && before.types.join() === joints.map(({ type }) => type).join();
+    return joints.map((joint, i) => clamped(joint, same ? before.joints[i] : 0));
   }
 
   async #pose() {
-    const asked = this.#asked;
-    const inDegrees = this.read.angle_unit === "deg";
-    const joints = this.#types.map((type, i) => {
-      const value = this.#joints[i] ?? 0;
-      return inDegrees && type === "revolute" ? degrees(value) : value;
-    });
-    const answer = await this.api.post("forward-kinematics", { ...this.request, joints });
-    if (asked === this.#asked) this.#tell("poses", answer);
+    const { subject, robot } = this.#drawn;
+    const { table, parameters } = subject;
+    try {
+      const answer = await this.api.post("forward-kinematics", { table, parameters, joints: outward(subject) });
+      if (robot === this.#drawn.robot) this.#tell("poses", answer);
+    } catch (error) {
+      if (robot === this.#drawn.robot) throw error;
+    }
   }
 
   #fail(error) {
@@ -153,4 +154,45 @@ export class LiveRobot extends EventTarget {
   #tell(name, detail) {
     this.dispatchEvent(new CustomEvent(name, { detail }));
   }
+}
+
+/**
+ * The robot of a table at given values, for once; null if it cannot be read or a value is missing.
+ * @param {import("./api.js").Api} api @param {any} table @param {Record<string, number>} parameters in its units
+ * @returns {Promise<Omit<Robot, "values"> | null>}
+ */
+export async function robotOf(api, table, parameters) {
+  const answer = await new Understanding(api).ask(table);
+  const reading = answer?.reading;
+  if (!reading || reading.parameters.some(({ name }) => !Number.isFinite(parameters[name]))) return null;
+  return modelled(api, { table, parameters }, reading);
+}
+
+/**
+ * A scene model from the service's link matrices, all joints at zero.
+ * @param {import("./api.js").Api} api @param {{table: any, parameters: Record<string, number>}} state
+ * @param {import("./understanding.js").Reading} reading of its table
+ * @param {{size?: number, prime?: string, signal?: AbortSignal}} [options]
+ */
+async function modelled(api, { table, parameters: values }, { rows, variables, parameters: names }, { signal, size: given, prime } = {}) {
+  const parameters = Object.fromEntries(names.map(({ name }) => [name, values[name]]));
+  const types = rows.map((row) => row.joint).filter((joint) => joint !== "fixed");
+  const request = { table, parameters, joints: types.map(() => 0), parts: ["links"] };
+  const { links } = await api.post("forward-kinematics", request, { signal });
+  const size = given ?? reach(links);
+  const model = tableRobot({ convention: table.convention, rows, links, size, prime });
+  const joints = usualRanges(types.map((type, i) => ({ type, name: variables[i] ?? `q${i + 1}` })), size);
+  return { subject: { table, parameters, types, ranges: joints }, model, joints, size };
+}
+
+/** A subject's joint values in its table's units. @param {Subject} subject */
+export function outward({ table, types, joints }) {
+  const inDegrees = table.angle_unit === "deg";
+  return types.map((type, i) => (inDegrees && type === "revolute" ? degrees(joints[i]) : joints[i]));
+}
+
+/** The same back: joint values in the table's units as radians and lengths. @param {Subject} subject */
+export function inward({ table, types, joints }) {
+  const inDegrees = table.angle_unit === "deg";
+  return types.map((type, i) => (inDegrees && type === "revolute" ? radians(joints[i]) : joints[i]));
 }

@@ -68,6 +68,7 @@ export class MatrixPanel extends HTMLElement {
   set table(table) {
     if (JSON.stringify(table) === JSON.stringify(this.#table)) return;
     this.#table = table;
+    this.#latest.cancel();
     this.#symbolic = null;
     if (!table) this.#numbers = null;
     this.#show();
@@ -85,6 +86,7 @@ export class MatrixPanel extends HTMLElement {
   #show() {
     if (!this.isConnected) return;
     this.#shown = [];
+    this.#wait(false);
     if (!this.#table || (this.#mode === "numbers" && !this.#numbers)) {
       fill(this.#body, el("p", { class: "hint", text: t("form-matrix-none") }));
     } else if (this.#mode === "numbers") this.#showNumbers();
@@ -107,26 +109,31 @@ export class MatrixPanel extends HTMLElement {
   }
 
   async #askSymbols() {
+    this.#latest.cancel();
     if (!this.#table || !this.api) return;
     const asked = JSON.stringify([this.#table, this.#notation]);
     if (this.#symbolic?.asked !== asked) {
-      this.#body.classList.add("busy");
-      this.#body.setAttribute("aria-busy", "true");
+      this.#wait(true);
       try {
         const request = { table: this.#table, formats: SOURCES, notation: this.#notation };
         const answer = await this.#latest.run((signal) => this.api.post("symbolic", request, { signal }));
         if (!answer) return;
         this.#symbolic = { asked, ...answer.value };
       } catch (error) {
+        this.#wait(false);
         const text = error instanceof Problem ? error.message : t("form-unreachable");
-        fill(this.#body, el("p", { class: "notice notice-problem", text }));
+        if (this.#mode === "symbols") fill(this.#body, el("p", { class: "notice notice-problem", text }));
         return;
-      } finally {
-        this.#body.classList.remove("busy");
-        this.#body.removeAttribute("aria-busy");
       }
     }
+    this.#wait(false);
     if (this.#mode === "symbols") this.#showSymbols();
+  }
+
+  #wait(waiting) {
+    this.#body.classList.toggle("busy", waiting);
+    if (waiting) this.#body.setAttribute("aria-busy", "true");
+    else this.#body.removeAttribute("aria-busy");
   }
 
   #showSymbols() {

@@ -1,8 +1,9 @@
 /** What every page starts with: addresses, messages, the language switch. */
 
 import { Api } from "./api.js";
-import { language, loadMessages } from "./i18n.js";
-import { carried, takeCarried } from "./storage.js";
+import { announce, el } from "./dom.js";
+import { language, loadMessages, t } from "./i18n.js";
+import { carried, takeCarried, whenNothingLasts } from "./storage.js";
 
 const { root: relativeRoot, rooms, page: pageName, assets: relativeAssets } = document.documentElement.dataset;
 
@@ -33,8 +34,17 @@ export async function startPage(run) {
   }
   prepareLanguages();
   await loadMessages(root, rooms || "form");
+  whenNothingLasts(sayThatNothingLasts);
   await run();
   document.documentElement.dataset.ready = "true";
+}
+
+/** Above the page, and read out: storage is blocked or full. */
+function sayThatNothingLasts() {
+  const close = el("button", { type: "button", class: "quiet", text: t("form-close"), onclick: () => notice.remove() });
+  const notice = el("div", { class: "notice notice-warn row no-print" }, el("span", { class: "grow", text: t("form-storage-blocked") }), close);
+  document.querySelector("main")?.prepend(notice);
+  announce(t("form-storage-blocked"));
 }
 
 /** The menu of languages: its links take along what only memory holds; Escape and a click elsewhere close it. */

@@ -22,8 +22,17 @@ function browserStorage() {
 
 const storage = typeof window === "undefined" ? null : browserStorage();
 
-/** Whether what is kept outlives the page. */
-export const isLasting = storage !== null;
+const TOLD = "told-that-nothing-lasts";
+let tell = () => {};
+
+/** Calls back once, when something can be kept in memory only. @param {() => void} listener */
+export function whenNothingLasts(listener) {
+  tell = () => {
+    if (memory.has(TOLD)) return;
+    memory.set(TOLD, "true");
+    listener();
+  };
+}
 
 /**
  * @template T
@@ -40,7 +49,7 @@ export function recall(key, otherwise) {
   }
 }
 
-/** Keeps a value; null forgets it. @param {string} key @param {unknown} value */
+/** Keeps a value, at the least as long as the page is open; null forgets it. @param {string} key @param {unknown} value */
 export function keep(key, value) {
   if (value === null) {
     memory.delete(key);
@@ -54,6 +63,7 @@ export function keep(key, value) {
     memory.delete(key);
   } catch {
     memory.set(key, text);
+    tell();
   }
 }
 

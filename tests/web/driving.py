@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from playwright.sync_api import Frame, Locator, Page, expect
+from playwright.sync_api import Frame, Locator, Page, Route, expect
 
 ORDER = {"modified": ("alpha", "a", "d", "theta"), "standard": ("theta", "d", "a", "alpha")}
 
 Table = Mapping[str, Any]
 
 
-def editor(page: Page) -> Locator:
+def editor(page: Page | Frame) -> Locator:
     return page.locator("dh-table-editor")
 
 
-def cell(page: Page, row: int, name: str) -> Locator:
+def cell(page: Page | Frame, row: int, name: str) -> Locator:
     """The field of a cell; rows from 0."""
     return editor(page).locator(f"tbody tr:nth-child({row + 1}) input[id$='-{name}']")
 
@@ -50,7 +51,7 @@ def put_table(page: Page | Frame, table: Table) -> None:
     page.evaluate("table => (document.querySelector('dh-table-editor').table = table)", wire)
 
 
-def switch_language(page: Page, language: str) -> None:
+def switch_language(page: Page | Frame, language: str) -> None:
     page.locator("#language summary").click()
     page.locator(f"#language a[hreflang={language}]").click()
 
@@ -67,6 +68,48 @@ def fill_matrix(fields: Locator, matrix: Sequence[Sequence[str]]) -> None:
     for i in range(3):
         for k in range(4):
             fields.locator("input").nth(4 * i + k).fill(matrix[i][k])
+
+
+class Held:
+    """Requests that are held back, to be let go in the order that a test wants: a race made certain.
+
+    The service answers a request only after it was let go. One that the page has given up meanwhile is gone
+    like an answer that nobody waits for.
+    """
+
+    def __init__(self, page: Page, address: str | re.Pattern[str]) -> None:
+        self.page = page
+        self.address = address
+        self.waiting: list[Route] = []
+        self.holding = True
+        page.route(address, self._hold)
+
+    def _hold(self, route: Route) -> None:
+        if self.holding:
+            self.waiting.append(route)
+        else:
+            route.continue_()
+
+    def until(self, count: int) -> None:
+        """Wait until so many are held."""
+        for _ in range(1000):
+            if len(self.waiting) >= count:
+                return
+            self.page.wait_for_timeout(20)
+        raise AssertionError(f"{len(self.waiting)} requests came to {self.address}, not {count}")
+
+    def let_go(self, index: int = 0) -> None:
+        """Let one go; the page has its answer when this returns, if it still wants it."""
+        request = self.waiting[index].request
+        self.waiting.pop(index).continue_()
+        if response := request.response():
+            response.finished()
+
+    def stop(self) -> None:
+        """Hold no more, and let go what is held."""
+        self.holding = False
+        while self.waiting:
+            self.let_go()
 
 
 def submit(page: Page) -> Locator:

@@ -134,6 +134,41 @@ def test_files_are_sent_in_the_smallest_encoding_that_is_accepted(
         assert len(sent) < len(gzip.compress(plain))
 
 
+TEXTS = {
+    "/": "Accept-Language",
+    "/locales/uk.ftl?rooms=form": None,
+    "/api/v1/exercises": "Accept-Language",
+    "/api/v1/exercises/puma560": "Accept-Language",
+    "/api/v1/exercises/puma560/figure.svg": "Accept-Language",
+    "/api/v1/robots/puma560": None,
+}
+
+
+@pytest.mark.parametrize("path", TEXTS)
+def test_text_is_compressed_and_not_sent_twice(client: httpx.Client, path: str) -> None:
+    plain = client.get(path, headers={"Accept-Encoding": "identity"})
+    assert "content-encoding" not in plain.headers
+    wanted = {"Accept-Encoding", *filter(None, [TEXTS[path]])}
+    for accepted in ("gzip, deflate, br, zstd", "br, *;q=0.5"):
+        with client.stream("GET", path, headers={"Accept-Encoding": accepted}) as packed:
+            sent = b"".join(packed.iter_raw())
+        assert packed.headers["content-encoding"] == "gzip"
+        assert gzip.decompress(sent) == plain.content
+        assert len(sent) < 0.6 * len(plain.content)
+        for answer in (plain, packed):
+            assert set(answer.headers["vary"].split(", ")) == wanted
+            assert answer.headers["etag"] == plain.headers["etag"]
+            assert answer.headers["etag"].startswith("W/"), "two forms, one validator: a weak one"
+    for held in (plain.headers["etag"], f'"other", {plain.headers["etag"]}', "*"):
+        again = client.get(path, headers={"If-None-Match": held})
+        assert (again.status_code, again.content) == (304, b"")
+        assert set(again.headers["vary"].split(", ")) == wanted
+        assert again.headers["cache-control"] == plain.headers["cache-control"]
+    for refused in ("gzip;q=0", "identity;q=1, gzip;q=0, *;q=0.1"):
+        answer = client.get(path, headers={"Accept-Encoding": refused})
+        assert "content-encoding" not in answer.headers
+
+
 @pytest.mark.parametrize(
     "name",
     ["../pyproject.toml", "..%2fpyproject.toml", "%2e%2e/%2e%2e/etc/passwd", "css/../../README.md",

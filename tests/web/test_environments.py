@@ -35,6 +35,7 @@ SMALL_TARGETS = """() => [...document.querySelectorAll("a, button, input, select
 STORAGE_BLOCKED = """Object.defineProperty(window, "localStorage", {
   get() { throw new DOMException("no", "SecurityError"); },
 });"""
+NOTHING_LASTS = "The browser keeps nothing here: what you type is lost when you close or reload this page."
 SCENE_IN_WORDS = (
     "The frames of your table with their axes x, y and z. "
     "Joints: q1: revolute, q2: revolute, q3: prismatic, q4: revolute. "
@@ -111,13 +112,20 @@ def other_origin(folder: Path) -> Iterator[str]:
         thread.join()
 
 
-@pytest.mark.parametrize("sandbox", ["", 'sandbox="allow-scripts allow-forms allow-same-origin"'])
+SANDBOXES = {
+    "free": "",
+    "same origin": 'sandbox="allow-scripts allow-forms allow-same-origin"',
+    "no origin": 'sandbox="allow-scripts allow-forms"',
+}
+
+
+@pytest.mark.parametrize("sandbox", SANDBOXES)
 def test_an_exercise_is_graded_inside_a_frame_of_another_origin(
     open_page: OpenPage, web: str, tmp_path: Path, sandbox: str
 ) -> None:
     (tmp_path / "course.html").write_text(
         '<!doctype html><link rel=icon href="data:,"><title>Course</title>'
-        f'<iframe title="Exercise" width="600" height="600" {sandbox} '
+        f'<iframe title="Exercise" width="600" height="600" {SANDBOXES[sandbox]} '
         f'src="{web}/exercises/scara?lang=en"></iframe>'
     )
     with other_origin(tmp_path) as origin:
@@ -128,7 +136,64 @@ def test_an_exercise_is_graded_inside_a_frame_of_another_origin(
         put_table(inner, SCARA)
         inner.locator("button[type=submit].primary").click()
         expect(inner.locator("#verdict")).to_contain_text("Your table describes this robot.")
+        expect(inner.locator("#own robot-scene")).to_have_attribute("data-renderer", "webgl")
+        expect(inner.locator(".meaning math").first).to_be_visible()
+        if sandbox == "no origin":  # elsewhere it is the browser's business
+            expect(inner.locator(".notice-warn")).to_have_text(re.compile(NOTHING_LASTS))
         assert page.context.cookies() == []
+
+
+def test_in_a_frame_without_an_origin_every_page_works_and_keeps_what_it_can(
+    open_page: OpenPage, web: str, tmp_path: Path
+) -> None:
+    (tmp_path / "course.html").write_text(
+        f'<!doctype html><link rel=icon href="data:,"><title>Course</title><iframe title="Framewise" '
+        f'width="900" height="800" {SANDBOXES["no origin"]} src="{web}/exercises/scara?lang=en"></iframe>'
+    )
+    with other_origin(tmp_path) as origin:
+        page = open_page("/course.html", origin=origin, lang=None, ready=False)
+        frame = page.frames[1]
+        ready = page.frame_locator("iframe").locator("html[data-ready=true]")
+        ready.wait_for(state="attached")
+        cell(frame, 1, "a").fill("a2 + 0")
+        cell(frame, 2, "a").fill("a3 + 0")
+        expect(frame.locator(".notice-warn")).to_have_count(1)
+        switch_language(frame, "es")
+        frame.wait_for_url("**lang=es**")
+        ready.wait_for(state="attached")
+        expect(cell(frame, 1, "a")).to_have_value("a2 + 0")
+        cell(frame, 1, "a").fill("a2")
+        expect(frame.locator(".notice-warn")).to_have_count(0)
+        for path, shown in (
+            ("/", ".exercise-card"),
+            ("/playground", ".own-status"),
+            ("/trainer/puma560", ".choice"),
+        ):
+            frame.goto(f"{web}{path}?lang=en")
+            ready.wait_for(state="attached")
+            expect(frame.locator(shown).first).to_be_visible()
+        expect(frame.locator("robot-scene")).to_be_visible()
+
+
+def test_a_full_storage_is_said_once_and_costs_nothing(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    page.evaluate(
+        """() => {
+          for (let size = 1 << 22; size >= 1; size >>= 1) {
+            try { for (let i = 0; ; i += 1) localStorage.setItem(`full-${size}-${i}`, "x".repeat(size)); } catch {}
+          }
+        }"""
+    )
+    notice = page.locator(".notice-warn", has_text=NOTHING_LASTS)
+    put_table(page, SCARA)
+    expect(notice).to_have_count(1)
+    expect(page.locator("#announcer")).to_have_text(NOTHING_LASTS)
+    page.locator("main").get_by_role("button", name="Close").click()
+    expect(notice).to_have_count(0)
+    cell(page, 1, "a").fill("a2 + 0")
+    submit(page)
+    expect(page.locator("#history li")).to_have_count(1)
+    expect(notice).to_have_count(0)
 
 
 def test_a_page_in_a_frame_is_refused_where_the_settings_name_no_frame(
@@ -137,12 +202,13 @@ def test_a_page_in_a_frame_is_refused_where_the_settings_name_no_frame(
     watch.allow("frame-ancestors")
     watch.allow("ERR_BLOCKED_BY_RESPONSE")
     with serving(Settings()) as service:
-        (tmp_path / "course.html").write_text(
-            f'<link rel=icon href="data:,"><iframe src="{service}/?lang=en"></iframe>'
-        )
+        (tmp_path / "course.html").write_text('<link rel=icon href="data:,"><iframe></iframe>')
         with other_origin(tmp_path) as origin:
             page = open_page("/course.html", origin=origin, lang=None, ready=False)
-            page.wait_for_timeout(300)
+            with page.expect_console_message(lambda said: "frame-ancestors" in said.text):
+                page.locator("iframe").evaluate(
+                    "(frame, address) => (frame.src = address)", f"{service}/?lang=en"
+                )
             assert page.frames[1].locator("html[data-page=home]").count() == 0
 
 

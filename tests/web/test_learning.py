@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 
 import pytest
-from playwright.sync_api import Page, Request, expect
+from playwright.sync_api import Locator, Page, Request, expect
 
 from tests.web.conftest import OpenPage, Watch
-from tests.web.driving import PUMA, SCARA, cell, joint, open_part, put_table, share, submit
+from tests.web.driving import PUMA, SCARA, Held, cell, joint, open_part, put_table, share, submit
 
 TIP_AND_POINT = """async (scene) => {
   const base = document.documentElement.dataset.assets;
@@ -104,8 +104,116 @@ def test_what_cannot_be_graded_costs_no_attempt(open_page: OpenPage, watch: Watc
     with page.expect_response(lambda response: response.url.endswith("/grade")) as caught:
         page.locator("button[type=submit].primary").click()
     assert caught.value.status == 422
-    expect(page.locator("dh-table-editor [aria-invalid=true]").first).to_be_visible()
+    expect(page.locator("dh-table-editor .editor-summary")).to_be_focused()
+    expect(cell(page, 1, "a")).to_have_attribute("aria-invalid", "true")
     expect(page.locator("#history-card")).to_be_hidden()
+
+
+UNREAD = "One cell cannot be read yet."
+
+
+def refused_summary(page: Page) -> Locator:
+    """The summary of a refused answer, with the focus on it."""
+    summary = page.locator("dh-table-editor .editor-summary")
+    expect(summary).to_be_focused()
+    expect(summary.get_by_role("link")).to_have_count(1)
+    expect(cell(page, 1, "a")).to_have_attribute("aria-invalid", "true")
+    return summary
+
+
+@pytest.mark.parametrize("reading", ["before", "after"])
+def test_the_summary_of_faults_keeps_the_focus_whatever_is_answered_first(
+    open_page: OpenPage, watch: Watch, reading: str
+) -> None:
+    """What is said of the table as it stands does not touch what it was refused for, in either order."""
+    watch.allow("status of 422")
+    page = open_page("/exercises/scara")
+    read, graded = Held(page, "**/understand"), Held(page, "**/grade")
+    put_table(page, wrong(dict(SCARA), 1, a="a2*("))
+    read.until(1)
+    page.locator("button[type=submit].primary").click()
+    graded.until(1)
+    if reading == "before":
+        read.let_go()
+        expect(page.locator("#own")).to_contain_text(UNREAD)
+        graded.let_go()
+        refused_summary(page)
+        return
+    graded.let_go()
+    summary = refused_summary(page)
+    link = summary.get_by_role("link").element_handle()
+    read.let_go()
+    expect(page.locator("#own")).to_contain_text(UNREAD)
+    refused_summary(page)
+    assert link.is_visible(), "the summary's links stay the same elements"
+
+
+def test_a_fault_leaves_the_summary_when_its_cell_is_typed_into(open_page: OpenPage, watch: Watch) -> None:
+    watch.allow("status of 422")
+    page = open_page("/exercises/scara")
+    put_table(page, wrong(wrong(dict(SCARA), 1, a="a2*("), 2, d="("))
+    page.locator("button[type=submit].primary").click()
+    summary = page.locator("dh-table-editor .editor-summary")
+    expect(summary).to_contain_text("2 cells need your attention")
+    summary.get_by_role("link").nth(1).click()
+    expect(cell(page, 2, "d")).to_be_focused()
+    with page.expect_response("**/understand"):
+        cell(page, 2, "d").fill("d3")
+    expect(summary).to_contain_text("One cell needs your attention")
+    expect(summary.get_by_role("link")).to_have_count(1)
+    expect(cell(page, 2, "d")).to_be_focused()
+    cell(page, 1, "a").fill("a2")
+    expect(summary).to_be_hidden()
+
+
+def test_a_reading_of_an_older_table_says_nothing_of_the_newer(open_page: OpenPage, watch: Watch) -> None:
+    page = open_page("/exercises/scara")
+    read = Held(page, "**/understand")
+    put_table(page, wrong(dict(SCARA), 1, a="a2*("))
+    read.until(1)
+    cell(page, 1, "a").fill("a2")
+    read.until(2)
+    read.let_go(1)
+    expect(page.locator("#own")).to_contain_text("Drawn from your table: 4 joints.")
+    read.stop()
+    expect(cell(page, 1, "a")).not_to_have_attribute("aria-invalid", "true")
+    expect(page.locator("#own")).to_contain_text("Drawn from your table: 4 joints.")
+
+
+def test_a_late_refusal_does_not_take_the_focus_from_who_types_on(open_page: OpenPage, watch: Watch) -> None:
+    watch.allow("status of 422")
+    page = open_page("/exercises/scara")
+    graded = Held(page, "**/grade")
+    put_table(page, wrong(wrong(dict(SCARA), 1, a="a2*("), 2, d="("))
+    page.locator("button[type=submit].primary").click()
+    graded.until(1)
+    cell(page, 1, "a").fill("a2")
+    graded.let_go()
+    summary = page.locator("dh-table-editor .editor-summary")
+    expect(summary).to_contain_text("One cell needs your attention")
+    expect(page.locator("#announcer")).to_contain_text("One cell needs your attention")
+    expect(cell(page, 1, "a")).to_be_focused()
+    expect(cell(page, 1, "a")).not_to_have_attribute("aria-invalid", "true")
+    page.locator("button[type=submit].primary").click()
+    graded.until(1)
+    cell(page, 2, "d").fill("d3")
+    graded.let_go()
+    expect(page.locator("#submit-problem")).not_to_be_empty()
+    expect(summary).to_be_hidden()
+
+
+def test_a_late_verdict_says_that_the_answer_has_changed(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    graded = Held(page, "**/grade")
+    put_table(page, wrong(dict(SCARA), 1, a="a3"))
+    page.locator("button[type=submit].primary").click()
+    graded.until(1)
+    cell(page, 1, "a").fill("a2")
+    graded.let_go()
+    expect(page.locator("#verdict")).to_contain_text("You have changed your answer since.")
+    expect(cell(page, 1, "a")).to_be_focused()
+    page.get_by_role("button", name="Take attempt 1 back into the form").click()
+    expect(cell(page, 1, "a")).to_have_value("a3")
 
 
 def test_parts_may_be_handed_in_without_the_table(open_page: OpenPage) -> None:

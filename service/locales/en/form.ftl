@@ -67,8 +67,14 @@ form-radians = radians
 form-length-unit = Unit of lengths
 form-unit-now-deg = Numbers in the angle columns are now read as degrees.
 form-unit-now-rad = Numbers in the angle columns are now read as radians.
+form-unit-now-length = Numbers in the length columns are now read in { $unit }.
 form-unit-convert = Convert the numbers
 form-unit-converted = Numbers converted
+form-unit-converted-but =
+    { $count ->
+        [one] Numbers converted, except in one cell that is more than a sum: check it.
+       *[other] Numbers converted, except in { $count } cells that are more than a sum: check them.
+    }
 
 form-table-caption = DH table, { $convention } convention
 form-row-actions = Actions
@@ -81,7 +87,7 @@ form-row-down = Move row { $row } down
 form-row-moved = Row { $row } is now row { $to }
 form-row-cell = row { $row }, { $name }
 form-cell-label = Row { $row }, { $name } [{ $unit }]
-form-cell-empty = Something must stand here; write 0 if it is zero.
+form-cell-empty = Empty: write 0 if it is zero.
 form-faults =
     { $count ->
         [one] One cell needs your attention:
@@ -175,9 +181,10 @@ form-own-missing =
     }
 form-own-unread =
     { $count ->
-        [one] One cell cannot be read yet; the picture shows the last table that could.
-       *[other] { $count } cells cannot be read yet; the picture shows the last table that could.
+        [one] One cell cannot be read yet.
+       *[other] { $count } cells cannot be read yet.
     }
+form-own-last = The picture shows the last table that could be read.
 form-own-values = To draw your robot, give a value to: { $names }.
 form-own-shown =
     { $joints ->
@@ -229,4 +236,4 @@ form-history-clear = Forget all
 form-missing-title = Not found
 form-missing-text = There is no such page here. The exercises are all on the first page.
 form-missing-home = To the exercises
-form-storage-blocked = This browser keeps nothing for this page: what you type is lost when you close it.
+form-storage-blocked = The browser keeps nothing here: what you type is lost when you close or reload this page.

@@ -67,8 +67,14 @@ form-radians = radianes
 form-length-unit = Unidad de las longitudes
 form-unit-now-deg = Los números de las columnas de ángulos se leen ahora en grados.
 form-unit-now-rad = Los números de las columnas de ángulos se leen ahora en radianes.
+form-unit-now-length = Los números de las columnas de longitudes se leen ahora en { $unit }.
 form-unit-convert = Convertir los números
 form-unit-converted = Números convertidos
+form-unit-converted-but =
+    { $count ->
+        [one] Números convertidos, salvo en una celda que no es una simple suma: revísela.
+       *[other] Números convertidos, salvo en { $count } celdas que no son simples sumas: revíselas.
+    }
 
 form-table-caption = Tabla DH, convención { $convention }
 form-row-actions = Acciones
@@ -81,7 +87,7 @@ form-row-down = Bajar la fila { $row }
 form-row-moved = La fila { $row } es ahora la fila { $to }
 form-row-cell = fila { $row }, { $name }
 form-cell-label = Fila { $row }, { $name } [{ $unit }]
-form-cell-empty = Aquí hace falta un valor; escriba 0 si es nulo.
+form-cell-empty = Vacía: escriba 0 si es cero.
 form-faults =
     { $count ->
         [one] Hay que revisar una celda:
@@ -175,9 +181,10 @@ form-own-missing =
     }
 form-own-unread =
     { $count ->
-        [one] Una celda aún no se puede leer; la imagen muestra la última tabla legible.
-       *[other] { $count } celdas aún no se pueden leer; la imagen muestra la última tabla legible.
+        [one] Una celda aún no se puede leer.
+       *[other] { $count } celdas aún no se pueden leer.
     }
+form-own-last = La imagen muestra la última tabla que se pudo leer.
 form-own-values = Para dibujar su robot, dé un valor a: { $names }.
 form-own-shown =
     { $joints ->
@@ -229,4 +236,4 @@ form-history-clear = Olvidar todo
 form-missing-title = No encontrado
 form-missing-text = Aquí no hay tal página. Todos los ejercicios están en la primera página.
 form-missing-home = A los ejercicios
-form-storage-blocked = Este navegador no guarda nada para esta página: lo escrito se pierde al cerrarla.
+form-storage-blocked = El navegador no guarda nada aquí: lo que escriba se pierde al cerrar o recargar esta página.

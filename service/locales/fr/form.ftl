@@ -67,8 +67,14 @@ form-radians = radians
 form-length-unit = Unité des longueurs
 form-unit-now-deg = Les nombres des colonnes d’angles se lisent maintenant en degrés.
 form-unit-now-rad = Les nombres des colonnes d’angles se lisent maintenant en radians.
+form-unit-now-length = Les nombres des colonnes de longueurs se lisent maintenant en { $unit }.
 form-unit-convert = Convertir les nombres
 form-unit-converted = Nombres convertis
+form-unit-converted-but =
+    { $count ->
+        [one] Nombres convertis, sauf dans une cellule qui n’est pas une simple somme : vérifiez-la.
+       *[other] Nombres convertis, sauf dans { $count } cellules qui ne sont pas de simples sommes : vérifiez-les.
+    }
 
 form-table-caption = Tableau DH, convention { $convention }
 form-row-actions = Actions
@@ -81,7 +87,7 @@ form-row-down = Descendre la ligne { $row }
 form-row-moved = La ligne { $row } est maintenant la ligne { $to }
 form-row-cell = ligne { $row }, { $name }
 form-cell-label = Ligne { $row }, { $name } [{ $unit }]
-form-cell-empty = Il faut une valeur ici ; écrivez 0 si elle est nulle.
+form-cell-empty = Vide : écrivez 0 si c’est zéro.
 form-faults =
     { $count ->
         [one] Une cellule est à revoir :
@@ -175,9 +181,10 @@ form-own-missing =
     }
 form-own-unread =
     { $count ->
-        [one] Une cellule est encore illisible ; l’image montre le dernier tableau lisible.
-       *[other] { $count } cellules sont encore illisibles ; l’image montre le dernier tableau lisible.
+        [one] Une cellule est encore illisible.
+       *[other] { $count } cellules sont encore illisibles.
     }
+form-own-last = L’image montre le dernier tableau lisible.
 form-own-values = Pour dessiner votre robot, donnez une valeur à : { $names }.
 form-own-shown =
     { $joints ->
@@ -229,4 +236,4 @@ form-history-clear = Tout oublier
 form-missing-title = Introuvable
 form-missing-text = Il n’y a pas de telle page ici. Tous les exercices sont sur la première page.
 form-missing-home = Aux exercices
-form-storage-blocked = Ce navigateur ne conserve rien pour cette page : votre saisie est perdue à la fermeture.
+form-storage-blocked = Le navigateur ne conserve rien ici : votre saisie est perdue si vous fermez ou rechargez cette page.

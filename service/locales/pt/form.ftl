@@ -67,8 +67,14 @@ form-radians = radianos
 form-length-unit = Unidade dos comprimentos
 form-unit-now-deg = Os números das colunas de ângulos leem-se agora em graus.
 form-unit-now-rad = Os números das colunas de ângulos leem-se agora em radianos.
+form-unit-now-length = Os números das colunas de comprimentos leem-se agora em { $unit }.
 form-unit-convert = Converter os números
 form-unit-converted = Números convertidos
+form-unit-converted-but =
+    { $count ->
+        [one] Números convertidos, exceto numa célula que não é uma simples soma: verifique-a.
+       *[other] Números convertidos, exceto em { $count } células que não são simples somas: verifique-as.
+    }
 
 form-table-caption = Tabela DH, convenção { $convention }
 form-row-actions = Ações
@@ -81,7 +87,7 @@ form-row-down = Descer a linha { $row }
 form-row-moved = A linha { $row } é agora a linha { $to }
 form-row-cell = linha { $row }, { $name }
 form-cell-label = Linha { $row }, { $name } [{ $unit }]
-form-cell-empty = É preciso um valor aqui; escreva 0 se for nulo.
+form-cell-empty = Vazia: escreva 0 se for zero.
 form-faults =
     { $count ->
         [one] Uma célula precisa de atenção:
@@ -175,9 +181,10 @@ form-own-missing =
     }
 form-own-unread =
     { $count ->
-        [one] Uma célula ainda não pode ser lida; a imagem mostra a última tabela que o pôde ser.
-       *[other] { $count } células ainda não podem ser lidas; a imagem mostra a última tabela que o pôde ser.
+        [one] Uma célula ainda não pode ser lida.
+       *[other] { $count } células ainda não podem ser lidas.
     }
+form-own-last = A imagem mostra a última tabela que pôde ser lida.
 form-own-values = Para desenhar o seu robô, dê um valor a: { $names }.
 form-own-shown =
     { $joints ->
@@ -229,4 +236,4 @@ form-history-clear = Esquecer tudo
 form-missing-title = Não encontrado
 form-missing-text = Não há aqui tal página. Todos os exercícios estão na primeira página.
 form-missing-home = Para os exercícios
-form-storage-blocked = Este navegador não guarda nada para esta página: o que escreve perde-se ao fechá-la.
+form-storage-blocked = O navegador não guarda nada aqui: o que escreve perde-se ao fechar ou recarregar esta página.

@@ -68,8 +68,15 @@ form-radians = radiani
 form-length-unit = Unitatea lungimilor
 form-unit-now-deg = Numerele din coloanele de unghiuri se citesc acum în grade.
 form-unit-now-rad = Numerele din coloanele de unghiuri se citesc acum în radiani.
+form-unit-now-length = Numerele din coloanele de lungimi se citesc acum în { $unit }.
 form-unit-convert = Convertește numerele
 form-unit-converted = Numerele au fost convertite
+form-unit-converted-but =
+    { $count ->
+        [one] Numerele au fost convertite, cu excepția unei celule care nu este o simplă sumă: verificați-o.
+        [few] Numerele au fost convertite, cu excepția a { $count } celule care nu sunt simple sume: verificați-le.
+       *[other] Numerele au fost convertite, cu excepția a { $count } de celule care nu sunt simple sume: verificați-le.
+    }
 
 form-table-caption = Tabel DH, convenția { $convention }
 form-row-actions = Acțiuni
@@ -82,7 +89,7 @@ form-row-down = Mută rândul { $row } mai jos
 form-row-moved = Rândul { $row } este acum rândul { $to }
 form-row-cell = rândul { $row }, { $name }
 form-cell-label = Rândul { $row }, { $name } [{ $unit }]
-form-cell-empty = Aici trebuie să stea ceva; scrieți 0 dacă valoarea este nulă.
+form-cell-empty = Gol: scrieți 0 dacă este zero.
 form-faults =
     { $count ->
         [one] O celulă trebuie corectată:
@@ -180,10 +187,11 @@ form-own-missing =
     }
 form-own-unread =
     { $count ->
-        [one] O celulă nu poate fi citită încă; imaginea arată ultimul tabel care a putut fi citit.
-        [few] { $count } celule nu pot fi citite încă; imaginea arată ultimul tabel care a putut fi citit.
-       *[other] { $count } de celule nu pot fi citite încă; imaginea arată ultimul tabel care a putut fi citit.
+        [one] O celulă nu poate fi citită încă.
+        [few] { $count } celule nu pot fi citite încă.
+       *[other] { $count } de celule nu pot fi citite încă.
     }
+form-own-last = Imaginea arată ultimul tabel care a putut fi citit.
 form-own-values = Pentru desen, dați o valoare pentru: { $names }.
 form-own-shown =
     { $joints ->
@@ -236,4 +244,4 @@ form-history-clear = Uită tot
 form-missing-title = Nu există
 form-missing-text = Aici nu există o asemenea pagină. Toate exercițiile sunt pe prima pagină.
 form-missing-home = La exerciții
-form-storage-blocked = Navigatorul nu păstrează nimic pentru această pagină: ce scrieți se pierde când o închideți.
+form-storage-blocked = Navigatorul nu păstrează nimic aici: ce scrieți se pierde când închideți sau reîncărcați pagina.

@@ -27,29 +27,14 @@ export class Bar {
    * @param {{convention: (value: string) => void, angleUnit: (value: string) => void, lengthUnit: (value: string) => void}} set
    */
   show(table, allowed, set) {
-    const focused = this.choices.contains(document.activeElement) ? document.activeElement : null;
-    const again = focused?.getAttribute("name");
-    const conventions = allowed.map((value) => ({ value, label: t(`form-convention-${value}`) }));
-    const angles = [
-      { value: "deg", label: t("form-degrees") },
-      { value: "rad", label: t("form-radians") },
-    ];
-    fill(
-      this.choices,
-      this.#choice("convention", table.convention, conventions, set.convention),
-      this.#choice("angle-unit", table.angleUnit, angles, set.angleUnit),
-      el(
-        "select",
-        {
-          name: `${this.id}-length-unit`,
-          class: "editor-length",
-          "aria-label": t("form-length-unit"),
-          onchange: (event) => set.lengthUnit(event.target.value),
-        },
-        LENGTHS.map((unit) => el("option", { value: unit, selected: unit === table.lengthUnit, text: unit })),
-      ),
-    );
-    if (again) /** @type {HTMLElement} */ (this.choices.querySelector(`select[name="${again}"], [name="${again}"]:checked`))?.focus();
+    const offered = allowed.join();
+    if (offered !== this.offered) this.#build(allowed, set);
+    this.offered = offered;
+    for (const [stem, value] of [["convention", table.convention], ["angle-unit", table.angleUnit]]) {
+      const choice = /** @type {HTMLInputElement | null} */ (this.choices.querySelector(`[name="${this.id}-${stem}"][value="${value}"]`));
+      if (choice) choice.checked = true;
+    }
+    this.length.value = table.lengthUnit;
   }
 
   /** @param {boolean} undo @param {boolean} redo whether there is something to take back or do again */
@@ -59,8 +44,29 @@ export class Bar {
     set(this.redo, redo);
   }
 
-  #choice(stem, value, options, onchange) {
-    return segmented({ name: `${this.id}-${stem}`, label: t(`form-${stem}`), value, options, onchange });
+  #build(allowed, set) {
+    const conventions = allowed.map((value) => ({ value, label: t(`form-convention-${value}`) }));
+    const angles = [
+      { value: "deg", label: t("form-degrees") },
+      { value: "rad", label: t("form-radians") },
+    ];
+    this.length = /** @type {HTMLSelectElement} */ (
+      el(
+        "select",
+        {
+          name: `${this.id}-length-unit`,
+          class: "editor-length",
+          "aria-label": t("form-length-unit"),
+          onchange: (event) => set.lengthUnit(event.target.value),
+        },
+        LENGTHS.map((unit) => el("option", { value: unit, text: unit })),
+      )
+    );
+    fill(this.choices, this.#choice("convention", t("form-convention"), conventions, set.convention), this.#choice("angle-unit", t("form-angle-unit"), angles, set.angleUnit), this.length);
+  }
+
+  #choice(stem, label, options, onchange) {
+    return segmented({ name: `${this.id}-${stem}`, label, value: "", options, onchange });
   }
 }
 

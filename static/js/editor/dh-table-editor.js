@@ -2,19 +2,19 @@
  * `<dh-table-editor>`: a DH table to type, paste, reorder, undo.
  *
  * Properties: `table` (as it goes to the API), `state` (as it is typed; JSON), `allowed` (conventions).
- * Methods: `showMeaning(rows)`, `showFaults(faults)`, `focusCell(row, cell)`.
+ * Methods: `load(table)`, `showMeaning(rows)`, `showFaults(faults)`, `showRefusal(faults, table)`, `focusCell(row, cell)`.
  * Event: `table-change` with `detail: {table, complete}` whenever something was typed.
  */
 
 import { announce, el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { Bar, editorFoot } from "./bar.js";
-import { faultSummary, placedFaults } from "./faults.js";
+import { convertedAngles, convertedLengths, holdsNumbers } from "./convert.js";
+import { Faults, placedFaults } from "./faults.js";
 import { Grid } from "./grid.js";
 import {
   CELLS,
   COLUMNS,
-  convertedAngles,
   emptyCells,
   fromWire,
   History,
@@ -38,7 +38,7 @@ export class DhTableEditor extends HTMLElement {
   #history = new History(newTable("modified", 1));
   #grid = /** @type {Grid} */ (/** @type {unknown} */ (null));
   #bar = /** @type {Bar} */ (/** @type {unknown} */ (null));
-  #faults = /** @type {{row: number, cell: string, text: string}[]} */ ([]);
+  #faults = /** @type {Faults} */ (/** @type {unknown} */ (null));
   #lastInput = /** @type {HTMLInputElement | null} */ (null);
   /** @type {("standard" | "modified")[]} */
   #allowed = ["standard", "modified"];
@@ -51,8 +51,8 @@ export class DhTableEditor extends HTMLElement {
       redo: () => this.#step("redo"),
       paste: () => this.#openPaste(),
     });
-    this.notice = el("div", { class: "editor-notice" });
-    this.summary = el("div", { class: "editor-summary", tabindex: "-1" });
+    this.notice = el("div", { class: "editor-notice", role: "status" });
+    this.#faults = new Faults(this.id, (row, cell) => this.focusCell(row, cell));
     this.#grid = new Grid(this.id, {
       edit: (row, cell, text) => this.#edit(row, cell, text),
       joint: (row, joint) => this.#change(setJoint(this.#table, row, /** @type {any} */ (joint)), { focus: [row, "joint"] }),
@@ -66,7 +66,7 @@ export class DhTableEditor extends HTMLElement {
     this.addEventListener("keydown", (event) => this.#undoKeys(event));
     const frame = el("div", { class: "dh-frame" }, this.#grid.element);
     const foot = editorFoot(() => this.#add(this.#table.rows.length), () => this.#lastInput);
-    fill(this, this.#bar.element, this.notice, this.summary, frame, foot);
+    fill(this, this.#bar.element, this.notice, this.#faults.summary, this.#faults.general, frame, foot);
     this.#show();
   }
 
@@ -80,7 +80,17 @@ export class DhTableEditor extends HTMLElement {
   }
 
   set table(wire) {
-    this.#change(fromWire(wire), { quietly: true });
+    this.load(wire);
+    this.#tell();
+  }
+
+  /** Takes a table without telling of it, for a page that takes more than the table at once. @param {any} wire */
+  load(wire) {
+    this.#history.change(fromWire(wire));
+    if (!this.#grid) return;
+    this.#faults.clear();
+    this.#say("");
+    this.#show();
   }
 
   /** Everything that was typed, as plain data. */
@@ -91,7 +101,10 @@ export class DhTableEditor extends HTMLElement {
   set state(state) {
     const rows = state.rows.map((row) => ({ ...row, key: newRow(0, "fixed").key }));
     this.#history = new History({ ...state, rows });
-    if (this.#grid) this.#show();
+    if (!this.#grid) return;
+    this.#faults.clear();
+    this.#say("");
+    this.#show();
   }
 
   /** Conventions that may be chosen. */
@@ -129,15 +142,31 @@ export class DhTableEditor extends HTMLElement {
   }
 
   /**
-   * Shows faults at their cells.
+   * Shows what the service says of the table as it stands, at its cells.
    * @param {import("../api.js").Fault[]} faults with pointers such as /table/rows/2/alpha
-   * @param {{summary?: boolean}} [options] with a summary that links to each, and takes the focus
    */
-  showFaults(faults, { summary = false } = {}) {
-    this.#faults = placedFaults(faults);
+  showFaults(faults) {
+    this.#faults.read(placedFaults(faults));
     this.#placeFaults();
-    if (summary && faults.length) this.#summarize();
-    else fill(this.summary);
+  }
+
+  /**
+   * Shows what a table was refused for, with a summary that leads to each cell; cells that were typed into since
+   * are left out. The summary takes the focus, unless somebody goes on typing.
+   * @param {import("../api.js").Fault[]} faults @param {any} [table] that was refused; the present one, if left out
+   * @returns {boolean} whether anything is left to show
+   */
+  showRefusal(faults, table = this.table) {
+    const present = this.table;
+    const sameRows = JSON.stringify({ ...table, rows: table.rows.length }) === JSON.stringify({ ...present, rows: present.rows.length });
+    const stands = ({ row, cell }) => sameRows && (row < 0 || table.rows[row]?.[cell] === present.rows[row]?.[cell]);
+    const placed = placedFaults(faults).filter(stands);
+    this.#faults.refuse(placed, this.#table.convention);
+    this.#placeFaults();
+    if (placed.length === 0) return false;
+    if (JSON.stringify(table) === JSON.stringify(present)) this.#faults.summary.focus();
+    else announce(`${this.#faults.title.textContent} ${placed[0].text}`);
+    return true;
   }
 
   /** @param {number} row @param {CellName | "joint"} cell */
@@ -163,18 +192,25 @@ export class DhTableEditor extends HTMLElement {
     return null;
   }
 
-  #change(table, { tag = "", focus = null, quietly = false } = {}) {
+  #change(table, { focus = null } = {}) {
     if (table === this.#table) return;
-    this.#history.change(table, tag);
-    this.#faults = [];
-    if (this.#grid) this.#show(focus);
-    if (!quietly) fill(this.notice);
+    this.#history.change(table);
+    this.#forgetFaults();
+    this.#say("");
+    this.#show(focus);
     this.#tell();
+  }
+
+  /** The focus does not vanish with a summary that it is in. */
+  #forgetFaults() {
+    const inside = this.#faults.summary.contains(document.activeElement);
+    this.#faults.clear();
+    if (inside) this.focusCell(0, COLUMNS[this.#table.convention][0]);
   }
 
   #edit(row, cell, text) {
     this.#history.change(setCell(this.#table, row, cell, text), `${row}/${cell}`);
-    this.#faults = this.#faults.filter((fault) => fault.row !== row || fault.cell !== cell);
+    this.#faults.forget(row, cell);
     this.#grid.showFault(row, cell, "");
     this.#showUndo();
     this.#tell();
@@ -189,44 +225,30 @@ export class DhTableEditor extends HTMLElement {
     setTimeout(() => this.#placeFaults());
   }
 
-  /** A fault in the cell that is being typed into waits until the cell is left. */
+  /** A fault in the cell that is being typed into waits until the cell is left, or the table handed in. */
   #placeFaults() {
     if (!this.#grid) return;
     for (const [key, { input }] of this.#grid.cells) {
-      const [row, cell] = key.split("/");
-      const text = this.#faults.find((fault) => fault.row === Number(row) && fault.cell === cell)?.text ?? "";
-      if (text && input === document.activeElement && input.tagName === "INPUT") continue;
-      this.#grid.showFault(Number(row), /** @type {any} */ (cell), text);
+      const [row, cell] = [Number(key.split("/")[0]), key.split("/")[1]];
+      const text = this.#faults.at(row, cell);
+      const typing = input === document.activeElement && input.tagName === "INPUT";
+      if (text && typing && !this.#faults.isRefused(row, cell)) continue;
+      this.#grid.showFault(row, /** @type {any} */ (cell), text);
     }
-    const general = this.#faults.filter((fault) => fault.row < 0 || !this.#grid.at(fault.row, /** @type {any} */ (fault.cell)));
-    this.general?.remove();
-    if (general.length) {
-      this.general = el("div", { class: "notice notice-problem" }, general.map((fault) => el("p", { text: fault.text })));
-      this.summary.after(this.general);
-    }
-  }
-
-  #summarize() {
-    const go = (row, cell) => this.focusCell(row, cell);
-    fill(this.summary, faultSummary(this.#faults, this.id, this.#table.convention, go));
-    this.#placeFaults();
-    this.summary.focus();
+    this.#faults.showGeneral((row, cell) => Boolean(this.#grid.at(row, /** @type {any} */ (cell))));
   }
 
   /** Says that cells are empty, with links to them. */
   showMissing() {
-    this.showFaults(
-      this.missing.map(({ row, cell }) => ({ code: "cell_empty", pointer: `/rows/${row}/${cell}`, detail: t("form-cell-empty"), params: {} })),
-      { summary: true },
-    );
+    const fault = ({ row, cell }) => ({ code: "cell_empty", pointer: `/rows/${row}/${cell}`, detail: t("form-cell-empty"), params: {} });
+    this.showRefusal(this.missing.map(fault));
   }
 
   #showBar() {
-    const table = this.#table;
-    this.#bar.show(table, this.#allowed, {
+    this.#bar.show(this.#table, this.#allowed, {
       convention: (value) => this.#setConvention(value),
-      angleUnit: (value) => this.#setAngleUnit(value),
-      lengthUnit: (value) => this.#change({ ...table, lengthUnit: value }),
+      angleUnit: (value) => this.#setAngleUnit(/** @type {any} */ (value)),
+      lengthUnit: (value) => this.#setLengthUnit(/** @type {any} */ (value)),
     });
     this.#showUndo();
   }
@@ -259,9 +281,9 @@ export class DhTableEditor extends HTMLElement {
 
   #step(direction) {
     if (!this.#history[direction]()) return;
-    this.#faults = [];
+    this.#forgetFaults();
     this.#show();
-    fill(this.notice);
+    this.#say("");
     announce(t(direction === "undo" ? "form-undone" : "form-redone"));
     this.#tell();
   }
@@ -269,31 +291,41 @@ export class DhTableEditor extends HTMLElement {
   #setConvention(convention) {
     if (convention === this.#table.convention) return;
     this.#change({ ...this.#table, convention });
-    this.#say(t(`form-convention-now-${convention}`), []);
+    this.#say(t(`form-convention-now-${convention}`));
   }
 
   #setAngleUnit(unit) {
     const before = this.#table;
     if (unit === before.angleUnit) return;
     this.#change({ ...before, angleUnit: unit });
-    const numbers = before.rows.some((row) => [row.alpha, row.theta].some((cell) => /\d/.test(cell) && cell.trim() !== "0"));
-    if (!numbers) return;
-    const convert = el("button", {
-      type: "button",
-      text: t("form-unit-convert"),
-      onclick: () => {
-        this.#change(convertedAngles(this.#table, unit));
-        announce(t("form-unit-converted"));
-      },
-    });
-    this.#say(t(unit === "deg" ? "form-unit-now-deg" : "form-unit-now-rad"), [convert]);
+    if (!holdsNumbers(before, ["alpha", "theta"])) return;
+    this.#offer(t(unit === "deg" ? "form-unit-now-deg" : "form-unit-now-rad"), () => convertedAngles(this.#table, unit));
   }
 
-  #say(text, actions) {
-    fill(
-      this.notice,
-      el("div", { class: "notice row", role: "status" }, el("span", { class: "grow", text }), actions, el("button", { type: "button", class: "quiet", text: t("form-undo"), onclick: () => this.#step("undo") })),
-    );
+  #setLengthUnit(unit) {
+    const before = this.#table;
+    if (unit === before.lengthUnit) return;
+    this.#change({ ...before, lengthUnit: unit });
+    if (!holdsNumbers(before, ["a", "d"])) return;
+    this.#offer(t("form-unit-now-length", { unit }), () => convertedLengths(this.#table, before.lengthUnit, unit));
+  }
+
+  /** Says that numbers mean something else now, and offers to write them in the new unit. */
+  #offer(text, converted) {
+    const convert = () => {
+      const { table, left } = converted();
+      this.#change(table);
+      this.#say(left ? t("form-unit-converted-but", { count: left }) : t("form-unit-converted"));
+    };
+    this.#say(text, [el("button", { type: "button", text: t("form-unit-convert"), onclick: convert })]);
+  }
+
+  /** Says what became of the table, with a way back; nothing, if there is no text. */
+  #say(text, actions = []) {
+    const inside = this.notice.contains(document.activeElement);
+    const undo = el("button", { type: "button", class: "quiet", text: t("form-undo"), onclick: () => this.#step("undo") });
+    fill(this.notice, text ? el("div", { class: "notice row" }, el("span", { class: "grow", text }), actions, undo) : null);
+    if (inside) (text ? undo : this.#bar.undo).focus();
   }
 
   #undoKeys(event) {
@@ -349,7 +381,7 @@ export class DhTableEditor extends HTMLElement {
     const next = withPasted(before, pasted, at, replace, this.#allowed);
     this.#change(next, { focus: [at, COLUMNS[next.convention][0]] });
     const changed = next.convention !== before.convention ? ` ${t(`form-convention-now-${next.convention}`)}` : "";
-    this.#say(t("form-pasted", { rows: pasted.rows.length }) + changed, []);
+    this.#say(t("form-pasted", { rows: pasted.rows.length }) + changed);
   }
 }
 

@@ -197,39 +197,6 @@ export function inferredJoint({ d, theta }) {
   return "fixed";
 }
 
-/** A plain number in an angle cell, in the other unit; exact where it is a fraction of π. @param {string} text @param {"deg" | "rad"} to */
-export function convertedAngle(text, to) {
-  const plain = text.trim().replace("−", "-");
-  if (to === "rad") {
-    if (!/^[+-]?\d+(\.\d+)?$/.test(plain)) return text;
-    return fractionOfPi(Number(plain));
-  }
-  const match = /^([+-]?)(?:(\d+)\*?)?(?:pi|π)(?:\/(\d+))?$/.exec(plain.replaceAll(" ", ""));
-  if (match) {
-    const value = ((match[1] === "-" ? -1 : 1) * Number(match[2] ?? 1) * 180) / Number(match[3] ?? 1);
-    return String(Number(value.toPrecision(12)));
-  }
-  if (!/^[+-]?\d+(\.\d+)?$/.test(plain)) return text;
-  return String(Number(((Number(plain) * 180) / Math.PI).toPrecision(12)));
-}
-
-function fractionOfPi(degrees) {
-  if (degrees === 0) return "0";
-  for (const [numerator, denominator] of [[1, 1], [1, 2], [1, 3], [2, 3], [1, 4], [3, 4], [1, 6], [5, 6], [1, 12], [2, 1]]) {
-    if (Math.abs(degrees) === (180 * numerator) / denominator) {
-      const sign = degrees < 0 ? "-" : "";
-      return `${sign}${numerator === 1 ? "" : `${numerator}*`}pi${denominator === 1 ? "" : `/${denominator}`}`;
-    }
-  }
-  return String(Number(((degrees * Math.PI) / 180).toPrecision(12)));
-}
-
-/** Plain numbers in the angle columns, written in the other unit. @param {Table} table @param {"deg" | "rad"} to @returns {Table} */
-export function convertedAngles(table, to) {
-  const change = (row) => ({ ...row, alpha: convertedAngle(row.alpha, to), theta: convertedAngle(row.theta, to) });
-  return { ...table, angleUnit: to, rows: table.rows.map(change) };
-}
-
 /** Undo and redo. Typing in one cell is one step. */
 export class History {
   /** @param {Table} table */

@@ -61,16 +61,6 @@ export class AnswerCard {
     return this.editor.state.convention;
   }
 
-  get units() {
-    const { angleUnit, lengthUnit } = this.editor.state;
-    return { angle: angleUnit, length: lengthUnit };
-  }
-
-  /** Number of empty cells of the table. */
-  get missing() {
-    return this.editor.missing.length;
-  }
-
   get state() {
     return { table: this.editor.state, parts: Object.fromEntries(this.parts.map(({ part, field }) => [part.kind, field.state])) };
   }
@@ -114,8 +104,13 @@ export class AnswerCard {
     this.editor.showFaults(faults.filter((fault) => !empty.has(fault.pointer.replace(/^\/table/, ""))));
   }
 
-  /** @param {import("../api.js").Fault[]} faults @param {{summary?: boolean}} [options] */
-  showFaults(faults, options = {}) {
+  /**
+   * Shows what an answer was refused for, and leads there.
+   * @param {import("../api.js").Fault[]} faults none, if it was not refused
+   * @param {any} table as it was handed in
+   * @returns {boolean} whether anything is left to show: what was typed into since is left out
+   */
+  showRefusal(faults, table) {
     const ofTable = [];
     const ofParts = new Map(this.parts.map(({ part }) => [part.kind, []]));
     for (const fault of faults) {
@@ -124,14 +119,15 @@ export class AnswerCard {
       if (ofParts.has(kind)) ofParts.get(kind).push({ where, text: fault.detail });
       else ofTable.push(fault);
     }
-    this.editor.showFaults(ofTable, options);
     this.parts.forEach(({ part, field }, i) => {
       const own = ofParts.get(part.kind);
       field.showFaults(own);
       if (own.length) /** @type {HTMLDetailsElement} */ (this.sections[i]).open = true;
     });
+    if (this.editor.showRefusal(ofTable, table)) return true;
     const first = this.parts.find(({ part }) => ofParts.get(part.kind).length);
-    if (options.summary && !ofTable.length && first) first.field.focus();
+    first?.field.focus(ofParts.get(first.part.kind)[0].where);
+    return Boolean(first);
   }
 
   focus() {

@@ -9,8 +9,7 @@ import { dot, inverse, multiply } from "../scene/matrix.js";
 import { placed, scaled, scaledPose, together } from "../scene/model.js";
 import { Player } from "../scene/player.js";
 import { figureRobot } from "../scene/robots.js";
-
-const METRES = { m: 1, cm: 0.01, mm: 0.001, in: 0.0254 };
+import { METRES } from "../units.js";
 
 /**
  * The scene and its joint values as functions of a motion of the exercise's robot away from its figure.

@@ -2,7 +2,8 @@
 
 import { el, fill, segmented } from "../dom.js";
 import { t } from "../i18n.js";
-import { resetButton, usualRanges } from "../joint-sliders.js";
+import { usualRanges } from "../joint-ranges.js";
+import { resetButton } from "../joint-sliders.js";
 import { figureRobot } from "../scene/robots.js";
 import { keep, recall } from "../storage.js";
 

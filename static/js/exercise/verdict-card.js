@@ -25,10 +25,11 @@ export class VerdictCard {
 
   /**
    * @param {any} graded
-   * @param {{exercise: any, answer: import("./answer-card.js").AnswerCard, drawn: import("../live-robot.js").Robot | null}} given
-   *   `drawn` is the robot of the table that was handed in
+   * @param {{exercise: any, answer: import("./answer-card.js").AnswerCard, convention: string,
+   *   drawn: Pick<import("../live-robot.js").Robot, "model"> | null, changed: boolean}} given
+   *   convention and robot of the table that was handed in; whether something was typed since
    */
-  show(graded, { exercise, answer, drawn }) {
+  show(graded, { exercise, answer, convention, drawn, changed }) {
     this.#both?.stop();
     this.card.classList.remove("outdated");
     this.card.hidden = false;
@@ -37,7 +38,7 @@ export class VerdictCard {
     this.#both = graded.certificate && graded.figure && drawn ? together(graded, exercise, drawn) : null;
     fill(
       this.place,
-      verdictView(graded, { convention: answer.convention, focusRow }),
+      verdictView(graded, { convention, focusRow }),
       this.#both?.element,
       Object.values(others).map((report) =>
         partView(report, partName(report.kind), {
@@ -49,6 +50,7 @@ export class VerdictCard {
     this.#both?.describe();
     this.card.dataset.shown = String(Number(this.card.dataset.shown ?? 0) + 1);
     announce(`${verdictWord(graded)} ${t("form-score", { score: Math.round(shareOf(graded) * 100) })}`);
+    if (changed) return this.outdated();
     this.card.focus({ preventScroll: true });
     const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.card.scrollIntoView({ block: "nearest", behavior: calm ? "auto" : "smooth" });

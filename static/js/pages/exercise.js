@@ -11,13 +11,14 @@ import { OwnCard } from "../exercise/own-card.js";
 import { VerdictCard } from "../exercise/verdict-card.js";
 import { t } from "../i18n.js";
 import "../joint-sliders.js";
-import { LiveRobot } from "../live-robot.js";
+import { LiveRobot, robotOf } from "../live-robot.js";
 import "../matrix-panel.js";
 import { api, startPage } from "../page.js";
 import { plain } from "../numbers.js";
-import { problemNotice, sentencesOf } from "../problem.js";
+import { problemNotice } from "../problem.js";
 import "../scene/robot-scene.js";
 import { keep, recall } from "../storage.js";
+import { convertedValues } from "../units.js";
 
 const $ = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const id = $("exercise").dataset.id;
@@ -43,7 +44,7 @@ async function run() {
   });
   const robot = new LiveRobot(api);
   showRules(exercise);
-  const own = new OwnCard($("own"), robot, { api, parameters: exercise.parameters });
+  const own = new OwnCard($("own"), robot, { api, given: givenBy(exercise) });
   const verdict = new VerdictCard($("verdict-card"), $("verdict"));
   const answer = new AnswerCard($("answer"), exercise, {
     changed: (what) => {
@@ -61,36 +62,41 @@ async function run() {
   await listAttempts();
 
   function follow(options) {
-    const { table, units, missing } = answer;
-    own.units = units;
-    if (missing) own.waitFor(missing);
-    robot.take(table, options);
+    own.take(answer.table, options);
   }
 
   async function submit() {
     const request = answer.request();
     if (!request) return;
+    const handed = answer.state;
+    const changed = () => JSON.stringify(answer.state) !== JSON.stringify(handed);
     answer.busy = true;
     try {
       const graded = await api.post(`exercises/${id}/grade`, { ...request, ...(seed ? { seed } : {}) });
-      answer.showFaults([]);
+      answer.showRefusal([], request.table);
       await attempts.add(id, {
         at: new Date().toISOString(),
         score: graded.total.score,
         correct: graded.correct && graded.total.score >= 1,
-        submission: answer.state,
+        submission: handed,
         verdict: graded,
       });
-      const drawn = graded.certificate ? await robot.of(request.table) : null;
-      verdict.show(graded, { exercise, answer, drawn });
+      const drawn = graded.certificate && graded.figure ? await robotOf(api, request.table, valuesFor(request.table)).catch(() => null) : null;
+      verdict.show(graded, { exercise, answer, convention: handed.table.convention, drawn, changed: changed() });
       await listAttempts();
     } catch (error) {
-      if (error instanceof Problem && error.status < 500) answer.showFaults(error.faults, { summary: true });
-      else fill($("submit-problem"), problemNotice(error));
-      announce(sentencesOf(error)[0]);
+      const shown = error instanceof Problem && error.status < 500 && answer.showRefusal(error.faults, request.table);
+      if (!shown) fill($("submit-problem"), problemNotice(error));
     } finally {
       answer.busy = false;
     }
+  }
+
+  /** The exercise's own values, and what the student gave a value to, in a table's units. */
+  function valuesFor({ angle_unit: angle, length_unit: length }) {
+    const { parameters, kinds, units } = givenBy(exercise);
+    const kindOf = (name) => new Map(kinds).get(name) ?? "length";
+    return { ...robot.parameters, ...convertedValues(parameters, kindOf, units, { angle, length }) };
   }
 
   async function listAttempts() {
@@ -112,6 +118,12 @@ async function run() {
       },
     );
   }
+}
+
+/** The exercise's values, and the units that they are in. */
+function givenBy({ parameters, dimensions, angle_unit: angle, length_unit: length }) {
+  const kinds = dimensions.map(({ name, unit }) => [name, unit === length ? "length" : "angle"]);
+  return { parameters, kinds, units: { angle, length } };
 }
 
 /** Below the statement: what is given, and what is free to choose. */

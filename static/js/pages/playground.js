@@ -4,12 +4,12 @@ import "../editor/dh-table-editor.js";
 import "../scene/robot-scene.js";
 import "../joint-sliders.js";
 import "../matrix-panel.js";
+import { Latest } from "../api.js";
 import { announce, el, fill } from "../dom.js";
 import { copyText } from "../clipboard.js";
 import { OwnCard } from "../exercise/own-card.js";
 import { t } from "../i18n.js";
-import { LiveRobot } from "../live-robot.js";
-import { degrees, radians } from "../numbers.js";
+import { inward, LiveRobot, outward } from "../live-robot.js";
 import { api, startPage } from "../page.js";
 import { keep, recall } from "../storage.js";
 import { convertTool } from "../playground/convert.js";
@@ -22,56 +22,59 @@ import { workspaceTool } from "../playground/workspace.js";
 
 const DRAFT = "playground";
 
+/** @typedef {import("../playground/sources.js").Found} Found */
+
 class Playground {
   constructor() {
     this.editor = /** @type {any} */ (el("dh-table-editor"));
     this.robot = new LiveRobot(api);
-    this.limits = /** @type {[number, number][] | null} */ (null);
+    /** @type {Found | null} */
+    this.found = null;
+    /** @type {Found | null} */
+    this.offered = null;
     this.pose = /** @type {number[][] | null} */ (null);
-    this.joints = /** @type {number[]} */ ([]);
-    this.wanted = /** @type {number[] | null} */ (null);
+    this.bringing = new Latest();
     this.configurations = el("div", { class: "row", hidden: true });
-    this.card = new OwnCard(place("robot"), this.robot, { api, parameters: {} });
+    this.card = new OwnCard(place("robot"), this.robot, { api });
     this.tools = [
       poseTool(api),
       jacobianTool(api),
       inverseTool(api, { pose: () => this.pose, show: (joints) => this.show(joints) }),
-      convertTool(api, { use: (table) => this.use({ table, parameters: this.card.values }) }),
-      workspaceTool(api, { limits: () => this.limits }),
+      convertTool(api, { use: (table) => this.use({ table, parameters: this.robot.parameters }, this.robot.joints) }),
+      workspaceTool(api),
     ];
   }
 
   build() {
-    fill(place("table-body"), catalogueChoice(api, (found) => this.use(found)), this.configurations, this.editor);
+    const use = (found) => this.use(found);
+    fill(place("table-body"), catalogueChoice(api, (call) => this.bring(call)), this.configurations, this.editor);
     const share = el("button", { type: "button", class: "small", onclick: () => this.share() }, t("playground-share"));
     fill(place("table-tools"), share);
-    fill(place("sources"), axesSource(api, (found) => this.use(found)), scmSource(api, (found) => this.use(found)), urdfSource(api, (found) => this.use(found)));
+    fill(place("sources"), axesSource(api, use), scmSource(api, use), urdfSource(api, use));
     fill(place("tools"), this.tools.map((tool) => tool.element));
     this.listen();
   }
 
   listen() {
-    this.editor.addEventListener("table-change", () => this.#changed());
-    this.robot.addEventListener("reading", (event) => {
-      const { reading, rows, faults } = /** @type {CustomEvent} */ (event).detail;
-      this.editor.showMeaning(rows);
-      this.editor.showFaults(faults);
-      if (!reading) this.#tell(null);
-    });
-    this.robot.addEventListener("robot", () => {
-      if (!this.wanted) return;
-      const wanted = this.wanted;
-      this.wanted = null;
-      this.card.sliders.values = wanted;
-      this.card.scene.joints = wanted;
-      this.robot.joints = wanted;
-    });
-    this.robot.addEventListener("poses", (event) => {
-      this.pose = /** @type {CustomEvent} */ (event).detail.transform;
-      this.joints = this.card.sliders.values;
-      this.#tell(this.#subject());
+    this.editor.addEventListener("table-change", () => {
+      this.bringing.cancel();
+      this.#tell(null);
+      this.card.take(this.editor.table);
       this.#keep();
     });
+    this.robot.addEventListener("reading", (event) => {
+      const { rows, faults } = /** @type {CustomEvent} */ (event).detail;
+      this.editor.showMeaning(rows);
+      this.editor.showFaults(faults);
+    });
+    this.robot.addEventListener("robot", () => this.#showConfigurations());
+    this.robot.addEventListener("poses", (event) => {
+      const subject = this.#subject();
+      if (!subject) return;
+      this.pose = /** @type {CustomEvent} */ (event).detail.transform;
+      this.#tell(subject);
+    });
+    for (const name of ["input", "joints-change"]) place("robot").addEventListener(name, () => this.#keep());
     window.addEventListener("hashchange", () => this.restore());
   }
 
@@ -79,28 +82,40 @@ class Playground {
   async restore() {
     const shared = decode(location.hash) ?? recall(DRAFT, null);
     if (shared) return this.use(shared, shared.joints);
-    const puma = await api.get("robots/puma560").catch(() => null);
-    this.use(puma ?? { table: this.editor.table });
+    const brought = await this.bring((signal) => api.get("robots/puma560", { signal })).catch(() => true);
+    if (brought && !this.found) this.use({ table: this.editor.table });
   }
 
-  /** @param {import("../playground/sources.js").Found} found @param {number[]} [joints] [rad or length] */
-  use(found, joints) {
-    this.limits = found.limits ?? null;
-    this.wanted = joints ?? null;
-    this.card.values = { ...(found.parameters ?? {}) };
-    this.card.shownNames = "";
-    this.robot.parameters = this.card.values;
-    this.editor.table = found.table;
-    this.#showConfigurations(found.configurations ?? {});
-    this.#changed({ now: true });
+  /**
+   * Takes a robot that has to be fetched, unless another one came or something was typed in the meantime.
+   * @param {(signal: AbortSignal) => Promise<Found>} call
+   */
+  async bring(call) {
+    const answer = await this.bringing.run(call);
+    if (answer) this.use(answer.value);
+    return Boolean(answer);
+  }
+
+  /**
+   * Takes a robot: its table, its values and its joints at once.
+   * @param {Found} found @param {number[]} [joints] [rad or length]
+   */
+  use(found, joints = []) {
+    this.bringing.cancel();
+    this.found = found;
+    this.editor.load(found.table);
+    this.#tell(null);
+    this.configurations.hidden = true;
+    this.card.take(this.editor.table, { now: true, parameters: { ...found.parameters }, joints });
+    this.#keep();
   }
 
   /** Brings the robot to joint values. @param {number[]} joints in the table's units */
   show(joints) {
-    const inside = this.#inward(joints);
-    this.card.sliders.values = inside;
-    this.card.scene.joints = inside;
-    this.robot.joints = inside;
+    const subject = this.robot.subject;
+    if (!subject || subject.types.length !== joints.length) return;
+    this.card.show(inward({ ...subject, joints }));
+    this.#keep();
     announce(t("playground-moved"));
   }
 
@@ -110,53 +125,44 @@ class Playground {
     announce(t((await copyText(address)) ? "playground-shared" : "form-copy-failed"));
   }
 
-  #changed(options = {}) {
-    const { table, complete } = { table: this.editor.table, complete: this.editor.complete };
-    this.card.units = { angle: table.angle_unit, length: table.length_unit };
-    if (complete) this.robot.take(table, options);
-    else {
-      this.robot.take(table, options);
-      this.#tell(null);
-    }
+  /** What the catalogue knows of the robot goes with its joints: with other ones it is not that robot any more. */
+  #known(subject) {
+    const types = this.found?.table.rows.map((row) => row.joint).filter((joint) => joint !== "fixed");
+    return subject && types?.join() === subject.types.join() ? this.found : null;
   }
 
-  #showConfigurations(configurations) {
+  #showConfigurations() {
+    const known = this.#known(this.robot.subject);
+    const configurations = known?.configurations ?? {};
+    this.configurations.hidden = Object.keys(configurations).length === 0;
+    if (known === this.offered) return;
+    this.offered = known;
     const buttons = Object.values(configurations).map(({ joints, meaning }) =>
       el("button", { type: "button", class: "small", onclick: () => this.show(joints) }, meaning),
     );
-    this.configurations.hidden = buttons.length === 0;
     fill(this.configurations, buttons);
   }
 
+  /** The robot as the tools ask about it; null while another one is being read. */
   #subject() {
-    const { table, parameters } = this.robot.request;
-    return { table, parameters, joints: this.#outward(this.joints), units: { angle: table.angle_unit, length: table.length_unit } };
+    const { subject } = this.robot;
+    if (!subject) return null;
+    const units = { angle: subject.table.angle_unit, length: subject.table.length_unit };
+    return { ...subject, joints: outward(subject), units, limits: this.#known(subject)?.limits ?? null };
   }
 
   #shared() {
-    return { table: this.editor.table, parameters: this.robot.parameters, joints: this.card.sliders.values };
+    return { table: this.editor.table, parameters: this.robot.parameters, joints: this.robot.joints };
   }
 
   #keep() {
     keep(DRAFT, this.#shared());
   }
 
+  /** @param {import("../playground/tool.js").Subject | null} subject */
   #tell(subject) {
+    if (!subject) this.pose = null;
     for (const tool of this.tools) tool.take(subject);
-  }
-
-  #types() {
-    return this.robot.reading?.rows.map((row) => row.joint).filter((joint) => joint !== "fixed") ?? [];
-  }
-
-  #outward(joints) {
-    const inDegrees = this.editor.table.angle_unit === "deg";
-    return this.#types().map((type, i) => (inDegrees && type === "revolute" ? degrees(joints[i] ?? 0) : (joints[i] ?? 0)));
-  }
-
-  #inward(joints) {
-    const inDegrees = this.editor.table.angle_unit === "deg";
-    return this.#types().map((type, i) => (inDegrees && type === "revolute" ? radians(joints[i] ?? 0) : (joints[i] ?? 0)));
   }
 }
 

@@ -1,11 +1,12 @@
 /** The same robot written otherwise: the other convention, the product of exponentials, URDF. */
 
+import { Latest } from "../api.js";
 import { copyText } from "../clipboard.js";
 import { announce, el, fill } from "../dom.js";
 import { t } from "../i18n.js";
 import { shown } from "../numbers.js";
 import { problemNotice } from "../problem.js";
-import { asked } from "./tool.js";
+import { asked, sameRobot } from "./tool.js";
 import { matrix } from "./values.js";
 
 const TARGETS = ["standard", "modified", "poe", "urdf"];
@@ -14,13 +15,17 @@ const TARGETS = ["standard", "modified", "poe", "urdf"];
 export function convertTool(api, { use }) {
   /** @type {import("./tool.js").Subject | null} */
   let subject = null;
+  /** Whose other form is shown. @type {import("./tool.js").Subject | null} */
+  let of = null;
   const answer = el("div", { class: "tool-answer", role: "status" });
+  const latest = new Latest();
   const run = async (to) => {
     if (!subject) return;
     try {
       const symbolic = to === "standard" || to === "modified";
       const request = symbolic ? { table: subject.table } : asked(subject);
-      fill(answer, ...report(await api.post("convert", { ...request, to }), to, use));
+      const found = await latest.run((signal) => api.post("convert", { ...request, to }, { signal }));
+      if (found) fill(answer, ...report(found.value, to, use));
     } catch (error) {
       fill(answer, problemNotice(error));
     }
@@ -36,6 +41,11 @@ export function convertTool(api, { use }) {
     element,
     /** @param {import("./tool.js").Subject | null} next */
     take(next) {
+      if (next && !sameRobot(next, of)) {
+        latest.cancel();
+        fill(answer);
+        of = next;
+      }
       subject = next;
     },
   };

@@ -1,11 +1,12 @@
 /** Inverse kinematics: a pose to reach, every set of joint values that reaches it, and a look at each. */
 
+import { Latest } from "../api.js";
 import { el, fill } from "../dom.js";
 import { t } from "../i18n.js";
 import { shown } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import { Cells, cellValue } from "./cells.js";
-import { asked } from "./tool.js";
+import { asked, sameRobot } from "./tool.js";
 
 const ROWS = [0, 1, 2];
 
@@ -17,6 +18,8 @@ const ROWS = [0, 1, 2];
 export function inverseTool(api, { pose, show }) {
   /** @type {import("./tool.js").Subject | null} */
   let subject = null;
+  /** Whose solutions are shown. @type {import("./tool.js").Subject | null} */
+  let of = null;
   const columns = ["x", "y", "z", "p"].map((name) => ({ name, label: t(`playground-target-${name}`), otherwise: "0" }));
   const target = new Cells(t("playground-target"), columns, { rows: poseRows(identity()), fixed: true });
   const answer = el("div", { class: "tool-answer", role: "status" });
@@ -32,17 +35,18 @@ export function inverseTool(api, { pose, show }) {
     const present = pose();
     if (present) target.rows = poseRows(present);
   };
+  const latest = new Latest();
   const run = async () => {
     if (!subject) return;
+    const request = { ...asked(subject), target: matrixOf(target.rows) };
     solve.setAttribute("aria-disabled", "true");
     try {
-      const found = await api.post("inverse-kinematics", { ...asked(subject), target: matrixOf(target.rows) });
-      fill(answer, ...report(found, subject, show));
+      const found = await latest.run((signal) => api.post("inverse-kinematics", request, { signal }));
+      if (found) fill(answer, ...report(found.value, show));
     } catch (error) {
       fill(answer, problemNotice(error));
-    } finally {
-      solve.removeAttribute("aria-disabled");
     }
+    solve.removeAttribute("aria-disabled");
   };
   element.addEventListener("toggle", () => {
     if (!answer.hasChildNodes()) takePose();
@@ -51,12 +55,17 @@ export function inverseTool(api, { pose, show }) {
     element,
     /** @param {import("./tool.js").Subject | null} next */
     take(next) {
+      if (next && !sameRobot(next, of)) {
+        latest.cancel();
+        fill(answer);
+        of = next;
+      }
       subject = next;
     },
   };
 }
 
-function report(found, subject, show) {
+function report(found, show) {
   const count = found.solutions.length;
   const status = t(`playground-status-${found.status}`, { count });
   const complete = t(found.complete ? "playground-complete" : "playground-incomplete");

@@ -1,6 +1,6 @@
 /** Ways to a table other than typing it: a catalogue robot, joint axes, an SCM chain, URDF. */
 
-import { Problem } from "../api.js";
+import { Latest, Problem } from "../api.js";
 import { el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { problemNotice } from "../problem.js";
@@ -11,28 +11,23 @@ import { Cells, cellValue } from "./cells.js";
  *   limits?: [number, number][] | null, name?: string}} Found a robot as it goes into the page
  */
 
-/** A choice of the catalogue's robots. @param {import("../api.js").Api} api @param {(found: Found) => void} use */
-export function catalogueChoice(api, use) {
+/**
+ * A choice of the catalogue's robots.
+ * @param {import("../api.js").Api} api @param {(call: (signal: AbortSignal) => Promise<Found>) => Promise<unknown>} bring
+ */
+export function catalogueChoice(api, bring) {
   const id = uniqueId("catalogue");
   const select = /** @type {HTMLSelectElement} */ (el("select", { id }, el("option", { value: "", text: t("playground-catalogue-choose") })));
   const problem = el("div", { hidden: true });
-  select.addEventListener("change", async () => {
-    if (!select.value) return;
-    try {
-      use(await api.get(`robots/${select.value}`));
-      problem.hidden = true;
-    } catch (error) {
-      problem.hidden = false;
-      fill(problem, problemNotice(error));
-    }
+  const show = (error) => {
+    problem.hidden = !error;
+    fill(problem, error ? problemNotice(error) : null);
+  };
+  select.addEventListener("change", () => {
+    show(null);
+    if (select.value) bring((signal) => api.get(`robots/${select.value}`, { signal })).catch(show);
   });
-  api.get("robots").then(
-    ({ robots }) => select.append(...robots.map((robot) => el("option", { value: robot.id, text: robot.name }))),
-    (error) => {
-      problem.hidden = false;
-      fill(problem, problemNotice(error));
-    },
-  );
+  api.get("robots").then(({ robots }) => select.append(...robots.map((robot) => el("option", { value: robot.id, text: robot.name }))), show);
   return el("div", { class: "field" }, el("label", { for: id, text: t("playground-catalogue") }), select, problem);
 }
 
@@ -51,19 +46,18 @@ export function axesSource(api, use) {
     { joint: "revolute", px: "0.5", py: "0", pz: "0.4", ux: "0", uy: "-1", uz: "0" },
   ];
   const grid = new Cells(t("playground-axes"), columns, { rows });
-  const run = async (convention) => {
+  const run = async (convention, signal) => {
     const axes = grid.rows.map((row) => ({
       joint: row.joint,
       point: [row.px, row.py, row.pz].map(cellValue),
       direction: [row.ux, row.uy, row.uz].map(cellValue),
     }));
-    const answer = await api.post("assign-frames", { axes, convention, angle_unit: "deg" });
-    use({ table: answer.table });
-    return frameList(answer);
+    const answer = await api.post("assign-frames", { axes, convention, angle_unit: "deg" }, { signal });
+    return { found: { table: answer.table }, shown: frameList(answer) };
   };
-  return source(t("playground-from-axes"), t("playground-axes-hint"), [grid.element], {
-    [t("playground-to-modified")]: () => run("modified"),
-    [t("playground-to-standard")]: () => run("standard"),
+  return source(t("playground-from-axes"), t("playground-axes-hint"), [grid.element], use, {
+    [t("playground-to-modified")]: (signal) => run("modified", signal),
+    [t("playground-to-standard")]: (signal) => run("standard", signal),
   });
 }
 
@@ -87,14 +81,13 @@ export function scmSource(api, use) {
     rows: [row(0, 0, "L0", "a1", 0, 0), row(0, "L1", 0, 0, "a2", 0), row(0, 0, "d3", 0, 0, 0), row(0, 0, 0, "a4", 0, 0), row(0, 0, 0, 0, "a5", 0), row(0, 0, "L2", "a6", 0, 0)],
   });
   const ends = new Cells(t("playground-chain-end"), entries, { rows: [row(0, 0, 0, 0, 0, 0)], fixed: true });
-  const run = async () => {
+  const run = async (signal) => {
     const chain = { joints: joints.rows.map(values), final: values(ends.rows[0]), angle_unit: "deg" };
-    const answer = await api.post("convert", { scm: chain, to: "modified" });
-    use({ table: answer.table });
-    return [];
+    const answer = await api.post("convert", { scm: chain, to: "modified" }, { signal });
+    return { found: { table: answer.table }, shown: [] };
   };
   const title = el("h3", { text: t("playground-chain-end") });
-  return source(t("playground-from-scm"), t("playground-scm-hint"), [joints.element, title, ends.element], { [t("playground-to-modified")]: run });
+  return source(t("playground-from-scm"), t("playground-scm-hint"), [joints.element, title, ends.element], use, { [t("playground-to-modified")]: run });
 }
 
 const values = (row) => Object.fromEntries(Object.entries(row).map(([name, text]) => [name, cellValue(text)]));
@@ -104,27 +97,30 @@ export function urdfSource(api, use) {
   const id = uniqueId("urdf");
   const area = /** @type {HTMLTextAreaElement} */ (el("textarea", { id, rows: "8", spellcheck: "false" }));
   const field = el("div", { class: "field" }, el("label", { for: id, text: "URDF" }), area);
-  const run = async (to) => {
-    const answer = await api.post("convert", { urdf: area.value, to });
-    use({ table: answer.table });
-    return [];
+  const run = async (to, signal) => {
+    const answer = await api.post("convert", { urdf: area.value, to }, { signal });
+    return { found: { table: answer.table }, shown: [] };
   };
-  return source(t("playground-from-urdf"), t("playground-urdf-hint"), [field], {
-    [t("playground-to-modified")]: () => run("modified"),
-    [t("playground-to-standard")]: () => run("standard"),
+  return source(t("playground-from-urdf"), t("playground-urdf-hint"), [field], use, {
+    [t("playground-to-modified")]: (signal) => run("modified", signal),
+    [t("playground-to-standard")]: (signal) => run("standard", signal),
   });
 }
 
 /**
- * @param {string} title @param {string} hint @param {Node[]} fields
- * @param {Record<string, () => Promise<Node[]>>} actions by the label of their button
+ * @param {string} title @param {string} hint @param {Node[]} fields @param {(found: Found) => void} use
+ * @param {Record<string, (signal: AbortSignal) => Promise<{found: Found, shown: Node[]}>>} actions by the label of
+ *   their button; of several that were pressed, the last one counts
  */
-function source(title, hint, fields, actions) {
+function source(title, hint, fields, use, actions) {
   const answer = el("div", { class: "tool-answer", role: "status" });
+  const latest = new Latest();
   const press = async (action) => {
     try {
-      const shown = await action();
-      fill(answer, el("p", { text: t("playground-taken") }), ...shown);
+      const done = await latest.run(action);
+      if (!done) return;
+      use(done.value.found);
+      fill(answer, el("p", { text: t("playground-taken") }), ...done.value.shown);
     } catch (error) {
       if (!(error instanceof Problem)) console.error(error);
       fill(answer, problemNotice(error));

@@ -12,8 +12,10 @@ import { problemNotice } from "../problem.js";
 const PAUSE = 120;
 
 /**
- * @typedef {{table: any, parameters: Record<string, number>, joints: number[], units: {angle: string, length: string}}} Subject
- *   the robot in question as it goes to the API, its joint values in the table's units
+ * @typedef {{table: any, parameters: Record<string, number>, types: string[], joints: number[],
+ *   ranges: import("../joint-ranges.js").JointRange[], units: {angle: string, length: string},
+ *   limits: [number, number][] | null}} Subject
+ *   the robot in question as it goes to the API, its joint values and limits in the table's units, and its sliders' ranges
  */
 
 export class Tool {
@@ -35,6 +37,7 @@ export class Tool {
   /** @param {Subject | null} subject */
   take(subject) {
     this.#subject = subject;
+    this.body.classList.toggle("busy", !subject);
     this.refresh();
   }
 
@@ -55,6 +58,12 @@ export class Tool {
     }
     if (subject === this.#subject) fill(this.body, ...shown);
   }
+}
+
+/** Whether two subjects are the same robot, wherever its joints stand. @param {Subject | null} one @param {Subject | null} other */
+export function sameRobot(one, other) {
+  const robot = (subject) => subject && JSON.stringify([subject.table, subject.parameters]);
+  return robot(one) === robot(other);
 }
 
 /** What every call about a robot starts with. @param {Subject} subject */

@@ -1,6 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import * as convert from "../../../static/js/editor/convert.js";
 import * as model from "../../../static/js/editor/model.js";
+import { convertedValues } from "../../../static/js/units.js";
 
 const texts = (table, cell) => table.rows.map((row) => row[cell]);
 
@@ -68,11 +70,28 @@ test("a table survives the way to the API and back", () => {
   assert.equal(model.fromWire({ convention: "modified", rows: [{ alpha: 0, a: 0, d: "q1", theta: 0 }] }).rows[0].joint, "prismatic");
 });
 
-test("plain angles are converted exactly, expressions are left alone", () => {
-  const cases = [["90", "rad", "pi/2"], ["-90", "rad", "-pi/2"], ["−45", "rad", "-pi/4"], ["0", "rad", "0"], ["120", "rad", "2*pi/3"],
-    ["θ1", "rad", "θ1"], ["pi/2", "deg", "90"], ["-π/2", "deg", "-90"], ["2*pi/3", "deg", "120"], ["q2 + pi/2", "deg", "q2 + pi/2"]];
-  for (const [text, unit, expected] of cases) assert.equal(model.convertedAngle(text, unit), expected);
-  assert.ok(Math.abs(Number(model.convertedAngle("10", "rad")) - Math.PI / 18) < 1e-11);
+test("the numbers of a sum are converted exactly, what stands in anything else is counted", () => {
+  const cases = [["90", "rad", "pi/2"], ["-90", "rad", "-pi/2"], ["−45", "rad", "−pi/4"], ["0", "rad", "0"], ["120", "rad", "2*pi/3"],
+    ["θ1", "rad", "θ1"], ["θ1 + 90", "rad", "θ1 + pi/2"], ["90 - q1", "rad", "pi/2 - q1"], ["pi/2", "rad", "pi/2"], ["90°", "rad", "90°"],
+    ["pi/2", "deg", "90"], ["-π/2", "deg", "-90"], ["2*pi/3", "deg", "120"], ["q2 + pi/2", "deg", "q2 + 90"], ["2*(q1+90)", "rad", "2*(q1+90)"]];
+  for (const [text, unit, expected] of cases) {
+    const table = model.setCell(model.newTable("modified", 1), 0, "alpha", text);
+    assert.equal(convert.convertedAngles(table, unit).table.rows[0].alpha, expected);
+  }
+  const ten = convert.convertedSum("10", (term) => String(Number(term) + 1));
+  assert.equal(ten, "11");
+  const table = model.setCell(model.newTable("modified", 1), 0, "alpha", "2*(q1+90)");
+  assert.equal(convert.convertedAngles(table, "rad").left, 1);
+});
+
+test("lengths are written in another unit, parameters stay", () => {
+  let table = model.newTable("modified", 1, { lengthUnit: "m" });
+  table = model.setCell(model.setCell(table, 0, "a", "0.4318"), 0, "d", "L1 - 0.1 + d2");
+  const { table: found, left } = convert.convertedLengths(table, "m", "mm");
+  assert.deepEqual([found.lengthUnit, found.rows[0].a, found.rows[0].d, left], ["mm", "431.8", "L1 - 100 + d2", 0]);
+  assert.ok(convert.holdsNumbers(table, ["a", "d"]));
+  assert.ok(!convert.holdsNumbers(model.newTable("standard", 2), ["a", "d"]));
+  assert.deepEqual(convertedValues({ a2: 0.5, beta: 90 }, (name) => (name === "beta" ? "angle" : "length"), { angle: "deg", length: "m" }, { angle: "deg", length: "cm" }), { a2: 50, beta: 90 });
 });
 
 test("undo and redo step over runs of typing", () => {

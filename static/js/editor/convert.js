@@ -1,0 +1,101 @@
+/** Numbers that were typed, in another unit. Variables and parameters stay as they are; so does what is not a sum. */
+
+import { convertedLength } from "../units.js";
+import { CELLS } from "./model.js";
+
+/**
+ * @typedef {import("./model.js").Table} Table
+ * @typedef {{table: Table, left: number}} Converted `left` is the number of cells whose numbers stand in
+ *   something else than a sum; they are as they were
+ */
+
+const NUMBER = /^\d+(\.\d*)?$|^\.\d+$/;
+/** What is said with π is in radians in every table, what is said with ° in degrees. */
+const OWN_UNIT = /pi(?![A-Za-z0-9_])|π|°/iu;
+const PI_FRACTION = /^(?:(\d+)\s*\*?\s*)?(?:pi|π)(?:\s*\/\s*(\d+))?$/i;
+
+/** @param {Table} table @param {"deg" | "rad"} to @returns {Converted} */
+export function convertedAngles(table, to) {
+  const change = to === "rad" ? angleInRadians : angleInDegrees;
+  return converted({ ...table, angleUnit: to }, ["alpha", "theta"], change);
+}
+
+/** @param {Table} table @param {Table["lengthUnit"]} from @param {Table["lengthUnit"]} to @returns {Converted} */
+export function convertedLengths(table, from, to) {
+  const change = (term) => (NUMBER.test(term) ? written(convertedLength(Number(term), from, to)) : null);
+  return converted({ ...table, lengthUnit: to }, ["a", "d"], change);
+}
+
+/** Whether there is a number in these columns that would be written otherwise in another unit. @param {Table} table @param {string[]} columns */
+export function holdsNumbers(table, columns) {
+  const cells = CELLS.filter((cell) => columns.includes(cell));
+  const counts = ({ term }) => !isSymbol(term) && Number(term) !== 0;
+  return table.rows.some((row) => cells.some((cell) => termsOf(row[cell])?.some(counts) ?? true));
+}
+
+function converted(table, columns, change) {
+  let left = 0;
+  const cell = (text) => {
+    const changed = convertedSum(text, change);
+    if (changed === null) left += 1;
+    return changed ?? text;
+  };
+  const rows = table.rows.map((row) => ({ ...row, ...Object.fromEntries(columns.map((name) => [name, cell(row[name])])) }));
+  return { table: { ...table, rows }, left };
+}
+
+/**
+ * A sum whose numbers are changed; null if it is none, or if one of its terms cannot be changed.
+ * @param {string} text @param {(term: string) => string | null} change
+ */
+export function convertedSum(text, change) {
+  const terms = termsOf(text);
+  if (!terms) return null;
+  let whole = "";
+  for (const { sign, term, blank } of terms) {
+    const next = isSymbol(term) ? term : change(term);
+    if (next === null) return null;
+    whole += sign + next + blank;
+  }
+  return whole;
+}
+
+/** The terms of a sum with the signs and blanks before them; null if it holds parentheses. @param {string} text */
+function termsOf(text) {
+  if (/[()[\]{}]/.test(text)) return null;
+  const parts = [...text.trim().matchAll(/(\s*[+\-−–]?\s*)([^+\-−–]+)/g)];
+  if (parts.map(([whole]) => whole).join("") !== text.trim()) return null;
+  return parts.map(([, sign, term]) => {
+    const trimmed = term.trimEnd();
+    return { sign, term: trimmed, blank: term.slice(trimmed.length) };
+  });
+}
+
+/** Whether a term holds a variable or parameter, so that its unit is not its own. @param {string} term */
+function isSymbol(term) {
+  return /[A-Za-zΑ-ω]/u.test(term.replace(new RegExp(OWN_UNIT, "giu"), ""));
+}
+
+function angleInRadians(term) {
+  if (OWN_UNIT.test(term)) return term;
+  return NUMBER.test(term) ? fractionOfPi(Number(term)) : null;
+}
+
+function angleInDegrees(term) {
+  const match = PI_FRACTION.exec(term);
+  if (match) return written((Number(match[1] ?? 1) * 180) / Number(match[2] ?? 1));
+  if (OWN_UNIT.test(term)) return term;
+  return NUMBER.test(term) ? written((Number(term) * 180) / Math.PI) : null;
+}
+
+function fractionOfPi(degrees) {
+  if (degrees === 0) return "0";
+  for (const [numerator, denominator] of [[1, 1], [1, 2], [1, 3], [2, 3], [1, 4], [3, 4], [1, 6], [5, 6], [1, 12], [2, 1]]) {
+    if (degrees === (180 * numerator) / denominator) return `${numerator === 1 ? "" : `${numerator}*`}pi${denominator === 1 ? "" : `/${denominator}`}`;
+  }
+  return written((degrees * Math.PI) / 180);
+}
+
+function written(value) {
+  return String(Number(value.toPrecision(12)));
+}
