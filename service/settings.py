@@ -74,6 +74,16 @@ class Settings(BaseSettings):
     grading_threads: PositiveInt = Field(2, description="wrong answers that are explained at the same time")
     grading_queue: NonNegativeInt = Field(512, description="wrong answers that may wait for their turn")
 
+    @property
+    def calling_origins(self) -> tuple[str, ...]:
+        """Origins whose pages may call the API from a browser.
+
+        Where other sites may frame the pages, a page in a sandboxed frame may call it too: it has no origin of
+        its own and calls itself "null". The API keeps nothing and reads no cookie, so nothing is given away.
+        """
+        framed = set(self.frame_ancestors) - {"'self'", "'none'"}
+        return tuple(dict.fromkeys((*self.cors_origins, *(("null",) if framed else ()))))
+
     @field_validator("exercise_folders", "trusted_proxies", "frame_ancestors", "cors_origins", mode="before")
     @classmethod
     def _split(cls, value: object) -> object:

@@ -84,5 +84,5 @@ async def messages(request: Request, language: str, rooms: str = "") -> Response
     if language not in languages():
         return Response(status_code=404, headers={"Cache-Control": "no-cache"})
     text = _messages(language, tuple(rooms.split()))
-    headers = {"Cache-Control": "no-cache", "Vary": "Accept-Encoding", "Access-Control-Allow-Origin": "*"}
+    headers = {"Cache-Control": "no-cache", "Access-Control-Allow-Origin": "*"}
     return text_response(request, text, "text/plain; charset=utf-8", headers)

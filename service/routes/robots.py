@@ -14,6 +14,7 @@ from service.errors import NotFoundError, Place
 from service.openapi import problems
 from service.routing import JSON, api_router
 from service.schemas.catalogue import Robot, RobotList
+from service.web.responses import text_response
 
 router = api_router("robots")
 
@@ -24,7 +25,7 @@ _FRESH = {"Cache-Control": "public, max-age=300"}
 async def robots(request: Request) -> Response:
     """Every robot of the catalogue, with its source; table and parameters are ready to be sent back."""
     entries = b",".join(_written(robot_id) for robot_id in catalogue.robot_ids())
-    return Response(b'{"robots":[%b]}' % entries, media_type=JSON, headers=_FRESH)
+    return text_response(request, b'{"robots":[%b]}' % entries, JSON, _FRESH)
 
 
 @router.get(
@@ -34,6 +35,7 @@ async def robots(request: Request) -> Response:
     summary="One robot of the catalogue",
 )
 async def robot(
+    request: Request,
     robot_id: Annotated[str, Path(max_length=64, openapi_examples={"PUMA 560": {"value": "puma560"}})],
 ) -> Response:
     """A robot of the catalogue: source, DH table, parameters, named configurations, limits, SCM chain."""
@@ -46,7 +48,7 @@ async def robot(
             params={"robot": robot_id, "known": known},
         )
         raise NotFoundError(fault, place=Place.PATH)
-    return Response(_written(robot_id), media_type=JSON, headers=_FRESH)
+    return text_response(request, _written(robot_id), JSON, _FRESH)
 
 
 @cache

@@ -78,7 +78,7 @@ def page_response(
         "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
         "Cache-Control": "no-cache",
         "Content-Language": language,
-        "Vary": "Accept-Language, Accept-Encoding",
+        "Vary": "Accept-Language",
     }
     return text_response(request, text, "text/html; charset=utf-8", headers, status)
 
@@ -89,19 +89,30 @@ def missing_page(request: Request, *, depth: int) -> Response:
 
 
 def text_response(
-    request: Request, text: str, media_type: str, headers: Mapping[str, str], status: int = 200
+    request: Request, text: str | bytes, media_type: str, headers: Mapping[str, str], status: int = 200
 ) -> Response:
-    """Text with a validator, compressed if the client takes it; 304 if it has it already."""
-    body = text.encode()
+    """Text with a validator, compressed if the client takes it; 304 if it has it already.
+
+    The validator is weak, because it is the same for the text and for its compressed form; caches keep the
+    two apart by `Vary`.
+    """
+    body = text.encode() if isinstance(text, str) else text
     tag = f'W/"{hashlib.sha256(body).hexdigest()[:20]}"'
-    sent = {**headers, "ETag": tag}
-    if status == 200 and tag in request.headers.get("if-none-match", ""):
+    varies = ", ".join(dict.fromkeys([*filter(None, [headers.get("Vary")]), "Accept-Encoding"]))
+    sent = {**headers, "ETag": tag, "Vary": varies}
+    if status == 200 and _has(tag, request.headers.get("if-none-match", "")):
         return Response(status_code=304, headers=sent)
-    accepted = weighted(request.headers.get("accept-encoding", ""))
-    if any(name == "gzip" and quality > 0.0 for name, quality in accepted):
+    accepted = dict(reversed(weighted(request.headers.get("accept-encoding", ""))))
+    if accepted.get("gzip", accepted.get("*", 0.0)) > 0.0:
         sent["Content-Encoding"] = "gzip"
         body = _compressed(body)
     return Response(body, status_code=status, media_type=media_type, headers=sent)
+
+
+def _has(tag: str, asked: str) -> bool:
+    """Whether If-None-Match names the tag; weak and strong ones are compared alike (RFC 9110 §13.1.2)."""
+    held = {item.strip().removeprefix("W/") for item in asked.split(",")}
+    return "*" in held or tag.removeprefix("W/") in held
 
 
 @lru_cache(maxsize=128)
