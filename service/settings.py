@@ -78,8 +78,8 @@ class Settings(BaseSettings):
     def calling_origins(self) -> tuple[str, ...]:
         """Origins whose pages may call the API from a browser.
 
-        Where other sites may frame the pages, a page in a sandboxed frame may call it too: it has no origin of
-        its own and calls itself "null". The API keeps nothing and reads no cookie, so nothing is given away.
+        Where other sites may frame the pages, a page in a sandboxed frame may call it too: it has no origin
+        of its own and calls itself "null". The API keeps nothing and reads no cookie: nothing is given away.
         """
         framed = set(self.frame_ancestors) - {"'self'", "'none'"}
         return tuple(dict.fromkeys((*self.cors_origins, *(("null",) if framed else ()))))

@@ -180,7 +180,8 @@ def test_a_full_storage_is_said_once_and_costs_nothing(open_page: OpenPage) -> N
     page.evaluate(
         """() => {
           for (let size = 1 << 22; size >= 1; size >>= 1) {
-            try { for (let i = 0; ; i += 1) localStorage.setItem(`full-${size}-${i}`, "x".repeat(size)); } catch {}
+            const text = "x".repeat(size);
+            try { for (let i = 0; ; i += 1) localStorage.setItem(`full-${size}-${i}`, text); } catch {}
           }
         }"""
     )
