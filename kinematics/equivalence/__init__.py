@@ -2,7 +2,7 @@
 
 `policy` says what is asked, `decision` decides it, `proof` turns a verified certificate into a proved one.
 The theory stands in docs/checker.md; `chains`, `groups`, `plan`, `alignment`, `search`, `certificates`,
-`verification` and `refinement` are its steps, `diagnosis` what follows when a step fails.
+`verification`, `worst_case` and `refinement` are its steps, `diagnosis` what follows when a step fails.
 """
 
 from kinematics.equivalence.decision import decide, decide_draws, mirrored
@@ -17,6 +17,7 @@ from kinematics.equivalence.policy import (
 )
 from kinematics.equivalence.proof import ExactCertificate, prove
 from kinematics.equivalence.results import Certificate, Decision, Kind, Mismatch
+from kinematics.equivalence.rounding import rounding_tolerance
 
 __all__ = [
     "BaseRule",
@@ -35,4 +36,5 @@ __all__ = [
     "decide_draws",
     "mirrored",
     "prove",
+    "rounding_tolerance",
 ]

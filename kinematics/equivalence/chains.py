@@ -127,15 +127,15 @@ def size_of(chain: Chain) -> float:
     if not turning:
         return chain.extent
     end = position(chain.end)
-    start, _ = _walk(ORIGIN, turning[:1])
-    there, forward = _walk(start, turning[1:])
-    _, backward = _walk(end, turning[::-1])
+    start, _ = walk(ORIGIN, turning[:1])
+    there, forward = walk(start, turning[1:])
+    _, backward = walk(end, turning[::-1])
     ways = [forward + norm(subtract(end, there)), backward]
     smallest = 1e-12 * chain.extent
     return min((way for way in ways if way > smallest), default=chain.extent)
 
 
-def _walk(here: Vector, axes: Sequence[Axis]) -> tuple[Vector, float]:
+def walk(here: Vector, axes: Sequence[Axis]) -> tuple[Vector, float]:
     """From a point to the nearest point of one axis after the other: where that ends, and how long it is."""
     total = 0.0
     for axis in axes:

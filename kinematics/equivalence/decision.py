@@ -71,6 +71,7 @@ def certify(
     types = [axis.prismatic for axis in references[0].chain.axes]
     if types != [axis.prismatic for axis in submissions[0].axes]:
         return None
+    references = [r.beside(chain) for r, chain in zip(references, submissions, strict=True)]
     for level in _levels(references[0], policy):
         found = Search(references, submissions, policy, level, effort).run()
         if found is not None:
@@ -78,13 +79,13 @@ def certify(
     return None
 
 
-def _levels(reference: Reference, policy: Policy) -> Sequence[int]:
-    """Whether axes that are parallel or meet only within the tolerance make a second chain of groups."""
-    exact, loose = (
+def _levels(reference: Reference, policy: Policy) -> list[int]:
+    """The notions of nearness that make different chains of groups."""
+    shapes = [
         [plan.shape for plan in reference.plans(policy.base, policy.zero, near)]
         for near in reference.nearnesses(policy.tolerance)
-    )
-    return (0,) if exact == loose else (0, 1)
+    ]
+    return [level for level, shape in enumerate(shapes) if shape not in shapes[:level]]
 
 
 def _certificate(found: Found) -> Certificate:
@@ -118,7 +119,8 @@ def _explained(
 ) -> Decision:
     wrong_convention = not convention_fits(table.convention, policy.convention)
     named = (Mismatch(kind=Kind.CONVENTION),) if wrong_convention else ()
-    if certify(references, chains, mechanism_only(policy)) is not None:
+    tried = not wrong_convention and policy == replace(mechanism_only(policy), convention=policy.convention)
+    if not tried and certify(references, chains, mechanism_only(policy)) is not None:
         return Decision(
             certificate=None, mismatches=(*named, *_broken_rules(references, chains, policy)), same_robot=True
         )
@@ -127,7 +129,7 @@ def _explained(
         return Decision(
             certificate=None, mismatches=(*named, Mismatch(kind=Kind.JOINT_COUNT)), same_robot=False
         )
-    found = diagnose(references[0], table, chains[0], policy)
+    found = diagnose(references[0].beside(chains[0]), table, chains[0], policy)
     if certify([prepared(mirrored(r.table)) for r in references], chains, mechanism_only(policy)) is not None:
         found = (Mismatch(kind=Kind.HANDEDNESS), *found)
     return Decision(certificate=None, mismatches=(*named, *found), same_robot=False)

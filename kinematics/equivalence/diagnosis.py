@@ -32,7 +32,6 @@ from kinematics.equivalence.rigid import (
     turn_onto,
 )
 from kinematics.equivalence.tools import placements, tool_choices
-from kinematics.equivalence.verification import size_for
 from kinematics.table import Convention, NumericTable
 
 WIDTH = 8
@@ -93,7 +92,7 @@ def likely_signs(reference: Reference, submission: Chain, policy: Policy) -> lis
 
 def _trails(plan: Plan, reference: Reference, submission: Chain, policy: Policy) -> list[Trail]:
     """The best few ways down the chain."""
-    size = size_for(reference, submission)
+    size = reference.size
     judge = _Judge(
         reference.chain.axes,
         NOTICEABLE * policy.tolerance.angle,

@@ -1,8 +1,7 @@
 """The subgroups of SE(3) in which the admissible frame choices live.
 
 At every joint the motions g that may still be applied to the submission form a coset of one of these groups,
-and
-which one it is depends on the reference alone: SE(3), the rotations about a point, the translations and
+and which one it is depends on the reference alone: SE(3), the rotations about a point, the translations and
 rotations about a direction, a cylinder group (rotations about and translations along a line), the rotations
 about a line, and the translations in a subspace. Each is a set of rotations together with a space of
 translations.
@@ -61,10 +60,13 @@ class Nearness:
     Attributes:
         angle: [rad].
         length: in the table's unit.
+        slide: the same as `angle` for a translation beside an axis, which a small displacement across the
+            axis would multiply by the inverse of the angle [rad].
     """
 
     angle: float
     length: float
+    slide: float
 
 
 SPACE: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -106,7 +108,7 @@ def outside(v: Vector, basis: tuple[Vector, ...]) -> Vector:
 
 def _along(basis: tuple[Vector, ...], direction: Vector, near: Nearness) -> tuple[Vector, ...]:
     """Basis of the translations of a space that run along a direction."""
-    if basis and norm(outside(direction, basis)) <= near.angle:
+    if basis and norm(outside(direction, basis)) <= near.slide:
         return (direction,)
     return ()
 
@@ -150,7 +152,7 @@ def with_rotations_about(group: Group, point: Vector, direction: Vector) -> Grou
 def with_translations_along(group: Group, direction: Vector, near: Nearness) -> Group:
     """The group, together with the translations along a direction."""
     rest = outside(direction, group.translations)
-    if norm(rest) <= near.angle:
+    if norm(rest) <= near.slide:
         return group
     return Group(
         group.rotations,

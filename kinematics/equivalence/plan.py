@@ -200,7 +200,7 @@ def _slide(
     d = np.array(direction)
     across_line = space - np.outer(d, d @ space)
     u, s, vt = np.linalg.svd(across_line, full_matrices=False)
-    kept = s > max(near.angle, 1e-12)
+    kept = s > max(near.slide, 1e-12)
     if not kept.any():
         return None, 1.0
     matrix = space @ vt[kept].T @ np.diag(1.0 / s[kept]) @ u[:, kept].T

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 import numpy as np
@@ -41,7 +41,7 @@ class Reference:
         table: the table.
         chain: its joint axes.
         size: the length that relative lengths refer to; never zero.
-        scaleless: all lengths of the table are zero, and `size` is 1 for want of anything better.
+        scaleless: all lengths of the table are zero; `size` is 1, or that of the submission beside it.
         joints: (n, samples) sampled configurations.
         poses: (samples, 4, 4) the reference's end frame there.
     """
@@ -52,21 +52,41 @@ class Reference:
     scaleless: bool
     joints: NDArray[np.float64]
     poses: NDArray[np.float64]
-    _plans: dict[tuple[BaseRule, ZeroRule, float, float], tuple[Plan, ...]] = field(default_factory=dict)
+    _plans: dict[tuple[BaseRule, ZeroRule, Nearness], tuple[Plan, ...]] = field(default_factory=dict)
+
+    def beside(self, submission: Chain) -> Reference:
+        """The reference at the size of a submission, if it has none of its own."""
+        if not self.scaleless:
+            return self
+        return _at_size(self.table, self.chain, submission.extent or 1.0, scaleless=True)
+
+    def sampled_at(self, joints: NDArray[np.float64]) -> Reference:
+        """The reference with more configurations, (n, k), among the samples."""
+        return replace(
+            self,
+            joints=np.concatenate([self.joints, joints], axis=1),
+            poses=np.concatenate([self.poses, poses(self.chain, joints)]),
+        )
 
     def plans(self, base: BaseRule, zero: ZeroRule, near: Nearness) -> tuple[Plan, ...]:
         """The chains of groups, as `plans_for` makes them."""
-        key = (base, zero, near.angle, near.length)
+        key = (base, zero, near)
         found = self._plans.get(key)
         if found is None:
             found = self._plans[key] = plans_for(self.chain, base, zero, near, self.size)
         return found
 
     def nearnesses(self, tolerance: Tolerance) -> tuple[Nearness, ...]:
-        """Which axes count as parallel or meeting: those that do exactly; those within the tolerance."""
+        """Which axes count as parallel or meeting: those that do exactly; those within the tolerance.
+
+        And, for what may slide along them, those so nearly parallel that a displacement within the tolerance
+        would slide it by the robot's size.
+        """
+        angle, length = LOOSELY * tolerance.angle, LOOSELY * tolerance.length
         return (
-            Nearness(EXACTLY, EXACTLY * self.size),
-            Nearness(LOOSELY * tolerance.angle, LOOSELY * tolerance.length * self.size),
+            Nearness(EXACTLY, EXACTLY * self.size, EXACTLY),
+            Nearness(angle, length * self.size, angle),
+            Nearness(angle, length * self.size, max(angle, length)),
         )
 
 
@@ -75,15 +95,13 @@ def prepared(table: NumericTable) -> Reference:
     """The reference of a table; remembered, for the same one is asked for again and again."""
     chain = chain_of(table)
     size = size_of(chain)
-    scale = size or 1.0
+    return _at_size(table, chain, size or 1.0, scaleless=size == 0.0)
+
+
+def _at_size(table: NumericTable, chain: Chain, size: float, *, scaleless: bool) -> Reference:
     joints = sample_joints(len(chain.axes))
     for i, axis in enumerate(chain.axes):
-        joints[i] *= scale if axis.prismatic else np.pi
+        joints[i] *= size if axis.prismatic else np.pi
     return Reference(
-        table=table,
-        chain=chain,
-        size=scale,
-        scaleless=size == 0.0,
-        joints=joints,
-        poses=poses(chain, joints),
+        table=table, chain=chain, size=size, scaleless=scaleless, joints=joints, poses=poses(chain, joints)
     )

@@ -9,7 +9,7 @@ keep it are used.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,18 +30,20 @@ from kinematics.equivalence.rigid import (
     to_matrix,
     translation,
 )
-from kinematics.equivalence.verification import Residual, joint_values, largest, size_for
+from kinematics.equivalence.verification import Residual, joint_values, largest
+from kinematics.equivalence.worst_case import worst_case
 
 Matrix = NDArray[np.float64]
-ROUNDS = 8
+ROUNDS = 10
+ITERATIONS = 12
 STALLED = 0.9
+SHORTENED = 0.5
 DIVERGED = 4.0
+NARROW = 0.97
 HOPELESS = 1.2
-CURVED = 1.0
-COMFORTABLE = 0.9
+CLOSE = 1.03
 DAMPING = 1e-6
 LONGEST_STEP = 0.5
-POWERS = (4, 8, 16, 24)
 
 FREE_TWISTS: Matrix = np.eye(6)
 LINE_TWISTS: Matrix = np.eye(6)[:, [2, 5]]
@@ -59,44 +61,69 @@ def refine(
     base_twists: Matrix,
     tool_twists: Matrix,
     offsets_free: bool,
-) -> tuple[Candidate, Residual]:
-    """The certificate near a given one whose residual is within the tolerance, or as small as was found.
+) -> tuple[Candidate, Residual] | None:
+    """The certificate near a given one that stands, and its residual; None if none was found.
 
-    Least squares comes first. Once it has settled with a mean square above the tolerance's, no certificate
-    nearby can keep every sample within it; else its largest error is brought down, by powers of the error
-    that rise towards the largest alone.
+    Least squares comes first. Once it has settled, the largest error is brought down, unless it is seen that
+    no certificate nearby keeps every sample within the tolerance. One that stands at the samples, but not
+    everywhere, was made to fit these; so the configurations at which it does worst join them.
 
     Args:
         reference: the reference.
         submission: the submission's chain.
         candidate: where to begin.
-        tolerance: when to stop.
+        tolerance: what a certificate must keep to stand.
         base_twists: (6, k) twists (rotation, translation) by which B may change from the left, in frame 0.
         tool_twists: (6, k) twists by which E may change from the right, in frame N.
         offsets_free: δ may change.
     """
-    lengths_too = np.repeat((1.0, size_for(reference, submission)), 3)[:, None]
+    lengths_too = np.repeat((1.0, reference.size), 3)[:, None]
     problem = Problem(
         reference, submission, tolerance, lengths_too * base_twists, lengths_too * tool_twists, offsets_free
     )
-    best, best_residual = candidate, Residual(math.inf, math.inf)
-    settled = False
+    settled = _settled(problem, candidate)
+    return None if settled is None else _brought_down(problem, settled)
+
+
+def _brought_down(problem: Problem, candidate: Candidate) -> tuple[Candidate, Residual] | None:
+    """A certificate near a given one that stands everywhere, and its residual; None if none is found soon.
+
+    Half the way is gone from the best certificate so far to the one that is best at the samples, as these
+    grow: the whole way would only exchange one worst configuration for another.
+    """
+    best, lowest = candidate, math.inf
+    for _ in range(ROUNDS):
+        worst = worst_case(problem.reference, problem.submission, candidate)
+        excess = worst.residual.excess(problem.tolerance)
+        if excess <= 1.0:
+            return candidate, worst.residual
+        if excess < lowest:
+            best, lowest = candidate, excess
+        problem = replace(problem, reference=problem.reference.sampled_at(worst.joints))
+        model = problem.linearised(best)
+        step, least = model.least_largest()
+        if least > NARROW + model.curvature(problem.tolerance):
+            return None
+        candidate = problem.moved(best, SHORTENED * step)
+    return None
+
+
+def _settled(problem: Problem, candidate: Candidate) -> Candidate | None:
+    """The certificate near a given one with the least sum of squares; None if none nearby can stand."""
+    previous = math.inf
     for _ in range(ROUNDS):
         model = problem.linearised(candidate)
-        excess, previous = model.found.excess(tolerance), best_residual.excess(tolerance)
-        if excess < previous:
-            best, best_residual = candidate, model.found
-        if best_residual.within(tolerance) or excess > DIVERGED * previous or not model.jacobian.shape[1]:
-            break
-        settled = settled or excess > STALLED * previous
-        if settled and model.mean_square() > 1.0:
-            break
-        step = model.least_largest() if settled else model.least_squares()
-        hopeless = HOPELESS + CURVED * max(model.found) ** 2 / tolerance.angle
-        if model.mean_square(step) > hopeless**2 or (settled and model.after(step).max() > hopeless):
-            break
+        excess = model.found.excess(problem.tolerance)
+        if excess > DIVERGED * previous or not model.jacobian.shape[1]:
+            return None
+        if excess <= 1.0 or excess > STALLED * previous:
+            return candidate
+        previous = min(previous, excess)
+        step = model.least_squares()
+        if math.sqrt(model.mean_square(step)) > 1.0 + model.curvature(problem.tolerance):
+            return None
         candidate = problem.moved(candidate, step)
-    return best, best_residual
+    return candidate
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,6 +139,10 @@ class Model:
     errors: Matrix
     jacobian: Matrix
     found: Residual
+
+    def curvature(self, tolerance: Tolerance) -> float:
+        """How far the linear function may be off, in units of the tolerance."""
+        return max(self.found) ** 2 / tolerance.angle
 
     def after(self, step: Matrix) -> Matrix:
         """(samples·2,) sizes of the errors after a step."""
@@ -138,21 +169,26 @@ class Model:
         step = np.linalg.solve(normal + damping * np.eye(normal.shape[0]), a.T @ b)
         return np.asarray(step * min(1.0, LONGEST_STEP / (np.abs(step).max() + 1e-300)), dtype=np.float64)
 
-    def least_largest(self) -> Matrix:
-        """A step that leaves nearly the smallest possible largest error (Karlovitz's iteration)."""
-        step = np.zeros(self.jacobian.shape[1])
-        best, least = step, float(self.after(step).max())
-        for power in POWERS:
-            for _ in range(power):
-                sizes = self.after(step)
-                weights = (sizes / sizes.max()) ** (power - 2) + 1e-9
-                step = step + (self.least_squares(weights) - step) / (power - 1)
-                largest_error = float(self.after(step).max())
-                if largest_error < least:
-                    best, least = step, largest_error
-                if least < COMFORTABLE:
-                    return best
-        return best
+    def least_largest(self) -> tuple[Matrix, float]:
+        """A step that leaves nearly the smallest largest error, and how large that is at least.
+
+        Lawson's iteration: weighted least squares, the weights multiplied by the squares of the errors every
+        time. A weighted mean of squares is never more than the largest, so every iteration bounds from below
+        what any step can do.
+        """
+        weights = np.full(len(self.errors), 1.0 / len(self.errors))
+        best, largest_error, bound = np.zeros(self.jacobian.shape[1]), math.inf, 0.0
+        for _ in range(ITERATIONS):
+            step = self.least_squares(weights)
+            squares = self.after(step) ** 2
+            if squares.max() < largest_error:
+                best, largest_error = step, float(squares.max())
+            mean = float(weights @ squares)
+            bound = max(bound, mean)
+            if largest_error < CLOSE**2 * bound or bound > HOPELESS**2:
+                break
+            weights = weights * squares / mean
+        return best, math.sqrt(bound)
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,7 +205,7 @@ class Problem:
     @property
     def joint_scales(self) -> Matrix:
         """What one unit of a step means in each joint's offset: a radian, or the robot's size."""
-        size = size_for(self.reference, self.submission)
+        size = self.reference.size
         return np.array([size if axis.prismatic else 1.0 for axis in self.submission.axes])
 
     def linearised(self, candidate: Candidate, *more: Matrix) -> Model:
@@ -179,7 +215,7 @@ class Problem:
             candidate: the certificate.
             more: (samples, 6) how frame N turns and moves with whatever else may change.
         """
-        size = size_for(self.reference, self.submission)
+        size = self.reference.size
         left, by_joint = _left_side(self.submission, joint_values(self.reference, candidate))
         right = to_matrix(candidate.base) @ self.reference.poses @ to_matrix(candidate.tool)
         columns = [by_joint * self.joint_scales] if self.offsets_free else []

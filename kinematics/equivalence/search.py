@@ -24,7 +24,8 @@ from kinematics.equivalence.refinement import (
 )
 from kinematics.equivalence.rigid import IDENTITY, Motion, compose, inverse, move, rotate
 from kinematics.equivalence.tools import ToolChoice, obeying, placements, tool_choices
-from kinematics.equivalence.verification import Residual, residual
+from kinematics.equivalence.verification import Residual
+from kinematics.equivalence.worst_case import judged
 
 GATE = 3.0
 GATE_PER_AMPLIFICATION = 0.1
@@ -214,7 +215,7 @@ class Search:
 
     def _finish(self, index: int, plan: Plan, start: int, path: Path) -> Found | None:
         """Place frame N in every way that the policy allows, and verify."""
-        reference, submission = self.references[0], self.submissions[0]
+        reference, submission, tolerance = self.references[0], self.submissions[0], self.policy.tolerance
         here = compose(path.totals[-1] if path.totals else path.start, submission.end)
         choices = tool_choices(reference.chain, plan.last, self.policy.tool, self.near(0), reference.size)
         for which, choice in enumerate(choices):
@@ -222,29 +223,29 @@ class Search:
                 self.tried += 1
                 way = Way(index, start, path.signs, which, placement)
                 candidate = self._candidate(0, plan, choice, replace(path, last=last))
-                found = residual(reference, submission, candidate)
-                if found.within(self.policy.tolerance):
+                found = judged(reference, submission, candidate, tolerance)
+                if found.within(tolerance):
                     everywhere = self._everywhere(way, (candidate, found))
                     if everywhere is not None:
                         return everywhere
                 elif max(found) <= FAR_OFF:
-                    self.unfinished.append(Unfinished(found.excess(self.policy.tolerance), way, candidate))
+                    self.unfinished.append(Unfinished(found.excess(tolerance), way, candidate))
         return None
 
     def _everywhere(self, way: Way, first: tuple[Candidate, Residual]) -> Found | None:
         """The same way at every draw, if it stands at all of them."""
-        judged = [first]
+        everywhere = [first]
         for draw in range(1, len(self.references)):
             candidate = self._followed(draw, way)
-            found = residual(self.references[draw], self.submissions[draw], candidate)
+            found = judged(self.references[draw], self.submissions[draw], candidate, self.policy.tolerance)
             if found.within(self.policy.tolerance):
-                judged.append((candidate, found))
+                everywhere.append((candidate, found))
                 continue
             refined = self._refined(draw, way, candidate) if self.effort is Effort.REFINED else None
             if refined is None:
                 return None
-            judged.append(refined)
-        return Found(tuple(candidate for candidate, _ in judged), tuple(found for _, found in judged))
+            everywhere.append(refined)
+        return Found(tuple(candidate for candidate, _ in everywhere), tuple(found for _, found in everywhere))
 
     def _followed(self, draw: int, way: Way) -> Candidate:
         """The certificate to which a way leads at a draw."""
@@ -269,7 +270,7 @@ class Search:
     def _refined(self, draw: int, way: Way, candidate: Candidate) -> tuple[Candidate, Residual] | None:
         """The certificate refined, if equation (1) holds with it then."""
         plan, choice = self._plan_and_choice(draw, way)
-        candidate, found = refine(
+        return refine(
             self.references[draw],
             self.submissions[draw],
             candidate,
@@ -278,7 +279,6 @@ class Search:
             tool_twists=choice.twists,
             offsets_free=self.policy.zero is ZeroRule.FREE,
         )
-        return (candidate, found) if found.within(self.policy.tolerance) else None
 
 
 def forced_path(plan: Plan, submission: Chain, start: Motion, signs: Sequence[int]) -> Path:

@@ -13,8 +13,6 @@ from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.rigid import to_matrix
 
-NOTHING = 1e-12
-
 
 class Residual(NamedTuple):
     """The largest difference between the two sides of equation (1).
@@ -36,11 +34,6 @@ class Residual(NamedTuple):
         return max(self.angle / tolerance.angle, self.length / tolerance.length)
 
 
-def size_for(reference: Reference, submission: Chain) -> float:
-    """What relative lengths refer to: the reference's size, or the submission's if that has none."""
-    return submission.extent if reference.scaleless and submission.extent > NOTHING else reference.size
-
-
 def joint_values(reference: Reference, candidate: Candidate) -> NDArray[np.float64]:
     """σ∘q + δ at the sampled configurations, (n, samples)."""
     if not candidate.signs:
@@ -49,17 +42,25 @@ def joint_values(reference: Reference, candidate: Candidate) -> NDArray[np.float
     return np.asarray(reference.joints * turned[0][:, None] + turned[1][:, None], dtype=np.float64)
 
 
-def residual(reference: Reference, submission: Chain, candidate: Candidate) -> Residual:
-    """Compare F_s(σ∘q + δ) with B · F_r(q) · E at every sampled configuration."""
+def differences(reference: Reference, submission: Chain, candidate: Candidate) -> NDArray[np.float64]:
+    """F_s(σ∘q + δ) - B · F_r(q) · E at every sampled configuration: (samples, 4, 4)."""
     difference = poses(submission, joint_values(reference, candidate))
     difference -= to_matrix(candidate.base) @ reference.poses @ to_matrix(candidate.tool)
-    return largest(difference, size_for(reference, submission))
+    return difference
+
+
+def residual(reference: Reference, submission: Chain, candidate: Candidate) -> Residual:
+    """Compare the two sides of equation (1) at every sampled configuration."""
+    return largest(differences(reference, submission, candidate), reference.size)
 
 
 def largest(difference: NDArray[np.float64], size: float) -> Residual:
     """The largest rotation and relative displacement among differences of poses (samples, 4, 4)."""
     squares = np.einsum("sij,sij->sj", difference, difference)
-    rotation = squares[:, :3].sum(axis=1).max()
-    # ‖R - R'‖_F = 2√2 sin(angle/2); the chord √2·2 sin(angle/2)/2 is the angle to third order, and at most 2
-    chord = min(float(np.sqrt(rotation / 8.0)), 1.0)
-    return Residual(2.0 * float(np.arcsin(chord)), float(np.sqrt(squares[:, 3].max())) / size)
+    turn = rotation_from_square(squares[:, :3].sum(axis=1).max())
+    return Residual(turn, float(np.sqrt(squares[:, 3].max())) / size)
+
+
+def rotation_from_square(square: float) -> float:
+    """The angle between two rotations [rad], given ‖R - R'‖² = 8 sin²(angle/2)."""
+    return 2.0 * float(np.arcsin(min(float(np.sqrt(square / 8.0)), 1.0)))

@@ -40,6 +40,8 @@ def mended_tables(block: int) -> Outcome:
                 continue
             outcome.tables += 1
             outcome.kinds[mutation.kind] += 1
+            outcome.mended += any(len(repair.edits) == 1 for repair in verdict.repairs)
+            outcome.right_row += is_mended(mutation, verdict.repairs)
             if not is_mended(mutation, verdict.repairs):
                 outcome.failures.append(
                     f"{name}, block {block}, {mutation.kind} in {mutation.rows}: {verdict.repairs[:2]}"

@@ -43,7 +43,7 @@ from kinematics.equivalence.rigid import (
     translation,
 )
 
-NEAR = Nearness(1e-9, 1e-9)
+NEAR = Nearness(1e-9, 1e-9, 1e-9)
 X_AXIS: Vector = (1.0, 0.0, 0.0)
 SKEW: Vector = normalised((1.0, 2.0, -0.5))
 ASIDE: Vector = (0.3, -0.2, 0.1)

@@ -1,0 +1,194 @@
+"""Where equation (1) holds worst: a climb from the worst of the sampled configurations.
+
+In one joint variable at a time, the difference D(q) = F_s(σ∘q + δ) - B · F_r(q) · E of the two sides is
+D_0 + D_1 cos q_i + D_2 sin q_i (D_0 + D_1 q_i for a slider). So ‖D‖² is a trigonometric polynomial of degree
+two (a convex parabola), and its maximum over the whole circle (over the slider's range) is found directly.
+Going from joint to joint, forth and back, until nothing is gained, ends where no single joint makes it worse.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.equivalence.certificates import Candidate
+from kinematics.equivalence.chains import Chain, screw_bases
+from kinematics.equivalence.policy import Tolerance
+from kinematics.equivalence.reference import Reference
+from kinematics.equivalence.rigid import to_matrix
+from kinematics.equivalence.verification import Residual, differences, residual, rotation_from_square
+
+Matrix = NDArray[np.float64]
+
+ARITHMETIC = 1e-9
+STARTS = 16
+MOST_SWEEPS = 8
+GAIN = 1.005
+LONGEST_STEP = 0.2
+
+_CIRCLE = np.linspace(-np.pi, np.pi, 16, endpoint=False)
+_ONE, _COS, _SIN = np.ones_like(_CIRCLE), np.cos(_CIRCLE), np.sin(_CIRCLE)
+
+
+def _products(one: tuple[Matrix, Matrix, Matrix], other: tuple[Matrix, Matrix, Matrix]) -> Matrix:
+    """(9, 16) products of every entry of one vector with every entry of the other, around the circle."""
+    return np.array([a * b for a in one for b in other])
+
+
+_POINT, _VELOCITY = (_ONE, _COS, _SIN), (0.0 * _ONE, -_SIN, _COS)
+_ACCELERATION = (0.0 * _ONE, -_COS, -_SIN)
+_VALUES = _products(_POINT, _POINT)
+_SLOPES = 2.0 * _products(_POINT, _VELOCITY)
+_BENDS = 2.0 * (_products(_VELOCITY, _VELOCITY) + _products(_POINT, _ACCELERATION))
+
+
+class WorstCase(NamedTuple):
+    """The largest differences that were found.
+
+    Attributes:
+        residual: how large they are.
+        joints: (n, 2·STARTS) the configurations to which the climbs led.
+    """
+
+    residual: Residual
+    joints: Matrix
+
+
+def judged(reference: Reference, submission: Chain, candidate: Candidate, tolerance: Tolerance) -> Residual:
+    """How far a certificate is from standing: at the samples, or, if it stands at these, at the worst.
+
+    Differences no larger than the errors of the arithmetic are nothing to climb on.
+    """
+    found = residual(reference, submission, candidate)
+    if max(found) <= ARITHMETIC or not found.within(tolerance):
+        return found
+    return worst_case(reference, submission, candidate).residual
+
+
+def worst_case(reference: Reference, submission: Chain, candidate: Candidate) -> WorstCase:
+    """The largest differences between the two sides of equation (1), over all configurations.
+
+    Revolute joints go all the way round, sliders as far as the robot's size either way. Half of the climbs
+    go after the largest displacement, half after the largest rotation.
+    """
+    n = len(candidate.signs)
+    difference = differences(reference, submission, candidate)
+    shift = np.einsum("si,si->s", difference[:, :3, 3], difference[:, :3, 3])
+    turn = np.einsum("sij,sij->s", difference[:, :3, :3], difference[:, :3, :3])
+    starts = np.concatenate([np.argsort(shift)[-STARTS:], np.argsort(turn)[-STARTS:]])
+    if not n:
+        return WorstCase(_residual(shift.max(), turn.max(), reference), reference.joints[:, starts])
+    climb = _Climb(reference, submission, candidate, reference.joints[:, starts])
+    reached = np.array([shift[starts[:STARTS]].max(), turn[starts[STARTS:]].max()])
+    for sweep in range(MOST_SWEEPS):
+        squares = climb.forth() if sweep % 2 == 0 else climb.back()
+        before, reached = reached, squares.reshape(2, STARTS).max(axis=1)
+        if (reached <= GAIN * before).all():
+            break
+    return WorstCase(_residual(reached[0], reached[1], reference), climb.joints)
+
+
+def _residual(shift: float, turn: float, reference: Reference) -> Residual:
+    return Residual(rotation_from_square(turn), float(np.sqrt(shift)) / reference.size)
+
+
+class _Climb:
+    """Climbs side by side: left and right side of the equation stacked, one row for each start.
+
+    Attributes:
+        joints: (n, k) where they are.
+    """
+
+    def __init__(self, reference: Reference, submission: Chain, candidate: Candidate, joints: Matrix) -> None:
+        n, k = joints.shape
+        self.joints = joints.copy()
+        self._sliders = [axis.prismatic for axis in reference.chain.axes]
+        self._range = reference.size
+        self._terms = _terms(reference, submission, candidate)
+        self._before = np.empty((n + 1, 2, k, 4, 4))
+        self._after = np.empty((n + 1, 2, k, 4, 4))
+        self._before[0, 0], self._before[0, 1] = np.eye(4), to_matrix(candidate.base)
+        self._after[n, 0] = to_matrix(submission.end)
+        self._after[n, 1] = to_matrix(reference.chain.end) @ to_matrix(candidate.tool)
+        for i in range(n - 1, -1, -1):
+            self._after[i] = self._motion(i, self._weights(i)) @ self._after[i + 1]
+
+    def forth(self) -> Matrix:
+        """Best every joint from the first to the last; (k,) the squares that are reached."""
+        for i in range(len(self.joints)):
+            grams, weights = self._bested(i)
+            self._before[i + 1] = self._before[i] @ self._motion(i, weights)
+        return np.asarray(np.einsum("ki,kij,kj->k", weights, grams, weights), dtype=np.float64)
+
+    def back(self) -> Matrix:
+        """Best every joint from the last to the first; (k,) the squares that are reached."""
+        for i in range(len(self.joints) - 1, -1, -1):
+            grams, weights = self._bested(i)
+            self._after[i] = self._motion(i, weights) @ self._after[i + 1]
+        return np.asarray(np.einsum("ki,kij,kj->k", weights, grams, weights), dtype=np.float64)
+
+    def _bested(self, i: int) -> tuple[Matrix, Matrix]:
+        """Move joint i to where it does worst, for every start.
+
+        Returns:
+            (k, 3, 3) the matrices G of the squares v G vᵀ, and (k, 3) the v of the new values.
+        """
+        sides = self._before[i][:, :, None] @ self._terms[i][:, None] @ self._after[i + 1][:, :, None]
+        difference = sides[0] - sides[1]
+        shifts = difference[:STARTS, :, :3, 3]
+        turns = difference[STARTS:, :, :3, :3].reshape(-1, 3, 9)
+        grams = np.concatenate([shifts @ shifts.transpose(0, 2, 1), turns @ turns.transpose(0, 2, 1)])
+        if self._sliders[i]:
+            self.joints[i] = np.where(grams[:, 0, 1] >= 0.0, self._range, -self._range)
+        else:
+            self.joints[i] = _highest(grams.reshape(-1, 9))
+        return grams, self._weights(i)
+
+    def _weights(self, i: int) -> Matrix:
+        """(k, 3) what the terms of a joint's motion are multiplied by."""
+        q = self.joints[i]
+        weights = np.zeros((len(q), 3))
+        weights[:, 0] = 1.0
+        if self._sliders[i]:
+            weights[:, 1] = q
+        else:
+            np.cos(q, out=weights[:, 1])
+            np.sin(q, out=weights[:, 2])
+        return weights
+
+    def _motion(self, i: int, weights: Matrix) -> Matrix:
+        """(2, k, 4, 4) a joint's motion on either side."""
+        flat = weights @ self._terms[i].reshape(2, 3, 16)
+        return np.asarray(flat.reshape(2, -1, 4, 4), dtype=np.float64)
+
+
+def _terms(reference: Reference, submission: Chain, candidate: Candidate) -> Matrix:
+    """Either side's joint motion is t_0 + t_1 cos q + t_2 sin q, or t_0 + t_1 q: the t, (n, 2, 3, 4, 4)."""
+    n = len(candidate.signs)
+    terms = np.zeros((n, 2, 3, 4, 4))
+    ours = screw_bases(submission).reshape(n, 2, 4, 4)
+    theirs = screw_bases(reference.chain).reshape(n, 2, 4, 4)
+    for i, (sign, offset) in enumerate(zip(candidate.signs, candidate.offsets, strict=True)):
+        a, b = ours[i]
+        if reference.chain.axes[i].prismatic:
+            terms[i, 0, 0], terms[i, 0, 1] = np.eye(4) + offset * a, sign * a
+            terms[i, 1, 0], terms[i, 1, 1] = np.eye(4), theirs[i, 0]
+            continue
+        c, s = np.cos(offset), np.sin(offset)
+        terms[i, 0] = np.eye(4) + b, s * a - c * b, sign * (c * a + s * b)
+        terms[i, 1] = np.eye(4) + theirs[i, 1], -theirs[i, 1], theirs[i, 0]
+    return terms
+
+
+def _highest(grams: Matrix) -> Matrix:
+    """The angle at which v G vᵀ with v = (1, cos x, sin x) is largest, for each of (k, 9) matrices G by rows.
+
+    The best of 16 angles, and a Newton step from there.
+    """
+    nearest = (grams @ _VALUES).argmax(axis=1)
+    slope = np.einsum("kj,jk->k", grams, _SLOPES[:, nearest])
+    bend = np.einsum("kj,jk->k", grams, _BENDS[:, nearest])
+    step = np.divide(-slope, bend, out=np.zeros_like(slope), where=bend < 0.0)
+    return np.asarray(_CIRCLE[nearest] + np.clip(step, -LONGEST_STEP, LONGEST_STEP), dtype=np.float64)

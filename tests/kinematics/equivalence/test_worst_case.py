@@ -1,0 +1,105 @@
+"""A certificate stands at every configuration, not at the sampled ones only; and relative to which size."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from random import Random
+
+import numpy as np
+import pytest
+
+from kinematics.equivalence import Policy, Tolerance, ToolRule, decide
+from kinematics.equivalence.chains import chain_of, poses
+from kinematics.equivalence.reference import prepared
+from kinematics.equivalence.verification import residual
+from kinematics.equivalence.worst_case import worst_case
+from kinematics.table import DHTable, NumericTable
+from tests.kinematics.equivalence.campaign import MARGIN, size_beside, wrong_tables
+from tests.kinematics.equivalence.evaluation import evaluated
+from tests.kinematics.equivalence.generators import random_robot, random_valid_table, rounded
+from tests.kinematics.equivalence.tables import HALF, PUMA, P, R, changed, standard
+
+FREE = Policy(tool=ToolRule.FREE)
+WIDE = Policy(tool=ToolRule.FREE, tolerance=Tolerance(length=0.05, angle=0.05))
+
+
+def scaled(table: NumericTable, factor: float) -> NumericTable:
+    rows = tuple(replace(row, a=row.a * factor, d=row.d * factor) for row in table.rows)
+    return DHTable(convention=table.convention, rows=rows)
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_the_residual_is_the_largest_difference_at_any_configuration(seed: int) -> None:
+    rng = Random(f"worst {seed}")
+    key = random_robot(rng, joints=rng.randint(2, 8))
+    table = rounded(random_valid_table(key, rng, dummies=0.0, textbook_ends=True), 2)
+    certificate = decide(key, table, WIDE).certificate
+    if certificate is None:
+        return
+    size = size_beside(key, table)
+    found = evaluated(key, table, certificate, size, f"worst {seed}")
+    assert max(found.angle, found.length / size) <= MARGIN * certificate.residual + 1e-9
+
+
+def test_random_configurations_are_no_worse() -> None:
+    table = rounded(random_valid_table(PUMA, Random(3), dummies=0.0), 2)
+    certificate = decide(PUMA, table, WIDE).certificate
+    assert certificate is not None
+    reference, chain, candidate = prepared(PUMA), chain_of(table), certificate.draws[0]
+    worst = worst_case(reference, chain, candidate).residual
+    sampled = residual(reference, chain, candidate)
+    joints = np.random.default_rng(0).uniform(-math.pi, math.pi, (6, 20000))
+    beyond = residual(
+        replace(reference, joints=joints, poses=poses(reference.chain, joints)), chain, candidate
+    )
+    assert sampled.length < beyond.length <= worst.length
+    assert sampled.angle < beyond.angle <= worst.angle
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_what_is_accepted_near_the_tolerance_keeps_it_everywhere(seed: int) -> None:
+    """Certificates that were refined to fit the samples must stand elsewhere too."""
+    rng = Random(f"near {seed}")
+    table = rounded(random_valid_table(PUMA, rng, dummies=0.0), 2)
+    certificate = decide(PUMA, table, FREE).certificate
+    if certificate is None:
+        return
+    size = prepared(PUMA).size
+    found = evaluated(PUMA, table, certificate, size, f"near {seed}")
+    assert found.angle <= 0.005 * MARGIN
+    assert found.length <= 0.005 * MARGIN * size
+
+
+WRIST = standard((R, HALF, 0, 0, 0), (R, -HALF, 0, 0, 0), (R, 0, 0, 0, 0))
+SLIDER = standard((P, HALF, 0, 0, 0), (R, HALF, 0, 0, 0), (R, 0, 0, 0, 0))
+
+
+def test_a_key_without_lengths_has_the_size_of_the_submission() -> None:
+    chain = chain_of(changed(WRIST, 1, d=0.4))
+    assert prepared(WRIST).beside(chain).size == pytest.approx(0.4)
+    assert prepared(WRIST).beside(chain_of(WRIST)).size == 1.0
+    assert prepared(PUMA).beside(chain) is prepared(PUMA)
+
+
+@pytest.mark.parametrize("unit", [0.001, 1.0, 1000.0])
+def test_sliders_travel_as_far_as_the_size_whatever_the_unit(unit: float) -> None:
+    """A slider in a wrong direction is wrong however small its travel is beside the lengths drawn."""
+    askew = scaled(changed(SLIDER, 1, d=10.0, alpha=HALF + 0.02), unit)
+    upright = scaled(changed(SLIDER, 1, d=10.0, alpha=HALF + 0.0008), unit)
+    assert not decide(SLIDER, askew, FREE).accepted
+    assert decide(SLIDER, upright, FREE).accepted
+
+
+@pytest.mark.parametrize("unit", [1e-6, 1.0, 1000.0])
+def test_no_unit_makes_a_length_small(unit: float) -> None:
+    assert not decide(WRIST, scaled(changed(WRIST, 2, a=0.01), unit), FREE).accepted
+    assert not decide(WRIST, scaled(changed(changed(WRIST, 2, a=0.01), 1, d=1.0), unit), FREE).accepted
+    assert decide(WRIST, scaled(changed(WRIST, 1, d=1.0), unit), FREE).accepted
+
+
+@pytest.mark.parametrize("block", [50, 74, 323])
+def test_keys_without_lengths_among_the_mutants(block: int) -> None:
+    outcome = wrong_tables(block)
+    assert outcome.failures == []
+    assert outcome.confirmed == outcome.accepted > 0
