@@ -9,7 +9,7 @@ import numpy as np
 
 from exercises.figures.camera import Array, Camera
 from exercises.figures.geometry import Dimension
-from exercises.figures.placement import NO_CELLS, Candidate, Label, PaperMap
+from exercises.figures.placement import NO_CELLS, Candidate, Label, PaperMap, Rectangle
 from exercises.figures.svg import Canvas, line, text_width
 
 FONT_SIZE = 18.0
@@ -133,7 +133,7 @@ def _candidate(
         )
 
     labels = [
-        Label(choice=drawn(place), cells=paper.under(place, width + 4.0, FONT_SIZE), penalty=cost)
+        Label(choice=drawn(place), area=Rectangle.around(place, width + 4.0, FONT_SIZE), penalty=cost)
         for place, cost in _label_places(start, end, out, np.array([width, FONT_SIZE]) / 2, outside)
     ]
     faint = [paper.along(pair) for pair in extensions]

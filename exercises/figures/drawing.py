@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
@@ -13,8 +12,9 @@ from exercises.figures import dimensioning
 from exercises.figures.bodies import Body, body_of, corners, outline
 from exercises.figures.camera import Array, Camera, camera_for, fitted
 from exercises.figures.dimensioning import DimensionLine, halo
-from exercises.figures.geometry import JointAxis, Scene, scene_points
-from exercises.figures.placement import Candidate, Label, PaperMap, Placer
+from exercises.figures.geometry import Scene, scene_points
+from exercises.figures.labels import DISC, NAME_SIZE, Written, name_places, number_places
+from exercises.figures.placement import Candidate, PaperMap, Placer, Rectangle
 from exercises.figures.shapes import (
     REACH,
     axis_ends,
@@ -36,19 +36,9 @@ MOST_SCALE = 2000.0
 LINK_WIDTH = 7.5
 LINK_CORE = 4.7
 NUMBER_SIZE = 14.0
-DISC = 10.5
-NAME_SIZE = 18.0
 NOTE_SIZE = 13.0
 
 Style = dict[str, Any]
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class _Label:
-    """A joint's number at the end of its axis, or the name of a point beside it."""
-
-    text: str
-    at: Array
 
 
 def draw_figure(
@@ -167,72 +157,31 @@ class _Drawing:
             paper.mark(paper.along(list(run)), 2.0)
             self.seen.append(np.asarray(run))
         for point in self.scene.points:
-            paper.mark(paper.under(camera.project(point.at), 10.0, 10.0), 4.0)
+            paper.mark(paper.under(Rectangle.around(camera.project(point.at), 10.0, 10.0)), 4.0)
 
     def place(
         self, axes: Sequence[tuple[Array, Array]], senses: Sequence[tuple[Array, ...]]
-    ) -> tuple[list[DimensionLine], list[_Label]]:
+    ) -> tuple[list[DimensionLine], list[Written]]:
         """Places of the joints' numbers, the points' names, the variables' names and the dimensions."""
         scene, camera = self.scene, self.camera
         labels = [
-            self.number_places(axis, body, ends)
+            number_places(axis, body, ends, camera)
             for axis, body, ends in zip(scene.axes, self.bodies, axes, strict=True)
         ]
-        labels += [self.name_places(point.name, camera.project(point.at)) for point in scene.points]
+        labels += [name_places(point.name, camera.project(point.at)) for point in scene.points]
         labels += [
-            self.name_places(f"q{axis.joint}", sense[2])
+            name_places(f"q{axis.joint}", sense[2])
             for axis, sense in zip(scene.axes, senses, strict=True)
             if sense
         ]
         lines = [dimensioning.candidates(dimension, camera, self.paper) for dimension in scene.dimensions]
-        placer: Placer[DimensionLine | _Label] = Placer(self.paper)
-        things: list[Sequence[Candidate[DimensionLine | _Label]]] = [*labels, *lines]  # type: ignore[list-item]
+        placer: Placer[DimensionLine | Written] = Placer(self.paper)
+        things: list[Sequence[Candidate[DimensionLine | Written]]] = [*labels, *lines]  # type: ignore[list-item]
         placed = placer.place(things)
         return (
             [found for found in placed if isinstance(found, DimensionLine)],
-            [found for found in placed if isinstance(found, _Label)],
+            [found for found in placed if isinstance(found, Written)],
         )
-
-    def number_places(
-        self, axis: JointAxis, body: Body, ends: tuple[Array, Array]
-    ) -> list[Candidate[_Label]]:
-        """A joint's number beyond either end of its axis, or beside its body."""
-        start, end = self.camera.project(np.array(ends))
-        centre = self.camera.project(body.centre)
-        length = float(np.linalg.norm(end - start))
-        along = (end - start) / length if length > 1 else np.array([0.0, -1.0])
-        across = np.array([-along[1], along[0]])
-        found: list[tuple[Array, float]] = []
-        for side, tip in ((1, end), (-1, start)):
-            wished = 0.0 if axis.label_end in (0, side) else 40.0
-            for out, aside, cost in ((11.0, 0.0, 0.0), (0.0, 13.0, 6.0), (0.0, -13.0, 6.0), (20.0, 0.0, 9.0)):
-                found.append((tip + side * along * out + across * aside, wished + cost))
-        radius = body.radius * self.camera.scale * (1.3 if axis.type is JointType.PRISMATIC else 1.0)
-        half = body.half * self.camera.scale
-        wished = 12.0 if axis.label_end == 0 else 50.0
-        for aside in (1.0, -1.0):
-            for slide in (0.0, 0.5, -0.5, 1.0, -1.0):
-                at = centre + across * aside * (radius + DISC + 3.5) + along * slide * half
-                found.append((at, wished + 2.0 * abs(slide)))
-        return [self.label(str(axis.joint), at, 2 * DISC, 2 * DISC, cost) for at, cost in found]
-
-    def name_places(self, name: str, centre: Array) -> list[Candidate[_Label]]:
-        """A name around a point."""
-        width = text_width(name, NAME_SIZE)
-        found = []
-        for k in range(16):
-            turn = np.pi * (k / 8 - 0.25)
-            unit = np.array([np.cos(turn), np.sin(turn)])
-            for more in (7.0, 13.0, 20.0):
-                out = abs(unit[0]) * width / 2 + abs(unit[1]) * NAME_SIZE / 2 + more
-                found.append(self.label(name, centre + unit * out, width + 3, NAME_SIZE, more + k % 2))
-        return found
-
-    def label(self, text: str, at: Array, width: float, height: float, penalty: float) -> Candidate[_Label]:
-        label = Label(
-            choice=_Label(text=text, at=at), cells=self.paper.under(at, width, height), penalty=penalty
-        )
-        return Candidate(labels=(label,))
 
     # drawing
 
@@ -272,7 +221,7 @@ class _Drawing:
             tip = self.camera.project(body.centre + body.axis * body.half)
             self.canvas.circle(tip, 1.6, "tip", fill="currentColor")
 
-    def draw_labels(self, labels: Sequence[_Label]) -> None:
+    def draw_labels(self, labels: Sequence[Written]) -> None:
         for label in labels:
             self.seen.append(np.array([label.at - 12.0, label.at + 12.0]))
             if label.text.isdecimal():

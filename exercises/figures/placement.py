@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import Generic, TypeVar
+from math import ceil, floor
+from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,8 +16,26 @@ from exercises.figures.camera import Array
 CELL = 2.5
 """Side of a cell of the map, in units of paper."""
 
+OUTSIDE = 1000.0
+"""What it costs to leave the map."""
+
 Choice = TypeVar("Choice")
 NO_CELLS: NDArray[np.intp] = np.empty(0, dtype=np.intp)
+
+
+class Rectangle(NamedTuple):
+    """A rectangle on paper, by its centre."""
+
+    x: float
+    y: float
+    width: float
+    height: float
+
+    @staticmethod
+    def around(centre: Array, width: float, height: float) -> Rectangle:
+        """The rectangle of this size about a point."""
+        x, y = centre.tolist()
+        return Rectangle(x, y, width, height)
 
 
 @dataclass(slots=True)
@@ -45,12 +64,11 @@ class PaperMap:
             pieces.append(a + np.linspace(0, 1, count)[:, None] * (b - a))
         return self._cells(np.concatenate(pieces)) if pieces else np.empty(0, dtype=np.intp)
 
-    def under(self, centre: Array, width: float, height: float) -> NDArray[np.intp]:
+    def under(self, area: Rectangle) -> NDArray[np.intp]:
         """Cells under a rectangle, as flat indices."""
-        xs = np.arange(centre[0] - width / 2, centre[0] + width / 2 + CELL, CELL)
-        ys = np.arange(centre[1] - height / 2, centre[1] + height / 2 + CELL, CELL)
-        grid = np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 2)
-        return self._cells(grid)
+        columns = _cells_from(area.x - area.width / 2 - self.left, area.width)
+        rows = _cells_from(area.y - area.height / 2 - self.top, area.height)
+        return self._on_map(columns, rows[:, None]).reshape(-1)
 
     def inside(self, hull: Array) -> NDArray[np.intp]:
         """Cells inside the convex hull of points."""
@@ -71,25 +89,40 @@ class PaperMap:
 
     def cost(self, cells: NDArray[np.intp]) -> float:
         """Weight of what the cells would cover; leaving the map costs much."""
-        if not len(cells):
-            return 0.0
-        off = int(np.count_nonzero(cells < 0))
-        return float(self.taken.reshape(-1)[cells[cells >= 0]].sum()) + 1000.0 * off
+        on = cells[cells >= 0]
+        weight = float(self.taken.reshape(-1)[on].sum()) if len(on) else 0.0
+        return weight if len(on) == len(cells) else weight + OUTSIDE
 
     def _cells(self, points: Array) -> NDArray[np.intp]:
         columns = np.floor((points[:, 0] - self.left) / CELL).astype(np.intp)
         rows = np.floor((points[:, 1] - self.top) / CELL).astype(np.intp)
+        return np.unique(self._on_map(columns, rows))
+
+    def _on_map(self, columns: NDArray[np.intp], rows: NDArray[np.intp]) -> NDArray[np.intp]:
+        """Flat indices of cells; -1 of those that are not on the map."""
         height, width = self.taken.shape
         on = (columns >= 0) & (columns < width) & (rows >= 0) & (rows < height)
-        return np.unique(np.where(on, rows * width + columns, -1))
+        return np.where(on, rows * width + columns, -1)
+
+
+def _cells_from(start: float, length: float) -> NDArray[np.intp]:
+    """Cells of one row, or column, under a stretch of it."""
+    first = floor(start / CELL)
+    return np.arange(first, first + ceil(length / CELL) + 1)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Label(Generic[Choice]):
-    """A place for a name: what is drawn then, which cells the name covers, what the place costs by itself."""
+    """A place for a name.
+
+    Attributes:
+        choice: what is drawn then.
+        area: what the name covers.
+        penalty: what the place costs by itself.
+    """
 
     choice: Choice
-    cells: NDArray[np.intp]
+    area: Rectangle
     penalty: float
 
 
@@ -124,6 +157,7 @@ class Placer(Generic[Choice]):
     line_weight: float = 1.0
     faint_weight: float = 0.35
     label_weight: float = 9.0
+    _known: dict[Rectangle, NDArray[np.intp]] = field(default_factory=dict)
 
     def place(self, things: Sequence[Sequence[Candidate[Choice]]], sweeps: int = 3) -> list[Choice]:
         """The cheapest place for each thing, in the order of the things."""
@@ -149,16 +183,23 @@ class Placer(Generic[Choice]):
             for label in candidate.labels:
                 total = cost + label.penalty
                 if total < least:
-                    total += 3.0 * self.paper.cost(label.cells)
+                    total += 3.0 * self.paper.cost(self._under(label.area))
                 if total < least:
                     best, least = _Placed(candidate, label), total
         assert best is not None
         return best
 
+    def _under(self, area: Rectangle) -> NDArray[np.intp]:
+        """The cells of an area; most places are dear by themselves, and are never asked for theirs."""
+        known = self._known.get(area)
+        if known is None:
+            known = self._known[area] = self.paper.under(area)
+        return known
+
     def _mark(self, placed: _Placed[Choice], sign: float) -> None:
         self.paper.mark(placed.candidate.lines, sign * self.line_weight)
         self.paper.mark(placed.candidate.faint, sign * self.faint_weight)
-        self.paper.mark(placed.label.cells, sign * self.label_weight)
+        self.paper.mark(self._under(placed.label.area), sign * self.label_weight)
 
 
 def convex_hull(points: Array) -> Array:
