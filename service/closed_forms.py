@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
+from itertools import chain
 from typing import Any
 
 import orjson
@@ -14,7 +15,7 @@ from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import pi_fraction
 from kinematics.jacobian import JacobianFrame
 from kinematics.printing import LIMIT, Format, MatrixPrinter, Notation, Purpose
-from kinematics.symbolic import Matrix, closed_form, count_operations, inverse, jacobian
+from kinematics.symbolic import Matrix, Workings, count_operations
 from kinematics.symbolic.size import bottom_up
 from kinematics.table import CELLS, SymbolicTable
 
@@ -114,37 +115,36 @@ def written_jacobians(task: Task) -> bytes:
 
 
 def _parts(task: Task, write: Any) -> dict[str, Any]:
-    poses = {"base": task.base, "tool": task.tool}
-    last = len(task.table.rows)
-    end = "the tool" if task.tool is not None else f"frame {last}"
-    world = "the world" if task.base is not None else "frame 0"
-    axes = {JacobianFrame.BASE: world, JacobianFrame.END: end}
+    last = str(len(task.table.rows))
+    end, end_name = ("the tool", "tool") if task.tool is not None else (f"frame {last}", last)
+    world, world_name = ("the world", "world") if task.base is not None else ("frame 0", "0")
+    workings = Workings(task.table, base=task.base, tool=task.tool)
     answer: dict[str, Any] = {}
     if {Part.LINKS, Part.FRAMES, Part.TRANSFORM} & set(task.parts):
-        form = closed_form(task.table, **poses)
-        operations = count_operations(entry for row in form.transform for entry in row)
+        operations = count_operations(chain.from_iterable(workings.transform))
         if operations <= LIMIT:
             answer["operations"] = operations
-        if Part.LINKS in task.parts:
-            answer["links"] = [
-                write(link, Purpose(name=f"T_{i}_{i + 1}", meaning=f"Pose of frame {i + 1} in frame {i}."))
-                for i, link in enumerate(form.links)
-            ]
-        if Part.FRAMES in task.parts:
-            answer["frames"] = [
-                write(frame, Purpose(name=f"T_0_{i + 1}", meaning=f"Pose of frame {i + 1} in {world}."))
-                for i, frame in enumerate(form.frames)
-            ]
-        if Part.TRANSFORM in task.parts:
-            purpose = Purpose(name=f"T_0_{last}", meaning=f"Pose of {end} in {world}.")
-            answer["transform"] = write(form.transform, purpose)
+    if Part.LINKS in task.parts:
+        answer["links"] = [
+            write(link, Purpose(name=f"T_{i - 1}_{i}", meaning=f"Pose of frame {i} in frame {i - 1}."))
+            for i, link in enumerate(workings.links, start=1)
+        ]
+    if Part.FRAMES in task.parts:
+        answer["frames"] = [
+            write(frame, Purpose(name=f"T_{world_name}_{i}", meaning=f"Pose of frame {i} in {world}."))
+            for i, frame in enumerate(workings.frames, start=1)
+        ]
+    if Part.TRANSFORM in task.parts:
+        purpose = Purpose(name=f"T_{world_name}_{end_name}", meaning=f"Pose of {end} in {world}.")
+        answer["transform"] = write(workings.transform, purpose)
     if Part.INVERSE in task.parts:
-        purpose = Purpose(name=f"T_{last}_0", meaning=f"Pose of {world} in {end}.")
-        answer["inverse"] = write(inverse(task.table, **poses), purpose)
+        purpose = Purpose(name=f"T_{end_name}_{world_name}", meaning=f"Pose of {world} in {end}.")
+        answer["inverse"] = write(workings.inverse, purpose)
     if Part.JACOBIAN in task.parts:
+        axes = {JacobianFrame.BASE: world, JacobianFrame.END: end}
         answer["jacobian"] = {
             _JACOBIANS[frame]: write(
-                jacobian(task.table, frame, **poses),
+                workings.jacobian(frame),
                 Purpose(
                     name=_JACOBIANS[frame],
                     meaning=f"Jacobian of {end}, in the axes of {axes[frame]}, linear rows first.",

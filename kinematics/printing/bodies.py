@@ -26,7 +26,7 @@ def write_bodies(ledger: Ledger, programs: Sequence[tuple[Program, Spelling]]) -
     first, spelling = programs[0]
     own = _spelled_differently(ledger, [program for program, _ in programs])
     shared = _CodeWriter(spelling, ledger, first)
-    for number in first.plan.nodes:
+    for number in first.plan.matrix.nodes:
         if number not in own:
             shared.enter(number)
         elif number in first.steps:
@@ -69,7 +69,7 @@ class _CodeWriter(InfixWriter):
     def body(self) -> Body:
         """All that was written."""
         steps = [(name, self._definitions[number]) for number, name in self._program.steps.items()]
-        return Body(steps, self.lines(self._program.plan.entries))
+        return Body(steps, self.lines(self._program.plan.matrix))
 
     def _parameter(self, name: str) -> str:
         return self._program.arguments[name]
@@ -85,7 +85,7 @@ def _spelled_differently(ledger: Ledger, programs: Sequence[Program]) -> list[in
     }
     found: dict[int, None] = {}
     referred: set[int] = set()
-    for number in first.plan.nodes:
+    for number in first.plan.matrix.nodes:
         quotient, node = ledger.quotients[number], ledger.nodes[number]
         if quotient is not None:
             parts = (*quotient.typed, *(base for base, _ in quotient.below))

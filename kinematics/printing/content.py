@@ -18,7 +18,7 @@ from kinematics.expressions import (
     Product,
     Sum,
 )
-from kinematics.printing.ledger import Numbered
+from kinematics.printing.ledger import Entered
 from kinematics.printing.numbers import decimal_text
 from kinematics.printing.writer import Writer
 
@@ -38,9 +38,9 @@ _FUNCTIONS = {
 class ContentWriter(Writer[str]):
     """Writes expressions in content markup."""
 
-    def table(self, entries: Numbered) -> str:
-        """A matrix, by numbers."""
-        rows = "".join(f"<matrixrow>{''.join(row)}</matrixrow>" for row in self.entries(entries))
+    def table(self, matrix: Entered) -> str:
+        """A matrix in the ledger."""
+        rows = "".join(f"<matrixrow>{''.join(row)}</matrixrow>" for row in self.entries(matrix))
         return f"<matrix>{rows}</matrix>"
 
     def _write(self, number: int) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from enum import StrEnum
 from itertools import chain
 from typing import Any, TypeAlias
@@ -11,7 +11,7 @@ from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import Expression
 from kinematics.printing.code import write_functions
 from kinematics.printing.latex import LatexWriter
-from kinematics.printing.ledger import Ledger, Numbered
+from kinematics.printing.ledger import Entered, Ledger
 from kinematics.printing.mathml import MathmlWriter
 from kinematics.printing.notation import Names, Notation
 from kinematics.printing.program import Purpose, plan
@@ -58,8 +58,8 @@ class MatrixPrinter:
         self._limit = limit
         self._names = Names(notation=notation, parameters=frozenset(parameters), separated=n_joints > 9)
         self._ledger = Ledger()
-        self._answers: dict[tuple[Numbered, Purpose, tuple[Format, ...]], dict[str, Any]] = {}
-        self._writers: dict[Format, Callable[[Numbered], Any]] = {
+        self._answers: dict[Hashable, dict[str, Any]] = {}
+        self._writers: dict[Format, Callable[[Entered], Any]] = {
             Format.LATEX: LatexWriter(self._names, self._ledger).bmatrix,
             Format.MATHML: MathmlWriter(self._names, self._ledger).table,
             Format.TEXT: TextWriter(self._names, self._ledger).lines,
@@ -73,44 +73,44 @@ class MatrixPrinter:
             FormSizeError: written out, it has more operations than the limit; as a function it may still do.
         """
         wanted = tuple(formats)
-        entries = self._ledger.matrix(matrix)
-        answer = self._answers.get((entries, purpose, wanted))
-        if answer is None:
-            answer = self._answers[entries, purpose, wanted] = self._written(entries, wanted, purpose)
-        return answer
+        entered = self._ledger.matrix(matrix)
+        question = (entered.rows, purpose, wanted)
+        if question not in self._answers:
+            self._answers[question] = self._written(entered, wanted, purpose)
+        return self._answers[question]
 
     def symbols(self, matrices: Iterable[Matrix]) -> dict[str, str]:
         """What the short names in some matrices stand for: c23 for cos(q2 + q3)."""
-        rows = chain.from_iterable(map(self._ledger.matrix, matrices))
+        entries = chain.from_iterable(chain.from_iterable(matrices))
         full, found = TextWriter(Names(), self._ledger), {}
-        for number in self._ledger.under(chain.from_iterable(rows)):
+        for number in self._ledger.under(self._ledger.numbers(entries)):
             node = self._ledger.nodes[number]
             name = self._names.short(node)
             if name is not None:
                 found[name.plain] = full.text(node)
         return dict(sorted(found.items()))
 
-    def _written(self, entries: Numbered, wanted: Sequence[Format], purpose: Purpose) -> dict[str, Any]:
+    def _written(self, matrix: Entered, wanted: Sequence[Format], purpose: Purpose) -> dict[str, Any]:
         languages = [chosen.value for chosen in wanted if chosen not in self._writers]
         if len(languages) < len(wanted):
-            self._refuse_large(entries)
+            self._refuse_large(matrix)
         sources: dict[str, Any] = {}
         if languages:
             sources = write_functions(
                 self._ledger,
-                plan(self._ledger, entries),
+                plan(self._ledger, matrix),
                 purpose,
                 languages=languages,
                 n_joints=self._n_joints,
                 parameters=self._parameters,
             )
         return {
-            chosen.value: self._writers[chosen](entries) if chosen in self._writers else sources[chosen.value]
+            chosen.value: self._writers[chosen](matrix) if chosen in self._writers else sources[chosen.value]
             for chosen in wanted
         }
 
-    def _refuse_large(self, entries: Numbered) -> None:
-        operations = sum(self._ledger.operations[number] for number in chain.from_iterable(entries))
+    def _refuse_large(self, matrix: Entered) -> None:
+        operations = sum(self._ledger.operations[number] for number in chain.from_iterable(matrix.rows))
         if operations > self._limit:
             raise FormSizeError(
                 Fault(

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from kinematics.cells.characters import GREEK
 from kinematics.expressions import Call, Expression, Function
-from kinematics.printing.ledger import Ledger, Numbered
+from kinematics.printing.ledger import Entered, Ledger
 from kinematics.printing.notation import Names
 from kinematics.printing.symbols import split_name
 from kinematics.printing.writer import Binding, Typesetter, Written
@@ -40,9 +40,9 @@ class LatexWriter(Typesetter):
         """A matrix in square brackets."""
         return self.bmatrix(self.ledger.matrix(matrix))
 
-    def bmatrix(self, entries: Numbered) -> str:
-        """The same, by numbers."""
-        rows = map(" & ".join, self.lines(entries))
+    def bmatrix(self, matrix: Entered) -> str:
+        """The same, for a matrix in the ledger."""
+        rows = map(" & ".join, self.lines(matrix))
         return "\\begin{bmatrix}\n" + " \\\\\n".join(rows) + "\n\\end{bmatrix}"
 
     def _call(self, node: Call, arguments: Sequence[Written]) -> Written:

@@ -7,9 +7,10 @@ the time that what is new in each of them takes.
 
 from __future__ import annotations
 
-from collections.abc import Container, Hashable, Iterable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from fractions import Fraction
-from typing import NamedTuple, TypeAlias
+from itertools import chain
+from typing import NamedTuple
 
 from kinematics.expressions import (
     Call,
@@ -25,8 +26,17 @@ from kinematics.expressions import (
 from kinematics.printing.numbers import decimal_text
 from kinematics.symbolic.size import bottom_up, children, operations_of
 
-Numbered: TypeAlias = tuple[tuple[int, ...], ...]
-"""The entries of a matrix by their numbers."""
+
+class Entered(NamedTuple):
+    """A matrix in the ledger.
+
+    Attributes:
+        rows: the numbers of its entries.
+        nodes: the numbers of all nodes, in the order in which they are needed.
+    """
+
+    rows: tuple[tuple[int, ...], ...]
+    nodes: list[int]
 
 
 class Weight(NamedTuple):
@@ -107,12 +117,13 @@ class Ledger:
                 self._known[id(node)] = self._enter(node)
         return tuple([self._known[id(root)] for root in roots])
 
-    def matrix(self, matrix: Sequence[Sequence[Expression]]) -> Numbered:
-        """The entries of a matrix by their numbers."""
-        return tuple([self.numbers(row) for row in matrix])
+    def matrix(self, matrix: Sequence[Sequence[Expression]]) -> Entered:
+        """A matrix, which is entered if it is new."""
+        rows = tuple([self.numbers(row) for row in matrix])
+        return Entered(rows, self.under(chain.from_iterable(rows)))
 
-    def under(self, roots: Iterable[int], known: Container[int] = ()) -> list[int]:
-        """The numbers of all nodes in some trees, in the order in which they are needed, but those known."""
+    def under(self, roots: Iterable[int]) -> list[int]:
+        """The numbers of all nodes in some trees, in the order in which they are needed."""
         order: list[int] = []
         seen: set[int] = set()
         stack = [*roots]
@@ -121,7 +132,7 @@ class Ledger:
             number = stack.pop()
             if number < 0:
                 order.append(~number)
-            elif number not in seen and number not in known:
+            elif number not in seen:
                 seen.add(number)
                 below = self.below[number]
                 if below:

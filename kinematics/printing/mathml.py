@@ -14,7 +14,7 @@ from xml.sax.saxutils import escape
 
 from kinematics.expressions import Call, Expression, Function
 from kinematics.printing.content import ContentWriter
-from kinematics.printing.ledger import Ledger, Numbered
+from kinematics.printing.ledger import Entered, Ledger
 from kinematics.printing.notation import Names
 from kinematics.printing.symbols import split_name
 from kinematics.printing.writer import Binding, Typesetter, Written
@@ -50,11 +50,11 @@ class MathmlWriter(Typesetter):
         """A matrix in square brackets, as one `math` element."""
         return self.table(self.ledger.matrix(matrix))
 
-    def table(self, entries: Numbered) -> str:
-        """The same, by numbers."""
-        rows = "".join(f"<mtr>{_cells(row)}</mtr>" for row in self.lines(entries))
+    def table(self, matrix: Entered) -> str:
+        """The same, for a matrix in the ledger."""
+        rows = "".join(f"<mtr>{_cells(row)}</mtr>" for row in self.lines(matrix))
         drawn = f"<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>"
-        meant = self._content.table(entries)
+        meant = self._content.table(matrix)
         return (
             f'<math xmlns="{_NAMESPACE}" display="block"><semantics>{drawn}'
             f'<annotation-xml encoding="MathML-Content">{meant}</annotation-xml></semantics></math>'

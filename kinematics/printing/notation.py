@@ -10,9 +10,8 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import dataclass
 from enum import StrEnum
-from fractions import Fraction
 
-from kinematics.expressions import Call, Expression, Function, JointVariable, Number, Product, Sum
+from kinematics.expressions import MINUS_ONE, Call, Expression, Function, JointVariable, Product, Sum
 
 _LAST_DIGIT = 9
 
@@ -96,7 +95,7 @@ def short_name(node: Expression, *, separated: bool = False) -> ShortName | None
     joints = []
     for term in angle.terms if isinstance(angle, Sum) else (angle,):
         sign = 1
-        if isinstance(term, Product) and len(term.factors) == 2 and term.factors[0] == Number(Fraction(-1)):
+        if isinstance(term, Product) and len(term.factors) == 2 and term.factors[0] == MINUS_ONE:
             sign, term = -1, term.factors[1]
         if not isinstance(term, JointVariable):
             return None

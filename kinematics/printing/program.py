@@ -10,10 +10,11 @@ from fractions import Fraction
 from itertools import chain
 
 from kinematics.expressions import Call, Function, JointVariable, Parameter, Pi, Power, Product, Sum
-from kinematics.printing.ledger import Ledger, Numbered
+from kinematics.printing.ledger import Entered, Ledger
 from kinematics.printing.notation import ShortName, short_name
 
 _HALF = Fraction(1, 2)
+_PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _FOREIGN = re.compile(r"[^A-Za-z0-9_]")
 
 
@@ -37,8 +38,7 @@ class Plan:
     """What a function computes, before its names are chosen; nodes are numbers of a ledger.
 
     Attributes:
-        entries: the matrix.
-        nodes: all nodes, those below first.
+        matrix: the entries, and all nodes.
         steps: what is computed first and given a name, in an order in which that is possible, with the short
             name of what is a sine or cosine of joint variables.
         functions: what is called.
@@ -47,8 +47,7 @@ class Plan:
         holds_pi: whether π does.
     """
 
-    entries: Numbered
-    nodes: Sequence[int]
+    matrix: Entered
     steps: dict[int, ShortName | None]
     functions: frozenset[Function]
     parameters: frozenset[str]
@@ -77,11 +76,11 @@ class Program:
     result: str
 
 
-def plan(ledger: Ledger, entries: Numbered) -> Plan:
+def plan(ledger: Ledger, matrix: Entered) -> Plan:
     """Find what occurs more than once, and every sine and cosine of a joint."""
-    nodes = ledger.under(chain.from_iterable(entries))
+    rows, nodes = matrix
     uses = Counter(chain.from_iterable([ledger.below[number] for number in nodes]))
-    uses.update(chain.from_iterable(entries))
+    uses.update(chain.from_iterable(rows))
     functions: set[Function] = set()
     parameters: set[str] = set()
     steps = []
@@ -97,13 +96,12 @@ def plan(ledger: Ledger, entries: Numbered) -> Plan:
             steps.append((number, short_name(node)))
     steps.sort(key=_place)
     return Plan(
-        entries=entries,
-        nodes=nodes,
+        matrix=matrix,
         steps=dict(steps),
         functions=frozenset(functions),
         parameters=frozenset(parameters),
         holds_pi=any(isinstance(ledger.nodes[number], Pi) for number in nodes),
-        moves=any(map(ledger.moving.__getitem__, chain.from_iterable(entries))),
+        moves=any(map(ledger.moving.__getitem__, chain.from_iterable(rows))),
     )
 
 
@@ -141,7 +139,7 @@ class _Identifiers:
 
     def take(self, wanted: str) -> str:
         """The wanted name, with underscores appended until nothing else has it."""
-        name = _FOREIGN.sub("_", wanted)
+        name = wanted if _PLAIN.fullmatch(wanted) else _FOREIGN.sub("_", wanted)
         if not name[:1].isalpha():
             name = f"p{name}"
         while name in self._taken or name in self._reserved:

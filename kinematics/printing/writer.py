@@ -6,11 +6,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from enum import IntEnum
 from fractions import Fraction
-from itertools import chain
 from typing import Generic, NamedTuple, TypeVar
 
 from kinematics.expressions import Call, Expression, JointVariable, Parameter, Pi, Power, Sum
-from kinematics.printing.ledger import Ledger, Numbered, Quotient
+from kinematics.printing.ledger import Entered, Ledger, Quotient
 
 W = TypeVar("W")
 
@@ -24,14 +23,15 @@ class Writer(ABC, Generic[W]):
 
     def written(self, expression: Expression) -> W:
         """An expression, written."""
-        return self.entries((self.ledger.numbers((expression,)),))[0][0]
+        return self.entries(self.ledger.matrix(((expression,),)))[0][0]
 
-    def entries(self, entries: Numbered) -> list[list[W]]:
+    def entries(self, matrix: Entered) -> list[list[W]]:
         """The entries of a matrix, written."""
         known = self._written
-        for number in self.ledger.under(chain.from_iterable(entries), known):
-            known[number] = self._write(number)
-        return [[known[number] for number in row] for row in entries]
+        for number in matrix.nodes:
+            if number not in known:
+                known[number] = self._write(number)
+        return [[known[number] for number in row] for row in matrix.rows]
 
     @abstractmethod
     def _write(self, number: int) -> W:
@@ -72,9 +72,9 @@ class LineWriter(Writer[Written]):
         """The expression with its sign."""
         return self._signed(self.written(expression))
 
-    def lines(self, entries: Numbered) -> list[list[str]]:
+    def lines(self, matrix: Entered) -> list[list[str]]:
         """The entries of a matrix with their signs."""
-        return [list(map(self._signed, row)) for row in self.entries(entries)]
+        return [list(map(self._signed, row)) for row in self.entries(matrix)]
 
     def _write(self, number: int) -> Written:
         quotient = self.ledger.quotients[number]

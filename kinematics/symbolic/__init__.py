@@ -13,11 +13,11 @@ from kinematics.symbolic.canonical import (
     compare,
     same_function,
 )
-from kinematics.symbolic.closed_form import ClosedForm, Matrix, closed_form
-from kinematics.symbolic.differential import inverse, jacobian
+from kinematics.symbolic.closed_form import ClosedForm, Workings, closed_form, inverse, jacobian
 from kinematics.symbolic.identity import Proof, prove_identity
 from kinematics.symbolic.size import count_operations
 from kinematics.symbolic.verdict import Verdict
+from kinematics.symbolic.writing import Matrix
 
 __all__ = [
     "Canonical",
@@ -26,6 +26,7 @@ __all__ = [
     "Matrix",
     "Proof",
     "Verdict",
+    "Workings",
     "canonical",
     "canonical_transform",
     "closed_form",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
 
@@ -55,21 +55,23 @@ class Angle:
     half_turns: Fraction = Fraction(0)
     number: Fraction = Fraction(0)
     parts: tuple[tuple[Expression, Fraction], ...] = ()
+    _hash: int = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        # angles are looked up all the time, and a fraction takes long to hash
+        object.__setattr__(self, "_hash", hash((self.half_turns, self.number, self.parts)))
+
+    def __hash__(self) -> int:
+        return self._hash
 
     def plus(self, other: Angle, sign: int = 1) -> Angle:
         """The sum, or difference, of two angles."""
-        if not other.parts and not other.number:
-            return Angle(_wrapped(self.half_turns + sign * other.half_turns), self.number, self.parts)
-        weights = dict(self.parts)
-        for part, weight in other.parts:
-            weights[part] = weights.get(part, Fraction(0)) + sign * weight
-        kept = [(part, weight) for part, weight in weights.items() if weight]
-        kept.sort(key=_place)
-        return Angle(
-            _wrapped(self.half_turns + sign * other.half_turns),
-            self.number + sign * other.number,
-            tuple(kept),
-        )
+        return _sum(self, other, sign)
+
+    @property
+    def is_nothing(self) -> bool:
+        """Whether it is zero."""
+        return not (self.parts or self.number or self.half_turns)
 
     @property
     def quarter_turns(self) -> int | None:
@@ -100,9 +102,24 @@ class Angle:
 NO_ANGLE = Angle()
 
 
+@lru_cache(maxsize=256)
 def joint_angle(joint: int, sign: int) -> Angle:
     """The angle sign·q_joint."""
     return Angle(parts=((JointVariable(joint), Fraction(sign)),))
+
+
+@lru_cache(maxsize=4096)
+def _sum(angle: Angle, other: Angle, sign: int) -> Angle:
+    weights = dict(angle.parts)
+    for part, weight in other.parts:
+        weights[part] = weights.get(part, Fraction(0)) + sign * weight
+    kept = [(part, weight) for part, weight in weights.items() if weight]
+    kept.sort(key=_place)
+    return Angle(
+        _wrapped(angle.half_turns + sign * other.half_turns),
+        angle.number + sign * other.number,
+        tuple(kept),
+    )
 
 
 @lru_cache(maxsize=4096)

@@ -16,9 +16,10 @@ from typing import TypeAlias
 
 from kinematics.expressions import JointVariable
 from kinematics.links import Kind
-from kinematics.symbolic.angles import NO_ANGLE, Angle, angle_of, cosine_and_sine, joint_angle
+from kinematics.symbolic.angles import NO_ANGLE, Angle, angle_of, joint_angle
 from kinematics.symbolic.motions import Motion
-from kinematics.symbolic.nested import NOTHING, Arena, Nested
+from kinematics.symbolic.nested import Arena
+from kinematics.symbolic.terms import NOTHING, Nested
 
 Vector: TypeAlias = tuple[Nested, Nested, Nested]
 
@@ -56,6 +57,13 @@ class Chain:
     runs: list[Run] = field(default_factory=lambda: [Run()])
     _flipped: bool = False
 
+    @classmethod
+    def of(cls, arena: Arena, motions: Iterable[Motion]) -> Chain:
+        """The chain of some motions."""
+        chain = cls(arena)
+        chain.extend(motions)
+        return chain
+
     def extend(self, motions: Iterable[Motion]) -> None:
         """Append motions at the end of the chain."""
         for motion in motions:
@@ -71,14 +79,10 @@ class Chain:
                     self._twist(angle_of(motion.amount))
 
     def finished(self) -> tuple[Run, ...]:
-        """The runs; what is flipped at the end is flipped by the last twist."""
-        self.runs[-1].twist = _STRAIGHT if self._flipped else NO_ANGLE
-        for run in self.runs:
-            # factors are written in the order in which they become known: base first
-            for angle in (*run.arms, run.angle):
-                for function in cosine_and_sine(angle):
-                    self.arena.read(function)
-        return tuple(self.runs)
+        """The runs of the motions so far; what is flipped at the end is flipped by the last twist."""
+        runs = [Run(run.angle, dict(run.arms), run.rise, run.twist) for run in self.runs]
+        runs[-1].twist = _STRAIGHT if self._flipped else NO_ANGLE
+        return tuple(runs)
 
     def _length(self, motion: Motion) -> Nested:
         if not motion.joint:
@@ -158,9 +162,9 @@ class Chain:
 def turned(arena: Arena, vector: Vector, angle: Angle) -> Vector:
     """Rot_z(angle) · vector."""
     x, y, z = vector
-    if angle == NO_ANGLE or not (x or y):
+    if angle.is_nothing or not (x or y):
         return vector
-    c, s = map(arena.read, cosine_and_sine(angle))
+    c, s = arena.circle(angle)
     return (
         arena.sum(arena.product(c, x), arena.negative(arena.product(s, y))),
         arena.sum(arena.product(s, x), arena.product(c, y)),
@@ -171,9 +175,9 @@ def turned(arena: Arena, vector: Vector, angle: Angle) -> Vector:
 def twisted(arena: Arena, vector: Vector, angle: Angle) -> Vector:
     """Rot_x(angle) · vector."""
     x, y, z = vector
-    if angle == NO_ANGLE or not (y or z):
+    if angle.is_nothing or not (y or z):
         return vector
-    c, s = map(arena.read, cosine_and_sine(angle))
+    c, s = arena.circle(angle)
     return (
         x,
         arena.sum(arena.product(c, y), arena.negative(arena.product(s, z))),

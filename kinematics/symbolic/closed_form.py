@@ -1,28 +1,19 @@
-"""The matrices of a chain as a lecturer writes them."""
+"""The matrices of a DH table as a lecturer writes them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import chain
-from typing import TypeAlias
 
 from kinematics.expressions import ONE, ZERO, Expression
-from kinematics.symbolic.chain import Chain, Run, Vector, swung, turned, twisted
+from kinematics.jacobian import JacobianFrame
+from kinematics.symbolic.chain import Chain, Run
+from kinematics.symbolic.differential import Joint, column_in_base, column_in_end, passed
 from kinematics.symbolic.motions import Motion, motions_of
-from kinematics.symbolic.nested import NOTHING, UNITY, Arena, Nested
+from kinematics.symbolic.writing import AXES, HERE, ORIGIN, Matrix, MatrixWriter
 from kinematics.table import SymbolicTable
-
-Matrix: TypeAlias = tuple[tuple[Expression, ...], ...]
-Pose: TypeAlias = tuple[Vector, Vector, Vector, Vector]
-"""The columns of the upper three rows of a 4×4 matrix: x, y, z and the origin."""
-
-_AXES: Pose = (
-    (UNITY, NOTHING, NOTHING),
-    (NOTHING, UNITY, NOTHING),
-    (NOTHING, NOTHING, UNITY),
-    (NOTHING, NOTHING, NOTHING),
-)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -40,13 +31,10 @@ class ClosedForm:
     transform: Matrix
 
 
-def closed_form(
-    table: SymbolicTable,
-    *,
-    base: Sequence[Sequence[Expression]] | None = None,
-    tool: Sequence[Sequence[Expression]] | None = None,
-) -> ClosedForm:
-    """Every matrix of a table: A_i, ⁰T_i and base · ⁰T_N · tool.
+class Workings:
+    """What all matrices of one table are derived from.
+
+    They share what stands in the transform, and are the same whichever of them is asked for first.
 
     Angles of parallel and antiparallel joints are added (c23), multiples of π/12 are exact, and entries are
     nested from the last joint to the first: c1(a2c2 + a3c23) - d3s1.
@@ -58,75 +46,133 @@ def closed_form(
 
     Source: J. J. Craig, Introduction to Robotics, 3rd ed., section 3.7, for the form of the entries.
     """
-    writer = MatrixWriter(base)
-    rows = motions_of(table)
-    transform = writer.matrix(chain.from_iterable(rows), tool)
-    links = tuple(MatrixWriter().matrix(row) for row in rows)
-    frames = [writer.matrix(chain.from_iterable(rows[: i + 1])) for i in range(len(rows) - 1)]
-    frames.append(transform if tool is None else writer.matrix(chain.from_iterable(rows)))
-    return ClosedForm(links=links, frames=tuple(frames), transform=transform)
 
+    def __init__(
+        self,
+        table: SymbolicTable,
+        *,
+        base: Sequence[Sequence[Expression]] | None = None,
+        tool: Sequence[Sequence[Expression]] | None = None,
+    ) -> None:
+        self._writer = MatrixWriter(base)
+        self._rows = motions_of(table)
+        self._joints: list[Joint] = []
+        self._upto: list[tuple[Run, ...]] = []
+        merged, left = Chain(self._writer.arena), list(chain.from_iterable(self._rows))
+        for row in self._rows:
+            for motion in row:
+                left = left[1:]
+                if motion.joint:
+                    self._joints.append(Joint(motion, merged.finished(), left))
+                merged.extend((motion,))
+            self._upto.append(merged.finished())
+        self._runs = merged.finished()
+        self._writer.know(self._runs)
+        self._end = None if tool is None else self._writer.read(tool)
 
-class MatrixWriter:
-    """Writes products of motions as matrices; what occurs in several of them is shared."""
+    @cached_property
+    def transform(self) -> Matrix:
+        """The pose of the end: base · ⁰T_N · tool."""
+        return self._writer.matrix(self._runs, self._end or HERE)
 
-    def __init__(self, base: Sequence[Sequence[Expression]] | None = None) -> None:
-        self.arena = Arena()
-        self.base = None if base is None else self.read(base)
+    @cached_property
+    def frames(self) -> tuple[Matrix, ...]:
+        """The poses base · ⁰T_i, one for each row."""
+        writer = self._after_transform()
+        frames = [writer.matrix(runs) for runs in self._upto[:-1]]
+        if self._upto:
+            frames.append(self.transform if self._end is None else writer.matrix(self._runs))
+        return tuple(frames)
 
-    def read(self, matrix: Sequence[Sequence[Expression]]) -> Pose:
-        """A 4×4 matrix of expressions, by columns."""
-        x, y, z, p = ([self.arena.read(matrix[i][j]) for i in range(3)] for j in range(4))
-        return (x[0], x[1], x[2]), (y[0], y[1], y[2]), (z[0], z[1], z[2]), (p[0], p[1], p[2])
+    @cached_property
+    def links(self) -> tuple[Matrix, ...]:
+        """The poses A_i, one for each row."""
+        return tuple(map(_link, self._rows))
 
-    def runs(self, motions: Iterable[Motion]) -> tuple[Run, ...]:
-        """The motions with parallel axes merged."""
-        merged = Chain(self.arena)
-        merged.extend(motions)
-        return merged.finished()
+    @cached_property
+    def inverse(self) -> Matrix:
+        """The inverse of the transform, that is Rᵀ and -Rᵀp.
 
-    def matrix(self, motions: Iterable[Motion], tool: Sequence[Sequence[Expression]] | None = None) -> Matrix:
-        """Base · motions · tool."""
-        runs = self.runs(motions)
-        columns = _AXES if tool is None else self.read(tool)
-        *axes, origin = columns
-        pose = [self.in_world(self.rotated(runs, axis)) for axis in axes]
-        pose.append(self.in_world(self.carried(runs, origin), self.base and self.base[3]))
-        return self.written(pose)
-
-    def rotated(self, runs: Sequence[Run], vector: Vector) -> Vector:
-        """A direction, given where the runs end, in the frame where they begin."""
-        for run in reversed(runs):
-            vector = turned(self.arena, twisted(self.arena, vector, run.twist), run.angle)
-        return vector
-
-    def carried(self, runs: Sequence[Run], point: Vector) -> Vector:
-        """A point, given where the runs end, in the frame where they begin."""
-        for run in reversed(runs):
-            point = swung(self.arena, run, twisted(self.arena, point, run.twist))
-        return point
-
-    def in_world(self, vector: Vector, origin: Vector | None = None) -> Vector:
-        """A direction, or a point if an origin is given, from frame 0 into the world."""
-        if self.base is None:
-            return vector
-        return self.combined(self.base, vector, origin)
-
-    def combined(self, axes: Sequence[Vector], vector: Vector, origin: Vector | None = None) -> Vector:
-        """Σ_k vector_k · axes_k + origin."""
-        sums: list[Nested] = []
-        for i in range(3):
-            products = [self.arena.product(axes[k][i], vector[k]) for k in range(3)]
-            sums.append(self.arena.sum(*products, *((origin[i],) if origin else ())))
-        return sums[0], sums[1], sums[2]
-
-    def projected(self, axes: Sequence[Vector], vector: Vector) -> Vector:
-        """The components of a vector along three axes."""
-        columns = tuple((axes[0][i], axes[1][i], axes[2][i]) for i in range(3))
-        return self.combined(columns, vector)
-
-    def written(self, columns: Sequence[Vector]) -> Matrix:
-        """The columns of a pose as a 4×4 matrix of expressions."""
-        arena = self.arena
-        rows = [tuple(arena.expression(arena.gathered(column[i])) for column in columns) for i in range(3)]
+        The entries of Rᵀ are those of the transform; -Rᵀp is formed from the first joint to the last, so that
+        no sine squared is left beside a cosine squared.
+        """
+        R, writer, end = self.transform, self._after_transform(), self._end
+        point = ORIGIN if writer.base is None else writer.projected(writer.base[:3], writer.base[3])
+        for run in self._runs:
+            point = passed(writer.arena, run, point)
+        if end is not None:
+            point = writer.projected(end[:3], writer.combined(AXES, point, end[3]))
+        arena = writer.arena
+        p = [arena.expression(arena.gathered(arena.negative(entry))) for entry in point]
+        rows = [(R[0][i], R[1][i], R[2][i], p[i]) for i in range(3)]
         return (*rows, (ZERO, ZERO, ZERO, ONE))
+
+    def jacobian(self, frame: JacobianFrame) -> Matrix:
+        """The geometric Jacobian in the axes of the base or of the end frame."""
+        column = column_in_base if frame is JacobianFrame.BASE else column_in_end
+        writer = self._after_transform()
+        columns = [column(writer, joint, self._runs, self._end) for joint in self._joints]
+        arena = writer.arena
+        return tuple(
+            tuple(arena.expression(arena.gathered(vectors[part][i])) for vectors in columns)
+            for part in range(2)
+            for i in range(3)
+        )
+
+    def _after_transform(self) -> MatrixWriter:
+        """A writer that has the transform's factors and parentheses, for the other matrices."""
+        _ = self.transform
+        return self._writer.branch()
+
+
+def closed_form(
+    table: SymbolicTable,
+    *,
+    base: Sequence[Sequence[Expression]] | None = None,
+    tool: Sequence[Sequence[Expression]] | None = None,
+) -> ClosedForm:
+    """Every transform of a table: A_i, ⁰T_i and base · ⁰T_N · tool; see `Workings`."""
+    workings = Workings(table, base=base, tool=tool)
+    return ClosedForm(links=workings.links, frames=workings.frames, transform=workings.transform)
+
+
+def inverse(
+    table: SymbolicTable,
+    *,
+    base: Sequence[Sequence[Expression]] | None = None,
+    tool: Sequence[Sequence[Expression]] | None = None,
+) -> Matrix:
+    """Pose of the world in the end frame: the inverse of base · ⁰T_N · tool; see `Workings`."""
+    return Workings(table, base=base, tool=tool).inverse
+
+
+def jacobian(
+    table: SymbolicTable,
+    frame: JacobianFrame = JacobianFrame.BASE,
+    *,
+    base: Sequence[Sequence[Expression]] | None = None,
+    tool: Sequence[Sequence[Expression]] | None = None,
+) -> Matrix:
+    """The geometric Jacobian: column k holds the linear and angular velocity of the end frame for q̇_k = 1.
+
+    Revolute joint: (z_k × (p - p_k), z_k); prismatic joint: (z_k, 0), z_k the direction of the joint's axis.
+
+    Args:
+        table: the DH table.
+        frame: the axes in which the velocities are written.
+        base: 4×4 pose of frame 0 in the world; the identity if left out.
+        tool: 4×4 pose of the tool in frame N; the identity if left out.
+
+    Returns:
+        6 × n: three rows of linear, three rows of angular velocity.
+
+    Source: seed 001 eq. 3.22 (base) and 3.23 (end).
+    """
+    return Workings(table, base=base, tool=tool).jacobian(frame)
+
+
+def _link(row: Sequence[Motion]) -> Matrix:
+    writer = MatrixWriter()
+    runs = Chain.of(writer.arena, row).finished()
+    writer.know(runs)
+    return writer.matrix(runs)

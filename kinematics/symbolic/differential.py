@@ -1,176 +1,150 @@
-"""Inverse transform and Jacobians in closed form."""
+"""Columns of Jacobians: what a joint's motion does to the end of its chain."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import chain
+from dataclasses import dataclass
+from itertools import pairwise
 
-from kinematics.expressions import ONE, ZERO, Expression
-from kinematics.jacobian import JacobianFrame
 from kinematics.links import Kind
-from kinematics.symbolic.angles import NO_ANGLE
-from kinematics.symbolic.chain import Run, Vector, swung, turned, twisted
-from kinematics.symbolic.closed_form import Matrix, MatrixWriter, Pose
-from kinematics.symbolic.motions import Motion, motions_of
-from kinematics.symbolic.nested import NOTHING, UNITY, Arena, Nested
-from kinematics.symbolic.size import count_operations
-from kinematics.table import SymbolicTable
+from kinematics.symbolic.angles import NO_ANGLE, Angle
+from kinematics.symbolic.chain import Chain, Run, Vector, swung, turned, twisted
+from kinematics.symbolic.motions import Motion
+from kinematics.symbolic.nested import Arena
+from kinematics.symbolic.terms import NOTHING, UNITY, Nested
+from kinematics.symbolic.writing import AXES, ORIGIN, MatrixWriter, Pose
 
-_ORIGIN: Vector = (NOTHING, NOTHING, NOTHING)
-_AXES = ((UNITY, NOTHING, NOTHING), (NOTHING, UNITY, NOTHING), (NOTHING, NOTHING, UNITY))
+_LONG = 1000
+"""From here on nobody reads it, and z × (p - p_k) may be shorter than what is carried from joint to joint."""
 
 
-def inverse(
-    table: SymbolicTable,
-    *,
-    base: Sequence[Sequence[Expression]] | None = None,
-    tool: Sequence[Sequence[Expression]] | None = None,
-) -> Matrix:
-    """Pose of the world in the end frame: the inverse of base · ⁰T_N · tool, that is Rᵀ and -Rᵀp.
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """A joint and what lies before and after it.
 
-    The entries of Rᵀ are those of the transform; -Rᵀp is formed from the first joint to the last, so that no
-    sine squared is left beside a cosine squared.
+    Attributes:
+        motion: the joint's own.
+        before: the runs up to it.
+        after: the motions that follow.
     """
-    writer = MatrixWriter(base)
-    motions = list(chain.from_iterable(motions_of(table)))
-    R = writer.matrix(motions, tool)
-    runs = writer.runs(motions)
-    point = _ORIGIN if writer.base is None else writer.projected(writer.base[:3], writer.base[3])
-    for run in runs:
-        point = _passed(writer, run, point)
-    if tool is not None:
-        pose = writer.read(tool)
-        point = writer.projected(pose[:3], writer.combined(_AXES, point, pose[3]))
-    arena = writer.arena
-    p = [arena.expression(arena.gathered(arena.negative(entry))) for entry in point]
-    rows = [(R[0][i], R[1][i], R[2][i], p[i]) for i in range(3)]
-    return (*rows, (ZERO, ZERO, ZERO, ONE))
 
+    motion: Motion
+    before: tuple[Run, ...]
+    after: Sequence[Motion]
 
-def jacobian(
-    table: SymbolicTable,
-    frame: JacobianFrame = JacobianFrame.BASE,
-    *,
-    base: Sequence[Sequence[Expression]] | None = None,
-    tool: Sequence[Sequence[Expression]] | None = None,
-) -> Matrix:
-    """The geometric Jacobian: column k holds the linear and angular velocity of the end frame for q̇_k = 1.
+    def axis(self, arena: Arena) -> Vector:
+        """The direction of the joint's axis, in the frame where it moves."""
+        return NOTHING, NOTHING, UNITY if self.motion.sign > 0 else arena.negative(UNITY)
 
-    Revolute joint: (z_k × (p - p_k), z_k); prismatic joint: (z_k, 0), z_k the direction of the joint's axis.
+    def run(self, runs: Sequence[Run]) -> int:
+        """In which run a revolute joint is."""
+        return next(i for i, run in enumerate(runs) if run.angle.weight_of(self.motion.joint))
 
-    Args:
-        table: the DH table.
-        frame: the axes in which the velocities are written.
-        base: 4×4 pose of frame 0 in the world; the identity if left out.
-        tool: 4×4 pose of the tool in frame N; the identity if left out.
-
-    Returns:
-        6 × n: three rows of linear, three rows of angular velocity.
-
-    Source: seed 001 eq. 3.22 (base) and 3.23 (end).
-    """
-    writer = MatrixWriter(base)
-    motions = list(chain.from_iterable(motions_of(table)))
-    column = _base_column if frame is JacobianFrame.BASE else _end_column
-    runs = writer.runs(motions)
-    end = None if tool is None else writer.read(tool)
-    columns = [
-        column(_JointView(writer, motions, at, runs, end))
-        for at, motion in enumerate(motions)
-        if motion.joint
-    ]
-    arena = writer.arena
-    return tuple(
-        tuple(arena.expression(arena.gathered(vectors[part][i])) for vectors in columns)
-        for part in range(2)
-        for i in range(3)
-    )
-
-
-class _JointView:
-    """A chain seen from one of its joints."""
-
-    def __init__(
-        self,
-        writer: MatrixWriter,
-        motions: Sequence[Motion],
-        at: int,
-        runs: Sequence[Run],
-        end: Pose | None,
-    ) -> None:
-        self.writer = writer
-        self.joint = motions[at]
-        self.before, self.after = motions[:at], motions[at + 1 :]
-        self.runs = runs
-        self.end = end
-        self.tip = _ORIGIN if end is None else end[3]
-        z = UNITY if self.joint.sign > 0 else writer.arena.negative(UNITY)
-        self.axis: Vector = (NOTHING, NOTHING, z)
-
-    def lever(self, *, seen_from_end_of_run: bool) -> tuple[int, Vector]:
-        """The joint's run, and ∂p/∂q in the frame where that run begins, or after its rotation.
+    def lever(self, arena: Arena, run: Run, tip: Vector, *, after: Angle = NO_ANGLE) -> Vector:
+        """∂p/∂q in the frame where the joint's run begins, turned back by the angle `after`.
 
         Only the arms that the joint turns count; each enters with the sum of its own angles, so a run of
         parallel joints gives a2·c2 + a3·c23 for the first and a3·c23 for the second.
         """
-        arena, name = self.writer.arena, self.joint.joint
-        at = next(i for i, run in enumerate(self.runs) if run.angle.weight_of(name))
-        run = self.runs[at]
-        tip = twisted(arena, self.writer.carried(self.runs[at + 1 :], self.tip), run.twist)
-        arms = {angle: arm for angle, arm in run.arms.items() if angle.weight_of(name)}
-        whole = Run(angle=run.angle, arms=arms)
-        if seen_from_end_of_run:
-            back = {angle.plus(run.angle, -1): arm for angle, arm in arms.items()}
-            whole = Run(arms=back)
-        x, y, _ = swung(arena, whole, tip)
+        name = self.motion.joint
+        arms = {angle.plus(after, -1): arm for angle, arm in run.arms.items() if angle.weight_of(name)}
+        x, y, _ = swung(arena, Run(angle=run.angle.plus(after, -1), arms=arms), tip)
         if run.angle.weight_of(name) > 0:
-            return at, (arena.negative(y), x, NOTHING)
-        return at, (y, arena.negative(x), NOTHING)
+            return arena.negative(y), x, NOTHING
+        return y, arena.negative(x), NOTHING
 
 
-def _base_column(view: _JointView) -> tuple[Vector, Vector]:
-    writer = view.writer
-    axis = writer.in_world(writer.rotated(writer.runs(view.before), view.axis))
-    if view.joint.kind is Kind.SHIFT_Z:
-        return axis, _ORIGIN
-    at, lever = view.lever(seen_from_end_of_run=False)
-    return writer.in_world(writer.rotated(view.runs[:at], lever)), axis
+def column_in_base(
+    writer: MatrixWriter, joint: Joint, runs: Sequence[Run], end: Pose | None
+) -> tuple[Vector, Vector]:
+    """Linear and angular velocity of the end in the axes of the base: (z × (p - p_k), z)."""
+    arena = writer.arena
+    axis = writer.in_world(writer.rotated(joint.before, joint.axis(arena)))
+    if joint.motion.kind is Kind.SHIFT_Z:
+        return axis, ORIGIN
+    at = joint.run(runs)
+    tip = writer.carried(runs[at + 1 :], ORIGIN if end is None else end[3])
+    lever = joint.lever(arena, runs[at], twisted(arena, tip, runs[at].twist))
+    return writer.in_world(writer.rotated(runs[:at], lever)), axis
 
 
-def _end_column(view: _JointView) -> tuple[Vector, Vector]:
-    writer, after = view.writer, view.writer.runs(view.after)
-    axis = _direction_from_end(writer, after, view.axis, view.end)
-    if view.joint.kind is Kind.SHIFT_Z:
-        return axis, _ORIGIN
-    at, lever = view.lever(seen_from_end_of_run=True)
-    lever = twisted(writer.arena, lever, NO_ANGLE.plus(view.runs[at].twist, -1))
-    lever = _direction_from_end(writer, view.runs[at + 1 :], lever, view.end)
-    arm = _ORIGIN
-    for run in after:
-        arm = _passed(writer, run, arm)
-    arm = writer.combined(_AXES, arm, view.tip)
-    if view.end is not None:
-        arm = writer.projected(view.end[:3], arm)
-    crossed = _cross(writer.arena, axis, arm)
-    return min(lever, crossed, key=lambda v: count_operations(map(writer.arena.expression, v))), axis
+def column_in_end(
+    writer: MatrixWriter, joint: Joint, runs: Sequence[Run], end: Pose | None
+) -> tuple[Vector, Vector]:
+    """Linear and angular velocity of the end in its own axes: carried outward from joint to joint.
+
+    Source: J. J. Craig, Introduction to Robotics, 3rd ed., eq. 5.45 ff., run by run.
+    """
+    arena = writer.arena
+    if joint.motion.kind is Kind.SHIFT_Z:
+        axis = joint.axis(arena)
+        for run in Chain.of(arena, joint.after).finished():
+            axis = _turned_back(arena, run, axis)
+        return axis if end is None else writer.projected(end[:3], axis), ORIGIN
+    at = joint.run(runs)
+    own, *following = with_rises_moved_back(arena, runs[at:])
+    z = UNITY if own.angle.weight_of(joint.motion.joint) > 0 else arena.negative(UNITY)
+    back = NO_ANGLE.plus(own.twist, -1)
+    omega = twisted(arena, (NOTHING, NOTHING, z), back)
+    v = twisted(arena, joint.lever(arena, own, ORIGIN, after=own.angle), back)
+    for run in following:
+        omega, v = _carried_outward(arena, run, omega, v)
+    if sum(map(arena.size, v)) > _LONG:
+        arm = ORIGIN
+        for run in Chain.of(arena, joint.after).finished():
+            arm = passed(arena, run, arm)
+        v = min(v, _cross(arena, omega, arm), key=lambda vector: sum(map(arena.size, vector)))
+    if end is None:
+        return v, omega
+    v = writer.combined(AXES, v, _cross(arena, omega, end[3]))
+    return writer.projected(end[:3], v), writer.projected(end[:3], omega)
 
 
-def _passed(writer: MatrixWriter, run: Run, point: Vector) -> Vector:
+def passed(arena: Arena, run: Run, point: Vector) -> Vector:
     """A vector from a fixed point to where the run begins, as one to where it ends, seen from there."""
-    arms = {angle.plus(run.angle, -1): arm for angle, arm in run.arms.items()}
-    point = turned(writer.arena, point, NO_ANGLE.plus(run.angle, -1))
-    point = swung(writer.arena, Run(arms=arms, rise=run.rise), point)
-    return twisted(writer.arena, point, NO_ANGLE.plus(run.twist, -1))
+    point = turned(arena, point, NO_ANGLE.plus(run.angle, -1))
+    return twisted(arena, swung(arena, _seen_from_end(run), point), NO_ANGLE.plus(run.twist, -1))
 
 
-def _direction_from_end(
-    writer: MatrixWriter, runs: Sequence[Run], vector: Vector, end: Pose | None
-) -> Vector:
-    """A direction, given where the runs begin, in the end frame."""
-    for run in runs:
-        vector = turned(writer.arena, vector, NO_ANGLE.plus(run.angle, -1))
-        vector = twisted(writer.arena, vector, NO_ANGLE.plus(run.twist, -1))
-    return vector if end is None else writer.projected(end[:3], vector)
+def with_rises_moved_back(arena: Arena, runs: Sequence[Run]) -> list[Run]:
+    """The runs, each rise across the run before as an arm of that one: a2·c2 + a3·c23 - d4·s23."""
+    moved = [Run(run.angle, dict(run.arms), run.rise, run.twist) for run in runs]
+    for before, run in pairwise(moved):
+        if before.twist.quarter_turns in (1, -1):
+            _, sine = arena.circle(before.twist)
+            x, y = before.arms.get(before.angle, (NOTHING, NOTHING))
+            y = arena.sum(y, arena.negative(arena.product(sine, run.rise)))
+            if x or y:
+                before.arms[before.angle] = (x, y)
+            run.rise = NOTHING
+    return moved
+
+
+def _seen_from_end(run: Run) -> Run:
+    """The run's translation in the axes after its rotation."""
+    return Run(arms={angle.plus(run.angle, -1): arm for angle, arm in run.arms.items()}, rise=run.rise)
+
+
+def _turned_back(arena: Arena, run: Run, direction: Vector) -> Vector:
+    """A direction, given where the run begins, in the frame where it ends."""
+    direction = turned(arena, direction, NO_ANGLE.plus(run.angle, -1))
+    return twisted(arena, direction, NO_ANGLE.plus(run.twist, -1))
+
+
+def _carried_outward(arena: Arena, run: Run, omega: Vector, v: Vector) -> tuple[Vector, Vector]:
+    """Angular and linear velocity where a run begins, as those where it ends, seen from there.
+
+    v + ω × r is formed after the run's rotation, but for its component along z, which no rotation about z
+    changes: that one may be shorter before it.
+    """
+    back = NO_ANGLE.plus(run.angle, -1)
+    before = _cross(arena, omega, swung(arena, run, ORIGIN))
+    omega, v = turned(arena, omega, back), turned(arena, v, back)
+    x, y, z = _cross(arena, omega, swung(arena, _seen_from_end(run), ORIGIN))
+    z = min(before[2], z, key=arena.size)
+    v = arena.sum(v[0], x), arena.sum(v[1], y), arena.sum(v[2], z)
+    back = NO_ANGLE.plus(run.twist, -1)
+    return twisted(arena, omega, back), twisted(arena, v, back)
 
 
 def _cross(arena: Arena, a: Vector, b: Vector) -> Vector:

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from kinematics.expressions import Expression, Number, evaluate
 from kinematics.symbolic.angles import Angle, cosine_and_sine
-from kinematics.symbolic.closed_form import Matrix
+from kinematics.symbolic.writing import Matrix
 
 _LAST_DIGITS = 4e-16
 _COSINES = [cosine_and_sine(Angle(half_turns=Fraction(k, 12)))[0] for k in range(13)]

@@ -8,49 +8,39 @@ put in parentheses, after taking out of it what all its terms share.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
-from enum import IntEnum
+from dataclasses import dataclass, field, fields
 from fractions import Fraction
-from typing import TypeAlias
 
 from kinematics.expressions import (
     ZERO,
     Call,
     Expression,
     Function,
-    JointVariable,
     Number,
-    Parameter,
-    Pi,
     Power,
     Product,
     Sum,
     call,
-    joint_variables_in,
     number,
 )
+from kinematics.symbolic.angles import Angle, cosine_and_sine
 from kinematics.symbolic.roots import square_free
-
-Rational: TypeAlias = int | Fraction
-Term: TypeAlias = tuple[Rational, tuple[int, ...]]
-Nested: TypeAlias = tuple[Term, ...]
-
-NOTHING: Nested = ()
-UNITY: Nested = ((1, ()),)
-_MINUS: Nested = ((-1, ()),)
-
-_RANK_BITS = 32
-
-
-class _Rank(IntEnum):
-    """The order of factors within a term."""
-
-    ROOT = 0
-    LENGTH = 1
-    SLIDER = 2
-    CONSTANT_ANGLE = 3
-    JOINT_ANGLE = 4
-    PARENTHESES = 5
+from kinematics.symbolic.terms import (
+    MINUS,
+    NAME_BITS,
+    NOTHING,
+    PLACE_BITS,
+    UNITY,
+    Nested,
+    Rank,
+    Rational,
+    Term,
+    leads_negative,
+    place_of,
+    plain,
+    rank_of,
+    stripped,
+)
 
 
 @dataclass(slots=True)
@@ -61,7 +51,23 @@ class Arena:
     _names: dict[Expression, int] = field(default_factory=dict)
     _groups: dict[Nested, int] = field(default_factory=dict)
     _terms: dict[Nested, Term] = field(default_factory=dict)
+    _inside: dict[int, Nested] = field(default_factory=dict)
+    _sizes: dict[int, int] = field(default_factory=dict)
     _known: dict[Expression, Nested] = field(default_factory=dict)
+    _circles: dict[Angle, tuple[Nested, Nested]] = field(default_factory=dict)
+    _products: dict[Term, Expression] = field(default_factory=dict)
+
+    def branch(self) -> Arena:
+        """An arena that knows what this one does now, and learns by itself."""
+        return Arena(*(getattr(self, known.name).copy() for known in fields(self)))
+
+    def circle(self, angle: Angle) -> tuple[Nested, Nested]:
+        """The cosine and the sine of an angle."""
+        known = self._circles.get(angle)
+        if known is None:
+            cosine, sine = cosine_and_sine(angle)
+            known = self._circles[angle] = self.read(cosine), self.read(sine)
+        return known
 
     def read(self, expression: Expression) -> Nested:
         """An expression as a nested sum."""
@@ -73,7 +79,7 @@ class Arena:
     def _read(self, expression: Expression) -> Nested:
         match expression:
             case Number(value):
-                return ((_plain(value), ()),) if value else NOTHING
+                return ((plain(value), ()),) if value else NOTHING
             case Sum(terms):
                 return self.sum(*map(self.read, terms))
             case Product(factors):
@@ -88,7 +94,7 @@ class Arena:
                 return result
             case Call(Function.SQRT, (Number(value),)) if value > 0:
                 root, primes, _ = square_free(value.numerator * value.denominator)
-                weight = _plain(Fraction(root, value.denominator))
+                weight = plain(Fraction(root, value.denominator))
                 return ((weight, (self._root(primes),) if primes else ()),)
         return ((1, (self._symbol(expression),)),)
 
@@ -116,15 +122,17 @@ class Arena:
         for sign, other in ((a, b), (b, a)):
             if sign == UNITY:
                 return other
-            if sign == _MINUS:
+            if sign == MINUS:
                 return self.negative(other)
         (x, left), (y, right) = self.term(a), self.term(b)
+        if not x or not y:
+            return NOTHING
         if not left or not right:
             return ((x * y, left or right),)
         factors = tuple(sorted(left + right))
-        if factors[1] < 1 << _RANK_BITS:
+        if rank_of(factors[1]) == Rank.ROOT:
             root, factors = self._merged_roots(factors)
-            return ((_plain(x * y * root), factors),)
+            return ((plain(x * y * root), factors),)
         return ((x * y, factors),)
 
     def term(self, a: Nested) -> Term:
@@ -139,26 +147,50 @@ class Arena:
         return known
 
     def _gathered_term(self, a: Nested) -> Term:
-        weight, shared, rest = _stripped(a)
+        weight, shared, rest = stripped(a)
+        opened = self._opened(rest)
+        if opened is not None:
+            factor, inner = self.term(opened)
+            return weight * factor, tuple(sorted((*shared, *inner)))
         opposite = self.negative(rest)
-        if rest not in self._groups and (opposite in self._groups or _leads_negative(rest)):
+        if rest not in self._groups and (opposite in self._groups or leads_negative(rest)):
             rest, weight = opposite, -weight
         return weight, tuple(sorted((*shared, self._group(rest))))
+
+    def _opened(self, a: Nested) -> Nested | None:
+        """The sum without parentheses that stand in it alone: (a + b) - b is a; None if there are none."""
+        alone = [len(factors) == 1 and factors[0] in self._inside for _, factors in a]
+        if not any(alone) or (len(a) == 1 and abs(a[0][0]) != 1):
+            return None
+        opened = []
+        for (weight, factors), inside in zip(a, alone, strict=True):
+            terms = self._inside[factors[0]] if inside else ((1, factors),)
+            opened.append(tuple((weight * inner, parts) for inner, parts in terms))
+        return self.sum(*opened)
 
     def _group(self, a: Nested) -> int:
         group = self._groups.get(a)
         if group is None:
-            group = self._groups[a] = self._new(self.expression(a), _Rank.PARENTHESES)
+            group = self._groups[a] = self._new(self.expression(a), Rank.PARENTHESES << PLACE_BITS)
+            self._inside[group] = a
+            self._sizes[group] = self.size(a)
         return group
 
     def gathered(self, a: Nested) -> Nested:
         """The sum with what all its terms share taken out, if there is anything."""
+        weight, shared, rest = stripped(a) if len(a) > 1 else (1, (), a)
+        opened = self._opened(rest)
+        if opened is not None:
+            return self.gathered(self.product(((weight, shared),), opened))
         if len(a) < 2:
             return a
-        weight, shared, rest = _stripped(a)
         if not shared and abs(weight) == 1:
             return a
         return ((weight, tuple(sorted((*shared, self._group(rest))))),)
+
+    def size(self, a: Nested) -> int:
+        """How much there is to write, parentheses included."""
+        return sum(1 + sum(self._sizes.get(name, 1) for name in factors) for _, factors in a)
 
     def expression(self, a: Nested) -> Expression:
         """The nested sum as an expression tree; parentheses that occur twice are one object."""
@@ -171,6 +203,12 @@ class Arena:
         return Sum(tuple(self._product(weight, factors) for weight, factors in ordered))
 
     def _product(self, weight: Rational, factors: tuple[int, ...]) -> Expression:
+        known = self._products.get((weight, factors))
+        if known is None:
+            known = self._products[weight, factors] = self._new_product(weight, factors)
+        return known
+
+    def _new_product(self, weight: Rational, factors: tuple[int, ...]) -> Expression:
         if not factors:
             return Number(Fraction(weight))
         parts: list[Expression] = [] if weight == 1 else [Number(Fraction(weight))]
@@ -185,17 +223,17 @@ class Arena:
         return parts[0] if len(parts) == 1 else Product(tuple(parts))
 
     def _factor(self, name: int) -> Expression:
-        return self._factors[name & ((1 << _RANK_BITS) - 1)]
+        return self._factors[name & ((1 << NAME_BITS) - 1)]
 
     def _symbol(self, expression: Expression) -> int:
         name = self._names.get(expression)
         if name is None:
-            name = self._names[expression] = self._new(expression, _rank(expression))
+            name = self._names[expression] = self._new(expression, place_of(expression))
         return name
 
-    def _new(self, expression: Expression, rank: _Rank) -> int:
+    def _new(self, expression: Expression, place: int) -> int:
         self._factors.append(expression)
-        return (rank << _RANK_BITS) + len(self._factors) - 1
+        return (place << NAME_BITS) + len(self._factors) - 1
 
     def _root(self, primes: Iterable[int]) -> int:
         radicand = 1
@@ -207,7 +245,7 @@ class Arena:
         """√2·√6 is 2·√3."""
         radicand, rest = 1, []
         for name in factors:
-            if name >> _RANK_BITS:
+            if rank_of(name) != Rank.ROOT:
                 rest.append(name)
                 continue
             factor = self._factor(name)
@@ -216,73 +254,3 @@ class Arena:
             radicand *= factor.arguments[0].value.numerator
         root, primes, _ = square_free(radicand)
         return root, (*((self._root(primes),) if primes else ()), *rest)
-
-
-def _rank(expression: Expression) -> _Rank:
-    match expression:
-        case Call(Function.SQRT, (Number(),)):
-            return _Rank.ROOT
-        case JointVariable():
-            return _Rank.SLIDER
-        case Parameter() | Pi():
-            return _Rank.LENGTH
-        case Call(Function.SIN | Function.COS | Function.TAN):
-            return _Rank.JOINT_ANGLE if joint_variables_in(expression) else _Rank.CONSTANT_ANGLE
-    return _Rank.LENGTH
-
-
-def _shared_factors(a: Nested) -> tuple[int, ...]:
-    """The factors that every term has, as often as every term has them."""
-    shared = list(a[0][1])
-    for _, factors in a[1:]:
-        if not shared:
-            break
-        left = list(factors)
-        kept = []
-        for name in shared:
-            if name in left:
-                left.remove(name)
-                kept.append(name)
-        shared = kept
-    return tuple(shared)
-
-
-def _shared_weight(a: Nested) -> Rational:
-    """The number that every term has up to sign; negative if all terms are."""
-    first = a[0][0]
-    size = first if first > 0 else -first
-    if any(weight not in (size, -size) for weight, _ in a):
-        size = 1
-    return size if any(weight > 0 for weight, _ in a) else -size
-
-
-def _leads_negative(a: Nested) -> bool:
-    """Whether a sum without parentheses within looks better with the opposite sign: c4·c6 - s4·c5·s6."""
-    if any(factors and factors[-1] >> _RANK_BITS == _Rank.PARENTHESES for _, factors in a):
-        return False
-    return min(a, key=lambda term: term[1])[0] < 0
-
-
-def _stripped(a: Nested) -> tuple[Rational, tuple[int, ...], Nested]:
-    """What all terms share, a number and factors, and the sum that is left."""
-    weight = _shared_weight(a)
-    shared = _shared_factors(a)
-    if weight == -1:
-        a = tuple((-w, f) for w, f in a)
-    elif weight != 1:
-        a = tuple((_plain(Fraction(w) / weight), f) for w, f in a)
-    if shared:
-        a = tuple((w, _without(f, shared)) for w, f in a)
-    return weight, shared, a
-
-
-def _without(factors: tuple[int, ...], shared: tuple[int, ...]) -> tuple[int, ...]:
-    left = list(factors)
-    for name in shared:
-        left.remove(name)
-    return tuple(left)
-
-
-def _plain(value: Rational) -> Rational:
-    """A whole number as an int, whose arithmetic is faster."""
-    return int(value) if value == int(value) else value

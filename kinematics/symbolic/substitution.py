@@ -63,7 +63,7 @@ def with_values(table: SymbolicTable, values: Mapping[str, Expression]) -> Symbo
         cells = {}
         for cell in CELLS:
             try:
-                cells[cell] = _valued(getattr(row, cell), values)
+                cells[cell] = valued(getattr(row, cell), values)
             except (ZeroDivisionError, ParameterError):
                 cells[cell] = ZERO
                 faults.append(
@@ -79,7 +79,13 @@ def with_values(table: SymbolicTable, values: Mapping[str, Expression]) -> Symbo
     return DHTable(convention=table.convention, rows=tuple(rows))
 
 
-def _valued(cell: Expression, values: Mapping[str, Expression]) -> Expression:
+def valued(cell: Expression, values: Mapping[str, Expression]) -> Expression:
+    """The cell with some of its parameters replaced, having made sure that it has a value.
+
+    Raises:
+        ZeroDivisionError: it now divides by zero.
+        ParameterError: it has no parameters left, and no finite value.
+    """
     replaced = substitute(cell, values)
     if not parameters_in(replaced):
         evaluate(replaced)

@@ -1,0 +1,116 @@
+"""The terms of nested sums: a rational number times factors, which are known by numbers."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from fractions import Fraction
+from typing import TypeAlias
+
+from kinematics.expressions import (
+    Call,
+    Expression,
+    Function,
+    JointVariable,
+    Number,
+    joint_variables_in,
+)
+
+Rational: TypeAlias = int | Fraction
+Term: TypeAlias = tuple[Rational, tuple[int, ...]]
+Nested: TypeAlias = tuple[Term, ...]
+
+NOTHING: Nested = ()
+UNITY: Nested = ((1, ()),)
+MINUS: Nested = ((-1, ()),)
+
+NAME_BITS = 32
+PLACE_BITS = 16
+
+
+class Rank(IntEnum):
+    """The order of factors within a term."""
+
+    ROOT = 0
+    LENGTH = 1
+    SLIDER = 2
+    CONSTANT_ANGLE = 3
+    JOINT_ANGLE = 4
+    PARENTHESES = 5
+
+
+def place_of(expression: Expression) -> int:
+    """Where a symbol stands: by its rank, then by the first joint in it."""
+    joint = 0
+    match expression:
+        case Call(Function.SQRT, (Number(),)):
+            rank = Rank.ROOT
+        case JointVariable(joint):
+            rank = Rank.SLIDER
+        case Call(Function.SIN | Function.COS | Function.TAN):
+            joint = min(joint_variables_in(expression), default=0)
+            rank = Rank.JOINT_ANGLE if joint else Rank.CONSTANT_ANGLE
+        case _:
+            rank = Rank.LENGTH
+    return (rank << PLACE_BITS) + joint
+
+
+def rank_of(name: int) -> int:
+    """The rank of a factor, from its number."""
+    return name >> (PLACE_BITS + NAME_BITS)
+
+
+def _shared_factors(a: Nested) -> tuple[int, ...]:
+    """The factors that every term has, as often as every term has them."""
+    shared = list(a[0][1])
+    for _, factors in a[1:]:
+        if not shared:
+            break
+        left = list(factors)
+        kept = []
+        for name in shared:
+            if name in left:
+                left.remove(name)
+                kept.append(name)
+        shared = kept
+    return tuple(shared)
+
+
+def _shared_weight(a: Nested) -> Rational:
+    """The number that every term has up to sign; negative if all terms are."""
+    first = a[0][0]
+    size = first if first > 0 else -first
+    if any(weight not in (size, -size) for weight, _ in a):
+        size = 1
+    return size if any(weight > 0 for weight, _ in a) else -size
+
+
+def leads_negative(a: Nested) -> bool:
+    """Whether a sum without parentheses within looks better with the opposite sign: c4·c6 - s4·c5·s6."""
+    if any(factors and rank_of(factors[-1]) == Rank.PARENTHESES for _, factors in a):
+        return False
+    return min(a, key=lambda term: term[1])[0] < 0
+
+
+def stripped(a: Nested) -> tuple[Rational, tuple[int, ...], Nested]:
+    """What all terms share, a number and factors, and the sum that is left."""
+    weight = _shared_weight(a)
+    shared = _shared_factors(a)
+    if weight == -1:
+        a = tuple((-w, f) for w, f in a)
+    elif weight != 1:
+        a = tuple((plain(Fraction(w) / weight), f) for w, f in a)
+    if shared:
+        a = tuple((w, _without(f, shared)) for w, f in a)
+    return weight, shared, a
+
+
+def _without(factors: tuple[int, ...], shared: tuple[int, ...]) -> tuple[int, ...]:
+    left = list(factors)
+    for name in shared:
+        left.remove(name)
+    return tuple(left)
+
+
+def plain(value: Rational) -> Rational:
+    """A whole number as an int, whose arithmetic is faster."""
+    return int(value) if value == int(value) else value
