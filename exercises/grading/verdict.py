@@ -32,7 +32,8 @@ class Basis(StrEnum):
     """What a verdict rests on.
 
     PROVED: accepted; equation (1) of docs/checker.md holds identically in all joint variables and parameters.
-    VERIFIED: accepted; equation (1) holds at every sampled configuration, within the tolerance.
+    VERIFIED: accepted; equation (1) holds within the tolerance at every sampled configuration, and at the
+        worst that were found from there.
     REFUTED: rejected; no choice of frames makes equation (1) hold, or the policy excludes every one that
         does.
     """
@@ -147,8 +148,8 @@ class CertificateReport:
         tool: 4x4, E [translation in the submission's length unit].
         exact: the same in closed form, if the verdict is proved.
         parameters: values of the parameters for which the numbers above hold [the submission's units].
-        residual: largest difference found between the two sides: position relative to the robot's size, or
-            rotation [rad], whichever is larger.
+        residual: largest difference between the two sides that was found at any configuration: position
+            relative to the robot's size, or rotation [rad], whichever is larger.
         samples: number of configurations at which they were compared.
     """
 

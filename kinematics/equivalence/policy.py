@@ -70,7 +70,9 @@ class DirectionRule(StrEnum):
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Tolerance:
-    """How far the poses of two tables may be apart and still count as the same.
+    """How far the poses of two tables may be apart, at any configuration, and still count as the same.
+
+    The usual figures are what right angles typed as 1.57 need; `rounding_tolerance` gives those for others.
 
     Attributes:
         length: largest distance of the two end frames' origins, as a fraction of the robot's size [1].

@@ -124,7 +124,7 @@ class CertificateModel(Wire):
         description="values of the parameters for which the numbers above hold, in the submission's units"
     )
     residual: Real = Field(
-        description="largest difference of the two sides, relative to the robot's size or in rad"
+        description="largest difference of the two sides at any configuration, in rad or relative to the size"
     )
     samples: int = Field(description="configurations at which the two sides were compared")
 

@@ -55,6 +55,13 @@ def test_one_link_by_hand() -> None:
     assert tolerance.length == pytest.approx((0.005 + 0.005) / 2.0)
 
 
+def test_a_puma_to_three_decimals() -> None:
+    """The figures of docs/checker.md."""
+    tolerance = rounding_tolerance(PUMA, PUMA, length_step=1e-3, angle_step=1e-3)
+    assert tolerance.length == pytest.approx(0.0069, abs=5e-5)
+    assert tolerance.angle == pytest.approx(0.003)
+
+
 def test_finer_steps_leave_less() -> None:
     coarse = rounding_tolerance(PUMA, PUMA, length_step=1e-2, angle_step=1e-2)
     fine = rounding_tolerance(PUMA, PUMA, length_step=1e-3, angle_step=1e-3)

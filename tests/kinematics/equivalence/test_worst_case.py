@@ -15,12 +15,13 @@ from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.verification import residual
 from kinematics.equivalence.worst_case import worst_case
 from kinematics.table import DHTable, NumericTable
-from tests.kinematics.equivalence.campaign import MARGIN, size_beside, wrong_tables
+from tests.kinematics.equivalence.campaign import MARGIN, catalogue, size_beside, wrong_tables
 from tests.kinematics.equivalence.evaluation import evaluated
 from tests.kinematics.equivalence.generators import random_robot, random_valid_table, rounded
 from tests.kinematics.equivalence.tables import HALF, PUMA, P, R, changed, standard
 
 FREE = Policy(tool=ToolRule.FREE)
+STRICT = Policy(tool=ToolRule.FREE, tolerance=Tolerance(length=0.001, angle=0.001))
 WIDE = Policy(tool=ToolRule.FREE, tolerance=Tolerance(length=0.05, angle=0.05))
 
 
@@ -103,3 +104,22 @@ def test_keys_without_lengths_among_the_mutants(block: int) -> None:
     outcome = wrong_tables(block)
     assert outcome.failures == []
     assert outcome.confirmed == outcome.accepted > 0
+
+
+def right_angles_typed(table: NumericTable, decimals: int) -> NumericTable:
+    rows = tuple(replace(row, alpha=round(row.alpha, decimals)) for row in table.rows)
+    return DHTable(convention=table.convention, rows=rows)
+
+
+@pytest.mark.parametrize(("name", "key"), catalogue(), ids=[name for name, _ in catalogue()])
+def test_what_the_usual_tolerance_is_for(name: str, key: NumericTable) -> None:
+    """1.57 for a right angle is accepted, 1 % of the size in a length is not; docs/checker.md says so."""
+    assert decide(key, right_angles_typed(key, 2), FREE).accepted
+    assert decide(key, right_angles_typed(key, 4), STRICT).accepted
+    size = prepared(key).size
+    for i, row in enumerate(key.rows, start=1):
+        for cell in ("a", "d"):
+            matters = not decide(key, changed(key, i, **{cell: getattr(row, cell) + size}), FREE).accepted
+            for share, policy in ((0.01, FREE), (0.002, STRICT)):
+                longer = changed(key, i, **{cell: getattr(row, cell) + share * size})
+                assert decide(key, longer, policy).accepted is not matters
