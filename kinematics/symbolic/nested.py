@@ -65,8 +65,10 @@ class Arena:
         """The cosine and the sine of an angle."""
         known = self._circles.get(angle)
         if known is None:
-            cosine, sine = cosine_and_sine(angle)
-            known = self._circles[angle] = self.read(cosine), self.read(sine)
+            pair = cosine_and_sine(angle)
+            if not _is_cosine(pair[0]):
+                self.read(pair[1])  # c23 comes before s23, also where the cosine of an angle is s23
+            known = self._circles[angle] = self.read(pair[0]), self.read(pair[1])
         return known
 
     def read(self, expression: Expression) -> Nested:
@@ -193,14 +195,18 @@ class Arena:
         return sum(1 + sum(self._sizes.get(name, 1) for name in factors) for _, factors in a)
 
     def expression(self, a: Nested) -> Expression:
-        """The nested sum as an expression tree; parentheses that occur twice are one object."""
+        """The nested sum as an expression tree; parentheses that occur twice are one object.
+
+        A sum does not begin with a minus sign if it need not: negative terms before the first positive one
+        go to the end.
+        """
         if not a:
             return ZERO
         if len(a) == 1:
             return self._product(*a[0])
         first = next((i for i, (weight, _) in enumerate(a) if weight > 0), 0)
-        ordered = (a[first], *a[:first], *a[first + 1 :]) if first else a
-        return Sum(tuple(self._product(weight, factors) for weight, factors in ordered))
+        ordered = a[first:] + a[:first]
+        return Sum(tuple([self._product(weight, factors) for weight, factors in ordered]))
 
     def _product(self, weight: Rational, factors: tuple[int, ...]) -> Expression:
         known = self._products.get((weight, factors))
@@ -254,3 +260,8 @@ class Arena:
             radicand *= factor.arguments[0].value.numerator
         root, primes, _ = square_free(radicand)
         return root, (*((self._root(primes),) if primes else ()), *rest)
+
+
+def _is_cosine(expression: Expression) -> bool:
+    factor = expression.factors[-1] if isinstance(expression, Product) else expression
+    return isinstance(factor, Call) and factor.function is Function.COS
