@@ -106,12 +106,6 @@ def figure_geometry(instance: Instance) -> dict[str, object]:
     }
 
 
-def _ground(scene: Scene, metres: float) -> dict[str, object] | None:
-    if scene.ground is None:
-        return None
-    return {"at": [value * metres for value in scene.ground.at], "normal": list(scene.ground.normal)}
-
-
 def key_pose(instance: Instance) -> KeyPose:
     """How the key lies in the figure."""
     exercise = instance.exercise

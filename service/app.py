@@ -14,7 +14,6 @@ from starlette.routing import Match
 from exercises.loader import use_folders
 from kinematics.errors import Fault, KinematicsError
 from service import __version__, openapi
-from service.batches import Gate
 from service.edge import REQUEST_ID, Edge
 from service.errors import (
     PROBLEM_JSON,
@@ -26,7 +25,7 @@ from service.errors import (
     ServiceError,
     problem_of,
 )
-from service.grading_desk import GradingDesk
+from service.gates import gates
 from service.messages import language_for
 from service.preparation import Preparation
 from service.routes import routers
@@ -72,8 +71,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     )
     app.state.settings = settings
     app.state.preparation = Preparation(settings)
-    app.state.gate = Gate(settings)
-    app.state.grading_desk = GradingDesk(settings.grading_threads, settings.grading_queue)
+    app.state.gates = gates(settings)
     use_folders(settings.exercise_folders)
     app.state.workers = Workers(settings)
     found = [route for router in routers() for route in router.routes]

@@ -13,10 +13,11 @@ from pydantic import TypeAdapter
 from starlette.responses import Response
 
 from kinematics.errors import Fault
-from service.batches import BatchResponse, Gate
+from service.batches import BatchResponse
 from service.configurations import plain_configuration, read_array, read_joints
 from service.decoding import decode_json
 from service.errors import BodyError, Place, RequestError
+from service.gates import Work, gate_for
 from service.npy import read_npy
 from service.preparation import Preparation, Robot
 from service.routing import LARGE_BODY, NPY, ApiRequest, Written
@@ -141,8 +142,7 @@ async def answered(
         if check:
             check()
         return Written(b"".join(blocks()), media_type)
-    gate: Gate = request.scope["app"].state.gate
-    place = gate.enter()
+    place = gate_for(Work.BATCH, request).enter()
     try:
         if check:
             await place.run(check)

@@ -26,6 +26,7 @@ from kinematics.errors import Fault, KinematicsError
 from service.messages import sentence
 
 PROBLEM_JSON = "application/problem+json"
+RETRY_SECONDS = 2
 
 
 class Place(StrEnum):
@@ -94,6 +95,18 @@ class RequestError(ServiceError):
 
 class BusyError(ServiceError):
     """No place is free; the caller may try again later."""
+
+
+def busy() -> BusyError:
+    """The refusal of work for which there is no place."""
+    return BusyError(
+        Fault(
+            code="busy",
+            message=f"all places are taken; try again in {RETRY_SECONDS} s",
+            params={"seconds": RETRY_SECONDS},
+        ),
+        headers={"Retry-After": str(RETRY_SECONDS)},
+    )
 
 
 STATUS: dict[type[Exception], int] = {

@@ -24,12 +24,11 @@ from fastapi import FastAPI
 from pebble import ProcessExpired, ProcessPool
 
 from kinematics.errors import Fault
-from service.errors import BusyError, RequestError
+from service.errors import RequestError, busy
 from service.processes import process_context
 from service.settings import Settings
 from service.turns import take_short_turns
 
-RETRY_SECONDS = 2
 START_SECONDS = 20.0
 """What the first task of a lane may take longer, while its process starts."""
 
@@ -95,7 +94,7 @@ class _Processes:
 
     async def run(self, function: Callable[..., _Result], *arguments: Any) -> _Result:
         if self._taken >= self._places:
-            raise _busy()
+            raise busy()
         waits = self._taken >= self._processes
         self._taken += 1
         try:
@@ -104,7 +103,7 @@ class _Processes:
             return await asyncio.wait_for(asyncio.wrap_future(future), deadline)
         except TimeoutError:
             # The deadline is for waiting and running together; pebble kills the process of a running task.
-            raise _busy() if waits else _out_of_time(self._seconds) from None
+            raise busy() if waits else _out_of_time(self._seconds) from None
         except MemoryError:
             raise _out_of_memory(self._memory) from None
         except ProcessExpired:
@@ -161,17 +160,6 @@ def _confine(memory: int) -> None:
 
 def _nothing() -> None:
     """The task that starts a process."""
-
-
-def _busy() -> BusyError:
-    return BusyError(
-        Fault(
-            code="busy",
-            message=f"all places are taken; try again in {RETRY_SECONDS} s",
-            params={"seconds": RETRY_SECONDS},
-        ),
-        headers={"Retry-After": str(RETRY_SECONDS)},
-    )
 
 
 def _out_of_time(seconds: float) -> RequestError:

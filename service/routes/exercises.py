@@ -14,7 +14,7 @@ from exercises.drawings import key_pose
 from exercises.grader import Report, grade
 from exercises.instance import Instance
 from service.exercise_views import exercise_list, exercise_view, figure_file, instance_of
-from service.grading_desk import desk_of
+from service.gates import Work, gate_for
 from service.languages import language_of
 from service.openapi import problems, request_body
 from service.routing import JSON, ApiRequest, DirectRoute, api_router
@@ -81,7 +81,7 @@ async def show_figure(
     language = language_of(request)
     with known_exercise():
         instance = instance_of(exercise_id, seed)
-    figure = await desk_of(request).judge(partial(figure_file, instance, language))
+    figure = await gate_for(Work.DRAWING, request).run(partial(figure_file, instance, language))
     return _text(request, figure, language, SVG, {"Content-Security-Policy": _FIGURE_POLICY})
 
 
@@ -121,7 +121,7 @@ async def _judged(request: ApiRequest) -> tuple[Instance, Answer, Report]:
         answer = parse(instance, raw, limits)
         return instance, answer, grade(instance, answer, wire.help)
 
-    return await desk_of(request).judge(work)
+    return await gate_for(Work.GRADING, request).run(work)
 
 
 def _text(

@@ -10,7 +10,7 @@ from pydantic import TypeAdapter
 from exercises.grading import Verdict, accept, grade
 from kinematics.cells import read_table
 from service.errors import located
-from service.grading_desk import desk_of
+from service.gates import Work, gate_for
 from service.languages import language_of
 from service.openapi import problems, request_body
 from service.routing import ApiRequest, DirectRoute, Written, api_router
@@ -57,4 +57,4 @@ async def _verdict(request: ApiRequest) -> Verdict:
     if right is not None:
         return right
     work = partial(grade, reference, submission, policy, wire.parameters, wire.help)
-    return await desk_of(request).judge(work)
+    return await gate_for(Work.GRADING, request).run(work)
