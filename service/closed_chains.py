@@ -7,9 +7,6 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-import orjson
-
-from kinematics.errors import Fault, FormSizeError
 from kinematics.jacobian import JacobianFrame
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
 from kinematics.scm import (
@@ -22,6 +19,7 @@ from kinematics.scm import (
     verify,
 )
 from kinematics.symbolic import Matrix
+from service.closed_forms import written_out
 
 DEFAULT_FORMATS = (Format.TEXT, Format.LATEX)
 _QUICK_JOINTS = 8
@@ -97,14 +95,7 @@ def written_chain(task: ChainTask) -> bytes:
         written += matrices
     if task.notation is Notation.SHORT:
         answer["symbols"] = printer.symbols(written)
-    try:
-        return orjson.dumps(answer)
-    except orjson.JSONEncodeError as error:
-        if "ecursion" not in str(error):
-            raise
-        raise FormSizeError(
-            Fault(code="closed_form_too_deep", message="an entry is nested too deeply for JSON; ask for text")
-        ) from None
+    return written_out(answer)
 
 
 def _matrices(task: ChainTask) -> dict[str, Matrix | list[Matrix]]:

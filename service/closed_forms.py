@@ -93,6 +93,15 @@ def written_answer(task: Task) -> bytes:
     answer.update(_parts(task, write))
     if task.notation is Notation.SHORT:
         answer["symbols"] = printer.symbols(matrices)
+    return written_out(answer)
+
+
+def written_out(answer: Mapping[str, Any]) -> bytes:
+    """The matrices of an answer, written, as JSON.
+
+    Raises:
+        FormSizeError: an entry is nested too deeply for JSON.
+    """
     try:
         return orjson.dumps(answer)
     except orjson.JSONEncodeError as error:

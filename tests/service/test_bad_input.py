@@ -15,7 +15,7 @@ import pytest
 from service.messages import languages
 from service.schemas.examples import PUMA_560
 from service.settings import Settings
-from tests.service.conftest import running
+from tests.live_service import running
 
 FK = "/api/v1/forward-kinematics"
 JACOBIAN = "/api/v1/jacobian"

@@ -13,7 +13,7 @@ from fastapi import APIRouter
 
 import service.routes
 from service.settings import Settings
-from tests.service.conftest import running
+from tests.live_service import running
 from tests.service.test_bad_input import check_problem
 
 

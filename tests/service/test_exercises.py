@@ -17,7 +17,7 @@ from service.__main__ import main
 from service.schemas.examples_grading import ANSWERS, SCARA_BY_THE_BOOK
 from service.settings import Settings
 from tests.exercises.folders import folder
-from tests.service.conftest import running
+from tests.live_service import running
 
 LANGUAGES = ("en", "es", "fr", "pt", "ro", "uk")
 PUMA_BY_CRAIG = {

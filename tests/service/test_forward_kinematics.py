@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 from service.schemas.examples import PUMA_560
 from service.settings import Settings
+from tests.live_service import running
 from tests.service import oracle
-from tests.service.conftest import running
 
 PATH = "/api/v1/forward-kinematics"
 NPY = "application/x-npy"

@@ -18,7 +18,7 @@ from kinematics.expressions import evaluate
 from kinematics.printing import Format, from_tree
 from service.schemas.symbolic import PUMA_LENGTHS
 from service.settings import Settings
-from tests.service.conftest import running
+from tests.live_service import running
 
 VALUES = {"a2": 0.4318, "a3": 0.0203, "d3": 0.15005, "d4": 0.4318}
 JOINTS = [10.0, -35.0, 50.0, 120.0, 65.0, -20.0]

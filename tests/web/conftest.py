@@ -5,22 +5,17 @@ Where Chromium is missing, tests that need it are skipped with the reason; in CI
 
 from __future__ import annotations
 
-import contextlib
 import os
 import shutil
-import socket
-import threading
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-import uvicorn
 from playwright.sync_api import Browser, BrowserContext, Page, Response, sync_playwright
 
-from service.app import create_app
 from service.settings import Settings
+from tests.live_service import running
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
@@ -43,28 +38,10 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             item.add_marker(pytest.mark.xdist_group("web"))
 
 
-@contextlib.contextmanager
-def serving(settings: Settings) -> Iterator[str]:
-    """Serve on a free port in a thread; yields the origin."""
-    listener = socket.create_server(("127.0.0.1", 0))
-    config = uvicorn.Config(create_app(settings), log_level="warning", access_log=False, lifespan="on")
-    server = uvicorn.Server(config)
-    thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)
-    thread.start()
-    while not server.started and thread.is_alive():
-        time.sleep(0.005)
-    try:
-        yield f"http://127.0.0.1:{listener.getsockname()[1]}"
-    finally:
-        server.should_exit = True
-        thread.join(timeout=10)
-        listener.close()
-
-
 @pytest.fixture(scope="session")
 def web() -> Iterator[str]:
     """Origin of a running service that may be shown in any frame."""
-    with serving(Settings(frame_ancestors=("*",))) as origin:
+    with running(Settings(frame_ancestors=("*",))) as origin:
         yield origin
 
 

@@ -14,7 +14,8 @@ import pytest
 from service.settings import Settings
 from service.web.assets import Assets
 from service.web.shell import LANGUAGE_NAMES
-from tests.web.conftest import LANGUAGES, serving
+from tests.live_service import running
+from tests.web.conftest import LANGUAGES
 
 ADDRESS = re.compile(r'(?:href|src|action)="([^"]+)"')
 
@@ -73,7 +74,7 @@ def test_pages_allow_this_origin_only_and_set_no_cookie(client: httpx.Client, pa
 
 
 def test_frames_are_refused_where_the_settings_say_so() -> None:
-    with serving(Settings(frame_ancestors=("'self'", "https://lms.example.edu"))) as origin:
+    with running(Settings(frame_ancestors=("'self'", "https://lms.example.edu"))) as origin:
         policy = httpx.get(origin + "/").headers["content-security-policy"]
     assert policy.endswith("frame-ancestors 'self' https://lms.example.edu")
 
@@ -209,7 +210,7 @@ def test_messages_are_served_as_the_api_speaks_them(client: httpx.Client) -> Non
 
 @pytest.mark.parametrize("prefix", ["", "/dh", "/a/b"])
 def test_pages_name_no_prefix_and_need_none(prefix: str) -> None:
-    with serving(Settings(prefix=prefix)) as origin:
+    with running(Settings(prefix=prefix)) as origin:
         page = httpx.get(f"{origin}{prefix}/")
         assert page.status_code == 200
         assert prefix == "" or prefix not in page.text

@@ -14,7 +14,8 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from service.settings import Settings
-from tests.web.conftest import LANGUAGES, OpenPage, Watch, serving, wait_ready
+from tests.live_service import running
+from tests.web.conftest import LANGUAGES, OpenPage, Watch, wait_ready
 from tests.web.driving import PUMA, SCARA, cell, fill_table, put_table, share, submit, switch_language
 
 PAGES = ("/", "/exercises/puma560", "/exercises/scara", "/playground", "/trainer/puma560")
@@ -202,7 +203,7 @@ def test_a_page_in_a_frame_is_refused_where_the_settings_name_no_frame(
 ) -> None:
     watch.allow("frame-ancestors")
     watch.allow("ERR_BLOCKED_BY_RESPONSE")
-    with serving(Settings()) as service:
+    with running(Settings()) as service:
         (tmp_path / "course.html").write_text('<link rel=icon href="data:,"><iframe></iframe>')
         with other_origin(tmp_path) as origin:
             page = open_page("/course.html", origin=origin, lang=None, ready=False)
@@ -253,7 +254,7 @@ def test_a_lost_context_falls_back_to_svg(open_page: OpenPage) -> None:
 
 
 def test_everything_works_under_a_prefix(open_page: OpenPage) -> None:
-    with serving(Settings(prefix="/robotics/dh")) as origin:
+    with running(Settings(prefix="/robotics/dh")) as origin:
         page = open_page("/robotics/dh/", origin=origin)
         page.get_by_role("link", name="SCARA", exact=True).click()
         page.wait_for_url("**/robotics/dh/exercises/scara?lang=en")
