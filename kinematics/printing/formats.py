@@ -80,7 +80,10 @@ class MatrixPrinter:
         return self._answers[question]
 
     def symbols(self, matrices: Iterable[Matrix]) -> dict[str, str]:
-        """What the short names in some matrices stand for: c23 for cos(q2 + q3)."""
+        """What the short names in some matrices stand for: c23 for cos(q2 + q3).
+
+        With ten joints or more there are two names for one thing: c2,3 is typeset, c2_3 stands in text.
+        """
         entries = chain.from_iterable(chain.from_iterable(matrices))
         full, found = TextWriter(Names(), self._ledger), {}
         for number in self._ledger.under(self._ledger.numbers(entries)):
@@ -88,6 +91,8 @@ class MatrixPrinter:
             name = self._names.short(node)
             if name is not None:
                 found[name.plain] = full.text(node)
+                if name.is_sum:
+                    found[name.word] = full.text(node)
         return dict(sorted(found.items()))
 
     def _written(self, matrix: Entered, wanted: Sequence[Format], purpose: Purpose) -> dict[str, Any]:

@@ -6,7 +6,7 @@ import pytest
 
 from kinematics.catalogue import robots
 from kinematics.errors import FormSizeError
-from kinematics.expressions import number
+from kinematics.expressions import number, pi_times
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
 from kinematics.symbolic import closed_form, inverse, jacobian
 from kinematics.table import Convention, table_parameters
@@ -52,3 +52,15 @@ def test_the_legend_names_what_is_abbreviated() -> None:
         "s1": "sin(q1)",
         "s1-2": "sin(q1 - q2)",
     }
+
+
+def test_the_legend_has_the_names_of_every_format_when_joints_have_two_digits() -> None:
+    rows = [row(a=number(1), alpha=pi_times(i % 2)) for i in range(10)]
+    symbolic = table(Convention.STANDARD, row(a=number(1)), *rows)
+    printer = MatrixPrinter(n_joints=11, parameters=(), notation=Notation.SHORT)
+    matrix = closed_form(symbolic).frames[1]
+    written = printer.write(matrix, (Format.TEXT, Format.LATEX), Purpose(name="f", meaning="."))
+    legend = printer.symbols([matrix])
+    assert written["text"][0][0] == "c1_2"
+    assert "c_{1,2}" in written["latex"]
+    assert legend["c1_2"] == legend["c1,2"] == "cos(q1 + q2)"
