@@ -204,9 +204,16 @@ class Problem:
 
     @property
     def joint_scales(self) -> Matrix:
-        """What one unit of a step means in each joint's offset: a radian, or the robot's size."""
+        """What one unit of a step means in each joint's offset: a radian, or the robot's size.
+
+        Where B is free, it does all that the first offset could; with both free, frame 0 would wander about
+        the first axis.
+        """
         size = self.reference.size
-        return np.array([size if axis.prismatic else 1.0 for axis in self.submission.axes])
+        scales = np.array([size if axis.prismatic else 1.0 for axis in self.submission.axes])
+        if self.base_twists.shape[1] == FREE_TWISTS.shape[1]:
+            scales[:1] = 0.0
+        return scales
 
     def linearised(self, candidate: Candidate, *more: Matrix) -> Model:
         """The errors at a certificate, and how they change with it.

@@ -294,6 +294,15 @@ def test_three_mistakes_still_earn_something() -> None:
     assert {"twist_wrong", "length_wrong"} & set(codes(verdict))
 
 
+def test_rounded_entries_are_not_taken_for_other_frames() -> None:
+    values = {**VALUES, "d4": 0.4318}
+    rows = with_cells(PUMA, (2, 1, 0.43), (3, 1, 0.02), (3, 2, 0.15), (4, 2, 0.43))
+    verdict = grade(KEY, read("standard", rows), USUAL, values)
+    assert codes(verdict) == ["same_frames", "rounded"]
+    assert verdict.certificate is not None
+    assert verdict.certificate.joint_offsets[0] == 0.0
+
+
 def test_a_table_of_zeros_earns_nothing() -> None:
     zeros: Rows = [(0, 0, 0, f"q{i}") for i in range(1, 7)]
     verdict = grade(KEY, read("standard", zeros), USUAL)
