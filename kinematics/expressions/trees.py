@@ -1,21 +1,13 @@
-"""Exact expressions: what a cell of a DH table holds and what a closed form is made of.
-
-An expression is an immutable tree. The constructors `add`, `multiply`, `power` and `call` fold what is exact
-(rational numbers, rational multiples of π, nested sums and products) and leave the rest as written, so a
-lecturer's `L1*cos(alpha)` stays what it is. Angles are in radians: a degree never gets this far.
-"""
+"""The nodes of an expression, and the constructors that fold what is exact."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 from typing import TypeAlias
-
-from kinematics.angles import cos_sin
-from kinematics.errors import Fault, ParameterError
 
 
 class Function(StrEnum):
@@ -104,18 +96,6 @@ ZERO = Number(Fraction(0))
 ONE = Number(Fraction(1))
 MINUS_ONE = Number(Fraction(-1))
 PI = Pi()
-
-_FUNCTIONS: dict[Function, Callable[..., float]] = {
-    Function.SQRT: math.sqrt,
-    Function.SIN: lambda angle: cos_sin(angle)[1],
-    Function.COS: lambda angle: cos_sin(angle)[0],
-    Function.TAN: math.tan,
-    Function.ASIN: math.asin,
-    Function.ACOS: math.acos,
-    Function.ATAN: math.atan,
-    Function.ATAN2: math.atan2,
-    Function.ABS: abs,
-}
 
 
 def number(value: int | Fraction | str) -> Number:
@@ -217,92 +197,6 @@ def call(function: Function, *arguments: Expression) -> Expression:
             if root * root == value:
                 return Number(root)
     return Call(function, arguments)
-
-
-def evaluate(
-    expression: Expression, parameters: Mapping[str, float] | None = None, joints: Sequence[float] = ()
-) -> float:
-    """Numerical value of an expression.
-
-    Args:
-        expression: what to evaluate.
-        parameters: value of each parameter by name [m or rad].
-        joints: q_1 … q_n [rad or m].
-
-    Raises:
-        ParameterError: a parameter has no value, or the value does not exist (1/0, sqrt(-1)) or is infinite.
-    """
-    try:
-        if type(expression) is Number:  # what most cells hold
-            return expression.value.numerator / expression.value.denominator
-        value = _value(expression, parameters or {}, joints)
-    except KeyError as missing:
-        name = str(missing.args[0])
-        raise ParameterError(
-            Fault(
-                code="parameter_missing",
-                message=f"the parameter {name} has no value",
-                where=("parameters", name),
-                params={"name": name},
-            )
-        ) from None
-    except (ValueError, ZeroDivisionError, OverflowError, TypeError):
-        value = math.nan
-    if isinstance(value, complex) or not math.isfinite(value):
-        raise ParameterError(
-            Fault(code="value_undefined", message="the expression has no finite value for these parameters")
-        )
-    return value
-
-
-def parameters_in(expression: Expression) -> frozenset[str]:
-    """Names of the parameters that an expression contains."""
-    return frozenset(node.name for node in walk(expression) if isinstance(node, Parameter))
-
-
-def joint_variables_in(expression: Expression) -> frozenset[int]:
-    """Indices of the joint variables that an expression contains."""
-    return frozenset(node.index for node in walk(expression) if isinstance(node, JointVariable))
-
-
-def walk(expression: Expression) -> Iterator[Expression]:
-    """Every node of the tree, the root first."""
-    stack = [expression]
-    while stack:
-        node = stack.pop()
-        yield node
-        stack.extend(_children(node))
-
-
-def _children(node: Expression) -> tuple[Expression, ...]:
-    match node:
-        case Sum(children) | Product(children) | Call(_, children):
-            return children
-        case Power(base, _):
-            return (base,)
-    return ()
-
-
-def _value(node: Expression, parameters: Mapping[str, float], joints: Sequence[float]) -> float:
-    match node:
-        case Number(value):
-            return value.numerator / value.denominator
-        case Pi():
-            return math.pi
-        case Parameter(name):
-            return parameters[name]
-        case JointVariable(index):
-            return joints[index - 1]
-        case Sum(terms):
-            return sum(_value(term, parameters, joints) for term in terms)
-        case Product((Number(value), Pi())):
-            return math.pi * value.numerator / value.denominator
-        case Product(factors):
-            return math.prod(_value(factor, parameters, joints) for factor in factors)
-        case Power(base, exponent):
-            return float(_value(base, parameters, joints) ** (exponent.numerator / exponent.denominator))
-        case Call(function, arguments):
-            return _FUNCTIONS[function](*(_value(argument, parameters, joints) for argument in arguments))
 
 
 def _flat_terms(terms: Iterable[Expression]) -> Iterator[Expression]:
