@@ -105,7 +105,7 @@ def main() -> int:
     arguments = vars(parser.parse_args())
     asked = {name: arguments[name] for name in CAMPAIGNS if arguments[name] is not None}
     counts = asked or {name: usual for name, (_, usual) in CAMPAIGNS.items()}
-    results = [run(name, n, arguments["jobs"], arguments["first_block"]) for name, n in counts.items()]
+    results = [run(name, n, arguments["jobs"], arguments["first_block"]) for name, n in counts.items() if n]
     return 0 if all(results) else 1
 
 
