@@ -108,10 +108,8 @@ async def answered(
         question: what the answer is kept under.
         write: what the worker does.
     """
-    state = request.app.state
-    workers: Workers = state.workers
     lane = Lane.QUICK if task.is_quick() else Lane.SLOW
-    answer = await workers.run(lane, write, task)
+    answer = await workers_of(request).run(lane, write, task)
     kept_answers(request).keep(question, answer)
     return Written(answer)
 
@@ -136,10 +134,17 @@ async def symbolic_jacobian(request: ApiRequest, body: Mapping[str, Any]) -> Wri
     known = kept_answers(request).recall(question)
     if known is not None:
         return Written(known)
-    wire = validated(_JACOBIAN, body)
-    frames = (wire.frame,) if wire.frame else tuple(JacobianFrame)
-    task = task_of(wire, request.settings, parts=(Part.JACOBIAN,), frames=frames)
+    async with workers_of(request).preparation:
+        wire = validated(_JACOBIAN, body)
+        frames = (wire.frame,) if wire.frame else tuple(JacobianFrame)
+        task = task_of(wire, request.settings, parts=(Part.JACOBIAN,), frames=frames)
     return await answered(request, task, question, written_jacobians)
+
+
+def workers_of(request: ApiRequest) -> Workers:
+    """The application's worker processes."""
+    workers: Workers = request.app.state.workers
+    return workers
 
 
 def kept_answers(request: ApiRequest) -> KeptAnswers:

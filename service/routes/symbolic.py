@@ -8,7 +8,7 @@ from pydantic import TypeAdapter
 from service.openapi import problems, request_body
 from service.routing import JSON, ApiRequest, DirectRoute, Written, api_router
 from service.schemas.symbolic import SYMBOLIC, SymbolicAnswer, SymbolicRequest
-from service.symbolic import answered, kept_answers, task_of
+from service.symbolic import answered, kept_answers, task_of, workers_of
 from service.validation import validated
 
 router = api_router("kinematics", route_class=DirectRoute)
@@ -39,5 +39,7 @@ async def symbolic(request: ApiRequest) -> Response:
     known = kept_answers(request).recall(question)
     if known is not None:
         return Written(known)
-    wire = validated(_REQUEST, body)
-    return await answered(request, task_of(wire, request.settings, parts=wire.wanted()), question)
+    async with workers_of(request).preparation:
+        wire = validated(_REQUEST, body)
+        task = task_of(wire, request.settings, parts=wire.wanted())
+    return await answered(request, task, question)
