@@ -149,6 +149,8 @@ def feedback_of(
     else:
         told.append(Feedback(code="right_robot" if told_from(level, HelpLevel.ROW) else "not_accepted"))
     told += _about_the_whole(decision, key, table, policy, level)
+    if not repairs and told_from(level, HelpLevel.ROW) and _lacks_precision(decision):
+        told.append(Feedback(code="entries_imprecise"))
     if told_from(level, HelpLevel.ROW):
         told += _in_place(wrong, repairs, table, level)
     return tuple(told)
@@ -209,6 +211,11 @@ def _about_the_whole(
             yield Feedback(code="mirrored")
         elif told_from(level, HelpLevel.ROW) and (rule := _rule(mismatch, policy)):
             yield Feedback(code=rule)
+
+
+def _lacks_precision(decision: Decision) -> bool:
+    """Whether every fact is right by itself, and only their small errors together are too much."""
+    return [mismatch.kind for mismatch in decision.mismatches] == [Kind.PRECISION]
 
 
 def _rule(mismatch: Mismatch, policy: Policy) -> str | None:

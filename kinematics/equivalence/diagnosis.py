@@ -48,14 +48,12 @@ class Trail:
         here: the motion of the submission so far.
         mismatches: the wrong facts.
         signs: the signs taken.
-        worst: the largest misfit in units of what counts as wrong, and the joint at which it was.
     """
 
     cost: float
     here: Motion
     mismatches: tuple[Mismatch, ...]
     signs: tuple[int, ...]
-    worst: tuple[float, int] = (0.0, 1)
 
 
 def diagnose(
@@ -63,7 +61,7 @@ def diagnose(
 ) -> tuple[Mismatch, ...]:
     """The smallest set of wrong facts that explains a submission with as many joints as the reference.
 
-    If every fact is right by itself, but not all together, the one that is least so.
+    If every fact is right by itself, but not all together, their precision is what is wrong.
 
     Args:
         reference: the reference.
@@ -79,7 +77,7 @@ def diagnose(
             if best is None or trail.cost < best.cost:
                 best = trail
     assert best is not None
-    mismatches = best.mismatches or (Mismatch(kind=Kind.LENGTH, joint=best.worst[1]),)
+    mismatches = best.mismatches or (Mismatch(kind=Kind.PRECISION),)
     return tuple(_placed(mismatch, table) for mismatch in mismatches)
 
 
@@ -130,9 +128,8 @@ def _onward(trail: Trail, step: Step, axis: Axis, sign: int, judge: _Judge) -> T
         gap = subtract(gap, scale(target.direction, dot(gap, target.direction)))
         here = compose(translation(gap), here)
     small_change = 1e-3 * strain / (1.0 + strain) + (1e-6 if sign < 0 else 0.0)
-    worst = max(trail.worst, (strain, len(trail.signs) + 1))
     mismatches = (*trail.mismatches, *wrong)
-    return Trail(trail.cost + len(wrong) + small_change, here, mismatches, (*trail.signs, sign), worst)
+    return Trail(trail.cost + len(wrong) + small_change, here, mismatches, (*trail.signs, sign))
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,6 +17,7 @@ from kinematics.table import NumericTable
 SAMPLES = 64
 EXACTLY = 1e-9
 LOOSELY = 2.0
+SLIDING = (0.0, 0.4, 2.0)
 
 _PRIMES = [p for p in range(2, 400) if all(p % k for k in range(2, int(p**0.5) + 1))]
 
@@ -79,14 +80,13 @@ class Reference:
     def nearnesses(self, tolerance: Tolerance) -> tuple[Nearness, ...]:
         """Which axes count as parallel or meeting: those that do exactly; those within the tolerance.
 
-        And, for what may slide along them, those so nearly parallel that a displacement within the tolerance
-        would slide it by the robot's size.
+        And, for what may slide along them, those so nearly parallel that a displacement within the tolerance,
+        or a smaller one, slides it by about the robot's size.
         """
         angle, length = LOOSELY * tolerance.angle, LOOSELY * tolerance.length
         return (
             Nearness(EXACTLY, EXACTLY * self.size, EXACTLY),
-            Nearness(angle, length * self.size, angle),
-            Nearness(angle, length * self.size, max(angle, length)),
+            *(Nearness(angle, length * self.size, max(angle, share * tolerance.length)) for share in SLIDING),
         )
 
 

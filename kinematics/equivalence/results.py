@@ -10,7 +10,10 @@ from kinematics.links import Transform
 
 
 class Kind(StrEnum):
-    """What kind of fact does not fit."""
+    """What kind of fact does not fit.
+
+    PRECISION: none by itself, but their small errors add up to more than the tolerance.
+    """
 
     JOINT_COUNT = "joint_count"
     JOINT_TYPE = "joint_type"
@@ -23,6 +26,7 @@ class Kind(StrEnum):
     TOOL = "tool"
     ZERO = "zero"
     DIRECTION = "direction"
+    PRECISION = "precision"
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -496,3 +496,18 @@ def test_a_tight_tolerance_holds_typed_angles_to_their_decimals() -> None:
 def test_equal_requests_get_the_same_verdict() -> None:
     answer = read("standard", with_cells(PUMA, (3, 0, 0)))
     assert grade(KEY, answer, USUAL, VALUES) is grade(KEY, answer, USUAL, dict(reversed(VALUES.items())))
+
+
+def test_entries_that_are_right_one_by_one_but_too_imprecise() -> None:
+    """No length and no angle is accused where all that is wrong is 1.57 under a strict tolerance."""
+    strict = Policy(tolerance=Tolerance(length=0.001, angle=0.001))
+    typed = with_cells(PUMA, (1, 0, 1.57), (3, 0, -1.57), (4, 0, 1.57), (5, 0, -1.57))
+    assert grade(KEY, read("standard", typed), USUAL).correct
+    verdict = grade(KEY, read("standard", typed), strict)
+    assert not verdict.correct
+    assert verdict.repairs == ()
+    assert codes(verdict) == ["not_equivalent", "entries_imprecise"]
+    assert {finding for link in verdict.links for finding in (link.length, link.twist)} == {Finding.OK}
+    assert verdict.score >= 0.8
+    told = grade(KEY, read("standard", typed), strict, help_level=HelpLevel.VERDICT)
+    assert codes(told) == ["not_equivalent"]
