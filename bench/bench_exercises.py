@@ -18,8 +18,9 @@ One worker, 32 connections kept open, `wrk` on the same machine, rounds in turns
 endpoint* is `async def empty(): return {}` of the same application, sent the same bodies. Every answer is a
 right table of the PUMA 560 in Craig's modified form against a key in standard form. *The same answer* is
 one table again and again, as a class hands in what stands in the book; *new answers* differ from one
-another in a number, so that each is read, decided and (in the second row) proved anew. The bar for right
-answers is 800 requests/s or a quarter of the empty endpoint's rate; it is stated here as that quarter.
+another in a number, so that each is decided, verified and proved anew (of its rows, those that nobody has
+handed in before are read anew). The bar for right answers is 800 requests/s or a quarter of the empty
+endpoint's rate; it is stated here as that quarter.
 
 The last rows are in process: the figure of an exercise, drawn and laid out, beside grading one new right
 answer.
