@@ -94,6 +94,16 @@ CATALOGUE: tuple[Misconception, ...] = (
     Misconception(
         code="parameter_misnamed", story="used a name that is not in the figure", changes=parameter_misnamed
     ),
+    Misconception(
+        code="cell_in_degrees",
+        story="typed one angle in degrees in a table in radians",
+        changes=angle_in_degrees,
+    ),
+    Misconception(
+        code="cell_in_radians",
+        story="typed one angle in radians in a table in degrees",
+        changes=angle_in_radians,
+    ),
     Misconception(code="alpha_sign", story="turned a twist the wrong way", changes=alpha_sign),
     Misconception(code="alpha_value", story="took a twist for another one", changes=alpha_value),
     Misconception(
@@ -123,16 +133,6 @@ CATALOGUE: tuple[Misconception, ...] = (
         story="left an offset out, put one in, or took the wrong one",
         changes=offset_value,
         told_as=OFFSET_STORIES,
-    ),
-    Misconception(
-        code="cell_in_degrees",
-        story="typed one angle in degrees in a table in radians",
-        changes=angle_in_degrees,
-    ),
-    Misconception(
-        code="cell_in_radians",
-        story="typed one angle in radians in a table in degrees",
-        changes=angle_in_radians,
     ),
     Misconception(
         code="theta_value",

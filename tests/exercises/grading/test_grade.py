@@ -244,6 +244,13 @@ def test_a_mistake_is_named_and_placed(rows: Rows, code: str, row: int | None) -
         assert not {str(v) for v in edit.params.values()} & {"0.4318", "0.0203", "0.15005", "0.35"}
 
 
+@pytest.mark.parametrize("degrees", [-90, 180])
+def test_degrees_in_a_table_in_radians_are_told_before_another_angle(degrees: int) -> None:
+    key = read("standard", with_cells(PUMA, (3, 0, "-pi/2" if degrees < 0 else "pi")))
+    verdict = grade(key, read("standard", with_cells(PUMA, (3, 0, degrees))), USUAL, VALUES)
+    assert verdict.repairs[0].edits[0].code == "cell_in_degrees"
+
+
 def test_a_missing_row() -> None:
     short = [PUMA[0], *[(*row[:3], f"q{k}") for k, row in enumerate(PUMA[2:], 2)]]
     verdict = grade(KEY, read("standard", short), USUAL, VALUES)
