@@ -66,7 +66,7 @@ exercise: $(VENV)/.runtime ## start an exercise: NEW=id and ROBOT=id, TABLE=, AX
 check-exercises: $(VENV)/.runtime ## let exercises test themselves: SEEDS=50 students each (ONLY="puma560 scara": some)
 	$(PY) -m exercises check $(ONLY) --seeds $(or $(SEEDS),50)
 
-campaign: $(VENV)/.dev ## the checker against two million tables, valid and wrong (hours; ARGS="--valid 100000": some)
+campaign: $(VENV)/.dev ## the checker against two million tables, valid and wrong (half an hour; ARGS="--valid 100000": some)
 	$(PY) -m tests.kinematics.equivalence $(ARGS)
 
 browser: ## Chromium for the end-to-end tests (Debian; needs root)

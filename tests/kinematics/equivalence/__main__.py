@@ -70,8 +70,10 @@ def run(name: str, tables: int, jobs: int, first: int) -> bool:
 
 def keeps_its_bar(name: str, total: Outcome) -> bool:
     """Whether a campaign came out as it must."""
+    if not total.tables:
+        return False
     if name == "mended":
-        return total.tables > 0 and min(total.mended, total.right_row) >= LEAST_SHARE * total.tables
+        return min(total.mended, total.right_row) >= LEAST_SHARE * total.tables
     return not total.failures and (name != "valid" or total.residual <= LARGEST_RESIDUAL)
 
 
@@ -81,18 +83,21 @@ def summary(name: str, total: Outcome) -> str:
         sum(failure.startswith(what) for failure in total.failures) for what in ("rejected", "certificate")
     )
     if name == "mended":
+        tried = max(total.tables, 1)
         return (
             f"{total.tables} wrong tables with one mistake, {total.mended} mended by one edit "
-            f"({total.mended / total.tables:.2%}), {total.right_row} of them in the right row "
-            f"({total.right_row / total.tables:.2%}); {total.accepted} more were right in spite of it"
+            f"({total.mended / tried:.2%}), {total.right_row} in the right row "
+            f"({total.right_row / tried:.2%}); {total.accepted} more were right in spite of it"
         )
     told = f"{total.tables} tables, {total.accepted} accepted"
     if name != "wrong":
         told += f", {rejected} rejected"
-    told += f"; largest residual {total.residual:.1e}; {total.confirmed} certificates evaluated afresh stand"
     if total.left_out:
-        told += f"; {total.left_out} left out ({total.left_out / (total.tables + total.left_out):.2%})"
-    return f"{told}, {contradicted} do not"
+        told += f", {total.left_out} left out ({total.left_out / (total.tables + total.left_out):.3%})"
+    return (
+        f"{told}; largest residual {total.residual:.1e}; of the certificates evaluated afresh "
+        f"{total.confirmed} stand, {contradicted} do not"
+    )
 
 
 def main() -> int:
