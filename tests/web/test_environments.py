@@ -74,6 +74,22 @@ def test_every_page_in_every_language_fits_a_small_phone(open_page: OpenPage, pa
         assert not re.search(r"\b(form|playground|trainer)-[a-z]|undefined|\[object|NaN", visible)
 
 
+@pytest.mark.parametrize("language", ["fr", "uk"])
+def test_what_is_open_refused_and_judged_fits_a_small_phone(open_page: OpenPage, language: str) -> None:
+    page = open_page("/exercises/puma560", lang=language, width=320, height=600)
+    put_table(page, {**PUMA, "rows": [{**row, "a": "a2*(", "d": ""} for row in PUMA["rows"]]})
+    page.locator("button[type=submit].primary").click()
+    expect(page.locator(".editor-summary")).to_be_focused()
+    assert overflow(page) == []
+    put_table(page, {**PUMA, "rows": [{**row, "alpha": "45"} for row in PUMA["rows"]]})
+    page.evaluate("for (const each of document.querySelectorAll('main details')) each.open = true")
+    expect(page.locator("#part-schematic select").first).to_be_visible()
+    assert overflow(page) == []
+    submit(page)
+    expect(page.locator(".links-table")).to_be_visible()
+    assert overflow(page) == []
+
+
 @pytest.mark.parametrize("path", PAGES)
 def test_every_target_is_large_enough(open_page: OpenPage, path: str) -> None:
     """WCAG 2.5.8: 24 px, apart from links inside sentences."""
@@ -137,6 +153,7 @@ def test_an_exercise_is_graded_inside_a_frame_of_another_origin(
         put_table(inner, SCARA)
         inner.locator("button[type=submit].primary").click()
         expect(inner.locator("#verdict")).to_contain_text("Your table describes this robot.")
+        inner.locator("#own robot-scene").scroll_into_view_if_needed()
         expect(inner.locator("#own robot-scene")).to_have_attribute("data-renderer", "webgl")
         expect(inner.locator(".meaning math").first).to_be_visible()
         if sandbox == "no origin":  # elsewhere it is the browser's business
@@ -304,7 +321,7 @@ def test_the_scene_is_turned_with_the_keyboard(open_page: OpenPage) -> None:
     put_table(page, SCARA)
     view = page.locator("#own .scene-view")
     label = page.locator("#own .scene-label").first
-    expect(label).to_be_attached()
+    expect(page.locator("#own robot-scene")).to_have_attribute("data-drawn", re.compile(r"\d"))
     places = [label.get_attribute("style")]
     view.focus()
     for key in ("ArrowLeft", "ArrowUp", "+", "Shift+ArrowRight", "-"):

@@ -42,4 +42,4 @@ def test_from_an_empty_form_to_full_marks(open_page: OpenPage, exercise: str) ->
     expect(page.locator("#verdict")).to_contain_text("Your table describes this robot.")
     expect(page.locator("#verdict")).to_contain_text("100 of 100 points.")
     expect(page.locator("#verdict robot-scene")).to_be_visible()
-    expect(page.locator("#history .badge.good")).to_have_text("100 %")
+    expect(page.locator("#history .badge.good")).to_have_text("100 of 100 points")

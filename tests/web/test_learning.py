@@ -43,6 +43,26 @@ def test_a_wrong_answer_is_repaired_from_its_feedback(open_page: OpenPage) -> No
     expect(page.locator("#history li")).to_have_count(2)
 
 
+def test_a_student_may_ask_for_less_help(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    choice = page.get_by_label("If my answer is wrong, tell me")
+    expect(choice).to_have_value("repair")
+    choice.select_option("verdict")
+    put_table(page, wrong(dict(SCARA), 1, a="a3"))
+    verdict = submit(page)
+    expect(verdict).to_contain_text("Your table describes another robot.")
+    expect(verdict.locator(".links-table, .repairs")).to_have_count(0)
+    page.reload()
+    expect(choice).to_have_value("verdict")
+    choice.select_option("row")
+    verdict = submit(page)
+    expect(verdict.locator(".links-table, .feedback .row-link")).not_to_have_count(0)
+    expect(verdict.locator(".repairs")).to_have_count(0)
+    choice.select_option("repair")
+    verdict = submit(page)
+    expect(verdict.locator(".repairs")).not_to_have_count(0)
+
+
 def test_a_right_answer_says_how_its_frames_differ_and_shows_both_robots(open_page: OpenPage) -> None:
     page = open_page("/exercises/scara")
     # z of the third frame points down: joint 3 counts the other way.
@@ -224,7 +244,24 @@ def test_parts_may_be_handed_in_without_the_table(open_page: OpenPage) -> None:
     verdict = submit(page)
     assert share(page) == "100 %"
     expect(verdict).to_contain_text("Everything that you handed in is right.")
-    expect(verdict).to_contain_text("10 of 100 points.")
+    expect(verdict).to_contain_text("10 of 10 points for what you handed in; the exercise has 100.")
+
+
+def test_what_is_not_chosen_is_asked_for_before_anything_is_sent(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    put_table(page, SCARA)
+    part = open_part(page, "schematic")
+    part.get_by_label("Joint 1", exact=True).select_option("revolute")
+    asked: list[Request] = []
+    page.on("request", lambda request: asked.append(request) if request.url.endswith("/grade") else None)
+    page.locator("button[type=submit].primary").click()
+    second = part.get_by_label("Joint 2", exact=True)
+    expect(second).to_be_focused()
+    expect(second).to_have_accessible_description("Choose one.")
+    second.select_option("revolute")
+    expect(second).to_have_accessible_description("")
+    assert asked == []
+    expect(page.locator("#history-card")).to_be_hidden()
 
 
 def test_a_wrong_part_leads_to_its_fields(open_page: OpenPage) -> None:

@@ -92,6 +92,32 @@ def test_an_arrow_can_be_clicked(open_page: OpenPage) -> None:
     expect(page.locator("fieldset.choices").first.locator("input").nth(2)).to_be_checked()
 
 
+def test_a_choice_goes_on_to_what_is_to_be_chosen_next(open_page: OpenPage) -> None:
+    page = open_page("/trainer/scara")
+    ready(page)
+    groups = page.locator("fieldset.choices")
+    for part in range(2):
+        expect(groups.nth(part)).to_have_class(re.compile("current"))
+        groups.nth(part).locator("label.choice").first.click()
+    expect(groups.nth(2)).to_have_class(re.compile("current"))
+    expect(groups.nth(1).locator("input").first).to_be_focused()
+    groups.nth(0).locator("input").first.focus()
+    expect(groups.nth(0)).to_have_class(re.compile("current"))
+
+
+def test_a_point_can_be_clicked(open_page: OpenPage) -> None:
+    page = open_page("/trainer/scara")
+    ready(page)
+    candidate(page, 0, "along axis 1")
+    scene = page.locator("robot-scene")
+    label = scene.locator(".scene-label.tone-pick", has_text=re.compile("^2$"))
+    expect(label).to_be_visible()
+    box = label.bounding_box()
+    assert box is not None
+    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    expect(page.locator("fieldset.choices").nth(1).locator("input").nth(1)).to_be_checked()
+
+
 def test_everything_by_keyboard(open_page: OpenPage) -> None:
     page = open_page("/trainer/onelink")
     ready(page)

@@ -18,7 +18,7 @@ trainer-status =
         [one] Se incumple una regla.
        *[other] Se incumplen { $broken } reglas.
     }
-trainer-open = Abrir la tabla en el laboratorio
+trainer-open = Abrir la tabla en el taller
 trainer-step = Sistema { $frame }: { $state }
 trainer-state-open = sin terminar
 trainer-state-whole = completo
@@ -30,7 +30,7 @@ trainer-opposite = opuesto:
 trainer-candidate-foot = sobre el eje { $axis }, al pie de la normal al eje { $other }
 trainer-candidate-intersection = donde se cortan los ejes { $axis } y { $other }
 trainer-candidate-level = sobre el eje { $axis }, a la altura del origen del sistema { $frame }
-trainer-candidate-axis_point = el punto por el que se da el eje { $axis }
+trainer-candidate-axis_point = sobre el eje { $axis }, donde está dibujada la articulación
 trainer-candidate-base = como en el sistema de base dado
 trainer-candidate-tool = como en el sistema de herramienta dado
 trainer-candidate-coordinates =

@@ -18,7 +18,7 @@ trainer-status =
         [one] Une règle est enfreinte.
        *[other] { $broken } règles sont enfreintes.
     }
-trainer-open = Ouvrir le tableau dans le laboratoire
+trainer-open = Ouvrir le tableau dans l’atelier
 trainer-step = Repère { $frame } : { $state }
 trainer-state-open = inachevé
 trainer-state-whole = complet
@@ -30,7 +30,7 @@ trainer-opposite = opposé :
 trainer-candidate-foot = sur l’axe { $axis }, au pied de la normale à l’axe { $other }
 trainer-candidate-intersection = où les axes { $axis } et { $other } se rencontrent
 trainer-candidate-level = sur l’axe { $axis }, au niveau de l’origine du repère { $frame }
-trainer-candidate-axis_point = le point par lequel l’axe { $axis } est donné
+trainer-candidate-axis_point = sur l’axe { $axis }, là où l’articulation est dessinée
 trainer-candidate-base = comme dans le repère de base donné
 trainer-candidate-tool = comme dans le repère d’outil donné
 trainer-candidate-coordinates =

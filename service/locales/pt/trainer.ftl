@@ -18,7 +18,7 @@ trainer-status =
         [one] Uma regra violada.
        *[other] { $broken } regras violadas.
     }
-trainer-open = Abrir a tabela no laboratório
+trainer-open = Abrir a tabela na oficina
 trainer-step = Referencial { $frame }: { $state }
 trainer-state-open = por terminar
 trainer-state-whole = completo
@@ -30,7 +30,7 @@ trainer-opposite = oposto:
 trainer-candidate-foot = no eixo { $axis }, no pé da normal ao eixo { $other }
 trainer-candidate-intersection = onde os eixos { $axis } e { $other } se encontram
 trainer-candidate-level = no eixo { $axis }, ao nível da origem do referencial { $frame }
-trainer-candidate-axis_point = o ponto pelo qual o eixo { $axis } é dado
+trainer-candidate-axis_point = no eixo { $axis }, onde está desenhada a junta
 trainer-candidate-base = como no referencial de base dado
 trainer-candidate-tool = como no referencial de ferramenta dado
 trainer-candidate-coordinates =

@@ -19,7 +19,7 @@ trainer-status =
         [few] { $broken } reguli sunt încălcate.
        *[other] { $broken } de reguli sunt încălcate.
     }
-trainer-open = Deschide tabelul în laborator
+trainer-open = Deschide tabelul în atelier
 trainer-step = Sistemul { $frame }: { $state }
 trainer-state-open = neterminat
 trainer-state-whole = complet
@@ -31,7 +31,7 @@ trainer-opposite = opus:
 trainer-candidate-foot = pe axa { $axis }, la piciorul perpendicularei pe axa { $other }
 trainer-candidate-intersection = unde se întâlnesc axele { $axis } și { $other }
 trainer-candidate-level = pe axa { $axis }, la nivelul originii sistemului { $frame }
-trainer-candidate-axis_point = punctul prin care este dată axa { $axis }
+trainer-candidate-axis_point = pe axa { $axis }, unde este desenată cupla
 trainer-candidate-base = ca în sistemul de bază dat
 trainer-candidate-tool = ca în sistemul sculei dat
 trainer-candidate-coordinates =

@@ -1,36 +1,36 @@
-# Чому відхилено комірку, таблицю або параметр.
+# Чому відхилено клітинку, таблицю або параметр.
 
-error-cell_empty = Ця комірка порожня. Напишіть 0 там, де нічого немає.
-error-cell_not_a_value = Комірка містить число або вираз у вигляді тексту, а не { $kind }.
-error-cell_too_long = У цій комірці { $length } символів; читається щонайбільше { $limit }.
-error-cell_too_deep = Вкладеність у цій комірці перевищує { $limit } рівнів.
-error-cell_too_many_symbols = У цій комірці понад { $limit } різних імен.
+error-cell_empty = Ця клітинка порожня. Напишіть 0 там, де нічого немає.
+error-cell_not_a_value = Клітинка містить число або вираз у вигляді тексту, а не { $kind }.
+error-cell_too_long = У цій клітинці { $length } символів; читається щонайбільше { $limit }.
+error-cell_too_deep = Вкладеність у цій клітинці перевищує { $limit } рівнів.
+error-cell_too_many_symbols = У цій клітинці понад { $limit } різних імен.
 
-error-character_not_allowed = Символ { $column }: { $character } не має змісту в комірці.
+error-character_not_allowed = Символ { $column }: { $character } не має змісту в клітинці.
 error-character_invisible = Символ { $column }: тут невидимий або керівний символ ({ $character }). Вилучіть його.
 error-character_lookalike = Символ { $column }: { $character } лише схожий на латинську літеру { $latin }. Введіть латинську { $latin }.
 error-character_full_width = Символ { $column }: { $character } — символ подвійної ширини. Введіть { $latin }.
-error-dollar_misplaced = Символ { $column }: знаки $ можуть лише охоплювати всю комірку.
+error-dollar_misplaced = Символ { $column }: знаки $ можуть лише охоплювати всю клітинку.
 error-command_unknown = Символ { $column }: команда \{ $command } незрозуміла.
 error-script_misplaced = Символ { $column }: перед { $character } немає нічого, чого він міг би стосуватися.
 
 error-number_malformed = Символ { $column }: { $text } не є десятковим числом. Пишіть цифри й одну крапку, без роздільників.
 error-number_too_long = Символ { $column }: число може мати щонайбільше { $limit } цифр.
 error-number_out_of_range = Символ { $column }: число дорівнює 0 або за модулем лежить між { $smallest } і { $largest }.
-error-cell_not_finite = Комірка містить лише скінченні числа; NaN і нескінченність не приймаються.
+error-cell_not_finite = Клітинка містить лише скінченні числа; NaN і нескінченність не приймаються.
 error-decimal_comma = Символ { $column }: замість коми пишіть десяткову крапку: { $suggestion }.
 
 error-names_run_together = Символ { $column }: { $text } зливається з наступним. Пишіть добуток через *.
 error-name_malformed = Символ { $column }: підкреслення стоїть лише між літерою та її індексом, як у L_1.
 error-name_too_long = Символ { $column }: ім’я може мати щонайбільше { $limit } символів.
-error-name_is_not_a_number = Символ { $column }: { $name } не є значенням. Комірка містить лише скінченні числа.
-error-unit_in_cell = Символ { $column }: одиниці в комірках не пишуть. Укажіть { $name } один раз для всієї таблиці.
+error-name_is_not_a_number = Символ { $column }: { $name } не є значенням. Клітинка містить лише скінченні числа.
+error-unit_in_cell = Символ { $column }: одиниці в клітинках не пишуть. Укажіть { $name } один раз для всієї таблиці.
 error-function_unknown = Символ { $column }: { $name } не є функцією. Є такі функції: { $functions }. Добуток пишуть { $name }*(…).
 error-function_without_parentheses = Символ { $column }: пишіть аргумент { $name } у дужках: { $name }(x).
 error-function_arity = Символ { $column }: кількість аргументів { $name } має бути { $expected }, а не { $given }.
 
 error-value_missing = Символ { $column }: перед { $symbol } бракує значення.
-error-cell_incomplete = Символ { $column }: комірка закінчується там, де мало б бути значення.
+error-cell_incomplete = Символ { $column }: клітинка закінчується там, де мало б бути значення.
 error-symbol_misplaced = Символ { $column }: { $symbol } не може тут стояти.
 error-comma_misplaced = Символ { $column }: кома розділяє лише два аргументи atan2.
 error-parenthesis_not_closed = Символ { $column }: цю дужку не закрито.
@@ -41,7 +41,7 @@ error-division_ambiguous = Символ { $column }: незрозуміло, н�
 error-exponent_not_constant = Символ { $column }: показник степеня має бути раціональним числом.
 error-exponent_out_of_range = Символ { $column }: показник степеня за модулем щонайбільше { $limit }, його знаменник теж.
 error-division_by_zero = Символ { $column }: тут ділення на нуль.
-error-value_not_real = Ця комірка не має скінченного дійсного значення.
+error-value_not_real = Ця клітинка не має скінченного дійсного значення.
 error-degree_of_angle = Символ { $column }: знак градуса ставлять після числа; тут уже кут.
 error-degree_in_length = Символ { $column }: довжину не вимірюють у градусах.
 error-angle_in_length = Символ { $column }: { $name } дає кут у градусах, а це не довжина.
@@ -62,7 +62,7 @@ error-variable_scaled = Символ { $column }: { $name } помножено �
 error-variable_in_product = Символ { $column }: { $name } помножено на іншу величину. Змінна зчленування входить як +{ $name } або -{ $name } плюс стала.
 error-variable_in_denominator = Символ { $column }: { $name } стоїть у знаменнику. Змінна зчленування входить як +{ $name } або -{ $name } плюс стала.
 error-variable_in_power = Символ { $column }: { $name } піднесено до степеня. Змінна зчленування входить як +{ $name } або -{ $name } плюс стала.
-error-variable_in_function = Символ { $column }: { $name } стоїть усередині функції. Комірка містить саму змінну зчленування; синуси й косинуси випливають із таблиці.
+error-variable_in_function = Символ { $column }: { $name } стоїть усередині функції. Клітинка містить саму змінну зчленування; синуси й косинуси випливають із таблиці.
 error-variable_in_constant_cell = Символ { $column }: { $name } стоїть у стовпці { $cell }. Довжина й скручування ланки сталі; змінна зчленування стоїть у стовпці theta (обертальне) або d (поступальне).
 error-variable_in_fixed_row = Символ { $column }: { $name } стоїть у рядку, оголошеному нерухомим. Нерухомий рядок не має змінної.
 error-variable_in_wrong_cell =
@@ -76,7 +76,7 @@ error-variable_numbering_mixed = Символ { $column }: { $name } прону�
 
 error-table_empty = У таблиці немає рядків; потрібен щонайменше один.
 error-table_too_many_rows = У таблиці { $rows } рядків; читається щонайбільше { $limit }.
-error-table_too_long = Усі комірки разом мають { $length } символів; читається щонайбільше { $limit }.
+error-table_too_long = Усі клітинки разом мають { $length } символів; читається щонайбільше { $limit }.
 error-table_too_many_parameters = У таблиці понад { $limit } різних параметрів.
 
 error-parameter_missing = Параметр { $name } не має значення.

@@ -10,6 +10,7 @@ playground-answers = Відповіді
 playground-number = Номер
 playground-catalogue = Робот з каталогу
 playground-catalogue-choose = Оберіть робота
+playground-configurations = Показати в цій конфігурації
 playground-share = Скопіювати посилання на цього робота
 playground-shared = Посилання скопійовано; воно містить таблицю, значення і положення
 playground-moved = Робот перемістився

@@ -19,7 +19,7 @@ trainer-status =
         [few] Порушено { $broken } правила.
        *[other] Порушено { $broken } правил.
     }
-trainer-open = Відкрити таблицю в лабораторії
+trainer-open = Відкрити таблицю в майстерні
 trainer-step = Система { $frame }: { $state }
 trainer-state-open = не завершена
 trainer-state-whole = повна
@@ -31,7 +31,7 @@ trainer-opposite = протилежно:
 trainer-candidate-foot = на осі { $axis }, в основі перпендикуляра до осі { $other }
 trainer-candidate-intersection = де перетинаються осі { $axis } і { $other }
 trainer-candidate-level = на осі { $axis }, на рівні початку системи { $frame }
-trainer-candidate-axis_point = точка, якою задано вісь { $axis }
+trainer-candidate-axis_point = на осі { $axis }, де намальовано зчленування
 trainer-candidate-base = як у заданій системі основи
 trainer-candidate-tool = як у заданій системі інструмента
 trainer-candidate-coordinates =

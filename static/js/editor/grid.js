@@ -144,7 +144,8 @@ export class Grid {
     const { handlers } = this;
     const id = `${this.id}-${i}-${cell}`;
     const meaning = el("div", { class: "meaning", id: `${id}-meaning` });
-    const fault = el("div", { class: "fault", id: `${id}-fault`, hidden: true });
+    const name = columnText(cell, table.convention);
+    const fault = el("div", { class: "fault", id: `${id}-fault`, hidden: true, "data-label": name });
     const holdsVariable = variableCell(row.joint) === cell;
     const input = /** @type {HTMLInputElement} */ (
       el("input", {
@@ -157,7 +158,7 @@ export class Grid {
         autocapitalize: "off",
         autocorrect: "off",
         spellcheck: "false",
-        "aria-label": t("form-cell-label", { row: i + 1, name: columnText(cell, table.convention), unit: unitOf(cell, table) }),
+        "aria-label": t("form-cell-label", { row: i + 1, name, unit: unitOf(cell, table) }),
         "aria-describedby": `${meaning.id} ${fault.id}`,
         oninput: () => handlers.edit(i, cell, input.value),
         onblur: () => handlers.settle(),
@@ -169,7 +170,7 @@ export class Grid {
     this.cells.set(`${i}/${cell}`, { input, meaning, fault });
     return el(
       "td",
-      { role: "cell", class: `dh-cell${holdsVariable ? " holds-variable" : ""}`, "data-label": columnText(cell, table.convention) },
+      { role: "cell", class: `dh-cell${holdsVariable ? " holds-variable" : ""}`, "data-label": name },
       input,
       meaning,
       fault,

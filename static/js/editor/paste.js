@@ -184,8 +184,17 @@ function looksLikeValues(body) {
   return values.length * 2 > cells.length;
 }
 
-function guessedColumns(body, order) {
+/**
+ * What columns without headings are: as the form shows them, unless the joint variables say that they stand the
+ * other way round, as the other convention's textbooks print them.
+ */
+function guessedColumns(body, shown) {
   const width = Math.max(...body.map((row) => row.length));
+  const order = [...shown];
+  const last = body.map((row) => row.filter((_, i) => i >= width - 4));
+  const holds = (k) => last.some((cells) => /(θ|ϑ|theta|q)_?[{]?[\d₀-₉]/iu.test(cells[k] ?? ""));
+  const turns = order.indexOf("theta");
+  if (!holds(turns) && holds(3 - turns)) order.reverse();
   if (width === 4) return order;
   if (width < 4 || width > 6) return null;
   const extra = width - 4;

@@ -1,9 +1,10 @@
 /** Everything that is handed in: the table, and what else the exercise asks. */
 
-import { el, fill } from "../dom.js";
+import { el, fill, uniqueId } from "../dom.js";
 import { newTable } from "../editor/model.js";
 import { t } from "../i18n.js";
 import { subscript, superscript } from "../numbers.js";
+import { keep, recall } from "../storage.js";
 import { MatrixField, MatrixListField, NumbersField, SchematicField } from "./part-fields.js";
 
 /** @typedef {{kind: string, points: number}} Part */
@@ -45,7 +46,7 @@ export class AnswerCard {
       },
       section("table", table, exercise, this.editor, this.parts.length > 0),
       this.sections,
-      el("div", { class: "row submit-row no-print" }, this.button, el("span", { class: "hint", text: t("form-submit-hint") })),
+      el("div", { class: "row submit-row no-print" }, this.button, el("span", { class: "hint", text: t("form-submit-hint") }), helpChoice(exercise)),
       this.problem,
     );
     for (const { field } of this.parts) field.onchange = () => this.changed("part");
@@ -83,13 +84,19 @@ export class AnswerCard {
   }
 
   /**
-   * What is sent: the table, and whatever else was typed. A table that nobody touched is left out where there
+   * What is sent: the table, and whatever else was typed, and how much help is wanted. A table that nobody touched is left out where there
    * is something else; null if the table has empty cells, which are then pointed out.
    */
   request() {
     if (this.button.getAttribute("aria-disabled") === "true") return null;
+    const open = this.parts.find(({ field }) => field instanceof SchematicField && field.missing.length);
+    if (open) {
+      open.field.showFaults(open.field.missing);
+      this.focusPart(open.part.kind, open.field.missing[0].where);
+      return null;
+    }
     const typed = this.parts.map(({ part, field }) => [part.kind, field.value]).filter(([, value]) => value !== null);
-    const others = Object.fromEntries(typed);
+    const others = { ...Object.fromEntries(typed), ...helpWanted(this.exercise) };
     const needsTable = "link_matrices" in others || !typed.length || !this.editor.untouched;
     if (!needsTable) return others;
     if (this.editor.complete) return { table: this.editor.table, ...others };
@@ -173,6 +180,29 @@ function section(kind, part, exercise, content, several) {
     el("p", { class: "hint", text: part.task }),
     content,
   );
+}
+
+const LEVELS = ["verdict", "row", "kind", "repair"];
+
+/** Levels of help that an exercise allows, from the least. */
+function levelsOf(exercise) {
+  return LEVELS.slice(0, LEVELS.indexOf(exercise.help) + 1);
+}
+
+/** Less help than the exercise allows, if the student wants less; kept for every exercise in this browser. */
+function helpWanted(exercise) {
+  const wanted = recall("help", exercise.help);
+  return wanted !== exercise.help && levelsOf(exercise).includes(wanted) ? { help: wanted } : {};
+}
+
+function helpChoice(exercise) {
+  const levels = levelsOf(exercise);
+  if (levels.length < 2) return null;
+  const id = uniqueId("help");
+  const { help = exercise.help } = helpWanted(exercise);
+  const options = levels.map((value) => el("option", { value, selected: value === help, text: t(`form-help-${value}`) }));
+  const select = el("select", { id, onchange: (event) => keep("help", event.target.value === exercise.help ? null : event.target.value) }, options);
+  return el("div", { class: "row help-choice" }, el("label", { for: id, text: t("form-help") }), select);
 }
 
 function fieldFor(part, exercise) {

@@ -2,6 +2,13 @@
 
 import { el, fill } from "../dom.js";
 import { language, t } from "../i18n.js";
+import { plain } from "../numbers.js";
+
+/** What an attempt earned, of all that the exercise has to give. @param {any} attempt */
+function pointsOf({ score, verdict }) {
+  const { points, max_points: total } = verdict?.total ?? { points: score * 100, max_points: 100 };
+  return t("form-points", { points: plain(points, 1), total: plain(total, 1) });
+}
 
 /**
  * @param {HTMLElement} place @param {import("../attempts.js").Attempt[]} attempts
@@ -19,7 +26,7 @@ export function showHistory(place, attempts, restore, clear) {
         return el(
           "li",
           { class: "row", value: number },
-          el("span", { class: `badge ${attempt.correct ? "good" : "warn"}`, text: `${Math.round(attempt.score * 100)} %` }),
+          el("span", { class: `badge ${attempt.correct ? "good" : "warn"}`, text: pointsOf(attempt) }),
           el("time", { datetime: attempt.at, text: when.format(new Date(attempt.at)) }),
           el("button", { type: "button", class: "quiet small", "aria-label": t("form-history-restore-label", { number }), onclick: () => restore(attempt), text: t("form-history-restore") }),
         );

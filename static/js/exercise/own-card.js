@@ -18,7 +18,7 @@ export class OwnCard {
     robot.parameters = given.parameters;
     this.units = given.units;
     this.kinds = new Map(given.kinds);
-    this.scene = /** @type {any} */ (el("robot-scene", { label: t("form-own-scene") }));
+    this.scene = /** @type {any} */ (el("robot-scene", { label: t("form-own-scene"), hidden: true }));
     this.sliders = /** @type {any} */ (el("joint-sliders"));
     this.matrices = /** @type {any} */ (el("matrix-panel"));
     this.matrices.api = api;
@@ -81,14 +81,14 @@ export class OwnCard {
 
   /** Says what the picture waits for; until then it is the last one, if there is one. */
   #wait(text) {
-    const last = this.matrices.table ? ` ${t("form-own-last")}` : "";
-    this.status.textContent = text + last;
+    this.status.textContent = this.matrices.table ? `${text} ${t("form-own-last")}` : `${t("form-own-empty")} ${text}`;
     this.#dim(true);
   }
 
   #draw({ model, joints, values }) {
     this.sliders.joints = joints;
     this.sliders.values = values;
+    this.scene.hidden = false;
     this.scene.joints = values;
     this.scene.model = model;
     this.scene.describe(this.#description(joints));

@@ -214,15 +214,16 @@ export class SchematicField {
   /** @param {number} joints */
   constructor(joints) {
     const select = (label, options) => {
+      const line = faultLine(uniqueId("fault"));
       const input = /** @type {HTMLSelectElement} */ (
         el(
           "select",
-          { "aria-label": label, onchange: () => this.onchange() },
+          { "aria-label": label, "aria-describedby": line.id, onchange: () => (setFault(input, line, ""), this.onchange()) },
           el("option", { value: "", text: t("form-choose") }),
           options.map(([value, text]) => el("option", { value, text })),
         )
       );
-      return { input, line: faultLine(uniqueId("fault")) };
+      return { input, line };
     };
     const types = ["revolute", "prismatic"].map((joint) => [joint, t(`form-joint-${joint}`)]);
     const relations = RELATIONS.map((relation) => [relation, t(`form-relation-${relation.replaceAll("_", "-")}`)]);
@@ -253,6 +254,13 @@ export class SchematicField {
   get value() {
     if (!this.touched) return null;
     return { joints: this.joints.map(({ input }) => input.value), relations: this.relations.map(({ input }) => input.value) };
+  }
+
+  /** Choices that are still open, as faults. */
+  get missing() {
+    const open = (fields, list) =>
+      fields.flatMap(({ input }, i) => (input.value ? [] : [{ where: [list, i], text: t("form-choose-missing") }]));
+    return this.touched ? [...open(this.joints, "joints"), ...open(this.relations, "relations")] : [];
   }
 
   get state() {

@@ -29,9 +29,9 @@ export function verdictView(graded, { convention, focusRow }) {
         {},
         el("p", { class: "verdict-word", text: verdictWord(graded) }),
         graded.basis && graded.correct ? el("p", { class: "hint", text: t(`form-basis-${graded.basis}`) }) : null,
-        totalLine(graded.total),
       ),
     ),
+    totalLine(graded),
     feedbackList(graded.feedback, focusRow),
     !graded.correct && graded.links.some(hasNews) ? linkTable(graded.links, focusRow) : null,
     repairList(graded.repairs, convention, focusRow),
@@ -51,12 +51,15 @@ export function verdictWord(graded) {
   return t(graded.correct ? "form-verdict-all" : "form-verdict-some");
 }
 
-function totalLine({ points, max_points: most, missing }) {
+/** What was earned: of what was handed in, which the ring shows, and of all there is. */
+function totalLine({ parts, total: { points, max_points: total, missing } }) {
   const names = missing.map((kind) => t(`form-part-${kind.replaceAll("_", "-")}`));
+  const most = Object.values(parts).reduce((sum, part) => sum + part.max_points, 0);
+  const counted = { points: plain(points, 1), most: plain(most, 1), total: plain(total, 1) };
   return el(
     "p",
     { class: "hint" },
-    t("form-total", { points: plain(points, 1), total: plain(most, 1) }),
+    t(missing.length ? "form-total-handed" : "form-total", counted),
     names.length ? ` ${t("form-total-missing", { parts: names.join(", ") })}` : null,
   );
 }
@@ -95,7 +98,7 @@ function feedbackList(feedback, focusRow) {
         "li",
         { dataset: { code } },
         message,
-        row && focusRow ? [" ", rowLink(row, t("form-row", { row }), focusRow)] : null,
+        row && focusRow ? [" ", rowLink(row, t("form-row-go", { row }), focusRow)] : null,
       ),
     ),
   );
@@ -124,7 +127,7 @@ function linkTable(links, focusRow) {
 /** @param {string} found */
 function finding(found) {
   const tone = found === "ok" ? "good" : found === "wrong" || found === "missing" ? "bad" : "";
-  return el("span", { class: `badge ${tone}` }, MARKS[found] ? icon(MARKS[found]) : null, t(`form-finding-${found}`));
+  return el("span", { class: `badge ${tone}` }, MARKS[found] ? icon(MARKS[found]) : null, el("span", { text: t(`form-finding-${found}`) }));
 }
 
 function repairList(repairs, convention, focusRow) {
@@ -135,7 +138,7 @@ function repairList(repairs, convention, focusRow) {
       "li",
       { dataset: { code } },
       message,
-      row ? [" ", rowLink(row, t("form-row", { row }) + name, focusRow, cell)] : null,
+      row ? [" ", rowLink(row, t("form-row-go", { row }) + name, focusRow, cell)] : null,
     );
   };
   return el(

@@ -34,7 +34,7 @@ class Playground {
     this.offered = null;
     this.pose = /** @type {number[][] | null} */ (null);
     this.bringing = new Latest();
-    this.configurations = el("div", { class: "row", hidden: true });
+    this.configurations = el("div", { class: "configurations", role: "group", "aria-label": t("playground-configurations"), hidden: true });
     this.card = new OwnCard(place("robot"), this.robot, { api });
     this.tools = [
       poseTool(api),
@@ -47,7 +47,8 @@ class Playground {
 
   build() {
     const use = (found) => this.use(found);
-    fill(place("table-body"), catalogueChoice(api, (call) => this.bring(call)), this.configurations, this.editor);
+    this.catalogue = catalogueChoice(api, (call) => this.bring(call));
+    fill(place("table-body"), this.catalogue.element, this.configurations, this.editor);
     const share = el("button", { type: "button", class: "small", onclick: () => this.share() }, t("playground-share"));
     fill(place("table-tools"), share);
     fill(place("sources"), axesSource(api, use), scmSource(api, use), urdfSource(api, use));
@@ -103,6 +104,7 @@ class Playground {
   use(found, joints = []) {
     this.bringing.cancel();
     this.found = found;
+    this.catalogue.show(found.id ?? "");
     this.editor.load(found.table);
     this.#tell(null);
     this.configurations.hidden = true;
@@ -140,7 +142,7 @@ class Playground {
     const buttons = Object.values(configurations).map(({ joints, meaning }) =>
       el("button", { type: "button", class: "small", onclick: () => this.show(joints) }, meaning),
     );
-    fill(this.configurations, buttons);
+    fill(this.configurations, el("span", { class: "label", text: t("playground-configurations") }), buttons);
   }
 
   /** The robot as the tools ask about it; null while another one is being read. */

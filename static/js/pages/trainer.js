@@ -116,6 +116,7 @@ class Trainer {
   }
 
   #part(part) {
+    if (part === this.state.part) return;
     this.state = { ...this.state, part };
     this.scene.model = picture(this.figure, this.state, this.judged.frames[this.state.current].candidates);
     for (const group of document.querySelectorAll(".choices")) {
@@ -131,7 +132,16 @@ class Trainer {
   }
 }
 
+/** On wide screens the picture stands beside the lists; on others above them, and so in the document. */
+function arrange() {
+  const wide = matchMedia("(min-width: 64rem)");
+  const place = () => (wide.matches ? $("scene-side").append($("scene-card")) : $("frames-card").before($("scene-card")));
+  wide.addEventListener("change", place);
+  place();
+}
+
 startPage(async () => {
+  arrange();
   try {
     const trainer = new Trainer(await api.get(`exercises/${id}`));
     await trainer.become(trainer.state);

@@ -3,7 +3,7 @@
 import { Latest } from "../api.js";
 import { el, fill } from "../dom.js";
 import { t } from "../i18n.js";
-import { shown } from "../numbers.js";
+import { plain, shown } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import { Cells, cellValue } from "./cells.js";
 import { asked, sameRobot } from "./tool.js";
@@ -21,7 +21,8 @@ export function inverseTool(api, { pose, show }) {
   /** Whose solutions are shown. @type {import("./tool.js").Subject | null} */
   let of = null;
   const columns = ["x", "y", "z", "p"].map((name) => ({ name, label: t(`playground-target-${name}`), otherwise: "0" }));
-  const target = new Cells(t("playground-target"), columns, { rows: poseRows(identity()), fixed: true });
+  let edited = false;
+  const target = new Cells(t("playground-target"), columns, { rows: poseRows(identity()), fixed: true, onchange: () => (edited = true) });
   const answer = el("div", { class: "tool-answer", role: "status" });
   const take = el("button", { type: "button", onclick: () => takePose() }, t("playground-target-present"));
   const solve = el("button", { type: "button", class: "primary", onclick: () => run() }, t("playground-solve"));
@@ -33,7 +34,9 @@ export function inverseTool(api, { pose, show }) {
   );
   const takePose = () => {
     const present = pose();
-    if (present) target.rows = poseRows(present);
+    if (!present) return;
+    target.rows = poseRows(present);
+    edited = false;
   };
   const latest = new Latest();
   const run = async () => {
@@ -49,7 +52,7 @@ export function inverseTool(api, { pose, show }) {
     solve.removeAttribute("aria-disabled");
   };
   element.addEventListener("toggle", () => {
-    if (!answer.hasChildNodes()) takePose();
+    if (!edited && !answer.hasChildNodes()) takePose();
   });
   return {
     element,
@@ -59,6 +62,7 @@ export function inverseTool(api, { pose, show }) {
         latest.cancel();
         fill(answer);
         of = next;
+        if (!edited) takePose();
       }
       subject = next;
     },
@@ -108,7 +112,7 @@ const identity = () => [
 ];
 
 function poseRows(pose) {
-  return ROWS.map((i) => ({ x: String(pose[i][0]), y: String(pose[i][1]), z: String(pose[i][2]), p: String(pose[i][3]) }));
+  return ROWS.map((i) => Object.fromEntries(["x", "y", "z", "p"].map((name, k) => [name, plain(pose[i][k], 10)])));
 }
 
 function matrixOf(rows) {

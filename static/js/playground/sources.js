@@ -8,12 +8,13 @@ import { Cells, cellValue } from "./cells.js";
 
 /**
  * @typedef {{table: any, parameters?: Record<string, number>, configurations?: Record<string, {joints: number[], meaning: string}>,
- *   limits?: [number, number][] | null, name?: string}} Found a robot as it goes into the page
+ *   limits?: [number, number][] | null, id?: string}} Found a robot as it goes into the page
  */
 
 /**
  * A choice of the catalogue's robots.
  * @param {import("../api.js").Api} api @param {(call: (signal: AbortSignal) => Promise<Found>) => Promise<unknown>} bring
+ * @returns {{element: HTMLElement, show: (id: string) => void}} `show` says which robot it is, if it is one of these
  */
 export function catalogueChoice(api, bring) {
   const id = uniqueId("catalogue");
@@ -28,7 +29,8 @@ export function catalogueChoice(api, bring) {
     if (select.value) bring((signal) => api.get(`robots/${select.value}`, { signal })).catch(show);
   });
   api.get("robots").then(({ robots }) => select.append(...robots.map((robot) => el("option", { value: robot.id, text: robot.name }))), show);
-  return el("div", { class: "field" }, el("label", { for: id, text: t("playground-catalogue") }), select, problem);
+  const element = el("div", { class: "field" }, el("label", { for: id, text: t("playground-catalogue") }), select, problem);
+  return { element, show: (robot) => (select.value = robot) };
 }
 
 const JOINTS = () => ["revolute", "prismatic"].map((value) => ({ value, label: t(`form-joint-${value}`) }));

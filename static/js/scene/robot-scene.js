@@ -246,11 +246,17 @@ export class RobotScene extends HTMLElement {
   }
 
   #resize() {
-    const { clientWidth, clientHeight } = this.viewport;
-    if (!clientWidth || !clientHeight) return;
-    const factor = Math.min(clientWidth, clientHeight) / Math.min(this.#camera.width, this.#camera.height);
-    this.#camera = { ...this.#camera, width: clientWidth, height: clientHeight, scale: this.#camera.scale * factor };
-    this.#draw();
+    if (this.#measure()) this.#draw();
+  }
+
+  /** Takes the picture's size, and shows everything in it unless somebody chose a view; whether it has changed. */
+  #measure() {
+    const { clientWidth: width, clientHeight: height } = this.viewport;
+    if (!width || !height || (width === this.#camera.width && height === this.#camera.height)) return false;
+    const factor = Math.min(width, height) / Math.min(this.#camera.width, this.#camera.height);
+    this.#camera = { ...this.#camera, width, height, scale: this.#camera.scale * factor };
+    if (!this.#touched) this.#framed = false;
+    return true;
   }
 
   #labelItems() {
@@ -264,6 +270,7 @@ export class RobotScene extends HTMLElement {
     if (!this.isConnected || this.#frame) return;
     this.#frame = requestAnimationFrame(() => {
       this.#frame = 0;
+      this.#measure();
       if (!this.#framed) {
         this.#camera = fitted(this.#camera, drawnPoints(this.#model, this.#joints));
         this.#framed = true;

@@ -5,6 +5,9 @@ import { knows, t } from "../i18n.js";
 import { shown } from "../numbers.js";
 import { PARTS, same } from "./choices.js";
 
+/** The focus goes back to where it was: that is nobody's choice of a part. */
+let restoring = false;
+
 /**
  * @param {HTMLElement} place
  * @param {{state: import("./choices.js").State, judged: any, choose: (part: any, vector: any) => void, part: (part: any) => void}} view
@@ -21,7 +24,7 @@ export function showChooser(place, { state, judged, choose, part }) {
       const group = uniqueId("choice");
       return el(
         "fieldset",
-        { class: `choices${state.part === name ? " current" : ""}`, onfocusin: () => state.part !== name && part(name) },
+        { class: `choices${state.part === name ? " current" : ""}`, onfocusin: () => restoring || part(name) },
         el("legend", { text: t(`trainer-part-${name}`, { frame: state.current }) }),
         candidates.map((candidate, i) =>
           el(
@@ -43,7 +46,9 @@ export function showChooser(place, { state, judged, choose, part }) {
       );
     }),
   );
+  restoring = true;
   if (focused) place.querySelector(`[data-choice="${focused}"]`)?.focus({ preventScroll: true });
+  restoring = false;
 }
 
 /** What a candidate is, in words. @param {{kind: string, params: Record<string, number>}} candidate */

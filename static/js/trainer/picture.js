@@ -46,7 +46,11 @@ function choicesModel(state, candidates, size) {
     const pick = `${part}:${i}`;
     const tone = same(chosen, candidate.vector) ? "own-joint" : "pick";
     if (part === "origin") {
-      return [{ kind: "ball", at: { node: 0, at: candidate.vector }, radius: size * SIZE.pick * 0.6, tone, pick }];
+      const at = { node: 0, at: candidate.vector };
+      return [
+        { kind: "ball", at, radius: size * SIZE.pick * 0.6, tone, pick },
+        { kind: "label", at, text: String(i + 1), tone, pick },
+      ];
     }
     const end = plus(root, times(unit(candidate.vector), size * SIZE.direction));
     return [

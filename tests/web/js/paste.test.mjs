@@ -113,3 +113,12 @@ test("LaTeX is spelled out, nested", () => {
   assert.equal(fromLatex(String.raw`x^{2}`), "x^(2)");
   assert.equal(gridOf("a & b \\\\ c & d").grid.length, 2);
 });
+
+test("columns without headings are turned round where the joint variables say so", () => {
+  const pasted = readPasted("0 0 0 θ1\n-90 a2 d2 θ2", ["theta", "d", "a", "alpha"]);
+  assert.deepEqual(pasted.rows[1].cells, { alpha: "-90", a: "a2", d: "d2", theta: "θ2" });
+  const usual = readPasted("θ1 0 0 90\nθ2 0 a2 0", ["theta", "d", "a", "alpha"]);
+  assert.deepEqual(usual.rows[1].cells, { theta: "θ2", d: "0", a: "a2", alpha: "0" });
+  const numbers = readPasted("0 0.1 0.2 90\n0 0 0.3 0", ["theta", "d", "a", "alpha"]);
+  assert.deepEqual(numbers.rows[0].cells, { theta: "0", d: "0.1", a: "0.2", alpha: "90" });
+});
