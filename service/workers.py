@@ -10,6 +10,7 @@ A worker imports what its tasks need and never the web framework. Functions and 
 from __future__ import annotations
 
 import asyncio
+import gc
 import math
 import os
 import resource
@@ -164,6 +165,7 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
 def _confine(memory: int, niceness: int) -> None:
     """In a worker: leave Ctrl-C to the parent, bound the address space [byte], and stand back."""
     os.nice(niceness)
+    gc.freeze()  # modules that were imported before are no garbage, and need not be looked through
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     _, hard = resource.getrlimit(resource.RLIMIT_AS)
     limit = memory if hard == resource.RLIM_INFINITY else min(memory, hard)

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Mapping, Sequence
 from typing import NamedTuple
 
-from kinematics.expressions import Call, JointVariable, Parameter, Pi, Power
+from kinematics.expressions import Parameter
 from kinematics.printing.infix import InfixWriter, Spelling
-from kinematics.printing.ledger import Ledger, Quotient
 from kinematics.printing.program import Program
+from kinematics.printing.traits import Traits
 from kinematics.printing.writer import Binding, Written
-
-_SPELLED = (Call, JointVariable, Pi, Power)
 
 
 class Body(NamedTuple):
@@ -21,37 +19,63 @@ class Body(NamedTuple):
     entries: list[list[str]]
 
 
-def write_bodies(ledger: Ledger, programs: Sequence[tuple[Program, Spelling]]) -> list[Body]:
-    """One function in several languages; what all of them spell alike is written once."""
-    first, spelling = programs[0]
-    own = _spelled_differently(ledger, [program for program, _ in programs])
-    shared = _CodeWriter(spelling, ledger, first)
-    for number in first.plan.matrix.nodes:
-        if number not in own:
-            shared.enter(number)
-        elif number in first.steps:
-            shared.refer(number)
-    bodies = []
-    for program, spelling in programs:
-        writer = _CodeWriter(spelling, ledger, program, shared)
-        for number in own:
-            writer.enter(number)
-        bodies.append(writer.body())
-    return bodies
+class BodyWriter:
+    """Writes what functions compute.
+
+    What all languages spell alike is written once for each function, and what no function's names decide,
+    such as cos(q[1] + q[2]), once for each language.
+    """
+
+    def __init__(self, traits: Traits, spellings: Mapping[str, Spelling]) -> None:
+        self._traits = traits
+        self._fixed = {
+            language: InfixWriter(spelling, traits.ledger) for language, spelling in spellings.items()
+        }
+
+    def bodies(self, programs: Mapping[str, Program]) -> list[Body]:
+        """One function in several languages."""
+        traits, first = self._traits, next(iter(programs.values()))
+        own = _spelled_differently(traits, list(programs.values()))
+        shared = _CodeWriter(next(iter(self._fixed.values())), first)
+        for number in first.plan.matrix.nodes:
+            if number not in own:
+                shared.enter(number)
+            elif number in first.steps:
+                shared.refer(number)
+        fixed = [number for number in first.plan.matrix.nodes if traits.of(number).fixed]
+        loose = [number for number in own if not traits.of(number).fixed]
+        bodies = []
+        for language, program in programs.items():
+            writer = _CodeWriter(self._fixed[language], program, shared)
+            writer.take(fixed, own)
+            for number in loose:
+                writer.enter(number)
+            bodies.append(writer.body())
+        return bodies
 
 
 class _CodeWriter(InfixWriter):
-    """Writes in one language; a step is written as its name wherever it occurs."""
+    """Writes one function in one language; a step is written as its name wherever it occurs."""
 
-    def __init__(
-        self, spelling: Spelling, ledger: Ledger, program: Program, shared: _CodeWriter | None = None
-    ) -> None:
-        super().__init__(spelling, ledger)
+    def __init__(self, fixed: InfixWriter, program: Program, shared: _CodeWriter | None = None) -> None:
+        super().__init__(fixed.spelling, fixed.ledger)
+        self._fixed = fixed
         self._program = program
         self._definitions: dict[int, str] = {}
         if shared is not None:
-            self._written |= shared._written
-            self._definitions |= shared._definitions
+            self._written = shared._written.copy()
+            self._definitions = shared._definitions.copy()
+            if program is not shared._program:
+                for number in program.steps:
+                    self.refer(number)
+
+    def take(self, numbers: Sequence[int], own: Container[int]) -> None:
+        """Take what no name decides, where the language has its own spelling."""
+        for number, written in self._fixed.known(numbers):
+            if number in self._program.steps:
+                self._definitions[number] = self._signed(written)
+            elif number in own:
+                self._written[number] = written
 
     def enter(self, number: int) -> None:
         """Write a node."""
@@ -75,37 +99,25 @@ class _CodeWriter(InfixWriter):
         return self._program.arguments[name]
 
 
-def _spelled_differently(ledger: Ledger, programs: Sequence[Program]) -> list[int]:
+def _spelled_differently(traits: Traits, programs: Sequence[Program]) -> dict[int, None]:
     """The nodes of which languages may write different things, those below first."""
-    first = programs[0]
+    first, others = programs[0], [program for program in programs if program is not programs[0]]
     renamed = {
         name
         for name, word in first.arguments.items()
-        if any(other.arguments[name] != word for other in programs)
+        if any(other.arguments[name] != word for other in others)
     }
     found: dict[int, None] = {}
     referred: set[int] = set()
     for number in first.plan.matrix.nodes:
-        quotient, node = ledger.quotients[number], ledger.nodes[number]
-        if quotient is not None:
-            parts = (*quotient.typed, *(base for base, _ in quotient.below))
-            differs = _holds_whole_numbers(quotient)
-        else:
-            parts = ledger.below[number]
-            differs = isinstance(node, _SPELLED) or (isinstance(node, Parameter) and node.name in renamed)
-        if differs or not referred.isdisjoint(parts):
+        trait = traits.of(number)
+        if (
+            trait.own
+            or not referred.isdisjoint(trait.parts)
+            or (isinstance(trait.head, Parameter) and trait.head.name in renamed)
+        ):
             found[number] = None
             name = first.steps.get(number)
-            if name is None or any(other.steps[number] != name for other in programs):
+            if name is None or any(other.steps[number] != name for other in others):
                 referred.add(number)
-    return list(found)
-
-
-def _holds_whole_numbers(quotient: Quotient) -> bool:
-    """Whether 2, 1/3 or a power is to be written: C calls them 2.0, 1.0/3.0 and pow."""
-    weight = quotient.weight
-    if weight.divides or any(exponent != 1 for _, exponent in quotient.below):
-        return True
-    if weight.digits:
-        return weight.decimal is None
-    return not quotient.typed
+    return found

@@ -5,43 +5,45 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from kinematics.printing.bodies import Body, write_bodies
+from kinematics.printing.bodies import Body, BodyWriter
 from kinematics.printing.languages import JAVASCRIPT, MATLAB, NUMPY, PYTHON, C, Language
-from kinematics.printing.ledger import Ledger
-from kinematics.printing.program import Plan, Program, Purpose, program
+from kinematics.printing.ledger import Entered, Ledger
+from kinematics.printing.program import Program, Purpose, named, plan
+from kinematics.printing.traits import Traits
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 
 
-def write_functions(
-    ledger: Ledger,
-    computed: Plan,
-    purpose: Purpose,
-    *,
-    languages: Sequence[str],
-    n_joints: int,
-    parameters: Sequence[str],
-) -> dict[str, str]:
-    """The source of one function of the joint variables q and of every parameter, in each language.
+class FunctionWriter:
+    """Writes functions of the joint variables q and of every parameter.
 
     Args:
         ledger: where the nodes are.
-        computed: what it computes.
-        purpose: what it is called.
-        languages: some of python, numpy, c, matlab, javascript.
         n_joints: number of joint variables.
-        parameters: the table's parameters; each is an argument, whether this matrix holds it or not.
+        parameters: the table's parameters; each is an argument, whether a matrix holds it or not.
     """
-    programs = []
-    for language in languages:
-        spoken, _ = _LANGUAGES[language]
-        named = program(computed, purpose, n_joints=n_joints, parameters=parameters, reserved=spoken.reserved)
-        programs.append((named, spoken.spelling))
-    bodies = write_bodies(ledger, programs)
-    return {
-        language: _LANGUAGES[language][1](named, body)
-        for language, (named, _), body in zip(languages, programs, bodies, strict=True)
-    }
+
+    def __init__(self, ledger: Ledger, *, n_joints: int, parameters: Sequence[str]) -> None:
+        self._n_joints = n_joints
+        self._parameters = parameters
+        self._traits = Traits(ledger)
+        spellings = {name: language.spelling for name, (language, _) in _LANGUAGES.items()}
+        self._bodies = BodyWriter(self._traits, spellings)
+
+    def write(self, matrix: Entered, purpose: Purpose, languages: Sequence[str]) -> dict[str, str]:
+        """The source of one function in some of python, numpy, c, matlab, javascript."""
+        programs = named(
+            plan(self._traits, matrix),
+            purpose,
+            n_joints=self._n_joints,
+            parameters=self._parameters,
+            reserved=[_LANGUAGES[language][0].reserved for language in languages],
+        )
+        bodies = self._bodies.bodies(dict(zip(languages, programs, strict=True)))
+        return {
+            language: _LANGUAGES[language][1](program, body)
+            for language, program, body in zip(languages, programs, bodies, strict=True)
+        }
 
 
 def _comments(code: Program) -> list[str]:

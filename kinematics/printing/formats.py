@@ -9,12 +9,12 @@ from typing import Any, TypeAlias
 
 from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import Expression
-from kinematics.printing.code import write_functions
+from kinematics.printing.code import FunctionWriter
 from kinematics.printing.latex import LatexWriter
 from kinematics.printing.ledger import Entered, Ledger
 from kinematics.printing.mathml import MathmlWriter
 from kinematics.printing.notation import Names, Notation
-from kinematics.printing.program import Purpose, plan
+from kinematics.printing.program import Purpose
 from kinematics.printing.text import TextWriter
 from kinematics.printing.trees import TreeWriter
 
@@ -53,11 +53,10 @@ class MatrixPrinter:
         notation: Notation = Notation.FULL,
         limit: int = LIMIT,
     ) -> None:
-        self._n_joints = n_joints
-        self._parameters = tuple(parameters)
         self._limit = limit
         self._names = Names(notation=notation, parameters=frozenset(parameters), separated=n_joints > 9)
         self._ledger = Ledger()
+        self._functions = FunctionWriter(self._ledger, n_joints=n_joints, parameters=tuple(parameters))
         self._answers: dict[Hashable, dict[str, Any]] = {}
         self._writers: dict[Format, Callable[[Entered], Any]] = {
             Format.LATEX: LatexWriter(self._names, self._ledger).bmatrix,
@@ -101,14 +100,7 @@ class MatrixPrinter:
             self._refuse_large(matrix)
         sources: dict[str, Any] = {}
         if languages:
-            sources = write_functions(
-                self._ledger,
-                plan(self._ledger, matrix),
-                purpose,
-                languages=languages,
-                n_joints=self._n_joints,
-                parameters=self._parameters,
-            )
+            sources = self._functions.write(matrix, purpose, languages)
         return {
             chosen.value: self._writers[chosen](matrix) if chosen in self._writers else sources[chosen.value]
             for chosen in wanted

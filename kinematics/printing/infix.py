@@ -38,14 +38,14 @@ class InfixWriter(LineWriter):
 
     def __init__(self, spelling: Spelling, ledger: Ledger | None = None) -> None:
         super().__init__(ledger)
-        self._spelling = spelling
+        self.spelling = spelling
 
     def _call(self, node: Call, arguments: Sequence[Written]) -> Written:
         inner = ", ".join(map(self._signed, arguments))
-        return Written(f"{self._spelling.functions[node.function]}({inner})", Binding.ATOM)
+        return Written(f"{self.spelling.functions[node.function]}({inner})", Binding.ATOM)
 
     def _raised(self, base: int, exponent: Fraction) -> Written:
-        written, spelling = self._written[base], self._spelling
+        written, spelling = self._written[base], self.spelling
         if exponent == 1:
             return written
         if exponent == Fraction(1, 2):
@@ -53,15 +53,15 @@ class InfixWriter(LineWriter):
         return spelling.power(self._signed(written), self._within(written, Binding.ATOM), exponent)
 
     def _quotient(self, quotient: Quotient) -> Written:
-        weight, whole = quotient.weight, self._spelling.whole
+        weight, whole = quotient.weight, self.spelling.whole
         above = [self._written[factor] for factor in quotient.typed]
         numerator = [self._within(factor, Binding.PRODUCT) for factor in above]
         if weight.digits:
             numerator.insert(0, weight.decimal or whole(weight.digits))
-        denominator = [whole(str(weight.denominator))] if weight.divides else []
-        denominator += [
-            self._within(self._raised(base, exponent), Binding.POWER) for base, exponent in quotient.below
-        ]
+        denominator = [whole(weight.denominator)] if weight.denominator else []
+        if quotient.below:
+            below = [self._raised(base, exponent) for base, exponent in quotient.below]
+            denominator += [self._within(divisor, Binding.POWER) for divisor in below]
         text = "*".join(numerator) or whole("1")
         if denominator:
             under = denominator[0] if len(denominator) == 1 else f"({'*'.join(denominator)})"
@@ -74,10 +74,10 @@ class InfixWriter(LineWriter):
         return name
 
     def _variable(self, index: int) -> str:
-        return self._spelling.variable(index)
+        return self.spelling.variable(index)
 
     def _pi(self) -> str:
-        return self._spelling.pi
+        return self.spelling.pi
 
 
 def infix_power(operator: str) -> Callable[[str, str, Fraction], Written]:

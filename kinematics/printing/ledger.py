@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Sequence
 from fractions import Fraction
+from functools import lru_cache
 from itertools import chain
 from typing import NamedTuple
 
@@ -44,25 +45,15 @@ class Weight(NamedTuple):
 
     Attributes:
         negative: whether it has a minus sign.
-        numerator: of its absolute value.
-        denominator: likewise.
-        decimal: its absolute value as a decimal, if it is written as one.
+        digits: what stands above the line, nothing for 1.
+        decimal: the same, if it is a decimal.
+        denominator: what stands below the line, if there is one.
     """
 
     negative: bool
-    numerator: int
-    denominator: int
-    decimal: str | None
-
-    @property
-    def divides(self) -> bool:
-        """Whether it is written as a fraction."""
-        return self.denominator != 1 and self.decimal is None
-
-    @property
-    def digits(self) -> str:
-        """What stands above the line, nothing for 1."""
-        return self.decimal or ("" if self.numerator == 1 else str(self.numerator))
+    digits: str
+    decimal: str
+    denominator: str
 
 
 class Quotient(NamedTuple):
@@ -83,7 +74,7 @@ class Quotient(NamedTuple):
     below: tuple[tuple[int, Fraction], ...] = ()
 
 
-_ONE = Weight(negative=False, numerator=1, denominator=1, decimal=None)
+ONE = Weight(negative=False, digits="", decimal="", denominator="")
 
 
 class Ledger:
@@ -144,16 +135,14 @@ class Ledger:
 
     def _enter(self, node: Expression) -> int:
         below = tuple([self._known[id(child)] for child in children(node)])
-        key: Hashable
-        match node:
-            case Sum() | Product():
-                key = (type(node), below)
-            case Call(function, _):
-                key = (function, below)
-            case Power(_, exponent):
-                key = (exponent, below)
-            case _:
-                key = node
+        kind = type(node)
+        key: Hashable = node
+        if kind is Product or kind is Sum:
+            key = (kind, below)
+        elif isinstance(node, Call):
+            key = (node.function, below)
+        elif isinstance(node, Power):
+            key = (node.exponent, below)
         number = self._numbers.get(key)
         if number is None:
             number = self._numbers[key] = len(self.nodes)
@@ -161,38 +150,53 @@ class Ledger:
             self.below.append(below)
             self.quotients.append(self._quotient(node, below))
             self.operations.append(operations_of(node, [self.operations[child] for child in below]))
-            self.moving.append(isinstance(node, JointVariable) or any(self.moving[child] for child in below))
+            self.moving.append(kind is JointVariable or any(map(self.moving.__getitem__, below)))
         return number
 
     def _quotient(self, node: Expression, below: tuple[int, ...]) -> Quotient | None:
+        if isinstance(node, Product):
+            return self._sorted(node.factors, below)
         if isinstance(node, Number):
             return Quotient(_weight(node.value))
-        if isinstance(node, Power):
-            return Quotient(_ONE, below=((below[0], -node.exponent),)) if node.exponent < 0 else None
-        if not isinstance(node, Product):
-            return None
+        if isinstance(node, Power) and node.exponent < 0:
+            return Quotient(ONE, below=((below[0], -node.exponent),))
+        return None
+
+    def _sorted(self, factors: tuple[Expression, ...], numbers: tuple[int, ...]) -> Quotient:
         value: Fraction | None = None
         typed: list[int] = []
+        constants: list[int] = []
         divisors: list[tuple[int, Fraction]] = []
-        for number, factor in zip(below, node.factors, strict=True):
+        for number, factor in zip(numbers, factors, strict=True):
             if isinstance(factor, Number):
                 value = factor.value if value is None else value * factor.value
-            elif isinstance(factor, Power) and factor.exponent < 0:
+                continue
+            if isinstance(factor, Power) and factor.exponent < 0:
                 divisors.append((self.below[number][0], -factor.exponent))
-            else:
-                typed.append(number)
-        constants = [number for number in typed if _is_constant(self.nodes[number])]
+                continue
+            typed.append(number)
+            if _is_constant(factor):
+                constants.append(number)
         above = [number for number in typed if number not in constants] if constants else typed
-        weight = _ONE if value is None else _weight(value)
+        weight = ONE if value is None else _weight(value)
         return Quotient(weight, tuple(constants), tuple(above), tuple(typed), tuple(divisors))
 
 
 def _weight(value: Fraction) -> Weight:
-    return Weight(value < 0, abs(value.numerator), value.denominator, decimal_text(abs(value)))
+    return _known_weight(value.numerator, value.denominator)
+
+
+@lru_cache(maxsize=4096)
+def _known_weight(numerator: int, denominator: int) -> Weight:
+    negative, size = numerator < 0, Fraction(abs(numerator), denominator)
+    decimal = decimal_text(size)
+    if decimal is not None:
+        return Weight(negative, decimal, decimal, "")
+    digits = "" if size.numerator == 1 else str(size.numerator)
+    return Weight(negative, digits, "", "" if denominator == 1 else str(denominator))
 
 
 def _is_constant(factor: Expression) -> bool:
-    match factor:
-        case Pi() | Call(Function.SQRT, (Number(),)):
-            return True
-    return False
+    if isinstance(factor, Call):
+        return factor.function is Function.SQRT and isinstance(factor.arguments[0], Number)
+    return isinstance(factor, Pi)

@@ -6,14 +6,13 @@ import re
 from collections import Counter
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from itertools import chain
+from itertools import chain, count
 
-from kinematics.expressions import Call, Function, JointVariable, Parameter, Pi, Power, Product, Sum
-from kinematics.printing.ledger import Entered, Ledger
-from kinematics.printing.notation import ShortName, short_name
+from kinematics.expressions import Function, Parameter, Pi
+from kinematics.printing.ledger import Entered
+from kinematics.printing.notation import ShortName
+from kinematics.printing.traits import Head, Naming, Traits
 
-_HALF = Fraction(1, 2)
 _PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _FOREIGN = re.compile(r"[^A-Za-z0-9_]")
 
@@ -76,47 +75,70 @@ class Program:
     result: str
 
 
-def plan(ledger: Ledger, matrix: Entered) -> Plan:
+def plan(traits: Traits, matrix: Entered) -> Plan:
     """Find what occurs more than once, and every sine and cosine of a joint."""
-    rows, nodes = matrix
-    uses = Counter(chain.from_iterable([ledger.below[number] for number in nodes]))
-    uses.update(chain.from_iterable(rows))
-    functions: set[Function] = set()
-    parameters: set[str] = set()
+    traits.entries(matrix)
+    uses = Counter(chain.from_iterable([traits.ledger.below[number] for number in matrix.nodes]))
+    uses.update(chain.from_iterable(matrix.rows))
+    heads: set[Head] = set()
     steps = []
-    for number in nodes:
-        node = ledger.nodes[number]
-        if isinstance(node, Parameter):
-            parameters.add(node.name)
-        elif isinstance(node, Call):
-            functions.add(node.function)
-        elif isinstance(node, Power) and abs(node.exponent) == _HALF:
-            functions.add(Function.SQRT)
-        if _deserves_name(ledger, number, uses[number]):
-            steps.append((number, short_name(node)))
+    for number in matrix.nodes:
+        trait = traits.of(number)
+        heads.add(trait.head)
+        if trait.naming is Naming.ALWAYS or (trait.naming is Naming.REPEATED and uses[number] > 1):
+            steps.append((number, trait.short))
     steps.sort(key=_place)
+    moving = traits.ledger.moving
     return Plan(
         matrix=matrix,
         steps=dict(steps),
-        functions=frozenset(functions),
-        parameters=frozenset(parameters),
-        holds_pi=any(isinstance(ledger.nodes[number], Pi) for number in nodes),
-        moves=any(map(ledger.moving.__getitem__, chain.from_iterable(rows))),
+        functions=frozenset(head for head in heads if isinstance(head, Function)),
+        parameters=frozenset(head.name for head in heads if isinstance(head, Parameter)),
+        holds_pi=Pi() in heads,
+        moves=any(moving[number] for row in matrix.rows for number in row),
     )
 
 
-def program(
-    plan: Plan, purpose: Purpose, *, n_joints: int, parameters: Sequence[str], reserved: Collection[str]
-) -> Program:
-    """Choose the names of a function in one language.
+def named(
+    plan: Plan,
+    purpose: Purpose,
+    *,
+    n_joints: int,
+    parameters: Sequence[str],
+    reserved: Sequence[frozenset[str]],
+) -> list[Program]:
+    """Choose the names of a function, in languages that reserve some words; most often one choice suits all.
 
     Args:
         plan: what it computes.
         purpose: what it is called.
         n_joints: number of joint variables.
         parameters: the table's parameters in the order in which they are to be arguments.
-        reserved: words that no identifier may be.
+        reserved: words that no identifier may be, for each language.
     """
+    counter = count(1)
+    words = [short.word if short else f"t{next(counter)}" for short in plan.steps.values()]
+    wanted = [*parameters, *words, purpose.result]
+    suits = len({*wanted, purpose.name, "q"}) == len(wanted) + 2 and all(map(_PLAIN.fullmatch, wanted))
+    common = None
+    if suits:
+        common = Program(
+            plan=plan,
+            purpose=purpose,
+            n_joints=n_joints,
+            arguments=dict(zip(parameters, parameters, strict=True)),
+            steps=dict(zip(plan.steps, words, strict=True)),
+            result=purpose.result,
+        )
+    return [
+        common if common and kept.isdisjoint(wanted) else _program(plan, purpose, n_joints, parameters, kept)
+        for kept in reserved
+    ]
+
+
+def _program(
+    plan: Plan, purpose: Purpose, n_joints: int, parameters: Sequence[str], reserved: Collection[str]
+) -> Program:
     identifiers = _Identifiers(reserved, {purpose.name, "q"})
     arguments = {name: identifiers.take(name) for name in parameters}
     steps = {
@@ -151,26 +173,6 @@ class _Identifiers:
         """The next of t1, t2 and so on."""
         self._numbers[letter] += 1
         return self.take(f"{letter}{self._numbers[letter]}")
-
-
-def _deserves_name(ledger: Ledger, number: int, uses: int) -> bool:
-    node = ledger.nodes[number]
-    match node:
-        case Product() if uses > 1:
-            quotient = ledger.quotients[number]
-            assert quotient is not None
-            # a number times a name is not worth a name of its own
-            return len(quotient.typed) + len(quotient.below) > 1
-        case Sum(terms):
-            # the sum of an angle only stands under a sine or cosine, where adding again costs nothing
-            return uses > 1 and not any(isinstance(term, JointVariable) for term in terms)
-        case Call(Function.SIN | Function.COS, _) if ledger.moving[number]:
-            return True
-        case Call():
-            return uses > 1
-        case Power(_, exponent):
-            return uses > 1 and exponent > 0  # a negative power is written as a division
-    return False
 
 
 def _place(step: tuple[int, ShortName | None]) -> tuple[int, tuple[tuple[int, int], ...], str]:

@@ -33,6 +33,14 @@ class Writer(ABC, Generic[W]):
                 known[number] = self._write(number)
         return [[known[number] for number in row] for row in matrix.rows]
 
+    def known(self, numbers: Sequence[int]) -> list[tuple[int, W]]:
+        """Some nodes, those below first, written; each with its number."""
+        known = self._written
+        for number in numbers:
+            if number not in known:
+                known[number] = self._write(number)
+        return [(number, known[number]) for number in numbers]
+
     @abstractmethod
     def _write(self, number: int) -> W:
         """One node, those below being written."""
@@ -150,8 +158,8 @@ class Typesetter(LineWriter):
         constants = [self._written[factor] for factor in quotient.constants]
         above = [self._written[factor] for factor in quotient.above]
         below = [self._raised(base, exponent) for base, exponent in quotient.below]
-        weakest = Binding.SUM if len(below) == 1 and not weight.divides else Binding.PRODUCT
-        denominator = [self._digits(str(weight.denominator))] if weight.divides else []
+        weakest = Binding.SUM if len(below) == 1 and not weight.denominator else Binding.PRODUCT
+        denominator = [self._digits(weight.denominator)] if weight.denominator else []
         denominator += [self._within(factor, weakest) for factor in below]
         head = [self._digits(weight.digits)] if weight.digits else []
         head += [self._within(factor, Binding.PRODUCT) for factor in constants]
