@@ -56,16 +56,29 @@ def align(step: Step, direction: Vector, point: Vector, sign: int) -> Alignment:
         point: a point of it.
         sign: +1 to bring the directions together, -1 to bring them opposite.
     """
+    h, direction, gap = aligning_motion(step, direction, point, sign)
+    angle = angle_between(direction, step.axis.direction)
+    if step.axis.prismatic:
+        return Alignment(h, angle, _NO_GAP, 0.0, direction)
+    gap = across(gap, step.axis.direction)
+    return Alignment(h, angle, gap, norm(gap), direction)
+
+
+def aligning_motion(step: Step, direction: Vector, point: Vector, sign: int) -> tuple[Motion, Vector, Vector]:
+    """The motion of `align` by itself, for where it does not matter how well it does.
+
+    Returns:
+        The motion; the axis's direction, reversed for sign -1, after it; what is left from its point to the
+        target's.
+    """
     if sign < 0:
         direction = (-direction[0], -direction[1], -direction[2])
-    group = step.group
     target = step.axis
     h = _rotation(step, direction, point)
     if h is not IDENTITY:
         direction = rotate(h, direction)
-    angle = angle_between(direction, target.direction)
     if target.prismatic:
-        return Alignment(h, angle, _NO_GAP, 0.0, direction)
+        return h, direction, _NO_GAP
     if h is not IDENTITY:
         point = move(h, point)
     gap = subtract(target.point, point)
@@ -75,10 +88,9 @@ def align(step: Step, direction: Vector, point: Vector, sign: int) -> Alignment:
         v = (a * x + b * y + c * z, d * x + e * y + f * z, k * x + l * y + m * z)
         gap = subtract(gap, v)
         h = translation(v) if h is IDENTITY else (*h[:9], h[9] + v[0], h[10] + v[1], h[11] + v[2])
-    elif len(group.translations) == 3:
+    elif len(step.group.translations) == 3:
         gap = across(gap, target.direction)
-    gap = across(gap, target.direction)
-    return Alignment(h, angle, gap, norm(gap), direction)
+    return h, direction, gap
 
 
 def _rotation(step: Step, direction: Vector, point: Vector) -> Motion:

@@ -72,20 +72,11 @@ def certify(
     if types != [axis.prismatic for axis in submissions[0].axes]:
         return None
     references = [r.beside(chain) for r, chain in zip(references, submissions, strict=True)]
-    for level in _levels(references[0], policy):
+    for level in references[0].levels(policy.base, policy.zero, policy.tolerance):
         found = Search(references, submissions, policy, level, effort).run()
         if found is not None:
             return _certificate(found)
     return None
-
-
-def _levels(reference: Reference, policy: Policy) -> list[int]:
-    """The notions of nearness that make different chains of groups."""
-    shapes = [
-        [plan.shape for plan in reference.plans(policy.base, policy.zero, near)]
-        for near in reference.nearnesses(policy.tolerance)
-    ]
-    return [level for level, shape in enumerate(shapes) if shape not in shapes[:level]]
 
 
 def _certificate(found: Found) -> Certificate:

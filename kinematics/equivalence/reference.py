@@ -54,6 +54,8 @@ class Reference:
     joints: NDArray[np.float64]
     poses: NDArray[np.float64]
     _plans: dict[tuple[BaseRule, ZeroRule, Nearness], tuple[Plan, ...]] = field(default_factory=dict)
+    _nearnesses: dict[Tolerance, tuple[Nearness, ...]] = field(default_factory=dict)
+    _levels: dict[tuple[BaseRule, ZeroRule, Tolerance], tuple[int, ...]] = field(default_factory=dict)
 
     def beside(self, submission: Chain) -> Reference:
         """The reference at the size of a submission, if it has none of its own."""
@@ -83,11 +85,27 @@ class Reference:
         And, for what may slide along them, those so nearly parallel that a displacement within the tolerance,
         or a smaller one, slides it by about the robot's size.
         """
-        angle, length = LOOSELY * tolerance.angle, LOOSELY * tolerance.length
-        return (
-            Nearness(EXACTLY, EXACTLY * self.size, EXACTLY),
-            *(Nearness(angle, length * self.size, max(angle, share * tolerance.length)) for share in SLIDING),
-        )
+        found = self._nearnesses.get(tolerance)
+        if found is None:
+            angle, length = LOOSELY * tolerance.angle, LOOSELY * tolerance.length * self.size
+            found = self._nearnesses[tolerance] = (
+                Nearness(EXACTLY, EXACTLY * self.size, EXACTLY),
+                *(Nearness(angle, length, max(angle, share * tolerance.length)) for share in SLIDING),
+            )
+        return found
+
+    def levels(self, base: BaseRule, zero: ZeroRule, tolerance: Tolerance) -> tuple[int, ...]:
+        """The notions of nearness, by their places in `nearnesses`, that make different chains of groups."""
+        key = (base, zero, tolerance)
+        found = self._levels.get(key)
+        if found is None:
+            shapes = [
+                [plan.shape for plan in self.plans(base, zero, near)] for near in self.nearnesses(tolerance)
+            ]
+            found = self._levels[key] = tuple(
+                level for level, shape in enumerate(shapes) if shape not in shapes[:level]
+            )
+        return found
 
 
 @lru_cache(maxsize=1024)

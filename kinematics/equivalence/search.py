@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum, auto
 
-from kinematics.equivalence.alignment import Alignment, align
+from kinematics.equivalence.alignment import Alignment, align, aligning_motion
 from kinematics.equivalence.certificates import Candidate, Path, candidate_from
 from kinematics.equivalence.chains import Chain
 from kinematics.equivalence.groups import Group, Nearness, Rotations, departure
@@ -293,7 +293,7 @@ def forced_path(plan: Plan, submission: Chain, start: Motion, signs: Sequence[in
     motions: list[Motion] = []
     totals: list[Motion] = []
     for step, axis, sign in zip(plan.steps, submission.axes, signs, strict=True):
-        h = align(step, rotate(here, axis.direction), move(here, axis.point), sign).motion
+        h, _, _ = aligning_motion(step, rotate(here, axis.direction), move(here, axis.point), sign)
         here = compose(h, here)
         motions.append(h)
         totals.append(here)
