@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, partial
 from typing import Annotated
 
 import orjson
-from fastapi import Path, Request, Response
+from fastapi import Path, Query, Request, Response
 
 from kinematics import catalogue
 from kinematics.errors import Fault
 from service.errors import NotFoundError, Place
+from service.languages import language_of
+from service.messages import sentence
 from service.openapi import problems
 from service.routing import JSON, api_router
 from service.schemas.catalogue import Robot, RobotList
@@ -18,14 +20,17 @@ from service.web.responses import text_response
 
 router = api_router("robots")
 
-_FRESH = {"Cache-Control": "public, max-age=300"}
+Language = Annotated[
+    str | None, Query(max_length=20, description="en, es, fr, pt, ro or uk; else Accept-Language decides")
+]
 
 
 @router.get("/robots", response_model=RobotList, summary="The robots of the source documents")
-async def robots(request: Request) -> Response:
+async def robots(request: Request, lang: Language = None) -> Response:
     """Every robot of the catalogue, with its source; table and parameters are ready to be sent back."""
-    entries = b",".join(_written(robot_id) for robot_id in catalogue.robot_ids())
-    return text_response(request, b'{"robots":[%b]}' % entries, JSON, _FRESH)
+    language = language_of(request)
+    entries = b",".join(_written(robot_id, language) for robot_id in catalogue.robot_ids())
+    return text_response(request, b'{"robots":[%b]}' % entries, JSON, _headers(language))
 
 
 @router.get(
@@ -37,8 +42,14 @@ async def robots(request: Request) -> Response:
 async def robot(
     request: Request,
     robot_id: Annotated[str, Path(max_length=64, openapi_examples={"PUMA 560": {"value": "puma560"}})],
+    lang: Language = None,
 ) -> Response:
-    """A robot of the catalogue: source, DH table, parameters, named configurations, limits, SCM chain."""
+    """A robot of the catalogue: source, DH table, parameters, named configurations, limits, SCM chain.
+
+    Its name and what its configurations look like are in the caller's language; what is quoted of a source
+    stays as it was written.
+    """
+    language = language_of(request)
     known = catalogue.robot_ids()
     if robot_id not in known:
         fault = Fault(
@@ -48,10 +59,18 @@ async def robot(
             params={"robot": robot_id, "known": known},
         )
         raise NotFoundError(fault, place=Place.PATH)
-    return text_response(request, _written(robot_id), JSON, _FRESH)
+    return text_response(request, _written(robot_id, language), JSON, _headers(language))
+
+
+def _headers(language: str) -> dict[str, str]:
+    return {
+        "Cache-Control": "public, max-age=300",
+        "Content-Language": language,
+        "Vary": "Accept-Language",
+    }
 
 
 @cache
-def _written(robot_id: str) -> bytes:
-    wire = Robot.of(catalogue.robot(robot_id))
+def _written(robot_id: str, language: str) -> bytes:
+    wire = Robot.of(catalogue.robot(robot_id), partial(sentence, language))
     return orjson.dumps(wire.model_dump(mode="json", exclude_none=True))

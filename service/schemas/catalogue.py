@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Annotated, Self
 
 from pydantic import Field
@@ -51,12 +52,17 @@ class Robot(Wire):
     scm: ScmForm | None = Field(None, description="the robot by the SCM method")
 
     @classmethod
-    def of(cls, robot: CatalogueRobot) -> Self:
-        """A robot of the catalogue as it goes over the wire."""
+    def of(cls, robot: CatalogueRobot, told: Callable[[str], str | None]) -> Self:
+        """A robot of the catalogue as it goes over the wire.
+
+        Args:
+            robot: the robot.
+            told: the sentence of a message in the caller's language, None if there is none.
+        """
         raw = robot.raw
         return cls(
             id=robot.id,
-            name=robot.name,
+            name=told(f"robot-{robot.id}") or robot.name,
             source=Source(
                 document=robot.source.document, place=robot.source.place, figures=robot.source.figures
             ),
@@ -71,7 +77,10 @@ class Robot(Wire):
             ),
             parameters=dict(robot.parameters),
             configurations={
-                name: Configuration(joints=list(found.joints), meaning=found.meaning)
+                name: Configuration(
+                    joints=list(found.joints),
+                    meaning=told(f"configuration-{robot.id}-{name}") or found.meaning,
+                )
                 for name, found in robot.configurations.items()
             },
             limits=[list(pair) for pair in robot.limits] if robot.limits else None,

@@ -10,6 +10,7 @@ import pytest
 
 from kinematics import catalogue
 from kinematics.table import JointType
+from service.messages import languages
 
 API = "/api/v1"
 
@@ -57,3 +58,21 @@ def test_an_unknown_robot_is_not_there(client: httpx.Client) -> None:
     assert (problem["code"], problem["errors"][0]["name"]) == ("robot_unknown", "robot_id")
     assert "catalogue" in problem["detail"]
     assert "puma560" in problem["detail"]
+
+
+@pytest.mark.parametrize("robot_id", catalogue.robot_ids())
+def test_names_and_configurations_are_told_in_every_language(client: httpx.Client, robot_id: str) -> None:
+    known = catalogue.robot(robot_id)
+    told: dict[str, dict[str, str]] = {}
+    for language in languages():
+        robot = client.get(f"{API}/robots/{robot_id}", headers={"Accept-Language": language})
+        assert robot.headers["content-language"] == language
+        assert "Accept-Language" in robot.headers["vary"]
+        assert robot.content == client.get(f"{API}/robots/{robot_id}", params={"lang": language}).content
+        body = robot.json()
+        told[language] = {name: found["meaning"] for name, found in body["configurations"].items()}
+        if language == "en":
+            assert body["name"] == known.name
+    assert told["en"] == {name: found.meaning for name, found in known.configurations.items()}
+    for name in known.configurations:
+        assert len({told[language][name] for language in told}) == len(told)

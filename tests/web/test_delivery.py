@@ -141,7 +141,7 @@ TEXTS = {
     "/api/v1/exercises": "Accept-Language",
     "/api/v1/exercises/puma560": "Accept-Language",
     "/api/v1/exercises/puma560/figure.svg": "Accept-Language",
-    "/api/v1/robots/puma560": None,
+    "/api/v1/robots/puma560": "Accept-Language",
 }
 
 
