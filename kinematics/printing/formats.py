@@ -83,15 +83,15 @@ class MatrixPrinter:
 
         With ten joints or more there are two names for one thing: c2,3 is typeset, c2_3 stands in text.
         """
-        entries = chain.from_iterable(chain.from_iterable(matrices))
-        full, found = TextWriter(Names(), self._ledger), {}
-        for number in self._ledger.under(self._ledger.numbers(entries)):
-            node = self._ledger.nodes[number]
-            name = self._names.short(node)
-            if name is not None:
-                found[name.plain] = full.text(node)
-                if name.is_sum:
-                    found[name.word] = full.text(node)
+        ledger, found = self._ledger, {}
+        nodes = ledger.under(ledger.numbers(chain.from_iterable(chain.from_iterable(matrices))))
+        named = [(number, self._names.short(ledger.nodes[number])) for number in nodes]
+        abbreviated = {number: name for number, name in named if name is not None}
+        texts = TextWriter(Names(), ledger).lines(ledger.entered((tuple(abbreviated),)))[0]
+        for name, text in zip(abbreviated.values(), texts, strict=True):
+            found[name.plain] = text
+            if name.is_sum:
+                found[name.word] = text
         return dict(sorted(found.items()))
 
     def _written(self, matrix: Entered, wanted: Sequence[Format], purpose: Purpose) -> dict[str, Any]:

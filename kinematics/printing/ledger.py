@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from itertools import chain
+from itertools import chain, islice
 from typing import NamedTuple
 
 from kinematics.expressions import (
@@ -110,7 +110,11 @@ class Ledger:
 
     def matrix(self, matrix: Sequence[Sequence[Expression]]) -> Entered:
         """A matrix, which is entered if it is new."""
-        rows = tuple([self.numbers(row) for row in matrix])
+        numbers = iter(self.numbers(chain.from_iterable(matrix)))
+        return self.entered(tuple([tuple(islice(numbers, len(row))) for row in matrix]))
+
+    def entered(self, rows: tuple[tuple[int, ...], ...]) -> Entered:
+        """A matrix of nodes that are in the ledger."""
         return Entered(rows, self.under(chain.from_iterable(rows)))
 
     def under(self, roots: Iterable[int]) -> list[int]:

@@ -83,10 +83,10 @@ def plan(traits: Traits, matrix: Entered) -> Plan:
     heads: set[Head] = set()
     steps = []
     for number in matrix.nodes:
-        trait = traits.of(number)
-        heads.add(trait.head)
-        if trait.naming is Naming.ALWAYS or (trait.naming is Naming.REPEATED and uses[number] > 1):
-            steps.append((number, trait.short))
+        naming, short, _, head, *_ = traits.of(number)
+        heads.add(head)
+        if naming is Naming.ALWAYS or (naming is Naming.REPEATED and uses[number] > 1):
+            steps.append((number, short))
     steps.sort(key=_place)
     moving = traits.ledger.moving
     return Plan(
