@@ -19,10 +19,11 @@ from kinematics.inverse.arm import Array
 from kinematics.inverse.closed_form import Decomposition
 from kinematics.inverse.distinct import SAME, SINGULAR_VALUE
 from kinematics.inverse.judging import judge
+from kinematics.inverse.lengths import LARGEST_LENGTH
 from kinematics.inverse.limits import within_limits
 from kinematics.inverse.refinement import AS_IT_IS
 from kinematics.inverse.results import IKStatus, InverseKinematics
-from kinematics.inverse.solve import LARGEST_LENGTH, Solver, rigid_target
+from kinematics.inverse.solve import Solver, rigid_target
 from kinematics.jacobian import jacobian
 
 Indices = NDArray[np.intp]

@@ -85,22 +85,27 @@ def on_continuum(arm: Arm, target: Array, joints: Array) -> tuple[NDArray[np.boo
     J = arm.jacobians(arm.frames(joints)) * scale
     directions = np.zeros(joints.shape)
     found = np.zeros(len(joints), dtype=bool)
-    volume = volumes(J)
-    for i in np.flatnonzero(volume < SMALL_VOLUME).tolist():
-        _, values, rows = np.linalg.svd(J[i])
-        blind = rows[: len(values)][values < SINGULAR_VALUE]
-        if len(blind):
-            tried = _combinations(blind)
-            moves = _moves(arm, target, np.broadcast_to(joints[i], tried.shape), tried, scale)
-            found[i] = moves.any()
-            directions[i] = tried[int(np.argmax(moves))]
+    suspects = np.flatnonzero(volumes(J) < SMALL_VOLUME)
+    if not len(suspects):
+        return found, directions
+    _, values, rows = np.linalg.svd(J[suspects])
+    n = values.shape[1]
+    tried = [
+        _combinations(basis[:n][small]) for basis, small in zip(rows, values < SINGULAR_VALUE, strict=True)
+    ]
+    owner = np.repeat(suspects, [len(ways) for ways in tried])
+    if len(owner):
+        ways = np.concatenate(tried)
+        moves = _moves(arm, target, joints[owner], ways, scale)
+        for i, direction in zip(owner[moves][::-1].tolist(), ways[moves][::-1], strict=True):
+            found[i], directions[i] = True, direction  # the first of them stays
     return found, directions
 
 
 def _combinations(blind: Array) -> Array:
     """Directions that the Jacobian does not see: each of a basis, and the sums and differences of two."""
     pairs = [(one + s * other) / np.sqrt(2.0) for one, other in combinations(blind, 2) for s in (1, -1)]
-    return np.array([*blind, *pairs])
+    return np.array([*blind, *pairs]).reshape(-1, blind.shape[1])
 
 
 def _moves(arm: Arm, target: Array, joints: Array, directions: Array, scale: Array) -> NDArray[np.bool_]:

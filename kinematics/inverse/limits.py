@@ -9,8 +9,9 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.errors import Fault, JointValueError
+from kinematics.errors import Fault, JointValueError, ParamValue
 from kinematics.inverse.arm import Array
+from kinematics.inverse.lengths import is_long, too_long
 from kinematics.inverse.search import Box
 
 JointLimits: TypeAlias = Sequence[tuple[float | None, float | None] | None]
@@ -20,13 +21,22 @@ ON_LIMIT = 1e-9
 """A value beyond its limit by no more than this [rad, or m per unit of size] is put on it."""
 
 
-def read_limits(limits: JointLimits | None, n_joints: int) -> Box:
+FARTHEST_TURN = 1e4
+"""Angles beyond this [rad] are no joint values: so many turns, and a double no longer tells angles apart."""
+
+
+def read_limits(limits: JointLimits | None, revolute: Sequence[bool]) -> Box:
     """The limits as arrays, infinite where there are none.
 
+    Args:
+        limits: (least, greatest) of each joint.
+        revolute: which joints turn.
+
     Raises:
-        JointValueError: not one entry per joint, at ("limits",); a bound that is NaN, or least above
-            greatest, at ("limits", i).
+        JointValueError: not one entry per joint, at ("limits",); a bound that is NaN, least above greatest,
+            angles that are all beyond `FARTHEST_TURN`, or a slide beyond `LARGEST_LENGTH`, at ("limits", i).
     """
+    n_joints = len(revolute)
     if limits is None:
         return Box(np.full(n_joints, -np.inf), np.full(n_joints, np.inf))
     if len(limits) != n_joints:
@@ -44,19 +54,30 @@ def read_limits(limits: JointLimits | None, n_joints: int) -> Box:
         least, greatest = (None, None) if pair is None else pair
         low[i] = -math.inf if least is None else least
         high[i] = math.inf if greatest is None else greatest
-        if not low[i] <= high[i] or low[i] == math.inf or high[i] == -math.inf:
-            faults.append(
-                Fault(
-                    code="limits_reversed",
-                    where=("limits", i),
-                    message=f"the limits of joint {i + 1} are its least and its greatest value, in this"
-                    " order",
-                    params={"joint": i + 1},
-                )
-            )
+        fault = _fault(i, float(low[i]), float(high[i]), revolute[i])
+        if fault is not None:
+            faults.append(fault)
     if faults:
         raise JointValueError(faults)
     return Box(low, high)
+
+
+def _fault(i: int, low: float, high: float, turns: bool) -> Fault | None:
+    """What is wrong with the range of joint i + 1."""
+    where = ("limits", i)
+    params: dict[str, ParamValue] = {"joint": i + 1}
+    if not low <= high or low == math.inf or high == -math.inf:
+        message = f"the limits of joint {i + 1} are its least and its greatest value, in this order"
+        return Fault(code="limits_reversed", where=where, message=message, params=params)
+    if turns and (low > FARTHEST_TURN or high < -FARTHEST_TURN):
+        message = (
+            f"the limits of joint {i + 1} are more than {FARTHEST_TURN:g} rad from 0; take off full turns"
+        )
+        params["limit"] = FARTHEST_TURN
+        return Fault(code="limits_too_far", where=where, message=message, params=params)
+    if not turns and any(math.isfinite(end) and is_long(end) for end in (low, high)):
+        return too_long(where)
+    return None
 
 
 def within_limits(

@@ -10,6 +10,9 @@ from kinematics.inverse.arm import Arm, Array
 _TINY = 1e-8
 """Up to here asin x = x to the last bit: the next term, x³/6, is less than half of it."""
 
+_NO_AXIS = 1e-6
+"""Below this sine of its angle the antisymmetric part of a half turn has lost the axis."""
+
 _PARTS = np.array(([0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [1.0, 0.0]) * 3)
 """Sums the squares of the upper three rows of a 4×4 matrix into those of its position and of its rotation."""
 
@@ -82,5 +85,23 @@ def error_vectors(poses: Array, target: Array, size: float) -> Array:
     sine = 0.5 * np.sqrt((w * w).sum(axis=1))
     cosine = 0.5 * (Q[:, 0, 0] + Q[:, 1, 1] + Q[:, 2, 2] - 1.0)
     angle = np.arctan2(sine, cosine)
+    half = (sine < _NO_AXIS) & (cosine < 0.0)
+    if half.any():
+        axes = _axes_of_half_turns(Q[half], w[half])
     w *= np.where(sine > 1e-12, 0.5 * angle / np.maximum(sine, 1e-12), 0.5)[:, None]
+    if half.any():
+        w[half] = angle[half, None] * axes
     return errors
+
+
+def _axes_of_half_turns(Q: Array, w: Array) -> Array:
+    """Unit axes of all but half turns, from Q + I ≈ 2 u uᵀ; w = 2 sin(angle) u says which way they point.
+
+    Args:
+        Q: (m, 3, 3).
+        w: (m, 3), may be zero.
+    """
+    S = 0.5 * (Q + Q.transpose(0, 2, 1)) + np.eye(3)
+    u = np.take_along_axis(S, np.einsum("mii->mi", S).argmax(axis=1)[:, None, None], axis=2)[:, :, 0]
+    u /= np.linalg.norm(u, axis=1)[:, None]
+    return np.where((u * w).sum(axis=1) < 0.0, -1.0, 1.0)[:, None] * u

@@ -11,7 +11,7 @@ least squares problems (2004) §3.2.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 import numpy as np
@@ -42,6 +42,8 @@ Mech. Mach. Theory 21 (1986) 509.
 FIRST_ROUND = 32
 ENOUGH_STARTS = 512
 MOST_STARTS = 2048
+BY_OWN_SIZE = 256
+"""Starts that descend by the arm's own size to what is nearest, where another was taken for the search."""
 
 _DAMPING = (1e-9, 1e4)
 
@@ -64,6 +66,14 @@ class Box:
     def limited(self) -> bool:
         """Whether there is any bound."""
         return bool(np.isfinite(self.low).any() or np.isfinite(self.high).any())
+
+
+def one_turn(low: Array, high: Array) -> tuple[Array, Array]:
+    """Of each range of an angle that is wider than a turn, the turn nearest to zero; others as they are."""
+    with np.errstate(over="ignore"):
+        wide = high - low >= 2.0 * np.pi
+    start = np.maximum(np.minimum(-np.pi, high - 2.0 * np.pi), low)
+    return np.where(wide, start, low), np.where(wide, start + 2.0 * np.pi, high)
 
 
 def unbounded(n_joints: int) -> Box:
@@ -179,27 +189,38 @@ def search(arm: Arm, target: Array, box: Box, bounds: Bounds) -> SearchResult:
     """
     n = arm.n_joints
     box = box if bounds is Bounds.KEPT else unbounded(n)
+    measured = _measured(arm, target)
     found = np.empty((0, n))
-    ends, errors = [], []
+    ends: list[Array] = []
     done, count = 0, FIRST_ROUND
     while done < min(MOST_STARTS, FIRST_ROUND * 8 ** (n - 1)):
-        descent = descend(arm, target, _starts(arm, target, box, count, done), box)
-        best = np.argsort(descent.errors, kind="stable")[:4]
-        ends.append(descent.joints[best])
-        errors.append(descent.errors[best])
+        descent = descend(measured, target, _starts(arm, target, box, count, done), box)
+        ends.append(_best(descent))
         arrived = descent.joints[descent.errors < ARRIVED]
         before = len(found)
         if len(arrived):
-            found = distinct(arm, target, np.concatenate((found, _exact(arm, target, arrived, box))))
+            found = distinct(arm, target, np.concatenate((found, _exact(measured, target, arrived, box))))
         done, count = done + count, done + count
         enough = len(found) == before or len(found) > MOST_ISOLATED or done >= ENOUGH_STARTS
         if len(found) and (n > JOINTS_OF_SPACE or enough):
             break
     if len(found):
         return SearchResult(found, found[0])
-    best = np.argsort(np.concatenate(errors), kind="stable")[:4]
-    settled = descend(arm, target, np.concatenate(ends)[best], box, iterations=300, least_gain=1e-13)
+    if measured is not arm:
+        ends.append(_best(descend(arm, target, _starts(arm, target, box, BY_OWN_SIZE, 0), box)))
+    settled = descend(arm, target, np.concatenate(ends), box, iterations=300, least_gain=1e-13)
     return SearchResult(found, settled.joints[int(np.argmin(settled.errors))])
+
+
+def _best(descent: Descent) -> Array:
+    """The few ends nearest to the target."""
+    return np.asarray(descent.joints[np.argsort(descent.errors, kind="stable")[:4]])
+
+
+def _measured(arm: Arm, target: Array) -> Arm:
+    """The arm, its size what the target asks of its slides: beside their way its offsets may be nothing."""
+    far = float(np.linalg.norm(target[:3, 3] - arm.constants[0, :3, 3]))
+    return arm if arm.revolute.all() or far <= arm.size else replace(arm, size=far)
 
 
 def _exact(arm: Arm, target: Array, joints: Array, box: Box) -> Array:
@@ -211,13 +232,14 @@ def _exact(arm: Arm, target: Array, joints: Array, box: Box) -> Array:
 
 
 def _starts(arm: Arm, target: Array, box: Box, count: int, skip: int) -> Array:
-    """Starts all over the box; a turn without limits over one turn, a slide as far as the target may need."""
+    """Starts all over the box: of each angle over one turn at most, a slide as far as the target may need."""
     far = arm.size + float(np.linalg.norm(target[:3, 3]))
-    half = np.where(arm.revolute, np.pi, far)
     bounded_below, bounded_above = np.isfinite(box.low), np.isfinite(box.high)
-    low = np.where(bounded_below, box.low, np.where(bounded_above, box.high - 2.0 * half, -half))
-    high = np.where(bounded_above, box.high, low + 2.0 * half)
-    return low + (high - low) * low_discrepancy(count, arm.n_joints, skip)
+    low = np.where(bounded_below, box.low, np.where(bounded_above, box.high - 2.0 * far, -far))
+    high = np.where(bounded_above, box.high, low + 2.0 * far)
+    turns = one_turn(box.low, box.high)
+    low, high = np.where(arm.revolute, turns, (low, high))
+    return np.asarray(low + (high - low) * low_discrepancy(count, arm.n_joints, skip))
 
 
 def polish(arm: Arm, targets: Array, joints: Array, steps: int = 20) -> Array:

@@ -12,6 +12,7 @@ from kinematics.errors import Fault, PoseError, TableError
 from kinematics.inverse.arm import Arm, Array, arm_of
 from kinematics.inverse.closed_form import ClosedForm, closed_form_of
 from kinematics.inverse.distinct import on_continuum, one_per_continuum
+from kinematics.inverse.lengths import check_lengths, is_far, too_long
 from kinematics.inverse.limits import JointLimits, read_limits, within_limits
 from kinematics.inverse.refinement import solutions_of
 from kinematics.inverse.residuals import pose_errors
@@ -32,8 +33,6 @@ from kinematics.transforms import check_transform
 MAX_JOINTS = 12
 MOST_SOLUTIONS = 64
 """Of a search no more solutions than this are returned."""
-LARGEST_LENGTH = 1e60
-"""Powers of lengths up to the fourth occur on the way, and a double ends at 1.8e308."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -210,8 +209,8 @@ def solver_of(
     T_w_0 = None if base is None else check_transform(base, where=("base",))
     T_n_t = None if tool is None else check_transform(tool, where=("tool",))
     for pose, name in ((T_w_0, "base"), (T_n_t, "tool")):
-        if pose is not None and _is_long(np.abs(pose[:3, 3]).max()):
-            raise PoseError(_too_long((name,)))
+        if pose is not None and is_far(pose):
+            raise PoseError(too_long((name,)))
     arm, closed_form = _prepared(
         table, None if T_w_0 is None else T_w_0.tobytes(), None if T_n_t is None else T_n_t.tobytes()
     )
@@ -221,7 +220,7 @@ def solver_of(
         tool=T_n_t,
         arm=arm,
         closed_form=closed_form,
-        box=read_limits(limits, arm.n_joints),
+        box=read_limits(limits, arm.revolute.tolist()),
     )
 
 
@@ -229,11 +228,11 @@ def rigid_target(target: ArrayLike, where: tuple[str | int, ...]) -> Transform:
     """The target as a rigid motion that can be computed with.
 
     Raises:
-        PoseError: not a rigid motion, or a position beyond `LARGEST_LENGTH`, at `where`.
+        PoseError: not a rigid motion, or a position too far away, at `where`.
     """
     pose = nearest_rigid(check_transform(target, where=where))
-    if _is_long(np.abs(pose[:3, 3]).max()):
-        raise PoseError(_too_long(where))
+    if is_far(pose):
+        raise PoseError(too_long(where))
     return pose
 
 
@@ -253,10 +252,7 @@ def nearest_rigid(target: Transform) -> Transform:
 
 @lru_cache(maxsize=256)
 def _prepared(table: NumericTable, base: bytes | None, tool: bytes | None) -> tuple[Arm, ClosedForm | None]:
-    cells = [(i, cell) for i in range(len(table.rows)) for cell in ("a", "d")]
-    faults = [_too_long(("rows", i, cell)) for i, cell in cells if _is_long(getattr(table.rows[i], cell))]
-    if faults:
-        raise TableError(faults)
+    check_lengths(table)
     if not 1 <= table.n_joints <= MAX_JOINTS:
         raise TableError(
             Fault(
@@ -269,12 +265,3 @@ def _prepared(table: NumericTable, base: bytes | None, tool: bytes | None) -> tu
     ends = [None if T is None else np.frombuffer(T).reshape(4, 4) for T in (base, tool)]
     arm = arm_of(table, *ends)
     return arm, closed_form_of(arm)
-
-
-def _is_long(length: float) -> bool:
-    return abs(length) > LARGEST_LENGTH
-
-
-def _too_long(where: tuple[str | int, ...]) -> Fault:
-    message = f"lengths beyond {LARGEST_LENGTH:.0e} give results too large for a double; they must be smaller"
-    return Fault(code="result_not_finite", message=message, where=where)

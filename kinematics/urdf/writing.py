@@ -21,6 +21,7 @@ from kinematics.links import Transform, link_transform
 from kinematics.poses import rpy_from_transform
 from kinematics.table import Convention, JointType, NumericTable
 from kinematics.transforms import check_transform
+from kinematics.urdf.document import MAX_NUMBER
 
 BASE_LINK = "base_link"
 TIP_LINK = "tool0"
@@ -68,7 +69,8 @@ def urdf_from_table(
         metres_per_unit: length of the table's unit [m].
 
     Raises:
-        DescriptionError: a name that is empty or holds control characters, or a length beyond all measure.
+        DescriptionError: a name that is empty or holds control characters, at ("name",); or a length that no
+            reader takes, at ("rows", i), ("limits", i), ("base",) or ("tool",).
         JointValueError: limits of the wrong number, or reversed.
         TableError: an entry of the table is NaN or infinite.
         PoseError: base or tool is not a rigid transform.
@@ -76,13 +78,14 @@ def urdf_from_table(
     if not name.strip() or not name.isprintable():
         message = "a robot's name is a line of visible characters"
         raise DescriptionError(Fault(code="urdf_name_invalid", message=message, where=("name",)))
-    box = read_limits(limits, table.n_joints)
+    box = read_limits(limits, [joint is JointType.REVOLUTE for joint in table.joint_types])
     writer = _Writer(metres_per_unit)
     if base is not None:
         writer.fixed("base", check_transform(base, where=("base",)))
     bounds = list(zip(box.low.tolist(), box.high.tolist(), strict=True))
     _write_rows(writer, table, bounds)
     end = np.eye(4) if tool is None else check_transform(tool, where=("tool",))
+    writer.where = ("tool",)
     writer.last(end)
     lines = [
         '<?xml version="1.0"?>',
@@ -103,6 +106,7 @@ def urdf_from_table(
 def _write_rows(writer: _Writer, table: NumericTable, bounds: Sequence[tuple[float, float]]) -> None:
     numbers = {row: joint for joint, row in enumerate(table.joint_rows)}
     for i, row in enumerate(table.rows):
+        writer.where = ("rows", i)
         constant = link_transform(replace(row, joint=JointType.FIXED), table.convention)
         if row.joint is JointType.FIXED:
             writer.fixed(f"row_{i + 1}", constant)
@@ -115,9 +119,13 @@ def _write_rows(writer: _Writer, table: NumericTable, bounds: Sequence[tuple[flo
 
 
 class _Writer:
-    """Writes joint after joint; `behind` is what is constant since the last one."""
+    """Writes joint after joint.
+
+    `behind` is what is constant since the last one, `where` what is being written.
+    """
 
     def __init__(self, metres_per_unit: float) -> None:
+        self.where: tuple[str | int, ...] = ("base",)
         self.lines = [f'  <link name="{BASE_LINK}"/>']
         self.behind: Transform = np.eye(4)
         self.assumed: list[int] = []
@@ -143,6 +151,7 @@ class _Writer:
         if joint is JointType.PRISMATIC:
             if known:
                 low, high = low * self._metres, high * self._metres
+                self._check((low, high), ("limits", number - 1))
             else:
                 low, high = -UNKNOWN_TRAVEL, UNKNOWN_TRAVEL
                 details.append(f"<!-- {_UNKNOWN} -->")
@@ -158,9 +167,7 @@ class _Writer:
         self.behind = np.eye(4)
         rpy = rpy_from_transform(origin)
         xyz = [value * self._metres for value in origin[:3, 3].tolist()]
-        if not np.all(np.isfinite(xyz)):
-            message = "a length is too large to be written in metres"
-            raise DescriptionError(Fault(code="urdf_length_overflow", message=message))
+        self._check(xyz, self.where)
         self.lines += [
             f'  <link name="{child}"/>',
             f'  <joint name="{name}" type="{kind}">',
@@ -171,6 +178,15 @@ class _Writer:
             "  </joint>",
         ]
         self._link = child
+
+    def _check(self, lengths: Sequence[float], where: tuple[str | int, ...]) -> None:
+        """Make sure that a reader takes these lengths [m]."""
+        if not all(abs(length) <= MAX_NUMBER for length in lengths):
+            message = f"a URDF has no use for lengths beyond {MAX_NUMBER:g} m; they must be smaller"
+            params = {"limit": MAX_NUMBER / self._metres, "limit_in_metres": MAX_NUMBER}
+            raise DescriptionError(
+                Fault(code="urdf_length_overflow", message=message, where=where, params=params)
+            )
 
 
 def _text(value: float) -> str:

@@ -6,7 +6,7 @@ spans     the ranges of the joints
 reach     radii, box and points of a robot
 """
 
-from kinematics.workspace.reach import Radii, Radius, Workspace, check_joints, workspace
+from kinematics.workspace.reach import Radii, Radius, Workspace, check_reach, workspace
 from kinematics.workspace.spans import joint_spans
 
-__all__ = ["Radii", "Radius", "Workspace", "check_joints", "joint_spans", "workspace"]
+__all__ = ["Radii", "Radius", "Workspace", "check_reach", "joint_spans", "workspace"]

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinematics.errors import Fault, TableError
+from kinematics.errors import Fault, PoseError, TableError
 from kinematics.forward import end_poses
+from kinematics.inverse.lengths import check_lengths, is_far, too_long
 from kinematics.inverse.limits import JointLimits
 from kinematics.table import NumericTable
 from kinematics.transforms import check_transform
@@ -90,11 +91,11 @@ def workspace(
         samples: number of points, spread evenly over the joints' ranges.
 
     Raises:
-        TableError: the table has no joint, or an entry is NaN or infinite.
-        JointValueError: limits of the wrong number or reversed, or a sliding joint without them.
-        PoseError: base or tool is not a rigid transform.
+        TableError: the table has no joint, or an entry is NaN, infinite or too large.
+        JointValueError: limits of the wrong number, reversed or too large, or a sliding joint without them.
+        PoseError: base or tool is not a rigid transform, or too far away.
     """
-    check_joints(table)
+    check_reach(table, base, tool)
     spans = joint_spans(table, limits)
     T_w_0 = np.eye(4) if base is None else check_transform(base, where=("base",))
     T_n_t = None if tool is None else check_transform(tool, where=("tool",))
@@ -128,15 +129,20 @@ def workspace(
     )
 
 
-def check_joints(table: NumericTable) -> None:
-    """Make sure that something moves.
+def check_reach(table: NumericTable, base: ArrayLike | None, tool: ArrayLike | None) -> None:
+    """Make sure that something moves, and over distances that can be computed with.
 
     Raises:
-        TableError: nothing does.
+        TableError: nothing does, or a length is too large, at ("rows", …).
+        PoseError: base or tool is not a rigid transform, or too far away.
     """
     if table.n_joints == 0:
         message = "nothing moves: a workspace needs a revolute or a prismatic row"
         raise TableError(Fault(code="workspace_without_joints", message=message, where=("rows",)))
+    check_lengths(table)
+    for pose, name in ((base, "base"), (tool, "tool")):
+        if pose is not None and is_far(check_transform(pose, where=(name,))):
+            raise PoseError(too_long((name,)))
 
 
 def _radius(summit: Summit, away: Array, reach: float) -> Radius:

@@ -2,33 +2,31 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from kinematics.errors import Fault, JointValueError
 from kinematics.inverse.limits import JointLimits, read_limits
+from kinematics.inverse.search import one_turn
 from kinematics.table import JointType, NumericTable
 from kinematics.workspace.goals import Array
 
-TURN = 2.0 * math.pi
-
 
 def joint_spans(table: NumericTable, limits: JointLimits | None) -> Array:
-    """(n, 2) lowest and highest value of every joint; a full turn where a revolute joint has no limits.
+    """(n, 2) lowest and highest value of every joint; of a revolute joint one turn at most.
 
     Raises:
-        JointValueError: limits of the wrong number or reversed, or a sliding joint without both of them, at
-            ("limits", i).
+        JointValueError: limits of the wrong number, reversed or too far from zero, or a sliding joint without
+            both of them, at ("limits", i).
     """
-    box = read_limits(limits, table.n_joints)
-    spans = np.column_stack((box.low, box.high))
+    revolute = [joint is JointType.REVOLUTE for joint in table.joint_types]
+    box = read_limits(limits, revolute)
+    spans = np.column_stack(one_turn(box.low, box.high))
     faults = []
-    for i, joint in enumerate(table.joint_types):
-        low, high = spans[i].tolist()
-        if joint is JointType.REVOLUTE:
-            spans[i] = _turn(low, high)
-        elif not (math.isfinite(low) and math.isfinite(high)):
+    for i, turns in enumerate(revolute):
+        if turns:
+            continue
+        spans[i] = box.low[i], box.high[i]
+        if not np.isfinite(spans[i]).all():
             faults.append(
                 Fault(
                     code="slide_without_limits",
@@ -40,15 +38,6 @@ def joint_spans(table: NumericTable, limits: JointLimits | None) -> Array:
     if faults:
         raise JointValueError(faults)
     return spans
-
-
-def _turn(low: float, high: float) -> tuple[float, float]:
-    """The range, or one full turn of it."""
-    if high - low < TURN:
-        return low, high
-    if math.isinf(low):
-        low = -math.pi if math.isinf(high) else high - TURN
-    return low, low + TURN
 
 
 def spread(spans: Array, count: int) -> Array:

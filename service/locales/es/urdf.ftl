@@ -29,7 +29,7 @@ error-urdf_numbers_malformed = Articulación «{ $joint }»: { $attribute } en <
         [one] un número finito
        *[other] { $count } números finitos separados por espacios
     }, ninguno mayor que { $limit }.
-error-urdf_length_overflow = Una longitud es demasiado grande para escribirla en metros.
+error-urdf_length_overflow = Un URDF no admite longitudes de más de { $limit_in_metres } m. Deben ser menores.
 error-option_idle = Omita { $found }: esta conversión no lo necesita.
 
 error-workspace_without_joints = Nada se mueve: un espacio de trabajo necesita una fila de revolución o prismática.

@@ -29,7 +29,7 @@ error-urdf_numbers_malformed = Articulation « { $joint } » : { $attribute } da
         [one] un nombre fini
        *[other] { $count } nombres finis séparés par des espaces
     }, aucun plus grand que { $limit }.
-error-urdf_length_overflow = Une longueur est trop grande pour être écrite en mètres.
+error-urdf_length_overflow = Un URDF ne prend pas de longueurs au-delà de { $limit_in_metres } m. Elles doivent être plus petites.
 error-option_idle = Omettez { $found } : cette conversion n’en a pas l’usage.
 
 error-workspace_without_joints = Rien ne bouge : un espace de travail demande une ligne rotoïde ou prismatique.

@@ -29,7 +29,7 @@ error-urdf_numbers_malformed = Junta “{ $joint }”: { $attribute } em <{ $ele
         [one] um número finito
        *[other] { $count } números finitos separados por espaços
     }, nenhum maior que { $limit }.
-error-urdf_length_overflow = Um comprimento é grande demais para ser escrito em metros.
+error-urdf_length_overflow = Um URDF não comporta comprimentos acima de { $limit_in_metres } m. Eles devem ser menores.
 error-option_idle = Deixe { $found } de fora: esta conversão não lhe dá uso.
 
 error-workspace_without_joints = Nada se move: um espaço de trabalho precisa de uma linha de revolução ou prismática.

@@ -29,7 +29,7 @@ error-urdf_numbers_malformed = Cupla „{ $joint }”: { $attribute } din <{ $el
         [one] un număr finit
        *[other] { $count } numere finite separate prin spații
     }, niciunul mai mare decât { $limit }.
-error-urdf_length_overflow = O lungime este prea mare pentru a fi scrisă în metri.
+error-urdf_length_overflow = Un URDF nu are ce face cu lungimi de peste { $limit_in_metres } m. Ele trebuie să fie mai mici.
 error-option_idle = Omiteți { $found }: această conversie nu are nevoie de așa ceva.
 
 error-workspace_without_joints = Nimic nu se mișcă: un spațiu de lucru are nevoie de un rând de rotație sau de translație.

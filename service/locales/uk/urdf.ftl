@@ -26,7 +26,7 @@ error-urdf_mimic = Зчленування «{ $joint }» повторює рух
 error-urdf_axis_zero = Вісь зчленування «{ $joint }» — 0 0 0, вона нікуди не вказує.
 error-urdf_limits_reversed = Нижня межа зчленування «{ $joint }» вища за верхню.
 error-urdf_numbers_malformed = Зчленування «{ $joint }»: { $attribute } у <{ $element }> приймає скінченні числа через пропуск (кількість: { $count }), не більші за { $limit }.
-error-urdf_length_overflow = Довжина завелика, щоб записати її в метрах.
+error-urdf_length_overflow = URDF не приймає довжин понад { $limit_in_metres } м. Вони мають бути меншими.
 error-option_idle = Приберіть { $found }: для цього перетворення воно зайве.
 
 error-workspace_without_joints = Ніщо не рухається: робоча зона потребує обертального або поступального рядка.

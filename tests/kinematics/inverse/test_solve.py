@@ -136,6 +136,24 @@ def test_from_one_joint_to_twelve(n):
     assert_solutions(table, target, inverse_kinematics(table, target), tolerance=1e-8)
 
 
+@pytest.mark.parametrize("convention", list(Convention))
+@pytest.mark.parametrize("offset", [1e-3, 1e-5, 1.001e-6, 1e-8])
+def test_slides_much_longer_than_all_offsets(offset, convention):
+    """Two slides along one line, and an offset that is nothing beside their way."""
+    turns, slides = JointType.REVOLUTE, JointType.PRISMATIC
+    rows = [(turns, 0.0, math.pi / 2), (slides, 0.0, 0.0), (slides, offset, 0.0)]
+    table = DHTable(
+        convention=convention,
+        rows=tuple(DHRow(joint=joint, theta=0.0, d=0.0, a=a, alpha=alpha) for joint, a, alpha in rows),
+    )
+    rng = np.random.default_rng(2)
+    for _ in range(5):
+        target = end_pose(table, rng.uniform(-1, 1, 3))
+        answer = inverse_kinematics(table, target)
+        assert answer.status is not IKStatus.UNREACHABLE
+        assert_solutions(table, target, answer, tolerance=1e-8)
+
+
 @settings(max_examples=60)
 @given(tables(min_rows=1, max_rows=7), st.data())
 def test_any_table_and_any_joints(table, data):

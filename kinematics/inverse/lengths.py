@@ -1,0 +1,43 @@
+"""How long a length may be before powers of it overflow."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from kinematics.errors import Fault, TableError
+from kinematics.links import Transform
+from kinematics.table import NumericTable
+
+LARGEST_LENGTH = 1e60
+"""Powers of lengths up to the fourth occur on the way, and a double ends at 1.8e308."""
+
+
+def check_lengths(table: NumericTable) -> None:
+    """Make sure that the table's lengths can be computed with.
+
+    Raises:
+        TableError: a length beyond `LARGEST_LENGTH`, at ("rows", i, cell).
+    """
+    cells = [(i, cell) for i in range(len(table.rows)) for cell in ("a", "d")]
+    faults = [too_long(("rows", i, cell)) for i, cell in cells if is_long(getattr(table.rows[i], cell))]
+    if faults:
+        raise TableError(faults)
+
+
+def is_far(pose: Transform) -> bool:
+    """Whether a pose is too far away to be computed with."""
+    return is_long(np.abs(pose[:3, 3]).max())
+
+
+def is_long(length: float) -> bool:
+    """Whether a length is beyond `LARGEST_LENGTH`."""
+    return abs(length) > LARGEST_LENGTH
+
+
+def too_long(where: Sequence[str | int]) -> Fault:
+    """What is said of a length that is."""
+    message = f"lengths beyond {LARGEST_LENGTH:.0e} give results too large for a double; they must be smaller"
+    params = {"limit": LARGEST_LENGTH}
+    return Fault(code="result_not_finite", message=message, where=tuple(where), params=params)
