@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from kinematics import catalogue
 from kinematics.cells import AngleUnit, Limits, parameter_values
 from kinematics.errors import DescriptionError, Fault, JointValueError
-from kinematics.scm import ReadChain, ScmChain, read_chain, verify
+from kinematics.scm import ReadChain, ScmChain, check_values, read_chain, verify, with_values
 from kinematics.table import JointType
 from service.errors import RequestError, located
 from service.schemas.scm import ChainQuestion, Verification
+from service.symbolic import exact_values
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -85,6 +86,25 @@ def prepared_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
     return read
 
 
+def written_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
+    """The chain of a request for closed forms: parameters that have a value are gone, the others stay.
+
+    Raises:
+        KinematicsError: the chain or its parameters are not right; every fault at its place.
+        RequestError: the catalogue has no such robot.
+    """
+    read = prepared_structure(question, limits)
+    values = exact_values(read, question.parameters)
+    with located(_source(question)):
+        chain = with_values(read.chain, values)
+    left = {name: kind for name, kind in read.parameters.items() if name not in values}
+    return replace(read, chain=chain, parameters=left)
+
+
+def _source(question: ChainQuestion) -> str:
+    return "robot" if question.chain is None else "chain"
+
+
 def prepared_chain(question: ChainQuestion, limits: Limits) -> PreparedChain:
     """The chain of a request with a value for every parameter; a catalogue robot brings its own.
 
@@ -97,6 +117,8 @@ def prepared_chain(question: ChainQuestion, limits: Limits) -> PreparedChain:
     if question.chain is None:
         given = {**_listed(str(question.robot)).values, **given}
     values = parameter_values(read.parameters, read.angle_unit, given)
+    with located(_source(question)):
+        check_values(read.chain, values)
     angle = math.radians(1.0) if read.angle_unit is AngleUnit.DEG else 1.0
     return PreparedChain(read=read, values=values, angle=angle)
 

@@ -10,7 +10,7 @@ from anyio.to_thread import run_sync
 
 from kinematics.inverse import IKSolution, InverseKinematics, NearestPose, inverse_kinematics, solver_of
 from kinematics.table import NumericTable
-from service.errors import located
+from service.pointing import traced
 from service.preparation import Robot
 from service.schemas.inverse_kinematics import (
     InverseKinematicsAnswer,
@@ -35,7 +35,8 @@ async def solved(
     """
     ranges = domain_limits(request.limits, robot.joint_units)
     question = (robot.table, request.target, request.base, request.tool, ranges)
-    answer = await run_sync(_directly, *question)
+    with traced(request):
+        answer = await run_sync(_directly, *question)
     if answer is None:
         answer = await workers.run(Lane.SLOW, _search, *question)
     return _answer(answer, robot)
@@ -45,8 +46,6 @@ def _directly(
     table: NumericTable, target: Matrix, base: Matrix | None, tool: Matrix | None, ranges: DomainLimits | None
 ) -> InverseKinematics | None:
     """What the closed form alone says, in a thread; every refusal is made here, none in a worker."""
-    with located("table"):
-        solver_of(table)
     return solver_of(table, base=base, tool=tool, limits=ranges).solve_directly(target)
 
 

@@ -13,6 +13,7 @@ from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name
 from kinematics.cells.exact import snapped
 from kinematics.expressions import Expression, pi_times
 from kinematics.jacobian import JacobianFrame
+from kinematics.scm import ReadChain
 from kinematics.symbolic.exact_poses import decimal, exact_pose
 from kinematics.symbolic.substitution import with_values
 from kinematics.table import table_parameters
@@ -70,7 +71,7 @@ def task_of(
         KinematicsError: the table cannot be read, a parameter does not fit it, or base or tool is no pose.
     """
     read = _read(question, settings)
-    values = _exact_values(read, question.parameters)
+    values = exact_values(read, question.parameters)
     with located("table"):
         table = with_values(read.table, values)
     for name in ("base", "tool"):
@@ -163,11 +164,11 @@ def _read(question: WritingQuestion, settings: Settings) -> ReadTable:
         return read_table(question.table.raw(), settings.cell_limits)
 
 
-def _exact_values(read: ReadTable, given: Mapping[str, Any]) -> dict[str, Expression]:
+def exact_values(read: ReadTable | ReadChain, given: Mapping[str, Any]) -> dict[str, Expression]:
     """Given values as exact expressions: decimals as typed, degrees as multiples of π.
 
     Raises:
-        ParameterError: a value is not a finite number, or of a parameter that the table does not hold.
+        ParameterError: a value is not a finite number, or of a parameter that the robot does not have.
     """
     names = {name: canonical_name(name) for name in given}
     wanted = {name: kind for name, kind in read.parameters.items() if name in names.values()}

@@ -19,15 +19,17 @@ from kinematics.scm.differentiation import (
     jacobian_by_differentiation,
     jacobian_numbers_by_differentiation,
 )
-from kinematics.scm.inverse import inverse_kinematics_scm
+from kinematics.scm.inverse import inverse_kinematics_scm, nearest_first, solver_of_chain
 from kinematics.scm.motion import (
     ScmKinematics,
+    check_values,
     forward_kinematics_scm,
     jacobian_base_by_inspection,
     jacobian_end_by_inspection,
 )
 from kinematics.scm.reading import RawChain, RawPlacement, ReadChain, read_chain
 from kinematics.scm.sampling import default_limits, random_configurations
+from kinematics.scm.substitution import with_values
 from kinematics.scm.unrolled import table_of_chain, unrolled_dh_from_scm
 
 __all__ = [
@@ -40,6 +42,7 @@ __all__ = [
     "ScmChain",
     "ScmClosedForm",
     "ScmKinematics",
+    "check_values",
     "closed_form_scm",
     "default_limits",
     "derivative",
@@ -53,9 +56,12 @@ __all__ = [
     "jacobian_numbers_by_differentiation",
     "link_matrix",
     "modified_dh_from_scm",
+    "nearest_first",
     "random_configurations",
     "read_chain",
+    "solver_of_chain",
     "table_of_chain",
     "unrolled_dh_from_scm",
     "verify",
+    "with_values",
 ]

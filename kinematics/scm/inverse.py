@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from numpy.typing import ArrayLike
 
-from kinematics.inverse import IKSolution, InverseKinematics, JointLimits, inverse_kinematics
+from kinematics.inverse import IKSolution, InverseKinematics, JointLimits, Solver, solver_of
 from kinematics.scm.chain import ScmChain
 from kinematics.scm.unrolled import table_of_chain
 from kinematics.table import JointType, bind
@@ -35,14 +35,27 @@ def inverse_kinematics_scm(
         start: joint values; solutions are sorted by their distance from them, turns counted on the circle.
 
     Raises:
-        TableError: no joint, or more than 12.
+        TableError: no joint, more than 12, or a length too large.
         JointValueError: malformed limits.
         ParameterError: a parameter has no value.
         PoseError: the target is not a rigid motion, at ("target", …).
 
     Source: seed 001 §3.1.2.
     """
-    found = inverse_kinematics(bind(table_of_chain(chain), parameters), target, limits=limits)
+    return nearest_first(chain, solver_of_chain(chain, parameters, limits=limits).solve(target), start)
+
+
+def solver_of_chain(
+    chain: ScmChain, parameters: Mapping[str, float] | None = None, *, limits: JointLimits | None = None
+) -> Solver:
+    """The chain made ready for many targets; arguments and refusals are those of `inverse_kinematics_scm`."""
+    return solver_of(bind(table_of_chain(chain), parameters), limits=limits)
+
+
+def nearest_first(
+    chain: ScmChain, found: InverseKinematics, start: Sequence[float] | None
+) -> InverseKinematics:
+    """The same answer with the solution nearest to a start first, if there is a start."""
     if start is None:
         return found
     ordered = sorted(found.solutions, key=lambda solution: _distance(chain, solution, start))

@@ -81,6 +81,24 @@ def forward_kinematics_scm(
     return ScmKinematics(transform=transform, links=links, frames=frames, end=end)
 
 
+def check_values(chain: ScmChain, parameters: Mapping[str, float]) -> None:
+    """Make sure that every entry has a value.
+
+    Raises:
+        ParameterError: a parameter has no value, or an entry none that is finite, at ("joints", i, entry),
+            ("final", entry) or ("tool", entry).
+    """
+    placements = [(row.constant, ("joints", i)) for i, row in enumerate(chain.rows)]
+    faults: list[Fault] = []
+    for placement, where in (*placements, (chain.final, ("final",)), (chain.tool, ("tool",))):
+        try:
+            _numbers(placement, parameters, where)
+        except ParameterError as error:
+            faults.extend(error.faults)
+    if faults:
+        raise ParameterError(faults)
+
+
 def jacobian_base_by_inspection(
     chain: ScmChain, joints: Sequence[float], parameters: Mapping[str, float] | None = None
 ) -> NDArray[np.float64]:

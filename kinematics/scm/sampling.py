@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -27,7 +28,7 @@ def default_limits(chain: ScmChain, parameters: Mapping[str, float]) -> tuple[Li
             length = placement.entry(entry)
             if parameters_in(length) <= parameters.keys():
                 total += abs(evaluate(length, parameters))
-    turn, stroke = (-math.pi, math.pi), (0.0, total or 1.0)
+    turn, stroke = (-math.pi, math.pi), (0.0, min(total, sys.float_info.max) or 1.0)
     return tuple(turn if row.joint is JointType.REVOLUTE else stroke for row in chain.rows)
 
 
@@ -60,4 +61,8 @@ def random_configurations(
     if faults:
         raise JointValueError(faults)
     low, high = np.array(limits, dtype=np.float64).reshape(-1, 2).T
-    return np.random.default_rng(seed).uniform(low, high, (count, len(limits)))
+    part = np.random.default_rng(seed).random((count, len(limits)))
+    with np.errstate(over="ignore", invalid="ignore"):
+        width = high - low
+        drawn = low + width * part
+    return np.where(np.isfinite(width), drawn, low * (1.0 - part) + high * part)

@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+from kinematics.inverse.lengths import check_lengths
 from kinematics.screws import product_of_exponentials
 from service.conversion.described import Described
+from service.pointing import traced
 from service.preparation import robot_of
 from service.schemas.conversion import ConvertRequest, ProductAnswer, Screw
 
 
-def product_answer(robot: Described, _request: ConvertRequest) -> ProductAnswer:
+def product_answer(robot: Described, request: ConvertRequest) -> ProductAnswer:
     """The joint screws and the home pose of a robot whose parameters all have values.
 
     Raises:
         ParameterError: a parameter has no value.
+        TableError: a length is too large.
     """
     prepared = robot_of(robot.read, robot.parameters or {})
+    with traced(request):
+        check_lengths(prepared.table)
     product = product_of_exponentials(prepared.table, base=robot.base, tool=robot.tool)
     screws = [
         Screw(joint=joint, linear=list(screw.linear), angular=list(screw.angular))

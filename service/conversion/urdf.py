@@ -8,6 +8,7 @@ from kinematics.table import Convention
 from kinematics.urdf import table_from_urdf, urdf_from_table
 from service.conversion.described import Described
 from service.errors import located
+from service.pointing import traced
 from service.preparation import robot_of
 from service.schemas.conversion import ConvertRequest, Target, UrdfAnswer
 from service.schemas.limits import domain_limits
@@ -47,17 +48,19 @@ def urdf_answer(robot: Described, request: ConvertRequest) -> UrdfAnswer:
     Raises:
         ParameterError: a parameter has no value.
         JointValueError: limits of the wrong number, or reversed.
+        DescriptionError: a length that no reader of URDF takes.
     """
     prepared = robot_of(robot.read, robot.parameters or {})
     limits = domain_limits(request.limits, prepared.joint_units)
-    written = urdf_from_table(
-        prepared.table,
-        name=request.name or robot.name or "robot",
-        base=robot.base,
-        tool=robot.tool,
-        limits=robot.limits if limits is None else limits,
-        metres_per_unit=float(robot.read.length_unit.metres_per_unit),
-    )
+    with traced(request):
+        written = urdf_from_table(
+            prepared.table,
+            name=request.name or robot.name or "robot",
+            base=robot.base,
+            tool=robot.tool,
+            limits=robot.limits if limits is None else limits,
+            metres_per_unit=float(robot.read.length_unit.metres_per_unit),
+        )
     return UrdfAnswer(
         angle_unit=AngleUnit.RAD.value,
         length_unit=LengthUnit.M.value,

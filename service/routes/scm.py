@@ -2,30 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Annotated, Any
 
 import numpy as np
+from anyio.to_thread import run_sync
 from fastapi import Body, Request
 from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError, PoseError
-from kinematics.inverse import IKSolution, NearestPose
+from kinematics.inverse import IKSolution, InverseKinematics, JointLimits, NearestPose
 from kinematics.jacobian import JacobianFrame
 from kinematics.poses import pose_notations, transform_from_xyzabc
 from kinematics.scm import (
+    ScmChain,
     default_limits,
     forward_kinematics_scm,
     inverse_kinematics_scm,
     jacobian_base_by_inspection,
     jacobian_end_by_inspection,
     jacobian_numbers_by_differentiation,
+    nearest_first,
     random_configurations,
+    solver_of_chain,
 )
 from kinematics.transforms import inverse_transform
-from service.chains import PreparedChain, prepared_chain, prepared_structure
+from service.chains import PreparedChain, prepared_chain, written_structure
 from service.closed_chains import ChainTask, Wanted, is_quick, written_chain
 from service.openapi import problems
+from service.pointing import traced
 from service.routing import Written, api_router
 from service.schemas import scm as wire
 from service.schemas import scm_examples as examples
@@ -127,7 +132,7 @@ async def jacobian(
     responses=_REFUSALS,
     summary="Inverse kinematics of an SCM chain",
 )
-def inverse_kinematics(
+async def inverse_kinematics(
     body: Annotated[wire.ScmInverseKinematicsRequest, Body(openapi_examples=examples.INVERSE_KINEMATICS)],
     request: Request,
 ) -> wire.ScmInverseKinematicsAnswer:
@@ -136,13 +141,15 @@ def inverse_kinematics(
     All solutions where there is a closed form; joint values in the chain's angle unit.
     """
     prepared = prepared_chain(body, _settings(request).cell_limits)
-    found = inverse_kinematics_scm(
-        prepared.chain,
-        _pose(body.target, prepared.angle),
-        prepared.values,
-        limits=None if body.limits is None else _scaled(body.limits, prepared),
-        start=None if body.start is None else prepared.joints(body.start, "start"),
-    )
+    start = None if body.start is None else prepared.joints(body.start, "start")
+    limits = None if body.limits is None else _scaled(body.limits, prepared)
+    question = (prepared.chain, _pose(body.target, prepared.angle), prepared.values, limits)
+    with traced(body):
+        found = await run_sync(_directly, *question)
+    if found is None:
+        workers: Workers = request.app.state.workers
+        found = await workers.run(Lane.SLOW, _search, *question)
+    found = nearest_first(prepared.chain, found, start)
     return wire.ScmInverseKinematicsAnswer(
         **prepared.units,
         status=found.status.value,
@@ -159,13 +166,11 @@ def random_configuration(
 ) -> wire.RandomConfigurationAnswer:
     """Joint values drawn evenly within limits: qrand of the toolbox."""
     prepared = prepared_chain(body, _settings(request).cell_limits)
-    if body.limits is None:
-        default = default_limits(prepared.chain, prepared.values)
-        low, high = (prepared.answered([pair[end] for pair in default]) for end in (0, 1))
-        limits = [list(pair) for pair in zip(low, high, strict=True)]
-    else:
-        _refuse_length(body.limits, prepared)
-        limits = body.limits
+    default = default_limits(prepared.chain, prepared.values)
+    low, high = (prepared.answered([pair[end] for pair in default]) for end in (0, 1))
+    given = [None] * len(default) if body.limits is None else body.limits
+    _refuse_length(given, prepared)
+    limits = [pair or list(ends) for pair, *ends in zip(given, low, high, strict=True)]
     drawn = random_configurations([(low, high) for low, high in limits], count=body.count, seed=body.seed)
     configurations: list[list[float]] = drawn.tolist()
     return wire.RandomConfigurationAnswer(
@@ -178,7 +183,7 @@ def random_configuration(
 
 async def _closed(body: wire.ClosedFormQuestion, wanted: Wanted, request: Request) -> Written:
     """The answer in closed form, from a worker process."""
-    read = prepared_structure(body, _settings(request).cell_limits)
+    read = written_structure(body, _settings(request).cell_limits)
     task = ChainTask.of(read, wanted, body.formats, body.notation)
     workers: Workers = request.app.state.workers
     lane = Lane.QUICK if is_quick(read.chain) else Lane.SLOW
@@ -214,6 +219,20 @@ def _pose(target: Sequence[Any], angle: float) -> Any:
         return transform_from_xyzabc([*target[:3], *(value * angle for value in target[3:])])
     except PoseError as error:
         raise PoseError(fault.within("target") for fault in error.faults) from None
+
+
+def _directly(
+    chain: ScmChain, target: Any, values: Mapping[str, float], limits: JointLimits | None
+) -> InverseKinematics | None:
+    """What the closed form alone says, in a thread; every refusal is made here, none in a worker."""
+    return solver_of_chain(chain, values, limits=limits).solve_directly(target)
+
+
+def _search(
+    chain: ScmChain, target: Any, values: Mapping[str, float], limits: JointLimits | None
+) -> InverseKinematics:
+    """What a worker process does."""
+    return inverse_kinematics_scm(chain, target, values, limits=limits)
 
 
 def _scaled(limits: Sequence[Sequence[float | None] | None], prepared: PreparedChain) -> list[Any]:

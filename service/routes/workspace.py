@@ -7,10 +7,9 @@ from typing import Annotated, Any
 from fastapi import Body, Request
 
 from kinematics.inverse.limits import JointLimits
-from kinematics.transforms import check_transform
-from kinematics.workspace import Radius, Workspace, check_joints, joint_spans, workspace
-from service.errors import located
+from kinematics.workspace import Radius, Workspace, check_reach, joint_spans, workspace
 from service.openapi import problems
+from service.pointing import traced
 from service.preparation import Preparation, Robot, listed_robot
 from service.routing import api_router
 from service.schemas import examples
@@ -51,12 +50,9 @@ async def reach(
     preparation: Preparation = request.app.state.preparation
     robot = preparation.prepare(body)
     limits = _limits(body, robot)
-    with located("table"):
-        check_joints(robot.table)
+    with traced(body):
+        check_reach(robot.table, body.base, body.tool)
     joint_spans(robot.table, limits)
-    for name in ("base", "tool"):
-        if getattr(body, name) is not None:
-            check_transform(getattr(body, name), where=(name,))
     workers: Workers = request.app.state.workers
     found = await workers.run(Lane.SLOW, _found, robot.table, limits, body.base, body.tool, body.samples or 0)
     return _answer(found, robot)

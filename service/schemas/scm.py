@@ -37,6 +37,8 @@ class Placement(Wire):
 def _by_name(value: Any) -> Any:
     if isinstance(value, list) and len(value) == len(ENTRIES):
         return dict(zip(ENTRIES, value, strict=True))
+    if not isinstance(value, dict | Placement):
+        raise PydanticCustomError("scm_six_entries", "six entries: [X, Y, Z, A, B, C], or an object")
     return value
 
 
@@ -137,7 +139,10 @@ ScmJoints: TypeAlias = Annotated[list[Real], Field(description="q_1 … q_n, in 
 
 
 class ClosedFormQuestion(ChainQuestion):
-    """Base of the calls that answer in numbers where joints are given, in closed form where not."""
+    """Base of the calls that answer in numbers where joints are given, in closed form where not.
+
+    In closed form parameters without a value stay symbols.
+    """
 
     joints: ScmJoints | None = Field(None, description="q_1 … q_n; left out, the answer is in closed form")
     formats: list[Annotated[Format, Field(strict=False)]] | None = Field(
@@ -206,8 +211,9 @@ class ScmInverseKinematicsRequest(ChainQuestion):
 class RandomConfigurationRequest(ChainQuestion):
     """A chain, and how many configurations are wanted."""
 
-    limits: list[Annotated[list[Real], Field(min_length=2, max_length=2)]] | None = Field(
-        None, description="[low, high] of every joint; left out: a full turn, and 0 to the sum of the lengths"
+    limits: list[Annotated[list[Real], Field(min_length=2, max_length=2)] | None] | None = Field(
+        None,
+        description="[low, high] of every joint; null or left out: a full turn, and 0 to the sum of lengths",
     )
     count: int = Field(1, ge=1, le=10_000, description="how many configurations")
     seed: int | None = Field(None, ge=0, lt=2**63, description="the same seed gives the same values")

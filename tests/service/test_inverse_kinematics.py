@@ -132,6 +132,7 @@ def test_base_tool_and_parameters(client: httpx.Client) -> None:
         ({"limits": [[0, 1]]}, "limits_wrong_length", "/limits"),
         ({"limits": [[1, 0], *[None] * 5]}, "limits_reversed", "/limits/0"),
         ({"limits": [None] * 9}, "limits_wrong_length", "/limits"),
+        ({"limits": [None, [1e300, 1.7e308], *[None] * 4]}, "limits_too_far", "/limits/1"),
         ({"limits": [[0, 1, 2], *[None] * 5]}, "list_too_long", "/limits/0"),
         ({"tool": [[1]]}, "pose_wrong_shape", "/tool"),
         ({"robot": "puma560"}, "table_or_robot", ""),
@@ -173,7 +174,7 @@ def test_a_search_runs_in_a_worker(client: httpx.Client) -> None:
 
 @pytest.mark.parametrize(
     ("parameters", "x", "pointer"),
-    [({"L1": 1.0}, 1e308, "/target"), ({"L1": 1e308}, 1.0, "/table/rows/0/a")],
+    [({"L1": 1.0}, 1e308, "/target"), ({"L1": 1e308}, 1.0, "/parameters/L1")],
 )
 def test_lengths_near_the_end_of_the_doubles(
     client: httpx.Client, parameters: dict[str, float], x: float, pointer: str
@@ -186,3 +187,27 @@ def test_lengths_near_the_end_of_the_doubles(
     assert response.status_code == 422
     assert response.json()["code"] == "result_not_finite"
     assert response.json()["pointer"] == pointer
+
+
+def test_what_is_too_long_is_pointed_at_where_it_was_sent(client: httpx.Client) -> None:
+    target = np.eye(4).tolist()
+    rows = [{"alpha": 0, "a": "1e15*L1", "d": 0, "theta": "q1"}]
+    table = {"convention": "standard", "rows": rows}
+    for body, pointer in (
+        ({"robot": "twolink", "parameters": {"L2": 1e200}}, "/parameters/L2"),
+        ({"table": table, "parameters": {"L1": 1e50}}, "/table/rows/0/a"),
+    ):
+        problem = client.post(URL, json={**body, "target": target}).json()
+        assert [(fault["code"], fault["pointer"]) for fault in problem["errors"]] == [
+            ("result_not_finite", pointer)
+        ]
+
+
+def test_every_solution_within_wide_limits_reaches_the_target(client: httpx.Client) -> None:
+    joints = [20, -40, 70, 30, 50, -80]
+    target = forward(client, table=PUMA_560, joints=joints).tolist()
+    free = asked(client, table=PUMA_560, target=target)
+    for limits in ([[-1e308, 1e308]] * 6, [[0, 1e308]] * 6, [[5e5, 5.1e5]] * 6):
+        answer = asked(client, table=PUMA_560, target=target, limits=limits)
+        assert len(answer["solutions"]) == len(free["solutions"]) == 8
+        assert max(solution["residual"] for solution in answer["solutions"]) <= 1e-9

@@ -227,3 +227,64 @@ def test_scm2dh_keeps_symbols_and_says_where_a_chain_is_wrong(client: httpx.Clie
         "/scm/joints/1/x",
         "/scm/joints/1/b",
     ]
+
+
+def test_right_angles_are_exact(client: httpx.Client) -> None:
+    chain = {"joints": [{"a": "q1"}], "final": {"z": 1, "a": "pi", "b": "pi/2", "c": "-pi/2"}}
+    found = ask(client, "forward-kinematics", chain=chain, joints=[math.pi / 2])
+    assert found["transform"] == [[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 1], [0, 0, 0, 1]]
+    for method in ("inspection", "differentiation"):
+        J = ask(client, "jacobian", chain=PLANAR, parameters=LENGTHS, joints=[0, math.pi / 2], method=method)
+        assert J["J0"][:2] == [[-0.5, -0.5], [1, 0]]
+
+
+def test_values_of_parameters_enter_the_closed_form(client: httpx.Client) -> None:
+    found = ask(client, "forward-kinematics", chain=PLANAR, parameters={"L_1": 0.25})
+    assert found["transform"]["text"][0][3] == "c1/4 + L2*c12"
+    degrees = {"joints": [{"a": "q1"}], "final": {"a": "beta"}, "angle_unit": "deg"}
+    turned = ask(client, "forward-kinematics", chain=degrees, parameters={"beta": 90})
+    assert turned["transform"]["text"][0][:2] == ["-s1", "-c1"]
+    assert refusal(client, "jacobian", chain=PLANAR, parameters={"L9": 1}) == [
+        ("parameter_unused", "/parameters/L9")
+    ]
+
+
+@pytest.mark.parametrize("joints", [None, [0]])
+def test_an_entry_without_a_value_is_pointed_at(client: httpx.Client, joints: list[float] | None) -> None:
+    chain = {"joints": [{"x": "1/L1", "a": "q1"}], "tool": {"x": "sqrt(L1 - 1)"}}
+    question = {"chain": chain, "parameters": {"L1": 0}, "verify": "off", "joints": joints}
+    assert refusal(client, "forward-kinematics", **question) == [
+        ("value_undefined", "/chain/joints/0/x"),
+        ("value_undefined", "/chain/tool/x"),
+    ]
+
+
+@pytest.mark.parametrize("row", [[0, 0, 0, "q1", 0], 7, None, "q1"])
+def test_a_row_has_six_entries(client: httpx.Client, row: Any) -> None:
+    assert refusal(client, "forward-kinematics", chain={"joints": [row]}, joints=[0]) == [
+        ("scm_six_entries", "/chain/joints/0")
+    ]
+
+
+def test_inverse_kinematics_points_at_what_was_sent(client: httpx.Client) -> None:
+    pose = [0, 0, 0, 0, 0, 0]
+    long = {"chain": PLANAR, "parameters": {"L1": 1e200, "L2": 1}, "target": pose}
+    assert refusal(client, "inverse-kinematics", **long) == [("result_not_finite", "/parameters/L1")]
+    many = {"chain": {"joints": [{"x": 1, "a": f"q{i}"} for i in range(1, 14)]}, "target": pose}
+    assert refusal(client, "inverse-kinematics", **many) == [("inverse_joint_count", "/chain/joints")]
+
+
+def test_an_arm_that_is_searched(client: httpx.Client) -> None:
+    rows = [{"z": 0.3, "a": f"q{i}"} if i % 2 else {"x": 0.4, "b": f"q{i}"} for i in range(1, 8)]
+    target = ask(client, "forward-kinematics", chain={"joints": rows}, joints=[0.1 * i for i in range(7)])
+    found = ask(client, "inverse-kinematics", chain={"joints": rows}, target=target["transform"])
+    assert found["status"] == "solved"
+    assert found["solutions"][0]["residual"] <= 1e-8
+
+
+def test_limits_of_some_joints(client: httpx.Client) -> None:
+    found = ask(client, "random-configuration", robot="twolink", limits=[None, [10, 20]], seed=3)
+    assert found["limits"] == [[-180, 180], [10, 20]]
+    assert refusal(client, "random-configuration", robot="twolink", limits=[]) == [
+        ("limits_wrong_length", "/limits")
+    ]

@@ -17,6 +17,13 @@ PATH = "/api/v1/convert"
 FK = "/api/v1/forward-kinematics"
 BOMB = '<!DOCTYPE r [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]><robot name="&b;"><link name="x"/></robot>'
 
+SLIDE: dict[str, Any] = {
+    "convention": "modified",
+    "length_unit": "mm",
+    "rows": [{"alpha": 0, "a": 0, "d": "q1", "theta": 0}],
+}
+FAR: dict[str, Any] = {**SLIDE, "rows": [*SLIDE["rows"], {"alpha": 0, "a": 1e13, "d": 0, "theta": "q2"}]}
+
 
 def answered(client: httpx.Client, path: str, body: dict[str, Any]) -> Any:
     response = client.post(path, json=body)
@@ -89,6 +96,19 @@ def test_a_chain_to_every_form(client: httpx.Client, to: str) -> None:
         ({"table": PUMA_560, "to": "urdf", "limits": [None]}, "limits_wrong_length", "/limits"),
         ({"table": PUMA_560, "to": "urdf", "name": "\n"}, "urdf_name_invalid", "/name"),
         ({"table": CYLINDRICAL, "to": "urdf"}, "parameter_missing", "/parameters/L1"),
+        (
+            {"robot": "twolink", "parameters": {"L1": 1e10}, "to": "urdf"},
+            "urdf_length_overflow",
+            "/parameters/L1",
+        ),
+        ({"table": FAR, "to": "urdf"}, "urdf_length_overflow", "/table/rows/1"),
+        ({"table": SLIDE, "to": "urdf", "limits": [[0, 1e13]]}, "urdf_length_overflow", "/limits/0"),
+        ({"table": SLIDE, "to": "urdf", "limits": [[0, 1e300]]}, "result_not_finite", "/limits/0"),
+        (
+            {"robot": "twolink", "parameters": {"L1": 1e308}, "to": "poe"},
+            "result_not_finite",
+            "/parameters/L1",
+        ),
     ],
 )
 def test_what_is_refused(client: httpx.Client, body: dict[str, Any], code: str, pointer: str) -> None:

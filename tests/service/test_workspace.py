@@ -14,6 +14,7 @@ from tests.service.test_bad_input import check_problem
 PATH = "/api/v1/workspace"
 FK = "/api/v1/forward-kinematics"
 LENGTHS = {"L1": 400, "L2": 120, "L3": 75}
+FAR = [[1, 0, 0, 1e300], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
 
 
 def answered(client: httpx.Client, body: dict[str, Any]) -> Any:
@@ -34,6 +35,19 @@ def test_degrees_and_units(client: httpx.Client) -> None:
     assert found["box"]["max"] == pytest.approx([400, 500, 0])
     assert found["reached"]["outer_radius"]["axis"][1] == pytest.approx(90)
     assert "points" not in found
+
+
+def test_ranges_wider_than_a_turn_are_one_turn(client: httpx.Client) -> None:
+    body = {"table": TWO_LINKS, "parameters": {"L1": 1, "L2": 1}}
+    free = answered(client, body)
+    for limits in ([[-1e308, 1e308], [0, 1e308]], [[-100, 100], [-1e9, 7]]):
+        wide = answered(client, {**body, "limits": limits})
+        assert wide["outer_radius"] == pytest.approx(free["outer_radius"])
+        assert wide["inner_radius"] == pytest.approx(free["inner_radius"], abs=1e-12)
+        assert all(
+            low <= q <= high
+            for q, (low, high) in zip(wide["reached"]["outer_radius"]["axis"], limits, strict=True)
+        )
 
 
 def test_the_catalogue_knows_its_limits(client: httpx.Client) -> None:
@@ -65,6 +79,16 @@ def test_a_radius_can_be_checked(client: httpx.Client) -> None:
         ({"table": PUMA_560, "samples": 0}, "number_too_small", "/samples"),
         ({"table": PUMA_560, "samples": 10**9}, "number_too_large", "/samples"),
         ({"table": PUMA_560, "tool": [[1]]}, "pose_wrong_shape", "/tool"),
+        ({"table": TWO_LINKS, "parameters": {"L1": 1e308, "L2": 1}}, "result_not_finite", "/parameters/L1"),
+        ({"robot": "twolink", "parameters": {"L2": -1e200}}, "result_not_finite", "/parameters/L2"),
+        ({"robot": "twolink", "base": FAR}, "result_not_finite", "/base"),
+        ({"robot": "twolink", "tool": FAR}, "result_not_finite", "/tool"),
+        ({"robot": "twolink", "limits": [[1e6, 1e7], None]}, "limits_too_far", "/limits/0"),
+        (
+            {"table": CYLINDRICAL, "parameters": LENGTHS, "limits": [None, [-1e308, 1e308]]},
+            "result_not_finite",
+            "/limits/1",
+        ),
         (
             {"table": {"convention": "standard", "rows": [{"alpha": 0, "a": 1, "d": 0, "theta": 0}]}},
             "workspace_without_joints",

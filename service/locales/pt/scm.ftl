@@ -15,3 +15,4 @@ error-scm_revolute_offset = A junta { $joint } é rotativa: o seu ângulo não a
 error-scm_revolute_second_turn = A junta { $joint } gira em torno de um único eixo. Ponha as rotações constantes na Transformação Final.
 error-scm_limits_reversed = Junta { $joint }: os limites são [inferior, superior], ambos finitos e o inferior não acima do superior.
 error-chain_or_robot = Forneça chain ou robot, exatamente um dos dois.
+error-scm_six_entries = São necessárias seis entradas: a lista [X, Y, Z, A, B, C] ou um objeto com algumas de x, y, z, a, b, c; o que faltar vale 0.

@@ -15,3 +15,4 @@ error-scm_revolute_offset = Cupla { $joint } este de rotație: unghiul ei nu poa
 error-scm_revolute_second_turn = Cupla { $joint } se rotește în jurul unei singure axe. Puneți rotațiile constante în Transformarea Finală.
 error-scm_limits_reversed = Cupla { $joint }: limitele sunt [jos, sus], ambele finite, cea de jos nedepășind-o pe cea de sus.
 error-chain_or_robot = Dați fie chain, fie robot, exact unul dintre ele.
+error-scm_six_entries = Sunt necesare șase intrări: lista [X, Y, Z, A, B, C] sau un obiect cu unele dintre x, y, z, a, b, c; ce lipsește este 0.

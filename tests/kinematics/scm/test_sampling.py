@@ -39,3 +39,14 @@ def test_limits_that_are_none(pair):
     assert [(fault.code, fault.where) for fault in caught.value.faults] == [
         ("scm_limits_reversed", ("limits", 1))
     ]
+
+
+def test_a_range_wider_than_the_largest_double():
+    widest = 1.7e308
+    drawn = random_configurations(((-widest, widest), (0.0, 1.0)), count=200, seed=1)
+    assert np.isfinite(drawn).all()
+    assert (drawn[:, 0] < 0).any()
+    assert (drawn[:, 0] > 0).any()
+    np.testing.assert_array_equal(drawn[:, 1], random_configurations(((0, 1), (0, 1)), 200, seed=1)[:, 1])
+    chain = chain_of(("d1", 0, 0, 0, 0, 0), ("L1", 0, 0, "a2", 0, 0), ("L2", 0, 0, "a3", 0, 0)).chain
+    assert default_limits(chain, {"L1": widest, "L2": widest})[0][1] > widest

@@ -1,0 +1,54 @@
+"""Where a fault of a table belongs in the request that the table was made from.
+
+Methods speak of rows of a DH table. The caller may have sent a table, but also the name of a robot, an SCM
+chain or a URDF, and what is too long may be a parameter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import Any
+
+from kinematics.errors import Fault, KinematicsError
+
+_SOURCES: Mapping[str, tuple[str, ...]] = {
+    "table": ("table",),
+    "robot": ("robot",),
+    "chain": ("chain", "joints"),
+    "scm": ("scm", "joints"),
+    "urdf": ("urdf",),
+}
+"""The fields that describe a robot, and where faults of its rows are shown; only a table shows its rows."""
+
+_TOO_LONG = ("result_not_finite", "urdf_length_overflow")
+"""Codes of lengths beyond a limit, in units of the request."""
+
+
+@contextmanager
+def traced(request: Any) -> Iterator[None]:
+    """Place the faults of a robot's rows into the request that describes the robot.
+
+    Args:
+        request: a validated request with one of the fields `table`, `robot`, `chain`, `scm` and `urdf`.
+    """
+    try:
+        yield
+    except KinematicsError as error:
+        placed = [fault for each in error.faults for fault in _placed(each, request)]
+        raise type(error)({(fault.code, fault.where): fault for fault in placed}.values()) from error
+
+
+def _placed(fault: Fault, request: Any) -> list[Fault]:
+    if fault.where[:1] != ("rows",):
+        return [fault]
+    if fault.code in _TOO_LONG:
+        limit = float(str(fault.params["limit"]))
+        parameters: Mapping[str, float] = getattr(request, "parameters", None) or {}
+        blamed = [name for name, value in parameters.items() if abs(value) > limit]
+        if blamed:
+            return [replace(fault, where=("parameters", name)) for name in blamed]
+    source = next(name for name in _SOURCES if getattr(request, name, None) is not None)
+    below = fault.where if source == "table" else ()
+    return [replace(fault, where=(*_SOURCES[source], *below))]
