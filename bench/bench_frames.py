@@ -19,7 +19,7 @@ fixed rows at either end are taken as it gives them. `FRAMEWISE_BENCH_CHAINS` se
 """
 
 AUTODH = "AutoDH 0.2"
-CHAINS = int(os.environ.get("FRAMEWISE_BENCH_CHAINS", "2000"))
+CHAINS = int(os.environ.get("FRAMEWISE_BENCH_CHAINS", "10000"))
 TOLERANCE = 1e-9
 
 
