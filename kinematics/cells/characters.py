@@ -19,7 +19,7 @@ _TRANSLATED = {
     **dict.fromkeys("\u2212\u2010\u2011\u2012\u2013\u2014\ufe63", "-"),
     **dict.fromkeys("\u00d7\u00b7\u22c5\u2219\u2022\u2217\u22c6", "*"),
     **dict.fromkeys("\u00f7\u2215\u2044", "/"),
-    **dict.fromkeys("\u00ba\u02da", "°"),
+    **dict.fromkeys("\u00ba\u02da\u25e6\u2218", "°"),
     "\u03c2": "σ",
     "\u03d1": "θ",
     "\u03d5": "φ",

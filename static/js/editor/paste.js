@@ -31,7 +31,7 @@ export function gridOf(text) {
   if (lines.some((line) => line.includes("\t"))) return { format: "tabs", grid: lines.map((line) => line.split("\t").map(cleaned)) };
   if (lines.every((line) => line.includes(";"))) return { format: "csv", grid: lines.map((line) => separated(line, ";")) };
   if (lines.every((line) => (line.match(/,/g) ?? []).length >= 3)) return { format: "csv", grid: lines.map((line) => separated(line, ",")) };
-  return { format: "text", grid: lines.map(textCells) };
+  return { format: "text", grid: wideGrid(lines) ?? lines.map(textCells) };
 }
 
 /** @param {string} text */
@@ -70,6 +70,12 @@ function separated(line, separator) {
     }
   }
   return [...cells, cell].map(cleaned);
+}
+
+/** Cells parted by several blanks each, if every line has as many; blanks inside a cell are single. @param {string[]} lines */
+function wideGrid(lines) {
+  const grid = lines.map((line) => line.trim().split(/\s{2,}/).map((cell) => cleaned(cell.replace(/^([+\-−–])\s+/, "$1"))));
+  return grid[0].length >= 4 && grid.every((row) => row.length === grid[0].length) ? grid : null;
 }
 
 /** Cells parted by blanks; a sign with blanks on both sides joins, one before a number parts. @param {string} line */
@@ -115,9 +121,14 @@ function bracketed(text) {
   return /^[\w.πθα°]+$/u.test(inner) ? inner : `(${inner})`;
 }
 
-/** A cell without blanks, emphasis or quotes around it, and with a decimal point. @param {string} cell */
+/** A cell without blanks, emphasis, quotes or a variable's star around it, and with a decimal point. @param {string} cell */
 function cleaned(cell) {
-  const text = cell.trim().replace(/^["'*_`]+|["'*`]+$/g, "").replace(/\s+/g, " ").trim();
+  const text = cell
+    .trim()
+    .replace(/^["'*_`]+|["'*∗⋆★`]+$/g, "")
+    .replace(/[◦∘º˚]/g, "°")
+    .replace(/\s+/g, " ")
+    .trim();
   return /^[+\-−–]?\d+,\d+\s*°?$/.test(text) ? text.replace(",", ".") : text;
 }
 
@@ -160,10 +171,16 @@ export function readPasted(text, order) {
   const heading = headingOf(rows[0]);
   const body = heading ? rows.slice(1) : rows;
   if (body.length === 0) return null;
-  const columns = heading?.columns ?? (looksLikeValues(body) ? guessedColumns(body, order) : null);
+  const columns = numbered(heading?.columns ?? (looksLikeValues(body) ? guessedColumns(body, order) : null), body);
   if (!columns) return null;
   const read = body.map((row) => readRow(row, columns));
   return { format, convention: heading?.convention ?? null, rows: read };
+}
+
+/** A column of joints that only counts them says nothing of their types. */
+function numbered(columns, body) {
+  const counts = (i) => body.every((row, k) => (row[i] ?? "").replace(/\.$/, "") === String(k + 1));
+  return columns?.map((name, i) => (name === "joint" && counts(i) ? "index" : name));
 }
 
 function headingOf(row) {

@@ -52,6 +52,8 @@ ANGLE, LENGTH = ParameterKind.ANGLE, ParameterKind.LENGTH
         ("90\\degree", "pi/2"),
         ("90º", "pi/2"),
         ("90˚", "pi/2"),
+        ("90◦", "pi/2"),
+        ("−90 ∘", "-pi/2"),
         ("90 °", "pi/2"),
         ("−90°", "-pi/2"),
         ("PI()/2", "pi/2"),

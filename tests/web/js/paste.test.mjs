@@ -122,3 +122,20 @@ test("columns without headings are turned round where the joint variables say so
   const numbers = readPasted("0 0.1 0.2 90\n0 0 0.3 0", ["theta", "d", "a", "alpha"]);
   assert.deepEqual(numbers.rows[0].cells, { theta: "0", d: "0.1", a: "0.2", alpha: "90" });
 });
+
+test("what the text of a PDF does to a table is undone", () => {
+  const order = ["theta", "d", "a", "alpha"];
+  const stars = readPasted("Link a_i α_i d_i θ_i\n1 0 90◦ d1 θ1∗\n2 a2 0 0 θ2∗", order);
+  assert.deepEqual(stars.rows[0].cells, { a: "0", alpha: "90°", d: "d1", theta: "θ1" });
+  const wide = readPasted("1  0  0  L1 + L2  θ1\n2  − π/2  0  0  θ2 − 90°", order);
+  assert.deepEqual(wide.rows[0].cells, { alpha: "0", a: "0", d: "L1 + L2", theta: "θ1" });
+  assert.deepEqual(wide.rows[1].cells, { alpha: "−π/2", a: "0", d: "0", theta: "θ2 − 90°" });
+});
+
+test("a column that numbers the joints is not read as their types", () => {
+  const text = "Joint & $\\theta$ & $d$ & $a$ & $\\alpha$\\\\ 1 & $\\theta_1$ & 0 & $l_1$ & 0\\\\ 2 & $\\theta_2$ & 0 & $l_2$ & 0\\\\";
+  const pasted = readPasted(text, ["theta", "d", "a", "alpha"]);
+  assert.deepEqual(pasted.rows.map((row) => row.joint), ["revolute", "revolute"]);
+  const typed = readPasted("type\tθ\td\ta\tα\n0\tq1\t0\t0\t90\n1\t0\tq2\t0\t0", ["theta", "d", "a", "alpha"]);
+  assert.deepEqual(typed.rows.map((row) => row.joint), ["revolute", "prismatic"]);
+});
