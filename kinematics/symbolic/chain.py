@@ -162,26 +162,22 @@ class Chain:
 def turned(arena: Arena, vector: Vector, angle: Angle) -> Vector:
     """Rot_z(angle) · vector."""
     x, y, z = vector
-    if angle.is_nothing or not (x or y):
-        return vector
-    c, s = arena.circle(angle)
-    return (
-        arena.sum(arena.product(c, x), arena.negative(arena.product(s, y))),
-        arena.sum(arena.product(s, x), arena.product(c, y)),
-        z,
-    )
+    return (*_rotated(arena, x, y, angle), z)
 
 
 def twisted(arena: Arena, vector: Vector, angle: Angle) -> Vector:
     """Rot_x(angle) · vector."""
     x, y, z = vector
-    if angle.is_nothing or not (y or z):
-        return vector
+    return (x, *_rotated(arena, y, z, angle))
+
+
+def _rotated(arena: Arena, u: Nested, v: Nested, angle: Angle) -> tuple[Nested, Nested]:
+    if angle.is_nothing or not (u or v):
+        return u, v
     c, s = arena.circle(angle)
     return (
-        x,
-        arena.sum(arena.product(c, y), arena.negative(arena.product(s, z))),
-        arena.sum(arena.product(s, y), arena.product(c, z)),
+        arena.sum(arena.product(c, u), arena.negative(arena.product(s, v))),
+        arena.sum(arena.product(s, u), arena.product(c, v)),
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from math import gcd, lcm
 from typing import NamedTuple, TypeAlias
 
 Exponents: TypeAlias = frozenset[tuple["Symbol", Fraction]]
@@ -47,3 +48,20 @@ ZERO_FORM = Form({})
 ONE_FORM = Form({0: 1})
 MINUS_ONE_FORM = Form({0: -1})
 IMAGINARY_UNIT = Form({6: 1})
+
+
+def content(terms: Terms) -> Fraction:
+    """A rational number by which a form can be divided so that its multiples become one and the same."""
+    numerator = gcd(*(weight.numerator for weight in terms.values()))
+    denominator = lcm(*(weight.denominator for weight in terms.values()))
+    lead = terms[min(terms, key=_order)]
+    return Fraction(numerator if lead > 0 else -numerator, denominator)
+
+
+def _order(part: object) -> str:
+    """A text by which monomials are put in an order that depends on nothing else."""
+    if isinstance(part, frozenset):
+        return "{" + ",".join(sorted(map(_order, part))) + "}"
+    if isinstance(part, tuple):
+        return "(" + ",".join(map(_order, part)) + ")"
+    return repr(part)

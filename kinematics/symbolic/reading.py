@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache
-from math import gcd, lcm
 
 from kinematics.expressions import (
     Call,
@@ -30,7 +29,7 @@ from kinematics.symbolic.elements import (
     Form,
     Monomial,
     Symbol,
-    Terms,
+    content,
 )
 from kinematics.symbolic.ring import Ring
 from kinematics.symbolic.roots import has_large_prime
@@ -211,7 +210,7 @@ class Reader:
         inverse = algebraic_reciprocal(ring, terms)
         if inverse is not None:
             return inverse
-        content = _content(terms)
+        content = content(terms)
         divisor = self._opaque("divisor", (), ring.scale(base, 1 / content), degree=1)
         return ring.scale(ring.power(divisor, -1), 1 / content)
 
@@ -224,7 +223,7 @@ class Reader:
         denested = denested_root(ring, terms)
         if denested is not None:
             return denested
-        content = abs(_content(terms))
+        content = abs(content(terms))
         root = self._opaque("root", (2,), ring.scale(ring.form(terms), 1 / content), degree=2)
         return ring.multiply(root_of_rational(ring, content), root)
 
@@ -288,20 +287,3 @@ def _twelfths(steps: int) -> tuple[Form, Form]:
 def _shared(form: Form) -> Form:
     """The form, or the very object that 0, 1 or -1 is known by."""
     return next((known for known in (ZERO_FORM, ONE_FORM, MINUS_ONE_FORM) if known == form), form)
-
-
-def _content(terms: Terms) -> Fraction:
-    """A rational number by which a form can be divided so that its multiples become one and the same."""
-    numerator = gcd(*(weight.numerator for weight in terms.values()))
-    denominator = lcm(*(weight.denominator for weight in terms.values()))
-    lead = terms[min(terms, key=_order)]
-    return Fraction(numerator if lead > 0 else -numerator, denominator)
-
-
-def _order(part: object) -> str:
-    """A text by which monomials are put in an order that depends on nothing else."""
-    if isinstance(part, frozenset):
-        return "{" + ",".join(sorted(map(_order, part))) + "}"
-    if isinstance(part, tuple):
-        return "(" + ",".join(map(_order, part)) + ")"
-    return repr(part)

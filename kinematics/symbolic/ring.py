@@ -16,27 +16,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fractions import Fraction
-from math import gcd, lcm
+from math import gcd
 
 from kinematics.errors import Fault, FormSizeError
-from kinematics.symbolic.elements import ONE_FORM, ZERO_FORM, Exponents, Form, Monomial, Symbol, Terms
+from kinematics.symbolic.elements import ONE_FORM, ZERO_FORM, Form, Monomial, Symbol, Terms
+from kinematics.symbolic.keys import HALF_TURN, ORDER, ROOT_BITS, ROOT_MASK, Keys
 from kinematics.symbolic.roots import basis_steps
-
-_FIELD_BITS = 40
-_ROOT_MASK = 0xFF
-_ROOT_BITS = 8
-_HALF_TURN = 12
-_ORDER = 24
-
-
-@dataclass(slots=True)
-class _Field:
-    symbol: Symbol
-    shift: int
-    width: int
-    unit: Fraction
-    degree: int = 0
-    value: Form = ZERO_FORM
 
 
 @dataclass(slots=True)
@@ -51,9 +36,7 @@ class Ring:
 
     limit: int = 200_000
     complete: bool = True
-    _fields: list[_Field] = field(default_factory=list)
-    _places: dict[tuple[Symbol, Fraction], _Field] = field(default_factory=dict)
-    _end: int = _ROOT_BITS
+    _keys: Keys = field(default_factory=Keys)
     _spent: int = 0
 
     def rational(self, value: Fraction | int) -> Form:
@@ -65,26 +48,18 @@ class Ring:
     def turn(self, turn: Fraction) -> Form:
         """The root of unity e^(2πi·turn)."""
         turn %= 1
-        steps = turn * _ORDER
+        steps = turn * ORDER
         if steps.denominator != 1:
             return self.symbol(Symbol("root", None), turn)
-        if steps >= _HALF_TURN:
-            return Form({int(steps) - _HALF_TURN: -1})
+        if steps >= HALF_TURN:
+            return Form({int(steps) - HALF_TURN: -1})
         return Form({int(steps): 1})
 
     def symbol(
         self, symbol: Symbol, exponent: Fraction = Fraction(1), *, degree: int = 0, value: Form = ZERO_FORM
     ) -> Form:
         """symbol^exponent; with a degree, a symbol whose power of that degree is `value`."""
-        unit = Fraction(1, exponent.denominator)
-        place = self._places.get((symbol, unit))
-        if place is None or exponent.numerator.bit_length() + _FIELD_BITS > place.width:
-            width = exponent.numerator.bit_length() + _FIELD_BITS
-            place = _Field(symbol, self._end, width, unit, degree, value)
-            self._fields.append(place)
-            self._places[symbol, unit] = place
-            self._end += width
-        return Form({exponent.numerator << place.shift: 1})
+        return Form({self._keys.key(symbol, exponent, degree, value): 1})
 
     def add(self, a: Form, b: Form, sign: int = 1) -> Form:
         """Sum a + sign·b."""
@@ -119,8 +94,8 @@ class Ring:
         for key_a, x in left.items():
             for key_b, y in right.items():
                 key, product = key_a + key_b, x * y
-                if key & _ROOT_MASK >= _HALF_TURN:
-                    key, product = key - _HALF_TURN, -product
+                if key & ROOT_MASK >= HALF_TURN:
+                    key, product = key - HALF_TURN, -product
                 out[key] = out.get(key, 0) + product
         return _lowest(out, a.denominator * b.denominator)
 
@@ -153,22 +128,22 @@ class Ring:
 
     def _reciprocal_of_term(self, a: Form) -> Form:
         ((key, coefficient),) = a.coefficients.items()
-        steps = key & _ROOT_MASK
+        steps = key & ROOT_MASK
         inverse, sign = -(key - steps), -1 if coefficient < 0 else 1
         if steps:
-            inverse, sign = inverse + _HALF_TURN - steps, -sign
+            inverse, sign = inverse + HALF_TURN - steps, -sign
         return _lowest({inverse: sign * a.denominator}, abs(coefficient))
 
     def is_constant(self, a: Form) -> bool:
         """Whether a form is a combination of 24th roots of unity, seen from its keys alone."""
-        return not any(key >> _ROOT_BITS for key in a.coefficients)
+        return not any(key >> ROOT_BITS for key in a.coefficients)
 
     def is_zero(self, a: Form) -> bool:
         """Whether a form is zero; denominators are cleared first, for they never are."""
         if len(a.coefficients) < 2:
             return not a.coefficients
         parts = self._parts(self._cleared(a))
-        if not parts or self._keys_are_normal:
+        if not parts or self._keys.are_normal:
             return not parts
         return not self._merged(parts, 1)
 
@@ -176,20 +151,11 @@ class Ring:
         """A form in its normal form: monomials in the basis, and their rational coefficients."""
         return self._merged(self._parts(self._reduced(a)), a.denominator)
 
-    @property
-    def _keys_are_normal(self) -> bool:
-        """Whether keys that differ, roots of unity aside, are different exponents."""
-        symbols = {place.symbol for place in self._fields if place.symbol.kind != "root"}
-        plain = [place for place in self._fields if place.symbol.kind != "root"]
-        return len(symbols) == len(plain) and not any(symbol.kind == "radical" for symbol in symbols)
-
     def _parts(self, a: Form) -> dict[int, dict[Fraction, int]]:
         """What stands beside each key without roots of unity: a sum of roots of unity in the basis."""
-        order = lcm(
-            _ORDER, *(place.unit.denominator for place in self._fields if place.symbol.kind == "root")
-        )
+        order = self._keys.order
         found = {}
-        for rest, by_step in self._by_rest(a, order).items():
+        for rest, by_step in self._keys.by_rest(a.coefficients, order).items():
             reduced: dict[Fraction, int] = {}
             for step, coefficient in by_step.items():
                 for piece, sign in basis_steps(step, order):
@@ -203,7 +169,7 @@ class Ring:
         """The parts as terms; keys that are the same exponents are added."""
         out: Terms = {}
         for rest, reduced in parts.items():
-            exponents, factor = self._decode(rest)
+            exponents, factor = self._keys.exponents(rest)
             for piece, coefficient in reduced.items():
                 monomial = Monomial(piece, exponents)
                 weight = Fraction(coefficient, denominator)
@@ -211,22 +177,6 @@ class Ring:
                     weight *= factor
                 out[monomial] = out[monomial] + weight if monomial in out else weight
         return {monomial: weight for monomial, weight in out.items() if weight}
-
-    def _by_rest(self, a: Form, order: int) -> dict[int, dict[int, int]]:
-        """The coefficients by what the keys hold besides roots of unity, and by the roots' turn."""
-        places = [place for place in self._fields if place.symbol.kind == "root"]
-        found: dict[int, dict[int, int]] = {}
-        for key, coefficient in a.coefficients.items():
-            step = (key & _ROOT_MASK) * (order // _ORDER)
-            rest = key - (key & _ROOT_MASK)
-            for place in places:
-                raw = self._raw(key, place)
-                rest -= raw << place.shift
-                step += raw * (order // place.unit.denominator)
-            by_step = found.setdefault(rest, {})
-            step %= order
-            by_step[step] = by_step.get(step, 0) + coefficient
-        return found
 
     def form(self, terms: Terms) -> Form:
         """The form of which `terms` is the normal form."""
@@ -238,33 +188,12 @@ class Ring:
             total = self.add(total, product)
         return total
 
-    def _decode(self, key: int) -> tuple[Exponents, Fraction]:
-        """The exponents in a key without roots of unity, and what pairs of equal square roots give."""
-        factor = Fraction(1)
-        key >>= _ROOT_BITS
-        found: dict[Symbol, Fraction] = {}
-        for place in self._fields:
-            if not key:
-                break
-            half = 1 << (place.width - 1)
-            raw = ((key + half) & ((1 << place.width) - 1)) - half
-            key = (key - raw) >> place.width
-            if raw:
-                found[place.symbol] = found.get(place.symbol, Fraction(0)) + raw * place.unit
-        for symbol, exponent in list(found.items()):
-            if symbol.kind == "radical":
-                pairs, rest = divmod(exponent.numerator, 2)
-                assert isinstance(symbol.of, int)
-                factor *= Fraction(symbol.of) ** pairs
-                found[symbol] = Fraction(rest)
-        return frozenset(item for item in found.items() if item[1]), factor
-
     def _reduced(self, a: Form) -> Form:
         """The form with every related symbol's exponent below the degree of its relation."""
-        for place in reversed([place for place in self._fields if place.degree]):
+        for place in reversed(self._keys.related):
             parts: dict[int, dict[int, int]] = {}
             for key, coefficient in a.coefficients.items():
-                steps = max(self._raw(key, place), 0) // place.degree
+                steps = max(place.exponent(key), 0) // place.degree
                 rest = key - ((steps * place.degree) << place.shift)
                 parts.setdefault(steps, {})[rest] = coefficient
             if any(parts.keys() - {0}):
@@ -279,26 +208,18 @@ class Ring:
 
     def _cleared(self, a: Form) -> Form:
         """The form times the powers of related symbols that leave none in a denominator."""
-        for place in reversed([place for place in self._fields if place.degree]):
-            lowest = min((self._raw(key, place) for key in a.coefficients), default=0)
+        for place in reversed(self._keys.related):
+            lowest = min((place.exponent(key) for key in a.coefficients), default=0)
             if lowest < 0:
                 shift = (-lowest) << place.shift
                 a = Form({key + shift: c for key, c in a.coefficients.items()}, a.denominator)
             a = self._reduced(a)
         return a
 
-    def _raw(self, key: int, place: _Field) -> int:
-        """The exponent that a key holds in one place."""
-        low = key & ((1 << place.shift) - 1)
-        # exponents in lower places may be negative together: they have then borrowed from this one
-        upper = (key >> place.shift) + (low >> (place.shift - 1))
-        half = 1 << (place.width - 1)
-        return ((upper + half) & ((1 << place.width) - 1)) - half
-
     def _check_exponents(self, a: Form, exponent: int) -> None:
-        for place in self._fields:
-            room = 1 << (place.width - _FIELD_BITS // 2)
-            if any(abs(self._raw(key, place)) * exponent > room for key in a.coefficients):
+        for place in self._keys.places:
+            room = place.room
+            if any(abs(place.exponent(key)) * exponent > room for key in a.coefficients):
                 raise self._too_large()
 
     def _spend(self, products: int) -> None:

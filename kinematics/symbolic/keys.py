@@ -1,0 +1,136 @@
+"""The exponents of a term, packed into the bits of one integer.
+
+The lowest bits hold the 24th roots of unity; above them every symbol, and every denominator of its exponents,
+has a place of its own. Adding two keys adds all exponents at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import lcm
+
+from kinematics.symbolic.elements import ZERO_FORM, Exponents, Form, Symbol
+
+ROOT_MASK = 0xFF
+ROOT_BITS = 8
+HALF_TURN = 12
+ORDER = 24
+_ROOM_BITS = 40
+
+
+@dataclass(slots=True)
+class Place:
+    """Where a key holds an exponent of one symbol.
+
+    Attributes:
+        symbol: which one.
+        shift: its lowest bit.
+        width: how many bits it has.
+        unit: what the exponent is counted in.
+        degree: the power of the symbol that is `value`; 0 if there is none.
+        value: what that power is.
+    """
+
+    symbol: Symbol
+    shift: int
+    width: int
+    unit: Fraction
+    degree: int = 0
+    value: Form = ZERO_FORM
+
+    @property
+    def room(self) -> int:
+        """The largest exponent that is let in, far from what would run into the next place."""
+        return 1 << (self.width - _ROOM_BITS // 2)
+
+    def exponent(self, key: int) -> int:
+        """The exponent that a key holds here, in units."""
+        low = key & ((1 << self.shift) - 1)
+        # exponents in lower places may be negative together: they have then borrowed from this one
+        upper = (key >> self.shift) + (low >> (self.shift - 1))
+        half = 1 << (self.width - 1)
+        return ((upper + half) & ((1 << self.width) - 1)) - half
+
+
+@dataclass(slots=True)
+class Keys:
+    """The places of one ring.
+
+    Attributes:
+        places: all of them, from the lowest bits up.
+    """
+
+    places: list[Place] = field(default_factory=list)
+    _known: dict[tuple[Symbol, Fraction], Place] = field(default_factory=dict)
+    _end: int = ROOT_BITS
+
+    def key(self, symbol: Symbol, exponent: Fraction, degree: int, value: Form) -> int:
+        """The key of symbol^exponent; with a degree, of a symbol whose power of that degree is `value`."""
+        unit = Fraction(1, exponent.denominator)
+        place = self._known.get((symbol, unit))
+        width = exponent.numerator.bit_length() + _ROOM_BITS
+        if place is None or width > place.width:
+            place = Place(symbol, self._end, width, unit, degree, value)
+            self.places.append(place)
+            self._known[symbol, unit] = place
+            self._end += width
+        return exponent.numerator << place.shift
+
+    @property
+    def related(self) -> list[Place]:
+        """The places of symbols one power of which is something else."""
+        return [place for place in self.places if place.degree]
+
+    @property
+    def order(self) -> int:
+        """The order of the roots of unity in use."""
+        return lcm(ORDER, *(place.unit.denominator for place in self._roots))
+
+    @property
+    def are_normal(self) -> bool:
+        """Whether keys that differ, roots of unity aside, are different exponents."""
+        symbols = [place.symbol for place in self.places if place.symbol.kind != "root"]
+        return len(set(symbols)) == len(symbols) and all(symbol.kind != "radical" for symbol in symbols)
+
+    @property
+    def _roots(self) -> list[Place]:
+        return [place for place in self.places if place.symbol.kind == "root"]
+
+    def by_rest(self, coefficients: Mapping[int, int], order: int) -> dict[int, dict[int, int]]:
+        """The coefficients by what the keys hold besides roots of unity, and by the roots' turn."""
+        roots = self._roots
+        found: dict[int, dict[int, int]] = {}
+        for key, coefficient in coefficients.items():
+            step = (key & ROOT_MASK) * (order // ORDER)
+            rest = key - (key & ROOT_MASK)
+            for place in roots:
+                exponent = place.exponent(key)
+                rest -= exponent << place.shift
+                step += exponent * (order // place.unit.denominator)
+            by_step = found.setdefault(rest, {})
+            step %= order
+            by_step[step] = by_step.get(step, 0) + coefficient
+        return found
+
+    def exponents(self, key: int) -> tuple[Exponents, Fraction]:
+        """The exponents in a key without roots of unity, and what pairs of equal square roots give."""
+        factor = Fraction(1)
+        key >>= ROOT_BITS
+        found: dict[Symbol, Fraction] = {}
+        for place in self.places:
+            if not key:
+                break
+            half = 1 << (place.width - 1)
+            raw = ((key + half) & ((1 << place.width) - 1)) - half
+            key = (key - raw) >> place.width
+            if raw:
+                found[place.symbol] = found.get(place.symbol, Fraction(0)) + raw * place.unit
+        for symbol, exponent in list(found.items()):
+            if symbol.kind == "radical":
+                pairs, rest = divmod(exponent.numerator, 2)
+                assert isinstance(symbol.of, int)
+                factor *= Fraction(symbol.of) ** pairs
+                found[symbol] = Fraction(rest)
+        return frozenset(item for item in found.items() if item[1]), factor
