@@ -210,9 +210,9 @@ class Reader:
         inverse = algebraic_reciprocal(ring, terms)
         if inverse is not None:
             return inverse
-        content = content(terms)
-        divisor = self._opaque("divisor", (), ring.scale(base, 1 / content), degree=1)
-        return ring.scale(ring.power(divisor, -1), 1 / content)
+        factor = content(terms)
+        divisor = self._opaque("divisor", (), ring.scale(base, 1 / factor), degree=1)
+        return ring.scale(ring.power(divisor, -1), 1 / factor)
 
     def _square_root(self, base: Form) -> Form:
         ring, terms = self.ring, self.ring.terms(base)
@@ -223,9 +223,9 @@ class Reader:
         denested = denested_root(ring, terms)
         if denested is not None:
             return denested
-        content = abs(content(terms))
-        root = self._opaque("root", (2,), ring.scale(ring.form(terms), 1 / content), degree=2)
-        return ring.multiply(root_of_rational(ring, content), root)
+        factor = abs(content(terms))
+        root = self._opaque("root", (2,), ring.scale(ring.form(terms), 1 / factor), degree=2)
+        return ring.multiply(root_of_rational(ring, factor), root)
 
     def _arc(self, function: Function, values: tuple[Form, ...]) -> Form:
         """An inverse trigonometric function: an angle whose cosine and sine are known."""
