@@ -56,10 +56,18 @@ async function run() {
   });
   robot.addEventListener("reading", (event) => answer.showReading(/** @type {CustomEvent} */ (event).detail));
 
-  const draft = recall(draftKey, null);
-  if (draft) answer.state = draft;
+  restore(recall(draftKey, null));
   follow({ now: true });
   await listAttempts();
+
+  /** @param {any} state of an earlier visit; the form stays as it is, if an earlier version wrote something else */
+  function restore(state) {
+    try {
+      if (state) answer.state = state;
+    } catch (error) {
+      console.warn(error);
+    }
+  }
 
   function follow(options) {
     own.take(answer.table, options);
@@ -106,7 +114,7 @@ async function run() {
       $("history"),
       list,
       (attempt) => {
-        answer.state = /** @type {any} */ (attempt.submission);
+        restore(attempt.submission);
         keep(draftKey, answer.state);
         follow({ now: true });
         answer.focus();

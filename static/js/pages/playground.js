@@ -15,7 +15,7 @@ import { keep, recall } from "../storage.js";
 import { convertTool } from "../playground/convert.js";
 import { inverseTool } from "../playground/inverse.js";
 import { jacobianTool } from "../playground/jacobian.js";
-import { decode, permalink } from "../playground/permalink.js";
+import { decode, permalink, sharedOf } from "../playground/permalink.js";
 import { poseTool } from "../playground/pose.js";
 import { axesSource, catalogueChoice, scmSource, urdfSource } from "../playground/sources.js";
 import { workspaceTool } from "../playground/workspace.js";
@@ -81,7 +81,7 @@ class Playground {
 
   /** The robot of the address, else the one that was here last, else the PUMA. */
   async restore() {
-    const shared = decode(location.hash) ?? recall(DRAFT, null);
+    const shared = decode(location.hash) ?? sharedOf(recall(DRAFT, null));
     if (shared) return this.use(shared, shared.joints);
     const brought = await this.bring((signal) => api.get("robots/puma560", { signal })).catch(() => true);
     if (brought && !this.found) this.use({ table: this.editor.table });

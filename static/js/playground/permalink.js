@@ -1,5 +1,7 @@
 /** The playground's state in its address: what stands behind # is the whole robot, and nothing is stored elsewhere. */
 
+import { MOST_ROWS } from "../editor/model.js";
+
 /**
  * @typedef {{table: any, parameters: Record<string, number>, joints: number[]}} Shared
  *   a table as it goes to the API, values of its parameters, joint values [rad or length]
@@ -18,12 +20,39 @@ export function decode(fragment) {
   if (!match) return null;
   try {
     const text = atob(match[1].replaceAll("-", "+").replaceAll("_", "/"));
-    const shared = JSON.parse(new TextDecoder().decode(Uint8Array.from(text, (c) => c.charCodeAt(0))));
-    if (!Array.isArray(shared?.table?.rows)) return null;
-    return { table: shared.table, parameters: shared.parameters ?? {}, joints: shared.joints ?? [] };
+    return sharedOf(JSON.parse(new TextDecoder().decode(Uint8Array.from(text, (c) => c.charCodeAt(0)))));
   } catch {
     return null;
   }
+}
+
+const CHOICES = {
+  convention: ["standard", "modified"],
+  angle_unit: ["rad", "deg"],
+  length_unit: ["m", "cm", "mm", "in"],
+};
+const JOINTS = ["revolute", "prismatic", "fixed"];
+
+/**
+ * A robot from data that anybody may have written; null if it is none. What its cells hold is for the API to judge.
+ * @param {any} data @returns {Shared | null}
+ */
+export function sharedOf(data) {
+  const rows = data?.table?.rows;
+  if (!Array.isArray(rows) || rows.length < 1 || rows.length > MOST_ROWS || !rows.every(isRow)) return null;
+  const chosen = (name) => data.table[name] ?? CHOICES[name][0];
+  const names = Object.keys(CHOICES);
+  if (!names.every((name) => CHOICES[name].includes(chosen(name)))) return null;
+  const table = { ...Object.fromEntries(names.map((name) => [name, chosen(name)])), rows };
+  const values = Object.entries(data.parameters ?? {}).filter(([, value]) => Number.isFinite(value));
+  const joints = Array.isArray(data.joints) && data.joints.every(Number.isFinite) ? data.joints : [];
+  return { table, parameters: Object.fromEntries(values), joints };
+}
+
+function isRow(row) {
+  const isCell = (cell) => ["string", "number", "undefined"].includes(typeof cell);
+  if (typeof row !== "object" || row === null) return false;
+  return (row.joint === undefined || JOINTS.includes(row.joint)) && [row.alpha, row.a, row.d, row.theta].every(isCell);
 }
 
 /** The page's address with the robot in it. @param {string} address @param {Shared} shared */
