@@ -58,7 +58,7 @@ def find_repairs(work: Work) -> tuple[Repaired, ...]:
         singles = [Repaired((change,)) for change in _helping(work, trials, budget, effort)]
         if singles:
             return tuple(singles[:MOST_REPAIRS])
-    fitted = list(_tried(work, chain(any_cell(work), any_row_left_out(work))))
+    fitted = _tried(work, chain(any_cell(work), any_row_left_out(work)))
     singles = [Repaired((change,)) for change in _helping(work, fitted, budget, Effort.REFINED)]
     return tuple(singles or _pairs(work, trials, budget))[:MOST_REPAIRS]
 
@@ -75,20 +75,19 @@ def _tried(work: Work, changes: Iterable[Change]) -> Iterator[Trial]:
             yield Trial(change, table, known[table])
 
 
-def _helping(work: Work, trials: list[Trial], budget: Budget, effort: Effort) -> Iterator[Change]:
+def _helping(work: Work, trials: Iterable[Trial], budget: Budget, effort: Effort) -> Iterator[Change]:
     """The changes that make the table right at every draw; each place of an edit once."""
     told: set[tuple[str, int | None, str | None]] = set()
     for trial in trials:
         edit = trial.change.edit
         place = (edit.code, edit.row, edit.cell)
-        if trial.failing != 0 or place in told:
-            continue
+        if trial.failing == 0 and place not in told:
+            budget.decisions -= 1
+            if work.accepts(trial.table, 0, effort) and _at_other_draws(work, (trial.change,), effort):
+                told.add(place)
+                yield trial.change
         if budget.spent:
             return
-        budget.decisions -= 1
-        if work.accepts(trial.table, 0, effort) and _at_other_draws(work, (trial.change,), effort):
-            told.add(place)
-            yield trial.change
 
 
 def _at_other_draws(work: Work, changes: tuple[Change, ...], effort: Effort) -> bool:
