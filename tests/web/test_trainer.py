@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import LANGUAGES, OpenPage
+from tests.web.driving import Held
 
 TWO_LINKS = [
     # twolink, modified: frame 0 and 1 on axis 1, frame 2 on axis 2
@@ -116,6 +117,35 @@ def test_a_point_can_be_clicked(open_page: OpenPage) -> None:
     assert box is not None
     page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     expect(page.locator("fieldset.choices").nth(1).locator("input").nth(1)).to_be_checked()
+
+
+def test_a_choice_is_for_the_frame_whose_lists_are_shown(open_page: OpenPage) -> None:
+    """While another frame's lists are on their way, a choice in those still there counts for neither."""
+    page = open_page("/trainer/scara")
+    ready(page)
+    held = Held(page, "**/check-frames")
+    page.get_by_role("button", name=re.compile("^Frame 2:")).click()
+    held.until(1)
+    page.locator("fieldset.choices").first.locator("label.choice").nth(1).click()
+    held.stop()
+    expect(page.locator("fieldset.choices legend").first).to_contain_text("frame 2")
+    expect(page.locator("fieldset.choices input:checked")).to_have_count(0)
+    goto(page, 0)
+    expect(page.locator("fieldset.choices input:checked")).to_have_count(0)
+
+
+def test_the_focus_stays_on_the_buttons_that_go_on(open_page: OpenPage) -> None:
+    page = open_page("/trainer/twolink")
+    ready(page)
+    onward = page.get_by_role("button", name="Next frame")
+    onward.focus()
+    page.keyboard.press("Enter")
+    expect(page.locator("fieldset.choices legend").first).to_contain_text("frame 1")
+    expect(onward).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(page.locator("fieldset.choices legend").first).to_contain_text("frame 2")
+    expect(page.get_by_role("button", name=re.compile("^Frame 2:"))).to_be_focused()
+    expect(onward).to_be_hidden()
 
 
 def test_everything_by_keyboard(open_page: OpenPage) -> None:

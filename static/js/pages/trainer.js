@@ -30,6 +30,11 @@ class Trainer {
     this.scene = /** @type {any} */ (el("robot-scene", { label: t("trainer-scene") }));
     fill($("scene"), this.scene, el("p", { class: "hint", text: t("trainer-click") }));
     this.scene.describe(`${this.figure.description} ${t("form-scene-keys")}`);
+    this.shown = -1;
+    this.chooser = el("div", { class: "stack" });
+    this.next = el("button", { type: "button", class: "small", onclick: () => this.#go(this.state.current + 1) }, t("trainer-next"));
+    const clearing = el("button", { type: "button", class: "small", onclick: () => this.become(clear(this.state)) }, t("trainer-clear"));
+    this.navigation = el("div", { class: "row" }, clearing, this.next);
     this.scene.addEventListener("scene-pick", (event) => this.#picked(/** @type {CustomEvent} */ (event).detail.id));
     this.#convention();
   }
@@ -62,27 +67,17 @@ class Trainer {
 
   #show(judged) {
     this.judged = judged;
-    const frame = judged.frames[this.state.current];
+    this.shown = this.state.current;
+    const frame = judged.frames[this.shown];
     this.#steps(judged.frames);
-    const navigation = el(
-      "div",
-      { class: "row" },
-      el("button", { type: "button", class: "small", onclick: () => this.become(clear(this.state)) }, t("trainer-clear")),
-      this.state.current + 1 < this.state.frames.length
-        ? el("button", { type: "button", class: "small", onclick: () => this.#go(this.state.current + 1) }, t("trainer-next"))
-        : null,
-    );
-    const chooser = this.chooser ?? (this.chooser = el("div", { class: "stack" }));
-    if (!chooser.isConnected) fill($("frame"), chooser);
-    showChooser(chooser, {
+    if (!this.chooser.isConnected) fill($("frame"), this.chooser, this.navigation);
+    showChooser(this.chooser, {
       state: this.state,
       judged: frame,
-      choose: (part, vector) => this.become(choose(this.state, part, vector)),
+      choose: (part, vector) => this.#choose(part, vector),
       part: (part) => this.#part(part),
     });
-    $("frame").querySelector(".trainer-navigation")?.remove();
-    navigation.classList.add("trainer-navigation");
-    $("frame").append(navigation);
+    this.#navigate();
     this.scene.model = picture(this.figure, this.state, frame.candidates);
     fill($("table"), tableView(judged, this.state.convention), this.#finish(judged));
     const broken = judged.frames.flatMap((each) => each.findings).filter((finding) => finding.severity === "broken").length;
@@ -111,12 +106,25 @@ class Trainer {
     });
   }
 
+  /** The buttons below the lists stay too; with the last frame the focus leaves the one that goes on. */
+  #navigate() {
+    const last = this.shown + 1 === this.state.frames.length;
+    const focused = this.next === document.activeElement;
+    this.next.hidden = last;
+    if (last && focused) /** @type {HTMLElement} */ ($("steps").children[this.shown]).focus();
+  }
+
+  /** Takes a choice for the frame whose lists are shown; while those of another one are on their way, none. */
+  #choose(part, vector) {
+    if (this.shown === this.state.current) this.become(choose(this.state, part, vector));
+  }
+
   #go(frame) {
     this.become(goTo(this.state, frame));
   }
 
   #part(part) {
-    if (part === this.state.part) return;
+    if (part === this.state.part || this.shown !== this.state.current) return;
     this.state = { ...this.state, part };
     this.scene.model = picture(this.figure, this.state, this.judged.frames[this.state.current].candidates);
     for (const group of document.querySelectorAll(".choices")) {
@@ -126,9 +134,10 @@ class Trainer {
 
   #picked(pick) {
     const [part, index] = pick.split(":");
-    const candidate = this.judged.frames[this.state.current].candidates[part][Number(index)];
+    const candidate = this.judged.frames[this.shown].candidates[part][Number(index)];
+    if (this.shown !== this.state.current) return;
     announce(candidateText(candidate));
-    this.become(choose(this.state, /** @type {any} */ (part), candidate.vector));
+    this.#choose(/** @type {any} */ (part), candidate.vector);
   }
 }
 
