@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any
 
 from kinematics import catalogue
 from kinematics.cells import AngleUnit, Limits, parameter_values
-from kinematics.errors import DescriptionError, Fault, JointValueError
+from kinematics.errors import DescriptionError, Fault, JointValueError, KinematicsError
 from kinematics.scm import ReadChain, ScmChain, check_values, read_chain, verify, with_values
 from kinematics.table import JointType
-from service.errors import RequestError, located
-from service.schemas.scm import ChainQuestion, Verification
+from service.errors import RequestError
+from service.schemas.scm import Chain, ChainQuestion, Verification
 from service.symbolic import exact_values
 
 
@@ -78,7 +79,7 @@ def prepared_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
     """
     if question.chain is None:
         return _listed(str(question.robot)).read
-    with located("chain"):
+    with in_chain("chain", question.chain):
         read = read_chain(question.chain.raw(), limits)
         faults = verify(read.chain) if question.verify is Verification.STRICT else ()
         if faults:
@@ -95,14 +96,22 @@ def written_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
     """
     read = prepared_structure(question, limits)
     values = exact_values(read, question.parameters)
-    with located(_source(question)):
+    with in_chain("chain", question.chain):
         chain = with_values(read.chain, values)
     left = {name: kind for name, kind in read.parameters.items() if name not in values}
     return replace(read, chain=chain, parameters=left)
 
 
-def _source(question: ChainQuestion) -> str:
-    return "robot" if question.chain is None else "chain"
+@contextmanager
+def in_chain(field: str, chain: Chain | None) -> Iterator[None]:
+    """Place the faults of a chain's entries where the chain was sent, or at `robot` if none was."""
+    try:
+        yield
+    except KinematicsError as error:
+        raise type(error)(
+            replace(fault, where=("robot",) if chain is None else (field, *chain.place(fault.where)))
+            for fault in error.faults
+        ) from error
 
 
 def prepared_chain(question: ChainQuestion, limits: Limits) -> PreparedChain:
@@ -117,7 +126,7 @@ def prepared_chain(question: ChainQuestion, limits: Limits) -> PreparedChain:
     if question.chain is None:
         given = {**_listed(str(question.robot)).values, **given}
     values = parameter_values(read.parameters, read.angle_unit, given)
-    with located(_source(question)):
+    with in_chain("chain", question.chain):
         check_values(read.chain, values)
     angle = math.radians(1.0) if read.angle_unit is AngleUnit.DEG else 1.0
     return PreparedChain(read=read, values=values, angle=angle)

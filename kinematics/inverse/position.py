@@ -191,7 +191,7 @@ class _Second:
             if scales[0] <= _NOTHING:
                 _refuse_if_solved(b)
                 return
-            along = (left.T @ b) / np.maximum(scales, 1e-300)
+            along = (left.T @ b) / np.maximum(scales, 1e-12 * scales[0])
             if scales[1] > 1e-9 * scales[0]:
                 c, s = right.T @ along
                 yield float(np.arctan2(s, c))

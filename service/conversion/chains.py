@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from kinematics.cells import ReadTable, parameter_values
 from kinematics.scm import modified_dh_from_scm, read_chain
+from service.chains import in_chain
 from service.conversion.described import Described
-from service.errors import located
 from service.schemas.conversion import ConvertRequest
 from service.settings import Settings
 
@@ -18,7 +18,7 @@ def described_chain(request: ConvertRequest, settings: Settings) -> Described:
         ParameterError: the parameters that were given do not fit.
     """
     assert request.scm is not None
-    with located("scm"):
+    with in_chain("scm", request.scm):
         chain = read_chain(request.scm.raw(), settings.cell_limits)
         table = modified_dh_from_scm(chain.chain)
     if request.parameters is not None:

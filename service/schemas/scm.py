@@ -34,9 +34,13 @@ class Placement(Wire):
         return {entry: getattr(self, entry) for entry in ENTRIES}
 
 
+class ListedPlacement(Placement):
+    """A placement that was written as the list of its entries."""
+
+
 def _by_name(value: Any) -> Any:
     if isinstance(value, list) and len(value) == len(ENTRIES):
-        return dict(zip(ENTRIES, value, strict=True))
+        return ListedPlacement(**dict(zip(ENTRIES, value, strict=True)))
     if not isinstance(value, dict | Placement):
         raise PydanticCustomError("scm_six_entries", "six entries: [X, Y, Z, A, B, C], or an object")
     return value
@@ -88,6 +92,17 @@ class Chain(Wire):
             angle_unit=self.angle_unit,
             length_unit=self.length_unit,
         )
+
+    def place(self, where: tuple[str | int, ...]) -> tuple[str | int, ...]:
+        """The place of an entry in what was sent: by its number where the row is a list."""
+        match where:
+            case ("joints", int(i), str(entry)):
+                row = self.joints[i]
+            case ("final" | "tool" as name, str(entry)):
+                row = getattr(self, name)
+            case _:
+                return where
+        return (*where[:-1], ENTRIES.index(entry)) if isinstance(row, ListedPlacement) else where
 
     @classmethod
     def of(cls, raw: RawChain) -> Self:

@@ -288,3 +288,19 @@ def test_limits_of_some_joints(client: httpx.Client) -> None:
     assert refusal(client, "random-configuration", robot="twolink", limits=[]) == [
         ("limits_wrong_length", "/limits")
     ]
+
+
+def test_entries_of_a_listed_row_are_pointed_at_by_number(client: httpx.Client) -> None:
+    rows = [[0, 0, "1/0", "q1", 0, 0], {"x": "1/0", "a": "q2"}, [0, 0, 0, 0, "q3", "q3"]]
+    chain = {"joints": rows, "final": [0, "q1", 0, 0, 0, 0], "tool": {"z": []}}
+    expected = [
+        ("division_by_zero", "/joints/0/2"),
+        ("division_by_zero", "/joints/1/x"),
+        ("scm_two_variables", "/joints/2/5"),
+        ("scm_variable_outside_joints", "/final/1"),
+        ("cell_not_a_value", "/tool/z"),
+    ]
+    found = refusal(client, "forward-kinematics", chain=chain, joints=[0, 0, 0])
+    assert found == [(code, f"/chain{pointer}") for code, pointer in expected]
+    converted = client.post("/api/v1/convert", json={"scm": chain, "to": "modified"}).json()
+    assert [fault["pointer"] for fault in converted["errors"]] == [f"/scm{at}" for _, at in expected]
