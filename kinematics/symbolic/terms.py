@@ -88,13 +88,14 @@ def leads_negative(a: Nested) -> bool:
     """Whether a sum without parentheses within looks better with the opposite sign: c4·c6 - s4·c5·s6."""
     if any(factors and rank_of(factors[-1]) == Rank.PARENTHESES for _, factors in a):
         return False
-    return min(a, key=_reading_order)[0] < 0
+    excess = sum([1 if weight < 0 else -1 for weight, _ in a])
+    return excess > 0 or (excess == 0 and min(a, key=_reading_order)[0] < 0)
 
 
 def _reading_order(term: Term) -> tuple[list[int], tuple[int, ...]]:
-    """What moves decides what a sum begins with: c1·c2 - cos(alpha)·s1·s2."""
+    """The cosine of a twist does not decide what a sum begins with: c1·c2 - cos(alpha)·s1·s2."""
     factors = term[1]
-    return [name for name in factors if rank_of(name) >= Rank.JOINT_ANGLE], factors
+    return [name for name in factors if rank_of(name) != Rank.CONSTANT_ANGLE], factors
 
 
 def stripped(a: Nested) -> tuple[Rational, tuple[int, ...], Nested]:
