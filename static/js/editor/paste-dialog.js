@@ -17,7 +17,12 @@ export function askForTable(parent, order, convention, take) {
   const text = /** @type {HTMLTextAreaElement} */ (
     el("textarea", { id: area, rows: 8, spellcheck: "false", autocapitalize: "off", oninput: () => show() })
   );
-  const apply = el("button", { type: "submit", class: "primary", text: t("form-paste-apply") });
+  const use = (event) => {
+    event.preventDefault();
+    dialog.close();
+    if (pasted) take(pasted);
+  };
+  const apply = el("button", { type: "submit", class: "primary", onclick: use, text: t("form-paste-apply") });
   /** @type {import("./paste.js").Pasted | null} */
   let pasted = null;
   const show = () => {
@@ -31,11 +36,7 @@ export function askForTable(parent, order, convention, take) {
       { class: "dialog", "aria-labelledby": title, onclose: () => dialog.remove() },
       el(
         "form",
-        {
-          method: "dialog",
-          class: "stack",
-          onsubmit: () => pasted && take(pasted),
-        },
+        { method: "dialog", class: "stack" },
         el("h2", { id: title, text: t("form-paste-title") }),
         el("div", { class: "field" }, el("label", { for: area, text: t("form-paste-label") }), text),
         el("p", { class: "hint", text: t("form-paste-order", { order: order.map((cell) => columnText(cell, convention)).join("  ") }) }),

@@ -24,7 +24,9 @@ export class AnswerCard {
     this.editor.state = newTable(this.editor.allowed[0], joints, { angleUnit, lengthUnit });
     this.editor.addEventListener("table-change", () => this.#edited());
     this.parts = exercise.parts.filter(({ kind }) => kind !== "table").map((part) => ({ part, field: fieldFor(part, exercise) }));
-    this.button = el("button", { type: "submit", class: "primary", text: t("form-submit") });
+    // Enter in a field presses the button too; a frame that allows no forms lets no form be submitted.
+    const press = (event) => (event.preventDefault(), submit());
+    this.button = el("button", { type: "submit", class: "primary", onclick: press, text: t("form-submit") });
     this.problem = el("div", { id: "submit-problem" });
     const table = exercise.parts.find(({ kind }) => kind === "table");
     this.sections = this.parts.map(({ part, field }) => section(part.kind, part, exercise, field.element, true));
@@ -33,12 +35,8 @@ export class AnswerCard {
       {
         class: "stack",
         novalidate: true,
-        onsubmit: (event) => {
-          event.preventDefault();
-          submit();
-        },
         onkeydown: (event) => {
-          if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) {
+          if (event.key === "Enter" && (event.ctrlKey || event.metaKey) && !event.target.closest("dialog")) {
             event.preventDefault();
             submit();
           }
