@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
+import re
 import subprocess
 import sys
 import threading
@@ -16,6 +18,7 @@ import pytest
 
 from kinematics.expressions import evaluate
 from kinematics.printing import Format, from_tree
+from service.app import create_app
 from service.schemas.symbolic import PUMA_LENGTHS
 from service.settings import Settings
 from tests.live_service import running
@@ -208,6 +211,41 @@ def test_hostile_requests_end_in_time_and_delay_nobody() -> None:
             assert response.headers["retry-after"] == "2"
         else:
             assert problem["code"] == "computation_out_of_time"
+
+
+def test_one_request_at_a_time_is_read_and_others_are_answered_meanwhile() -> None:
+    async def test() -> None:
+        app = create_app()
+        transport = httpx.ASGITransport(app=app)
+        async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
+            async with app.state.workers.preparation:
+                table = {"convention": "standard", "rows": hostile_rows(3)}
+                body = {"table": table, "formats": ["text"]}
+                asked = asyncio.create_task(client.post("/api/v1/symbolic", json=body))
+                assert (await client.get("/healthz")).status_code == 200
+                assert not asked.done()
+            assert (await asked).status_code == 200
+        app.state.workers.close()
+
+    asyncio.run(test())
+
+
+def test_no_two_functions_of_an_answer_have_one_name(client: httpx.Client) -> None:
+    """Put into one file they must compile: frame 6 and the tool are different poses."""
+    body = {"table": PUMA_LENGTHS, "formats": ["c"], "inverse": True, "jacobian": True}
+    for poses in ({}, {"tool": POSE}, {"base": POSE}, {"base": POSE, "tool": POSE}):
+        answer = ask(client, **body, **poses)
+        written = [*answer["links"], *answer["frames"], answer["inverse"], *answer["jacobian"].values()]
+        if "tool" in poses:
+            written.append(answer["transform"])
+        else:
+            assert answer["transform"] == answer["frames"][-1]
+        if "base" not in poses:
+            assert answer["links"][0] == answer["frames"][0]
+            written = written[1:]
+        names = re.findall(r"^void (\w+)\(", "\n".join(matrix["c"] for matrix in written), re.MULTILINE)
+        assert len(names) == len(written)
+        assert len(set(names)) == len(names)
 
 
 def test_the_answer_is_kept(client: httpx.Client) -> None:
