@@ -61,6 +61,14 @@ def test_signs_and_invisible_operators(expression: Expression, expected: str) ->
     assert spoken(presentation(expression)) == expected
 
 
+def test_a_squared_sine_is_written_as_people_do_and_two_numbers_have_a_dot_between_them() -> None:
+    squared = power(call(Function.SIN, q1), 2)
+    assert spoken(presentation(squared, Notation.FULL)) == f"sin2{APPLY}(q1)"
+    assert spoken(presentation(squared)) == "s12"
+    roots = multiply((power(number(2), Fraction(1, 3)), power(number(3), Fraction(1, 3))))
+    assert spoken(presentation(roots)) == "213⋅313"
+
+
 def test_an_index_is_a_subscript() -> None:
     assert presentation(q1) == "<msub><mi>q</mi><mn>1</mn></msub>"
     assert presentation(Parameter("L_x")) == "<msub><mi>L</mi><mi>x</mi></msub>"
