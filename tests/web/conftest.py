@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Page, Response, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Page, Response, expect, sync_playwright
 
 from service.settings import Settings
 from tests.live_service import running
@@ -28,6 +28,11 @@ ARGUMENTS = [
     "--disable-sync",
     "--force-prefers-reduced-motion",
 ]
+PATIENCE = 20_000
+"""Milliseconds until what should happen counts as not happening; much, because machines may be busy."""
+
+expect.set_options(timeout=PATIENCE)
+
 LANGUAGES = ("en", "ro", "pt", "fr", "uk", "es")
 
 
@@ -40,8 +45,11 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.fixture(scope="session")
 def web() -> Iterator[str]:
-    """Origin of a running service that may be shown in any frame."""
-    with running(Settings(frame_ancestors=("*",))) as origin:
+    """Origin of a running service that may be shown in any frame.
+
+    It gives slow machines time: how long an answer may take is not the form's business.
+    """
+    with running(Settings(frame_ancestors=("*",), symbolic_seconds=60.0)) as origin:
         yield origin
 
 
@@ -126,7 +134,7 @@ def open_page(browser: Browser, web: str, watch: Watch) -> Iterator[OpenPage]:
             reduced_motion=options.pop("reduced_motion", "reduce"),
             **options,
         )
-        context.set_default_timeout(20_000)
+        context.set_default_timeout(PATIENCE)
         contexts.append(context)
         page = context.new_page()
         watch.follow(page)

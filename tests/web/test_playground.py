@@ -114,7 +114,8 @@ def test_no_request_mixes_two_robots(open_page: OpenPage, watch: Watch, newest_f
     assert [(joints, values) for joints, _, values, _ in sent] == [
         (rows, named) for _, rows, _, named in sent
     ]
-    assert [answer.url for answer in watch.responses if answer.status >= 400] == []
+    refused = [answer for answer in watch.responses if answer.status >= 400]
+    assert [(answer.request.post_data, answer.text()) for answer in refused] == []
 
 
 @pytest.mark.parametrize("first", [0, 1], ids=["in order", "in reverse"])
@@ -158,6 +159,21 @@ def test_a_slide_without_limits_is_asked_for_its_range(open_page: OpenPage) -> N
     expect(reach).to_have_text(re.compile(r"^1\.27"))
     page.get_by_label("Greatest value of q3 in m").fill("")
     expect(page.locator(".tool", has_text="Workspace")).to_contain_text("Give each prismatic joint")
+
+
+def test_the_workspace_is_asked_for_once_however_the_joints_move(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.url.rsplit("/", 1)[1]))
+    opened(page, "Workspace")
+    opened(page, "Pose of the end frame")
+    expect(page.locator(".tool", has_text="Workspace").locator("dd").first).to_be_visible()
+    position = page.locator(".tool", has_text="Pose of the end frame").locator("dd").first
+    page.get_by_label("Joint angle q1").fill("90")
+    expect(position).to_have_text(re.compile(r"^0\.15(01)?\s+0\.4521"))
+    page.wait_for_load_state("networkidle")
+    assert asked.count("workspace") == 1
 
 
 def test_what_was_found_for_another_table_goes(open_page: OpenPage) -> None:

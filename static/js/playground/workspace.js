@@ -10,15 +10,19 @@ import { named, numbers } from "./values.js";
 /** @param {import("../api.js").Api} api */
 export function workspaceTool(api) {
   const slides = new Slides(() => tool.refresh());
+  /** Where the joints stand makes no difference: what was found is shown until the robot or a range changes. */
+  let found = { asked: "", nodes: /** @type {Node[]} */ ([]) };
   const tool = new Tool(
     t("playground-workspace"),
     async (subject) => {
       slides.show(subject);
       const limits = slides.limits(subject);
       if (!limits) return [el("p", { class: "hint", text: t("playground-slide-needed") })];
-      const answer = await api.post("workspace", { ...asked(subject), limits });
+      const request = { ...asked(subject), limits };
+      if (JSON.stringify(request) === found.asked) return found.nodes;
+      const answer = await api.post("workspace", request);
       const unit = answer.length_unit;
-      return [
+      const nodes = [
         named([
           [t("playground-inner-axis"), numbers([answer.inner_radius.axis], unit)],
           [t("playground-outer-axis"), numbers([answer.outer_radius.axis], unit)],
@@ -26,6 +30,8 @@ export function workspaceTool(api) {
           [t("playground-outer-origin"), numbers([answer.outer_radius.origin], unit)],
         ]),
       ];
+      found = { asked: JSON.stringify(request), nodes };
+      return nodes;
     },
     { controls: [slides.element] },
   );
