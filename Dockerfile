@@ -29,10 +29,11 @@ WORKDIR /app
 COPY LICENSE README.md ./
 COPY kinematics kinematics
 COPY exercises exercises
+COPY courses courses
 COPY service service
 COPY static static
 COPY --from=vendor /build/static/vendor static/vendor
-RUN /opt/framewise/bin/python -m compileall -q kinematics exercises service
+RUN /opt/framewise/bin/python -m compileall -q kinematics exercises courses service
 ENV PATH=/opt/framewise/bin:$PATH \
     PYTHONUNBUFFERED=1 \
     PYTHONDONTWRITEBYTECODE=1 \

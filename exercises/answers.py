@@ -155,12 +155,11 @@ def _shape_faults(instance: Instance, raw: RawAnswer) -> list[Fault]:
     known = tuple(kind.value for kind in asked)
     given = raw.parts()
     if not given:
-        message = f"nothing was handed in; the exercise asks for {', '.join(known)}"
-        return [Fault(code="answer_empty", message=message, params={"known": known})]
+        f"nothing was handed in; the exercise asks for {', '.join(known)}"
+        return [Fault(code="answer_empty", params={"known": known})]
     faults = [
         Fault(
             code="part_not_asked",
-            message=f"the exercise does not ask for {kind}; it asks for {', '.join(known)}",
             where=(kind.value,),
             params={"part": kind.value, "known": known},
         )
@@ -180,7 +179,6 @@ def _shape_faults(instance: Instance, raw: RawAnswer) -> list[Fault]:
         faults.append(
             Fault(
                 code="pose_needs_table",
-                message="the pose is the one of your own table: hand in the table, too",
                 where=("pose",),
             )
         )
@@ -195,7 +193,6 @@ def _count_faults(instance: Instance, raw: RawAnswer) -> list[Fault]:
         return [
             Fault(
                 code="link_matrices_count",
-                message=f"the table has {rows} rows, but {given} link matrices are given; null skips one",
                 where=("link_matrices",),
                 params={"expected": rows, "given": given},
             )
@@ -204,7 +201,6 @@ def _count_faults(instance: Instance, raw: RawAnswer) -> list[Fault]:
         return [
             Fault(
                 code="link_matrices_need_table",
-                message="without the table, link matrices are judged by their product: give all of them",
                 where=("link_matrices",),
             )
         ]
@@ -247,7 +243,7 @@ def _pose(
         return None
     numbers = matrix.at(values, ())
     reader.faults.extend(
-        Fault(code="value_not_real", message="this cell has no finite real value", where=("pose", r, c))
+        Fault(code="value_not_real", where=("pose", r, c))
         for r, c in np.argwhere(~np.isfinite(numbers)).tolist()
     )
     return numbers
@@ -257,7 +253,6 @@ def _name_faults(matrix: SymbolicMatrix, known: tuple[str, ...]) -> list[Fault]:
     return [
         Fault(
             code="name_without_value",
-            message=f"{name} has no value here; write numbers, or {', '.join(known) or 'no names'}",
             where=(r, c),
             params={"name": name, "known": known},
         )
@@ -286,9 +281,8 @@ def _radius(cell: Cell, name: str, values: Mapping[str, float], unit: AngleUnit)
         value = evaluate(expression, values)
     except KinematicsError as error:
         raise type(error)(
-            Fault(code=fault.code, message=fault.message, where=(name,), params=fault.params)
-            for fault in error.faults
+            Fault(code=fault.code, where=(name,), params=fault.params) for fault in error.faults
         ) from None
     if value < 0:
-        raise CellError(Fault(code="radius_negative", message="a radius is not negative", where=(name,)))
+        raise CellError(Fault(code="radius_negative", where=(name,)))
     return value

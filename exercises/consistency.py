@@ -45,7 +45,6 @@ def _figure_faults(exercise: Exercise) -> list[Fault]:
         return [
             Fault(
                 code="parameter_unused",
-                message=f"the table has no {name}",
                 where=(FILE, "figure", "lengths", name),
                 params={"name": name},
             )
@@ -65,7 +64,6 @@ def _name_faults(exercise: Exercise) -> list[Fault]:
     faults = [
         Fault(
             code="statement_name_unknown",
-            message=f"{name} is neither a dimension of the robot nor a point or dimension of the figure",
             where=(f"statement.{language}.md",),
             params={"name": name},
         )
@@ -77,7 +75,6 @@ def _name_faults(exercise: Exercise) -> list[Fault]:
         faults += [
             Fault(
                 code="unknown_point",
-                message=f"the figure marks no point {name}",
                 where=(FILE, "parts", exercise.parts.index(workspace), key),
                 params={"name": name},
             )

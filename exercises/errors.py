@@ -20,9 +20,7 @@ class ExerciseError(Exception):
 
     def __init__(self, faults: Fault | Iterable[Fault]) -> None:
         self.faults: tuple[Fault, ...] = (faults,) if isinstance(faults, Fault) else tuple(faults)
-        super().__init__(
-            "\n".join(": ".join((_place(fault.where), fault.message)).lstrip(": ") for fault in self.faults)
-        )
+        super().__init__("\n".join(map(str, self.faults)))
 
     @property
     def code(self) -> str:
@@ -40,7 +38,3 @@ class UnknownExerciseError(ExerciseError):
 
 class AnswerError(ExerciseError):
     """An answer cannot be graded; it costs no attempt."""
-
-
-def _place(where: tuple[str | int, ...]) -> str:
-    return ".".join(str(step) for step in where)

@@ -60,7 +60,6 @@ def generate(exercise: Exercise, seed: str | int | None = None) -> Instance:
         raise AnswerError(
             Fault(
                 code="seed_too_long",
-                message=f"a seed has at most {SEED_CHARACTERS} characters",
                 where=("seed",),
                 params={"limit": SEED_CHARACTERS},
             )

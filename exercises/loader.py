@@ -39,7 +39,7 @@ def use_folders(folders: Sequence[Path]) -> None:
         DefinitionError: a folder does not exist, or holds a malformed exercise; every fault.
     """
     missing = [
-        Fault(code="folder_missing", message=f"there is no folder {folder}", params={"folder": str(folder)})
+        Fault(code="folder_missing", params={"folder": str(folder)})
         for folder in folders
         if not folder.is_dir()
     ]
@@ -78,7 +78,6 @@ def exercise(exercise_id: str) -> Exercise:
         raise UnknownExerciseError(
             Fault(
                 code="exercise_unknown",
-                message=f"there is no exercise {exercise_id}; there are {known}",
                 where=("exercise_id",),
                 params={"id": exercise_id, "known": known},
             )
@@ -110,11 +109,10 @@ def _document(folder: Traversable) -> Mapping[str, Any]:
     try:
         return tomllib.loads((folder / FILE).read_text(encoding="utf-8"))
     except FileNotFoundError:
-        fault = Fault(code="exercise_file_missing", message=f"there is no {FILE}", where=(folder.name, FILE))
+        fault = Fault(code="exercise_file_missing", where=(folder.name, FILE))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         fault = Fault(
             code="exercise_file_not_toml",
-            message=f"this is not TOML: {error}",
             where=(folder.name, FILE),
             params={"reason": str(error)},
         )
@@ -131,7 +129,6 @@ def _statements(folder: Traversable, faults: list[Fault]) -> Mapping[str, str]:
             faults.append(
                 Fault(
                     code="statement_missing",
-                    message=f"there is no statement in {name}",
                     where=(name,),
                     params={"language": language},
                 )
@@ -166,7 +163,6 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
             known = ", ".join(MISTAKES)
             tests.fault(
                 "misconception_unknown",
-                f"{code} is none of {known}",
                 "misconceptions",
                 i,
                 name=code,
@@ -197,13 +193,12 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
 def _reference(reader: Reader, robot: str | None) -> tuple[ReadTable | None, Mapping[str, Fraction]]:
     """The key and the usual values of its parameters."""
     if robot is not None and reader.given("reference"):
-        reader.fault("robot_and_reference", "give either robot or [reference], not both", "reference")
+        reader.fault("robot_and_reference", "reference")
     if robot is not None:
         if robot not in catalogue.robot_ids():
-            known = ", ".join(catalogue.robot_ids())
+            ", ".join(catalogue.robot_ids())
             reader.fault(
                 "exercise_robot_unknown",
-                f"the catalogue holds no {robot}; it holds {known}",
                 "robot",
                 robot=robot,
             )
@@ -211,9 +206,7 @@ def _reference(reader: Reader, robot: str | None) -> tuple[ReadTable | None, Map
         found = catalogue.robot(robot)
         return found.table, {name: Fraction(repr(value)) for name, value in found.parameters.items()}
     if not reader.given("reference"):
-        reader.fault(
-            "exercise_key_missing", "name a robot of the catalogue, or give its table as [reference]", "robot"
-        )
+        reader.fault("exercise_key_missing", "robot")
         return None, {}
     inner = reader.table("reference")
     raw = read_raw_table(inner)
@@ -228,8 +221,8 @@ def _parameters(
     for name, inner in reader.tables("parameters"):
         spelled = inner.name(name)
         if spelled not in reference.parameters:
-            known = ", ".join(reference.parameters) or "none"
-            inner.fault("parameter_unused", f"the table has no {name}; its parameters are {known}", name=name)
+            ", ".join(reference.parameters) or "none"
+            inner.fault("parameter_unused", name=name)
         default = values.get(spelled)
         value = inner.exact("value", *(() if default is None else (default,)))
         draw = read_draw(inner, "draw")
@@ -241,7 +234,5 @@ def _parameters(
         if name in values:
             given[name] = DrawnParameter(name=name, value=values[name])
         else:
-            reader.fault(
-                "parameter_missing", f"the parameter {name} has no value", "parameters", name, name=name
-            )
+            reader.fault("parameter_missing", "parameters", name, name=name)
     return tuple(given[name] for name in reference.parameters if name in given)

@@ -33,13 +33,13 @@ def read_parts(
         kind = entry.choice("kind", PartKind)
         points = entry.exact("points")
         if points <= 0:
-            entry.fault("points_not_positive", "a part is worth more than zero points", "points")
+            entry.fault("points_not_positive", "points")
         if any(part.kind is kind for part in parts):
-            entry.fault("part_twice", f"{kind} is asked twice", "kind", kind=kind.value)
+            entry.fault("part_twice", "kind", kind=kind.value)
         parts.append(_part(entry, kind, points, joint_types, degrees, limits))
         entry.finish()
     if not any(part.kind is PartKind.TABLE for part in parts):
-        reader.fault("table_not_asked", "an exercise asks for the table: add a part of kind table", "parts")
+        reader.fault("table_not_asked", "parts")
     return tuple(parts)
 
 
@@ -56,13 +56,13 @@ def read_draw(reader: Reader, key: str) -> Draw | None:
     )
     inner.finish()
     if draw.step <= 0 or draw.stop < draw.start:
-        inner.fault("draw_empty", "from must not lie above to, and step must be positive")
+        inner.fault("draw_empty")
         return None
     if (draw.stop - draw.start) / draw.step > MOST_VALUES:
-        inner.fault("draw_too_large", f"a draw has at most {MOST_VALUES} values", limit=MOST_VALUES)
+        inner.fault("draw_too_large", limit=MOST_VALUES)
         return None
     if not draw.values():
-        inner.fault("draw_empty", "no value is left to draw from")
+        inner.fault("draw_empty")
         return None
     return draw
 
@@ -86,9 +86,7 @@ def _pose(reader: Reader, points: Fraction, joint_types: Sequence[JointType], de
     joints = reader.exacts("joints")
     if len(joints) != len(joint_types):
         n = len(joint_types)
-        reader.fault(
-            "joints_wrong_length", f"the robot has {n} joints; give as many values", "joints", expected=n
-        )
+        reader.fault("joints_wrong_length", "joints", expected=n)
         joints = (Fraction(0),) * n
     slides = read_draw(reader, "slides")
     turns = read_draw(reader, "turns")
@@ -120,13 +118,11 @@ def _limits(reader: Reader, n: int, known: Limits | None) -> tuple[tuple[Fractio
     value = reader.values["limits"]
     if value == "catalogue":
         if known is None:
-            reader.fault("exercise_limits_unknown", "the catalogue knows no limits of this robot", "limits")
+            reader.fault("exercise_limits_unknown", "limits")
             return free
         return tuple((Fraction(repr(low)), Fraction(repr(high))) for low, high in known)
     if not isinstance(value, list) or len(value) != n:
-        reader.fault(
-            "joints_wrong_length", f"the robot has {n} joints; give as many limits", "limits", expected=n
-        )
+        reader.fault("joints_wrong_length", "limits", expected=n)
         return free
     limits: list[tuple[Fraction, Fraction] | None] = []
     for i, entry in enumerate(value):
@@ -136,7 +132,7 @@ def _limits(reader: Reader, n: int, known: Limits | None) -> tuple[tuple[Fractio
         inner = Reader({"pair": entry}, (*reader.where, "limits", i), reader.faults)
         pair = inner.exacts("pair")
         if len(pair) != 2 or pair[0] > pair[1]:
-            inner.fault("exercise_limits_reversed", "limits are [lowest, highest]", joint=i + 1)
+            inner.fault("exercise_limits_reversed", joint=i + 1)
             pair = (Fraction(0), Fraction(0))
         limits.append((pair[0], pair[1]))
     return tuple(limits)

@@ -15,7 +15,7 @@ def read_policy(reader: Reader) -> Policy:
     )
     for name in ("length", "angle"):
         if not 0 < getattr(tolerance, name) <= 0.1:
-            inner.fault("tolerance_out_of_range", f"{name} lies between 0 and 0.1", name, name=name)
+            inner.fault("tolerance_out_of_range", name, name=name)
     inner.finish()
     policy = Policy(
         convention=reader.choice("convention", ConventionRule, ConventionRule.ANY),

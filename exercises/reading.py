@@ -31,9 +31,9 @@ class Reader:
         self.values, self.where, self.faults = values, where, faults
         self.asked: set[str] = set()
 
-    def fault(self, code: str, message: str, /, *where: str | int, **params: ParamValue) -> None:
+    def fault(self, code: str, /, *where: str | int, **params: ParamValue) -> None:
         """Keep a fault at a place inside this table."""
-        self.faults.append(Fault(code=code, message=message, where=(*self.where, *where), params=params))
+        self.faults.append(Fault(code=code, where=(*self.where, *where), params=params))
 
     def given(self, key: str) -> bool:
         """Whether a key stands in the table; it counts as asked for."""
@@ -44,10 +44,8 @@ class Reader:
         """Report the keys that mean nothing here."""
         for key in self.values:
             if key not in self.asked:
-                known = ", ".join(sorted(self.asked))
-                self.fault(
-                    "exercise_key_unknown", f"{key} means nothing here; known keys are {known}", key, key=key
-                )
+                ", ".join(sorted(self.asked))
+                self.fault("exercise_key_unknown", key, key=key)
 
     def table(self, key: str, *, needed: bool = False) -> Reader:
         """The reader of an inner table, empty if there is none."""
@@ -68,7 +66,7 @@ class Reader:
             if isinstance(entry, dict):
                 yield Reader(entry, where, self.faults)
             else:
-                self.faults.append(Fault(code="exercise_value_type", message="expected a table", where=where))
+                self.faults.append(Fault(code="exercise_value_type", where=where))
 
     def text(self, key: str, default: Any = _MISSING) -> str:
         """A text."""
@@ -107,7 +105,7 @@ class Reader:
             return kind(str(value))
         except ValueError:
             known = ", ".join(kind)
-            self.fault("exercise_value_unknown", f"{value!r} is none of {known}", key, key=key, known=known)
+            self.fault("exercise_value_unknown", key, key=key, known=known)
             return default if default is not None else next(iter(kind))
 
     def length(self, key: str, default: Cell | None = None) -> Expression:
@@ -120,7 +118,7 @@ class Reader:
         """Three lengths."""
         value = self.values.get(key, default) if self._known(key, default) else (0, 0, 0)
         if not isinstance(value, list | tuple) or len(value) != 3:
-            self.fault("exercise_value_type", f"{key} is a list of three lengths", key, key=key)
+            self.fault("exercise_value_type", key, key=key)
             return ZERO, ZERO, ZERO
         x, y, z = (self._cell(entry, key, i) for i, entry in enumerate(value))
         return x, y, z
@@ -133,7 +131,7 @@ class Reader:
             return default
         entries = self.exacts(key)
         if len(entries) != 3 or not any(entries):
-            self.fault("exercise_value_type", f"{key} is a list of three numbers, not all zero", key, key=key)
+            self.fault("exercise_value_type", key, key=key)
             return default
         x, y, z = (float(entry) for entry in entries)
         return x, y, z
@@ -142,9 +140,7 @@ class Reader:
         """A dimension's name in its one spelling."""
         name = canonical_name(text)
         if name is None:
-            self.fault(
-                "name_invalid", f"{text!r} is no name of a dimension; a name is like L1", *where, name=text
-            )
+            self.fault("name_invalid", *where, name=text)
         return name or text
 
     def guarded(self, read: Callable[[], Read], *where: str | int) -> Read | None:
@@ -158,12 +154,12 @@ class Reader:
     def _known(self, key: str, default: object) -> bool:
         if self.given(key) or default is not None:
             return True
-        self.fault("exercise_key_missing", f"{key} is missing", key, key=key)
+        self.fault("exercise_key_missing", key, key=key)
         return False
 
     def _cell(self, value: object, *where: str | int) -> Expression:
         if isinstance(value, bool) or not isinstance(value, int | float | str):
-            self.fault("exercise_value_type", "a length is a number or an expression", *where)
+            self.fault("exercise_value_type", *where)
             return ZERO
         cell: Cell = value
         found = self.guarded(lambda: read_cell(cell, ParameterKind.LENGTH, angle_unit=AngleUnit.RAD), *where)
@@ -172,11 +168,11 @@ class Reader:
     def _value(self, key: str, kind: type | tuple[type, ...], words: str, default: object) -> object:
         if not self.given(key):
             if default is _MISSING:
-                self.fault("exercise_key_missing", f"{key} is missing; it is {words}", key, key=key)
+                self.fault("exercise_key_missing", key, key=key)
             return default if default is not _MISSING else None
         value = self.values[key]
         if not isinstance(value, kind) or isinstance(value, bool):
-            self.fault("exercise_value_type", f"{key} is {words}", key, key=key)
+            self.fault("exercise_value_type", key, key=key)
             return default if default is not _MISSING else None
         return value
 
@@ -184,12 +180,12 @@ class Reader:
         entries = value if isinstance(value, list | tuple) else ()
         for i, entry in enumerate(entries):
             if not fits(entry):
-                self.fault("exercise_value_type", f"expected {words}", key, i, key=key)
+                self.fault("exercise_value_type", key, i, key=key)
         return tuple(entry for entry in entries if fits(entry))
 
     def _fraction(self, value: object, *where: str | int) -> Fraction:
         if isinstance(value, float) and not math.isfinite(value):
-            self.fault("exercise_value_type", "a finite number is needed", *where)
+            self.fault("exercise_value_type", *where)
             return Fraction(0)
         if isinstance(value, float):
             return Fraction(repr(value))

@@ -53,7 +53,7 @@ def _row(reader: Reader) -> RawRow:
     for cell in CELLS:
         reader.given(cell)
         if cell not in reader.values:
-            reader.fault("exercise_key_missing", f"{cell} is missing", cell, key=cell)
+            reader.fault("exercise_key_missing", cell, key=cell)
         cells[cell] = reader.values.get(cell, 0)
     reader.finish()
     return RawRow(joint=joint, **cells)

@@ -26,20 +26,24 @@ class Fault:
     """One thing that is wrong.
 
     Attributes:
-        code: stable identifier in snake_case; the key of the message in every language.
+        code: stable identifier in snake_case; `error-<code>` is the sentence in every language.
         where: path from the object that was read to the offending value, such as ("rows", 2, "alpha").
-        message: the sentence in English: what is wrong and what would be right.
-        params: the values that the message speaks of, by name.
+        params: the values that the sentence speaks of, by name.
     """
 
     code: str
-    message: str
     where: tuple[str | int, ...] = ()
     params: Mapping[str, ParamValue] = field(default_factory=dict)
 
+    def __str__(self) -> str:
+        """Return code, place and parameters on one line."""
+        place = " at " + ".".join(str(part) for part in self.where) if self.where else ""
+        values = ", ".join(f"{name}={value}" for name, value in self.params.items())
+        return f"{self.code}{place}" + (f" ({values})" if values else "")
+
     def within(self, *prefix: str | int) -> Fault:
         """The same fault, seen from an enclosing object that holds the read one at `prefix`."""
-        return Fault(code=self.code, message=self.message, where=(*prefix, *self.where), params=self.params)
+        return Fault(code=self.code, where=(*prefix, *self.where), params=self.params)
 
 
 class KinematicsError(Exception):
@@ -47,7 +51,7 @@ class KinematicsError(Exception):
 
     def __init__(self, faults: Fault | Iterable[Fault]) -> None:
         self.faults: tuple[Fault, ...] = (faults,) if isinstance(faults, Fault) else tuple(faults)
-        super().__init__("; ".join(fault.message for fault in self.faults))
+        super().__init__("; ".join(map(str, self.faults)))
 
     def __reduce__(self) -> tuple[type[KinematicsError], tuple[tuple[Fault, ...]]]:
         """Errors travel from worker processes with their faults."""

@@ -89,7 +89,6 @@ def _refuse_non_finite(array: Floats) -> None:
     faults = [
         Fault(
             code="joint_not_finite",
-            message=f"joint value {place[-1] + 1} is not a finite number",
             where=("joints", *place),
             params={"joint": place[-1] + 1},
         )
@@ -100,13 +99,9 @@ def _refuse_non_finite(array: Floats) -> None:
 
 
 def _wrong_length(expected: int, given: int) -> JointValueError:
-    message = f"the table has {expected} joints, but a configuration of {given} values was given"
     params = {"expected": expected, "given": given}
-    return JointValueError(
-        Fault(code="joints_wrong_length", message=message, where=("joints",), params=params)
-    )
+    return JointValueError(Fault(code="joints_wrong_length", where=("joints",), params=params))
 
 
 def _malformed() -> JointValueError:
-    message = "joint values are numbers: one configuration [q1, …, qn], or a list of equally long ones"
-    return JointValueError(Fault(code="joints_malformed", message=message, where=("joints",)))
+    return JointValueError(Fault(code="joints_malformed", where=("joints",)))

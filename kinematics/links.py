@@ -108,9 +108,8 @@ def link_motions(
     for cell in MOTIONS[convention]:
         kind, value = _KINDS[cell], float(getattr(row, cell))
         if not math.isfinite(value):
-            message = f"{cell} is not a finite number"
             place = (*where, cell)
-            faults.append(Fault(code="entry_not_finite", message=message, where=place, params={"cell": cell}))
+            faults.append(Fault(code="entry_not_finite", where=place, params={"cell": cell}))
         elif value:
             turns = kind is Kind.TURN_Z or kind is Kind.TURN_X
             motions.append(Motion(kind, *cos_sin(value)) if turns else Motion(kind, value))
@@ -187,10 +186,7 @@ def link_transform(row: NumericRow, convention: Convention, q: float = 0.0) -> T
     Source: seed 000 eq. 3.2 (modified); seed 003 eq. 2 (standard).
     """
     if not math.isfinite(q):
-        message = "joint value 1 is not a finite number"
-        raise JointValueError(
-            Fault(code="joint_not_finite", message=message, where=("joints", 0), params={"joint": 1})
-        )
+        raise JointValueError(Fault(code="joint_not_finite", where=("joints", 0), params={"joint": 1}))
     value = cos_sin(q) if row.joint is JointType.REVOLUTE else q
     motions = set_joints(link_motions(row, convention), (value,))
     return np.array([*pose_of_motions(motions), (0.0, 0.0, 0.0, 1.0)])

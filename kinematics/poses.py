@@ -152,8 +152,7 @@ def transform_from_quaternion(
     w, x, y, z = _finite(quaternion, "quaternion", ("w", "x", "y", "z"))
     length = math.hypot(w, x, y, z)
     if not 0.0 < length < math.inf:
-        message = "a quaternion whose length is zero or overflows is no orientation; give a unit quaternion"
-        raise PoseError(Fault(code="quaternion_length", message=message, where=("quaternion",)))
+        raise PoseError(Fault(code="quaternion_length", where=("quaternion",)))
     w, x, y, z = w / length, x / length, y / length, z / length
     return _assemble(
         (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
@@ -203,8 +202,7 @@ def transform_from_axis_angle(
     (turn,) = _finite((angle,), "angle", ("angle",))
     length = math.hypot(x, y, z)
     if not 0.0 < length < math.inf:
-        message = "an axis whose length is zero or overflows has no direction; give a unit vector"
-        raise PoseError(Fault(code="axis_length", message=message, where=("axis",)))
+        raise PoseError(Fault(code="axis_length", where=("axis",)))
     x, y, z = x / length, y / length, z / length
     c, s = cos_sin(turn)
     v = 1.0 - c if c < 0.5 else 2.0 * math.sin(turn / 2) ** 2
@@ -223,13 +221,12 @@ def _finite(values: Sequence[float], what: str, names: tuple[str, ...]) -> list[
     except (TypeError, ValueError, OverflowError):
         numbers = []
     if len(numbers) != len(names):
-        message = f"{what} takes {len(names)} numbers: {', '.join(names)}"
+        f"{what} takes {len(names)} numbers: {', '.join(names)}"
         params: dict[str, ParamValue] = {"what": what, "expected": len(names), "names": ", ".join(names)}
-        raise PoseError(Fault(code="notation_wrong_length", message=message, where=(what,), params=params))
+        raise PoseError(Fault(code="notation_wrong_length", where=(what,), params=params))
     faults = [
         Fault(
             code="notation_not_finite",
-            message=f"{name} of {what} is not a finite number",
             where=(what, i),
             params={"what": what, "name": name},
         )

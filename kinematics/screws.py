@@ -127,22 +127,17 @@ def joint_axis(screw: Screw, where: tuple[str | int, ...] = ()) -> JointAxis:
     """
     linear, angular = screw
     if not all(map(math.isfinite, (*linear, *angular))):
-        message = "a screw is made of six finite numbers"
-        raise DescriptionError(Fault(code="screw_not_finite", message=message, where=where))
+        raise DescriptionError(Fault(code="screw_not_finite", where=where))
     turning = any(angular)
     direction = angular if turning else linear
     if abs(math.hypot(*direction) - 1.0) > UNIT_TOLERANCE:
-        message = (
-            "the angular part of a turning joint's screw, or the linear part of a sliding one's, has length 1"
-        )
-        raise DescriptionError(Fault(code="screw_not_unit", message=message, where=where))
+        raise DescriptionError(Fault(code="screw_not_unit", where=where))
     if not turning:
         return JointAxis(joint=JointType.PRISMATIC, direction=direction)
     pitch = sum(v * w for v, w in zip(linear, angular, strict=True))
     if abs(pitch) > UNIT_TOLERANCE * (1.0 + math.hypot(*linear)):
-        message = f"this screw has a pitch of {pitch:g} per radian; a joint either turns or slides"
         params = {"pitch": f"{pitch:g}"}
-        raise DescriptionError(Fault(code="screw_has_pitch", message=message, where=where, params=params))
+        raise DescriptionError(Fault(code="screw_has_pitch", where=where, params=params))
     return JointAxis(joint=JointType.REVOLUTE, direction=direction, point=cross(angular, linear))
 
 

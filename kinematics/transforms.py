@@ -46,7 +46,7 @@ def check_transform(
     matrix = _matrix_4x4(value, where)
     r0, r1, r2, bottom = matrix.tolist()
     faults = [
-        Fault(code="pose_not_finite", message="this entry is not a finite number", where=(*where, i, j))
+        Fault(code="pose_not_finite", where=(*where, i, j))
         for i, row in enumerate((r0, r1, r2, bottom))
         for j, entry in enumerate(row)
         if not math.isfinite(entry)
@@ -54,8 +54,7 @@ def check_transform(
     if faults:
         raise PoseError(faults)
     if bottom != [0.0, 0.0, 0.0, 1.0]:
-        message = "the bottom row of a pose is 0, 0, 0, 1"
-        faults.append(Fault(code="pose_bottom_row", message=message, where=(*where, 3)))
+        faults.append(Fault(code="pose_bottom_row", where=(*where, 3)))
     faults.extend(_rotation_faults(r0, r1, r2, where, tolerance))
     if faults:
         raise PoseError(faults)
@@ -68,12 +67,10 @@ def _matrix_4x4(value: ArrayLike, where: Place) -> Transform:
     except ValueError:
         matrix = np.asarray(None)
     if matrix.dtype.kind not in "fiu":
-        message = "a pose is a 4x4 matrix of numbers"
-        raise PoseError(Fault(code="pose_not_numbers", message=message, where=where))
+        raise PoseError(Fault(code="pose_not_numbers", where=where))
     if matrix.shape != (4, 4):
         shape = "x".join(map(str, matrix.shape)) or "1"
-        message = f"a pose is a 4x4 matrix of numbers; this one is {shape}"
-        raise PoseError(Fault(code="pose_wrong_shape", message=message, where=where, params={"shape": shape}))
+        raise PoseError(Fault(code="pose_wrong_shape", where=where, params={"shape": shape}))
     return np.array(matrix, dtype=np.float64)
 
 
@@ -85,14 +82,9 @@ def _rotation_faults(
     products = ((x, x, 1.0), (y, y, 1.0), (z, z, 1.0), (x, y, 0.0), (y, z, 0.0), (z, x, 0.0))
     error = max(abs(u[0] * v[0] + u[1] * v[1] + u[2] * v[2] - meant) for u, v, meant in products)
     if error > tolerance:
-        message = (
-            f"the rotation part is not orthonormal (off by {error:.1e}): its columns must be perpendicular "
-            f"unit vectors to within {tolerance:g}; give more digits"
-        )
         params = {"error": f"{error:.1e}", "tolerance": f"{tolerance:g}"}
-        return [Fault(code="pose_not_orthonormal", message=message, where=where, params=params)]
+        return [Fault(code="pose_not_orthonormal", where=where, params=params)]
     across = (y[1] * z[2] - y[2] * z[1], y[2] * z[0] - y[0] * z[2], y[0] * z[1] - y[1] * z[0])
     if x[0] * across[0] + x[1] * across[1] + x[2] * across[2] < 0.0:
-        message = "the rotation part is left-handed (its determinant is -1, a reflection); it must be +1"
-        return [Fault(code="pose_left_handed", message=message, where=where)]
+        return [Fault(code="pose_left_handed", where=where)]
     return []

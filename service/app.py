@@ -132,19 +132,17 @@ async def _refuse_http(request: Request, error: Exception) -> Response:
             return Response(status_code=204, headers={"Allow": allow})
         fault = Fault(
             code="method_not_allowed",
-            message=f"this address knows {allow}, and no {request.method}",
             params={"method": request.method, "allowed": methods},
         )
         return await _refuse(request, MethodError(fault, headers={"Allow": allow}))
     if error.status_code == 404:
         fault = Fault(
             code="address_unknown",
-            message=f"nothing is at {request.url.path}; /api/v1/openapi.json lists every call",
             params={"path": request.url.path},
         )
         return await _refuse(request, NotFoundError(fault, place=Place.PATH))
     if error.status_code == 400:
-        return await _refuse(request, BodyError(Fault(code="body_invalid", message=str(error.detail))))
+        return await _refuse(request, BodyError(Fault(code="body_invalid")))
     raise error
 
 

@@ -106,8 +106,6 @@ def _in_query(request: ApiRequest) -> Mapping[str, Any]:
         raise RequestError(
             Fault(
                 code="query_missing",
-                message="the joints came as npy; the rest of the request belongs, as JSON, in the query "
-                "parameter “request”",
                 where=("request",),
             ),
             place=Place.QUERY,

@@ -58,7 +58,6 @@ class PreparedChain:
             raise JointValueError(
                 Fault(
                     code="joints_wrong_length",
-                    message=f"the chain has {n} joints; give as many values, not {len(given)}",
                     where=(where,),
                     params={"expected": n, "given": len(given)},
                 )
@@ -146,7 +145,6 @@ def _listed(robot_id: str) -> _Listed:
         raise RequestError(
             Fault(
                 code="robot_unknown",
-                message=f"the catalogue has no robot {robot_id}; it has {', '.join(known)}",
                 where=("robot",),
                 params={"robot": robot_id, "known": known},
             )

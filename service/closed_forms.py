@@ -107,9 +107,7 @@ def written_out(answer: Mapping[str, Any]) -> bytes:
     except orjson.JSONEncodeError as error:
         if "ecursion" not in str(error):
             raise
-        raise FormSizeError(
-            Fault(code="closed_form_too_deep", message="an entry is nested too deeply for JSON; ask for text")
-        ) from None
+        raise FormSizeError(Fault(code="closed_form_too_deep")) from None
 
 
 def written_jacobians(task: Task) -> bytes:

@@ -52,8 +52,6 @@ def read_array(array: Floats, robot: Robot, batch_limit: int) -> list[float] | F
         raise RequestError(
             Fault(
                 code="joints_wrong_dimensions",
-                message=f"an array of joints has one or two dimensions, not {array.ndim}: (joints) or "
-                "(configurations, joints)",
                 where=("joints",),
                 params={"dimensions": array.ndim},
             )
@@ -75,7 +73,6 @@ def refuse_large_batch(given: int, limit: int) -> None:
         raise BodySizeError(
             Fault(
                 code="batch_too_large",
-                message=f"the batch has {given} configurations; at most {limit} are computed in one request",
                 where=("joints",),
                 params={"given": given, "limit": limit},
             )
@@ -87,7 +84,6 @@ def _refuse_lengths(found: list[tuple[int, tuple[str | int, ...]]], robot: Robot
     faults = [
         Fault(
             code="joints_wrong_length",
-            message=f"the table has {expected} joints, but {given} values were given for a configuration",
             where=where,
             params={"expected": expected, "given": given},
         )

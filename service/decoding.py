@@ -43,7 +43,6 @@ def decode_json(body: bytes) -> Any:
         raise BodyError(
             Fault(
                 code="json_duplicate_key",
-                message=f"the key “{where[-1]}” stands twice in one object; keep one of the two",
                 where=where,
                 params={"key": str(where[-1])},
             )
@@ -93,8 +92,6 @@ def _syntax_faults(body: bytes, error: orjson.JSONDecodeError) -> Iterator[Fault
     for where in _not_finite(body) or [()]:
         yield Fault(
             code="json_not_finite",
-            message=f"line {error.lineno}, column {error.colno}: a number must be finite; "
-            "JSON has no NaN and no infinity",
             where=where,
             params=place,
         )
@@ -120,17 +117,16 @@ def _not_finite(body: bytes) -> list[tuple[str | int, ...]]:
 
 def _syntax_fault(body: bytes, error: orjson.JSONDecodeError) -> Fault:
     if not body.strip():
-        return Fault(code="body_missing", message="the request has no body; send a JSON object")
+        return Fault(code="body_missing")
     if _UTF8_MESSAGE in error.msg:
-        return Fault(code="json_not_utf8", message="the body is not UTF-8, as JSON must be")
+        return Fault(code="json_not_utf8")
     if _DEPTH_MESSAGE in error.msg:
         return _too_deep()
     return Fault(
         code="json_invalid",
-        message=f"the body is not JSON: {error.msg} at line {error.lineno}, column {error.colno}",
         params={"line": error.lineno, "column": error.colno, "reason": error.msg},
     )
 
 
 def _too_deep() -> Fault:
-    return Fault(code="json_too_deep", message="the JSON document is nested too deeply")
+    return Fault(code="json_too_deep")

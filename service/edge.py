@@ -114,7 +114,6 @@ class Edge:
     async def _send_internal_error(self, scope: Scope, send: Send, request_id: str) -> None:
         fault = Fault(
             code="internal_error",
-            message=f"the service failed on this request; report it with the id {request_id}",
             params={"id": request_id},
         )
         languages = [value for name, value in scope["headers"] if name == b"accept-language"]

@@ -62,7 +62,7 @@ class ServiceError(Exception):
         self.place = place
         self.headers = dict(headers or {})
         self.members = dict(members or {})
-        super().__init__("; ".join(fault.message for fault in self.faults))
+        super().__init__("; ".join(map(str, self.faults)))
 
 
 class BodyError(ServiceError):
@@ -102,7 +102,6 @@ def busy() -> BusyError:
     return BusyError(
         Fault(
             code="busy",
-            message=f"all places are taken; try again in {RETRY_SECONDS} s",
             params={"seconds": RETRY_SECONDS},
         ),
         headers={"Retry-After": str(RETRY_SECONDS)},
@@ -186,7 +185,7 @@ class Problem:
         entry: dict[str, object] = {
             "code": fault.code,
             "pointer": json_pointer(fault.where) if self.place is Place.BODY else "",
-            "detail": sentence(language, f"error-{fault.code}", fault.params) or fault.message,
+            "detail": sentence(language, f"error-{fault.code}", fault.params) or str(fault),
             "params": {name: _writable(value) for name, value in fault.params.items()},
         }
         if self.place is not Place.BODY:

@@ -23,7 +23,6 @@ def language_of(request: Request) -> str:
         raise RequestError(
             Fault(
                 code="language_unknown",
-                message=f"{asked[:20]} is not spoken here; there are {known}",
                 where=("lang",),
                 params={"language": asked[:20], "known": known},
             ),

@@ -226,7 +226,5 @@ def _later(fault: Fault, start: int) -> Fault:
     """A block's fault, counted from the start of the batch."""
     match fault.where:
         case (name, int(i), *rest):
-            return Fault(
-                code=fault.code, message=fault.message, where=(name, start + i, *rest), params=fault.params
-            )
+            return Fault(code=fault.code, where=(name, start + i, *rest), params=fault.params)
     return fault

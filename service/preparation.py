@@ -104,7 +104,6 @@ def listed_robot(robot_id: str) -> catalogue.Robot:
         raise RequestError(
             Fault(
                 code="robot_unknown",
-                message=f"the catalogue has no robot {robot_id}; it has {', '.join(known)}",
                 where=("robot",),
                 params={"robot": robot_id, "known": known},
             )

@@ -98,7 +98,6 @@ class ApiRequest(Request):
             raise MediaTypeError(
                 Fault(
                     code="content_encoding_unsupported",
-                    message="compressed bodies are not read; send it without Content-Encoding",
                     where=("Content-Encoding",),
                 ),
                 place=Place.HEADER,
@@ -111,7 +110,6 @@ class ApiRequest(Request):
                 raise MediaTypeError(
                     Fault(
                         code="charset_unsupported",
-                        message="JSON is read as UTF-8 only",
                         where=("Content-Type",),
                         params={"charset": value.strip(' "')},
                     ),
@@ -149,7 +147,6 @@ class ApiRequest(Request):
             raise NotAcceptableError(
                 Fault(
                     code="not_acceptable",
-                    message=f"this call answers in {', '.join(offers)}, which the header Accept leaves out",
                     where=("Accept",),
                     params={"offers": offers},
                 ),
@@ -223,8 +220,6 @@ def unsupported_media_type(media_type: str, *offers: str) -> MediaTypeError:
     return MediaTypeError(
         Fault(
             code="media_type_unsupported",
-            message=f"the body is {media_type or 'of no stated type'}; this call reads {', '.join(offers)}: "
-            "say so in the header Content-Type",
             where=("Content-Type",),
             params={"given": media_type or "none", "offers": offers},
         ),
@@ -237,7 +232,6 @@ def _too_large(limit: int) -> BodySizeError:
     return BodySizeError(
         Fault(
             code="body_too_large",
-            message=f"the body is larger than {limit} bytes, the most that this call reads",
             params={"limit": limit},
         )
     )

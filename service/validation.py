@@ -105,7 +105,7 @@ def _fault(error: ErrorDetails, where: tuple[int | str, ...], model: Any) -> Fau
         params = {"pattern": str(context.get("pattern", ""))}
     elif code == "value_invalid":
         params = {"reason": error["msg"]}
-    return Fault(code=code, message=error["msg"], where=where, params=params)
+    return Fault(code=code, where=where, params=params)
 
 
 def _name(where: Sequence[int | str]) -> str:

@@ -180,15 +180,13 @@ def _out_of_time(seconds: float) -> RequestError:
     return RequestError(
         Fault(
             code="computation_out_of_time",
-            message=f"this takes longer than {seconds:g} s; ask for fewer rows, parts or formats",
             params={"seconds": int(seconds) if seconds == math.floor(seconds) else seconds},
         )
     )
 
 
 def _aborted() -> RequestError:
-    message = "the computation was ended by the operating system; ask for fewer rows, parts or formats"
-    return RequestError(Fault(code="computation_aborted", message=message))
+    return RequestError(Fault(code="computation_aborted"))
 
 
 def _out_of_memory(limit: int) -> RequestError:
@@ -196,7 +194,6 @@ def _out_of_memory(limit: int) -> RequestError:
     return RequestError(
         Fault(
             code="computation_out_of_memory",
-            message=f"this takes more memory than {megabytes} MiB; ask for fewer rows, parts or formats",
             params={"megabytes": megabytes},
         )
     )

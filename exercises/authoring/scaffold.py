@@ -64,15 +64,12 @@ def scaffold(exercise_id: str, source: Source, into: Path) -> Path:
         raise DefinitionError(
             Fault(
                 code="exercise_id_invalid",
-                message=f"{exercise_id!r} is no id; an id has letters, digits and single hyphens",
                 params={"id": exercise_id},
             )
         )
     folder = into / exercise_id
     if folder.exists():
-        raise DefinitionError(
-            Fault(code="exercise_exists", message=f"{folder} exists already", params={"id": exercise_id})
-        )
+        raise DefinitionError(Fault(code="exercise_exists", params={"id": exercise_id}))
     folder.mkdir(parents=True)
     (folder / FILE).write_text(definition_text(exercise_id, source), encoding="utf-8")
     names = ", ".join(f"*{name}*" for name in source.values)

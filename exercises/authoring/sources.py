@@ -61,9 +61,7 @@ def from_table_file(path: Path) -> Source:
     if read is not None:
         missing = [name for name in read.parameters if name not in parameters]
         for name in missing:
-            reader.fault(
-                "parameter_missing", f"the parameter {name} has no value", "parameters", name, name=name
-            )
+            reader.fault("parameter_missing", "parameters", name, name=name)
     if faults or read is None:
         raise DefinitionError(faults)
     return _named(read, parameters)
@@ -76,11 +74,10 @@ def from_robot(robot_id: str) -> Source:
         DefinitionError: the catalogue holds no such robot.
     """
     if robot_id not in catalogue.robot_ids():
-        known = ", ".join(catalogue.robot_ids())
+        ", ".join(catalogue.robot_ids())
         raise DefinitionError(
             Fault(
                 code="exercise_robot_unknown",
-                message=f"the catalogue holds no {robot_id}; it holds {known}",
                 where=("robot",),
                 params={"robot": robot_id},
             )
@@ -109,8 +106,7 @@ def from_axes_file(path: Path) -> Source:
     ]
     reader.finish()
     if not axes:
-        message = "axes is missing: a list of joint, point and direction"
-        reader.fault("exercise_key_missing", message, "axes", key="axes")
+        reader.fault("exercise_key_missing", "axes", key="axes")
     assigned = None if faults else reader.guarded(lambda: assign_frames(axes, Convention.MODIFIED), "axes")
     if assigned is None:
         raise DefinitionError(faults)
@@ -192,7 +188,7 @@ def _name(cell: Expression, name: str, values: dict[str, float]) -> Expression:
 def _three(reader: Reader, key: str) -> tuple[float, float, float]:
     entries = reader.exacts(key)
     if len(entries) != 3:
-        reader.fault("exercise_value_type", f"{key} is a list of three numbers", key, key=key)
+        reader.fault("exercise_value_type", key, key=key)
         return 0.0, 0.0, 1.0
     x, y, z = (float(entry) for entry in entries)
     return x, y, z
@@ -210,5 +206,4 @@ def _document(path: Path) -> dict[str, Any]:
 
 
 def _unreadable(path: Path, reason: str) -> Fault:
-    message = f"{path.name} cannot be read: {reason}"
-    return Fault(code="source_unreadable", message=message, where=(path.name,), params={"reason": reason})
+    return Fault(code="source_unreadable", where=(path.name,), params={"reason": reason})

@@ -175,7 +175,6 @@ def _axis(points: Points, joint: int, mark: JointMark, size: float, *, signed: b
     if joint_type is JointType.REVOLUTE and distance > ON_AXIS * size:
         points.fault(
             "joint_off_axis",
-            f"the point {mark.at} does not lie on the axis of joint {joint}",
             ("joints", joint, "at"),
             joint=joint,
             point=mark.at,
@@ -201,7 +200,6 @@ def _dimension(points: Points, mark: DimensionMark, index: int, size: float) -> 
     if length < ON_AXIS * size or abs(length - value) > ON_AXIS * size:
         points.fault(
             "dimension_disagrees",
-            f"{mark.start} and {mark.end} lie {length:.6g} apart, but {mark.name} is {value:.6g}",
             ("dimensions", index),
             name=mark.name,
             length=length,
@@ -223,8 +221,7 @@ def _gripper(points: Points, gripper: Gripper) -> GripperPose | None:
     at = points.point(gripper.at, "gripper", "at")
     origin = points.point(gripper.away_from, "gripper", "away_from")
     if np.allclose(at, origin):
-        message = f"{gripper.at} and {gripper.away_from} are the same point"
-        points.fault("gripper_without_direction", message, ("gripper",))
+        points.fault("gripper_without_direction", ("gripper",))
         return None
     direction = (at - origin) / np.linalg.norm(at - origin)
     if gripper.jaws is None:
@@ -232,7 +229,7 @@ def _gripper(points: Points, gripper: Gripper) -> GripperPose | None:
     jaws = np.asarray(gripper.jaws, dtype=np.float64)
     across = jaws - direction * (jaws @ direction)
     if np.linalg.norm(across) < ON_AXIS:
-        points.fault("jaws_along_gripper", "the jaws stand beside each other", ("gripper", "jaws"))
+        points.fault("jaws_along_gripper", ("gripper", "jaws"))
         return None
     return GripperPose(at=_vector(at), direction=_vector(direction), jaws=_unit(across))
 

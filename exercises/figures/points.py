@@ -63,8 +63,8 @@ class Points:
         elif name[:1] == "O" and name[1:].isdecimal() and int(name[1:]) < len(self.frames):
             value = self.frames[int(name[1:])][:3, 3]
         else:
-            known = ", ".join([*self.specification.points, *(f"O{i}" for i in range(len(self.frames)))])
-            self.fault("unknown_point", f"there is no point {name}; known are {known}", where, name=name)
+            ", ".join([*self.specification.points, *(f"O{i}" for i in range(len(self.frames)))])
+            self.fault("unknown_point", where, name=name)
             value = np.zeros(3)
         self._resolved[name] = value
         return value
@@ -75,14 +75,13 @@ class Points:
             return evaluate(expression, self.values)
         except ParameterError as error:
             self.faults.extend(
-                Fault(code=fault.code, message=fault.message, where=where, params=fault.params)
-                for fault in error.faults
+                Fault(code=fault.code, where=where, params=fault.params) for fault in error.faults
             )
             return 0.0
 
-    def fault(self, code: str, message: str, where: tuple[str | int, ...], **params: str | float) -> None:
+    def fault(self, code: str, where: tuple[str | int, ...], **params: str | float) -> None:
         """Keep a fault."""
-        self.faults.append(Fault(code=code, message=message, where=where, params=params))
+        self.faults.append(Fault(code=code, where=where, params=params))
 
     def _locate(self, point: Point, *where: str | int) -> Array:
         match point:
@@ -95,7 +94,7 @@ class Points:
                 return self.point(origin, *where, "from") + self._triple(by, *where, "by")
             case PointAlongAxis(origin=origin, joint=joint, distance=distance):
                 if not 1 <= joint <= self.reference.n_joints:
-                    self.fault("unknown_joint", f"there is no joint {joint}", (*where, "joint"), joint=joint)
+                    self.fault("unknown_joint", (*where, "joint"), joint=joint)
                     return np.zeros(3)
                 length = self.number(distance, *where, "distance")
                 direction: Array = self.axis_pose(joint)[:3, 2]
@@ -103,8 +102,8 @@ class Points:
 
     def _in_frame(self, frame: int, at: Triple, *where: str | int) -> Array:
         if not 0 <= frame < len(self.frames):
-            last = len(self.frames) - 1
-            self.fault("unknown_frame", f"there is no frame {frame}; the last is {last}", (*where, "frame"))
+            len(self.frames) - 1
+            self.fault("unknown_frame", (*where, "frame"))
             return np.zeros(3)
         pose = self.frames[frame]
         located: Array = pose[:3, :3] @ self._triple(at, *where, "at") + pose[:3, 3]

@@ -67,9 +67,7 @@ def _posture(reader: Reader, joint_types: Sequence[JointType], degrees: bool) ->
     values = reader.exacts("posture", [0] * len(joint_types))
     if len(values) != len(joint_types):
         n = len(joint_types)
-        reader.fault(
-            "joints_wrong_length", f"the robot has {n} joints; give as many values", "posture", expected=n
-        )
+        reader.fault("joints_wrong_length", "posture", expected=n)
         return (0.0,) * n
     return tuple(
         math.radians(value) if degrees and type_ is JointType.REVOLUTE else float(value)
@@ -90,7 +88,7 @@ def _point_of(reader: Reader) -> Point:
         ends = reader.texts("between")
         if len(ends) == 2:
             return PointBetween(start=ends[0], end=ends[1], ratio=reader.number("ratio", 0.5))
-        reader.fault("exercise_value_type", "between is a list of two points", "between")
+        reader.fault("exercise_value_type", "between")
     elif reader.given("from"):
         if reader.given("joint"):
             return PointAlongAxis(
@@ -98,7 +96,7 @@ def _point_of(reader: Reader) -> Point:
             )
         return PointBeside(origin=reader.text("from"), by=reader.lengths("by"))
     else:
-        reader.fault("point_without_form", f"a point is given by one of: {_FORMS}")
+        reader.fault("point_without_form")
     return PointInFrame(frame=0, at=(ZERO, ZERO, ZERO))
 
 
@@ -106,13 +104,12 @@ def _joints(reader: Reader, n: int) -> dict[int, JointMark]:
     marks: dict[int, JointMark] = {}
     for name, inner in reader.tables("joints"):
         if not name.isdecimal() or not 1 <= int(name) <= n:
-            inner.fault("unknown_joint", f"there is no joint {name}; the robot has {n}", joint=name)
+            inner.fault("unknown_joint", joint=name)
             continue
         label = inner.text("label", "")
         if label not in ("", "+", "-"):
             inner.fault(
                 "exercise_value_unknown",
-                'label is "+" or "-", the end of the axis that bears the number',
                 "label",
             )
         marks[int(name)] = JointMark(
@@ -133,7 +130,7 @@ def _links(reader: Reader) -> tuple[tuple[str, ...], ...]:
         isinstance(chain, list) and len(chain) > 1 and all(isinstance(name, str) for name in chain)
         for chain in chains
     ):
-        reader.fault("exercise_value_type", "links is a list of chains of at least two points", "links")
+        reader.fault("exercise_value_type", "links")
         return ()
     return tuple(tuple(chain) for chain in chains)
 
@@ -175,5 +172,5 @@ def _gripper(reader: Reader) -> Gripper | None:
 def _width(reader: Reader) -> float:
     width = reader.number("width", 480)
     if not 320 <= width <= 960:
-        reader.fault("width_out_of_range", "width lies between 320 and 960", "width")
+        reader.fault("width_out_of_range", "width")
     return width

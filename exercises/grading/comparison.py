@@ -96,7 +96,6 @@ def comparisons(
         raise ParameterError(
             Fault(
                 code="tables_without_value",
-                message="no values of the parameters were found for which every cell of both tables has one",
             )
         )
     return tuple(found)
@@ -150,17 +149,17 @@ def _fault(
     values: Mapping[str, object],
 ) -> Fault | None:
     if name is None:
-        code, message = "parameter_name_invalid", f"{spelled[:40]} is not the name of a parameter"
+        code = "parameter_name_invalid"
     elif name not in kinds:
-        code, message = "parameter_unused", f"neither table holds a parameter {spelled}"
+        code = "parameter_unused"
     elif name in values:
-        code, message = "parameter_given_twice", f"{spelled} has a value already; give it once"
+        code = "parameter_given_twice"
     elif isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        code, message = "parameter_not_finite", f"the value of {spelled} must be a finite number"
+        code = "parameter_not_finite"
     else:
         return None
     params = {"name": spelled[:40], "other": name or ""}
-    return Fault(code=code, message=message, where=("parameters", spelled), params=params)
+    return Fault(code=code, where=("parameters", spelled), params=params)
 
 
 def _fixings(reference: ReadTable, submission: ReadTable, values: Values) -> Iterator[frozenset[str]]:

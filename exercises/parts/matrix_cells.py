@@ -82,9 +82,7 @@ def read_matrix(
         CellError: it is not 4×4, or cells cannot be read; every fault, each with the place of its cell.
     """
     if len(cells) != 4 or any(len(row) != 4 for row in cells):
-        raise CellError(
-            Fault(code="matrix_not_4x4", message="a matrix has four rows of four cells", where=where)
-        )
+        raise CellError(Fault(code="matrix_not_4x4", where=where))
     variable = _variables(joint_types)
     faults: list[Fault] = []
     entries: list[tuple[Expression, ...]] = []
@@ -144,7 +142,6 @@ def _variables(joint_types: Sequence[JointType]) -> Callable[[str], Expression |
         if not all(_is(joint_types, joint, JointType.REVOLUTE) for joint in joints):
             raise _NameError(
                 "short_form_unknown",
-                f"{name} is read as a cosine or sine; not all of its indices are revolute joints",
                 name,
                 n,
             )
@@ -156,9 +153,9 @@ def _variables(joint_types: Sequence[JointType]) -> Callable[[str], Expression |
 class _NameError(Exception):
     """A name in a cell means nothing there."""
 
-    def __init__(self, code: str, message: str, name: str, joints: int) -> None:
+    def __init__(self, code: str, name: str, joints: int) -> None:
         super().__init__(code)
-        self.fault = Fault(code=code, message=message, params={"name": name, "joints": joints})
+        self.fault = Fault(code=code, params={"name": name, "joints": joints})
 
 
 def _is(joint_types: Sequence[JointType], joint: int, joint_type: JointType) -> bool:
@@ -167,7 +164,7 @@ def _is(joint_types: Sequence[JointType], joint: int, joint_type: JointType) -> 
 
 def _known(index: int, name: str, n: int) -> int:
     if not 1 <= index <= n:
-        raise _NameError("joint_variable_unknown", f"there is no {name}; the robot has {n} joints", name, n)
+        raise _NameError("joint_variable_unknown", name, n)
     return index
 
 

@@ -72,7 +72,6 @@ def schematic_faults(answer: Schematic) -> list[Fault]:
         faults.append(
             Fault(
                 code="schematic_fixed_joint",
-                message="the schematic lists the joints that move: revolute or prismatic",
                 where=("joints", answer.joints.index(JointType.FIXED)),
             )
         )
@@ -81,8 +80,6 @@ def schematic_faults(answer: Schematic) -> list[Fault]:
         faults.append(
             Fault(
                 code="schematic_relations_count",
-                message=f"{len(answer.joints)} joints have {pairs} pairs of neighbouring axes;"
-                f" {len(answer.relations)} relations are given",
                 where=("relations",),
                 params={"joints": len(answer.joints), "expected": pairs},
             )

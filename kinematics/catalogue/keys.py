@@ -25,7 +25,7 @@ _MISSING = object()
 
 def fault(code: str, *where: str | int, **params: ParamValue) -> Fault:
     """A fault of a catalogue file with its English sentence."""
-    return Fault(code=code, message=MESSAGES[code].format(**params), where=where, params=params)
+    return Fault(code=code, where=where, params=params)
 
 
 class Keys:

@@ -128,4 +128,4 @@ class Refusal(Exception):  # noqa: N818 - it becomes a Fault of a CellError wher
 
 def fault(code: str, *where: str | int, **params: ParamValue) -> Fault:
     """A fault with its English sentence."""
-    return Fault(code=code, message=MESSAGES[code].format(**params), where=where, params=params)
+    return Fault(code=code, where=where, params=params)

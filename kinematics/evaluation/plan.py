@@ -200,10 +200,7 @@ def may_overflow(chain: Chain) -> bool:
 
 
 def _overflow(*where: int) -> JointValueError:
-    message = (
-        "the result is too large for a double-precision number; lengths and joint values must be smaller"
-    )
-    return JointValueError(Fault(code="result_not_finite", message=message, where=("joints", *where)))
+    return JointValueError(Fault(code="result_not_finite", where=("joints", *where)))
 
 
 def _pose(chain: Chain, values: Sequence[Any]) -> list[Scalar]:

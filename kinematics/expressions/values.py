@@ -55,7 +55,6 @@ def evaluate(
         raise ParameterError(
             Fault(
                 code="parameter_missing",
-                message=f"the parameter {name} has no value",
                 where=("parameters", name),
                 params={"name": name},
             )
@@ -63,9 +62,7 @@ def evaluate(
     except (ValueError, ZeroDivisionError, OverflowError, TypeError):
         value = math.nan
     if isinstance(value, complex) or not math.isfinite(value):
-        raise ParameterError(
-            Fault(code="value_undefined", message="the expression has no finite value for these parameters")
-        )
+        raise ParameterError(Fault(code="value_undefined"))
     return value
 
 

@@ -94,7 +94,6 @@ def read_axes(axes: Sequence[JointAxis]) -> list[Line]:
             Fault(
                 code="axes_wrong_number",
                 where=("axes",),
-                message=f"a chain has 1 to {MAX_AXES} axes; this one has {len(axes)}",
                 params={"count": len(axes), "limit": MAX_AXES},
             )
         )
@@ -106,7 +105,6 @@ def read_axes(axes: Sequence[JointAxis]) -> list[Line]:
                 Fault(
                     code="axis_joint_unknown",
                     where=("axes", i, "joint"),
-                    message="the joint of an axis is revolute or prismatic",
                 )
             )
         point = read_point(axis.point, ("axes", i, "point"), faults)
@@ -140,7 +138,6 @@ def gripper_frame(gripper: Gripper) -> Transform:
             Fault(
                 code="gripper_jaws_along_approach",
                 where=("tool", "jaws"),
-                message="the jaws slide across the approach direction, not along it",
             )
         )
     x = unit(x)
@@ -178,7 +175,6 @@ def read_point(value: Sequence[float], where: tuple[str | int, ...], faults: lis
         Fault(
             code="vector_malformed",
             where=where,
-            message=f"give three finite numbers x, y, z, none larger than {MAX_COORDINATE:g}",
             params={"limit": f"{MAX_COORDINATE:g}"},
         )
     )
@@ -196,7 +192,6 @@ def read_direction(value: Sequence[float], where: tuple[str | int, ...], faults:
             Fault(
                 code="direction_zero",
                 where=where,
-                message="a direction needs a length: 0, 0, 0 points nowhere",
             )
         )
     return (0.0, 0.0, 1.0)

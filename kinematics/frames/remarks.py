@@ -34,8 +34,6 @@ def tilt_remarks(
                 Fault(
                     code="near_parallel_dummy_row",
                     where=where,
-                    message=f"axes {i} and {i + 1} are parallel but for {angle} rad; a fixed row between"
-                    " them carries the tilt, so that no common normal lies far away",
                     params={"joint": i + 1, "previous": i, "angle": angle},
                 )
             )
@@ -47,9 +45,6 @@ def tilt_remarks(
             Fault(
                 code="near_parallel",
                 where=where,
-                message=f"axes {i} and {i + 1} are parallel but for {angle} rad and were taken as"
-                " parallel; poses"
-                f" may differ by twice that angle and by {displacement} in the position of the last frame",
                 params={"joint": i + 1, "previous": i, "angle": angle, "displacement": displacement},
             )
         )
@@ -62,16 +57,10 @@ def unfit_base(convention: Convention) -> Fault:
         return Fault(
             code="base_not_frame_zero_standard",
             where=("base",),
-            message="frame 0 of a standard table has z along axis 1 and its origin on it; the given frame"
-            " has not,"
-            " so frame 0 was chosen by the rule for the first frame",
         )
     return Fault(
         code="base_not_frame_zero_modified",
         where=("base",),
-        message="frame 0 of a modified table has an x axis that crosses axis 1 at right angles; the given"
-        " frame has"
-        " not, so frame 0 was chosen by the rule for the first frame",
     )
 
 
@@ -81,16 +70,10 @@ def unfit_tool(convention: Convention) -> Fault:
         return Fault(
             code="tool_not_last_frame_standard",
             where=("tool",),
-            message="the last frame of a standard table has an x axis that crosses the last joint axis at"
-            " right"
-            " angles; the given tool has not, so its constant pose in the last frame is returned as tool",
         )
     return Fault(
         code="tool_not_last_frame_modified",
         where=("tool",),
-        message="the last frame of a modified table has z along the last joint axis and its origin on it;"
-        " the given"
-        " tool has not, so its constant pose in the last frame is returned as tool",
     )
 
 
@@ -99,6 +82,5 @@ def tolerance_fault(least: float, greatest: float) -> Fault:
     return Fault(
         code="parallel_tolerance_out_of_range",
         where=("parallel_tolerance",),
-        message=f"the tolerance for parallel axes lies between {least:g} and {greatest:g} rad",
         params={"least": f"{least:g}", "greatest": f"{greatest:g}"},
     )

@@ -149,7 +149,6 @@ def _read_frames(chosen: Sequence[ChosenFrame | None], count: int) -> list[Parti
             Fault(
                 code="frames_too_many",
                 where=("frames",),
-                message=f"a chain of {count} joints has the frames 0 to {count}",
                 params={"count": count},
             )
         )
@@ -184,8 +183,7 @@ def _follows(y: Vector, frame: PartialPose) -> bool:
 
 
 def _foreign_y(where: tuple[str | int, ...]) -> Fault:
-    message = "y follows from z and x: leave it out, or give z × x beside both of them"
-    return Fault(code="frame_y_not_z_cross_x", where=where, message=message)
+    return Fault(code="frame_y_not_z_cross_x", where=where)
 
 
 def _drawn_lines(

@@ -128,7 +128,6 @@ def _checked(targets: ArrayLike) -> Array:
             Fault(
                 code="targets_wrong_shape",
                 where=("target",),
-                message="many targets are a list of 4×4 matrices",
             )
         )
     if not len(poses):

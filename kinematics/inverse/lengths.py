@@ -38,6 +38,5 @@ def is_long(length: float) -> bool:
 
 def too_long(where: Sequence[str | int]) -> Fault:
     """What is said of a length that is."""
-    message = f"lengths beyond {LARGEST_LENGTH:.0e} give results too large for a double; they must be smaller"
     params = {"limit": LARGEST_LENGTH}
-    return Fault(code="result_not_finite", message=message, where=tuple(where), params=params)
+    return Fault(code="result_not_finite", where=tuple(where), params=params)

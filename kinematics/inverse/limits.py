@@ -44,7 +44,6 @@ def read_limits(limits: JointLimits | None, revolute: Sequence[bool]) -> Box:
             Fault(
                 code="limits_wrong_length",
                 where=("limits",),
-                message=f"the arm has {n_joints} joints; give as many limits, null where there is none",
                 params={"expected": n_joints, "given": len(limits)},
             )
         )
@@ -67,14 +66,12 @@ def _fault(i: int, low: float, high: float, turns: bool) -> Fault | None:
     where = ("limits", i)
     params: dict[str, ParamValue] = {"joint": i + 1}
     if not low <= high or low == math.inf or high == -math.inf:
-        message = f"the limits of joint {i + 1} are its least and its greatest value, in this order"
-        return Fault(code="limits_reversed", where=where, message=message, params=params)
+        f"the limits of joint {i + 1} are its least and its greatest value, in this order"
+        return Fault(code="limits_reversed", where=where, params=params)
     if turns and (low > FARTHEST_TURN or high < -FARTHEST_TURN):
-        message = (
-            f"the limits of joint {i + 1} are more than {FARTHEST_TURN:g} rad from 0; take off full turns"
-        )
+        (f"the limits of joint {i + 1} are more than {FARTHEST_TURN:g} rad from 0; take off full turns")
         params["limit"] = FARTHEST_TURN
-        return Fault(code="limits_too_far", where=where, message=message, params=params)
+        return Fault(code="limits_too_far", where=where, params=params)
     if not turns and any(math.isfinite(end) and is_long(end) for end in (low, high)):
         return too_long(where)
     return None

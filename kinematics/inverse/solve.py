@@ -258,7 +258,6 @@ def _prepared(table: NumericTable, base: bytes | None, tool: bytes | None) -> tu
             Fault(
                 code="inverse_joint_count",
                 where=("rows",),
-                message=f"inverse kinematics takes 1 to {MAX_JOINTS} joints; this table has {table.n_joints}",
                 params={"count": table.n_joints, "limit": MAX_JOINTS},
             )
         )

@@ -112,9 +112,6 @@ class MatrixPrinter:
             raise FormSizeError(
                 Fault(
                     code="closed_form_too_large",
-                    message=f"written out, a matrix has more than {self._limit} operations; ask for fewer "
-                    "rows, or for a function (python, numpy, c, matlab, javascript), which shares what is "
-                    "repeated",
                     params={"limit": self._limit},
                 )
             )

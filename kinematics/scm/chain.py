@@ -111,7 +111,6 @@ def verify(chain: ScmChain) -> tuple[Fault, ...]:
     return tuple(
         Fault(
             code=code,
-            message=_REASONS[code].format(joint=i + 1),
             where=("joints", i, entry.value),
             params={"joint": i + 1},
         )

@@ -76,8 +76,7 @@ def forward_kinematics_scm(
             frames[i] = pose
         transform = pose @ end
     if not (np.isfinite(frames).all() and np.isfinite(transform).all()):
-        message = "the lengths are so large that the result overflows"
-        raise JointValueError(Fault(code="result_not_finite", message=message, where=("joints",)))
+        raise JointValueError(Fault(code="result_not_finite", where=("joints",)))
     return ScmKinematics(transform=transform, links=links, frames=frames, end=end)
 
 

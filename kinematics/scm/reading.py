@@ -212,4 +212,4 @@ def _variable_sign(expression: Expression) -> int | None:
 
 
 def _fault(code: str, *where: str | int, **params: ParamValue) -> Fault:
-    return Fault(code=code, message=MESSAGES[code].format(**params), where=where, params=params)
+    return Fault(code=code, where=where, params=params)

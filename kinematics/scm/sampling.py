@@ -51,7 +51,6 @@ def random_configurations(
     faults = [
         Fault(
             code="scm_limits_reversed",
-            message=f"joint {i + 1}: limits are [low, high], both finite and low not above high",
             where=("limits", i),
             params={"joint": i + 1},
         )

@@ -43,6 +43,5 @@ def _placement(
             entries[entry.value] = valued(placement.entry(entry), values)
         except (ZeroDivisionError, ParameterError):
             entries[entry.value] = ZERO
-            message = "the expression has no finite value for these parameters"
-            faults.append(Fault(code="value_undefined", message=message, where=(*where, entry.value)))
+            faults.append(Fault(code="value_undefined", where=(*where, entry.value)))
     return Placement(**entries)

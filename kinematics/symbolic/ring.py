@@ -231,7 +231,6 @@ class Ring:
         return FormSizeError(
             Fault(
                 code="form_too_large",
-                message=f"the expanded form needs more than {self.limit} products of terms",
                 params={"limit": self.limit},
             )
         )

@@ -69,7 +69,6 @@ def with_values(table: SymbolicTable, values: Mapping[str, Expression]) -> Symbo
                 faults.append(
                     Fault(
                         code="value_undefined",
-                        message="the expression has no finite value for these parameters",
                         where=("rows", i, cell),
                     )
                 )

@@ -33,15 +33,13 @@ def serial_chain(
     while link != base:
         joint = above.get(link)
         if joint is None:
-            message = f"no joints lead from link {base} to link {tip}"
-            raise refused("urdf_no_path", message, base=base, tip=tip)
+            raise refused("urdf_no_path", base=base, tip=tip)
         chain.append(joint)
         link = joint.parent
     for joint in chain:
         _check_kind(joint)
     if not any(joint.kind in MOVING for joint in chain):
-        message = f"nothing moves between link {base} and link {tip}"
-        raise refused("urdf_nothing_moves", message, base=base, tip=tip)
+        raise refused("urdf_nothing_moves", base=base, tip=tip)
     return tuple(reversed(chain))
 
 
@@ -51,8 +49,7 @@ def _parents(document: UrdfDocument) -> dict[str, UrdfJoint]:
     for joint in document.joints:
         other = above.setdefault(joint.child, joint)
         if other is not joint:
-            message = f"link {joint.child} hangs on two joints, {other.name} and {joint.name}"
-            raise refused("urdf_two_parents", message, link=joint.child, first=other.name, second=joint.name)
+            raise refused("urdf_two_parents", link=joint.child, first=other.name, second=joint.name)
     return above
 
 
@@ -69,8 +66,7 @@ def _check_tree(document: UrdfDocument, above: dict[str, UrdfJoint]) -> None:
             link = joint.parent
         else:
             if link in way:
-                message = f"the links form a ring through {link}; a description is a tree"
-                raise refused("urdf_ring", message, link=link)
+                raise refused("urdf_ring", link=link)
         settled.update(way)
 
 
@@ -79,8 +75,8 @@ def _base(document: UrdfDocument, above: dict[str, UrdfJoint], given: str | None
         return _known(document, given)
     roots = tuple(link for link in document.links if link not in above)
     if len(roots) != 1:
-        message = f"{len(roots)} links hang on no other; name one as base_link: {', '.join(roots[:10])}"
-        raise refused("urdf_base_needed", message, count=len(roots), links=roots[:10])
+        f"{len(roots)} links hang on no other; name one as base_link: {', '.join(roots[:10])}"
+        raise refused("urdf_base_needed", count=len(roots), links=roots[:10])
     return roots[0]
 
 
@@ -97,27 +93,23 @@ def _tip(document: UrdfDocument, above: dict[str, UrdfJoint], base: str, given: 
         if link not in carried:
             leaves.append(link)
     if len(leaves) > 1:
-        message = f"the description branches; name one of its {len(leaves)} ends as tip_link: "
-        raise refused(
-            "urdf_tip_needed", message + ", ".join(leaves[:10]), count=len(leaves), links=tuple(leaves[:10])
-        )
+        f"the description branches; name one of its {len(leaves)} ends as tip_link: "
+        raise refused("urdf_tip_needed", count=len(leaves), links=tuple(leaves[:10]))
     return leaves[0]
 
 
 def _known(document: UrdfDocument, link: str) -> str:
     if link not in document.links:
-        message = f"the description has no link {link}; it has {', '.join(document.links[:10])}"
-        raise refused("urdf_link_unknown", message, link=link, known=document.links[:10])
+        f"the description has no link {link}; it has {', '.join(document.links[:10])}"
+        raise refused("urdf_link_unknown", link=link, known=document.links[:10])
     return link
 
 
 def _check_kind(joint: UrdfJoint) -> None:
     if joint.kind in SEVERAL_FREEDOMS:
-        message = f"joint {joint.name} is {joint.kind}: it moves in several ways, a DH row in one"
-        raise refused("urdf_several_freedoms", message, joint=joint.name, kind=joint.kind)
+        raise refused("urdf_several_freedoms", joint=joint.name, kind=joint.kind)
     if joint.kind not in KNOWN:
-        message = f"joint {joint.name} is of the type “{joint.kind}”; known are {', '.join(KNOWN)}"
-        raise refused("urdf_type_unknown", message, joint=joint.name, kind=joint.kind, known=KNOWN)
+        f"joint {joint.name} is of the type “{joint.kind}”; known are {', '.join(KNOWN)}"
+        raise refused("urdf_type_unknown", joint=joint.name, kind=joint.kind, known=KNOWN)
     if joint.element.find("mimic") is not None:
-        message = f"joint {joint.name} mimics another: a DH table has one variable a joint"
-        raise refused("urdf_mimic", message, joint=joint.name)
+        raise refused("urdf_mimic", joint=joint.name)

@@ -69,7 +69,7 @@ class UrdfJoint:
         axis = self.element.find("axis")
         direction = (1.0, 0.0, 0.0) if axis is None else self._three(axis, "axis", "xyz", (1.0, 0.0, 0.0))
         if not any(direction):
-            raise refused("urdf_axis_zero", f"the axis of joint {self.name} is 0 0 0", joint=self.name)
+            raise refused("urdf_axis_zero", joint=self.name)
         return direction
 
     def limits(self) -> tuple[float, float] | None:
@@ -85,8 +85,7 @@ class UrdfJoint:
             return None
         low, high = (self._number(limit, name) for name in ("lower", "upper"))
         if low > high:
-            message = f"the lower limit of joint {self.name} lies above its upper limit"
-            raise refused("urdf_limits_reversed", message, joint=self.name)
+            raise refused("urdf_limits_reversed", joint=self.name)
         return low, high
 
     def _three(
@@ -111,13 +110,8 @@ class UrdfJoint:
         return value
 
     def _malformed(self, tag: str, name: str, count: int = 3) -> DescriptionError:
-        message = (
-            f"{name} in the {tag} of joint {self.name} takes {count} finite number(s) of at most "
-            f"{MAX_NUMBER:g}, with spaces between"
-        )
         return refused(
             "urdf_numbers_malformed",
-            message,
             joint=self.name,
             element=tag,
             attribute=name,
@@ -141,9 +135,9 @@ class UrdfDocument:
     joints: tuple[UrdfJoint, ...]
 
 
-def refused(code: str, message: str, **params: ParamValue) -> DescriptionError:
+def refused(code: str, **params: ParamValue) -> DescriptionError:
     """The refusal of a description: it has no place but the joint or link that its parameters name."""
-    return DescriptionError(Fault(code=code, message=message, params=params))
+    return DescriptionError(Fault(code=code, params=params))
 
 
 def read_document(text: str) -> UrdfDocument:
@@ -154,24 +148,20 @@ def read_document(text: str) -> UrdfDocument:
     """
     root = _parse(text)
     if root.tag != "robot":
-        raise refused(
-            "urdf_no_robot", f"the root is <{_short(root.tag)}>, not <robot>", found=_short(root.tag)
-        )
+        raise refused("urdf_no_robot", found=_short(root.tag))
     if any("xacro" in str(element.tag) for element in root.iter()):
-        message = "this is xacro, a macro language; expand it first: xacro robot.xacro > robot.urdf"
-        raise refused("urdf_is_xacro", message)
+        raise refused("urdf_is_xacro")
     links = tuple(_named(element, "link") for element in root.findall("link"))
     joints = tuple(_joint(element) for element in root.findall("joint"))
     if not links:
-        raise refused("urdf_no_links", "the description has no links")
+        raise refused("urdf_no_links")
     _check_names("link", links)
     _check_names("joint", tuple(joint.name for joint in joints))
     known = set(links)
     for joint in joints:
         for link in (joint.parent, joint.child):
             if link not in known:
-                message = f"joint {joint.name} names the link {link}, which the description does not have"
-                raise refused("urdf_link_missing", message, joint=joint.name, link=link)
+                raise refused("urdf_link_missing", joint=joint.name, link=link)
     return UrdfDocument(name=_short(root.get("name", "")), links=links, joints=joints)
 
 
@@ -187,10 +177,7 @@ class _BoundedBuilder(TreeBuilder):
         self._depth += 1
         self._elements += 1
         if self._depth > MAX_DEPTH or self._elements > MAX_ELEMENTS:
-            message = (
-                f"the description is nested deeper than {MAX_DEPTH} or has more than {MAX_ELEMENTS} elements"
-            )
-            raise refused("urdf_too_complex", message, depth=MAX_DEPTH, elements=MAX_ELEMENTS)
+            raise refused("urdf_too_complex", depth=MAX_DEPTH, elements=MAX_ELEMENTS)
         return super().start(tag, attrs)
 
     def end(self, tag: str) -> Element:
@@ -200,8 +187,7 @@ class _BoundedBuilder(TreeBuilder):
 
 def _parse(text: str) -> Element:
     if len(text) > MAX_CHARACTERS:
-        message = f"the description is longer than {MAX_CHARACTERS} characters"
-        raise refused("urdf_too_long", message, limit=MAX_CHARACTERS)
+        raise refused("urdf_too_long", limit=MAX_CHARACTERS)
     parser: Any = DefusedXMLParser(
         target=_BoundedBuilder(), forbid_dtd=True, forbid_entities=True, forbid_external=True
     )
@@ -209,16 +195,13 @@ def _parse(text: str) -> Element:
         parser.feed(text)
         root: Element = parser.close()
     except DefusedXmlException:
-        message = (
-            "a URDF has no document type, no entities and refers to no other file; take <!DOCTYPE …> out"
-        )
-        raise refused("urdf_unsafe", message) from None
+        raise refused("urdf_unsafe") from None
     except ParseError as error:
         line, column = error.position
-        message = f"the text is not well-formed XML: line {line}, column {column + 1}"
-        raise refused("urdf_not_xml", message, line=line, column=column + 1) from None
+        f"the text is not well-formed XML: line {line}, column {column + 1}"
+        raise refused("urdf_not_xml", line=line, column=column + 1) from None
     except ValueError:  # a character that no encoding has
-        raise refused("urdf_not_xml", "the text is not well-formed XML", line=1, column=1) from None
+        raise refused("urdf_not_xml", line=1, column=1) from None
     return root
 
 
@@ -229,8 +212,7 @@ def _joint(element: Element) -> UrdfJoint:
         end = element.find(tag)
         link = None if end is None else end.get("link")
         if not link:
-            message = f'joint {name} lacks <{tag} link="…"/>'
-            raise refused("urdf_joint_incomplete", message, joint=name, element=tag)
+            raise refused("urdf_joint_incomplete", joint=name, element=tag)
         ends[tag] = _short(link)
     kind = element.get("type", "")
     return UrdfJoint(
@@ -241,7 +223,7 @@ def _joint(element: Element) -> UrdfJoint:
 def _named(element: Element, tag: str) -> str:
     name = element.get("name")
     if not name:
-        raise refused("urdf_name_missing", f"a {tag} has no name", element=tag)
+        raise refused("urdf_name_missing", element=tag)
     return _short(name)
 
 
@@ -249,8 +231,7 @@ def _check_names(tag: str, names: tuple[str, ...]) -> None:
     seen = set()
     for name in names:
         if name in seen:
-            message = f"two {tag}s are called {name}"
-            raise refused("urdf_name_twice", message, element=tag, name=name)
+            raise refused("urdf_name_twice", element=tag, name=name)
         seen.add(name)
 
 

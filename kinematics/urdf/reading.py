@@ -63,8 +63,8 @@ def table_from_urdf(
     chain = serial_chain(document, base_link, tip_link)
     moving = [joint for joint in chain if joint.kind in MOVING]
     if len(moving) > MAX_AXES:
-        message = f"the chain has {len(moving)} moving joints; a table takes at most {MAX_AXES}"
-        raise refused("urdf_too_many_joints", message, count=len(moving), limit=MAX_AXES)
+        f"the chain has {len(moving)} moving joints; a table takes at most {MAX_AXES}"
+        raise refused("urdf_too_many_joints", count=len(moving), limit=MAX_AXES)
     axes, home = _axes(chain)
     assigned = assign_frames(
         axes, convention, base=np.eye(4), tool=home, near_parallel=NearParallel.DUMMY_ROW

@@ -76,8 +76,7 @@ def urdf_from_table(
         PoseError: base or tool is not a rigid transform.
     """
     if not name.strip() or not name.isprintable():
-        message = "a robot's name is a line of visible characters"
-        raise DescriptionError(Fault(code="urdf_name_invalid", message=message, where=("name",)))
+        raise DescriptionError(Fault(code="urdf_name_invalid", where=("name",)))
     box = read_limits(limits, [joint is JointType.REVOLUTE for joint in table.joint_types])
     writer = _Writer(metres_per_unit)
     if base is not None:
@@ -182,11 +181,8 @@ class _Writer:
     def _check(self, lengths: Sequence[float], where: tuple[str | int, ...]) -> None:
         """Make sure that a reader takes these lengths [m]."""
         if not all(abs(length) <= MAX_NUMBER for length in lengths):
-            message = f"a URDF has no use for lengths beyond {MAX_NUMBER:g} m; they must be smaller"
             params = {"limit": MAX_NUMBER / self._metres, "limit_in_metres": MAX_NUMBER}
-            raise DescriptionError(
-                Fault(code="urdf_length_overflow", message=message, where=where, params=params)
-            )
+            raise DescriptionError(Fault(code="urdf_length_overflow", where=where, params=params))
 
 
 def _text(value: float) -> str:

@@ -137,8 +137,7 @@ def check_reach(table: NumericTable, base: ArrayLike | None, tool: ArrayLike | N
         PoseError: base or tool is not a rigid transform, or too far away.
     """
     if table.n_joints == 0:
-        message = "nothing moves: a workspace needs a revolute or a prismatic row"
-        raise TableError(Fault(code="workspace_without_joints", message=message, where=("rows",)))
+        raise TableError(Fault(code="workspace_without_joints", where=("rows",)))
     check_lengths(table)
     for pose, name in ((base, "base"), (tool, "tool")):
         if pose is not None and is_far(check_transform(pose, where=(name,))):

@@ -31,7 +31,6 @@ def joint_spans(table: NumericTable, limits: JointLimits | None) -> Array:
                 Fault(
                     code="slide_without_limits",
                     where=("limits", i),
-                    message=f"joint {i + 1} slides: without a least and a greatest value it has no end",
                     params={"joint": i + 1},
                 )
             )

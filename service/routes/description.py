@@ -53,7 +53,6 @@ async def problem(
     if code not in refusal_codes():
         fault = Fault(
             code="problem_unknown",
-            message=f"no refusal has the code {code[:80]}",
             where=("code",),
             params={"code": code[:80]},
         )

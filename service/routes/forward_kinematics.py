@@ -91,7 +91,6 @@ def _one_array(parts: tuple[Part, ...]) -> tuple[Part, ...]:
         raise RequestError(
             Fault(
                 code="npy_one_part",
-                message=f"an npy file holds one array; name one part: {', '.join(ARRAY_PARTS)}",
                 where=("parts",),
                 params={"allowed": tuple(part.value for part in ARRAY_PARTS)},
             )

@@ -54,7 +54,6 @@ async def robot(
     if robot_id not in known:
         fault = Fault(
             code="robot_unknown",
-            message=f"the catalogue has no robot {robot_id}; it has {', '.join(known)}",
             where=("robot_id",),
             params={"robot": robot_id, "known": known},
         )

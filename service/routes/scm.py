@@ -246,11 +246,8 @@ def _scaled(limits: Sequence[Sequence[float | None] | None], prepared: PreparedC
 def _refuse_length(limits: Sequence[Any], prepared: PreparedChain) -> None:
     n = prepared.chain.n_joints
     if len(limits) != n:
-        message = f"the chain has {n} joints; give as many limits"
         params = {"expected": n, "given": len(limits)}
-        raise JointValueError(
-            Fault(code="limits_wrong_length", message=message, where=("limits",), params=params)
-        )
+        raise JointValueError(Fault(code="limits_wrong_length", where=("limits",), params=params))
 
 
 def _nearest(nearest: NearestPose, prepared: PreparedChain) -> wire.ScmNearest:

@@ -225,7 +225,7 @@ def test_everything_is_installed_from_hash_locks() -> None:
 def test_the_image_holds_what_it_serves_and_nothing_more(image: Path) -> None:
     app = image / "app"
     assert {path.name for path in app.iterdir()} == {
-        "LICENSE", "README.md", "kinematics", "exercises", "service", "static",
+        "LICENSE", "README.md", "kinematics", "exercises", "courses", "service", "static",
     }  # fmt: skip
     assert (app / "static" / "vendor" / "three").is_dir()
     assert not list((app / "static").rglob("axe*")), "what only tests need is left out"

@@ -191,7 +191,7 @@ def test_own_folders_go_before_the_packaged_ones(tmp_path: Path) -> None:
         folder(tmp_path, "version = 1", name="bad")
         with pytest.raises(DefinitionError, match=r"bad\.exercise\.toml"):
             use_folders([tmp_path])
-        with pytest.raises(DefinitionError, match="no folder"):
+        with pytest.raises(DefinitionError, match="folder_missing"):
             use_folders([tmp_path / "nowhere"])
     finally:
         use_folders([])

@@ -39,9 +39,7 @@ def crash() -> None:
 
 
 def refuse() -> None:
-    raise FormSizeError(
-        Fault(code="form_too_large", message="too large", where=("rows", 1), params={"limit": 3})
-    )
+    raise FormSizeError(Fault(code="form_too_large", where=("rows", 1), params={"limit": 3}))
 
 
 def imported(name: str) -> bool:

@@ -79,7 +79,7 @@ def value_or_refusal(text: str, kind=ParameterKind.LENGTH, unit=AngleUnit.RAD) -
     try:
         expression = read_cell(text, kind, angle_unit=unit)
     except CellError as error:
-        return error.code if error.faults[0].message else None
+        return error.code
     try:
         return evaluate(expression, NAMES, [0.0] * 10000)
     except ParameterError:
