@@ -7,7 +7,7 @@ PEERS := .venv-peers
 PY := $(VENV)/bin/python
 PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
-.PHONY: help serve test test-clone campaign lint bench lock browser clean vendor picture exercise check-exercises
+.PHONY: help serve test test-clone campaign explore lint bench lock browser clean vendor picture exercise check-exercises
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -68,6 +68,9 @@ check-exercises: $(VENV)/.runtime ## let exercises test themselves: SEEDS=50 stu
 
 campaign: $(VENV)/.dev ## the checker against two million tables, valid and wrong (half an hour; ARGS="--valid 100000": some)
 	$(PY) -m tests.kinematics.equivalence $(ARGS)
+
+explore: $(VENV)/.dev vendor ## the property tests with fresh seeds; what fails becomes an example (ARGS="tests/kinematics": some)
+	FRAMEWISE_EXPLORE=1 $(PY) -m pytest -n 2 --dist loadgroup $(or $(ARGS),tests/kinematics tests/exercises tests/service)
 
 browser: ## Chromium for the end-to-end tests (Debian; needs root)
 	apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium wrk
