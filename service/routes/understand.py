@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Annotated, Any
 
 from fastapi import Body, Request, Response
 from fastapi.openapi.models import Example
 
-from kinematics.cells import Limits, RawTable, ReadTable, read_table
-from kinematics.errors import CellError, Fault, TableError
-from kinematics.expressions import Expression, JointVariable, add, multiply, number
+from kinematics.cells import Limits, RawTable, ReadTable, canonical_name, parameter_values, read_table
+from kinematics.errors import CellError, Fault, ParameterError, TableError
+from kinematics.expressions import Expression, JointVariable, add, evaluate, multiply, number
+from kinematics.links import link_transform
 from kinematics.printing.latex import LatexWriter
 from kinematics.printing.mathml import MathmlWriter
 from kinematics.printing.notation import Names
 from kinematics.printing.text import text_writer
-from kinematics.table import CELLS, JointType, SymbolicRow
+from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
 from service.errors import Problem
 from service.messages import language_for
 from service.openapi import problems
@@ -60,7 +61,7 @@ MATHML = "http://www.w3.org/1998/Math/MathML"
 async def understand(
     body: Annotated[UnderstandRequest, Body(openapi_examples=EXAMPLES)], request: Request, response: Response
 ) -> UnderstandAnswer:
-    """The meaning of every cell that can be read, and the faults of those that cannot.
+    """The meaning of every cell that can be read, the link matrix of every row with numbers, and the faults.
 
     Unlike the other calls this one does not refuse a table with faults: it says what it can of the rest.
     """
@@ -72,7 +73,7 @@ async def understand(
     response.headers["Vary"] = "Accept-Language"
     return UnderstandAnswer(
         readable=not faults,
-        rows=_rows(read, unread) if read else [],
+        rows=_rows(read, unread, _known_values(read, body.parameters)) if read else [],
         parameters=[UnderstoodParameter(name=name, kind=kind) for name, kind in read.parameters.items()]
         if read
         else [],
@@ -115,7 +116,14 @@ def _without(raw: RawTable, places: frozenset[Place]) -> RawTable:
     )
 
 
-def _rows(read: ReadTable, unread: frozenset[Place]) -> list[UnderstoodRow]:
+def _known_values(read: ReadTable, given: Mapping[str, float]) -> dict[str, float]:
+    """Values of those of the table's parameters that have one, by canonical name, angles in [rad]."""
+    named = {canonical_name(name): value for name, value in given.items()}
+    kinds = {name: kind for name, kind in read.parameters.items() if name in named}
+    return parameter_values(kinds, read.angle_unit, {name: named[name] for name in kinds})
+
+
+def _rows(read: ReadTable, unread: frozenset[Place], values: Mapping[str, float]) -> list[UnderstoodRow]:
     names = Names(parameters=frozenset(read.parameters))
     mathml, latex, text = MathmlWriter(names), LatexWriter(names), text_writer(names)
     rows = []
@@ -128,12 +136,31 @@ def _rows(read: ReadTable, unread: frozenset[Place]) -> list[UnderstoodRow]:
                 mathml=f'<math xmlns="{MATHML}">{mathml.presentation(entry)}</math>',
                 latex=latex.text(entry),
                 text=text.text(entry),
+                value=_value(getattr(row, cell), values),
             )
             for cell, entry in cells.items()
         }
         variable = None if row.joint is JointType.FIXED else f"q{joint}"
-        rows.append(UnderstoodRow(joint=row.joint, sign=row.sign, variable=variable, **meanings))
+        link = _link(read, row, {cell: meaning.value for cell, meaning in meanings.items()})
+        rows.append(UnderstoodRow(joint=row.joint, sign=row.sign, variable=variable, link=link, **meanings))
     return rows
+
+
+def _value(entry: Expression, values: Mapping[str, float]) -> float | None:
+    """The number of a cell; None where a parameter has no value, or the number does not exist."""
+    try:
+        return evaluate(entry, values)
+    except ParameterError:
+        return None
+
+
+def _link(read: ReadTable, row: SymbolicRow, cells: Mapping[str, float | None]) -> list[list[float]] | None:
+    """The row's link matrix with its joint at zero, if every cell has a number."""
+    numbers = {cell: value for cell, value in cells.items() if value is not None}
+    if len(numbers) < len(CELLS):
+        return None
+    matrix = link_transform(DHRow(joint=row.joint, sign=row.sign, **numbers), read.table.convention)
+    return matrix.tolist()  # type: ignore[no-any-return]
 
 
 def _entry(row: SymbolicRow, cell: str, joint: int) -> Expression:

@@ -8,14 +8,19 @@ from pydantic import Field
 
 from kinematics.cells import ParameterKind
 from kinematics.table import JointType
-from service.schemas.base import FaultEntry, Wire
+from service.schemas.base import FaultEntry, Matrix4, Real, Wire
 from service.schemas.tables import Table
 
 
 class UnderstandRequest(Wire):
-    """A table, finished or not."""
+    """A table, finished or not, and what values its parameters have so far."""
 
     table: Table
+    parameters: dict[str, Real] = Field(
+        default_factory=dict,
+        description="values of parameters, in the table's units; "
+        "names that the table does not hold are ignored",
+    )
 
 
 class Meaning(Wire):
@@ -24,6 +29,10 @@ class Meaning(Wire):
     mathml: str = Field(description="for a page: one math element")
     latex: str = Field(description="for a formula")
     text: str = Field(description="as a cell would accept it")
+    value: float | None = Field(
+        description="its number [rad or the table's length unit] with the joint variables at zero; "
+        "null where a parameter in it has no value"
+    )
 
 
 class UnderstoodRow(Wire):
@@ -36,6 +45,10 @@ class UnderstoodRow(Wire):
     a: Meaning | None = None
     d: Meaning | None = None
     theta: Meaning | None = None
+    link: Matrix4 | None = Field(
+        None,
+        description="pose of frame i in frame i-1 with the joint at zero; left out where a cell has no value",
+    )
 
 
 class UnderstoodParameter(Wire):

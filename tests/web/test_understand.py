@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -101,3 +102,45 @@ def test_what_is_no_table_is_refused(client: httpx.Client) -> None:
         answer = client.post("/api/v1/understand", json=body)
         assert answer.status_code == 422
         assert answer.json()["errors"][0]["pointer"].startswith("/table")
+
+
+def link(client: httpx.Client, table: dict[str, Any], parameters: dict[str, float]) -> list[Any]:
+    body = {
+        "table": table,
+        "parameters": parameters,
+        "joints": [0.0] * len(table["rows"]),
+        "parts": ["links"],
+    }
+    answer = client.post("/api/v1/forward-kinematics", json=body)
+    assert answer.status_code == 200, answer.text
+    return answer.json()["links"]  # type: ignore[no-any-return]
+
+
+def test_links_come_with_the_meaning(client: httpx.Client) -> None:
+    """One call is enough to draw a table: its links are those of /forward-kinematics at zero."""
+    rows = [row(alpha="-90", a="a2", theta="90 - θ1"), row("prismatic", alpha="b", d="d2 + L_1", theta="30")]
+    values = {"a2": 0.4, "L1": 0.2, "b": 30.0}
+    for convention in ("modified", "standard"):
+        table = {"convention": convention, "angle_unit": "deg", "rows": rows}
+        body = {"table": table, "parameters": {**values, "unused": 7.0}}
+        answer = client.post("/api/v1/understand", json=body).json()
+        found = [r["link"] for r in answer["rows"]]
+        expected = link(client, table, values)
+        for one, other in zip(found, expected, strict=True):
+            for here, there in zip(one, other, strict=True):
+                assert here == pytest.approx(there, abs=1e-15)
+        assert [r["theta"]["value"] for r in answer["rows"]] == pytest.approx([math.pi / 2, math.pi / 6])
+        assert [r["d"]["value"] for r in answer["rows"]] == pytest.approx([0.0, 0.2])
+
+
+def test_rows_beside_a_fault_have_their_links(client: httpx.Client) -> None:
+    """Half a table can be drawn: what cannot be read, or has no value, has no link."""
+    table = {
+        "convention": "standard",
+        "angle_unit": "deg",
+        "rows": [row(a="1"), row(a="("), row(a="L1"), row(d="1/x", a="2")],
+    }
+    answer = client.post("/api/v1/understand", json={"table": table, "parameters": {"x": 0}}).json()
+    assert [r["link"] is not None for r in answer["rows"]] == [True, False, False, False]
+    assert answer["rows"][2]["a"]["value"] is None
+    assert answer["rows"][3]["d"]["value"] is None
