@@ -158,7 +158,7 @@ def _catalogue() -> list[Outcome]:
     from kinematics.catalogue import robots
     from kinematics.printing import Format, Notation
     from kinematics.table import table_parameters
-    from service.closed_forms import Part, Task, written_answer
+    from service.wire.symbolic_forms import Part, Task, written_answer
 
     measures = {"⁰T_N": (Part.TRANSFORM,), "links, frames, ⁰T_N, its inverse, J0, Jn": tuple(Part)}
     outcomes: list[Outcome] = []

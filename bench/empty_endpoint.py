@@ -5,7 +5,7 @@ from __future__ import annotations
 from fastapi import FastAPI, Response
 
 from service.app import create_app
-from service.routing import ApiRequest, DirectRoute, Written
+from service.http.routing import ApiRequest, DirectRoute, Written
 
 
 async def _nothing(request: ApiRequest) -> Response:

@@ -13,9 +13,10 @@ from starlette.routing import Match
 
 from exercises.loader import use_folders
 from kinematics.errors import Fault, KinematicsError
-from service import __version__, openapi
-from service.edge import REQUEST_ID, Edge
-from service.errors import (
+from service import __version__
+from service.http import openapi
+from service.http.middleware import REQUEST_ID, Edge
+from service.http.problems import (
     PROBLEM_JSON,
     BodyError,
     MethodError,
@@ -25,14 +26,14 @@ from service.errors import (
     ServiceError,
     problem_of,
 )
-from service.gates import gates
+from service.http.routing import DirectRoute
+from service.http.validation import request_error
 from service.messages import language_for
-from service.preparation import Preparation
 from service.routes import routers
-from service.routing import DirectRoute
 from service.settings import Settings
-from service.validation import request_error
-from service.workers import Workers, lifespan
+from service.wire.prepared_robots import Preparation
+from service.work.limiters import gates
+from service.work.workers import Workers, lifespan
 
 DESCRIPTION = """\
 Denavit–Hartenberg kinematics over HTTP: a table and joint values in; poses, Jacobians, closed forms and other

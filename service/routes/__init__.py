@@ -1,11 +1,11 @@
-"""One noun a file. Each module has a `router`, made by `service.routing.api_router("tag")`.
+"""One noun a file. Each module has a `router`, made by `service.http.routing.api_router("tag")`.
 
 The application mounts every module of this package, in alphabetical order, as it stands: the paths of an API
 router already begin with /api/v1, and a page's router says its own. Nothing is registered elsewhere.
 
-Errors: raise `KinematicsError` or `ServiceError` with faults (inside `service.errors.located("table")` when
-what is read stands at a place of the body); they become problem documents. No route catches them or names a
-status.
+Errors: raise `KinematicsError` or `ServiceError` with faults (inside `service.http.problems.located("table")`
+when what is read stands at a place of the body); they become problem documents. No route catches them or
+names a status.
 """
 
 from __future__ import annotations

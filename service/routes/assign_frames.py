@@ -7,17 +7,17 @@ from typing import Annotated
 from fastapi import Body, Request
 from fastapi.openapi.models import Example
 
-from service.frames import Say, assigned, checked
-from service.languages import language_of
+from service.http.languages import language_of
+from service.http.openapi import problems
+from service.http.routing import api_router
 from service.messages import sentence
-from service.openapi import problems
-from service.routing import api_router
 from service.schemas.frames import (
     AssignFramesAnswer,
     AssignFramesRequest,
     CheckFramesAnswer,
     CheckFramesRequest,
 )
+from service.wire.frame_assignment import Say, assigned, checked
 
 router = api_router("kinematics")
 

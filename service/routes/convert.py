@@ -6,12 +6,12 @@ from typing import Annotated
 
 from fastapi import Body, Request
 
-from service.conversion import converted
-from service.openapi import problems
-from service.routing import api_router
+from service.http.openapi import problems
+from service.http.routing import api_router
 from service.schemas import examples
 from service.schemas.conversion import ConvertAnswer, ConvertRequest
 from service.settings import Settings
+from service.wire.conversion import converted
 
 router = api_router("kinematics")
 

@@ -8,12 +8,12 @@ import orjson
 from fastapi import Path, Request, Response
 
 from kinematics.errors import Fault
-from service.errors import NotFoundError, Place
+from service.http.openapi import problems
+from service.http.problems import NotFoundError, Place
+from service.http.routing import JSON, api_router
 from service.messages import language_for, refusal_codes, template
-from service.openapi import problems
-from service.reference import POLICY, reference_page
-from service.routing import JSON, api_router
 from service.schemas.base import Wire
+from service.web.api_reference import POLICY, reference_page
 
 router = api_router("service")
 

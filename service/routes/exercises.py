@@ -13,17 +13,17 @@ from exercises.answers import Answer, parse
 from exercises.drawings import key_pose
 from exercises.grader import Report, grade
 from exercises.instance import Instance
-from service.exercise_views import exercise_list, exercise_view, figure_file, instance_of
-from service.gates import Work, gate_for
-from service.languages import language_of
-from service.openapi import problems, request_body
-from service.routing import JSON, ApiRequest, DirectRoute, api_router
+from service.http.languages import language_of
+from service.http.openapi import problems, request_body
+from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
+from service.http.validation import validated
 from service.schemas import examples_grading as examples
 from service.schemas.exercises import ExerciseAnswer, ExerciseList, ExerciseModel, GradedModel
-from service.ungraded import answer_refused, known_exercise
-from service.validation import validated
-from service.verdicts import encoded, report_body
 from service.web.responses import text_response
+from service.wire.exercise_views import exercise_list, exercise_view, figure_file, instance_of
+from service.wire.ungraded import answer_refused, known_exercise
+from service.wire.verdicts import encoded, report_body
+from service.work.limiters import Work, gate_for
 
 router = api_router("exercises")
 direct = api_router("exercises", route_class=DirectRoute)

@@ -6,10 +6,18 @@ import numpy as np
 from fastapi import Response
 
 from kinematics.errors import Fault
-from service.asking import Asked, Reader, answered
-from service.errors import RequestError
-from service.openapi import NPY_QUERY, problems, request_body
-from service.poses import (
+from service.http.openapi import NPY_QUERY, problems, request_body
+from service.http.problems import RequestError
+from service.http.routing import JSON, NPY, ApiRequest, DirectRoute, Written, api_router
+from service.schemas import examples
+from service.schemas.forward_kinematics import (
+    STANDARD_PARTS,
+    ForwardKinematicsAnswer,
+    ForwardKinematicsQuestion,
+    ForwardKinematicsRequest,
+    Part,
+)
+from service.wire.pose_answers import (
     ARRAY_PARTS,
     PoseQuestion,
     json_blocks,
@@ -20,15 +28,7 @@ from service.poses import (
     one_array,
     refuse_overflow,
 )
-from service.routing import JSON, NPY, ApiRequest, DirectRoute, Written, api_router
-from service.schemas import examples
-from service.schemas.forward_kinematics import (
-    STANDARD_PARTS,
-    ForwardKinematicsAnswer,
-    ForwardKinematicsQuestion,
-    ForwardKinematicsRequest,
-    Part,
-)
+from service.wire.robot_questions import Asked, Reader, answered
 
 router = api_router("kinematics", route_class=DirectRoute)
 

@@ -9,17 +9,17 @@ from pydantic import TypeAdapter
 
 from exercises.grading import Verdict, accept, grade
 from kinematics.cells import read_table
-from service.errors import located
-from service.gates import Work, gate_for
-from service.languages import language_of
-from service.openapi import problems, request_body
-from service.routing import ApiRequest, DirectRoute, Written, api_router
+from service.http.languages import language_of
+from service.http.openapi import problems, request_body
+from service.http.problems import located
+from service.http.routing import ApiRequest, DirectRoute, Written, api_router
+from service.http.validation import validated
 from service.schemas import examples_grading as examples
 from service.schemas.grading import GradeRequest
 from service.schemas.verdicts import VerdictModel
-from service.ungraded import answer_refused
-from service.validation import validated
-from service.verdicts import encoded, verdict_body
+from service.wire.ungraded import answer_refused
+from service.wire.verdicts import encoded, verdict_body
+from service.work.limiters import Work, gate_for
 
 router = api_router("exercises", route_class=DirectRoute)
 

@@ -6,12 +6,12 @@ from typing import Annotated
 
 from fastapi import Body, Request
 
-from service.inverse import solved
-from service.openapi import problems
-from service.preparation import Preparation
-from service.routing import api_router
+from service.http.openapi import problems
+from service.http.routing import api_router
 from service.schemas import examples
 from service.schemas.inverse_kinematics import InverseKinematicsAnswer, InverseKinematicsRequest
+from service.wire.inverse_solutions import solved
+from service.wire.prepared_robots import Preparation
 
 router = api_router("kinematics")
 

@@ -13,14 +13,14 @@ from numpy.typing import NDArray
 
 from kinematics.jacobian import RANK_TOLERANCE, Dexterity, JacobianFrame, Mobility, dexterity
 from kinematics.jacobian import jacobian as jacobian_of
-from service.asking import Asked, Reader, answered
-from service.openapi import NPY_QUERY, problems, request_body
-from service.pieces import member_pieces, written
-from service.routing import JSON, ApiRequest, DirectRoute, Written, api_router
+from service.http.openapi import NPY_QUERY, problems, request_body
+from service.http.routing import JSON, ApiRequest, DirectRoute, Written, api_router
 from service.schemas import examples
-from service.schemas.jacobian import JacobianQuestion, JacobianRequest
-from service.schemas.symbolic import SYMBOLIC_JACOBIAN, JacobianBody, JacobianReply
-from service.symbolic import symbolic_body, symbolic_jacobian
+from service.schemas.jacobian_request import JacobianQuestion, JacobianRequest
+from service.schemas.symbolic_request import SYMBOLIC_JACOBIAN, JacobianBody, JacobianReply
+from service.wire.json_chunks import member_pieces, written
+from service.wire.robot_questions import Asked, Reader, answered
+from service.wire.symbolic_tasks import symbolic_body, symbolic_jacobian
 
 router = api_router("kinematics", route_class=DirectRoute)
 

@@ -10,11 +10,11 @@ from fastapi import Path, Query, Request, Response
 
 from kinematics import catalogue
 from kinematics.errors import Fault
-from service.errors import NotFoundError, Place
-from service.languages import language_of
+from service.http.languages import language_of
+from service.http.openapi import problems
+from service.http.problems import NotFoundError, Place
+from service.http.routing import JSON, api_router
 from service.messages import sentence
-from service.openapi import problems
-from service.routing import JSON, api_router
 from service.schemas.catalogue import Robot, RobotList
 from service.web.responses import text_response
 

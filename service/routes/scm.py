@@ -27,16 +27,16 @@ from kinematics.scm import (
     solver_of_chain,
 )
 from kinematics.transforms import inverse_transform
-from service.chains import PreparedChain, prepared_chain, written_structure
-from service.closed_chains import ChainTask, Wanted, is_quick, written_chain
-from service.openapi import problems
-from service.pointing import traced
-from service.routing import Written, api_router
+from service.http.openapi import problems
+from service.http.routing import Written, api_router
 from service.schemas import scm as wire
 from service.schemas import scm_examples as examples
 from service.schemas.forward_kinematics import AxisAngle, Orientation
 from service.settings import Settings
-from service.workers import Lane, Workers
+from service.wire.chain_forms import ChainTask, Wanted, is_quick, written_chain
+from service.wire.fault_pointers import traced
+from service.wire.prepared_chains import PreparedChain, prepared_chain, written_structure
+from service.work.workers import Lane, Workers
 
 router = api_router("scm")
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from fastapi import Response
 from pydantic import TypeAdapter
 
-from service.openapi import problems, request_body
-from service.routing import JSON, ApiRequest, DirectRoute, Written, api_router
-from service.schemas.symbolic import SYMBOLIC, SymbolicAnswer, SymbolicRequest
-from service.symbolic import answered, kept_answers, task_of, workers_of
-from service.validation import validated
+from service.http.openapi import problems, request_body
+from service.http.routing import JSON, ApiRequest, DirectRoute, Written, api_router
+from service.http.validation import validated
+from service.schemas.symbolic_request import SYMBOLIC, SymbolicAnswer, SymbolicRequest
+from service.wire.symbolic_tasks import answered, kept_answers, task_of, workers_of
 
 router = api_router("kinematics", route_class=DirectRoute)
 

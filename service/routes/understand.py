@@ -18,10 +18,10 @@ from kinematics.printing.mathml import MathmlWriter
 from kinematics.printing.notation import Names
 from kinematics.printing.text import text_writer
 from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
-from service.errors import Problem
+from service.http.openapi import problems
+from service.http.problems import Problem
+from service.http.routing import api_router
 from service.messages import language_for
-from service.openapi import problems
-from service.routing import api_router
 from service.schemas.base import FaultEntry
 from service.schemas.understanding import (
     Meaning,

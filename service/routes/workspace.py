@@ -8,14 +8,14 @@ from fastapi import Body, Request
 
 from kinematics.inverse.limits import JointLimits
 from kinematics.workspace import Radius, Workspace, check_reach, joint_spans, workspace
-from service.openapi import problems
-from service.pointing import traced
-from service.preparation import Preparation, Robot, listed_robot
-from service.routing import api_router
+from service.http.openapi import problems
+from service.http.routing import api_router
 from service.schemas import examples
-from service.schemas import workspace as wire
-from service.schemas.limits import domain_limits
-from service.workers import Lane, Workers
+from service.schemas import workspace_request as wire
+from service.schemas.joint_limits import domain_limits
+from service.wire.fault_pointers import traced
+from service.wire.prepared_robots import Preparation, Robot, listed_robot
+from service.work.workers import Lane, Workers
 
 router = api_router("kinematics")
 

@@ -11,7 +11,7 @@ from pydantic_core import PydanticCustomError
 from kinematics.table import JointType
 from kinematics.urdf import MAX_CHARACTERS
 from service.schemas.base import Matrix4, Real, Vector3, Wire
-from service.schemas.limits import JointRanges
+from service.schemas.joint_limits import JointRanges
 from service.schemas.scm import Chain
 from service.schemas.tables import Parameters, Row, Table, Units
 

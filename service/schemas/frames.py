@@ -14,9 +14,9 @@ from kinematics.frames.parallels import MAX_PARALLEL_TOLERANCE, PARALLEL_TOLERAN
 from kinematics.frames.rules import Part, RuleCode, Severity
 from kinematics.frames.trainer import ChosenFrame
 from kinematics.table import Convention, JointType
+from service.http.validation import CHOICE
 from service.schemas.base import Matrix4, Real, Vector3, Wire
 from service.schemas.tables import Table, Units
-from service.validation import CHOICE
 
 
 class Axis(Wire):

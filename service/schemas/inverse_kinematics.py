@@ -6,7 +6,7 @@ from pydantic import Field
 
 from kinematics.inverse.results import IKStatus, Isolation, Method, UnreachableReason
 from service.schemas.base import Matrix4, Real, Wire
-from service.schemas.limits import JointRanges
+from service.schemas.joint_limits import JointRanges
 from service.schemas.robots import RobotQuestion
 from service.schemas.tables import Units
 

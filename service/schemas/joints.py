@@ -6,8 +6,8 @@ from typing import Annotated, Any, TypeAlias
 
 from pydantic import Discriminator, Tag, WithJsonSchema
 
+from service.http.validation import CHOICE
 from service.schemas.base import Real
-from service.validation import CHOICE
 
 
 def _shape_of(joints: Any) -> str:

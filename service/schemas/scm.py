@@ -11,10 +11,10 @@ from pydantic_core import PydanticCustomError
 from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.printing import Format, Notation
 from kinematics.scm import RawChain
+from service.http.validation import CHOICE
 from service.schemas.base import Matrix4, Real, Wire
 from service.schemas.forward_kinematics import Orientation
 from service.schemas.tables import Cell, Parameters, Units
-from service.validation import CHOICE
 
 ENTRIES = ("x", "y", "z", "a", "b", "c")
 

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from service.negotiation import weighted
+from service.http.negotiation import weighted
 
 SCAN_INTERVAL = 2.0
 """Seconds for which a listing of the folder is trusted."""

@@ -10,8 +10,8 @@ from pathlib import Path
 
 from fastapi import Request, Response
 
+from service.http.negotiation import weighted
 from service.messages import language_for, languages, sentence
-from service.negotiation import weighted
 from service.settings import Settings
 from service.web.assets import Assets, static_root
 from service.web.shell import Page, render

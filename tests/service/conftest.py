@@ -25,7 +25,7 @@ def every_refusal_has_a_sentence() -> Iterator[None]:
         raise AssertionError(message % arguments)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("service.errors.sentence", strict)
+        patch.setattr("service.http.problems.sentence", strict)
         patch.setattr("service.messages._log.warning", refuse)
         yield
 

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from service.decoding import decode_json
-from service.errors import BodyError
+from service.http.decoding import decode_json
+from service.http.problems import BodyError
 
 VALUES = st.recursive(
     st.none()

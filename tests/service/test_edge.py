@@ -189,7 +189,7 @@ def test_a_caller_that_closes_reads_why_a_long_body_was_refused(
 def test_a_caller_that_stops_sending_is_answered_all_the_same(
     base_url: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("service.uploads.SECONDS", 0.1)
+    monkeypatch.setattr("service.http.uploads.SECONDS", 0.1)
     host, _, port = base_url.removeprefix("http://").partition(":")
     with socket.create_connection((host, int(port)), timeout=60) as connection:
         connection.sendall(b"POST /api/v1/nothing HTTP/1.1\r\nHost: here\r\nContent-Length: 9000000\r\n\r\n{")

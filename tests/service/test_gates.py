@@ -8,10 +8,10 @@ import sys
 import anyio
 import pytest
 
-from service.errors import BusyError
-from service.gates import Gate, Work, gates
+from service.http.problems import BusyError
 from service.settings import Settings
-from service.turns import SWITCH_SECONDS
+from service.work.limiters import Gate, Work, gates
+from service.work.thread_switching import SWITCH_SECONDS
 
 
 def test_so_many_at_a_time_so_many_waiting_and_the_next_is_refused() -> None:

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from service.negotiation import preferred_language, preferred_media_type, weighted
+from service.http.negotiation import preferred_language, preferred_media_type, weighted
 
 LANGUAGES = ("en", "es", "fr", "pt", "ro", "uk")
 OFFERS = ("application/json", "application/x-npy")

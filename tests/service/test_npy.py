@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
-from service.errors import BodyError
-from service.npy import npy_data, npy_header, read_npy
+from service.http.npy import npy_data, npy_header, read_npy
+from service.http.problems import BodyError
 
 
 def saved(array: np.ndarray, **options: object) -> bytes:

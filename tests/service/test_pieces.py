@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from service.pieces import ROWS, blocks, list_pieces, member_pieces
+from service.wire.json_chunks import ROWS, blocks, list_pieces, member_pieces
 
 
 @pytest.mark.parametrize("rows", [0, 1, ROWS - 1, ROWS, ROWS + 1, 2 * ROWS + 3])

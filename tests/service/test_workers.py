@@ -15,10 +15,10 @@ from typing import Any
 import pytest
 
 from kinematics.errors import Fault, FormSizeError
-from service.errors import BusyError, RequestError
-from service.processes import process_context
+from service.http.problems import BusyError, RequestError
 from service.settings import Settings
-from service.workers import Lane, Workers
+from service.work.processes import process_context
+from service.work.workers import Lane, Workers
 
 
 def double(value: int) -> int:
@@ -142,7 +142,7 @@ def test_the_main_module_is_never_run_again_nor_needed() -> None:
     program = """
 from starlette.testclient import TestClient
 from service.app import create_app
-from service.schemas.symbolic import PUMA_LENGTHS
+from service.schemas.symbolic_request import PUMA_LENGTHS
 print("begin")
 print(TestClient(create_app()).post("/api/v1/symbolic", json={"table": PUMA_LENGTHS}).status_code)
 """

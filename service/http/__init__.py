@@ -1,0 +1,1 @@
+"""What is HTTP's own: routes, strict decoding, refusals, negotiation, compression, middleware."""

@@ -1,0 +1,31 @@
+"""The language of an answer: what the address asks for, or else the header Accept-Language."""
+
+from __future__ import annotations
+
+from starlette.requests import Request
+
+from kinematics.errors import Fault
+from service.http.problems import Place, RequestError
+from service.messages import language_for, languages
+
+
+def language_of(request: Request) -> str:
+    """The language to answer in.
+
+    Raises:
+        RequestError: the query parameter `lang` names a language that is not spoken here.
+    """
+    asked = request.query_params.get("lang")
+    if asked is None:
+        return language_for(request.headers.get("accept-language"))
+    if asked not in languages():
+        known = ", ".join(languages())
+        raise RequestError(
+            Fault(
+                code="language_unknown",
+                where=("lang",),
+                params={"language": asked[:20], "known": known},
+            ),
+            place=Place.QUERY,
+        )
+    return asked

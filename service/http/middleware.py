@@ -1,0 +1,144 @@
+"""The outermost layer: request ids, security headers, HEAD, the proxy's prefix, and no unhandled error.
+
+Pure ASGI and thin, because every request passes through it.
+"""
+
+from __future__ import annotations
+
+import itertools
+import logging
+import re
+import secrets
+from collections.abc import Callable, Mapping
+
+from starlette.requests import ClientDisconnect
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from kinematics.errors import Fault
+from service.http.compression import accepts_gzip, compressing
+from service.http.problems import INTERNAL, PROBLEM_JSON, Problem
+from service.http.uploads import Upload, may_be_under_way
+from service.messages import language_for
+from service.settings import Settings
+
+REQUEST_ID = "request_id"
+_SANE_REQUEST_ID = re.compile(rb"[A-Za-z0-9._:-]{1,64}")
+_SANE_PREFIX = re.compile(r"(/[A-Za-z0-9._~-]+)+")
+_REQUEST_ID = b"x-request-id"
+_POLICY = b"content-security-policy"
+_REFUSED = 400
+_HEADERS = (
+    (b"x-content-type-options", b"nosniff"),
+    (b"referrer-policy", b"no-referrer"),
+)
+
+_log = logging.getLogger("framewise")
+
+
+class Edge:
+    """Wraps the application."""
+
+    def __init__(self, app: ASGIApp, settings: Settings) -> None:
+        self._app = app
+        self._settings = settings
+        self._next_id = _request_ids()
+        ancestors = " ".join(settings.frame_ancestors)
+        self._policy = (
+            _POLICY,
+            f"default-src 'none'; frame-ancestors {ancestors}".encode("latin-1"),
+        )
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Serve one connection."""
+        if scope["type"] != "http":
+            await self._app(scope, receive, send)
+            return
+        fields = dict(scope["headers"])
+        request_id = self._open(scope, fields)
+        is_head = scope["method"] == "HEAD"
+        if is_head:
+            scope = {**scope, "method": "GET"}
+        elif accepts_gzip(fields.get(b"accept-encoding", b"")):
+            send = compressing(send)
+        upload = Upload(receive, 2 * self._settings.batch_body_limit) if may_be_under_way(fields) else None
+        started = False
+
+        async def send_with_headers(message: Message) -> None:
+            nonlocal started
+            if message["type"] == "http.response.start":
+                started = True
+                if upload and message["status"] >= _REFUSED:
+                    await upload.drain()
+                headers = message["headers"] = [
+                    *message.get("headers", ()),
+                    *_HEADERS,
+                    (_REQUEST_ID, request_id),
+                ]
+                if _POLICY not in dict(headers):
+                    headers.append(self._policy)
+            elif is_head and message["type"] == "http.response.body":
+                message = {**message, "body": b""}
+            await send(message)
+
+        try:
+            await self._app(scope, upload or receive, send_with_headers)
+        except ClientDisconnect:
+            _log.info("request %s: the caller went away", request_id.decode())
+        except Exception:
+            _log.exception("request %s: unhandled error", request_id.decode())
+            if started:
+                raise
+            await self._send_internal_error(scope, send_with_headers, request_id.decode())
+
+    def _open(self, scope: Scope, fields: Mapping[bytes, bytes]) -> bytes:
+        """Read what a proxy says about the request; name the request."""
+        request_id = fields.get(_REQUEST_ID, b"")
+        if request_id and not _SANE_REQUEST_ID.fullmatch(request_id):
+            request_id = b""
+        request_id = request_id or self._next_id()
+        scope[REQUEST_ID] = request_id.decode()
+        prefix = self._settings.prefix or self._believed_prefix(scope, fields.get(b"x-forwarded-prefix"))
+        if prefix:
+            _place_under(scope, prefix)
+        return request_id
+
+    def _believed_prefix(self, scope: Scope, forwarded: bytes | None) -> str:
+        if not forwarded or not scope.get("client"):
+            return ""
+        trusted = self._settings.trusted_proxies
+        if "*" not in trusted and scope["client"][0] not in trusted:
+            return ""
+        prefix = forwarded.decode("latin-1").split(",")[0].strip().rstrip("/")
+        return prefix if _SANE_PREFIX.fullmatch(prefix) else ""
+
+    async def _send_internal_error(self, scope: Scope, send: Send, request_id: str) -> None:
+        fault = Fault(
+            code="internal_error",
+            params={"id": request_id},
+        )
+        languages = [value for name, value in scope["headers"] if name == b"accept-language"]
+        language = language_for(languages[0].decode("latin-1") if languages else None)
+        body = Problem(status=INTERNAL, faults=(fault,), request_id=request_id).encoded(
+            language, prefix=scope.get("root_path", "")
+        )
+        headers = [
+            (b"content-type", PROBLEM_JSON.encode()),
+            (b"content-language", language.encode()),
+            (b"content-length", str(len(body)).encode()),
+        ]
+        await send({"type": "http.response.start", "status": INTERNAL, "headers": headers})
+        await send({"type": "http.response.body", "body": body})
+
+
+def _place_under(scope: Scope, prefix: str) -> None:
+    """Tell the application its prefix, whether or not the proxy has already taken it off the path."""
+    scope["root_path"] = prefix
+    if not scope["path"].startswith(prefix + "/") and scope["path"] != prefix:
+        scope["path"] = prefix + scope["path"]
+
+
+def _request_ids() -> Callable[[], bytes]:
+    """Names for requests: unique to this process, cheap, and not guessable from outside."""
+    process = secrets.token_hex(6).encode()
+    counter = itertools.count(1)
+    return lambda: b"%s-%x" % (process, next(counter))

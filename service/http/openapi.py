@@ -1,0 +1,138 @@
+"""The OpenAPI document: what FastAPI derives, with the bodies of direct routes and the problem responses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from fastapi import FastAPI
+from fastapi.openapi.utils import get_openapi
+from pydantic import BaseModel
+from pydantic.json_schema import models_json_schema
+
+from service.http.problems import PROBLEM_JSON
+from service.http.routing import JSON
+from service.schemas.base import ProblemDocument
+from service.schemas.examples import named
+
+_REFERENCE = "#/components/schemas/{model}"
+_DECLARED: dict[str, type[BaseModel]] = {}
+
+DESCRIPTIONS: dict[int, str] = {
+    400: "The body cannot be read: it is missing, broken, or not what its media type says.",
+    404: "Nothing is at this address.",
+    405: "This address knows no such method.",
+    406: "No representation of the answer is acceptable to the caller.",
+    413: "The body, or what it asks for, exceeds a limit.",
+    415: "The body comes in a media type that this call does not read.",
+    422: "The body is well formed, and what it says cannot be done: each fault with its place.",
+    503: "The service is busy; try again after the time in Retry-After.",
+}
+
+
+def request_body(
+    model: type[BaseModel], examples: Mapping[str, Any], **other: Mapping[str, Any]
+) -> dict[str, Any]:
+    """What OpenAPI says of a direct route's body: `openapi_extra` of the route.
+
+    Args:
+        model: the JSON body's shape.
+        examples: bodies by name; a test sends each of them.
+        other: further media types, by the name of their subtype with an underscore for each hyphen.
+    """
+    _DECLARED[model.__name__] = model
+    content: dict[str, Any] = {
+        JSON: {
+            "schema": {"$ref": _REFERENCE.format(model=model.__name__)},
+            "examples": named(examples),
+        }
+    }
+    content |= {f"application/{name.replace('_', '-')}": dict(entry) for name, entry in other.items()}
+    return {"requestBody": {"required": True, "content": content}}
+
+
+NPY_QUERY: dict[str, Any] = {
+    "parameters": [
+        {
+            "name": "request",
+            "in": "query",
+            "required": False,
+            "description": "with an npy body: the rest of the request, without the joints, as JSON",
+            "schema": {"type": "string"},
+        },
+        {
+            "name": "robot",
+            "in": "query",
+            "required": False,
+            "description": "with an npy body, instead of `request`: the id of a robot of the catalogue",
+            "schema": {"type": "string"},
+        },
+    ]
+}
+"""Query parameters of a call that takes joint values as npy."""
+
+
+def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
+    """What OpenAPI says of a route's refusals: `responses` of the route."""
+    return {
+        status: {
+            "description": DESCRIPTIONS[status],
+            "content": {PROBLEM_JSON: {"schema": {"$ref": _REFERENCE.format(model="ProblemDocument")}}},
+        }
+        for status in statuses
+    }
+
+
+def document(app: FastAPI, tags: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """The OpenAPI document of the application."""
+    schema = get_openapi(
+        title=app.title,
+        version=app.version,
+        summary=app.summary,
+        description=app.description,
+        license_info=app.license_info,
+        routes=app.routes,
+        tags=[dict(tag) for tag in tags],
+    )
+    components = schema.setdefault("components", {}).setdefault("schemas", {})
+    _, declared = models_json_schema(
+        [(model, "validation") for model in _DECLARED.values()] + [(ProblemDocument, "serialization")],
+        ref_template=_REFERENCE,
+    )
+    for name, definition in declared.get("$defs", {}).items():
+        components.setdefault(name, definition)
+    for unused in ("HTTPValidationError", "ValidationError"):
+        components.pop(unused, None)
+    for path in schema["paths"].values():
+        for operation in path.values():
+            _refuse_alike(operation)
+            _put_in_order(operation)
+    order = [tag["name"] for tag in tags]
+    schema["paths"] = dict(sorted(schema["paths"].items(), key=lambda item: _rank(item[1], order)))
+    return schema
+
+
+def _put_in_order(operation: dict[str, Any]) -> None:
+    operation["responses"] = dict(sorted(operation["responses"].items()))
+    succeeded = operation["responses"].get("200", {})
+    if succeeded.get("description") == "Successful Response":
+        succeeded["description"] = "The answer."
+
+
+def _rank(path: Mapping[str, Any], order: Sequence[str]) -> int:
+    """Where a path stands: by the tag of its first operation; unknown tags last."""
+    tag = next(iter(path.values()))["tags"][0]
+    return order.index(tag) if tag in order else len(order)
+
+
+def _refuse_alike(operation: dict[str, Any]) -> None:
+    """Document the refusals that every call of its kind can make."""
+    responses = operation["responses"]
+    statuses: tuple[int, ...] = ()
+    if "requestBody" in operation:
+        statuses = (400, 413, 415, 422)
+    elif operation.get("parameters"):
+        statuses = (422,)
+    for status, entry in problems(*statuses).items():
+        if "application/json" in responses.get(str(status), {}).get("content", {"application/json": {}}):
+            responses[str(status)] = entry

@@ -1,0 +1,237 @@
+"""Routes that read their requests strictly, before FastAPI validates them."""
+
+from __future__ import annotations
+
+from collections.abc import AsyncGenerator, Awaitable, Callable, Coroutine, Sequence
+from enum import Enum
+from typing import Any
+
+from anyio.to_thread import run_sync
+from fastapi import APIRouter, Response
+from fastapi.routing import APIRoute
+from starlette.requests import ClientDisconnect, Request
+from starlette.types import Receive, Scope, Send
+
+from kinematics.errors import Fault
+from service.http.decoding import decode_json
+from service.http.negotiation import preferred_media_type
+from service.http.problems import BodySizeError, MediaTypeError, NotAcceptableError, Place
+from service.settings import Settings
+
+API_PREFIX = "/api/v1"
+JSON = "application/json"
+NPY = "application/x-npy"
+LARGE_BODY = 256 * 1024
+"""A body of this size [byte] is read in a thread, so that others are served meanwhile."""
+
+_JSON = JSON.encode()
+_NPY = NPY.encode()
+_ANYTHING = b"*/*"
+_UTF8 = ("", "utf-8", "utf8", "us-ascii", "ascii")
+
+
+class ApiRequest(Request):
+    """A request whose body is bounded and whose JSON is read strictly."""
+
+    body_limit: int = 0
+
+    @property
+    def settings(self) -> Settings:
+        """The settings of the application that serves this request."""
+        settings: Settings = self.scope["app"].state.settings
+        return settings
+
+    @property
+    def fields(self) -> dict[bytes, bytes]:
+        """The header fields by their names in lower case; of a repeated one, the last."""
+        try:
+            return self._fields
+        except AttributeError:
+            self._fields: dict[bytes, bytes] = dict(self.scope["headers"])
+            return self._fields
+
+    async def body(self) -> bytes:
+        """The whole body.
+
+        Raises:
+            BodySizeError: it is, or says that it is, longer than this route's limit.
+        """
+        if not hasattr(self, "_body"):
+            self._body = await self._bounded(self.body_limit or self.settings.body_limit)
+        return self._body
+
+    async def stream(self) -> AsyncGenerator[bytes, None]:
+        """The body in one piece, bounded like `body`."""
+        yield await self.body()
+
+    async def _bounded(self, limit: int) -> bytes:
+        announced = self.fields.get(b"content-length", b"")
+        if len(announced) > len(str(limit)) or (announced.isdigit() and int(announced) > limit):
+            raise _too_large(limit)
+        pieces: list[bytes] = []
+        received = 0
+        more = True
+        while more:
+            message = await self._receive()
+            if message["type"] == "http.disconnect":
+                raise ClientDisconnect
+            piece = message.get("body", b"")
+            received += len(piece)
+            if received > limit:
+                raise _too_large(limit)
+            pieces.append(piece)
+            more = message.get("more_body", False)
+        return pieces[0] if len(pieces) == 1 else b"".join(pieces)
+
+    @property
+    def brings_npy(self) -> bool:
+        """Whether the body says that it is an npy file."""
+        return self.fields.get(b"content-type", b"").partition(b";")[0].strip().lower() == _NPY
+
+    def media_type(self) -> str:
+        """The media type of the body, without parameters.
+
+        Raises:
+            MediaTypeError: the body is compressed, or in a character set other than UTF-8.
+        """
+        if self.headers.get("content-encoding", "identity") != "identity":
+            raise MediaTypeError(
+                Fault(
+                    code="content_encoding_unsupported",
+                    where=("Content-Encoding",),
+                ),
+                place=Place.HEADER,
+                headers={"Accept-Encoding": "identity"},
+            )
+        media_type, _, parameters = self.headers.get("content-type", "").partition(";")
+        for parameter in parameters.split(";"):
+            name, _, value = parameter.partition("=")
+            if name.strip().lower() == "charset" and value.strip(' "').lower() not in _UTF8:
+                raise MediaTypeError(
+                    Fault(
+                        code="charset_unsupported",
+                        where=("Content-Type",),
+                        params={"charset": value.strip(' "')},
+                    ),
+                    place=Place.HEADER,
+                )
+        return media_type.strip().lower()
+
+    async def json(self, *others: str) -> Any:
+        """The body's value, from a body that says it is JSON.
+
+        Args:
+            others: further media types that the call reads, for the refusal to name.
+
+        Raises:
+            MediaTypeError: the body does not say that it is JSON.
+            BodyError: it is not JSON.
+        """
+        if not hasattr(self, "_json"):
+            if self.fields.get(b"content-type") != _JSON or b"content-encoding" in self.fields:
+                self._require_json(others)
+            body = await self.body()
+            self._json = decode_json(body) if len(body) < LARGE_BODY else await run_sync(decode_json, body)
+        return self._json
+
+    def accepts(self, *offers: str) -> str:
+        """The offered media type that the caller prefers.
+
+        Raises:
+            NotAcceptableError: the caller accepts none of them.
+        """
+        if self.fields.get(b"accept", _ANYTHING) == _ANYTHING:
+            return offers[0]
+        chosen = preferred_media_type(", ".join(self.headers.getlist("accept")), offers)
+        if chosen is None:
+            raise NotAcceptableError(
+                Fault(
+                    code="not_acceptable",
+                    where=("Accept",),
+                    params={"offers": offers},
+                ),
+                place=Place.HEADER,
+            )
+        return chosen
+
+    def _require_json(self, others: Sequence[str]) -> None:
+        media_type = self.media_type()
+        is_json = media_type == JSON or (
+            media_type.startswith("application/") and media_type.endswith("+json")
+        )
+        if not is_json:
+            raise unsupported_media_type(media_type, JSON, *others)
+
+
+class Written(Response):
+    """A response of known bytes, made with no more work than that."""
+
+    def __init__(self, body: bytes, media_type: str = JSON) -> None:
+        self.status_code = 200
+        self.body = body
+        self.background = None
+        self.raw_headers = [
+            (b"content-length", b"%d" % len(body)),
+            (b"content-type", media_type.encode("latin-1")),
+        ]
+
+
+class ApiRoute(APIRoute):
+    """A route of the API: strict JSON in, JSON out."""
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """The handler that FastAPI made, given a request whose body has been read strictly."""
+        inner = super().get_route_handler()
+        has_body = self.body_field is not None
+
+        async def handler(request: Request) -> Response:
+            strict = ApiRequest(request.scope, request.receive, request._send)
+            if has_body:
+                await strict.json()
+            return await inner(strict)
+
+        return handler
+
+
+class DirectRoute(ApiRoute):
+    """A route whose endpoint takes an `ApiRequest` and gives a `Response`, with nothing in between.
+
+    For the calls whose own work takes microseconds. What OpenAPI says of them is declared beside the endpoint
+    (`service.http.openapi.request_body` and `response_model`).
+    """
+
+    def __init__(self, path: str, endpoint: Callable[..., Awaitable[Response]], **options: Any) -> None:
+        super().__init__(path, endpoint, **options)
+
+        async def direct(scope: Scope, receive: Receive, send: Send) -> None:
+            response = await endpoint(ApiRequest(scope, receive, send))
+            await response(scope, receive, send)
+
+        self.app = direct
+
+
+def api_router(*tags: str | Enum, route_class: type[ApiRoute] = ApiRoute) -> APIRouter:
+    """A router under /api/v1 whose routes read their requests strictly."""
+    return APIRouter(prefix=API_PREFIX, tags=list(tags), route_class=route_class)
+
+
+def unsupported_media_type(media_type: str, *offers: str) -> MediaTypeError:
+    """The refusal of a body in a media type that a call does not read."""
+    return MediaTypeError(
+        Fault(
+            code="media_type_unsupported",
+            where=("Content-Type",),
+            params={"given": media_type or "none", "offers": offers},
+        ),
+        place=Place.HEADER,
+        headers={"Accept-Post": ", ".join(offers)},
+    )
+
+
+def _too_large(limit: int) -> BodySizeError:
+    return BodySizeError(
+        Fault(
+            code="body_too_large",
+            params={"limit": limit},
+        )
+    )

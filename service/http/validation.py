@@ -1,0 +1,154 @@
+"""Pydantic's findings as faults: stable codes, JSON pointers, sentences that say what would be right."""
+
+from __future__ import annotations
+
+import types
+from collections.abc import Iterable, Sequence
+from typing import Any, Union, get_args, get_origin
+
+from pydantic import BaseModel, TypeAdapter, ValidationError
+from pydantic_core import ErrorDetails
+from pydantic_core.core_schema import ErrorType
+
+from kinematics.errors import Fault, ParamValue
+from service.http.problems import Place, RequestError
+
+CODES: dict[str, str] = {
+    "missing": "field_missing",
+    "extra_forbidden": "field_unknown",
+    "float_type": "number_expected",
+    "float_parsing": "number_expected",
+    "finite_number": "number_not_finite",
+    "int_type": "integer_expected",
+    "int_parsing": "integer_expected",
+    "int_from_float": "integer_expected",
+    "bool_type": "boolean_expected",
+    "bool_parsing": "boolean_expected",
+    "string_type": "string_expected",
+    "list_type": "list_expected",
+    "tuple_type": "list_expected",
+    "set_type": "list_expected",
+    "frozen_set_type": "list_expected",
+    "dict_type": "object_expected",
+    "model_type": "object_expected",
+    "model_attributes_type": "object_expected",
+    "dataclass_type": "object_expected",
+    "literal_error": "value_not_allowed",
+    "enum": "value_not_allowed",
+    "too_long": "list_too_long",
+    "too_short": "list_too_short",
+    "string_too_long": "string_too_long",
+    "string_too_short": "string_too_short",
+    "string_pattern_mismatch": "string_pattern",
+    "greater_than": "number_too_small",
+    "greater_than_equal": "number_too_small",
+    "less_than": "number_too_large",
+    "less_than_equal": "number_too_large",
+    "none_required": "null_expected",
+}
+CHOICE = "\0"
+"""Begins the tags of a union's branches, which are no part of the place of a fault."""
+
+_PYDANTIC_TYPES = frozenset(get_args(ErrorType))
+_BOUNDS = ("ge", "gt", "le", "lt")
+_PLACES = {place.value: place for place in Place}
+
+
+def validated(adapter: TypeAdapter[Any], value: object) -> Any:
+    """The value as the adapter's type.
+
+    Raises:
+        RequestError: it does not have that form; all faults at once.
+    """
+    try:
+        return adapter.validate_python(value)
+    except ValidationError as error:
+        raise RequestError(faults_of(error.errors(include_url=False, include_input=False), adapter)) from None
+
+
+def faults_of(errors: Iterable[ErrorDetails], model: Any = None) -> tuple[Fault, ...]:
+    """One fault for each of pydantic's findings, at its place below the validated value."""
+    return tuple(_fault(error, _place(error["loc"]), model) for error in errors)
+
+
+def request_error(errors: Sequence[Any], body_model: Any = None) -> RequestError:
+    """The refusal of a request that FastAPI found wrong, in its body, query, path or headers."""
+    faults: dict[Place, list[Fault]] = {}
+    for error in errors:
+        head, *rest = error["loc"] or ("body",)
+        place = _PLACES.get(str(head), Place.BODY)
+        model = body_model if place is Place.BODY else None
+        faults.setdefault(place, []).append(_fault(error, _place(rest), model))
+    first = next(iter(faults))
+    return RequestError(faults[first], place=first)
+
+
+def _fault(error: ErrorDetails, where: tuple[int | str, ...], model: Any) -> Fault:
+    kind, context = error["type"], error.get("ctx") or {}
+    code = CODES.get(kind, kind if kind not in _PYDANTIC_TYPES else "value_invalid")
+    if code == "object_expected" and not where:
+        code = "body_not_object"
+    params: dict[str, ParamValue] = {"field": _name(where)}
+    params |= {name: _plain(value) for name, value in context.items() if name != "error"}
+    if code == "field_unknown":
+        allowed = _fields_at(model, where[:-1])
+        params["allowed"] = tuple(allowed)
+    elif code in ("number_too_small", "number_too_large"):
+        params = {"limit": next(_plain(context[name]) for name in _BOUNDS if name in context)}
+    elif code in ("list_too_long", "string_too_long"):
+        params = {"limit": _plain(context["max_length"])}
+    elif code in ("list_too_short", "string_too_short"):
+        params = {"limit": _plain(context["min_length"])}
+    elif code == "value_not_allowed":
+        params = {"expected": str(context.get("expected", ""))}
+    elif code == "string_pattern":
+        params = {"pattern": str(context.get("pattern", ""))}
+    elif code == "value_invalid":
+        params = {"reason": error["msg"]}
+    return Fault(code=code, where=where, params=params)
+
+
+def _name(where: Sequence[int | str]) -> str:
+    """The innermost named field, with the indices below it: joints[3][0]."""
+    named = max((i for i, step in enumerate(where) if isinstance(step, str)), default=0)
+    return "".join(f"[{step}]" if isinstance(step, int) else str(step) for step in where[named:])
+
+
+def _place(loc: Iterable[int | str]) -> tuple[int | str, ...]:
+    return tuple(step for step in loc if not str(step).startswith(CHOICE))
+
+
+def _plain(value: object) -> ParamValue:
+    return value if isinstance(value, (str, int, float, tuple)) else str(value)
+
+
+def _fields_at(model: Any, where: Sequence[int | str]) -> Iterable[str]:
+    """Names of the fields that an object at this place may have."""
+    if isinstance(model, TypeAdapter):
+        model = model._type
+    for step in where:
+        model = _below(model, step)
+    found = [candidate for candidate in _alternatives(model) if _is_model(candidate)]
+    return [info.alias or name for candidate in found for name, info in candidate.model_fields.items()]
+
+
+def _below(model: Any, step: int | str) -> Any:
+    for candidate in _alternatives(model):
+        if _is_model(candidate) and step in candidate.model_fields:
+            return candidate.model_fields[str(step)].annotation
+        arguments = get_args(candidate)
+        if arguments:
+            return arguments[0] if isinstance(step, int) else arguments[-1]
+    return None
+
+
+def _alternatives(model: Any) -> list[Any]:
+    if hasattr(model, "__metadata__"):
+        model = get_args(model)[0]
+    if get_origin(model) in (Union, types.UnionType):
+        return [part for choice in get_args(model) for part in _alternatives(choice)]
+    return [model]
+
+
+def _is_model(candidate: Any) -> bool:
+    return isinstance(candidate, type) and issubclass(candidate, BaseModel)

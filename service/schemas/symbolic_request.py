@@ -1,0 +1,171 @@
+"""POST /symbolic on the wire."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal, TypeAlias
+
+from pydantic import ConfigDict, Field, RootModel
+
+from kinematics.jacobian import JacobianFrame
+from kinematics.printing import Format, Notation
+from service.schemas.base import Matrix4, Real, Wire
+from service.schemas.examples import PUMA_560, TWO_LINKS
+from service.schemas.jacobian_request import JacobianAnswer, JacobianRequest
+from service.schemas.robots import RobotQuestion
+from service.schemas.tables import Units
+from service.wire.symbolic_forms import Part
+
+STANDARD_FORMATS = (Format.LATEX, Format.TEXT)
+STANDARD_PARTS = (Part.LINKS, Part.FRAMES, Part.TRANSFORM)
+
+Formats: TypeAlias = Annotated[
+    list[Annotated[Format, Field(strict=False)]],
+    Field(min_length=1, description="how matrices are written; latex and text if left out"),
+]
+SomeParameters: TypeAlias = Annotated[
+    dict[str, Real],
+    Field(description="values for some of the table's parameters, in its units; the others stay symbols"),
+]
+
+
+class WritingQuestion(RobotQuestion):
+    """Base of the calls that write matrices: a robot, and how."""
+
+    parameters: SomeParameters = Field(default_factory=dict)
+    base: Matrix4 | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: Matrix4 | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+    formats: Formats = Field(default_factory=lambda: list(STANDARD_FORMATS))
+    notation: Annotated[Notation, Field(strict=False)] = Field(
+        Notation.FULL, description="full: cos(q2 + q3); short: c23"
+    )
+
+
+class SymbolicRequest(WritingQuestion):
+    """A robot whose closed form is wanted."""
+
+    parts: list[Annotated[Part, Field(strict=False)]] | None = Field(
+        None, min_length=1, description="what is wanted; links, frames and transform if left out"
+    )
+    inverse: bool = Field(False, description="whether the inverse of the transform is wanted as well")
+    jacobian: bool = Field(False, description="whether the Jacobians J0 and Jn are wanted as well")
+
+    def wanted(self) -> tuple[Part, ...]:
+        """What is wanted, in the order of the enumeration."""
+        chosen = set(self.parts if self.parts is not None else STANDARD_PARTS)
+        chosen |= {Part.INVERSE} if self.inverse else set()
+        chosen |= {Part.JACOBIAN} if self.jacobian else set()
+        return tuple(part for part in Part if part in chosen)
+
+
+class SymbolicJacobianRequest(WritingQuestion):
+    """A robot whose Jacobians are wanted in closed form: no joint values."""
+
+    form: Literal["symbolic"] = Field(description="the word symbolic: closed forms, and no joint values")
+    frame: Annotated[JacobianFrame, Field(strict=False)] | None = Field(
+        None, description="base for J0 alone, end for Jn alone; both if left out"
+    )
+
+
+class WrittenMatrix(Wire):
+    """A matrix in the formats that were asked for."""
+
+    model_config = ConfigDict(populate_by_name=True)
+
+    latex: str | None = Field(None, description="a bmatrix environment, without dollar signs")
+    mathml: str | None = Field(None, description="one math element: presentation, annotated with content")
+    text: list[list[str]] | None = Field(None, description="rows of infix expressions")
+    json_: list[list[dict[str, Any]]] | None = Field(
+        None, alias="json", description="rows of expression trees: a type, and what belongs to it"
+    )
+    python: str | None = Field(None, description="a function of q and the parameters, with the module math")
+    numpy: str | None = Field(None, description="the same for one configuration or a batch")
+    c: str | None = Field(None, description="the same in C99; the matrix is the last argument")
+    matlab: str | None = Field(None, description="the same in MATLAB and Octave")
+    javascript: str | None = Field(None, description="the same in JavaScript")
+
+
+class WrittenJacobians(Wire):
+    """Jacobians, 6×n: three linear rows, three angular rows."""
+
+    J0: WrittenMatrix | None = Field(None, description="in the axes of the world")
+    Jn: WrittenMatrix | None = Field(None, description="in the axes of the end frame")
+
+
+class WritingAnswer(Units):
+    """What every answer with written matrices says.
+
+    Angles stand in radians in the matrices and in the functions' arguments, whatever the table's angle unit:
+    π/2 is a right angle.
+    """
+
+    variables: list[str] = Field(description="the joint variables, in joint order")
+    parameters: list[str] = Field(
+        description="the parameters that are left; functions take them in this order"
+    )
+    notation: str = Field(description="full or short")
+    symbols: dict[str, str] | None = Field(None, description="what the short names stand for")
+
+
+class SymbolicAnswer(WritingAnswer):
+    """Closed forms, nested from the last joint to the first, angles of parallel joints added."""
+
+    operations: int | None = Field(None, description="operations in the transform, counted as written")
+    links: list[WrittenMatrix] | None = Field(
+        None, description="for each row the pose of frame i in frame i-1"
+    )
+    frames: list[WrittenMatrix] | None = Field(
+        None, description="for each row the pose of frame i in the world, base included"
+    )
+    transform: WrittenMatrix | None = Field(None, description="⁰T_N, base and tool included")
+    inverse: WrittenMatrix | None = Field(None, description="the inverse of the transform")
+    jacobian: WrittenJacobians | None = None
+
+
+class JacobianBody(RootModel[JacobianRequest | SymbolicJacobianRequest]):
+    """A question about Jacobians, in numbers or in closed form."""
+
+
+class SymbolicJacobianAnswer(WritingAnswer, WrittenJacobians):
+    """Jacobians in closed form."""
+
+
+class JacobianReply(RootModel[JacobianAnswer | SymbolicJacobianAnswer]):
+    """Jacobians in numbers or in closed form."""
+
+
+PUMA_LENGTHS: dict[str, Any] = {
+    **PUMA_560,
+    "rows": [
+        {**row, **cells}
+        for row, cells in zip(
+            PUMA_560["rows"],
+            [{}, {"a": "a2"}, {"a": "a3", "d": "d3"}, {"d": "d4"}, {}, {}],
+            strict=True,
+        )
+    ],
+}
+
+SYMBOLIC_JACOBIAN: dict[str, Any] = {
+    "PUMA 560 in closed form, no joint values": {
+        "form": "symbolic",
+        "robot": "puma560",
+        "notation": "short",
+        "formats": ["latex", "text"],
+    },
+}
+
+SYMBOLIC: dict[str, Any] = {
+    "PUMA 560 with its lengths as symbols": {
+        "table": PUMA_LENGTHS,
+        "formats": ["latex", "text"],
+        "notation": "short",
+    },
+    "two links as functions, one length given": {
+        "table": TWO_LINKS,
+        "parameters": {"L1": 0.4},
+        "formats": ["python", "c", "matlab", "javascript"],
+        "parts": ["transform"],
+        "inverse": True,
+        "jacobian": True,
+    },
+}

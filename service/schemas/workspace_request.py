@@ -1,0 +1,68 @@
+"""POST /workspace on the wire."""
+
+from __future__ import annotations
+
+from pydantic import Field
+
+from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.joint_limits import JointRanges
+from service.schemas.robots import RobotQuestion
+from service.schemas.tables import Units
+
+MOST_POINTS = 20_000
+
+
+class WorkspaceRequest(RobotQuestion):
+    """A robot whose reach is asked for."""
+
+    limits: JointRanges | None = Field(
+        None,
+        description="[least, greatest] of each joint in the table's units, null where there is none; left "
+        "out, those of the catalogue's robot, else none. A revolute joint then turns fully, a sliding one "
+        "needs both",
+    )
+    samples: int | None = Field(
+        None, ge=1, le=MOST_POINTS, description="number of points for a plot; without it none are sent"
+    )
+    base: Matrix4 | None = Field(None, description="pose of frame 0 in the world: moves box and points")
+    tool: Matrix4 | None = Field(None, description="pose of the end frame in frame N")
+
+
+class Radius(Wire):
+    """A radius, measured in two ways."""
+
+    axis: Real = Field(description="at right angles from the axis of the first joint")
+    origin: Real = Field(description="from the origin of frame 0")
+
+
+class RadiusJoints(Wire):
+    """Configurations that have a radius."""
+
+    axis: list[Real]
+    origin: list[Real]
+
+
+class Reached(Wire):
+    """For every radius a configuration that has it, q_1 … q_n: anyone can check it."""
+
+    inner_radius: RadiusJoints
+    outer_radius: RadiusJoints
+
+
+class Box(Wire):
+    """The smallest box along the axes of the world that holds the workspace."""
+
+    min: Vector3
+    max: Vector3
+
+
+class WorkspaceAnswer(Units):
+    """Where the origin of the end frame can be."""
+
+    inner_radius: Radius = Field(description="the least distances")
+    outer_radius: Radius = Field(description="the greatest distances")
+    box: Box
+    reached: Reached
+    points: list[Vector3] | None = Field(
+        None, description="places in the world, spread evenly over the joints' ranges"
+    )

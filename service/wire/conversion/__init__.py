@@ -1,0 +1,47 @@
+"""POST /convert: from one description of a robot to another.
+
+A *source* reads a description into a `Described` robot, a *target* writes one. Every source meets every
+target.
+
+To add a source, give `service.schemas.conversion.ConvertRequest` a field for it and `SOURCES` a reader under
+that field's name; to add a target, give `Target` a name and `TARGETS` a writer.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from service.schemas.conversion import ConvertAnswer, ConvertRequest, Target
+from service.settings import Settings
+from service.wire.conversion.described import Described
+from service.wire.conversion.dh_tables import described_table, table_answer
+from service.wire.conversion.products import product_answer
+from service.wire.conversion.scm_chains import described_chain
+from service.wire.conversion.urdf_files import described_urdf, urdf_answer
+
+Source = Callable[[ConvertRequest, Settings], Described]
+Writer = Callable[[Described, ConvertRequest], ConvertAnswer]
+
+SOURCES: Mapping[str, Source] = {
+    "table": described_table,
+    "robot": described_table,
+    "scm": described_chain,
+    "urdf": described_urdf,
+}
+
+TARGETS: Mapping[Target, Writer] = {
+    Target.STANDARD: table_answer,
+    Target.MODIFIED: table_answer,
+    Target.POE: product_answer,
+    Target.URDF: urdf_answer,
+}
+
+
+def converted(request: ConvertRequest, settings: Settings) -> ConvertAnswer:
+    """The answer to a request that names exactly one source.
+
+    Raises:
+        KinematicsError: the description cannot be read, or not be written in the other form.
+    """
+    source = next(name for name in SOURCES if getattr(request, name) is not None)
+    return TARGETS[request.to](SOURCES[source](request, settings), request)

@@ -1,0 +1,167 @@
+"""DH tables: read from the wire or the catalogue, written in either convention."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from kinematics import catalogue
+from kinematics.cells import ParameterKind, RawTable, ReadTable, bind_parameters, read_table
+from kinematics.conversion import XScrew, convert, fixed_row
+from kinematics.expressions import ONE, ZERO, Expression, Function, call, evaluate, negate, parameters_in
+from kinematics.links import Transform, link_transform
+from kinematics.printing.notation import Names
+from kinematics.printing.text import text_writer
+from kinematics.table import Convention, DHTable
+from service.http.problems import located
+from service.schemas.conversion import ConvertRequest, TableAnswer
+from service.schemas.tables import Row, Table
+from service.settings import Settings
+from service.wire.conversion.described import Described
+from service.wire.prepared_robots import listed_robot, robot_of
+from service.wire.written_tables import CELL_KINDS, VARIABLE_CELL, Spellings, TableWriter, WireCell
+
+Matrix = list[list[WireCell]]
+
+
+def described_table(request: ConvertRequest, settings: Settings) -> Described:
+    """The robot of a table, or of the catalogue.
+
+    Raises:
+        KinematicsError: the table cannot be read, or the parameters that were given do not fit.
+    """
+    name: str | None = None
+    limits = None
+    if request.table is None:
+        listed = listed_robot(str(request.robot))
+        name, limits = listed.id, _listed_limits(listed)
+        raw, read = listed.raw, listed.table
+        parameters: Mapping[str, float] | None = {**listed.parameters, **(request.parameters or {})}
+    else:
+        raw = request.table.raw()
+        with located("table"):
+            read = read_table(raw, settings.cell_limits)
+        parameters = request.parameters
+    if parameters is not None:
+        robot_of(read, parameters)
+    return Described(
+        read=read,
+        parameters=parameters,
+        spellings=_spellings(raw, read),
+        variable_cells=_variable_cells(raw, read),
+        name=name,
+        limits=limits,
+    )
+
+
+def _listed_limits(listed: catalogue.Robot) -> tuple[tuple[float, float], ...] | None:
+    """The limits of a robot of the catalogue, in [rad] and its length unit."""
+    if listed.limits is None:
+        return None
+    units = robot_of(listed.table, listed.parameters).joint_units
+    return tuple((low * unit, high * unit) for (low, high), unit in zip(listed.limits, units, strict=True))
+
+
+def table_answer(robot: Described, request: ConvertRequest) -> TableAnswer:
+    """The robot's table in a convention, its entries moved and never computed.
+
+    Raises:
+        ParameterError: a parameter of base or tool has no finite value.
+    """
+    converted = convert(robot.read.table, Convention(request.to.value))
+    writer = TableWriter(
+        angle_unit=robot.read.angle_unit,
+        length_unit=robot.read.length_unit,
+        spellings=robot.spellings,
+        variable_cells=robot.variable_cells,
+    )
+    table = writer.table(converted.table)
+    return TableAnswer(
+        angle_unit=robot.read.angle_unit.value,
+        length_unit=robot.read.length_unit.value,
+        table=Table.model_validate(table),
+        base=_matrix(converted.base, robot, before=robot.base),
+        tool=_matrix(converted.tool, robot, behind=robot.tool),
+        base_row=_row(converted.base, writer, robot.base),
+        tool_row=_row(converted.tool, writer, robot.tool),
+        joint_names=None if robot.joint_names is None else list(robot.joint_names),
+        limits=_limits(robot) if robot.joint_names is not None else None,
+    )
+
+
+def _limits(robot: Described) -> list[list[float] | None]:
+    return [None if pair is None else list(pair) for pair in robot.limits or ()]
+
+
+def _matrix(
+    screw: XScrew[Expression] | None,
+    robot: Described,
+    *,
+    before: Transform | None = None,
+    behind: Transform | None = None,
+) -> Matrix:
+    """Before · screw · behind: numbers where all is known, else expressions."""
+    motion = np.eye(4)
+    if screw is not None:
+        if robot.parameters is None and parameters_in(screw.a) | parameters_in(screw.alpha):
+            return _expressions(screw)
+        motion = _motion(screw, robot)
+    if before is not None:
+        motion = before @ motion
+    if behind is not None:
+        motion = motion @ behind
+    written: Matrix = (motion + 0.0).tolist()
+    return written
+
+
+def _motion(screw: XScrew[Expression], robot: Described) -> Transform:
+    """The motion with the robot's parameters, bound as a row of its table is; without them it needs none."""
+    table = DHTable(convention=robot.read.table.convention, rows=(fixed_row(screw),))
+    needed = {} if robot.parameters is None else robot.read.parameters
+    bound = bind_parameters(replace(robot.read, table=table, parameters=needed), robot.parameters or {})
+    return link_transform(bound.rows[0], bound.convention)
+
+
+def _expressions(screw: XScrew[Expression]) -> Matrix:
+    """Trans_x(a) Rot_x(alpha), written with its parameters."""
+    cosine, sine = call(Function.COS, screw.alpha), call(Function.SIN, screw.alpha)
+    entries = (
+        (ONE, ZERO, ZERO, screw.a),
+        (ZERO, cosine, negate(sine), ZERO),
+        (ZERO, sine, cosine, ZERO),
+        (ZERO, ZERO, ZERO, ONE),
+    )
+    return [[_entry(entry) for entry in row] for row in entries]
+
+
+def _entry(entry: Expression) -> WireCell:
+    if parameters_in(entry):
+        return text_writer(Names()).text(entry)
+    return evaluate(entry) + 0.0
+
+
+def _row(screw: XScrew[Expression] | None, writer: TableWriter, other: Transform) -> Row | None:
+    """The motion as a fixed row, unless something else stands beside it."""
+    if screw is None or not np.array_equal(other, np.eye(4)):
+        return None
+    return Row.model_validate(writer.row(fixed_row(screw)))
+
+
+def _spellings(raw: RawTable, read: ReadTable) -> Spellings:
+    """How the constant entries were written."""
+    found: dict[tuple[ParameterKind, Expression], WireCell] = {}
+    for row, entries in zip(raw.rows, read.table.rows, strict=True):
+        for name, kind in CELL_KINDS.items():
+            if VARIABLE_CELL.get(entries.joint) != name:
+                found.setdefault((kind, getattr(entries, name)), getattr(row, name))
+    return found
+
+
+def _variable_cells(raw: RawTable, read: ReadTable) -> dict[int, WireCell]:
+    """How the cells with the joint variables were written, by the number of the joint."""
+    return {
+        joint: getattr(raw.rows[i], VARIABLE_CELL[read.table.rows[i].joint])
+        for joint, i in enumerate(read.table.joint_rows, 1)
+    }

@@ -1,0 +1,71 @@
+"""URDF descriptions: one serial chain of them read, tables written."""
+
+from __future__ import annotations
+
+from kinematics.cells import AngleUnit, LengthUnit, ReadTable
+from kinematics.frames.exactness import exact_table
+from kinematics.table import Convention
+from kinematics.urdf import table_from_urdf, urdf_from_table
+from service.http.problems import located
+from service.schemas.conversion import ConvertRequest, Target, UrdfAnswer
+from service.schemas.joint_limits import domain_limits
+from service.settings import Settings
+from service.wire.conversion.described import Described
+from service.wire.fault_pointers import traced
+from service.wire.prepared_robots import robot_of
+
+
+def described_urdf(request: ConvertRequest, _settings: Settings) -> Described:
+    """The robot of a chain of a URDF description, by frames assigned to its joint axes.
+
+    Raises:
+        DescriptionError: the description cannot be read, or the chain is none that a DH table can hold.
+    """
+    convention = Convention.STANDARD if request.to is Target.STANDARD else Convention.MODIFIED
+    with located("urdf"):
+        robot = table_from_urdf(
+            str(request.urdf), convention, base_link=request.base_link, tip_link=request.tip_link
+        )
+    read = ReadTable(
+        table=exact_table(robot.table),
+        angle_unit=AngleUnit.RAD,
+        length_unit=LengthUnit.M,
+        parameters={},
+    )
+    return Described(
+        read=read,
+        base=robot.base,
+        tool=robot.tool,
+        name=robot.name if robot.name.strip() and robot.name.isprintable() else None,
+        joint_names=robot.joints,
+        limits=robot.limits,
+    )
+
+
+def urdf_answer(robot: Described, request: ConvertRequest) -> UrdfAnswer:
+    """The URDF description of a robot whose parameters all have values.
+
+    Raises:
+        ParameterError: a parameter has no value.
+        JointValueError: limits of the wrong number, or reversed.
+        DescriptionError: a length that no reader of URDF takes.
+    """
+    prepared = robot_of(robot.read, robot.parameters or {})
+    limits = domain_limits(request.limits, prepared.joint_units)
+    with traced(request):
+        written = urdf_from_table(
+            prepared.table,
+            name=request.name or robot.name or "robot",
+            base=robot.base,
+            tool=robot.tool,
+            limits=robot.limits if limits is None else limits,
+            metres_per_unit=float(robot.read.length_unit.metres_per_unit),
+        )
+    return UrdfAnswer(
+        angle_unit=AngleUnit.RAD.value,
+        length_unit=LengthUnit.M.value,
+        urdf=written.text,
+        base_link=written.base_link,
+        tip_link=written.tip_link,
+        assumed_limits=list(written.assumed_limits),
+    )

@@ -1,0 +1,94 @@
+"""Joint values from the wire: in the request's units, one configuration or a batch, within the limits."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.errors import Fault, JointValueError
+from service.http.problems import BodySizeError, RequestError
+from service.wire.prepared_robots import Robot
+
+Floats = NDArray[np.float64]
+
+_NUMBERS = {float, int}
+
+
+def plain_configuration(joints: Any, robot: Robot) -> list[float] | None:
+    """One configuration in [rad] and length units, if the value is a list of just that many numbers."""
+    units = robot.joint_units
+    if type(joints) is list and len(joints) == len(units) and _NUMBERS.issuperset(map(type, joints)):
+        return [value * unit for value, unit in zip(joints, units, strict=True)]
+    return None
+
+
+def read_joints(joints: list[Any], robot: Robot, batch_limit: int) -> list[float] | Floats:
+    """Validated joint values in [rad] and length units.
+
+    Raises:
+        JointValueError: a configuration of the wrong length, at its place.
+        BodySizeError: more configurations than the limit.
+    """
+    if not joints or not isinstance(joints[0], list):
+        _refuse_lengths([(len(joints), ("joints",))], robot)
+        return [value * unit for value, unit in zip(joints, robot.joint_units, strict=True)]
+    refuse_large_batch(len(joints), batch_limit)
+    _refuse_lengths([(len(one), ("joints", i)) for i, one in enumerate(joints)], robot)
+    batch: Floats = np.array(joints, dtype=np.float64).reshape(len(joints), -1) * np.array(robot.joint_units)
+    return batch
+
+
+def read_array(array: Floats, robot: Robot, batch_limit: int) -> list[float] | Floats:
+    """An array of joint values in [rad] and length units; one dimension is one configuration.
+
+    Raises:
+        JointValueError: configurations of the wrong length.
+        RequestError: neither one nor two dimensions.
+        BodySizeError: more configurations than the limit.
+    """
+    if array.ndim not in (1, 2):
+        raise RequestError(
+            Fault(
+                code="joints_wrong_dimensions",
+                where=("joints",),
+                params={"dimensions": array.ndim},
+            )
+        )
+    _refuse_lengths([(array.shape[-1], ("joints",))], robot)
+    if array.ndim == 1:
+        return [value * unit for value, unit in zip(array.tolist(), robot.joint_units, strict=True)]
+    refuse_large_batch(len(array), batch_limit)
+    return array if set(robot.joint_units) <= {1.0} else array * np.array(robot.joint_units)
+
+
+def refuse_large_batch(given: int, limit: int) -> None:
+    """Make sure that a batch has no more configurations than are computed in one request.
+
+    Raises:
+        BodySizeError: it has.
+    """
+    if given > limit:
+        raise BodySizeError(
+            Fault(
+                code="batch_too_large",
+                where=("joints",),
+                params={"given": given, "limit": limit},
+            )
+        )
+
+
+def _refuse_lengths(found: list[tuple[int, tuple[str | int, ...]]], robot: Robot) -> None:
+    expected = len(robot.joint_units)
+    faults = [
+        Fault(
+            code="joints_wrong_length",
+            where=where,
+            params={"expected": expected, "given": given},
+        )
+        for given, where in found
+        if given != expected
+    ]
+    if faults:
+        raise JointValueError(faults)

@@ -1,0 +1,151 @@
+"""A question about a robot at given joint values: all JSON, or joints as npy and the rest in the query."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, Generic, TypeVar
+
+import numpy as np
+from anyio.to_thread import run_sync
+from numpy.typing import NDArray
+from pydantic import TypeAdapter
+from starlette.responses import Response
+
+from kinematics.errors import Fault
+from service.http.decoding import decode_json
+from service.http.npy import read_npy
+from service.http.problems import BodyError, Place, RequestError
+from service.http.routing import LARGE_BODY, NPY, ApiRequest, Written
+from service.http.validation import validated
+from service.schemas.robots import RobotQuestion
+from service.wire.joint_values import plain_configuration, read_array, read_joints
+from service.wire.prepared_robots import Preparation, Robot
+from service.work.batches import BatchResponse
+from service.work.limiters import Work, gate_for
+
+_SMALL = 64
+_PLAIN = {"table", "robot", "parameters", "joints"}
+
+
+Question = TypeVar("Question", bound=RobotQuestion)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Asked(Generic[Question]):
+    """A validated question.
+
+    Attributes:
+        wire: what was asked, apart from the joints; None of a plain request, which says nothing else.
+        robot: the robot.
+        joints: q_1 … q_n, or (m, n) of them, in [rad] and in the table's length unit.
+    """
+
+    wire: Question | None
+    robot: Robot
+    joints: list[float] | NDArray[np.float64]
+
+
+class Reader(Generic[Question]):
+    """Reads the questions of one call.
+
+    Attributes:
+        question: the shape of a question without its joints.
+        request: the same with its joints.
+    """
+
+    def __init__(self, question: type[Question], request: type[Question]) -> None:
+        self._question: TypeAdapter[Question] = TypeAdapter(question)
+        self._request: TypeAdapter[Question] = TypeAdapter(request)
+
+    async def read(self, request: ApiRequest) -> Asked[Question]:
+        """The question of a request, in either form.
+
+        Raises:
+            ServiceError: the request cannot be read, or is not of the call's shape.
+            KinematicsError: what it says cannot be meant.
+        """
+        request.body_limit = request.settings.batch_body_limit
+        preparation: Preparation = request.scope["app"].state.preparation
+        if request.brings_npy:
+            return await self._from_npy(request, preparation)
+        body = await request.json(NPY)
+        if len(await request.body()) >= LARGE_BODY:
+            return await run_sync(self._from_json, body, request, preparation)
+        return _recalled(body, preparation) or self._from_json(body, request, preparation)
+
+    def _from_json(self, body: Any, request: ApiRequest, preparation: Preparation) -> Asked[Question]:
+        wire = validated(self._request, body)
+        robot = preparation.prepare(wire, body)
+        joints = read_joints(wire.joints, robot, request.settings.batch_limit)
+        return Asked(wire=wire, robot=robot, joints=joints)
+
+    async def _from_npy(self, request: ApiRequest, preparation: Preparation) -> Asked[Question]:
+        request.media_type()
+        body = _in_query(request)
+        wire = validated(self._question, body)
+        robot = preparation.prepare(wire, body)
+        joints = read_array(read_npy(await request.body()), robot, request.settings.batch_limit)
+        return Asked(wire=wire, robot=robot, joints=joints)
+
+
+def _recalled(body: Any, preparation: Preparation) -> Asked[Any] | None:
+    """The question of a plain body about a robot that was prepared before: nothing is left to validate."""
+    if type(body) is not dict or not _PLAIN.issuperset(body):
+        return None
+    robot = preparation.recall(body)
+    joints = None if robot is None else plain_configuration(body.get("joints"), robot)
+    return None if robot is None or joints is None else Asked(wire=None, robot=robot, joints=joints)
+
+
+def _in_query(request: ApiRequest) -> Mapping[str, Any]:
+    given = request.query_params
+    if set(given) == {"robot"}:
+        return {"robot": given["robot"]}
+    if set(given) != {"request"}:
+        raise RequestError(
+            Fault(
+                code="query_missing",
+                where=("request",),
+            ),
+            place=Place.QUERY,
+        )
+    try:
+        body: Mapping[str, Any] = decode_json(given["request"].encode())
+    except BodyError as error:
+        raise BodyError(error.faults, place=Place.QUERY) from None
+    return body
+
+
+async def answered(
+    asked: Asked[Any],
+    request: ApiRequest,
+    media_type: str,
+    *,
+    blocks: Callable[[], Iterator[bytes | memoryview]],
+    check: Callable[[], None] | None = None,
+    length: int | None = None,
+) -> Response:
+    """The answer to a batch: a small one at once, a large one in a thread and sent while it is computed.
+
+    Args:
+        asked: the question.
+        request: the request.
+        media_type: of the answer.
+        blocks: the pieces of the answer.
+        check: makes sure that the answer exists, before anything is sent.
+        length: of all pieces together [byte], if it is known.
+    """
+    if len(asked.joints) <= _SMALL:
+        if check:
+            check()
+        return Written(b"".join(blocks()), media_type)
+    place = gate_for(Work.BATCH, request).enter()
+    try:
+        if check:
+            await place.run(check)
+    except BaseException:
+        place.leave()
+        raise
+    headers = None if length is None else {"Content-Length": str(length)}
+    return BatchResponse(blocks(), place, media_type, headers)

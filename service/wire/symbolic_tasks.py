@@ -1,0 +1,186 @@
+"""From a request for closed forms to a task for the workers; answers are kept."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any
+
+from pydantic import TypeAdapter
+
+from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name, parameter_values, read_table
+from kinematics.cells.exact import snapped
+from kinematics.expressions import Expression, pi_times
+from kinematics.jacobian import JacobianFrame
+from kinematics.scm import ReadChain
+from kinematics.symbolic.exact_poses import decimal, exact_pose
+from kinematics.symbolic.substitution import with_values
+from kinematics.table import table_parameters
+from kinematics.transforms import check_transform
+from service.http.problems import located
+from service.http.routing import NPY, ApiRequest, Written
+from service.http.validation import validated
+from service.schemas.symbolic_request import SymbolicJacobianRequest, WritingQuestion
+from service.settings import Settings
+from service.wire.prepared_robots import listed_robot
+from service.wire.symbolic_forms import Part, Task, written_answer, written_jacobians
+from service.work.workers import Lane, Workers
+
+_JACOBIAN: TypeAdapter[SymbolicJacobianRequest] = TypeAdapter(SymbolicJacobianRequest)
+_KEPT_BYTES = 32 * 1024 * 1024
+_LARGEST_KEPT = 1024 * 1024
+
+
+class KeptAnswers:
+    """The latest answers, by what was asked."""
+
+    def __init__(self) -> None:
+        self._kept: OrderedDict[bytes, bytes] = OrderedDict()
+        self._bytes = 0
+
+    def recall(self, question: bytes) -> bytes | None:
+        """The answer to a question that was asked before."""
+        answer = self._kept.get(question)
+        if answer is not None:
+            self._kept.move_to_end(question)
+        return answer
+
+    def keep(self, question: bytes, answer: bytes) -> None:
+        """Keep an answer; the oldest ones make place for it."""
+        size = len(question) + len(answer)
+        if size > _LARGEST_KEPT or question in self._kept:
+            return
+        self._kept[question] = answer
+        self._bytes += size
+        while self._bytes > _KEPT_BYTES:
+            old_question, old_answer = self._kept.popitem(last=False)
+            self._bytes -= len(old_question) + len(old_answer)
+
+
+def task_of(
+    question: WritingQuestion,
+    settings: Settings,
+    *,
+    parts: tuple[Part, ...],
+    frames: tuple[JacobianFrame, ...] = tuple(JacobianFrame),
+) -> Task:
+    """What a validated request asks of the workers.
+
+    Raises:
+        KinematicsError: the table cannot be read, a parameter does not fit it, or base or tool is no pose.
+    """
+    read = _read(question, settings)
+    values = exact_values(read, question.parameters)
+    with located("table"):
+        table = with_values(read.table, values)
+    for name in ("base", "tool"):
+        matrix = getattr(question, name)
+        if matrix is not None:
+            check_transform(matrix, where=(name,))
+    parameters = table_parameters(table)
+    return Task(
+        table=table,
+        parameters=parameters,
+        parts=parts,
+        frames=frames,
+        formats=tuple(dict.fromkeys(question.formats)),
+        notation=question.notation,
+        base=None if question.base is None else exact_pose(question.base),
+        tool=None if question.tool is None else exact_pose(question.tool),
+        head={
+            "angle_unit": read.angle_unit.value,
+            "length_unit": read.length_unit.value,
+            "variables": [f"q{joint}" for joint in range(1, table.n_joints + 1)],
+            "parameters": list(parameters),
+            "notation": question.notation.value,
+        },
+    )
+
+
+async def answered(
+    request: ApiRequest, task: Task, question: bytes, write: Callable[[Task], bytes] = written_answer
+) -> Written:
+    """The answer to a task, from a worker process.
+
+    Args:
+        request: whose application has the workers.
+        task: what is asked.
+        question: what the answer is kept under.
+        write: what the worker does.
+    """
+    lane = Lane.QUICK if task.is_quick() else Lane.SLOW
+    answer = await workers_of(request).run(lane, write, task)
+    kept_answers(request).keep(question, answer)
+    return Written(answer)
+
+
+async def symbolic_body(request: ApiRequest) -> Mapping[str, Any] | None:
+    """The body of a request that says "form": "symbolic"; None of any other."""
+    if request.brings_npy:
+        return None
+    request.body_limit = request.settings.batch_body_limit
+    body = await request.json(NPY)
+    return body if isinstance(body, dict) and body.get("form") == "symbolic" else None
+
+
+async def symbolic_jacobian(request: ApiRequest, body: Mapping[str, Any]) -> Written:
+    """The answer to a request for Jacobians that says "form": "symbolic".
+
+    Raises:
+        RequestError: the request is not of that shape.
+        KinematicsError: what it says cannot be meant.
+    """
+    question = b"jacobian" + await request.body()
+    known = kept_answers(request).recall(question)
+    if known is not None:
+        return Written(known)
+    async with workers_of(request).preparation:
+        wire = validated(_JACOBIAN, body)
+        frames = (wire.frame,) if wire.frame else tuple(JacobianFrame)
+        task = task_of(wire, request.settings, parts=(Part.JACOBIAN,), frames=frames)
+    return await answered(request, task, question, written_jacobians)
+
+
+def workers_of(request: ApiRequest) -> Workers:
+    """The application's worker processes."""
+    workers: Workers = request.app.state.workers
+    return workers
+
+
+def kept_answers(request: ApiRequest) -> KeptAnswers:
+    """The answers that the application keeps."""
+    state = request.app.state
+    if not hasattr(state, "symbolic_answers"):
+        state.symbolic_answers = KeptAnswers()
+    kept: KeptAnswers = state.symbolic_answers
+    return kept
+
+
+def _read(question: WritingQuestion, settings: Settings) -> ReadTable:
+    if question.table is None:
+        return listed_robot(str(question.robot)).table
+    with located("table"):
+        return read_table(question.table.raw(), settings.cell_limits)
+
+
+def exact_values(read: ReadTable | ReadChain, given: Mapping[str, Any]) -> dict[str, Expression]:
+    """Given values as exact expressions: decimals as typed, degrees as multiples of π.
+
+    Raises:
+        ParameterError: a value is not a finite number, or of a parameter that the robot does not have.
+    """
+    names = {name: canonical_name(name) for name in given}
+    wanted = {name: kind for name, kind in read.parameters.items() if name in names.values()}
+    parameter_values(wanted, read.angle_unit, given)
+    values: dict[str, Expression] = {}
+    for spelling, name in names.items():
+        assert name is not None
+        number = decimal(given[spelling])
+        if wanted[name] is ParameterKind.LENGTH:
+            values[name] = number
+        elif read.angle_unit is AngleUnit.DEG:
+            values[name] = pi_times(number.value / 180)
+        else:
+            values[name] = snapped(Fraction(number.value))
+    return values

@@ -1,0 +1,34 @@
+"""What cannot be graded is refused, and the refusal says that it cost no attempt."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from exercises.errors import ExerciseError, UnknownExerciseError
+from kinematics.errors import KinematicsError
+from service.http.problems import MessageId, NotFoundError, Place, RequestError, ServiceError
+
+MEMBERS = {"attempt_counted": False, "note": MessageId("problem-note-ungraded")}
+
+
+@contextmanager
+def answer_refused() -> Iterator[None]:
+    """Whatever is refused inside costs no attempt, and the problem document says so."""
+    try:
+        with known_exercise():
+            yield
+    except ServiceError as error:
+        error.members |= MEMBERS
+        raise
+    except (KinematicsError, ExerciseError) as error:
+        raise RequestError(error.faults, members=MEMBERS) from error
+
+
+@contextmanager
+def known_exercise() -> Iterator[None]:
+    """An exercise that does not exist is an address at which nothing is."""
+    try:
+        yield
+    except UnknownExerciseError as error:
+        raise NotFoundError(error.faults, place=Place.PATH) from error

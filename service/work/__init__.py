@@ -1,0 +1,1 @@
+"""Where work is done: limiters in front of threads, worker processes, batches sent while computed."""
