@@ -8,8 +8,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from functools import cache
-from itertools import combinations, product
+from functools import lru_cache
+from itertools import combinations, islice, product
 from typing import TypeAlias
 
 import numpy as np
@@ -36,9 +36,17 @@ from kinematics.table import SymbolicTable
 
 Matrix: TypeAlias = NDArray[np.float64]
 
+# what the arithmetic leaves of a certificate's entry is some 1e-12 of it; closed forms that are tried lie
+# much farther apart than this
 CLOSE = 1e-8
 DIGITS = 9
 _STEP = math.pi / 12
+# 16 atoms have 5 024 sums and differences of one to three: with more atoms fewer terms are tried, so that
+# the work, and the memory, of a request do not grow with the cube of its names
+MOST_SUMS = 6_000
+MOST_TERMS = 3
+# every one of them is evaluated at every draw, for every revolute joint
+MOST_ANGLE_SUMS = 300
 
 
 def length_atoms(tables: Iterable[SymbolicTable]) -> list[Expression]:
@@ -79,7 +87,7 @@ def _unweighted(term: Expression) -> Expression:
     return term
 
 
-@cache
+@lru_cache(maxsize=1)
 def _known_numbers() -> dict[int, Expression]:
     """Products of two cosines of multiples of π/12, and small rational numbers, by their value."""
     roots: dict[int, Expression] = {1: ONE}
@@ -118,9 +126,12 @@ class LengthForms:
             atoms: what the lengths may be sums of.
             draws: values of the parameters.
         """
-        self._atoms = atoms
-        self._values = np.array([[evaluate(atom, draw) for draw in draws] for atom in atoms])
-        self._sums = _few(len(atoms)) @ self._values if atoms else np.empty((0, len(draws)))
+        self._atoms = atoms[: MOST_SUMS // 2]
+        values = [[evaluate(atom, draw) for draw in draws] for atom in self._atoms]
+        self._values = np.array(values).reshape(len(self._atoms), len(draws))
+        which, signs = _sums(len(self._atoms))
+        padded = np.concatenate([self._values, np.zeros((1, len(draws)))])
+        self._sums = np.einsum("sk,skd->sd", signs, padded[which])
 
     def form(self, values: Sequence[float]) -> Expression | None:
         """The combination of atoms and of a decimal number that takes these values at the draws.
@@ -145,11 +156,11 @@ class LengthForms:
         return self._combination(np.array(values))
 
     def _sum(self, choice: int) -> Expression:
-        weights = _few(len(self._atoms))[choice].tolist()
+        which, signs = (table[choice].tolist() for table in _sums(len(self._atoms)))
         return add(
-            multiply((number(int(weight)), atom))
-            for weight, atom in zip(weights, self._atoms, strict=True)
-            if weight
+            multiply((number(int(sign)), self._atoms[atom]))
+            for atom, sign in zip(which, signs, strict=True)
+            if sign
         )
 
     def _combination(self, goal: Matrix) -> Expression | None:
@@ -176,24 +187,31 @@ def _decimal(value: float) -> Expression:
     return Number(Fraction(str(round(value, DIGITS))))
 
 
-@cache
-def _few(n: int) -> Matrix:
-    """Weights of the sums and differences of one to three of n atoms."""
-    rows = []
-    for k in (1, 2, 3):
+@lru_cache(maxsize=32)
+def _sums(n: int) -> tuple[NDArray[np.int16], NDArray[np.int8]]:
+    """Sums and differences of one to three of n atoms, or of as many as keep their number bounded.
+
+    Returns:
+        (sums, 3) the atoms of each, n standing for none, and (sums, 3) their signs, 0 for none.
+    """
+    which: list[list[int]] = []
+    signs: list[list[int]] = []
+    for k in range(1, MOST_TERMS + 1):
+        if len(which) + math.comb(n, k) * 2**k > MOST_SUMS:
+            break
         for chosen in combinations(range(n), k):
-            for signs in product((1.0, -1.0), repeat=k):
-                row = np.zeros(n)
-                row[list(chosen)] = signs
-                rows.append(row)
-    return np.array(rows)
+            for signed in product((1, -1), repeat=k):
+                which.append([*chosen, *[n] * (MOST_TERMS - k)])
+                signs.append([*signed, *[0] * (MOST_TERMS - k)])
+    shape = (len(which), MOST_TERMS)
+    return np.array(which, dtype=np.int16).reshape(shape), np.array(signs, dtype=np.int8).reshape(shape)
 
 
 def angle_form(
     values: Sequence[float], atoms: Sequence[Expression], draws: Sequence[Mapping[str, float]]
 ) -> Expression | None:
     """A multiple of π/12, plus or minus some of the atoms, that takes these values at these draws."""
-    for chosen in _choices(atoms):
+    for chosen in islice(_choices(atoms), MOST_ANGLE_SUMS):
         rest = [
             value - sum(sign * evaluate(atom, draw) for sign, atom in chosen)
             for value, draw in zip(values, draws, strict=True)
@@ -206,7 +224,7 @@ def angle_form(
     return None
 
 
-@cache
+@lru_cache(maxsize=24)
 def _multiple(steps: int) -> Expression:
     """steps·π/12 in (-π, π], of steps in 0 … 23."""
     half_turns = Fraction(steps, 12)

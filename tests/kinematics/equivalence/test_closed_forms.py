@@ -1,0 +1,124 @@
+"""Closed forms guessed from numbers: what is recognised, and that the work stays bounded."""
+
+from __future__ import annotations
+
+import math
+import tracemalloc
+
+import pytest
+
+from kinematics.equivalence.closed_forms import (
+    MOST_SUMS,
+    LengthForms,
+    angle_form,
+    known_number,
+)
+from kinematics.expressions import (
+    Expression,
+    Function,
+    Number,
+    Parameter,
+    add,
+    call,
+    evaluate,
+    multiply,
+    negate,
+    number,
+    pi_times,
+)
+
+DRAWS = 3
+
+
+def draws_of(names: list[str]) -> list[dict[str, float]]:
+    """Values of which no two sums are equal."""
+    return [
+        {name: math.sqrt(2 + 3 * k + draw) % 1 + 0.5 for k, name in enumerate(names)} for draw in range(DRAWS)
+    ]
+
+
+def names_of(n: int) -> list[str]:
+    return [f"L{i}" for i in range(n)]
+
+
+def form_of(n: int, expression: Expression) -> Expression | None:
+    names = names_of(n)
+    draws = draws_of(names)
+    forms = LengthForms([Parameter(name) for name in names], draws)
+    return forms.form([evaluate(expression, draw) for draw in draws])
+
+
+@pytest.mark.parametrize("n", [3, 10, 16])
+def test_sums_of_three_names_and_a_number_are_recognised(n: int) -> None:
+    one, two, three = (Parameter(f"L{i}") for i in (0, 1, n - 1))
+    for sum_ in (
+        one,
+        negate(three),
+        add((one, negate(two))),
+        add((one, negate(two), three)),
+        add((negate(one), two, three, Number(number(3).value / 8))),
+        number(0),
+        number(2),
+    ):
+        assert form_of(n, sum_) == sum_
+
+
+@pytest.mark.parametrize(("n", "terms"), [(17, 2), (54, 2), (200, 1), (3000, 1), (5000, 1)])
+def test_with_many_names_fewer_terms_are_tried(n: int, terms: int) -> None:
+    """The work is bounded: with sixty names all sums of three would take gigabytes."""
+    tracemalloc.start()
+    try:
+        names = names_of(n)
+        draws = draws_of(names)
+        forms = LengthForms([Parameter(name) for name in names], draws)
+        sum_ = add(Parameter(f"L{i}") for i in range(terms))
+        assert forms.form([evaluate(sum_, draw) for draw in draws]) == sum_
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert peak < 12e6
+    assert len(forms._sums) <= MOST_SUMS
+
+
+def test_what_is_no_sum_has_no_form() -> None:
+    product = multiply((Parameter("L0"), Parameter("L1")))
+    assert form_of(3, product) is None
+    assert form_of(0, number(5)) == number(5)
+
+
+def test_angles_are_multiples_of_fifteen_degrees_and_sums_of_names() -> None:
+    names = ["beta", "gamma"]
+    draws = draws_of(names)
+    atoms = [Parameter(name) for name in names]
+
+    def form(expression: Expression) -> Expression | None:
+        return angle_form([evaluate(expression, draw) for draw in draws], atoms, draws)
+
+    for angle in (
+        pi_times(0),
+        pi_times(1),
+        pi_times(-number(1).value / 12),
+        atoms[1],
+        add((pi_times(1), negate(atoms[0]))),
+        add((atoms[0], negate(atoms[1]))),
+    ):
+        found = form(angle)
+        assert found is not None
+        other = {"beta": 0.123, "gamma": 2.345}
+        assert evaluate(found, other) == pytest.approx(evaluate(angle, other), abs=1e-12)
+    assert form(multiply((number(3), atoms[0]))) is None
+
+
+def test_angle_sums_of_many_names_are_bounded() -> None:
+    names = names_of(500)
+    draws = draws_of(names)
+    atoms = [Parameter(name) for name in names]
+    assert angle_form([1.234567] * DRAWS, atoms, draws) is None
+
+
+@pytest.mark.parametrize("n", [2, 3, 6])
+def test_known_numbers(n: int) -> None:
+    root = call(Function.SQRT, number(n))
+    assert known_number(math.sqrt(n)) == root
+    assert known_number(-math.sqrt(n) / 4) == multiply((number(-1), Number(number(1).value / 4), root))
+    assert known_number(math.sqrt(n) / 7) is None
