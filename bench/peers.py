@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from kinematics.links import Transform
+from kinematics.se3 import Transform
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
 
 ALPHA = (math.pi / 2, 0.0, -math.pi / 2, math.pi / 2, -math.pi / 2, 0.0)

@@ -11,6 +11,7 @@ Conventions (order of products, signs, units) are set out in docs/conventions.md
 
 from kinematics.angles import cos_sin
 from kinematics.conversion import Conversion, XScrew, convert, screw_transform
+from kinematics.dh import link_transform
 from kinematics.errors import (
     CellError,
     DescriptionError,
@@ -23,7 +24,6 @@ from kinematics.errors import (
 )
 from kinematics.forward import ForwardKinematics, end_pose, end_poses, forward_kinematics
 from kinematics.jacobian import Dexterity, JacobianFrame, Mobility, dexterity, jacobian
-from kinematics.links import Transform, link_transform
 from kinematics.poses import (
     XYZABC,
     AxisAngle,
@@ -49,6 +49,7 @@ from kinematics.screws import (
     product_of_exponentials,
     table_of_product,
 )
+from kinematics.se3 import Transform, check_transform, inverse_transform
 from kinematics.table import (
     Convention,
     DHRow,
@@ -61,7 +62,6 @@ from kinematics.table import (
     bind,
     table_parameters,
 )
-from kinematics.transforms import check_transform, inverse_transform
 
 __all__ = [
     "XYZABC",

@@ -17,11 +17,14 @@ from numpy.typing import NDArray
 
 TWELFTH = math.pi / 12
 MOST_TWELFTHS = 24
+"""Two turns: as far as people write angles."""
 
 # cos(k·π/12) for k = 0 … 6, correctly rounded: 1, (√6+√2)/4, √3/2, √2/2, 1/2, (√6−√2)/4, 0.
 _COSINES = (1.0, 0.9659258262890683, 0.8660254037844386, 0.7071067811865476, 0.5, 0.25881904510252074, 0.0)
 _PI = Fraction("3.14159265358979323846264338327950288419716939937510")
 _NEARLY_INTEGER = 1e-13
+"""A sieve before the exact comparison: of the doubles in `_EXACT` none is 1e-14 from an integer number of
+twelfths."""
 
 
 def cos_sin(angle: float) -> tuple[float, float]:
@@ -34,6 +37,23 @@ def cos_sin(angle: float) -> tuple[float, float]:
         (cos, sin), correctly rounded for multiples of π/12.
     """
     return _EXACT.get(angle) or (math.cos(angle), math.sin(angle))
+
+
+def nearest_twelfth(angle: float, tolerance: float) -> int | None:
+    """Return k where an angle is k·π/12, or None where it is none.
+
+    Args:
+        angle: [rad].
+        tolerance: how far from k·π/12 it may be [rad].
+    """
+    k = round(angle / TWELFTH)
+    return k if abs(angle - twelfths(k)) <= tolerance else None
+
+
+def twelfths(k: int) -> float:
+    """Return k·π/12 [rad], the double that people write: k·π/12 in lowest terms."""
+    turn = Fraction(k, 12)
+    return turn.numerator * math.pi / turn.denominator
 
 
 def cos_sin_arrays(half: NDArray[np.float64], cos: NDArray[np.float64], sin: NDArray[np.float64]) -> None:

@@ -18,8 +18,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Generic
 
+from kinematics.dh import link_transform
 from kinematics.expressions import ZERO, Expression, add, evaluate
-from kinematics.links import Transform, link_transform
+from kinematics.se3 import Transform
 from kinematics.table import Convention, DHRow, DHTable, Entry, JointType
 
 

@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike
 
 from kinematics.evaluation.plan import Floats, Plan, Quantity, plan_of
 from kinematics.joint_values import configurations, many_configurations, one_configuration
-from kinematics.links import Transform
+from kinematics.se3 import Transform
 from kinematics.table import NumericTable
 
 

@@ -10,10 +10,10 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kinematics.chains import Chain
+from kinematics.dh import Kind
 from kinematics.evaluation.plan import Plan, Quantity, plan_of
+from kinematics.evaluation.recurrences import LinkMotions
 from kinematics.joint_values import configurations
-from kinematics.links import Kind
 from kinematics.table import JointType, NumericTable
 
 RANK_TOLERANCE = 1e-9
@@ -183,14 +183,14 @@ def _mobility(plain: Numbers, scaled: Numbers, sampled: Numbers, tolerance: floa
     )
 
 
-def characteristic_length(chain: Chain) -> float:
+def characteristic_length(chain: LinkMotions) -> float:
     """Sum of |a| and |d| over the rows [m]; 1 where all are zero."""
     shifts = (Kind.SHIFT_X, Kind.SHIFT_Z)
     constant = [m for link in chain.links for m in link if m.joint is None and m.kind in shifts]
     return sum(abs(motion.first) for motion in constant) or 1.0
 
 
-def _dimensionless(plain: Numbers, chain: Chain, length: float) -> Numbers:
+def _dimensionless(plain: Numbers, chain: LinkMotions, length: float) -> Numbers:
     rows = np.array([1 / length] * 3 + [1.0] * 3)[:, None]
     columns = np.array([length if kind is JointType.PRISMATIC else 1.0 for kind in chain.joint_types])
     scaled: Numbers = plain * rows * columns

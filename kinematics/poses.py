@@ -24,7 +24,7 @@ import numpy as np
 
 from kinematics.angles import cos_sin
 from kinematics.errors import Fault, ParamValue, PoseError
-from kinematics.links import Transform
+from kinematics.se3 import Transform
 
 GIMBAL_LOCK = 1e-12
 NOISE = 1e-15
@@ -81,7 +81,7 @@ def pose_notations(transform: Transform) -> PoseNotations:
     """Position and orientation of a pose in every notation at once.
 
     Args:
-        transform: (4, 4) rigid transform; it is not checked (see `transforms.check_transform`).
+        transform: (4, 4) rigid transform; it is not checked (see `se3.check_transform`).
     """
     r0, r1, r2, _ = transform.tolist()
     position = (r0[3], r1[3], r2[3])

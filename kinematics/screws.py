@@ -22,17 +22,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinematics.chains import joint_axes
 from kinematics.errors import DescriptionError, Fault
 from kinematics.evaluation.plan import plan_of
+from kinematics.evaluation.recurrences import joint_axes
 from kinematics.forward import end_pose
 from kinematics.frames.assignment import FrameAssignment, assign_frames
 from kinematics.frames.axes import JointAxis
 from kinematics.joint_values import one_configuration
-from kinematics.links import Transform, Vector, cross
 from kinematics.poses import Vector3, axis_angle_from_transform
+from kinematics.se3 import Transform, Vector, check_transform, cross
 from kinematics.table import Convention, JointType, NumericTable
-from kinematics.transforms import check_transform
 
 UNIT_TOLERANCE = 1e-9
 SERIES_BELOW = 1e-4

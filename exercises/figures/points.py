@@ -21,7 +21,7 @@ from exercises.figures.specification import (
 from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import Expression, evaluate
 from kinematics.forward import forward_kinematics
-from kinematics.links import Transform
+from kinematics.se3 import Transform
 from kinematics.table import SymbolicTable, bind
 
 

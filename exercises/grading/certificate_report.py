@@ -10,7 +10,7 @@ from exercises.grading.exact_text import angle_text, expression_text
 from exercises.grading.verdict import CertificateReport, ExactForms, Matrix4
 from kinematics.cells import AngleUnit, ParameterKind, ReadTable
 from kinematics.equivalence import Certificate, ExactCertificate
-from kinematics.links import Transform
+from kinematics.se3 import Transform
 from kinematics.table import JointType
 
 

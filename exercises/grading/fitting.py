@@ -12,9 +12,9 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 
 from exercises.grading.work import Work, with_cell
+from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
 from kinematics.equivalence.cell_fitting import fitted_cells
-from kinematics.equivalence.chains import chain_of
 from kinematics.equivalence.diagnosis import likely_signs
 from kinematics.equivalence.invariants import Invariant, Measure
 from kinematics.equivalence.reference import Reference
@@ -80,7 +80,7 @@ def fitted_tables(
 
 @lru_cache(maxsize=256)
 def _likely_signs(reference: Reference, table: NumericTable, policy: Policy) -> list[tuple[int, ...]]:
-    return likely_signs(reference, chain_of(table), policy)
+    return likely_signs(reference, chain_of_table(table), policy)
 
 
 def _solutions(

@@ -10,19 +10,10 @@ from exercises.grading.certificate_report import in_unit
 from exercises.grading.exact_text import angle_text, expression_text
 from exercises.grading.verdict import Feedback, ParamValue
 from kinematics.cells import AngleUnit
+from kinematics.chain import chain_of_table, frames_at_zero
 from kinematics.equivalence import Certificate, ExactCertificate
-from kinematics.equivalence.chains import chain_of, frames_of
 from kinematics.equivalence.reference import prepared
-from kinematics.equivalence.rigid import (
-    Motion,
-    compose,
-    from_matrix,
-    inverse,
-    position,
-    rotation_about,
-    scale,
-    translation,
-)
+from kinematics.se3 import Motion, compose, from_matrix, inverse, position, rotation_about, scale, translation
 from kinematics.table import Convention, JointType, NumericTable
 
 NOTICED = 1e-3
@@ -78,7 +69,7 @@ class _Noticed:
     @classmethod
     def beside(cls, key: NumericTable, answer: NumericTable, certificate: Certificate) -> _Noticed:
         share = NOTICED if certificate.residual <= ROUNDED else NOTICED_IF_ROUNDED
-        return cls(share, share * prepared(key).beside(chain_of(answer)).size)
+        return cls(share, share * prepared(key).beside(chain_of_table(answer)).size)
 
 
 def _same_layout(key: NumericTable, answer: NumericTable) -> bool:
@@ -110,7 +101,7 @@ def _frames(
 ) -> Iterator[Feedback]:
     """Frame by frame: z reversed, x turned, origin elsewhere."""
     motions = _body_motions(key, certificate)
-    ours, theirs = frames_of(key), frames_of(answer)
+    ours, theirs = frames_at_zero(key), frames_at_zero(answer)
     body = 0
     for k in range(len(ours)):
         if k and key.rows[k - 1].joint is not JointType.FIXED:

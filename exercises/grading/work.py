@@ -11,8 +11,8 @@ from typing import TypeAlias
 from exercises.grading.comparison import Comparison
 from exercises.grading.verdict import Edit, ParamValue
 from kinematics.cells import ReadTable
+from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import Policy
-from kinematics.equivalence.chains import Axis, chain_of
 from kinematics.equivalence.decision import certify, convention_fits
 from kinematics.equivalence.invariants import Invariant, axes_of, invariants_of
 from kinematics.equivalence.reference import Reference, prepared
@@ -72,7 +72,7 @@ class Work:
     def references(self) -> tuple[Reference, ...]:
         """The key at each draw, prepared; at the answer's size, if it has none."""
         pairs = zip(self.comparison.references, self.comparison.submissions, strict=True)
-        return tuple(prepared(key).beside(chain_of(answer)) for key, answer in pairs)
+        return tuple(prepared(key).beside(chain_of_table(answer)) for key, answer in pairs)
 
     @cached_property
     def invariants(self) -> tuple[tuple[Invariant, ...], ...]:
@@ -81,7 +81,7 @@ class Work:
 
     def axes(self, table: NumericTable) -> list[Axis]:
         """The axes that the invariants are measured between."""
-        return axes_of(chain_of(table), self.policy)
+        return axes_of(chain_of_table(table), self.policy)
 
     def failing(self, table: NumericTable, draw: int = 0) -> int | None:
         """How many invariants a table does not share with the key; None if its joints are others already."""
@@ -94,7 +94,7 @@ class Work:
         """Whether a table is right, at one draw."""
         if not convention_fits(table.convention, self.policy.convention):
             return False
-        return certify((self.references[draw],), (chain_of(table),), self.policy, effort) is not None
+        return certify((self.references[draw],), (chain_of_table(table),), self.policy, effort) is not None
 
 
 def change(

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from exercises.grading import HelpLevel, Policy
 from kinematics.cells import AngleUnit, LengthUnit, ParameterKind, ReadTable
-from kinematics.equivalence.chains import chain_of, size_of
+from kinematics.chain import chain_of_table, size_of
 from kinematics.errors import ParameterError
 from kinematics.forward import ForwardKinematics, forward_kinematics
 from kinematics.table import JointType, NumericTable, bind
@@ -64,7 +64,7 @@ class Context:
     @cached_property
     def size(self) -> float:
         """Typical length of the robot, in the student's unit."""
-        size = size_of(chain_of(self.reference_numbers)) * self.unit_ratio
+        size = size_of(chain_of_table(self.reference_numbers)) * self.unit_ratio
         return size if size > 0 else 1.0
 
     @property

@@ -24,7 +24,7 @@ from exercises.parts.comparison import (
 from exercises.parts.context import Context
 from exercises.parts.matrix_cells import SymbolicMatrix
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, shown
-from kinematics.links import link_transform
+from kinematics.dh import link_transform
 from kinematics.table import Convention, bind
 
 _DISCLOSURES = {

@@ -18,7 +18,7 @@ import numpy as np
 from exercises.definition import PartKind
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, shown
-from kinematics.equivalence.chains import Axis, chain_of, size_of
+from kinematics.chain import Axis, chain_of_table, size_of
 from kinematics.errors import Fault
 from kinematics.table import JointType, NumericTable
 
@@ -93,7 +93,7 @@ def schematic_of(table: NumericTable) -> Schematic:
     Neighbouring axes belong to one link, so their relation is the same in every configuration (but for the
     place of a prismatic axis, which has no meaning).
     """
-    chain = chain_of(table)
+    chain = chain_of_table(table)
     size = size_of(chain) or 1.0
     relations = tuple(relation(a, b, size) for a, b in zip(chain.axes, chain.axes[1:], strict=False))
     return Schematic(joints=table.joint_types, relations=relations)

@@ -16,11 +16,11 @@ from numpy.typing import NDArray
 
 from exercises.parts.comparison import agreeing, inverse, is_rigid
 from exercises.parts.context import Context
+from kinematics.chain import Axis, Chain, size_of
 from kinematics.equivalence import Tolerance
-from kinematics.equivalence.chains import Axis, Chain, poses, size_of
 from kinematics.equivalence.decision import certify
 from kinematics.equivalence.reference import prepared
-from kinematics.equivalence.rigid import from_matrix
+from kinematics.se3 import from_matrix
 from kinematics.table import JointType
 
 Matrix = NDArray[np.float64]
@@ -43,7 +43,7 @@ def is_robot(context: Context, pose_of: PoseOf, joint_types: Sequence[JointType]
         return False
     samples = context.configurations(joint_types)
     actual = np.array([pose_of(q) for q in samples.tolist()])
-    if not agreeing(actual, poses(chain, samples.T), context.size, context.policy.tolerance).all():
+    if not agreeing(actual, chain.poses(samples), context.size, context.policy.tolerance).all():
         return False
     in_units = _scaled(chain, 1.0 / context.unit_ratio)
     return certify([prepared(context.reference_numbers)], [in_units], context.policy) is not None
@@ -115,7 +115,7 @@ def _scaled(chain: Chain, factor: float) -> Chain:
 
 
 def _matrix(chain: Chain) -> Matrix:
-    return np.asarray(poses(chain, np.zeros((len(chain.axes), 1)))[0], dtype=np.float64)
+    return chain.poses(np.zeros(len(chain.axes)))
 
 
 def _triple(array: Matrix) -> tuple[float, float, float]:

@@ -19,7 +19,7 @@ from exercises.parts.context import Context
 from exercises.parts.reach import Interval, Reach, reach
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, shown
 from kinematics.cells import AngleUnit
-from kinematics.equivalence.chains import chain_of
+from kinematics.chain import chain_of_table
 from kinematics.table import JointType, NumericTable
 
 Key = tuple[float, float, float]
@@ -52,7 +52,7 @@ def workspace_of(context: Context, part: WorkspacePart, figure: FigureSpecificat
         origin = to_base[:3, :3] @ points.point(part.origin) + to_base[:3, 3]
         axis = None
     else:
-        first = chain_of(table).axes[0]
+        first = chain_of_table(table).axes[0]
         origin, axis = np.array(first.point), np.array(first.direction)
     degrees = context.reference.angle_unit is AngleUnit.DEG
     limits = [

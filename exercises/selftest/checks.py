@@ -23,9 +23,9 @@ from exercises.selftest.answers import answer_from, typed
 from exercises.selftest.mistakes import MISTAKES
 from exercises.selftest.variants import some_lengths, variant
 from kinematics.cells import AngleUnit, ParameterKind, RawRow, RawTable, ReadTable, in_length_unit
-from kinematics.equivalence.chains import chain_of, size_of
+from kinematics.chain import chain_of_table, size_of
 from kinematics.forward import forward_kinematics
-from kinematics.links import Transform
+from kinematics.se3 import Transform
 from kinematics.table import JointType, NumericTable, bind
 
 CONFIGURATIONS = 5
@@ -215,7 +215,7 @@ def certificate_holds(instance: Instance, read: ReadTable, verdict: Verdict, rng
         for name, value in {**values_in_unit(instance, read.length_unit), **certificate.parameters}.items()
     }
     ours, theirs = bind(reference.table, given), bind(read.table, given)
-    size = size_of(chain_of(ours)) or 1.0
+    size = size_of(chain_of_table(ours)) or 1.0
     offsets = [
         math.radians(value) if degrees and joint_type is JointType.REVOLUTE else value
         for value, joint_type in zip(certificate.joint_offsets, ours.joint_types, strict=True)
@@ -237,7 +237,7 @@ def _pose(table: NumericTable, joints: list[float]) -> Transform:
 def _other(instance: Instance, rng: Random) -> ReadTable:
     """The key in other frames."""
     exercise = instance.exercise
-    usual = size_of(chain_of(bind(exercise.reference.table, values(instance)))) / 4
+    usual = size_of(chain_of_table(bind(exercise.reference.table, values(instance)))) / 4
     lengths = some_lengths(exercise.reference.table, usual)
     table = variant(exercise.reference.table, exercise.policy, lengths, rng)
     return replace(exercise.reference, table=table)

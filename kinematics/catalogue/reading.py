@@ -26,8 +26,8 @@ from kinematics.cells import (
 from kinematics.errors import DescriptionError, Fault, KinematicsError
 from kinematics.expressions import Expression
 from kinematics.scm import RawChain, read_chain
+from kinematics.se3 import check_transform
 from kinematics.table import CELLS, Convention, JointType
-from kinematics.transforms import check_transform
 
 Read = TypeVar("Read")
 Limits = tuple[tuple[float, float], ...]

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from kinematics.cells import RawTable, ReadTable
 from kinematics.expressions import Expression
-from kinematics.links import Transform
 from kinematics.scm import RawChain, ReadChain
+from kinematics.se3 import Transform
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

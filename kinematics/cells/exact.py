@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from fractions import Fraction
 
+from kinematics.angles import TWELFTH, nearest_twelfth
 from kinematics.errors import ParameterError
 from kinematics.expressions import (
     ONE,
@@ -111,7 +111,7 @@ def inverse_trigonometric(function: Function, *arguments: Expression) -> Express
     if any(_is_symbolic(argument) for argument in arguments):
         return plain
     try:
-        steps = Fraction(round(evaluate(plain) * 12 / math.pi), 12)
+        steps = Fraction(round(evaluate(plain) / TWELFTH), 12)
     except ParameterError:  # no real value: reported where the whole cell is evaluated
         return plain
     candidate = pi_times(steps)
@@ -121,12 +121,8 @@ def inverse_trigonometric(function: Function, *arguments: Expression) -> Express
 def snapped(value: Fraction) -> Expression:
     """An angle [rad]: a multiple of π/12 if it is one to a double's last digit, else the number itself."""
     approximate = float(value)
-    steps = round(approximate * 12 / math.pi)
-    if 0 < abs(steps) <= _SNAP_STEPS and math.isclose(
-        approximate, steps * math.pi / 12, rel_tol=_SNAP_RELATIVE, abs_tol=0.0
-    ):
-        return pi_times(Fraction(steps, 12))
-    return Number(value)
+    k = nearest_twelfth(approximate, _SNAP_RELATIVE * abs(approximate))
+    return pi_times(Fraction(k, 12)) if k and abs(k) <= _SNAP_STEPS else Number(value)
 
 
 def _tangent(turns: Fraction, angle: Expression) -> Expression:

@@ -7,17 +7,17 @@ from typing import NamedTuple
 
 from kinematics.equivalence.groups import Rotations
 from kinematics.equivalence.plan import Step
-from kinematics.equivalence.rigid import (
+from kinematics.se3 import (
     IDENTITY,
     Motion,
     Vector,
-    across,
     angle_between,
     compose,
     cross,
     dot,
     move,
     norm,
+    rejection,
     rotate,
     rotation_about,
     subtract,
@@ -60,7 +60,7 @@ def align(step: Step, direction: Vector, point: Vector, sign: int) -> Alignment:
     angle = angle_between(direction, step.axis.direction)
     if step.axis.prismatic:
         return Alignment(h, angle, _NO_GAP, 0.0, direction)
-    gap = across(gap, step.axis.direction)
+    gap = rejection(gap, step.axis.direction)
     return Alignment(h, angle, gap, norm(gap), direction)
 
 
@@ -89,7 +89,7 @@ def aligning_motion(step: Step, direction: Vector, point: Vector, sign: int) -> 
         gap = subtract(gap, v)
         h = translation(v) if h is IDENTITY else (*h[:9], h[9] + v[0], h[10] + v[1], h[11] + v[2])
     elif len(step.group.translations) == 3:
-        gap = across(gap, target.direction)
+        gap = rejection(gap, target.direction)
     return h, direction, gap
 
 

@@ -14,8 +14,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.chain import chain_of_table
 from kinematics.equivalence.certificates import Candidate, candidate_from
-from kinematics.equivalence.chains import chain_of, poses
 from kinematics.equivalence.policy import BaseRule, Tolerance, ZeroRule
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.refinement import FREE_TWISTS, Problem
@@ -59,7 +59,7 @@ def fitted_cells(
     scales = np.array([1.0 if cell in ANGLES else reference.size for _, cell in places])
     twists = np.repeat((1.0, reference.size), 3)[:, None] * FREE_TWISTS
     for _ in range(ROUNDS):
-        chain = chain_of(table)
+        chain = chain_of_table(table)
         problem = Problem(reference, chain, tolerance, twists, twists, offsets_free=True)
         joints = joint_values(reference, candidate)
         columns = [_column(table, place, joints, scale) for place, scale in zip(places, scales, strict=True)]
@@ -86,7 +86,7 @@ def _start(
 ) -> Candidate:
     near = reference.nearnesses(tolerance)[0]
     plan = reference.plans(BaseRule.FREE, ZeroRule.FREE, near)[0]
-    chain = chain_of(table)
+    chain = chain_of_table(table)
     path = forced_path(plan, chain, plan.starts[0], signs)
     return candidate_from((reference.chain, chain), plan, path, ZeroRule.FREE, tool_turns=True)
 
@@ -99,8 +99,8 @@ def _column(
     F_s is an affine function of every length, so its difference is exact.
     """
     step = SMALL_ANGLE if place[1] in ANGLES else scale
-    before = poses(chain_of(_changed(table, (place,), (-step / 2,))), joints)
-    after = poses(chain_of(_changed(table, (place,), (step / 2,))), joints)
+    before = chain_of_table(_changed(table, (place,), (-step / 2,))).poses(joints.T)
+    after = chain_of_table(_changed(table, (place,), (step / 2,))).poses(joints.T)
     turn = 0.5 * np.cross(before[:, :3, :3], after[:, :3, :3], axis=1).sum(axis=2)
     shift = after[:, :3, 3] - before[:, :3, 3]
     return np.concatenate([turn, shift], axis=1) * (scale / step)

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import cos, sin
 
-from kinematics.equivalence.chains import Chain
+from kinematics.chain import Chain
 from kinematics.equivalence.groups import Rotations, outside
 from kinematics.equivalence.plan import Plan, Step
 from kinematics.equivalence.policy import ZeroRule
-from kinematics.equivalence.rigid import (
+from kinematics.se3 import (
     Motion,
     Vector,
     angle_about,

@@ -15,6 +15,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.angles import nearest_twelfth
 from kinematics.expressions import (
     ONE,
     ZERO,
@@ -40,7 +41,6 @@ Matrix: TypeAlias = NDArray[np.float64]
 # much farther apart than this
 CLOSE = 1e-8
 DIGITS = 9
-_STEP = math.pi / 12
 # 16 atoms have 5 024 sums and differences of one to three: with more atoms fewer terms are tried, so that
 # the work, and the memory, of a request do not grow with the cube of its names
 MOST_SUMS = 6_000
@@ -216,10 +216,10 @@ def angle_form(
             value - sum(sign * evaluate(atom, draw) for sign, atom in chosen)
             for value, draw in zip(values, draws, strict=True)
         ]
-        steps = {round(value / _STEP) % 24 for value in rest}
-        off = max(abs(value - _STEP * round(value / _STEP)) for value in rest)
-        if len(steps) == 1 and off < CLOSE:
-            turn = _multiple(steps.pop())
+        steps = {None if k is None else k % 24 for k in (nearest_twelfth(value, CLOSE) for value in rest)}
+        step = steps.pop() if len(steps) == 1 else None
+        if step is not None:
+            turn = _multiple(step)
             return add([turn, *(multiply((number(sign), atom)) for sign, atom in chosen)]) if chosen else turn
     return None
 

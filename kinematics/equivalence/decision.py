@@ -14,13 +14,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from kinematics.equivalence.chains import Chain, chain_of
+from kinematics.chain import Chain, chain_of_table
 from kinematics.equivalence.diagnosis import diagnose
 from kinematics.equivalence.policy import BaseRule, ConventionRule, DirectionRule, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.reference import SAMPLES, Reference, prepared
 from kinematics.equivalence.results import Certificate, Decision, Kind, Mismatch
-from kinematics.equivalence.rigid import to_matrix
 from kinematics.equivalence.search import Effort, Found, Search
+from kinematics.se3 import to_matrix
 from kinematics.table import Convention, DHTable, NumericTable
 
 
@@ -48,7 +48,7 @@ def decide_draws(
         policy: what is left free and what is fixed.
     """
     prepared_references = [prepared(table) for table in references]
-    chains = [chain_of(table) for table in submissions]
+    chains = [chain_of_table(table) for table in submissions]
     if convention_fits(submissions[0].convention, policy.convention):
         certificate = certify(prepared_references, chains, policy)
         if certificate is not None:

@@ -5,17 +5,17 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
+from kinematics.chain import Axis, Chain
 from kinematics.equivalence.alignment import Alignment, align
-from kinematics.equivalence.chains import Axis, Chain
 from kinematics.equivalence.groups import Group, Rotations, departure
 from kinematics.equivalence.plan import Plan, Step
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.results import Kind, Mismatch
-from kinematics.equivalence.rigid import (
+from kinematics.equivalence.tools import placements, tool_choices
+from kinematics.se3 import (
     Motion,
     Vector,
-    across,
     angle_between,
     compose,
     cross,
@@ -24,6 +24,7 @@ from kinematics.equivalence.rigid import (
     move,
     norm,
     position,
+    rejection,
     rotate,
     rotation_angle,
     scale,
@@ -31,7 +32,6 @@ from kinematics.equivalence.rigid import (
     translation,
     turn_onto,
 )
-from kinematics.equivalence.tools import placements, tool_choices
 from kinematics.table import Convention, NumericTable
 
 WIDTH = 8
@@ -171,7 +171,7 @@ def _angles(step: Step, previous: Axis | None, found: Alignment, joint: int, lim
         return [Mismatch(kind=Kind.TWIST, joint=joint, angle=found.angle)]
     axis, goal = previous.direction, step.axis.direction
     twist = abs(angle_between(found.direction, axis) - angle_between(goal, axis))
-    one, two = across(found.direction, axis), across(goal, axis)
+    one, two = rejection(found.direction, axis), rejection(goal, axis)
     turn = math.atan2(norm(cross(one, two)), dot(one, two))
     mismatches = []
     if twist > limit:

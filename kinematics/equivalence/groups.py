@@ -12,19 +12,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from kinematics.equivalence.rigid import (
+from kinematics.se3 import (
     ORIGIN,
     Z_AXIS,
     Motion,
     Vector,
-    across,
     angle_between,
     move,
     norm,
-    normalised,
+    rejection,
     rotate,
     rotation_angle,
     subtract,
+    unit,
 )
 
 
@@ -91,18 +91,18 @@ def cylinder(point: Vector, axis: Vector) -> Group:
 
 def distance_to_line(p: Vector, point: Vector, axis: Vector) -> float:
     """Distance of p from the line through a point along a unit axis."""
-    return norm(across(subtract(p, point), axis))
+    return norm(rejection(subtract(p, point), axis))
 
 
 def are_parallel(a: Vector, b: Vector, near: Nearness) -> bool:
     """Whether two unit vectors are parallel or antiparallel."""
-    return norm(across(a, b)) <= near.angle
+    return norm(rejection(a, b)) <= near.angle
 
 
 def outside(v: Vector, basis: tuple[Vector, ...]) -> Vector:
     """The part of v that is perpendicular to a space with this orthonormal basis."""
     for b in basis:
-        v = across(v, b)
+        v = rejection(v, b)
     return v
 
 
@@ -158,7 +158,7 @@ def with_translations_along(group: Group, direction: Vector, near: Nearness) -> 
         group.rotations,
         point=group.point,
         axis=group.axis,
-        translations=(*group.translations, normalised(rest)),
+        translations=(*group.translations, unit(rest)),
     )
 
 

@@ -13,23 +13,23 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import lru_cache
 
-from kinematics.equivalence.chains import Axis, Chain
+from kinematics.chain import Axis, Chain
 from kinematics.equivalence.groups import outside
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule
 from kinematics.equivalence.reference import Reference
-from kinematics.equivalence.rigid import (
+from kinematics.se3 import (
     ORIGIN,
     Z_AXIS,
     Vector,
-    across,
     cross,
     dot,
     norm,
-    normalised,
     plus,
     position,
+    rejection,
     scale,
     subtract,
+    unit,
     z_axis,
 )
 
@@ -143,7 +143,7 @@ def _spanning(axes: Sequence[Axis], candidates: Sequence[int]) -> tuple[tuple[in
         if norm(rest) > PARALLEL:
             chosen.append(k)
             steepness = min(steepness, norm(rest))
-            basis.append(normalised(rest))
+            basis.append(unit(rest))
     return tuple(chosen), max(steepness, STEEPEST)
 
 
@@ -202,7 +202,7 @@ def _distance(axes: Sequence[Axis], which: tuple[int, ...]) -> float:
     for k in spanning:
         rest = outside(axes[k].direction, tuple(basis))
         if norm(rest) > PARALLEL:
-            basis.append(normalised(rest))
+            basis.append(unit(rest))
     return norm(outside(subtract(axes[other].point, axes[one].point), tuple(basis)))
 
 
@@ -224,7 +224,7 @@ def _foot(axis: Axis, other: Axis) -> Vector:
 
 def _turn(axes: Sequence[Axis], which: tuple[int, ...]) -> float:
     before, slider, after = (axes[k].direction for k in which)
-    one, other = across(before, slider), across(after, slider)
+    one, other = rejection(before, slider), rejection(after, slider)
     return math.atan2(norm(cross(one, other)), abs(dot(one, other)))
 
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from kinematics.equivalence.chains import Axis, Chain
+from kinematics.chain import Axis, Chain
 from kinematics.equivalence.groups import (
     EVERYTHING,
     NOTHING,
@@ -30,16 +30,16 @@ from kinematics.equivalence.groups import (
     with_translations_along,
 )
 from kinematics.equivalence.policy import BaseRule, ZeroRule
-from kinematics.equivalence.rigid import (
+from kinematics.se3 import (
     IDENTITY,
     ORIGIN,
     Z_AXIS,
     Motion,
     Vector,
-    across,
     compose,
     cross,
     norm,
+    rejection,
     rotation_about,
     subtract,
     translation,
@@ -123,8 +123,8 @@ def _beginnings(chain: Chain, base: BaseRule, near: Nearness) -> list[tuple[Grou
         if first.prismatic:
             found.insert(0, (about_direction(first.direction), both))
         elif (
-            norm(across(first.direction, Z_AXIS)) > near.angle
-            or norm(across(first.point, Z_AXIS)) > near.length
+            norm(rejection(first.direction, Z_AXIS)) > near.angle
+            or norm(rejection(first.point, Z_AXIS)) > near.length
         ):
             found.append((cylinder(first.point, first.direction), both))
     return found
@@ -160,7 +160,7 @@ def prepare(axis: Axis, group: Group, near: Nearness, size: float) -> Step:
     amplification = 1.0
     moment = ORIGIN
     if group.rotations is Rotations.ABOUT_LINE:
-        sine = norm(across(direction, group.axis))
+        sine = norm(rejection(direction, group.axis))
         levers = []
         if sine > near.angle:
             by_direction = 1.0
@@ -169,7 +169,7 @@ def prepare(axis: Axis, group: Group, near: Nearness, size: float) -> Step:
             not group.translations or (not by_direction and len(group.translations) == 1)
         ):
             moment = cross(subtract(axis.point, group.point), direction)
-            lever = norm(across(moment, group.axis))
+            lever = norm(rejection(moment, group.axis))
             if lever > near.length:
                 by_moment = 1.0 / (size * size)
                 levers.append(lever / size)

@@ -14,9 +14,9 @@ from kinematics.equivalence.closed_forms import (
     known_number,
     length_atoms,
 )
-from kinematics.equivalence.rigid import Motion
 from kinematics.errors import ParameterError
 from kinematics.expressions import ONE, ZERO, Expression
+from kinematics.se3 import Motion
 from kinematics.symbolic import Verdict, prove_identity
 from kinematics.table import JointType, SymbolicTable
 

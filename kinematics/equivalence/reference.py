@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.equivalence.chains import Chain, chain_of, poses, size_of
+from kinematics.chain import Chain, chain_of_table, size_of
 from kinematics.equivalence.groups import Nearness
 from kinematics.equivalence.plan import Plan, plans_for
 from kinematics.equivalence.policy import BaseRule, Tolerance, ZeroRule
@@ -68,7 +68,7 @@ class Reference:
         return replace(
             self,
             joints=np.concatenate([self.joints, joints], axis=1),
-            poses=np.concatenate([self.poses, poses(self.chain, joints)]),
+            poses=np.concatenate([self.poses, self.chain.poses(joints.T)]),
         )
 
     def plans(self, base: BaseRule, zero: ZeroRule, near: Nearness) -> tuple[Plan, ...]:
@@ -111,7 +111,7 @@ class Reference:
 @lru_cache(maxsize=1024)
 def prepared(table: NumericTable) -> Reference:
     """The reference of a table; remembered, for the same one is asked for again and again."""
-    chain = chain_of(table)
+    chain = chain_of_table(table)
     size = size_of(chain)
     return _at_size(table, chain, size or 1.0, scaleless=size == 0.0)
 
@@ -121,5 +121,5 @@ def _at_size(table: NumericTable, chain: Chain, size: float, *, scaleless: bool)
     for i, axis in enumerate(chain.axes):
         joints[i] *= size if axis.prismatic else np.pi
     return Reference(
-        table=table, chain=chain, size=size, scaleless=scaleless, joints=joints, poses=poses(chain, joints)
+        table=table, chain=chain, size=size, scaleless=scaleless, joints=joints, poses=chain.poses(joints.T)
     )

@@ -14,11 +14,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.chain import Chain, joint_motions
 from kinematics.equivalence.certificates import Candidate
-from kinematics.equivalence.chains import Chain, joint_motions
 from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import Reference
-from kinematics.equivalence.rigid import (
+from kinematics.equivalence.verification import Residual, joint_values, largest
+from kinematics.equivalence.worst_case import worst_case
+from kinematics.se3 import (
     IDENTITY,
     ORIGIN,
     Motion,
@@ -30,8 +32,6 @@ from kinematics.equivalence.rigid import (
     to_matrix,
     translation,
 )
-from kinematics.equivalence.verification import Residual, joint_values, largest
-from kinematics.equivalence.worst_case import worst_case
 
 Matrix = NDArray[np.float64]
 ROUNDS = 10

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from kinematics.equivalence.certificates import Candidate
-from kinematics.links import Transform
+from kinematics.se3 import Transform
 
 
 class Kind(StrEnum):

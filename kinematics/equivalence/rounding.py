@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from kinematics.equivalence.chains import Chain, chain_of, frames_of, walk
+from kinematics.chain import Chain, chain_of_table, frames_at_zero, walk
 from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import prepared
-from kinematics.equivalence.rigid import Vector, norm, position, scale, subtract, x_axis, z_axis
+from kinematics.se3 import Vector, norm, position, scale, subtract, x_axis, z_axis
 from kinematics.table import Convention, JointType, NumericTable
 
 
@@ -25,9 +25,9 @@ def rounding_tolerance(
         length_step: one unit of the last decimal of a and d [length].
         angle_step: one unit of the last decimal of α and θ [rad].
     """
-    chain = chain_of(table)
+    chain = chain_of_table(table)
     size = prepared(reference).beside(chain).size
-    frames = frames_of(table)
+    frames = frames_at_zero(table)
     standard = table.convention is Convention.STANDARD
     lengths, levers = 0, []
     joint = 0

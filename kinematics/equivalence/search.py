@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum, auto
 
+from kinematics.chain import Chain
 from kinematics.equivalence.alignment import Alignment, align, aligning_motion
 from kinematics.equivalence.certificates import Candidate, Path, candidate_from
-from kinematics.equivalence.chains import Chain
 from kinematics.equivalence.groups import Group, Nearness, Rotations, departure
 from kinematics.equivalence.plan import Plan
 from kinematics.equivalence.policy import BaseRule, DirectionRule, Policy, ZeroRule
@@ -22,10 +22,10 @@ from kinematics.equivalence.refinement import (
     Matrix,
     refine,
 )
-from kinematics.equivalence.rigid import IDENTITY, Motion, compose, inverse, move, rotate
 from kinematics.equivalence.tools import ToolChoice, obeying, placements, tool_choices
 from kinematics.equivalence.verification import Residual
 from kinematics.equivalence.worst_case import judged
+from kinematics.se3 import IDENTITY, Motion, compose, inverse, move, rotate
 
 GATE = 3.0
 GATE_PER_AMPLIFICATION = 0.1

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from kinematics.chain import Axis, Chain
 from kinematics.equivalence.alignment import align
-from kinematics.equivalence.chains import Axis, Chain
 from kinematics.equivalence.groups import (
     Group,
     Nearness,
@@ -24,11 +24,10 @@ from kinematics.equivalence.refinement import (
     POINT_TWISTS,
     Matrix,
 )
-from kinematics.equivalence.rigid import (
+from kinematics.se3 import (
     IDENTITY,
     Motion,
     Vector,
-    across,
     compose,
     cross,
     dot,
@@ -36,6 +35,7 @@ from kinematics.equivalence.rigid import (
     move,
     norm,
     position,
+    rejection,
     rotate,
     rotation_about,
     scale,
@@ -140,8 +140,8 @@ def _turn_point(centre: Vector, point: Vector, target: Vector) -> Motion:
 
 
 def _turn_about_line(group: Group, point: Vector, target: Vector) -> Motion:
-    a = across(subtract(point, group.point), group.axis)
-    b = across(subtract(target, group.point), group.axis)
+    a = rejection(subtract(point, group.point), group.axis)
+    b = rejection(subtract(target, group.point), group.axis)
     size = norm(a) * norm(b)
     if size < 1e-24:
         return IDENTITY
@@ -153,7 +153,7 @@ def _settle(group: Group, here: Motion, target: Motion) -> Motion:
     turn = IDENTITY
     if group.rotations is not Rotations.NONE:
         x, goal = x_axis(here), x_axis(target)
-        cosine, sine = dot(across(x, group.axis), goal), dot(group.axis, cross(x, goal))
+        cosine, sine = dot(rejection(x, group.axis), goal), dot(group.axis, cross(x, goal))
         size = (cosine * cosine + sine * sine) ** 0.5
         if size > 1e-12:
             turn = rotation_about(group.point, group.axis, cosine / size, sine / size)
@@ -178,5 +178,5 @@ def obeying(choice: ToolChoice, tool: Motion) -> Motion:
     tool = compose(turn_onto(position(tool), z_axis(tool), direction), tool)
     if axis.prismatic:
         return tool
-    gap = across(subtract(move(back, axis.point), position(tool)), direction)
+    gap = rejection(subtract(move(back, axis.point), position(tool)), direction)
     return compose(translation(gap), tool)

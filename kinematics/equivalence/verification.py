@@ -7,11 +7,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.chain import Chain
 from kinematics.equivalence.certificates import Candidate
-from kinematics.equivalence.chains import Chain, poses
 from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import Reference
-from kinematics.equivalence.rigid import to_matrix
+from kinematics.se3 import to_matrix
 
 
 class Residual(NamedTuple):
@@ -44,7 +44,7 @@ def joint_values(reference: Reference, candidate: Candidate) -> NDArray[np.float
 
 def differences(reference: Reference, submission: Chain, candidate: Candidate) -> NDArray[np.float64]:
     """F_s(σ∘q + δ) - B · F_r(q) · E at every sampled configuration: (samples, 4, 4)."""
-    difference = poses(submission, joint_values(reference, candidate))
+    difference = submission.poses(joint_values(reference, candidate).T)
     difference -= to_matrix(candidate.base) @ reference.poses @ to_matrix(candidate.tool)
     return difference
 

@@ -13,12 +13,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.chain import Chain, screw_bases
 from kinematics.equivalence.certificates import Candidate
-from kinematics.equivalence.chains import Chain, screw_bases
 from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import Reference
-from kinematics.equivalence.rigid import to_matrix
 from kinematics.equivalence.verification import Residual, differences, residual, rotation_from_square
+from kinematics.se3 import to_matrix
 
 Matrix = NDArray[np.float64]
 

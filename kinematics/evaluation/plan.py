@@ -17,22 +17,21 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kinematics.angles import cos_sin
-from kinematics.chains import (
-    Chain,
+from kinematics.errors import Fault, JointValueError
+from kinematics.evaluation.blocks import run_blocks
+from kinematics.evaluation.recurrences import (
+    LinkMotions,
     base_jacobian,
-    chain_of_table,
     end_jacobian,
     end_pose,
     frame_poses,
     link_poses,
+    motions_of_table,
 )
-from kinematics.errors import Fault, JointValueError
-from kinematics.evaluation.blocks import run_blocks
 from kinematics.evaluation.straight_line import Evaluator, straight_line
 from kinematics.evaluation.tape import Recorder, Tape
-from kinematics.links import Scalar
+from kinematics.se3 import Scalar, check_transform
 from kinematics.table import JointType, NumericTable
-from kinematics.transforms import check_transform
 
 WARM = 8
 KEPT_TABLES = 64
@@ -61,7 +60,7 @@ class Computation:
         once: computes it at one configuration, given as a list of n finite floats.
     """
 
-    def __init__(self, chain: Chain, quantity: Quantity) -> None:
+    def __init__(self, chain: LinkMotions, quantity: Quantity) -> None:
         n, rows = len(chain.joint_types), len(chain.links)
         shapes = {Quantity.POSE: (4, 4), Quantity.LINKS: (rows, 4, 4), Quantity.FRAMES: (rows, 4, 4)}
         self.shape = shapes.get(quantity, (6, n))
@@ -126,7 +125,7 @@ class Plan:
     """All computations of one table between one base and one tool."""
 
     def __init__(self, table: NumericTable, base: Floats | None, tool: Floats | None) -> None:
-        self.chain = chain_of_table(table, base, tool)
+        self.chain = motions_of_table(table, base, tool)
         self.n_joints = table.n_joints
         self.has_tool = tool is not None
         self.pose = Computation(self.chain, Quantity.POSE)
@@ -190,7 +189,7 @@ def _plans_of_equal(table: NumericTable) -> _Plans:
     return _Plans(table)
 
 
-def may_overflow(chain: Chain) -> bool:
+def may_overflow(chain: LinkMotions) -> bool:
     """Whether finite joint values can give infinite results: rotations are bounded, but shifts add up."""
     shifts = [
         motion.first for motions in chain.links for motion in motions if motion.kind.startswith("shift")
@@ -203,28 +202,28 @@ def _overflow(*where: int) -> JointValueError:
     return JointValueError(Fault(code="result_not_finite", where=("joints", *where)))
 
 
-def _pose(chain: Chain, values: Sequence[Any]) -> list[Scalar]:
+def _pose(chain: LinkMotions, values: Sequence[Any]) -> list[Scalar]:
     r0, r1, r2 = end_pose(chain, values)
     return [*r0, *r1, *r2, 0.0, 0.0, 0.0, 1.0]
 
 
-def _links(chain: Chain, values: Sequence[Any]) -> list[Scalar]:
+def _links(chain: LinkMotions, values: Sequence[Any]) -> list[Scalar]:
     return [x for r0, r1, r2 in link_poses(chain, values) for x in (*r0, *r1, *r2, 0.0, 0.0, 0.0, 1.0)]
 
 
-def _frames(chain: Chain, values: Sequence[Any]) -> list[Scalar]:
+def _frames(chain: LinkMotions, values: Sequence[Any]) -> list[Scalar]:
     return [x for r0, r1, r2 in frame_poses(chain, values) for x in (*r0, *r1, *r2, 0.0, 0.0, 0.0, 1.0)]
 
 
-def _base_jacobian(chain: Chain, values: Sequence[Any]) -> list[Scalar]:
+def _base_jacobian(chain: LinkMotions, values: Sequence[Any]) -> list[Scalar]:
     return [column[i] for columns in [base_jacobian(chain, values)] for i in range(6) for column in columns]
 
 
-def _end_jacobian(chain: Chain, values: Sequence[Any]) -> list[Scalar]:
+def _end_jacobian(chain: LinkMotions, values: Sequence[Any]) -> list[Scalar]:
     return [column[i] for columns in [end_jacobian(chain, values)] for i in range(6) for column in columns]
 
 
-_RESULTS: dict[Quantity, Callable[[Chain, Sequence[Any]], list[Scalar]]] = {
+_RESULTS: dict[Quantity, Callable[[LinkMotions, Sequence[Any]], list[Scalar]]] = {
     Quantity.POSE: _pose,
     Quantity.LINKS: _links,
     Quantity.FRAMES: _frames,

@@ -16,7 +16,7 @@ from kinematics.frames.rules import (
     Severity,
     parallel,
 )
-from kinematics.frames.vectors import Vector, dot, minus, norm, turn
+from kinematics.se3 import Vector, angle_from_to, dot, norm, subtract
 from kinematics.table import Convention
 
 
@@ -52,7 +52,7 @@ def vanishing_advice(frame: Pose, before: Pose, place: Place) -> list[Finding]:
     axis = _joint_axis(frame, before, place)
     if normal.relation.slides and _offset(frame, before, axis) > LENGTH_TOLERANCE * place.size:
         findings.append(_advice(RuleCode.OFFSET_COULD_VANISH, Part.ORIGIN, joint=place.index))
-    angle = abs(turn(before.x, frame.x, axis))
+    angle = abs(angle_from_to(before.x, frame.x, axis))
     turned = normal.relation is Relation.COINCIDENT and angle > ANGLE_TOLERANCE
     flipped = normal.relation is Relation.INTERSECTING and angle > math.pi - ANGLE_TOLERANCE
     if turned or flipped:
@@ -65,7 +65,7 @@ def first_advice(frame: Pose, after: Pose, place: Place) -> list[Finding]:
 
     Source: seed 000 §3.2.2; seed 002 step 6.
     """
-    w = minus(after.origin, frame.origin)
+    w = subtract(after.origin, frame.origin)
     near = LENGTH_TOLERANCE * place.size
     if place.convention is Convention.MODIFIED:
         placed = norm(w) <= near and parallel(frame.z, after.z) and dot(frame.z, after.z) > 0
@@ -84,7 +84,7 @@ def last_advice(frame: Pose, before: Pose, place: Place) -> list[Finding]:
     """
     axis = _joint_axis(frame, before, place)
     placed = _offset(frame, before, axis) <= LENGTH_TOLERANCE * place.size
-    if placed and abs(turn(before.x, frame.x, axis)) <= ANGLE_TOLERANCE:
+    if placed and abs(angle_from_to(before.x, frame.x, axis)) <= ANGLE_TOLERANCE:
         return []
     return [_advice(RuleCode.LAST_NOT_SIMPLEST, Part.X if placed else Part.ORIGIN)]
 
@@ -95,7 +95,7 @@ def _joint_axis(frame: Pose, before: Pose, place: Place) -> Vector:
 
 
 def _offset(frame: Pose, before: Pose, axis: Vector) -> float:
-    return abs(dot(minus(frame.origin, before.origin), axis))
+    return abs(dot(subtract(frame.origin, before.origin), axis))
 
 
 def _normal(place: Place) -> CommonNormal | None:

@@ -34,8 +34,7 @@ from kinematics.frames.parallels import (
 from kinematics.frames.placement import draw_prismatic_axes
 from kinematics.frames.remarks import tilt_remarks, tolerance_fault, unfit_base, unfit_tool
 from kinematics.frames.size import robot_size
-from kinematics.frames.vectors import Vector, cross, dot, minus, scaled, turn
-from kinematics.links import Transform
+from kinematics.se3 import Transform, Vector, angle_from_to, cross, dot, scale, subtract
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
 
 
@@ -228,16 +227,16 @@ def _table(g: _Geometry, convention: Convention) -> NumericTable:
     reached = [entry, *(far for _, far in g.feet)]
     left = [*(near for near, _ in g.feet), exit_]
     u = [line.direction for line in g.lines]
-    theta = [clean_angle(turn(g.x[k], g.x[k + 1], u[k])) for k in range(n)]
-    d = [clean_length(dot(minus(left[k], reached[k]), u[k]), g.size) for k in range(n)]
+    theta = [clean_angle(angle_from_to(g.x[k], g.x[k + 1], u[k])) for k in range(n)]
+    d = [clean_length(dot(subtract(left[k], reached[k]), u[k]), g.size) for k in range(n)]
     a = [clean_length(normal.length, g.size) for normal in g.normals]
-    alpha = [clean_angle(turn(u[k], u[k + 1], g.x[k + 1])) for k in range(n - 1)]
+    alpha = [clean_angle(angle_from_to(u[k], u[k + 1], g.x[k + 1])) for k in range(n - 1)]
     if convention is Convention.MODIFIED:
-        a.insert(0, clean_length(dot(minus(entry, g.first.origin), g.first.x), g.size) if g.first else 0.0)
-        alpha.insert(0, clean_angle(turn(g.first.z, u[0], g.first.x)) if g.first else 0.0)
+        a.insert(0, clean_length(dot(subtract(entry, g.first.origin), g.first.x), g.size) if g.first else 0.0)
+        alpha.insert(0, clean_angle(angle_from_to(g.first.z, u[0], g.first.x)) if g.first else 0.0)
     else:
-        a.append(clean_length(dot(minus(g.last.origin, exit_), g.last.x), g.size) if g.last else 0.0)
-        alpha.append(clean_angle(turn(u[-1], g.last.z, g.last.x)) if g.last else 0.0)
+        a.append(clean_length(dot(subtract(g.last.origin, exit_), g.last.x), g.size) if g.last else 0.0)
+        alpha.append(clean_angle(angle_from_to(u[-1], g.last.z, g.last.x)) if g.last else 0.0)
     return DHTable(
         convention=convention,
         rows=tuple(
@@ -279,7 +278,7 @@ def _frame(pose: Pose, rule: Rule, relation: Relation | None, free: tuple[Freedo
     return AssignedFrame(
         origin=pose.origin,
         x=pose.x,
-        y=scaled(1.0, cross(pose.z, pose.x)),
+        y=scale(cross(pose.z, pose.x), 1.0),
         z=pose.z,
         rule=rule,
         relation=relation,

@@ -10,10 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinematics.errors import DescriptionError, Fault
-from kinematics.frames.vectors import ORIGIN, Vector, cross, norm, rejected, unit
-from kinematics.links import Transform
+from kinematics.se3 import ORIGIN, Transform, Vector, check_transform, cross, norm, rejection, unit
 from kinematics.table import JointType
-from kinematics.transforms import check_transform
 
 MAX_AXES = 64
 MAX_COORDINATE = 1e12
@@ -153,7 +151,7 @@ def pose_of(transform: ArrayLike, name: str) -> Pose:
     T = check_transform(transform, where=(name,))
     x, _, z, origin = (tuple(column) for column in T[:3].T.tolist())
     z = unit(z)
-    return Pose(origin, unit(rejected(x, z)), z)
+    return Pose(origin, unit(rejection(x, z)), z)
 
 
 def matrix(pose: Pose) -> Transform:

@@ -12,7 +12,7 @@ from enum import StrEnum
 
 from kinematics.frames.axes import Line, PartialPose, Pose
 from kinematics.frames.normals import Relation, common_normal
-from kinematics.frames.vectors import ORIGIN, Vector, foot, minus, norm, perpendicular, scaled
+from kinematics.se3 import ORIGIN, Vector, foot, norm, perpendicular, scale, subtract
 
 _SAME = 1e-6
 _COORDINATES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -119,7 +119,7 @@ def candidates(
 def _axis_directions(near: range, lines: Sequence[Line]) -> Iterator[Candidate]:
     for k in near:
         for sign in (1, -1):
-            vector = scaled(float(sign), lines[k].direction)
+            vector = scale(lines[k].direction, float(sign))
             yield Candidate(kind=CandidateKind.AXIS, vector=vector, params={"axis": k + 1, "sign": sign})
 
 
@@ -130,7 +130,7 @@ def _normal_directions(near: range, lines: Sequence[Line], size: float) -> Itera
             for sign in (1, -1):
                 yield Candidate(
                     kind=CandidateKind.NORMAL,
-                    vector=scaled(float(sign), direction),
+                    vector=scale(direction, float(sign)),
                     params={"axis": k + 1, "other": k + 2, "sign": sign},
                 )
 
@@ -145,7 +145,7 @@ def _coordinate_directions() -> Iterator[Candidate]:
         for sign in (1, -1):
             yield Candidate(
                 kind=CandidateKind.COORDINATES,
-                vector=scaled(float(sign), vector),
+                vector=scale(vector, float(sign)),
                 params={"axis": number, "sign": sign},
             )
 
@@ -154,7 +154,7 @@ def _across(near: range, lines: Sequence[Line]) -> Iterator[Candidate]:
     for k in near:
         across = perpendicular(lines[k].direction)
         for sign in (1, -1):
-            vector = scaled(float(sign), across)
+            vector = scale(across, float(sign))
             yield Candidate(kind=CandidateKind.ACROSS, vector=vector, params={"axis": k + 1, "sign": sign})
 
 
@@ -184,6 +184,6 @@ def _levels(
 def _distinct(found: Sequence[Candidate], tolerance: float) -> tuple[Candidate, ...]:
     kept: list[Candidate] = []
     for candidate in found:
-        if all(norm(minus(candidate.vector, other.vector)) > tolerance for other in kept):
+        if all(norm(subtract(candidate.vector, other.vector)) > tolerance for other in kept):
             kept.append(candidate)
     return tuple(kept)

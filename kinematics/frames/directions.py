@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from kinematics.frames.axes import Line
 from kinematics.frames.normals import EXACT_ANGLE, CommonNormal, Relation
-from kinematics.frames.vectors import Vector, cross, dot, norm, perpendicular, scaled
+from kinematics.se3 import Vector, cross, dot, norm, perpendicular, scale
 
 _HALF_TURN = 1e-3
 _NEGATIVE_TWIST = 1e-6
@@ -44,7 +44,7 @@ def _options(normal: CommonNormal) -> tuple[Vector, ...]:
     if normal.direction is None:
         return ()
     if normal.relation is Relation.INTERSECTING:
-        return (normal.direction, scaled(-1.0, normal.direction))
+        return (normal.direction, scale(normal.direction, -1.0))
     return (normal.direction,)
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from kinematics.frames.axes import Line, Pose
 from kinematics.frames.normals import EXACT_ANGLE, EXACT_LENGTH
-from kinematics.frames.vectors import Vector, along, cross, dot, foot, minus, norm
+from kinematics.se3 import Vector, along, cross, dot, foot, norm, subtract
 from kinematics.table import Convention
 
 
@@ -44,12 +44,12 @@ def leaving(last: Pose, axis: Line, convention: Convention, size: float) -> Vect
 def _crossing(pose: Pose, axis: Line, size: float) -> Vector | None:
     """Where the x axis of a frame crosses an axis at right angles, or None."""
     point = foot(pose.origin, axis.point, axis.direction)
-    on_x = along(pose.origin, dot(minus(point, pose.origin), pose.x), pose.x)
-    return point if norm(minus(point, on_x)) <= EXACT_LENGTH * size else None
+    on_x = along(pose.origin, dot(subtract(point, pose.origin), pose.x), pose.x)
+    return point if norm(subtract(point, on_x)) <= EXACT_LENGTH * size else None
 
 
 def _lies_on(point: Vector, axis: Line, size: float) -> bool:
-    return norm(minus(point, foot(point, axis.point, axis.direction))) <= EXACT_LENGTH * size
+    return norm(subtract(point, foot(point, axis.point, axis.direction))) <= EXACT_LENGTH * size
 
 
 def _same(u: Vector, v: Vector) -> bool:

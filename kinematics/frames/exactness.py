@@ -9,27 +9,18 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
+from kinematics.angles import nearest_twelfth, twelfths
 from kinematics.expressions import Expression, number, pi_times
 from kinematics.frames.normals import EXACT_ANGLE, EXACT_LENGTH
 from kinematics.table import DHRow, DHTable, NumericTable, SymbolicTable
 
-STEPS = 12
-"""Angles snap to multiples of π/12 [rad], that is 15°."""
-
 _ROUNDING = 1e-14
-_ANGLES = {
-    k: math.pi * Fraction(k, STEPS).numerator / Fraction(k, STEPS).denominator
-    for k in range(-STEPS, STEPS + 1)
-}
 
 
 def clean_angle(angle: float) -> float:
     """The angle, or the multiple of π/12 within 1e-10 of it; in (-π, π] for an angle in [-π, π]."""
-    step = round(angle * STEPS / math.pi)
-    exact = _ANGLES.get(step)
-    if exact is None or abs(angle - exact) > EXACT_ANGLE:
-        return angle
-    return math.pi if step == -STEPS else exact
+    k = nearest_twelfth(angle, EXACT_ANGLE)
+    return angle if k is None else math.pi if k == -12 else twelfths(k)
 
 
 def clean_length(length: float, size: float) -> float:
@@ -59,10 +50,8 @@ def exact_table(table: NumericTable) -> SymbolicTable:
 
 
 def _exact_angle(angle: float) -> Expression:
-    step = round(angle * STEPS / math.pi)
-    if _ANGLES.get(step) == angle:
-        return pi_times(Fraction(step, STEPS))
-    return number(repr(angle))
+    k = nearest_twelfth(angle, 0.0)
+    return number(repr(angle)) if k is None else pi_times(Fraction(k, 12))
 
 
 def _exact_length(length: float) -> Expression:

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from kinematics.frames.axes import Line
 from kinematics.frames.normals import CommonNormal
-from kinematics.frames.vectors import Vector, foot
+from kinematics.se3 import Vector, foot
 
 
 def settle_levels(

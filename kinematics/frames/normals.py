@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from kinematics.frames.axes import Line
-from kinematics.frames.vectors import Vector, along, cross, dot, foot, minus, norm, rejected, scaled
+from kinematics.se3 import Vector, along, cross, dot, foot, norm, rejection, scale, subtract
 
 EXACT_ANGLE = 1e-10
 """Two directions closer than this [rad] are taken as parallel without a word: it is rounding."""
@@ -70,26 +70,26 @@ def common_normal(first: Line, second: Line, size: float) -> CommonNormal:
     z1, z2 = first.direction, second.direction
     c = cross(z1, z2)
     sine = norm(c)
-    w = minus(second.point, first.point)
+    w = subtract(second.point, first.point)
     if sine <= EXACT_ANGLE:
         return _parallel_normal(first, second, w, size)
     squared = sine * sine
     near = along(first.point, dot(cross(w, z2), c) / squared, z1)
     far = along(second.point, dot(cross(w, z1), c) / squared, z2)
-    n = scaled(1.0 / sine, c)
+    n = scale(c, 1.0 / sine)
     distance = dot(w, n)
     if abs(distance) <= EXACT_LENGTH * size:
         return CommonNormal(Relation.INTERSECTING, n, near, near, 0.0)
     if distance < 0.0:
-        n, distance = scaled(-1.0, n), -distance
+        n, distance = scale(n, -1.0), -distance
     return CommonNormal(Relation.SKEW, n, near, far, distance)
 
 
 def _parallel_normal(first: Line, second: Line, w: Vector, size: float) -> CommonNormal:
-    across = rejected(w, first.direction)
+    across = rejection(w, first.direction)
     distance = norm(across)
     far = foot(first.point, second.point, second.direction)
     if distance <= EXACT_LENGTH * size:
         return CommonNormal(Relation.COINCIDENT, None, first.point, far, 0.0)
     relation = Relation.PARALLEL if dot(first.direction, second.direction) > 0 else Relation.ANTIPARALLEL
-    return CommonNormal(relation, scaled(1.0 / distance, across), first.point, far, distance)
+    return CommonNormal(relation, scale(across, 1.0 / distance), first.point, far, distance)

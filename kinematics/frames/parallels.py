@@ -15,18 +15,7 @@ import numpy as np
 
 from kinematics.frames.axes import Line
 from kinematics.frames.normals import EXACT_ANGLE
-from kinematics.frames.vectors import (
-    Vector,
-    cross,
-    dot,
-    foot,
-    minus,
-    norm,
-    perpendicular,
-    rejected,
-    scaled,
-    unit,
-)
+from kinematics.se3 import Vector, cross, dot, foot, norm, perpendicular, rejection, scale, subtract, unit
 from kinematics.table import JointType
 
 PARALLEL_TOLERANCE = 5e-3
@@ -88,7 +77,7 @@ def straighten(lines: Sequence[Line], tolerance: float) -> tuple[list[Line], lis
             centre = middle(lines) if centre is None else centre
             pivot = foot(centre, line.point, line.direction)
             sense = 1.0 if dot(reference, line.direction) > 0 else -1.0
-            straight.append(Line(line.joint, pivot, scaled(sense, reference)))
+            straight.append(Line(line.joint, pivot, scale(reference, sense)))
             tilts.append(Tilt(k + 1, tilt, pivot))
         else:
             straight.append(line)
@@ -109,9 +98,9 @@ def with_dummies(lines: Sequence[Line], tolerance: float, size: float) -> tuple[
         if EXACT_ANGLE < tilt <= tolerance:
             start = foot(middle(lines), before.point, before.direction)
             end = foot(start, line.point, line.direction)
-            across = rejected(minus(end, start), before.direction)
+            across = rejection(subtract(end, start), before.direction)
             apart = norm(across) > 1e-6 * size
-            direction = unit(minus(end, start)) if apart else perpendicular(before.direction)
+            direction = unit(subtract(end, start)) if apart else perpendicular(before.direction)
             chain.append(Line(JointType.FIXED, start, direction))
             tilts.append(Tilt(k + 1, tilt, end))
         chain.append(line)

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from kinematics.frames.axes import Line
 from kinematics.frames.normals import CommonNormal, common_normal
-from kinematics.frames.vectors import Vector, foot
+from kinematics.se3 import Vector, foot
 from kinematics.table import JointType
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from kinematics.errors import Fault
 from kinematics.frames.parallels import NearParallel, Tilt
-from kinematics.frames.vectors import Vector, minus, norm
+from kinematics.se3 import Vector, norm, subtract
 from kinematics.table import Convention, NumericTable
 
 
@@ -38,7 +38,7 @@ def tilt_remarks(
                 )
             )
             continue
-        reach = norm(minus(tilt.pivot, axis_points[i]))
+        reach = norm(subtract(tilt.pivot, axis_points[i]))
         reach += sum(abs(row.a) + abs(row.d) for row in table.rows[i:])
         displacement = float(f"{2.0 * tilt.angle * reach:.3g}")
         remarks.append(

@@ -13,7 +13,7 @@ from enum import StrEnum
 
 from kinematics.frames.axes import Line, PartialPose
 from kinematics.frames.normals import Relation, common_normal
-from kinematics.frames.vectors import Vector, along, cross, dot, foot, minus, norm
+from kinematics.se3 import Vector, along, cross, dot, foot, norm, subtract
 from kinematics.table import Convention
 
 ANGLE_TOLERANCE = 1e-6
@@ -171,10 +171,10 @@ def broken(rule: RuleCode, part: Part, **params: int) -> Finding:
 
 
 def _on(point: Vector, line: Line, size: float) -> bool:
-    return norm(minus(point, foot(point, line.point, line.direction))) <= LENGTH_TOLERANCE * size
+    return norm(subtract(point, foot(point, line.point, line.direction))) <= LENGTH_TOLERANCE * size
 
 
 def _meets(origin: Vector, x: Vector, line: Line, size: float) -> bool:
     point = foot(origin, line.point, line.direction)
-    on_x = along(origin, dot(minus(point, origin), x), x)
-    return norm(minus(point, on_x)) <= LENGTH_TOLERANCE * size
+    on_x = along(origin, dot(subtract(point, origin), x), x)
+    return norm(subtract(point, on_x)) <= LENGTH_TOLERANCE * size

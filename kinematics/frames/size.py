@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kinematics.frames.axes import Line, Pose
-from kinematics.frames.vectors import minus, norm
+from kinematics.se3 import norm, subtract
 from kinematics.table import JointType
 
 
@@ -19,5 +19,5 @@ def robot_size(lines: Sequence[Line], first: Pose | None, last: Pose | None) -> 
     points += [pose.origin for pose in (first, last) if pose is not None]
     if not points:
         return 1.0
-    extent = max(norm(minus(point, points[0])) for point in points)
+    extent = max(norm(subtract(point, points[0])) for point in points)
     return max(extent, 1e-5 * max(map(norm, points))) or 1.0

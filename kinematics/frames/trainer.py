@@ -30,10 +30,18 @@ from kinematics.frames.parallels import PARALLEL_TOLERANCE, straighten
 from kinematics.frames.placement import draw_prismatic_axes
 from kinematics.frames.rules import Finding, Place, broken_rules, own_axis, partner_axis
 from kinematics.frames.size import robot_size
-from kinematics.frames.vectors import Vector, cross, dot, minus, norm, turn, unit
-from kinematics.links import Transform
+from kinematics.se3 import (
+    Transform,
+    Vector,
+    angle_from_to,
+    cross,
+    dot,
+    inverse_transform,
+    norm,
+    subtract,
+    unit,
+)
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericRow, NumericTable
-from kinematics.transforms import inverse_transform
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -179,7 +187,7 @@ def _follows(y: Vector, frame: PartialPose) -> bool:
     if frame.x is None or frame.z is None:
         return False
     across = cross(frame.z, frame.x)
-    return norm(across) < SAME_DIRECTION or norm(minus(y, unit(across))) <= SAME_DIRECTION
+    return norm(across) < SAME_DIRECTION or norm(subtract(y, unit(across))) <= SAME_DIRECTION
 
 
 def _foreign_y(where: tuple[str | int, ...]) -> Fault:
@@ -255,14 +263,14 @@ def _row(
     before, frame = sound[i - 1], sound[i]
     if before is None or frame is None:
         return None
-    w = minus(frame.origin, before.origin)
+    w = subtract(frame.origin, before.origin)
     x, z = (frame.x, before.z) if convention is Convention.STANDARD else (before.x, frame.z)
     return DHRow(
         joint=line.joint,
-        theta=clean_angle(turn(before.x, frame.x, z)),
+        theta=clean_angle(angle_from_to(before.x, frame.x, z)),
         d=clean_length(dot(w, z), size),
         a=clean_length(dot(w, x), size),
-        alpha=clean_angle(turn(before.z, frame.z, x)),
+        alpha=clean_angle(angle_from_to(before.z, frame.z, x)),
         sign=1 if dot(z, line.direction) > 0 else -1,
     )
 

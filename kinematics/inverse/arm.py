@@ -12,7 +12,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.links import Transform, link_transform
+from kinematics.dh import link_transform
+from kinematics.se3 import Transform
 from kinematics.table import Convention, JointType, NumericTable
 
 Array = NDArray[np.float64]

@@ -17,13 +17,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.chains import Chain, end_pose, joint_axes
+from kinematics.dh import ElementaryMotion, JointValue, Kind
 from kinematics.evaluation.blocks import run_blocks
 from kinematics.evaluation.plan import Plan
+from kinematics.evaluation.recurrences import LinkMotions, end_pose, joint_axes
 from kinematics.evaluation.tape import Recorder, Tape
 from kinematics.inverse.arm import Array
 from kinematics.inverse.residuals import angles_of_chords
-from kinematics.links import JointValue, Kind, Motion, Scalar, cross
+from kinematics.se3 import Scalar, cross
 
 _POSITION = (3, 7, 11)
 _ROTATION = (0, 1, 2, 4, 5, 6, 8, 9, 10)
@@ -95,21 +96,21 @@ def _tape(plan: Plan) -> Tape:
     return recorder.tape([*rows[0], *rows[1], *rows[2], volume, fingerprint])
 
 
-def _lines(chain: Chain, values: Sequence[JointValue]) -> list[tuple[Scalar, ...]]:
+def _lines(chain: LinkMotions, values: Sequence[JointValue]) -> list[tuple[Scalar, ...]]:
     """Plücker coordinates (p × z, z) of the joints' axes, seen from before the fourth."""
     middle = next(i for i, motions in enumerate(chain.links) if any(m.joint == 3 for m in motions))
-    before = Chain(links=(_backwards(chain.links[:middle]),), joint_types=chain.joint_types)
-    after = Chain(links=chain.links[middle:], joint_types=chain.joint_types)
+    before = LinkMotions(links=(_backwards(chain.links[:middle]),), joint_types=chain.joint_types)
+    after = LinkMotions(links=chain.links[middle:], joint_types=chain.joint_types)
     axes = joint_axes(before, values)[::-1] + joint_axes(after, values)
     return [(*cross(point, direction), *direction) for direction, point in axes]
 
 
-def _backwards(links: Sequence[Sequence[Motion]]) -> tuple[Motion, ...]:
+def _backwards(links: Sequence[Sequence[ElementaryMotion]]) -> tuple[ElementaryMotion, ...]:
     """The inverse motions in reverse order.
 
     Turns about z come before shifts along it: an axis through the origin then stays one, term by term.
     """
-    motions: list[Motion] = []
+    motions: list[ElementaryMotion] = []
     for motion in (motion for link in reversed(links) for motion in reversed(link)):
         turns = motion.kind in (Kind.TURN_X, Kind.TURN_Z)
         first = motion.first if turns else -motion.first

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from kinematics.errors import Fault, TableError
-from kinematics.links import Transform
+from kinematics.se3 import Transform
 from kinematics.table import NumericTable
 
 LARGEST_LENGTH = 1e60

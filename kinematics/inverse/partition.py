@@ -17,7 +17,7 @@ import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.position import DegenerateError, Joint, place_points
-from kinematics.transforms import inverse_transform
+from kinematics.se3 import inverse_transform
 
 LONGEST_HEAD = 3
 LONGEST_TAIL = 3

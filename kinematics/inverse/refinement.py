@@ -16,7 +16,7 @@ from kinematics.inverse.closed_form import NEARLY, ClosedForm, Decomposition
 from kinematics.inverse.distinct import differences, distinct
 from kinematics.inverse.residuals import are_solutions, error_vectors
 from kinematics.inverse.search import low_discrepancy, polish
-from kinematics.links import Transform
+from kinematics.se3 import Transform
 
 TOLERANCE = 5e-10
 """Largest distance [m] and angle [rad] of a solution from a closed form."""

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from enum import StrEnum
 
-from kinematics.links import Transform
+from kinematics.se3 import Transform
 
 
 class IKStatus(StrEnum):

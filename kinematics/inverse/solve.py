@@ -26,9 +26,8 @@ from kinematics.inverse.results import (
     UnreachableReason,
 )
 from kinematics.inverse.search import JOINTS_OF_SPACE, Bounds, Box, search
-from kinematics.links import Transform
+from kinematics.se3 import Transform, check_transform
 from kinematics.table import NumericTable
-from kinematics.transforms import check_transform
 
 MAX_JOINTS = 12
 MOST_SOLUTIONS = 64

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from kinematics.errors import Fault, JointValueError, ParameterError
 from kinematics.expressions import evaluate
 from kinematics.joint_values import one_configuration
-from kinematics.links import Transform
 from kinematics.poses import transform_from_xyzabc
 from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain
+from kinematics.se3 import Transform
 from kinematics.table import JointType
 
 _ENTRIES = tuple(Entry)

@@ -14,8 +14,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TypeAlias
 
+from kinematics.dh import Kind
 from kinematics.expressions import JointVariable
-from kinematics.links import Kind
 from kinematics.symbolic.angles import NO_ANGLE, Angle, angle_of, joint_angle
 from kinematics.symbolic.motions import Motion
 from kinematics.symbolic.nested import Arena

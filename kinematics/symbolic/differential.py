@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from kinematics.links import Kind
+from kinematics.dh import Kind
 from kinematics.symbolic.angles import NO_ANGLE, Angle
 from kinematics.symbolic.chain import Chain, Run, Vector, swung, turned, twisted
 from kinematics.symbolic.motions import Motion

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from kinematics.dh import MOTIONS, Kind
 from kinematics.expressions import ZERO, Expression
-from kinematics.links import MOTIONS, Kind
 from kinematics.table import Convention, JointType, SymbolicRow, SymbolicTable
 
 _KINDS = {"theta": Kind.TURN_Z, "d": Kind.SHIFT_Z, "a": Kind.SHIFT_X, "alpha": Kind.TURN_X}

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from kinematics.dh import Kind
 from kinematics.expressions import Expression
-from kinematics.links import Kind
 from kinematics.symbolic.elements import MINUS_ONE_FORM, ONE_FORM, ZERO_FORM, Form
 from kinematics.symbolic.motions import Motion
 from kinematics.symbolic.reading import Reader

@@ -18,8 +18,8 @@ from defusedxml import DefusedXmlException
 from defusedxml.ElementTree import DefusedXMLParser
 
 from kinematics.errors import DescriptionError, Fault, ParamValue
-from kinematics.links import Transform
 from kinematics.poses import transform_from_rpy
+from kinematics.se3 import Transform
 
 MAX_CHARACTERS = 1_000_000
 MAX_DEPTH = 64

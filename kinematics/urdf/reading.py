@@ -10,7 +10,7 @@ import numpy as np
 from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import MAX_AXES, JointAxis
 from kinematics.frames.parallels import NearParallel
-from kinematics.links import Transform
+from kinematics.se3 import Transform
 from kinematics.table import Convention, JointType, NumericTable
 from kinematics.urdf.chain import MOVING, serial_chain
 from kinematics.urdf.document import UrdfJoint, read_document, refused

@@ -15,12 +15,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from kinematics.dh import link_transform
 from kinematics.errors import DescriptionError, Fault
 from kinematics.inverse.limits import JointLimits, read_limits
-from kinematics.links import Transform, link_transform
 from kinematics.poses import rpy_from_transform
+from kinematics.se3 import Transform, check_transform
 from kinematics.table import Convention, JointType, NumericTable
-from kinematics.transforms import check_transform
 from kinematics.urdf.document import MAX_NUMBER
 
 BASE_LINK = "base_link"

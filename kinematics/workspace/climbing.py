@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinematics.forward import end_poses, forward_kinematics
-from kinematics.links import Transform
+from kinematics.se3 import Transform
 from kinematics.table import Convention, JointType, NumericTable
 from kinematics.workspace.goals import Array, Goal, Goals, stacked
 from kinematics.workspace.spans import spread

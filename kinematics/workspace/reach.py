@@ -12,8 +12,8 @@ from kinematics.errors import Fault, PoseError, TableError
 from kinematics.forward import end_poses
 from kinematics.inverse.lengths import check_lengths, is_far, too_long
 from kinematics.inverse.limits import JointLimits
+from kinematics.se3 import check_transform
 from kinematics.table import NumericTable
-from kinematics.transforms import check_transform
 from kinematics.workspace.climbing import Summit, first_axis, summits
 from kinematics.workspace.goals import Array, direction_goal, distance_goals
 from kinematics.workspace.spans import joint_spans, spread

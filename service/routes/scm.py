@@ -26,7 +26,7 @@ from kinematics.scm import (
     random_configurations,
     solver_of_chain,
 )
-from kinematics.transforms import inverse_transform
+from kinematics.se3 import inverse_transform
 from service.http.openapi import problems
 from service.http.routing import Written, api_router
 from service.schemas import scm as wire

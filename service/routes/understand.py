@@ -10,9 +10,9 @@ from fastapi import Body, Request, Response
 from fastapi.openapi.models import Example
 
 from kinematics.cells import Limits, RawTable, ReadTable, canonical_name, parameter_values, read_table
+from kinematics.dh import link_transform
 from kinematics.errors import CellError, Fault, ParameterError, TableError
 from kinematics.expressions import Expression, JointVariable, add, evaluate, multiply, number
-from kinematics.links import link_transform
 from kinematics.printing.latex import LatexWriter
 from kinematics.printing.mathml import MathmlWriter
 from kinematics.printing.notation import Names

@@ -32,7 +32,7 @@ Matrix4: TypeAlias = Annotated[
         }
     ),
 ]
-"""Its shape is checked with its meaning, by `kinematics.transforms.check_transform`."""
+"""Its shape is checked with its meaning, by `kinematics.se3.check_transform`."""
 
 
 class FaultEntry(Wire):

@@ -10,7 +10,7 @@ from kinematics.frames.axes import Gripper
 from kinematics.frames.candidates import Candidate, Candidates
 from kinematics.frames.rules import Finding
 from kinematics.frames.trainer import JudgedFrame, check_frames
-from kinematics.links import Transform
+from kinematics.se3 import Transform
 from service.schemas.frames import (
     AssignFramesAnswer,
     AssignFramesRequest,

@@ -18,8 +18,8 @@ from kinematics.pose_batches import (
     xyzabcs_from_transforms,
 )
 from kinematics.poses import pose_notations
+from kinematics.se3 import inverse_transform
 from kinematics.table import JointType
-from kinematics.transforms import inverse_transform
 from service.http.npy import npy_data, npy_header
 from service.schemas.forward_kinematics import STANDARD_PARTS, Part
 from service.wire.json_chunks import blocks, list_pieces, written

@@ -14,10 +14,10 @@ from kinematics.cells.exact import snapped
 from kinematics.expressions import Expression, pi_times
 from kinematics.jacobian import JacobianFrame
 from kinematics.scm import ReadChain
+from kinematics.se3 import check_transform
 from kinematics.symbolic.exact_poses import decimal, exact_pose
 from kinematics.symbolic.substitution import with_values
 from kinematics.table import table_parameters
-from kinematics.transforms import check_transform
 from service.http.problems import located
 from service.http.routing import NPY, ApiRequest, Written
 from service.http.validation import validated

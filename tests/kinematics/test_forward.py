@@ -14,10 +14,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinematics.angles import are_ordinary
+from kinematics.dh import link_transform
 from kinematics.errors import JointValueError, KinematicsError, PoseError, TableError
 from kinematics.evaluation.plan import WARM, plan_of
 from kinematics.forward import end_pose, end_poses, forward_kinematics
-from kinematics.links import link_transform
 from kinematics.table import Convention, DHRow, DHTable, JointType
 from tests.kinematics import oracle
 from tests.kinematics.robots import PUMA560, PUMA560_CRAIG, SCARA_RRPR

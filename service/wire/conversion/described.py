@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from kinematics.cells import ReadTable
-from kinematics.links import Transform
+from kinematics.se3 import Transform
 from service.wire.written_tables import Spellings, WireCell
 
 

@@ -10,10 +10,11 @@ import numpy as np
 from kinematics import catalogue
 from kinematics.cells import ParameterKind, RawTable, ReadTable, bind_parameters, read_table
 from kinematics.conversion import XScrew, convert, fixed_row
+from kinematics.dh import link_transform
 from kinematics.expressions import ONE, ZERO, Expression, Function, call, evaluate, negate, parameters_in
-from kinematics.links import Transform, link_transform
 from kinematics.printing.notation import Names
 from kinematics.printing.text import text_writer
+from kinematics.se3 import Transform
 from kinematics.table import Convention, DHTable
 from service.http.problems import located
 from service.schemas.conversion import ConvertRequest, TableAnswer

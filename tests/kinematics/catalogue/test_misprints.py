@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from kinematics.cells import AngleUnit, RawRow, RawTable, read_table
-from kinematics.links import link_transform
+from kinematics.dh import link_transform
 from kinematics.scm import RawChain, read_chain, verify
 from kinematics.scm.motion import forward_kinematics_scm
 from kinematics.table import Convention, DHRow, JointType

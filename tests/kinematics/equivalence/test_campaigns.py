@@ -6,8 +6,8 @@ from random import Random
 
 import pytest
 
+from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy, Tolerance, ToolRule
-from kinematics.equivalence.chains import chain_of
 from kinematics.equivalence.invariants import axes_of, invariants_of
 from kinematics.equivalence.reference import prepared
 from tests.kinematics.equivalence.campaign import (
@@ -51,5 +51,5 @@ def test_invariants_are_shared_by_all_valid_tables() -> None:
     for _, reference in references():
         invariants = invariants_of(prepared(reference), policy)
         table = random_valid_table(reference, rng)
-        axes = axes_of(chain_of(table), policy)
+        axes = axes_of(chain_of_table(table), policy)
         assert all(invariant.fits(axes) for invariant in invariants)

@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 
-from kinematics.equivalence.chains import Axis
+from kinematics.chain import Axis
 from kinematics.equivalence.groups import (
     EVERYTHING,
     NOTHING,
@@ -23,29 +23,29 @@ from kinematics.equivalence.groups import (
     with_rotations_about,
     with_translations_along,
 )
-from kinematics.equivalence.rigid import (
+from kinematics.se3 import (
     IDENTITY,
     ORIGIN,
     Z_AXIS,
     Motion,
     Vector,
-    across,
     compose,
     inverse,
     move,
     norm,
-    normalised,
     plus,
+    rejection,
     rotate,
     rotation_about,
     scale,
     subtract,
     translation,
+    unit,
 )
 
 NEAR = Nearness(1e-9, 1e-9, 1e-9)
 X_AXIS: Vector = (1.0, 0.0, 0.0)
-SKEW: Vector = normalised((1.0, 2.0, -0.5))
+SKEW: Vector = unit((1.0, 2.0, -0.5))
 ASIDE: Vector = (0.3, -0.2, 0.1)
 
 GROUPS = {
@@ -74,7 +74,7 @@ def element(group: Group, rng: Random) -> Motion:
     if group.rotations is not Rotations.NONE:
         axis = group.axis
         if group.rotations is Rotations.ABOUT_POINT:
-            axis = normalised((rng.gauss(0, 1), rng.gauss(0, 1), rng.gauss(0, 1)))
+            axis = unit((rng.gauss(0, 1), rng.gauss(0, 1), rng.gauss(0, 1)))
         angle = rng.uniform(-math.pi, math.pi)
         g = rotation_about(group.point, axis, math.cos(angle), math.sin(angle))
     for direction in group.translations:
@@ -88,7 +88,7 @@ def dimension(group: Group) -> int:
 
 
 def keeps_line(g: Motion, point: Vector, direction: Vector) -> bool:
-    moved = across(subtract(move(g, point), point), direction)
+    moved = rejection(subtract(move(g, point), point), direction)
     return norm(subtract(rotate(g, direction), direction)) < 1e-9 and norm(moved) < 1e-9
 
 

@@ -9,8 +9,8 @@ from random import Random
 import numpy as np
 import pytest
 
+from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy, Tolerance, ToolRule, decide
-from kinematics.equivalence.chains import chain_of, poses
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.verification import residual
 from kinematics.equivalence.worst_case import worst_case
@@ -47,12 +47,12 @@ def test_random_configurations_are_no_worse() -> None:
     table = rounded(random_valid_table(PUMA, Random(3), dummies=0.0), 2)
     certificate = decide(PUMA, table, WIDE).certificate
     assert certificate is not None
-    reference, chain, candidate = prepared(PUMA), chain_of(table), certificate.draws[0]
+    reference, chain, candidate = prepared(PUMA), chain_of_table(table), certificate.draws[0]
     worst = worst_case(reference, chain, candidate).residual
     sampled = residual(reference, chain, candidate)
     joints = np.random.default_rng(0).uniform(-math.pi, math.pi, (6, 20000))
     beyond = residual(
-        replace(reference, joints=joints, poses=poses(reference.chain, joints)), chain, candidate
+        replace(reference, joints=joints, poses=reference.chain.poses(joints.T)), chain, candidate
     )
     assert sampled.length < beyond.length <= worst.length
     assert sampled.angle < beyond.angle <= worst.angle
@@ -77,9 +77,9 @@ SLIDER = standard((P, HALF, 0, 0, 0), (R, HALF, 0, 0, 0), (R, 0, 0, 0, 0))
 
 
 def test_a_key_without_lengths_has_the_size_of_the_submission() -> None:
-    chain = chain_of(changed(WRIST, 1, d=0.4))
+    chain = chain_of_table(changed(WRIST, 1, d=0.4))
     assert prepared(WRIST).beside(chain).size == pytest.approx(0.4)
-    assert prepared(WRIST).beside(chain_of(WRIST)).size == 1.0
+    assert prepared(WRIST).beside(chain_of_table(WRIST)).size == 1.0
     assert prepared(PUMA).beside(chain) is prepared(PUMA)
 
 

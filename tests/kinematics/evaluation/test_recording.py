@@ -11,9 +11,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinematics.chains import base_jacobian, chain_of_table, end_pose
 from kinematics.evaluation.blocks import BLOCK, run_blocks
 from kinematics.evaluation.plan import Computation, Quantity
+from kinematics.evaluation.recurrences import base_jacobian, end_pose, motions_of_table
 from kinematics.evaluation.straight_line import straight_line
 from kinematics.evaluation.tape import Operator, Recorder
 from kinematics.table import JointType
@@ -89,14 +89,14 @@ def test_zero_and_one_cost_nothing_and_register_zero_is_not_the_number_zero():
 @pytest.mark.parametrize(("table", "most"), [(PUMA560, 71), (SCARA_RRPR, 22), (PLANAR4, 42)])
 def test_the_end_pose_takes_few_operations(table, most):
     """A yardstick against silent losses: the PUMA's product of six 4×4 matrices would take 560."""
-    assert len(Computation(chain_of_table(table), Quantity.POSE)._tape.operations) <= most
+    assert len(Computation(motions_of_table(table), Quantity.POSE)._tape.operations) <= most
 
 
 def test_registers_share_buffers():
     """A hundred registers of a PUMA Jacobian fit into the cache."""
     from kinematics.evaluation.blocks import _layout
 
-    tape = Computation(chain_of_table(PUMA560), Quantity.BASE_JACOBIAN)._tape
+    tape = Computation(motions_of_table(PUMA560), Quantity.BASE_JACOBIAN)._tape
     assert _layout(tape).n_buffers < 60 < tape.n_inputs + len(tape.operations)
 
 
@@ -104,7 +104,7 @@ def test_registers_share_buffers():
 @given(tables(max_rows=5))
 def test_functions_are_made_of_arithmetic_alone(table):
     """No name but those of the namespace, no attribute, no import, no text of the table."""
-    computation = Computation(chain_of_table(table), Quantity.POSE)
+    computation = Computation(motions_of_table(table), Quantity.POSE)
     function = straight_line(computation._tape, table.joint_types, computation.shape)
     assert function.__globals__["__builtins__"] == {}
     names = {"cos", "sin", "ordinary", "exact", "tidy", "empty", "shape", "pack_into"}
@@ -121,7 +121,7 @@ def test_deep_computations_can_be_compiled():
     long = type(PUMA560)(convention=PUMA560.convention, rows=PUMA560.rows * 10 + PUMA560.rows[:4])
     joints = np.random.default_rng(64).uniform(-3, 3, long.n_joints)
     for quantity in Quantity:
-        computation = Computation(chain_of_table(long), quantity)
+        computation = Computation(motions_of_table(long), quantity)
         walked = computation.once(joints.tolist())
         straight = straight_line(computation._tape, long.joint_types, computation.shape)(joints.tolist())
         np.testing.assert_allclose(straight, walked, rtol=0, atol=1e-12)
@@ -131,7 +131,7 @@ def test_deep_computations_can_be_compiled():
 def test_walking_and_replaying_agree_to_the_last_bit():
     """So that an answer does not change when a table has been asked for often enough to be recorded."""
     for table in (PUMA560, SCARA_RRPR, PLANAR4):
-        chain = chain_of_table(table)
+        chain = motions_of_table(table)
         for joints in np.random.default_rng(1).uniform(-3, 3, (20, table.n_joints)).tolist():
             for quantity in Quantity:
                 computation = Computation(chain, quantity)
@@ -145,7 +145,7 @@ def test_any_kind_of_number_will_do():
     from fractions import Fraction
 
     three, four = Fraction(3, 5), Fraction(4, 5)
-    chain = chain_of_table(PLANAR4)
+    chain = motions_of_table(PLANAR4)
     values = [(three, four)] * 4
     r0, r1, _ = end_pose(chain, values)
     turned = complex(0.6, 0.8) ** 4

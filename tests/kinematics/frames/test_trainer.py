@@ -10,7 +10,7 @@ from kinematics.forward import forward_kinematics
 from kinematics.frames.assignment import assign_frames
 from kinematics.frames.rules import Part, RuleCode, Severity
 from kinematics.frames.trainer import ChosenFrame, check_frames
-from kinematics.frames.vectors import cross
+from kinematics.se3 import cross
 from kinematics.table import CELLS, Convention
 from tests.kinematics.frames.chains import KINDS, motion, random_chain, random_end
 from tests.kinematics.frames.test_assignment import PUMA, P, R, X, Y, Z, axes, both

@@ -28,10 +28,10 @@ from kinematics.forward import forward_kinematics
 from kinematics.jacobian import JacobianFrame
 from kinematics.jacobian import jacobian as numeric_jacobian
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
+from kinematics.se3 import inverse_transform
 from kinematics.symbolic import Matrix, canonical, closed_form, count_operations, inverse, jacobian
 from kinematics.symbolic.exact_poses import exact_pose
 from kinematics.table import Convention, JointType, SymbolicRow, SymbolicTable, bind, table_parameters
-from kinematics.transforms import inverse_transform
 from tests.kinematics.symbolic.tables import (
     general_table,
     puma,

@@ -7,11 +7,13 @@ from random import Random
 import numpy as np
 import pytest
 
+from kinematics.chain import chain_of_table, frames_at_zero, size_of
 from kinematics.equivalence import mirrored
-from kinematics.equivalence.chains import chain_of, frames_of, poses, size_of
 from kinematics.equivalence.reference import prepared, sample_joints
-from kinematics.equivalence.rigid import to_matrix
 from kinematics.forward import forward_kinematics
+from kinematics.jacobian import jacobian
+from kinematics.poses import transform_from_xyzabc
+from kinematics.se3 import to_matrix
 from kinematics.table import DHTable
 from tests.kinematics.equivalence.generators import random_robot, random_valid_table
 from tests.kinematics.equivalence.tables import HALF, PUMA, SCARA, F, P, R, changed, standard, table
@@ -22,37 +24,37 @@ def test_exponentials_of_screws_are_the_forward_kinematics(seed: int) -> None:
     rng = Random(seed)
     drawn = random_valid_table(random_robot(rng), rng)
     q = np.random.default_rng(seed).uniform(-3, 3, (drawn.n_joints, 4))
-    found = poses(chain_of(drawn), q)
+    found = chain_of_table(drawn).poses(q.T)
     for k in range(4):
         expected = forward_kinematics(drawn, q[:, k])
-        assert np.allclose(found[k], expected.transform, atol=1e-10 * (1 + chain_of(drawn).extent))
+        assert np.allclose(found[k], expected.transform, atol=1e-10 * (1 + chain_of_table(drawn).extent))
     at_zero = forward_kinematics(drawn, np.zeros(drawn.n_joints)).frames
-    frames = [to_matrix(frame) for frame in frames_of(drawn)]
+    frames = [to_matrix(frame) for frame in frames_at_zero(drawn)]
     assert np.allclose(frames[0], np.eye(4))
-    assert np.allclose(frames[1:], at_zero, atol=1e-10 * (1 + chain_of(drawn).extent))
+    assert np.allclose(frames[1:], at_zero, atol=1e-10 * (1 + chain_of_table(drawn).extent))
 
 
 def test_size_hardly_depends_on_the_frames() -> None:
     rng = Random(5)
     for robot in (PUMA, SCARA):
-        size = size_of(chain_of(robot))
+        size = size_of(chain_of_table(robot))
         assert 0.5 < size < 1.5
         rows = [(r.joint, r.alpha, r.a, r.d, r.theta) for r in robot.rows]
         far_away = table(robot.convention, (F, 0.3, 10.0, 7.0, 0.2), *rows)
-        assert size_of(chain_of(far_away)) == pytest.approx(size, rel=0.5)
+        assert size_of(chain_of_table(far_away)) == pytest.approx(size, rel=0.5)
         for _ in range(20):
             drawn = random_valid_table(robot, rng, dummies=0.0, textbook_ends=True)
-            assert 0.3 * size < size_of(chain_of(drawn)) < 3.0 * size
+            assert 0.3 * size < size_of(chain_of_table(drawn)) < 3.0 * size
 
 
 def test_offsets_of_nearly_parallel_axes_do_not_inflate_the_size() -> None:
     arm = standard((R, HALF, 0, 0.1, 0), (R, 0.003, -0.4, 137.2, 0), (R, 0, -0.4, -137.1, 0))
-    assert size_of(chain_of(arm)) < 2.0
+    assert size_of(chain_of_table(arm)) < 2.0
 
 
 def test_size_of_degenerate_robots() -> None:
-    assert size_of(chain_of(standard((R, 1.0, 0, 0, 0), (R, 0, 0, 0, 0)))) == 0.0
-    assert size_of(chain_of(standard((P, 1.0, 0.2, 0.3, 0)))) == 0.5
+    assert size_of(chain_of_table(standard((R, 1.0, 0, 0, 0), (R, 0, 0, 0, 0)))) == 0.0
+    assert size_of(chain_of_table(standard((P, 1.0, 0.2, 0.3, 0)))) == 0.5
     assert prepared(standard((R, 1.0, 0, 0, 0))).scaleless
 
 
@@ -77,4 +79,22 @@ def test_the_mirror_image_is_a_reflection() -> None:
 
 def test_a_table_without_joints_is_a_constant() -> None:
     post = DHTable(convention=PUMA.convention, rows=standard((F, 0.1, 0.2, 0.3, 0.4)).rows)
-    assert poses(chain_of(post), np.empty((0, 3))).shape == (3, 4, 4)
+    assert chain_of_table(post).poses(np.empty((3, 0))).shape == (3, 4, 4)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_frames_and_jacobian_are_those_of_the_table(seed: int) -> None:
+    rng = Random(seed)
+    drawn = random_valid_table(random_robot(rng), rng)
+    generator = np.random.default_rng(seed)
+    base, tool = (transform_from_xyzabc(generator.uniform(-1, 1, 6).tolist()) for _ in range(2))
+    chain = chain_of_table(drawn, base, tool)
+    q = generator.uniform(-3, 3, (5, drawn.n_joints))
+    expected = forward_kinematics(drawn, q, base=base, tool=tool)
+    accuracy = 1e-10 * (1 + chain.extent)
+    np.testing.assert_allclose(chain.frames(q)[:, 1:], expected.frames, atol=accuracy)
+    np.testing.assert_allclose(chain.frames(q)[:, 0], np.broadcast_to(base, (5, 4, 4)), atol=1e-15)
+    np.testing.assert_allclose(chain.poses(q), expected.transform, atol=accuracy)
+    np.testing.assert_allclose(chain.jacobian(q), jacobian(drawn, q, base=base, tool=tool), atol=accuracy)
+    np.testing.assert_allclose(chain.jacobian(q[0]), chain.jacobian(q)[0], atol=1e-15)
+    np.testing.assert_allclose(chain.frames(q[0]), chain.frames(q)[0], atol=1e-15)

@@ -12,31 +12,28 @@ from dataclasses import dataclass
 from itertools import chain as concatenated
 from typing import TypeAlias
 
-from kinematics.links import (
+from kinematics.dh import (
+    ElementaryMotion,
     JointValue,
     Kind,
-    Motion,
     Row,
-    Scalar,
-    Transform,
-    Vector,
-    cross,
     link_motions,
     pose_of_motions,
     set_joints,
     turn_x,
     turn_z,
 )
+from kinematics.se3 import Scalar, Scalars, Transform, cross
 from kinematics.table import JointType, NumericTable
 
-Pose: TypeAlias = tuple[Row, Row, Row]
+Rows: TypeAlias = tuple[Row, Row, Row]
 """The upper three rows of a 4×4 transform."""
 
-IDENTITY: Pose = ((1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0))
+IDENTITY: Rows = ((1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0))
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Chain:
+class LinkMotions:
     """A table taken apart into elementary motions, between a base and a tool.
 
     Attributes:
@@ -46,15 +43,15 @@ class Chain:
         tool: pose of the tool in frame N, None for the identity.
     """
 
-    links: tuple[tuple[Motion, ...], ...]
+    links: tuple[tuple[ElementaryMotion, ...], ...]
     joint_types: tuple[JointType, ...]
-    base: Pose | None = None
-    tool: Pose | None = None
+    base: Rows | None = None
+    tool: Rows | None = None
 
 
-def chain_of_table(
+def motions_of_table(
     table: NumericTable, base: Transform | None = None, tool: Transform | None = None
-) -> Chain:
+) -> LinkMotions:
     """Take a table apart.
 
     Raises:
@@ -65,16 +62,16 @@ def chain_of_table(
         tuple(link_motions(row, table.convention, joints.get(i, 0), ("rows", i)))
         for i, row in enumerate(table.rows)
     )
-    return Chain(links=links, joint_types=table.joint_types, base=_rows(base), tool=_rows(tool))
+    return LinkMotions(links=links, joint_types=table.joint_types, base=_rows(base), tool=_rows(tool))
 
 
-def compose(left: Pose, right: Pose) -> Pose:
+def compose(left: Rows, right: Rows) -> Rows:
     """Product of two poses."""
     (a, b, c) = (_times(row, right) for row in left)
     return a, b, c
 
 
-def end_pose(chain: Chain, values: Sequence[JointValue]) -> Pose:
+def end_pose(chain: LinkMotions, values: Sequence[JointValue]) -> Rows:
     """T = base · A_1 ⋯ A_N · tool.
 
     Source: seed 000 eq. 3.3.
@@ -85,12 +82,12 @@ def end_pose(chain: Chain, values: Sequence[JointValue]) -> Pose:
     return pose if chain.tool is None else compose(pose, chain.tool)
 
 
-def link_poses(chain: Chain, values: Sequence[JointValue]) -> list[Pose]:
+def link_poses(chain: LinkMotions, values: Sequence[JointValue]) -> list[Rows]:
     """A_1 … A_N: pose of frame i in frame i-1."""
     return [pose_of_motions(set_joints(motions, values)) for motions in chain.links]
 
 
-def frame_poses(chain: Chain, values: Sequence[JointValue]) -> list[Pose]:
+def frame_poses(chain: LinkMotions, values: Sequence[JointValue]) -> list[Rows]:
     """Poses base · A_1 ⋯ A_i of frames i = 1 … N in the world."""
     cursor = _Cursor(chain.base or IDENTITY)
     frames = []
@@ -101,12 +98,12 @@ def frame_poses(chain: Chain, values: Sequence[JointValue]) -> list[Pose]:
     return frames
 
 
-def joint_axes(chain: Chain, values: Sequence[JointValue]) -> list[tuple[Vector, Vector]]:
+def joint_axes(chain: LinkMotions, values: Sequence[JointValue]) -> list[tuple[Scalars, Scalars]]:
     """For every joint the direction of its positive motion and a point of its axis, in the world's axes."""
     return [(direction, point) for direction, point, _ in _axes_and_tip(chain, values)[0]]
 
 
-def base_jacobian(chain: Chain, values: Sequence[JointValue]) -> list[tuple[Scalar, ...]]:
+def base_jacobian(chain: LinkMotions, values: Sequence[JointValue]) -> list[tuple[Scalar, ...]]:
     """Columns of J0: (z_i × (p − p_i), z_i) of a revolute joint, (z_i, 0) of a prismatic one.
 
     z_i is the direction of joint i, p_i a point of its axis, p the origin of the tool, in the world's axes.
@@ -120,7 +117,7 @@ def base_jacobian(chain: Chain, values: Sequence[JointValue]) -> list[tuple[Scal
     ]
 
 
-def end_jacobian(chain: Chain, values: Sequence[JointValue]) -> list[tuple[Scalar, ...]]:
+def end_jacobian(chain: LinkMotions, values: Sequence[JointValue]) -> list[tuple[Scalar, ...]]:
     """Columns of Jn: the same velocities as in J0, in the axes of the tool.
 
     With the tool's pose (x, y, z, p) in the frame of joint i, the joint moves p by z_i × p = (−p_y, p_x, 0),
@@ -158,13 +155,13 @@ class _Cursor:
     nothing does but the x-axis, which a shift along it asks for.
     """
 
-    def __init__(self, pose: Pose) -> None:
-        self._rows: list[Vector] = [(row[0], row[1], row[2]) for row in pose]
+    def __init__(self, pose: Rows) -> None:
+        self._rows: list[Scalars] = [(row[0], row[1], row[2]) for row in pose]
         self._p: list[Scalar] = [row[3] for row in pose]
         self._c: Scalar = 1.0
         self._s: Scalar = 0.0
 
-    def move(self, motion: Motion) -> None:
+    def move(self, motion: ElementaryMotion) -> None:
         """Move by an elementary motion in the frame's own axes."""
         kind, first, second, _, _ = motion
         if kind is Kind.TURN_Z:
@@ -177,31 +174,31 @@ class _Cursor:
         else:
             self._p = [p + row[0] * first for p, row in zip(self._p, self._turned(), strict=True)]
 
-    def z(self) -> Vector:
+    def z(self) -> Scalars:
         """Direction of the z-axis."""
         r0, r1, r2 = self._rows
         return r0[2], r1[2], r2[2]
 
-    def origin(self) -> Vector:
+    def origin(self) -> Scalars:
         """The origin."""
         x, y, z = self._p
         return x, y, z
 
-    def pose(self) -> Pose:
+    def pose(self) -> Rows:
         """The frame's pose."""
         r0, r1, r2 = ((*row, p) for row, p in zip(self._turned(), self._p, strict=True))
         return r0, r1, r2
 
-    def _turned(self) -> list[Vector]:
+    def _turned(self) -> list[Scalars]:
         return [turn_z(row, self._c, -self._s) for row in self._rows]
 
 
 def _axes_and_tip(
-    chain: Chain, values: Sequence[JointValue]
-) -> tuple[list[tuple[Vector, Vector, Kind]], Vector]:
+    chain: LinkMotions, values: Sequence[JointValue]
+) -> tuple[list[tuple[Scalars, Scalars, Kind]], Scalars]:
     """Direction, point and kind of every joint's axis, and the origin of the tool."""
     cursor = _Cursor(chain.base or IDENTITY)
-    axes: list[tuple[Vector, Vector, Kind]] = []
+    axes: list[tuple[Scalars, Scalars, Kind]] = []
     for motion in set_joints(concatenated.from_iterable(chain.links), values):
         if motion.joint is not None:
             x, y, z = cursor.z()
@@ -212,7 +209,7 @@ def _axes_and_tip(
     return axes, (x, y, z)
 
 
-def _times(row: Row, right: Pose) -> Row:
+def _times(row: Row, right: Rows) -> Row:
     a, b, c, p = row
     (x0, y0, z0, p0), (x1, y1, z1, p1), (x2, y2, z2, p2) = right
     return (
@@ -223,7 +220,7 @@ def _times(row: Row, right: Pose) -> Row:
     )
 
 
-def _rows(transform: Transform | None) -> Pose | None:
+def _rows(transform: Transform | None) -> Rows | None:
     if transform is None:
         return None
     r0, r1, r2, _ = (tuple(row) for row in transform.tolist())

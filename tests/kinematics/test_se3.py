@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 
 from kinematics.errors import PoseError
-from kinematics.transforms import check_transform, inverse_transform
+from kinematics.se3 import check_transform, inverse_transform
 from tests.kinematics.strategies import transforms
 
 EYE = np.eye(4)

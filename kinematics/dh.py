@@ -1,0 +1,212 @@
+"""The Denavit–Hartenberg product: what a row of a table means, written once.
+
+    standard:  A_i = Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)
+    modified:  A_i = Rot_x(alpha) Trans_x(a) Rot_z(theta) Trans_z(d)
+
+A link is a product of four elementary motions, one for each cell of its row. The two conventions differ in
+their order alone (`MOTIONS`). Whatever is computed from a table, for one configuration or many, is derived
+from this order and from the two rotations `turn_z` and `turn_x`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from enum import StrEnum
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+
+from kinematics.angles import cos_sin
+from kinematics.errors import Fault, JointValueError, TableError
+from kinematics.se3 import ORIGIN, X_AXIS, Z_AXIS, Motion, Scalar, Scalars, Transform, cross
+from kinematics.table import Convention, JointType, NumericRow
+
+MOTIONS = {
+    Convention.STANDARD: ("theta", "d", "a", "alpha"),
+    Convention.MODIFIED: ("alpha", "a", "theta", "d"),
+}
+"""The order of the motions, base side first. The cells theta and d move along z, a and alpha along x."""
+
+
+def link_transform(row: NumericRow, convention: Convention, q: float = 0.0) -> Transform:
+    """Return the pose of frame i in frame i-1, from one row of a DH table.
+
+    standard:  Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)
+    modified:  Rot_x(alpha) Trans_x(a) Rot_z(theta) Trans_z(d)
+
+    Args:
+        row: theta joint angle [rad], d link offset [m], a link length [m], alpha link twist [rad];
+            in a modified table a and alpha belong to link i-1.
+        convention: which of the two products to form.
+        q: the joint variable [rad], or [m] of a prismatic row; a fixed row ignores it.
+
+    Returns:
+        (4, 4) homogeneous transform, translation in [m]. Angles that are multiples of π/12 count as exact.
+
+    Raises:
+        TableError: an entry of the row is NaN or infinite.
+        JointValueError: q is NaN or infinite.
+
+    Source: seed 000 eq. 3.2 (modified); seed 003 eq. 2 (standard).
+    """
+    if not math.isfinite(q):
+        raise JointValueError(Fault(code="joint_not_finite", where=("joints", 0), params={"joint": 1}))
+    value = cos_sin(q) if row.joint is JointType.REVOLUTE else q
+    motions = set_joints(link_motions(row, convention), (value,))
+    return np.array([*pose_of_motions(motions), (0.0, 0.0, 0.0, 1.0)])
+
+
+Row: TypeAlias = tuple[Scalar, Scalar, Scalar, Scalar]
+JointValue: TypeAlias = Any
+"""(cos q, sin q) of a revolute joint, q of a prismatic one."""
+
+
+class Kind(StrEnum):
+    """The four elementary motions."""
+
+    TURN_Z = "turn_z"
+    SHIFT_Z = "shift_z"
+    SHIFT_X = "shift_x"
+    TURN_X = "turn_x"
+
+
+class ElementaryMotion(NamedTuple):
+    """An elementary motion.
+
+    Attributes:
+        kind: which one.
+        first: cosine of a turn's angle, or the length of a shift.
+        second: sine of a turn's angle.
+        joint: number of the joint that moves so, from 0; None of a constant motion.
+        sign: −1 of a joint whose variable enters reversed.
+    """
+
+    kind: Kind
+    first: Scalar
+    second: Scalar = 0.0
+    joint: int | None = None
+    sign: int = 1
+
+
+_KINDS = {"theta": Kind.TURN_Z, "d": Kind.SHIFT_Z, "a": Kind.SHIFT_X, "alpha": Kind.TURN_X}
+_VARIABLE = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d", JointType.FIXED: None}
+
+
+def turn_z(v: Scalars, c: Scalar, s: Scalar) -> Scalars:
+    """Return Rot_z(angle) · v, from the angle's cosine and sine; with −s, Rot_z(angle)ᵀ · v."""
+    x, y, z = v
+    return x * c - y * s, x * s + y * c, z
+
+
+def turn_x(v: Scalars, c: Scalar, s: Scalar) -> Scalars:
+    """Return Rot_x(angle) · v, from the angle's cosine and sine; with −s, Rot_x(angle)ᵀ · v."""
+    x, y, z = v
+    return x, y * c - z * s, y * s + z * c
+
+
+def link_motions(
+    row: NumericRow, convention: Convention, joint: int = 0, where: tuple[str | int, ...] = ()
+) -> list[ElementaryMotion]:
+    """Return the elementary motions of a row, base side first, without constant ones that do not move.
+
+    Args:
+        row: the row.
+        convention: their order.
+        joint: number of the row's joint, from 0; ignored of a fixed row.
+        where: place of the row, for the faults.
+
+    Raises:
+        TableError: an entry is NaN or infinite.
+    """
+    faults: list[Fault] = []
+    motions: list[ElementaryMotion] = []
+    for cell in MOTIONS[convention]:
+        kind, value = _KINDS[cell], float(getattr(row, cell))
+        if not math.isfinite(value):
+            place = (*where, cell)
+            faults.append(Fault(code="entry_not_finite", where=place, params={"cell": cell}))
+        elif value:
+            turns = kind is Kind.TURN_Z or kind is Kind.TURN_X
+            motions.append(
+                ElementaryMotion(kind, *cos_sin(value)) if turns else ElementaryMotion(kind, value)
+            )
+        if cell == _VARIABLE[row.joint]:
+            motions.append(ElementaryMotion(kind, 0.0, 0.0, joint, row.sign))
+    if faults:
+        raise TableError(faults)
+    return motions
+
+
+def set_joints(motions: Iterable[ElementaryMotion], values: Sequence[JointValue]) -> list[ElementaryMotion]:
+    """Return the same motions with the joints' values in place."""
+    placed = []
+    for motion in motions:
+        if motion.joint is None:
+            placed.append(motion)
+        elif motion.kind is Kind.TURN_Z:
+            cos, sin = values[motion.joint]
+            placed.append(
+                ElementaryMotion(
+                    Kind.TURN_Z, cos, sin if motion.sign > 0 else -sin, motion.joint, motion.sign
+                )
+            )
+        else:
+            by = values[motion.joint]
+            placed.append(
+                ElementaryMotion(Kind.SHIFT_Z, by if motion.sign > 0 else -by, 0.0, motion.joint, motion.sign)
+            )
+    return placed
+
+
+def pose_of_motions(motions: Sequence[ElementaryMotion]) -> tuple[Row, Row, Row]:
+    """Return the 3×4 pose that a product of elementary motions makes, by rows, for any kind of number.
+
+    Columns x and z of the rotation and the origin p are carried from the tip to the base. Turns about
+    parallel axes are put together (by the rule for the cosine and sine of a sum) before the columns are
+    turned, and y = z × x.
+    """
+    x, z, p = X_AXIS, Z_AXIS, ORIGIN
+    c, s = 1.0, 0.0
+    for kind, first, second, _, _ in reversed(motions):
+        if kind is Kind.TURN_Z:
+            c, s, _ = turn_z((c, s, 0.0), first, second)
+            p = turn_z(p, first, second)
+        elif kind is Kind.TURN_X:
+            x, z, p = (turn_x(v, first, second) for v in (turn_z(x, c, s), turn_z(z, c, s), p))
+            c, s = 1.0, 0.0
+        elif kind is Kind.SHIFT_Z:
+            p = (p[0], p[1], p[2] + first)
+        else:
+            p = (p[0] + first, p[1], p[2])
+    x, z = turn_z(x, c, s), turn_z(z, c, s)
+    y = cross(z, x)
+    return (x[0], y[0], z[0], p[0]), (x[1], y[1], z[1], p[1]), (x[2], y[2], z[2], p[2])
+
+
+def frame_after(here: Motion, row: NumericRow, convention: Convention) -> Motion:
+    """Return the frame after a row, at q = 0, given the frame before it.
+
+    The row's elementary motions are applied to the columns of the frame in the convention's order: a turn
+    mixes two columns, a shift moves the origin along one.
+    """
+    xx, yx, zx, xy, yy, zy, xz, yz, zz, px, py, pz = here
+    for cell in MOTIONS[convention]:
+        value = getattr(row, cell)
+        if not value:
+            continue
+        if cell == "d":
+            px, py, pz = px + value * zx, py + value * zy, pz + value * zz
+        elif cell == "a":
+            px, py, pz = px + value * xx, py + value * xy, pz + value * xz
+        elif cell == "theta":
+            c, s = cos_sin(value)
+            xx, yx = c * xx + s * yx, c * yx - s * xx
+            xy, yy = c * xy + s * yy, c * yy - s * xy
+            xz, yz = c * xz + s * yz, c * yz - s * xz
+        else:
+            c, s = cos_sin(value)
+            yx, zx = c * yx + s * zx, c * zx - s * yx
+            yy, zy = c * yy + s * zy, c * zy - s * yy
+            yz, zz = c * yz + s * zz, c * zz - s * yz
+    return (xx, yx, zx, xy, yy, zy, xz, yz, zz, px, py, pz)
