@@ -1,8 +1,9 @@
 """Recording a computation: symbols that remember what was done to them.
 
-The recurrences of `kinematics.evaluation.recurrences` know only + − ×. Run on symbols they leave behind a tape: the list of
-the operations that are really needed for one table. Products with 0 and ±1 have vanished, signs have moved
-into sums and differences, nothing is computed twice, and nothing that no result needs is computed at all.
+The recurrences of `kinematics.evaluation.recurrences` know only + − ×. Run on symbols they leave behind a
+tape: the list of the operations that are really needed for one table. Products with 0 and ±1 have vanished,
+signs have moved into sums and differences, nothing is computed twice, and nothing that no result needs is
+computed at all.
 """
 
 from __future__ import annotations
