@@ -43,7 +43,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         try:
             uvicorn.run(app, **options)  # type: ignore[arg-type]
         finally:
-            app.state.workers.close()  # or they would outlive a server that could not start
+            app.state.resources.workers.close()  # or they would outlive a server that could not start
 
 
 def _port(text: str) -> int:

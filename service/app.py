@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import asyncio
 import functools
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
@@ -15,25 +18,25 @@ from exercises.loader import use_folders
 from kinematics.errors import Fault, KinematicsError
 from service import __version__
 from service.http import openapi
-from service.http.middleware import REQUEST_ID, Edge
+from service.http.languages import language_for
+from service.http.middleware import REQUEST_ID, OuterMiddleware
 from service.http.problems import (
     PROBLEM_JSON,
     BodyError,
     MethodError,
     NotFoundError,
-    Place,
     Problem,
+    RequestPart,
     ServiceError,
     problem_of,
 )
 from service.http.routing import DirectRoute
 from service.http.validation import request_error
-from service.messages import language_for
+from service.resources import Resources, resources_of
 from service.routes import routers
 from service.settings import Settings
-from service.wire.prepared_robots import Preparation
-from service.work.limiters import gates
-from service.work.workers import Workers, lifespan
+from service.work.thread_switching import switch_threads_often
+from service.work.workers import Workers
 
 DESCRIPTION = """\
 Denavit–Hartenberg kinematics over HTTP: a table and joint values in; poses, Jacobians, closed forms and other
@@ -68,13 +71,10 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         redoc_url=None,
         redirect_slashes=False,
         telemetry={"tracing": False, "metrics": False, "logs": False},
-        lifespan=lifespan,
+        lifespan=_lifespan,
     )
-    app.state.settings = settings
-    app.state.preparation = Preparation(settings)
-    app.state.gates = gates(settings)
     use_folders(settings.exercise_folders)
-    app.state.workers = Workers(settings)
+    app.state.resources = Resources(settings)
     found = [route for router in routers() for route in router.routes]
     app.router.routes.extend(sorted(found, key=lambda route: not isinstance(route, DirectRoute)))
     app.add_exception_handler(KinematicsError, _refuse)
@@ -89,15 +89,27 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             allow_headers=["*"],
             expose_headers=["X-Request-Id", "Content-Language"],
         )
-    app.add_middleware(Edge, settings=settings)
+    app.add_middleware(OuterMiddleware, settings=settings)
     app.openapi = functools.cache(lambda: openapi.document(app, TAGS))  # type: ignore[method-assign]
     return app
+
+
+@asynccontextmanager
+async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
+    """Start the workers with the application, and end them with it."""
+    switch_threads_often()
+    workers: Workers = app.state.resources.workers
+    workers.warm()
+    try:
+        yield
+    finally:
+        await asyncio.to_thread(workers.close)
 
 
 def problem_response(request: Request, problem: Problem) -> Response:
     """The problem document in the caller's language."""
     language = language_for(request.headers.get("accept-language"))
-    settings: Settings = request.app.state.settings
+    settings = resources_of(request).settings
     body = problem.encoded(
         language, prefix=request.scope.get("root_path", ""), fault_limit=settings.fault_limit
     )
@@ -141,7 +153,7 @@ async def _refuse_http(request: Request, error: Exception) -> Response:
             code="address_unknown",
             params={"path": request.url.path},
         )
-        return await _refuse(request, NotFoundError(fault, place=Place.PATH))
+        return await _refuse(request, NotFoundError(fault, part=RequestPart.PATH))
     if error.status_code == 400:
         return await _refuse(request, BodyError(Fault(code="body_invalid")))
     raise error

@@ -10,8 +10,6 @@ from pathlib import Path
 from fluent.runtime import FluentBundle, FluentResource
 from fluent.syntax import FluentParser, ast
 
-from service.http.negotiation import preferred_language
-
 LOCALES = Path(__file__).parent / "locales"
 DEFAULT_LANGUAGE = "en"
 SENTENCES = 4096
@@ -26,11 +24,6 @@ _log = logging.getLogger(__name__)
 def languages() -> tuple[str, ...]:
     """The languages that have a folder, in alphabetical order."""
     return tuple(sorted(folder.name for folder in LOCALES.iterdir() if folder.is_dir()))
-
-
-def language_for(accept_language: str | None) -> str:
-    """The language to answer in, from the header Accept-Language; English when there is no better one."""
-    return preferred_language(accept_language, languages()) if accept_language else DEFAULT_LANGUAGE
 
 
 @lru_cache(maxsize=32)

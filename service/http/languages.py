@@ -5,8 +5,14 @@ from __future__ import annotations
 from starlette.requests import Request
 
 from kinematics.errors import Fault
-from service.http.problems import Place, RequestError
-from service.messages import language_for, languages
+from service.http.negotiation import preferred_language
+from service.http.problems import RequestError, RequestPart
+from service.messages import DEFAULT_LANGUAGE, languages
+
+
+def language_for(accept_language: str | None) -> str:
+    """Return the language that the header Accept-Language asks for; English when there is no better one."""
+    return preferred_language(accept_language, languages()) if accept_language else DEFAULT_LANGUAGE
 
 
 def language_of(request: Request) -> str:
@@ -26,6 +32,6 @@ def language_of(request: Request) -> str:
                 where=("lang",),
                 params={"language": asked[:20], "known": known},
             ),
-            place=Place.QUERY,
+            part=RequestPart.QUERY,
         )
     return asked

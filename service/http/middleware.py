@@ -16,9 +16,9 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from kinematics.errors import Fault
 from service.http.compression import accepts_gzip, compressing
+from service.http.languages import language_for
 from service.http.problems import INTERNAL, PROBLEM_JSON, Problem
 from service.http.uploads import Upload, may_be_under_way
-from service.messages import language_for
 from service.settings import Settings
 
 REQUEST_ID = "request_id"
@@ -35,7 +35,7 @@ _HEADERS = (
 _log = logging.getLogger("framewise")
 
 
-class Edge:
+class OuterMiddleware:
     """Wraps the application."""
 
     def __init__(self, app: ASGIApp, settings: Settings) -> None:

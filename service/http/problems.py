@@ -29,7 +29,7 @@ PROBLEM_JSON = "application/problem+json"
 RETRY_SECONDS = 2
 
 
-class Place(StrEnum):
+class RequestPart(StrEnum):
     """The part of a request that a fault points into."""
 
     BODY = "body"
@@ -54,12 +54,12 @@ class ServiceError(Exception):
         self,
         faults: Fault | Iterable[Fault],
         *,
-        place: Place = Place.BODY,
+        part: RequestPart = RequestPart.BODY,
         headers: Mapping[str, str] | None = None,
         members: Mapping[str, object] | None = None,
     ) -> None:
         self.faults: tuple[Fault, ...] = (faults,) if isinstance(faults, Fault) else tuple(faults)
-        self.place = place
+        self.part = part
         self.headers = dict(headers or {})
         self.members = dict(members or {})
         super().__init__("; ".join(map(str, self.faults)))
@@ -143,7 +143,7 @@ class Problem:
     Attributes:
         status: HTTP status.
         faults: what is wrong; the first one gives the document its code and detail.
-        place: the part of the request that the faults point into.
+        part: the part of the request that the faults point into.
         headers: further headers of the response.
         members: further members of the document.
         request_id: what the log calls this request.
@@ -151,7 +151,7 @@ class Problem:
 
     status: int
     faults: tuple[Fault, ...]
-    place: Place = Place.BODY
+    part: RequestPart = RequestPart.BODY
     headers: Mapping[str, str] = field(default_factory=dict)
     members: Mapping[str, object] = field(default_factory=dict)
     request_id: str = ""
@@ -184,12 +184,12 @@ class Problem:
     def _entry(self, fault: Fault, language: str) -> dict[str, object]:
         entry: dict[str, object] = {
             "code": fault.code,
-            "pointer": json_pointer(fault.where) if self.place is Place.BODY else "",
+            "pointer": json_pointer(fault.where) if self.part is RequestPart.BODY else "",
             "detail": sentence(language, f"error-{fault.code}", fault.params) or str(fault),
             "params": {name: _writable(value) for name, value in fault.params.items()},
         }
-        if self.place is not Place.BODY:
-            entry["in"] = self.place.value
+        if self.part is not RequestPart.BODY:
+            entry["in"] = self.part.value
             entry["name"] = ".".join(str(part) for part in fault.where)
         return entry
 
@@ -200,7 +200,7 @@ def problem_of(error: ServiceError | KinematicsError, request_id: str = "") -> P
     return Problem(
         status=status_of(error),
         faults=error.faults,
-        place=own.place if own else Place.BODY,
+        part=own.part if own else RequestPart.BODY,
         headers=own.headers if own else {},
         members=own.members if own else {},
         request_id=request_id,

@@ -15,7 +15,7 @@ from starlette.types import Receive, Scope, Send
 from kinematics.errors import Fault
 from service.http.decoding import decode_json
 from service.http.negotiation import preferred_media_type
-from service.http.problems import BodySizeError, MediaTypeError, NotAcceptableError, Place
+from service.http.problems import BodySizeError, MediaTypeError, NotAcceptableError, RequestPart
 from service.settings import Settings
 
 API_PREFIX = "/api/v1"
@@ -38,7 +38,7 @@ class ApiRequest(Request):
     @property
     def settings(self) -> Settings:
         """The settings of the application that serves this request."""
-        settings: Settings = self.scope["app"].state.settings
+        settings: Settings = self.scope["app"].state.resources.settings
         return settings
 
     @property
@@ -100,7 +100,7 @@ class ApiRequest(Request):
                     code="content_encoding_unsupported",
                     where=("Content-Encoding",),
                 ),
-                place=Place.HEADER,
+                part=RequestPart.HEADER,
                 headers={"Accept-Encoding": "identity"},
             )
         media_type, _, parameters = self.headers.get("content-type", "").partition(";")
@@ -113,7 +113,7 @@ class ApiRequest(Request):
                         where=("Content-Type",),
                         params={"charset": value.strip(' "')},
                     ),
-                    place=Place.HEADER,
+                    part=RequestPart.HEADER,
                 )
         return media_type.strip().lower()
 
@@ -150,7 +150,7 @@ class ApiRequest(Request):
                     where=("Accept",),
                     params={"offers": offers},
                 ),
-                place=Place.HEADER,
+                part=RequestPart.HEADER,
             )
         return chosen
 
@@ -163,7 +163,7 @@ class ApiRequest(Request):
             raise unsupported_media_type(media_type, JSON, *others)
 
 
-class Written(Response):
+class BytesResponse(Response):
     """A response of known bytes, made with no more work than that."""
 
     def __init__(self, body: bytes, media_type: str = JSON) -> None:
@@ -223,7 +223,7 @@ def unsupported_media_type(media_type: str, *offers: str) -> MediaTypeError:
             where=("Content-Type",),
             params={"given": media_type or "none", "offers": offers},
         ),
-        place=Place.HEADER,
+        part=RequestPart.HEADER,
         headers={"Accept-Post": ", ".join(offers)},
     )
 

@@ -11,7 +11,7 @@ from pydantic_core import ErrorDetails
 from pydantic_core.core_schema import ErrorType
 
 from kinematics.errors import Fault, ParamValue
-from service.http.problems import Place, RequestError
+from service.http.problems import RequestError, RequestPart
 
 CODES: dict[str, str] = {
     "missing": "field_missing",
@@ -51,7 +51,7 @@ CHOICE = "\0"
 
 _PYDANTIC_TYPES = frozenset(get_args(ErrorType))
 _BOUNDS = ("ge", "gt", "le", "lt")
-_PLACES = {place.value: place for place in Place}
+_PARTS = {part.value: part for part in RequestPart}
 
 
 def validated(adapter: TypeAdapter[Any], value: object) -> Any:
@@ -73,14 +73,14 @@ def faults_of(errors: Iterable[ErrorDetails], model: Any = None) -> tuple[Fault,
 
 def request_error(errors: Sequence[Any], body_model: Any = None) -> RequestError:
     """The refusal of a request that FastAPI found wrong, in its body, query, path or headers."""
-    faults: dict[Place, list[Fault]] = {}
+    faults: dict[RequestPart, list[Fault]] = {}
     for error in errors:
         head, *rest = error["loc"] or ("body",)
-        place = _PLACES.get(str(head), Place.BODY)
-        model = body_model if place is Place.BODY else None
-        faults.setdefault(place, []).append(_fault(error, _place(rest), model))
+        part = _PARTS.get(str(head), RequestPart.BODY)
+        model = body_model if part is RequestPart.BODY else None
+        faults.setdefault(part, []).append(_fault(error, _place(rest), model))
     first = next(iter(faults))
-    return RequestError(faults[first], place=first)
+    return RequestError(faults[first], part=first)
 
 
 def _fault(error: ErrorDetails, where: tuple[int | str, ...], model: Any) -> Fault:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from fastapi import Body, Request
+from fastapi import Body
 
 from service.http.openapi import problems
 from service.http.routing import api_router
+from service.resources import AppResources
 from service.schemas import examples
 from service.schemas.conversion import ConvertAnswer, ConvertRequest
-from service.settings import Settings
 from service.wire.conversion import converted
 
 router = api_router("kinematics")
@@ -20,7 +20,8 @@ router = api_router("kinematics")
     "/convert", summary="From one description of a robot to another", responses=problems(400, 413, 415, 422)
 )
 async def convert(
-    request: Request, body: Annotated[ConvertRequest, Body(openapi_examples=examples.named(examples.CONVERT))]
+    body: Annotated[ConvertRequest, Body(openapi_examples=examples.named(examples.CONVERT))],
+    resources: AppResources,
 ) -> ConvertAnswer:
     """The same robot, described otherwise, with nothing lost.
 
@@ -28,5 +29,4 @@ async def convert(
     are moved, not computed, so parameters and spellings stay. To a product of exponentials: every parameter
     needs a value.
     """
-    settings: Settings = request.app.state.settings
-    return converted(body, settings)
+    return converted(body, resources.settings)

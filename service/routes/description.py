@@ -8,10 +8,11 @@ import orjson
 from fastapi import Path, Request, Response
 
 from kinematics.errors import Fault
+from service.http.languages import language_for
 from service.http.openapi import problems
-from service.http.problems import NotFoundError, Place
+from service.http.problems import NotFoundError, RequestPart
 from service.http.routing import JSON, api_router
-from service.messages import language_for, refusal_codes, template
+from service.messages import refusal_codes, template
 from service.schemas.base import Wire
 from service.web.api_reference import POLICY, reference_page
 
@@ -56,7 +57,7 @@ async def problem(
             where=("code",),
             params={"code": code[:80]},
         )
-        raise NotFoundError(fault, place=Place.PATH)
+        raise NotFoundError(fault, part=RequestPart.PATH)
     response.headers["Content-Language"] = language
     response.headers["Vary"] = "Accept-Language"
     return Refusal(code=code, language=language, message=template(language, f"error-{code}"))

@@ -17,13 +17,14 @@ from service.http.languages import language_of
 from service.http.openapi import problems, request_body
 from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
+from service.resources import resources_of
 from service.schemas import examples_grading as examples
 from service.schemas.exercises import ExerciseAnswer, ExerciseList, ExerciseModel, GradedModel
 from service.web.responses import text_response
 from service.wire.exercise_views import exercise_list, exercise_view, figure_file, instance_of
 from service.wire.ungraded import answer_refused, known_exercise
 from service.wire.verdicts import encoded, report_body
-from service.work.limiters import Work, gate_for
+from service.work.limiters import WorkKind
 
 router = api_router("exercises")
 direct = api_router("exercises", route_class=DirectRoute)
@@ -81,7 +82,9 @@ async def show_figure(
     language = language_of(request)
     with known_exercise():
         instance = instance_of(exercise_id, seed)
-    figure = await gate_for(Work.DRAWING, request).run(partial(figure_file, instance, language))
+    figure = (
+        await resources_of(request).limiters[WorkKind.DRAWING].run(partial(figure_file, instance, language))
+    )
     return _text(request, figure, language, SVG, {"Content-Security-Policy": _FIGURE_POLICY})
 
 
@@ -121,7 +124,7 @@ async def _judged(request: ApiRequest) -> tuple[Instance, Answer, Report]:
         answer = parse(instance, raw, limits)
         return instance, answer, grade(instance, answer, wire.help)
 
-    return await gate_for(Work.GRADING, request).run(work)
+    return await resources_of(request).limiters[WorkKind.GRADING].run(work)
 
 
 def _text(

@@ -8,7 +8,7 @@ from fastapi import Response
 from kinematics.errors import Fault
 from service.http.openapi import NPY_QUERY, problems, request_body
 from service.http.problems import RequestError
-from service.http.routing import JSON, NPY, ApiRequest, DirectRoute, Written, api_router
+from service.http.routing import JSON, NPY, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.schemas import examples
 from service.schemas.forward_kinematics import (
     STANDARD_PARTS,
@@ -28,11 +28,11 @@ from service.wire.pose_answers import (
     one_array,
     refuse_overflow,
 )
-from service.wire.robot_questions import Asked, Reader, answered
+from service.wire.robot_questions import QuestionReader, ReadQuestion, batch_response
 
 router = api_router("kinematics", route_class=DirectRoute)
 
-_READER = Reader(ForwardKinematicsQuestion, ForwardKinematicsRequest)
+_READER = QuestionReader(ForwardKinematicsQuestion, ForwardKinematicsRequest)
 _ARRAY = {"schema": {"type": "string", "format": "binary"}}
 
 
@@ -59,9 +59,9 @@ async def forward_kinematics(request: ApiRequest) -> Response:
     asked = await _READER.read(request)
     question = _question(asked, offer)
     if not isinstance(question.joints, np.ndarray):
-        return Written(one_array(question) if offer == NPY else one_answer(question), offer)
+        return BytesResponse(one_array(question) if offer == NPY else one_answer(question), offer)
     blocks = npy_blocks if offer == NPY else json_blocks
-    return await answered(
+    return await batch_response(
         asked,
         request,
         offer,
@@ -71,7 +71,7 @@ async def forward_kinematics(request: ApiRequest) -> Response:
     )
 
 
-def _question(asked: Asked[ForwardKinematicsQuestion], offer: str) -> PoseQuestion:
+def _question(asked: ReadQuestion[ForwardKinematicsQuestion], offer: str) -> PoseQuestion:
     wire = asked.wire
     parts = STANDARD_PARTS if wire is None else wire.wanted()
     return PoseQuestion(

@@ -12,14 +12,15 @@ from kinematics.cells import read_table
 from service.http.languages import language_of
 from service.http.openapi import problems, request_body
 from service.http.problems import located
-from service.http.routing import ApiRequest, DirectRoute, Written, api_router
+from service.http.routing import ApiRequest, BytesResponse, DirectRoute, api_router
 from service.http.validation import validated
+from service.resources import resources_of
 from service.schemas import examples_grading as examples
 from service.schemas.grading import GradeRequest
 from service.schemas.verdicts import VerdictModel
 from service.wire.ungraded import answer_refused
 from service.wire.verdicts import encoded, verdict_body
-from service.work.limiters import Work, gate_for
+from service.work.limiters import WorkKind
 
 router = api_router("exercises", route_class=DirectRoute)
 
@@ -42,7 +43,7 @@ async def grade_table(request: ApiRequest) -> Response:
     """
     with answer_refused():
         verdict = await _verdict(request)
-    return Written(encoded(verdict_body(verdict, language_of(request))))
+    return BytesResponse(encoded(verdict_body(verdict, language_of(request))))
 
 
 async def _verdict(request: ApiRequest) -> Verdict:
@@ -57,4 +58,4 @@ async def _verdict(request: ApiRequest) -> Verdict:
     if right is not None:
         return right
     work = partial(grade, reference, submission, policy, wire.parameters, wire.help)
-    return await gate_for(Work.GRADING, request).run(work)
+    return await resources_of(request).limiters[WorkKind.GRADING].run(work)

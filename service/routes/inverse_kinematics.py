@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from fastapi import Body, Request
+from fastapi import Body
 
 from service.http.openapi import problems
 from service.http.routing import api_router
+from service.resources import AppResources
 from service.schemas import examples
 from service.schemas.inverse_kinematics import InverseKinematicsAnswer, InverseKinematicsRequest
 from service.wire.inverse_solutions import solved
-from service.wire.prepared_robots import Preparation
 
 router = api_router("kinematics")
 
@@ -38,8 +38,8 @@ _EXAMPLES = {
     responses=problems(400, 413, 415, 422, 503),
 )
 async def inverse_kinematics(
-    request: Request,
     body: Annotated[InverseKinematicsRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    resources: AppResources,
 ) -> InverseKinematicsAnswer:
     """All distinct solutions of arms that have a closed form, and of other arms those that a search finds.
 
@@ -48,5 +48,4 @@ async def inverse_kinematics(
     searched from many starts. Every residual is that of the forward kinematics. Unreachable and singular are
     results.
     """
-    preparation: Preparation = request.app.state.preparation
-    return await solved(body, preparation.prepare(body), request.app.state.workers)
+    return await solved(body, resources.robots.prepare(body), resources.workers)

@@ -14,17 +14,17 @@ from numpy.typing import NDArray
 from kinematics.jacobian import RANK_TOLERANCE, Dexterity, JacobianFrame, Mobility, dexterity
 from kinematics.jacobian import jacobian as jacobian_of
 from service.http.openapi import NPY_QUERY, problems, request_body
-from service.http.routing import JSON, ApiRequest, DirectRoute, Written, api_router
+from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.schemas import examples
 from service.schemas.jacobian_request import JacobianQuestion, JacobianRequest
 from service.schemas.symbolic_request import SYMBOLIC_JACOBIAN, JacobianBody, JacobianReply
-from service.wire.json_chunks import member_pieces, written
-from service.wire.robot_questions import Asked, Reader, answered
+from service.wire.json_chunks import member_chunks, written
+from service.wire.robot_questions import QuestionReader, ReadQuestion, batch_response
 from service.wire.symbolic_tasks import symbolic_body, symbolic_jacobian
 
 router = api_router("kinematics", route_class=DirectRoute)
 
-_READER = Reader(JacobianQuestion, JacobianRequest)
+_READER = QuestionReader(JacobianQuestion, JacobianRequest)
 _NAMES = {JacobianFrame.BASE: "J0", JacobianFrame.END: "Jn"}
 _BLOCK = 512
 
@@ -58,14 +58,14 @@ async def jacobian(request: ApiRequest) -> Response:
     asked = await _READER.read(request)
     answer = _Answer(asked)
     if not isinstance(asked.joints, np.ndarray):
-        return Written(answer.one())
-    return await answered(asked, request, offer, check=answer.prepare, blocks=answer.blocks)
+        return BytesResponse(answer.one())
+    return await batch_response(asked, request, offer, check=answer.prepare, blocks=answer.blocks)
 
 
 class _Answer:
     """The answer to one question."""
 
-    def __init__(self, asked: Asked[JacobianQuestion]) -> None:
+    def __init__(self, asked: ReadQuestion[JacobianQuestion]) -> None:
         wire = asked.wire
         self._asked = asked
         self._poses = {"base": wire.base, "tool": wire.tool} if wire else {}
@@ -92,7 +92,7 @@ class _Answer:
     def blocks(self) -> Iterator[bytes]:
         """The answer for a batch, in pieces."""
         yield b"{"
-        yield from member_pieces({**self._head(), **self._dexterity})
+        yield from member_chunks({**self._head(), **self._dexterity})
         for frame in self._frames:
             yield f',"{_NAMES[frame]}":['.encode()
             for start in range(0, len(self._asked.joints), _BLOCK):

@@ -11,6 +11,7 @@ from exercises.errors import UnknownExerciseError
 from exercises.loader import exercise
 from exercises.statements import to_html
 from service.messages import LOCALES, languages
+from service.resources import resources_of
 from service.web.responses import assets, missing_page, page_language, page_response, text_response
 from service.web.shell import Page
 
@@ -54,7 +55,7 @@ async def exercise_page(request: Request, exercise_id: str) -> Response:
 @router.get("/static/{version}/{name:path}")
 async def static_file(request: Request, version: str, name: str) -> Response:
     """A file of the form. Under the current version's address it may be kept for ever."""
-    store = assets(request.app.state.settings.static_directory)
+    store = assets(resources_of(request).settings.static_directory)
     asset = store.get(name, request.headers.get("accept-encoding", ""))
     if asset is None:
         return Response(status_code=404, headers={"Cache-Control": "no-cache"})

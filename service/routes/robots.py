@@ -12,7 +12,7 @@ from kinematics import catalogue
 from kinematics.errors import Fault
 from service.http.languages import language_of
 from service.http.openapi import problems
-from service.http.problems import NotFoundError, Place
+from service.http.problems import NotFoundError, RequestPart
 from service.http.routing import JSON, api_router
 from service.messages import sentence
 from service.schemas.catalogue import Robot, RobotList
@@ -57,7 +57,7 @@ async def robot(
             where=("robot_id",),
             params={"robot": robot_id, "known": known},
         )
-        raise NotFoundError(fault, place=Place.PATH)
+        raise NotFoundError(fault, part=RequestPart.PATH)
     return text_response(request, _written(robot_id, language), JSON, _headers(language))
 
 

@@ -28,7 +28,8 @@ from kinematics.scm import (
 )
 from kinematics.se3 import inverse_transform
 from service.http.openapi import problems
-from service.http.routing import Written, api_router
+from service.http.routing import BytesResponse, api_router
+from service.resources import resources_of
 from service.schemas import scm as wire
 from service.schemas import scm_examples as examples
 from service.schemas.forward_kinematics import AxisAngle, Orientation
@@ -36,7 +37,7 @@ from service.settings import Settings
 from service.wire.chain_forms import ChainTask, Wanted, is_quick, written_chain
 from service.wire.fault_pointers import traced
 from service.wire.prepared_chains import PreparedChain, prepared_chain, written_structure
-from service.work.workers import Lane, Workers
+from service.work.workers import Lane
 
 router = api_router("scm")
 
@@ -53,7 +54,7 @@ _REFUSALS = problems(400, 413, 415, 422, 503)
 async def forward_kinematics(
     body: Annotated[wire.ScmForwardKinematicsRequest, Body(openapi_examples=examples.FORWARD_KINEMATICS)],
     request: Request,
-) -> wire.ScmForwardKinematicsAnswer | Written:
+) -> wire.ScmForwardKinematicsAnswer | BytesResponse:
     """⁰H_FT, every H_i and every frame: scm(manipulator, 0) of the toolbox.
 
     With `joints` in numbers, without them in closed form.
@@ -82,7 +83,7 @@ async def forward_kinematics(
 async def inverse_of_transform(
     body: Annotated[wire.ScmInverseTransformRequest, Body(openapi_examples=examples.INVERSE_TRANSFORM)],
     request: Request,
-) -> wire.ScmInverseTransformAnswer | Written:
+) -> wire.ScmInverseTransformAnswer | BytesResponse:
     """Pose of frame 0 in the tool: scm(manipulator, -1) of the toolbox.
 
     With `joints` in numbers, without them in closed form.
@@ -104,7 +105,7 @@ async def inverse_of_transform(
 )
 async def jacobian(
     body: Annotated[wire.ScmJacobianRequest, Body(openapi_examples=examples.JACOBIAN)], request: Request
-) -> wire.ScmJacobianAnswer | Written:
+) -> wire.ScmJacobianAnswer | BytesResponse:
     """J0 and Jn, by inspection (scm(manipulator, 1) and 2) or by differentiating the matrix (h2j).
 
     With `joints` in numbers, without them in closed form.
@@ -147,8 +148,7 @@ async def inverse_kinematics(
     with traced(body):
         found = await run_sync(_directly, *question)
     if found is None:
-        workers: Workers = request.app.state.workers
-        found = await workers.run(Lane.SLOW, _search, *question)
+        found = await resources_of(request).workers.run(Lane.SLOW, _search, *question)
     found = nearest_first(prepared.chain, found, start)
     return wire.ScmInverseKinematicsAnswer(
         **prepared.units,
@@ -181,18 +181,16 @@ def random_configuration(
     )
 
 
-async def _closed(body: wire.ClosedFormQuestion, wanted: Wanted, request: Request) -> Written:
+async def _closed(body: wire.ClosedFormQuestion, wanted: Wanted, request: Request) -> BytesResponse:
     """The answer in closed form, from a worker process."""
     read = written_structure(body, _settings(request).cell_limits)
     task = ChainTask.of(read, wanted, body.formats, body.notation)
-    workers: Workers = request.app.state.workers
     lane = Lane.QUICK if is_quick(read.chain) else Lane.SLOW
-    return Written(await workers.run(lane, written_chain, task))
+    return BytesResponse(await resources_of(request).workers.run(lane, written_chain, task))
 
 
 def _settings(request: Request) -> Settings:
-    settings: Settings = request.app.state.settings
-    return settings
+    return resources_of(request).settings
 
 
 def _listed(array: NDArray[np.float64]) -> list[Any]:

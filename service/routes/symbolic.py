@@ -6,10 +6,11 @@ from fastapi import Response
 from pydantic import TypeAdapter
 
 from service.http.openapi import problems, request_body
-from service.http.routing import JSON, ApiRequest, DirectRoute, Written, api_router
+from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.http.validation import validated
+from service.resources import resources_of
 from service.schemas.symbolic_request import SYMBOLIC, SymbolicAnswer, SymbolicRequest
-from service.wire.symbolic_tasks import answered, kept_answers, task_of, workers_of
+from service.wire.symbolic_tasks import answered, task_of
 
 router = api_router("kinematics", route_class=DirectRoute)
 
@@ -36,10 +37,11 @@ async def symbolic(request: ApiRequest) -> Response:
     request.accepts(JSON)
     body = await request.json()
     question = b"symbolic" + await request.body()
-    known = kept_answers(request).recall(question)
+    resources = resources_of(request)
+    known = resources.symbolic_answers.get(question)
     if known is not None:
-        return Written(known)
-    async with workers_of(request).preparation:
+        return BytesResponse(known)
+    async with resources.workers.preparation:
         wire = validated(_REQUEST, body)
         task = task_of(wire, request.settings, parts=wire.wanted())
     return await answered(request, task, question)

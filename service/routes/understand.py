@@ -18,10 +18,11 @@ from kinematics.printing.mathml import MathmlWriter
 from kinematics.printing.notation import Names
 from kinematics.printing.text import text_writer
 from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
+from service.http.languages import language_for
 from service.http.openapi import problems
 from service.http.problems import Problem
 from service.http.routing import api_router
-from service.messages import language_for
+from service.resources import AppResources
 from service.schemas.base import FaultEntry
 from service.schemas.understanding import (
     Meaning,
@@ -30,7 +31,6 @@ from service.schemas.understanding import (
     UnderstoodParameter,
     UnderstoodRow,
 )
-from service.settings import Settings
 
 router = api_router("kinematics")
 
@@ -59,13 +59,16 @@ MATHML = "http://www.w3.org/1998/Math/MathML"
     responses=problems(400, 413, 415, 422),
 )
 async def understand(
-    body: Annotated[UnderstandRequest, Body(openapi_examples=EXAMPLES)], request: Request, response: Response
+    body: Annotated[UnderstandRequest, Body(openapi_examples=EXAMPLES)],
+    resources: AppResources,
+    request: Request,
+    response: Response,
 ) -> UnderstandAnswer:
     """The meaning of every cell that can be read, the link matrix of every row with numbers, and the faults.
 
     Unlike the other calls this one does not refuse a table with faults: it says what it can of the rest.
     """
-    settings: Settings = request.app.state.settings
+    settings = resources.settings
     raw = body.table.raw()
     read, faults, unread = _read_what_can_be(raw, settings.cell_limits)
     language = language_for(request.headers.get("accept-language"))

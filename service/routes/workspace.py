@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from fastapi import Body, Request
+from fastapi import Body
 
 from kinematics.inverse.limits import JointLimits
 from kinematics.workspace import Radius, Workspace, check_reach, joint_spans, workspace
 from service.http.openapi import problems
 from service.http.routing import api_router
+from service.resources import AppResources
 from service.schemas import examples
 from service.schemas import workspace_request as wire
 from service.schemas.joint_limits import domain_limits
 from service.wire.fault_pointers import traced
-from service.wire.prepared_robots import Preparation, Robot, listed_robot
-from service.work.workers import Lane, Workers
+from service.wire.prepared_robots import Robot, listed_robot
+from service.work.workers import Lane
 
 router = api_router("kinematics")
 
@@ -38,8 +39,8 @@ _EXAMPLES: dict[str, Any] = {
     responses=problems(400, 413, 415, 422, 503),
 )
 async def reach(
-    request: Request,
     body: Annotated[wire.WorkspaceRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    resources: AppResources,
 ) -> wire.WorkspaceAnswer:
     """How near and how far the joints bring the origin of the end frame, and in which box.
 
@@ -47,14 +48,13 @@ async def reach(
     of a configuration within the limits, exact to rounding; that nothing lies beyond is found by climbing
     from many starts, not proved.
     """
-    preparation: Preparation = request.app.state.preparation
-    robot = preparation.prepare(body)
+    robot = resources.robots.prepare(body)
     limits = _limits(body, robot)
     with traced(body):
         check_reach(robot.table, body.base, body.tool)
     joint_spans(robot.table, limits)
-    workers: Workers = request.app.state.workers
-    found = await workers.run(Lane.SLOW, _found, robot.table, limits, body.base, body.tool, body.samples or 0)
+    question = (robot.table, limits, body.base, body.tool, body.samples or 0)
+    found = await resources.workers.run(Lane.SLOW, _found, *question)
     return _answer(found, robot)
 
 

@@ -10,8 +10,10 @@ from pathlib import Path
 
 from fastapi import Request, Response
 
+from service.http.languages import language_for
 from service.http.negotiation import weighted
-from service.messages import language_for, languages, sentence
+from service.messages import languages, sentence
+from service.resources import resources_of
 from service.settings import Settings
 from service.web.assets import Assets, static_root
 from service.web.shell import Page, render
@@ -57,7 +59,7 @@ def page_response(
         values: what its template asks for as `${.name}`; `title` overrides the page's title.
         status: the HTTP status.
     """
-    settings: Settings = request.app.state.settings
+    settings = resources_of(request).settings
     language = page_language(request)
 
     def translate(identifier: str) -> str:

@@ -1,4 +1,4 @@
-"""Long answers as JSON in pieces, none so long that the writing of it holds others up.
+"""Long answers as JSON in chunks, none so long that the writing of it holds others up.
 
 What writes JSON doesn't let other threads run meanwhile: a list of a million numbers, written at once, would
 keep every other request waiting for a good part of a second.
@@ -28,7 +28,7 @@ def written(value: object) -> bytes:
     return orjson.dumps(value, option=orjson.OPT_SERIALIZE_NUMPY)
 
 
-def list_pieces(array: NDArray[Any]) -> Iterator[bytes]:
+def list_chunks(array: NDArray[Any]) -> Iterator[bytes]:
     """An array of one axis or more as a JSON list."""
     yield b"["
     for start, stop in blocks(len(array), ROWS):
@@ -36,15 +36,15 @@ def list_pieces(array: NDArray[Any]) -> Iterator[bytes]:
     yield b"]"
 
 
-def member_pieces(value: Mapping[str, Any]) -> Iterator[bytes]:
+def member_chunks(value: Mapping[str, Any]) -> Iterator[bytes]:
     """The members of a JSON object, which may be objects or arrays; the braces are left to the caller."""
     for place, (name, member) in enumerate(value.items()):
         yield (b"," if place else b"") + written(name) + b":"
         if isinstance(member, Mapping):
             yield b"{"
-            yield from member_pieces(member)
+            yield from member_chunks(member)
             yield b"}"
         elif isinstance(member, np.ndarray) and member.ndim:
-            yield from list_pieces(member)
+            yield from list_chunks(member)
         else:
             yield written(member)

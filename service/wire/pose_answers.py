@@ -22,7 +22,7 @@ from kinematics.se3 import inverse_transform
 from kinematics.table import JointType
 from service.http.npy import npy_data, npy_header
 from service.schemas.forward_kinematics import STANDARD_PARTS, Part
-from service.wire.json_chunks import blocks, list_pieces, written
+from service.wire.json_chunks import blocks, list_chunks, written
 from service.wire.prepared_robots import Robot
 
 Floats = NDArray[np.float64]
@@ -210,15 +210,15 @@ def _orientations(question: PoseQuestion) -> Iterator[bytes]:
     turn /= angle
     xyzabc[:, 3:] /= angle
     yield b',"orientation":{"quaternion":'
-    yield from list_pieces(quaternion)
+    yield from list_chunks(quaternion)
     yield b',"rpy":'
-    yield from list_pieces(xyzabc[:, :2:-1])
+    yield from list_chunks(xyzabc[:, :2:-1])
     yield b',"axis_angle":{"axis":'
-    yield from list_pieces(axis)
+    yield from list_chunks(axis)
     yield b',"angle":'
-    yield from list_pieces(turn)
+    yield from list_chunks(turn)
     yield b'},"xyzabc":'
-    yield from list_pieces(xyzabc)
+    yield from list_chunks(xyzabc)
     yield b"}"
 
 

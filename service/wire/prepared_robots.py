@@ -45,7 +45,7 @@ class Robot:
     units: Mapping[str, str]
 
 
-class Preparation:
+class RobotCache:
     """Reads robots, and keeps what it read."""
 
     def __init__(self, settings: Settings) -> None:

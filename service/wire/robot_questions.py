@@ -15,14 +15,15 @@ from starlette.responses import Response
 from kinematics.errors import Fault
 from service.http.decoding import decode_json
 from service.http.npy import read_npy
-from service.http.problems import BodyError, Place, RequestError
-from service.http.routing import LARGE_BODY, NPY, ApiRequest, Written
+from service.http.problems import BodyError, RequestError, RequestPart
+from service.http.routing import LARGE_BODY, NPY, ApiRequest, BytesResponse
 from service.http.validation import validated
+from service.resources import resources_of
 from service.schemas.robots import RobotQuestion
 from service.wire.joint_values import plain_configuration, read_array, read_joints
-from service.wire.prepared_robots import Preparation, Robot
+from service.wire.prepared_robots import Robot, RobotCache
 from service.work.batches import BatchResponse
-from service.work.limiters import Work, gate_for
+from service.work.limiters import WorkKind
 
 _SMALL = 64
 _PLAIN = {"table", "robot", "parameters", "joints"}
@@ -32,7 +33,7 @@ Question = TypeVar("Question", bound=RobotQuestion)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Asked(Generic[Question]):
+class ReadQuestion(Generic[Question]):
     """A validated question.
 
     Attributes:
@@ -46,7 +47,7 @@ class Asked(Generic[Question]):
     joints: list[float] | NDArray[np.float64]
 
 
-class Reader(Generic[Question]):
+class QuestionReader(Generic[Question]):
     """Reads the questions of one call.
 
     Attributes:
@@ -58,7 +59,7 @@ class Reader(Generic[Question]):
         self._question: TypeAdapter[Question] = TypeAdapter(question)
         self._request: TypeAdapter[Question] = TypeAdapter(request)
 
-    async def read(self, request: ApiRequest) -> Asked[Question]:
+    async def read(self, request: ApiRequest) -> ReadQuestion[Question]:
         """The question of a request, in either form.
 
         Raises:
@@ -66,36 +67,36 @@ class Reader(Generic[Question]):
             KinematicsError: what it says cannot be meant.
         """
         request.body_limit = request.settings.batch_body_limit
-        preparation: Preparation = request.scope["app"].state.preparation
+        robots = resources_of(request).robots
         if request.brings_npy:
-            return await self._from_npy(request, preparation)
+            return await self._from_npy(request, robots)
         body = await request.json(NPY)
         if len(await request.body()) >= LARGE_BODY:
-            return await run_sync(self._from_json, body, request, preparation)
-        return _recalled(body, preparation) or self._from_json(body, request, preparation)
+            return await run_sync(self._from_json, body, request, robots)
+        return _recalled(body, robots) or self._from_json(body, request, robots)
 
-    def _from_json(self, body: Any, request: ApiRequest, preparation: Preparation) -> Asked[Question]:
+    def _from_json(self, body: Any, request: ApiRequest, robots: RobotCache) -> ReadQuestion[Question]:
         wire = validated(self._request, body)
-        robot = preparation.prepare(wire, body)
+        robot = robots.prepare(wire, body)
         joints = read_joints(wire.joints, robot, request.settings.batch_limit)
-        return Asked(wire=wire, robot=robot, joints=joints)
+        return ReadQuestion(wire=wire, robot=robot, joints=joints)
 
-    async def _from_npy(self, request: ApiRequest, preparation: Preparation) -> Asked[Question]:
+    async def _from_npy(self, request: ApiRequest, robots: RobotCache) -> ReadQuestion[Question]:
         request.media_type()
         body = _in_query(request)
         wire = validated(self._question, body)
-        robot = preparation.prepare(wire, body)
+        robot = robots.prepare(wire, body)
         joints = read_array(read_npy(await request.body()), robot, request.settings.batch_limit)
-        return Asked(wire=wire, robot=robot, joints=joints)
+        return ReadQuestion(wire=wire, robot=robot, joints=joints)
 
 
-def _recalled(body: Any, preparation: Preparation) -> Asked[Any] | None:
+def _recalled(body: Any, robots: RobotCache) -> ReadQuestion[Any] | None:
     """The question of a plain body about a robot that was prepared before: nothing is left to validate."""
     if type(body) is not dict or not _PLAIN.issuperset(body):
         return None
-    robot = preparation.recall(body)
+    robot = robots.recall(body)
     joints = None if robot is None else plain_configuration(body.get("joints"), robot)
-    return None if robot is None or joints is None else Asked(wire=None, robot=robot, joints=joints)
+    return None if robot is None or joints is None else ReadQuestion(wire=None, robot=robot, joints=joints)
 
 
 def _in_query(request: ApiRequest) -> Mapping[str, Any]:
@@ -108,17 +109,17 @@ def _in_query(request: ApiRequest) -> Mapping[str, Any]:
                 code="query_missing",
                 where=("request",),
             ),
-            place=Place.QUERY,
+            part=RequestPart.QUERY,
         )
     try:
         body: Mapping[str, Any] = decode_json(given["request"].encode())
     except BodyError as error:
-        raise BodyError(error.faults, place=Place.QUERY) from None
+        raise BodyError(error.faults, part=RequestPart.QUERY) from None
     return body
 
 
-async def answered(
-    asked: Asked[Any],
+async def batch_response(
+    question: ReadQuestion[Any],
     request: ApiRequest,
     media_type: str,
     *,
@@ -129,23 +130,23 @@ async def answered(
     """The answer to a batch: a small one at once, a large one in a thread and sent while it is computed.
 
     Args:
-        asked: the question.
+        question: the question.
         request: the request.
         media_type: of the answer.
         blocks: the pieces of the answer.
         check: makes sure that the answer exists, before anything is sent.
         length: of all pieces together [byte], if it is known.
     """
-    if len(asked.joints) <= _SMALL:
+    if len(question.joints) <= _SMALL:
         if check:
             check()
-        return Written(b"".join(blocks()), media_type)
-    place = gate_for(Work.BATCH, request).enter()
+        return BytesResponse(b"".join(blocks()), media_type)
+    slot = resources_of(request).limiters[WorkKind.BATCH].acquire()
     try:
         if check:
-            await place.run(check)
+            await slot.run(check)
     except BaseException:
-        place.leave()
+        slot.release()
         raise
     headers = None if length is None else {"Content-Length": str(length)}
-    return BatchResponse(blocks(), place, media_type, headers)
+    return BatchResponse(blocks(), slot, media_type, headers)

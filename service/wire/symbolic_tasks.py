@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
@@ -19,43 +18,16 @@ from kinematics.symbolic.exact_poses import decimal, exact_pose
 from kinematics.symbolic.substitution import with_values
 from kinematics.table import table_parameters
 from service.http.problems import located
-from service.http.routing import NPY, ApiRequest, Written
+from service.http.routing import NPY, ApiRequest, BytesResponse
 from service.http.validation import validated
+from service.resources import resources_of
 from service.schemas.symbolic_request import SymbolicJacobianRequest, WritingQuestion
 from service.settings import Settings
 from service.wire.prepared_robots import listed_robot
 from service.wire.symbolic_forms import Part, Task, written_answer, written_jacobians
-from service.work.workers import Lane, Workers
+from service.work.workers import Lane
 
 _JACOBIAN: TypeAdapter[SymbolicJacobianRequest] = TypeAdapter(SymbolicJacobianRequest)
-_KEPT_BYTES = 32 * 1024 * 1024
-_LARGEST_KEPT = 1024 * 1024
-
-
-class KeptAnswers:
-    """The latest answers, by what was asked."""
-
-    def __init__(self) -> None:
-        self._kept: OrderedDict[bytes, bytes] = OrderedDict()
-        self._bytes = 0
-
-    def recall(self, question: bytes) -> bytes | None:
-        """The answer to a question that was asked before."""
-        answer = self._kept.get(question)
-        if answer is not None:
-            self._kept.move_to_end(question)
-        return answer
-
-    def keep(self, question: bytes, answer: bytes) -> None:
-        """Keep an answer; the oldest ones make place for it."""
-        size = len(question) + len(answer)
-        if size > _LARGEST_KEPT or question in self._kept:
-            return
-        self._kept[question] = answer
-        self._bytes += size
-        while self._bytes > _KEPT_BYTES:
-            old_question, old_answer = self._kept.popitem(last=False)
-            self._bytes -= len(old_question) + len(old_answer)
 
 
 def task_of(
@@ -100,7 +72,7 @@ def task_of(
 
 async def answered(
     request: ApiRequest, task: Task, question: bytes, write: Callable[[Task], bytes] = written_answer
-) -> Written:
+) -> BytesResponse:
     """The answer to a task, from a worker process.
 
     Args:
@@ -110,9 +82,10 @@ async def answered(
         write: what the worker does.
     """
     lane = Lane.QUICK if task.is_quick() else Lane.SLOW
-    answer = await workers_of(request).run(lane, write, task)
-    kept_answers(request).keep(question, answer)
-    return Written(answer)
+    resources = resources_of(request)
+    answer = await resources.workers.run(lane, write, task)
+    resources.symbolic_answers.put(question, answer)
+    return BytesResponse(answer)
 
 
 async def symbolic_body(request: ApiRequest) -> Mapping[str, Any] | None:
@@ -124,7 +97,7 @@ async def symbolic_body(request: ApiRequest) -> Mapping[str, Any] | None:
     return body if isinstance(body, dict) and body.get("form") == "symbolic" else None
 
 
-async def symbolic_jacobian(request: ApiRequest, body: Mapping[str, Any]) -> Written:
+async def symbolic_jacobian(request: ApiRequest, body: Mapping[str, Any]) -> BytesResponse:
     """The answer to a request for Jacobians that says "form": "symbolic".
 
     Raises:
@@ -132,29 +105,15 @@ async def symbolic_jacobian(request: ApiRequest, body: Mapping[str, Any]) -> Wri
         KinematicsError: what it says cannot be meant.
     """
     question = b"jacobian" + await request.body()
-    known = kept_answers(request).recall(question)
+    resources = resources_of(request)
+    known = resources.symbolic_answers.get(question)
     if known is not None:
-        return Written(known)
-    async with workers_of(request).preparation:
+        return BytesResponse(known)
+    async with resources.workers.preparation:
         wire = validated(_JACOBIAN, body)
         frames = (wire.frame,) if wire.frame else tuple(JacobianFrame)
         task = task_of(wire, request.settings, parts=(Part.JACOBIAN,), frames=frames)
     return await answered(request, task, question, written_jacobians)
-
-
-def workers_of(request: ApiRequest) -> Workers:
-    """The application's worker processes."""
-    workers: Workers = request.app.state.workers
-    return workers
-
-
-def kept_answers(request: ApiRequest) -> KeptAnswers:
-    """The answers that the application keeps."""
-    state = request.app.state
-    if not hasattr(state, "symbolic_answers"):
-        state.symbolic_answers = KeptAnswers()
-    kept: KeptAnswers = state.symbolic_answers
-    return kept
 
 
 def _read(question: WritingQuestion, settings: Settings) -> ReadTable:

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 from exercises.errors import ExerciseError, UnknownExerciseError
 from kinematics.errors import KinematicsError
-from service.http.problems import MessageId, NotFoundError, Place, RequestError, ServiceError
+from service.http.problems import MessageId, NotFoundError, RequestError, RequestPart, ServiceError
 
 MEMBERS = {"attempt_counted": False, "note": MessageId("problem-note-ungraded")}
 
@@ -31,4 +31,4 @@ def known_exercise() -> Iterator[None]:
     try:
         yield
     except UnknownExerciseError as error:
-        raise NotFoundError(error.faults, place=Place.PATH) from error
+        raise NotFoundError(error.faults, part=RequestPart.PATH) from error

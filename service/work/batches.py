@@ -7,33 +7,33 @@ from collections.abc import AsyncIterator, Iterator, Mapping
 from starlette.responses import StreamingResponse
 from starlette.types import Receive, Scope, Send
 
-from service.work.limiters import Place
+from service.work.limiters import Slot
 
 
 class BatchResponse(StreamingResponse):
-    """Sends blocks as they are computed; the place is left when all is sent, or the caller has gone."""
+    """Sends blocks as they are computed; the slot is left when all is sent, or the caller has gone."""
 
     def __init__(
         self,
         blocks: Iterator[bytes | memoryview],
-        place: Place,
+        slot: Slot,
         media_type: str,
         headers: Mapping[str, str] | None = None,
     ) -> None:
-        super().__init__(_computed(blocks, place), media_type=media_type, headers=headers)
-        self._place = place
+        super().__init__(_computed(blocks, slot), media_type=media_type, headers=headers)
+        self._slot = slot
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Send."""
         try:
             await super().__call__(scope, receive, send)
         finally:
-            self._place.leave()
+            self._slot.release()
 
 
-async def _computed(blocks: Iterator[bytes | memoryview], place: Place) -> AsyncIterator[bytes | memoryview]:
+async def _computed(blocks: Iterator[bytes | memoryview], slot: Slot) -> AsyncIterator[bytes | memoryview]:
     while True:
-        block = await place.run(lambda: next(blocks, None))
+        block = await slot.run(lambda: next(blocks, None))
         if block is None:
             return
         yield block

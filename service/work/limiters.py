@@ -1,4 +1,4 @@
-"""Work in threads: so many pieces at a time, so many waiting, and the next is told to come back."""
+"""Work in threads: so many tasks at a time, so many waiting, and the next is told to come back."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from typing import TypeVar
 
 import anyio
 import anyio.to_thread
-from starlette.requests import Request
 
 from service.http.problems import busy
 from service.settings import Settings
@@ -16,35 +15,35 @@ from service.settings import Settings
 _Result = TypeVar("_Result")
 
 
-class Work(StrEnum):
-    """What is done in threads; each kind has a gate of its own, so that none waits behind another."""
+class WorkKind(StrEnum):
+    """What is done in threads; each kind has a limiter of its own, so that none waits behind another."""
 
     BATCH = "batch"
     GRADING = "grading"
     DRAWING = "drawing"
 
 
-class Gate:
-    """Lets so many pieces of work be done at a time, and so many wait."""
+class Limiter:
+    """Lets so many tasks run at a time, and so many wait."""
 
     def __init__(self, threads: int, waiting: int) -> None:
-        self._limiter = anyio.CapacityLimiter(threads)
-        self._places = threads + waiting
+        self._threads = anyio.CapacityLimiter(threads)
+        self._slots = threads + waiting
         self._taken = 0
 
-    def enter(self) -> Place:
-        """Take a place until it is left.
+    def acquire(self) -> Slot:
+        """Take a slot until it is released.
 
         Raises:
             BusyError: as many as may wait are waiting.
         """
-        if self._taken >= self._places:
+        if self._taken >= self._slots:
             raise busy()
         self._taken += 1
-        return Place(self, self._limiter)
+        return Slot(self, self._threads)
 
-    def leave(self) -> None:
-        """Give a place back."""
+    def release(self) -> None:
+        """Give a slot back."""
         self._taken -= 1
 
     async def run(self, work: Callable[[], _Result]) -> _Result:
@@ -53,41 +52,35 @@ class Gate:
         Raises:
             BusyError: as many as may wait are waiting.
         """
-        place = self.enter()
+        slot = self.acquire()
         try:
-            return await place.run(work)
+            return await slot.run(work)
         finally:
-            place.leave()
+            slot.release()
 
 
-class Place:
+class Slot:
     """The right to have work done."""
 
-    def __init__(self, gate: Gate, limiter: anyio.CapacityLimiter) -> None:
-        self._gate: Gate | None = gate
-        self._limiter = limiter
+    def __init__(self, limiter: Limiter, threads: anyio.CapacityLimiter) -> None:
+        self._limiter: Limiter | None = limiter
+        self._threads = threads
 
     async def run(self, work: Callable[[], _Result]) -> _Result:
-        """Do a piece of the work in a thread."""
-        return await anyio.to_thread.run_sync(work, limiter=self._limiter)
+        """Do a part of the work in a thread."""
+        return await anyio.to_thread.run_sync(work, limiter=self._threads)
 
-    def leave(self) -> None:
-        """Give the place back; once is enough, twice does no harm."""
-        if self._gate is not None:
-            self._gate.leave()
-            self._gate = None
+    def release(self) -> None:
+        """Give the slot back; once is enough, twice does no harm."""
+        if self._limiter is not None:
+            self._limiter.release()
+            self._limiter = None
 
 
-def gates(settings: Settings) -> dict[Work, Gate]:
-    """The gates of an application."""
+def limiters(settings: Settings) -> dict[WorkKind, Limiter]:
+    """The limiters of an application."""
     return {
-        Work.BATCH: Gate(settings.batch_threads, settings.batch_queue),
-        Work.GRADING: Gate(settings.grading_threads, settings.grading_queue),
-        Work.DRAWING: Gate(1, settings.grading_queue),
+        WorkKind.BATCH: Limiter(settings.batch_threads, settings.batch_queue),
+        WorkKind.GRADING: Limiter(settings.grading_threads, settings.grading_queue),
+        WorkKind.DRAWING: Limiter(1, settings.grading_queue),
     }
-
-
-def gate_for(work: Work, request: Request) -> Gate:
-    """The gate of the application that serves a request."""
-    found: dict[Work, Gate] = request.scope["app"].state.gates
-    return found[work]

@@ -10,7 +10,7 @@ SWITCH_SECONDS = 0.001
 
 
 @cache
-def take_short_turns() -> None:
+def switch_threads_often() -> None:
     """Have threads that compute give way soon; done once for the process.
 
     While a wrong answer is explained in a thread, the event loop waits up to this long whenever it wakes, and

@@ -16,20 +16,17 @@ import os
 import resource
 import signal
 import threading
-from collections.abc import AsyncIterator, Callable
+from collections.abc import Callable
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import asynccontextmanager
 from enum import StrEnum
 from typing import Any, TypeVar
 
-from fastapi import FastAPI
 from pebble import ProcessExpired, ProcessPool
 
 from kinematics.errors import Fault
 from service.http.problems import RequestError, busy
 from service.settings import Settings
 from service.work.processes import process_context
-from service.work.thread_switching import take_short_turns
 
 START_SECONDS = 20.0
 """What the first task of a lane may take longer, while its process starts."""
@@ -148,18 +145,6 @@ class _Processes:
             started = self._started
             self._pool.schedule(_nothing).add_done_callback(lambda _: started.set())
         return self._pool.schedule(function, args=arguments, timeout=self._seconds)
-
-
-@asynccontextmanager
-async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-    """Start the workers with the application, and end them with it."""
-    take_short_turns()
-    workers: Workers = app.state.workers
-    workers.warm()
-    try:
-        yield
-    finally:
-        await asyncio.to_thread(workers.close)
 
 
 def _confine(memory: int, niceness: int) -> None:

@@ -2,7 +2,8 @@ from __future__ import annotations
 
 import pytest
 
-from service.messages import language_for, languages, sentence, template
+from service.http.languages import language_for
+from service.messages import languages, sentence, template
 
 
 def test_six_languages_are_spoken() -> None:

@@ -218,14 +218,14 @@ def test_one_request_at_a_time_is_read_and_others_are_answered_meanwhile() -> No
         app = create_app()
         transport = httpx.ASGITransport(app=app)
         async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
-            async with app.state.workers.preparation:
+            async with app.state.resources.workers.preparation:
                 table = {"convention": "standard", "rows": hostile_rows(3)}
                 body = {"table": table, "formats": ["text"]}
                 asked = asyncio.create_task(client.post("/api/v1/symbolic", json=body))
                 assert (await client.get("/healthz")).status_code == 200
                 assert not asked.done()
             assert (await asked).status_code == 200
-        app.state.workers.close()
+        app.state.resources.workers.close()
 
     asyncio.run(test())
 
@@ -269,8 +269,8 @@ async def main():
         body = {"table": PUMA_LENGTHS, "formats": ["latex", "c"]}
         response = await client.post("/api/v1/symbolic", json=body)
     assert response.status_code == 200, response.text
-    inside = await app.state.workers.run(Lane.QUICK, json.dumps, {"a": 1})
-    app.state.workers.close()
+    inside = await app.state.resources.workers.run(Lane.QUICK, json.dumps, {"a": 1})
+    app.state.resources.workers.close()
     print(json.dumps({"sympy": "sympy" in sys.modules, "inside": inside}))
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """POST /convert: from one description of a robot to another.
 
-A *source* reads a description into a `Described` robot, a *target* writes one. Every source meets every
+A *source* reads a description into a `RobotDescription` robot, a *target* writes one. Every source meets every
 target.
 
 To add a source, give `service.schemas.conversion.ConvertRequest` a field for it and `SOURCES` a reader under
@@ -13,14 +13,14 @@ from collections.abc import Callable, Mapping
 
 from service.schemas.conversion import ConvertAnswer, ConvertRequest, Target
 from service.settings import Settings
-from service.wire.conversion.described import Described
+from service.wire.conversion.described import RobotDescription
 from service.wire.conversion.dh_tables import described_table, table_answer
 from service.wire.conversion.products import product_answer
 from service.wire.conversion.scm_chains import described_chain
 from service.wire.conversion.urdf_files import described_urdf, urdf_answer
 
-Source = Callable[[ConvertRequest, Settings], Described]
-Writer = Callable[[Described, ConvertRequest], ConvertAnswer]
+Source = Callable[[ConvertRequest, Settings], RobotDescription]
+Writer = Callable[[RobotDescription, ConvertRequest], ConvertAnswer]
 
 SOURCES: Mapping[str, Source] = {
     "table": described_table,

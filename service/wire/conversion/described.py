@@ -17,7 +17,7 @@ def _identity() -> Transform:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Described:
+class RobotDescription:
     """A robot: base · table · tool.
 
     Attributes:

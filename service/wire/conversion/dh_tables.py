@@ -20,14 +20,14 @@ from service.http.problems import located
 from service.schemas.conversion import ConvertRequest, TableAnswer
 from service.schemas.tables import Row, Table
 from service.settings import Settings
-from service.wire.conversion.described import Described
+from service.wire.conversion.described import RobotDescription
 from service.wire.prepared_robots import listed_robot, robot_of
 from service.wire.written_tables import CELL_KINDS, VARIABLE_CELL, Spellings, TableWriter, WireCell
 
 Matrix = list[list[WireCell]]
 
 
-def described_table(request: ConvertRequest, settings: Settings) -> Described:
+def described_table(request: ConvertRequest, settings: Settings) -> RobotDescription:
     """The robot of a table, or of the catalogue.
 
     Raises:
@@ -47,7 +47,7 @@ def described_table(request: ConvertRequest, settings: Settings) -> Described:
         parameters = request.parameters
     if parameters is not None:
         robot_of(read, parameters)
-    return Described(
+    return RobotDescription(
         read=read,
         parameters=parameters,
         spellings=_spellings(raw, read),
@@ -65,7 +65,7 @@ def _listed_limits(listed: catalogue.Robot) -> tuple[tuple[float, float], ...] |
     return tuple((low * unit, high * unit) for (low, high), unit in zip(listed.limits, units, strict=True))
 
 
-def table_answer(robot: Described, request: ConvertRequest) -> TableAnswer:
+def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswer:
     """The robot's table in a convention, its entries moved and never computed.
 
     Raises:
@@ -92,13 +92,13 @@ def table_answer(robot: Described, request: ConvertRequest) -> TableAnswer:
     )
 
 
-def _limits(robot: Described) -> list[list[float] | None]:
+def _limits(robot: RobotDescription) -> list[list[float] | None]:
     return [None if pair is None else list(pair) for pair in robot.limits or ()]
 
 
 def _matrix(
     screw: XScrew[Expression] | None,
-    robot: Described,
+    robot: RobotDescription,
     *,
     before: Transform | None = None,
     behind: Transform | None = None,
@@ -117,7 +117,7 @@ def _matrix(
     return written
 
 
-def _motion(screw: XScrew[Expression], robot: Described) -> Transform:
+def _motion(screw: XScrew[Expression], robot: RobotDescription) -> Transform:
     """The motion with the robot's parameters, bound as a row of its table is; without them it needs none."""
     table = DHTable(convention=robot.read.table.convention, rows=(fixed_row(screw),))
     needed = {} if robot.parameters is None else robot.read.parameters

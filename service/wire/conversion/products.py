@@ -5,12 +5,12 @@ from __future__ import annotations
 from kinematics.inverse.lengths import check_lengths
 from kinematics.screws import product_of_exponentials
 from service.schemas.conversion import ConvertRequest, ProductAnswer, Screw
-from service.wire.conversion.described import Described
+from service.wire.conversion.described import RobotDescription
 from service.wire.fault_pointers import traced
 from service.wire.prepared_robots import robot_of
 
 
-def product_answer(robot: Described, request: ConvertRequest) -> ProductAnswer:
+def product_answer(robot: RobotDescription, request: ConvertRequest) -> ProductAnswer:
     """The joint screws and the home pose of a robot whose parameters all have values.
 
     Raises:

@@ -6,11 +6,11 @@ from kinematics.cells import ReadTable, parameter_values
 from kinematics.scm import modified_dh_from_scm, read_chain
 from service.schemas.conversion import ConvertRequest
 from service.settings import Settings
-from service.wire.conversion.described import Described
+from service.wire.conversion.described import RobotDescription
 from service.wire.prepared_chains import in_chain
 
 
-def described_chain(request: ConvertRequest, settings: Settings) -> Described:
+def described_chain(request: ConvertRequest, settings: Settings) -> RobotDescription:
     """The robot of an SCM chain, as the modified DH table that is exactly the chain for every q.
 
     Raises:
@@ -29,4 +29,4 @@ def described_chain(request: ConvertRequest, settings: Settings) -> Described:
         length_unit=chain.length_unit,
         parameters=chain.parameters,
     )
-    return Described(read=read, parameters=request.parameters)
+    return RobotDescription(read=read, parameters=request.parameters)

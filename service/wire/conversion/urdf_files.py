@@ -10,12 +10,12 @@ from service.http.problems import located
 from service.schemas.conversion import ConvertRequest, Target, UrdfAnswer
 from service.schemas.joint_limits import domain_limits
 from service.settings import Settings
-from service.wire.conversion.described import Described
+from service.wire.conversion.described import RobotDescription
 from service.wire.fault_pointers import traced
 from service.wire.prepared_robots import robot_of
 
 
-def described_urdf(request: ConvertRequest, _settings: Settings) -> Described:
+def described_urdf(request: ConvertRequest, _settings: Settings) -> RobotDescription:
     """The robot of a chain of a URDF description, by frames assigned to its joint axes.
 
     Raises:
@@ -32,7 +32,7 @@ def described_urdf(request: ConvertRequest, _settings: Settings) -> Described:
         length_unit=LengthUnit.M,
         parameters={},
     )
-    return Described(
+    return RobotDescription(
         read=read,
         base=robot.base,
         tool=robot.tool,
@@ -42,7 +42,7 @@ def described_urdf(request: ConvertRequest, _settings: Settings) -> Described:
     )
 
 
-def urdf_answer(robot: Described, request: ConvertRequest) -> UrdfAnswer:
+def urdf_answer(robot: RobotDescription, request: ConvertRequest) -> UrdfAnswer:
     """The URDF description of a robot whose parameters all have values.
 
     Raises:

@@ -5,14 +5,14 @@ import json
 import numpy as np
 import pytest
 
-from service.wire.json_chunks import ROWS, blocks, list_pieces, member_pieces
+from service.wire.json_chunks import ROWS, blocks, list_chunks, member_chunks
 
 
 @pytest.mark.parametrize("rows", [0, 1, ROWS - 1, ROWS, ROWS + 1, 2 * ROWS + 3])
 @pytest.mark.parametrize("width", [(), (3,), (2, 2)])
 def test_pieces_make_the_list_of_the_whole_array(rows: int, width: tuple[int, ...]) -> None:
     array = np.arange(float(rows * int(np.prod(width)))).reshape(rows, *width)
-    pieces = list(list_pieces(array))
+    pieces = list(list_chunks(array))
     assert json.loads(b"".join(pieces)) == array.tolist()
     assert len(pieces) == 2 + len(list(blocks(rows, ROWS)))
 
@@ -26,7 +26,7 @@ def test_members_may_be_anything_that_an_answer_holds() -> None:
         "nothing": {},
         "length": np.array(2.0),
     }
-    assert json.loads(b"{" + b"".join(member_pieces(answer)) + b"}") == {
+    assert json.loads(b"{" + b"".join(member_chunks(answer)) + b"}") == {
         "unit": "rad",
         "rank": [6, 5],
         "singular": [False, True],

@@ -1,0 +1,45 @@
+"""What one application has at its disposal: its settings, caches, limiters and worker processes.
+
+Two applications in one process have each their own. Routes ask for them as a dependency:
+`resources: AppResources`.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, TypeAlias
+
+from fastapi import Depends, Request
+
+from service.settings import Settings
+from service.wire.answer_cache import AnswerCache
+from service.wire.prepared_robots import RobotCache
+from service.work.limiters import limiters
+from service.work.workers import Workers
+
+
+class Resources:
+    """The resources of one application.
+
+    Attributes:
+        settings: the operator's choices.
+        robots: tables that were read before.
+        symbolic_answers: closed forms that were written before.
+        limiters: for each kind of work in threads.
+        workers: the worker processes.
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        self.settings = settings
+        self.robots = RobotCache(settings)
+        self.symbolic_answers = AnswerCache()
+        self.limiters = limiters(settings)
+        self.workers = Workers(settings)
+
+
+def resources_of(request: Request) -> Resources:
+    """Return the resources of the application that serves the request."""
+    resources: Resources = request.scope["app"].state.resources
+    return resources
+
+
+AppResources: TypeAlias = Annotated[Resources, Depends(resources_of)]
