@@ -1,6 +1,6 @@
 """POST /convert: from one description of a robot to another.
 
-A *source* reads a description into a `RobotDescription` robot, a *target* writes one. Every source meets every
+A *source* reads a description into a `RobotDescription`, a *target* writes one. Every source meets every
 target.
 
 To add a source, give `service.schemas.conversion.ConvertRequest` a field for it and `SOURCES` a reader under
