@@ -1,4 +1,5 @@
-"""A course: people, links, attempts, drafts, grades and their policies, and where they are stored.
+"""Courses: people, links, attempts, drafts and grades, policies over time, statistics, and their storage.
 
-Knows what an exercise is and how it is judged (`exercises`); knows nothing of HTTP or LTI.
+Knows nothing of HTTP or LTI. A clock is handed in wherever time matters; policies are pure functions of what
+was handed in and of that clock.
 """

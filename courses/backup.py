@@ -1,0 +1,135 @@
+"""A copy of the whole database in one file, and back: the same file for SQLite and PostgreSQL.
+
+The file is gzipped JSON lines: the schema's revision first, then one row a line. It is taken in one
+transaction, while the service runs.
+"""
+
+from __future__ import annotations
+
+import gzip
+import json
+import os
+from collections.abc import Iterator
+from datetime import datetime
+from pathlib import Path
+from typing import IO, Any
+
+import sqlalchemy as sa
+from alembic.migration import MigrationContext
+
+from courses.records import UtcTime, metadata
+from courses.refusals import StorageError
+from courses.storage import Store
+from kinematics.errors import Fault
+
+FORMAT = "framewise-backup-1"
+_BATCH = 500
+
+
+def back_up(store: Store, file: Path) -> int:
+    """Write every row to a file, which appears when it is complete; return how many rows there are.
+
+    Raises:
+        StorageError: the file cannot be written.
+    """
+    unfinished = file.with_name(file.name + ".part")
+    try:
+        descriptor = os.open(unfinished, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
+        with os.fdopen(descriptor, "wb") as raw, gzip.open(raw, "wt", encoding="utf-8") as out:
+            count = _write(store, out)
+        with unfinished.open("rb+") as written:
+            os.fsync(written.fileno())
+        unfinished.replace(file)
+    except OSError as error:
+        unfinished.unlink(missing_ok=True)
+        raise _unreadable(file, error.strerror or "") from error
+    return count
+
+
+def _write(store: Store, out: IO[str]) -> int:
+    count = 0
+    with store.engine.connect() as connection:
+        level = "REPEATABLE READ" if store.is_postgresql else "SERIALIZABLE"
+        connection = (
+            connection.execution_options(isolation_level=level) if store.is_postgresql else connection
+        )
+        with connection.begin():
+            revision = MigrationContext.configure(connection).get_current_revision()
+            out.write(json.dumps({"format": FORMAT, "revision": revision}) + "\n")
+            for table in metadata.sorted_tables:
+                for row in connection.execute(sa.select(table).execution_options(yield_per=_BATCH)):
+                    values = {name: _written(value) for name, value in row._mapping.items()}
+                    out.write(json.dumps([table.name, values], ensure_ascii=False) + "\n")
+                    count += 1
+    return count
+
+
+def restore(store: Store, file: Path) -> int:
+    """Put the rows of a backup into an empty database; return how many there are.
+
+    Raises:
+        StorageError: the file is not a backup of this schema, or the database is not empty.
+    """
+    try:
+        with gzip.open(file, "rt", encoding="utf-8") as lines, store.writing() as connection:
+            _check(connection, json.loads(next(lines)))
+            count = 0
+            for name, rows in _batches(lines):
+                connection.execute(sa.insert(metadata.tables[name]), rows)
+                count += len(rows)
+            if store.is_postgresql:
+                _advance_sequences(connection)
+    except (OSError, EOFError, ValueError, StopIteration, KeyError, TypeError) as error:
+        raise _unreadable(file, str(error)) from error
+    return count
+
+
+def _check(connection: sa.Connection, head: Any) -> None:
+    if not isinstance(head, dict) or head.get("format") != FORMAT:
+        raise ValueError(FORMAT)
+    revision = MigrationContext.configure(connection).get_current_revision()
+    if head["revision"] != revision:
+        params = {"found": str(head["revision"]), "known": str(revision)}
+        raise StorageError(Fault(code="schema_newer", params=params))
+    for table in metadata.sorted_tables:
+        if connection.execute(sa.select(sa.literal(1)).select_from(table).limit(1)).first() is not None:
+            raise StorageError(Fault(code="storage_not_empty", params={"table": table.name}))
+
+
+def _batches(lines: Iterator[str]) -> Iterator[tuple[str, list[dict[str, Any]]]]:
+    name, rows = "", list[dict[str, Any]]()
+    for line in lines:
+        table, values = json.loads(line)
+        if rows and (table != name or len(rows) >= _BATCH):
+            yield name, rows
+            rows = []
+        name = table
+        rows.append(_read(metadata.tables[name], values))
+    if rows:
+        yield name, rows
+
+
+def _read(table: sa.Table, values: dict[str, Any]) -> dict[str, Any]:
+    return {
+        name: datetime.fromisoformat(value)
+        if value is not None and isinstance(table.c[name].type, UtcTime)
+        else value
+        for name, value in values.items()
+    }
+
+
+def _written(value: Any) -> Any:
+    return value.isoformat() if isinstance(value, datetime) else value
+
+
+def _advance_sequences(connection: sa.Connection) -> None:
+    """Let new ids follow those that were restored."""
+    for table in metadata.sorted_tables:
+        if "id" in table.c:
+            largest = sa.select(sa.func.max(table.c.id)).scalar_subquery()
+            sequence = sa.func.pg_get_serial_sequence(f'"{table.name}"', "id")
+            connection.execute(sa.select(sa.func.setval(sequence, sa.func.coalesce(largest, 1))))
+
+
+def _unreadable(file: Path, reason: str) -> StorageError:
+    return StorageError(Fault(code="backup_unreadable", params={"file": str(file), "reason": reason}))

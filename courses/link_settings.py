@@ -1,0 +1,143 @@
+"""Settings of a link as JSON, and read back; what a lecturer's page sends is read by the same function."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from datetime import UTC, datetime
+from typing import Any, TypeVar
+
+from courses.model import LinkSettings
+from courses.policies import AttemptPolicy, Counting, FeedbackTiming, Mode
+from courses.refusals import CourseError
+from kinematics.errors import Fault
+
+Choice = TypeVar("Choice", Mode, Counting, FeedbackTiming)
+
+MOST_ATTEMPTS = 1000
+MOST_POINTS = 1_000_000.0
+
+
+class LinkSettingsError(CourseError):
+    """Settings of a link that cannot be meant."""
+
+
+def written(settings: LinkSettings) -> dict[str, Any]:
+    """Settings as JSON, without the exercise."""
+    policy = settings.policy
+    return {
+        "parts": list(settings.parts),
+        "help": settings.help,
+        "points": settings.points,
+        "per_student": settings.per_student,
+        "language": settings.language,
+        "attempts": policy.attempts,
+        "counting": policy.counting.value,
+        "penalty": policy.penalty,
+        "opens": policy.opens.isoformat() if policy.opens else None,
+        "closes": policy.closes.isoformat() if policy.closes else None,
+        "feedback": policy.feedback.value,
+        "feedback_after": policy.feedback_after,
+        "mode": policy.mode.value,
+    }
+
+
+def read(exercise_id: str | None, values: Mapping[str, Any]) -> LinkSettings:
+    """Settings from JSON; what is left out has its default.
+
+    Raises:
+        LinkSettingsError: a value cannot be meant; each with its place.
+    """
+    reader = _Reader(values)
+    policy = AttemptPolicy(
+        attempts=reader.whole("attempts", None, 1, MOST_ATTEMPTS),
+        counting=reader.choice("counting", Counting.BEST),
+        penalty=reader.number("penalty", 0.0, 0.0, 1.0),
+        opens=reader.instant("opens"),
+        closes=reader.instant("closes"),
+        feedback=reader.choice("feedback", FeedbackTiming.AT_ONCE),
+        feedback_after=reader.whole("feedback_after", 1, 1, MOST_ATTEMPTS) or 1,
+        mode=reader.choice("mode", Mode.PRACTICE),
+    )
+    settings = LinkSettings(
+        exercise_id=exercise_id,
+        parts=tuple(str(part) for part in values.get("parts") or ()),
+        help=reader.text("help"),
+        points=reader.number("points", 1.0, 0.0, MOST_POINTS),
+        per_student=bool(values.get("per_student", False)),
+        language=reader.text("language"),
+        policy=policy,
+    )
+    if settings.points == 0.0:
+        reader.refuse("points", "a number above 0")
+    if policy.opens and policy.closes and policy.opens >= policy.closes:
+        reader.faults.append(Fault(code="closes_before_opening", where=("closes",)))
+    if reader.faults:
+        raise LinkSettingsError(reader.faults)
+    return settings
+
+
+class _Reader:
+    """Reads values; keeps the faults of all of them."""
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        self.values = values
+        self.faults: list[Fault] = []
+
+    def refuse(self, name: str, known: str) -> None:
+        """Keep a fault of one value."""
+        self.faults.append(
+            Fault(code="setting_invalid", where=(name,), params={"name": name, "known": known})
+        )
+
+    def whole(self, name: str, otherwise: int | None, least: int, most: int) -> int | None:
+        """A whole number, or what it is otherwise."""
+        value = self.values.get(name)
+        if value is None:
+            return otherwise
+        if type(value) is int and least <= value <= most:
+            return value
+        self.refuse(name, f"{least} … {most}")
+        return otherwise
+
+    def number(self, name: str, otherwise: float, least: float, most: float) -> float:
+        """A number."""
+        value = self.values.get(name)
+        if value is None:
+            return otherwise
+        if type(value) in (int, float) and least <= value <= most:
+            return float(value)
+        self.refuse(name, f"{least:g} … {most:g}")
+        return otherwise
+
+    def text(self, name: str) -> str | None:
+        """A short text."""
+        value = self.values.get(name)
+        if value is None or (isinstance(value, str) and len(value) <= 64):
+            return value or None
+        self.refuse(name, "≤ 64")
+        return None
+
+    def choice(self, name: str, otherwise: Choice) -> Choice:
+        """One of the values of an enumeration."""
+        value = self.values.get(name)
+        if value is None:
+            return otherwise
+        kind = type(otherwise)
+        if isinstance(value, str) and value in {item.value for item in kind}:
+            return kind(value)
+        self.refuse(name, ", ".join(item.value for item in kind))
+        return otherwise
+
+    def instant(self, name: str) -> datetime | None:
+        """A time with its zone (RFC 3339)."""
+        value = self.values.get(name)
+        if value is None or value == "":
+            return None
+        try:
+            found = datetime.fromisoformat(str(value))
+            if found.tzinfo is not None:
+                return found.astimezone(UTC)
+        except (ValueError, OverflowError):
+            pass
+        self.refuse(name, "2027-01-31T12:00:00+00:00")
+        return None

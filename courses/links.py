@@ -1,0 +1,153 @@
+"""What staff changes of a link: its exercise and settings, extra time for a student, release of feedback."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from datetime import datetime, timedelta
+from typing import Any
+
+import sqlalchemy as sa
+
+from courses import records
+from courses.attempts import attempt_of
+from courses.gradebook import regrade_student, release_scores
+from courses.link_settings import read, written
+from courses.model import Attempt, Link, LinkSettings
+from courses.policies import Allowance
+from courses.refusals import unknown_record
+from courses.storage import Store
+
+_LINK, _PART = records.link, records.participation
+
+
+def link_in(store: Store, course_id: int, link_id: int) -> Link:
+    """A link of a course.
+
+    Raises:
+        UnknownRecordError: the course has no such link.
+    """
+    with store.reading() as connection:
+        row = connection.execute(
+            sa.select(_LINK).where(_LINK.c.id == link_id, _LINK.c.course_id == course_id)
+        ).first()
+    if row is None:
+        raise unknown_record("link")
+    return _link(row)
+
+
+def _link(row: Any) -> Link:
+    return Link(
+        id=row.id,
+        course_id=row.course_id,
+        resource=row.resource,
+        title=row.title,
+        settings=read(row.exercise_id, row.settings),
+        line_item=row.line_item,
+        line_items=row.line_items,
+        released_at=row.released_at,
+    )
+
+
+def change_settings(store: Store, link_id: int, settings: LinkSettings, now: datetime) -> None:
+    """Give a link its exercise and rules; grades follow in the same transaction."""
+    with store.writing() as connection:
+        values = {"exercise_id": settings.exercise_id, "settings": written(settings)}
+        connection.execute(sa.update(_LINK).where(_LINK.c.id == link_id).values(values))
+        _regrade_all(connection, link_id, now)
+
+
+def release_feedback(store: Store, link_id: int, now: datetime) -> None:
+    """Show the students of a link what was found; scores that were held back go out."""
+    with store.writing() as connection:
+        connection.execute(sa.update(_LINK).where(_LINK.c.id == link_id).values(released_at=now))
+        _regrade_all(connection, link_id, now)
+        release_scores(connection, link_id, now)
+
+
+def allow(store: Store, link_id: int, person: str, allowance: Allowance, now: datetime) -> None:
+    """Give a student extra time or attempts, instead of what they had before.
+
+    Raises:
+        UnknownRecordError: no such student has opened the link.
+    """
+    with store.writing() as connection:
+        person_id = connection.execute(
+            sa.select(records.person.c.id).where(records.person.c.key == person)
+        ).scalar()
+        own = sa.and_(_PART.c.link_id == link_id, _PART.c.person_id == person_id)
+        values = {
+            "extra_seconds": int(allowance.extra_time.total_seconds()),
+            "extra_attempts": allowance.extra_attempts,
+        }
+        if connection.execute(sa.update(_PART).where(own).values(values)).rowcount != 1:
+            raise unknown_record("person")
+        _regrade_all(connection, link_id, now)
+
+
+def regrade_people(
+    connection: sa.Connection, link_id: int, people: Iterator[int] | list[int] | None, now: datetime
+) -> None:
+    """Derive the grades of some people of a link anew, of all if none are named."""
+    link = _link(connection.execute(sa.select(_LINK).where(_LINK.c.id == link_id)).one())
+    longest = connection.scalar(
+        sa.select(sa.func.max(_PART.c.extra_seconds)).where(_PART.c.link_id == link_id)
+    )
+    wanted = (
+        sa.select(_PART, records.person.c.subject)
+        .join(records.person, records.person.c.id == _PART.c.person_id)
+        .where(_PART.c.link_id == link_id, _PART.c.made > 0)
+    )
+    if people is not None:
+        wanted = wanted.where(_PART.c.person_id.in_(list(people)))
+    for row in connection.execute(wanted.with_for_update(of=_PART)).all():
+        allowance = Allowance(
+            extra_time=timedelta(seconds=row.extra_seconds), extra_attempts=row.extra_attempts
+        )
+        regrade_student(
+            connection,
+            link,
+            row.person_id,
+            allowance,
+            timedelta(seconds=longest or 0),
+            now,
+            sends=row.subject is not None,
+        )
+
+
+def _regrade_all(connection: sa.Connection, link_id: int, now: datetime) -> None:
+    regrade_people(connection, link_id, None, now)
+
+
+def attempt_in(store: Store, course_id: int, attempt_id: int) -> tuple[Attempt, str]:
+    """An attempt of a course by its id, and the key of its student.
+
+    Raises:
+        UnknownRecordError: the course has no such attempt.
+    """
+    table = records.attempt
+    wanted = (
+        sa.select(table, records.person.c.key.label("person_key"))
+        .join(_LINK, _LINK.c.id == table.c.link_id)
+        .join(records.person, records.person.c.id == table.c.person_id)
+        .where(table.c.id == attempt_id, _LINK.c.course_id == course_id)
+    )
+    with store.reading() as connection:
+        row = connection.execute(wanted).first()
+    if row is None:
+        raise unknown_record("attempt")
+    return attempt_of(row), row.person_key
+
+
+def all_attempts(store: Store, link_id: int) -> Iterator[tuple[Attempt, str]]:
+    """Every attempt at a link with the key of its student, for an export."""
+    table = records.attempt
+    wanted = (
+        sa.select(table, records.person.c.key.label("person_key"))
+        .join(records.person, records.person.c.id == table.c.person_id)
+        .where(table.c.link_id == link_id)
+        .order_by(table.c.id)
+        .execution_options(yield_per=200)
+    )
+    with store.reading() as connection:
+        for row in connection.execute(wanted):
+            yield attempt_of(row), row.person_key

@@ -1,0 +1,259 @@
+"""Platforms that may launch, the keys that this service signs with, and what a login must remember."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from datetime import datetime, timedelta
+from typing import Any
+
+import sqlalchemy as sa
+
+from courses import records
+from courses.model import Platform, PlatformStatus, Registration
+from courses.refusals import SessionError, unknown_record
+from courses.secrets import hashed, new_token
+from courses.statements import insert_once
+from courses.storage import Store
+from kinematics.errors import Fault
+
+LOGIN = timedelta(minutes=10)
+INVITATION = timedelta(days=7)
+_PLATFORM = records.platform
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class StoredKey:
+    """A key pair of this service: a private JWK as JSON, and from when on it signs."""
+
+    kid: str
+    private: str
+    created: datetime
+    signs_from: datetime
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Login:
+    """What was remembered of a login, to be met by its launch.
+
+    Attributes:
+        browser_hash: of the secret that only the browser of the login knows.
+        target: where the platform wants to go.
+        request: the parameters of the login, to begin it again in a window of its own.
+    """
+
+    platform_id: int
+    nonce: str
+    browser_hash: str
+    target: str
+    request: Mapping[str, Any]
+
+
+def add_platform(store: Store, platform: Platform, deployments: tuple[str, ...], now: datetime) -> Platform:
+    """Write down a platform, or change the one of this issuer and client."""
+    names = "name authorization_endpoint token_endpoint token_audience jwks_uri names_shared issuer client_id"
+    values = {name: getattr(platform, name) for name in names.split()}
+    values |= {"origins": list(platform.origins), "status": platform.status.value}
+    own = sa.and_(_PLATFORM.c.issuer == platform.issuer, _PLATFORM.c.client_id == platform.client_id)
+    with store.writing() as connection:
+        insert_once(connection, _PLATFORM, {**values, "created": now})
+        connection.execute(sa.update(_PLATFORM).where(own).values(values))
+        platform_id = int(connection.execute(sa.select(_PLATFORM.c.id).where(own)).scalar_one())
+        for deployment in deployments:
+            key = {"platform_id": platform_id, "deployment": deployment}
+            insert_once(connection, records.deployment, key)
+    return replace(platform, id=platform_id)
+
+
+def platforms(store: Store) -> list[Platform]:
+    """Every platform, in the order of their registration."""
+    with store.reading() as connection:
+        return [_platform(row) for row in connection.execute(sa.select(_PLATFORM).order_by(_PLATFORM.c.id))]
+
+
+def platform_by_id(store: Store, platform_id: int) -> Platform:
+    """One platform.
+
+    Raises:
+        UnknownRecordError: there is no such platform.
+    """
+    with store.reading() as connection:
+        row = connection.execute(sa.select(_PLATFORM).where(_PLATFORM.c.id == platform_id)).first()
+    if row is None:
+        raise unknown_record("platform")
+    return _platform(row)
+
+
+def platforms_of(store: Store, issuer: str, client_id: str | None) -> list[Platform]:
+    """Platforms of an issuer, one of them if the client is named."""
+    return [
+        platform
+        for platform in platforms(store)
+        if platform.issuer == issuer and client_id in (None, platform.client_id)
+    ]
+
+
+def deployments_of(store: Store, platform_id: int) -> tuple[str, ...]:
+    """The deployments of a platform that may launch."""
+    table = records.deployment
+    with store.reading() as connection:
+        found = connection.scalars(
+            sa.select(table.c.deployment)
+            .where(table.c.platform_id == platform_id)
+            .order_by(table.c.deployment)
+        )
+        return tuple(found)
+
+
+def add_deployment(store: Store, platform_id: int, deployment: str) -> None:
+    """Let a deployment of a platform launch."""
+    with store.writing() as connection:
+        values = {"platform_id": platform_id, "deployment": deployment}
+        insert_once(connection, records.deployment, values)
+
+
+def set_status(store: Store, platform_id: int, status: PlatformStatus) -> None:
+    """Let a platform launch, or no longer."""
+    own = _PLATFORM.c.id == platform_id
+    with store.writing() as connection:
+        changed = connection.execute(sa.update(_PLATFORM).where(own).values(status=status.value)).rowcount
+    if not changed:
+        raise unknown_record("platform")
+
+
+def remove_platform(store: Store, platform_id: int) -> None:
+    """Forget a platform with everything of its courses."""
+    with store.writing() as connection:
+        if not connection.execute(sa.delete(_PLATFORM).where(_PLATFORM.c.id == platform_id)).rowcount:
+            raise unknown_record("platform")
+
+
+def _platform(row: Any) -> Platform:
+    return Platform(
+        id=row.id,
+        issuer=row.issuer,
+        client_id=row.client_id,
+        name=row.name,
+        authorization_endpoint=row.authorization_endpoint,
+        token_endpoint=row.token_endpoint,
+        token_audience=row.token_audience,
+        jwks_uri=row.jwks_uri,
+        origins=tuple(row.origins),
+        names_shared=row.names_shared,
+        status=PlatformStatus(row.status),
+    )
+
+
+def stored_keys(store: Store) -> list[StoredKey]:
+    """The service's keys, oldest first."""
+    table = records.tool_key
+    with store.reading() as connection:
+        return [
+            StoredKey(kid=row.kid, private=row.private, created=row.created, signs_from=row.signs_from)
+            for row in connection.execute(sa.select(table).order_by(table.c.signs_from))
+        ]
+
+
+def add_key(store: Store, key: StoredKey, *, only_if_none: bool = False) -> None:
+    """Write down a key. With `only_if_none` the first of several processes that start together wins."""
+    table = records.tool_key
+    with store.writing() as connection:
+        if store.is_postgresql:
+            connection.execute(sa.text("LOCK TABLE tool_key IN EXCLUSIVE MODE"))
+        if only_if_none and connection.execute(sa.select(table.c.kid).limit(1)).first() is not None:
+            return
+        names = ("kid", "private", "created", "signs_from")
+        connection.execute(sa.insert(table).values({name: getattr(key, name) for name in names}))
+
+
+def remove_keys(store: Store, kids: tuple[str, ...]) -> None:
+    """Forget keys that nothing signed with them can still be valid."""
+    with store.writing() as connection:
+        connection.execute(sa.delete(records.tool_key).where(records.tool_key.c.kid.in_(kids)))
+
+
+def remember_login(store: Store, state: str, login: Login, now: datetime) -> None:
+    """Write down what a launch with this state has to meet; sweep what was never met."""
+    table = records.login
+    with store.writing() as connection:
+        for stale in (table, records.nonce, records.one_time_code):
+            connection.execute(sa.delete(stale).where(stale.c.expires < now))
+        connection.execute(
+            sa.insert(table).values(
+                state_hash=hashed(state),
+                platform_id=login.platform_id,
+                nonce=login.nonce,
+                browser_hash=login.browser_hash,
+                target=login.target,
+                request=dict(login.request),
+                expires=now + LOGIN,
+            )
+        )
+
+
+def meet_login(store: Store, state: str, now: datetime) -> Login | None:
+    """What was remembered of a state, once; None if it is unknown, used or too old."""
+    table = records.login
+    own = table.c.state_hash == hashed(state)
+    with store.writing() as connection:
+        row = connection.execute(sa.select(table).where(own).with_for_update()).first()
+        taken = connection.execute(sa.delete(table).where(own)).rowcount
+    if row is None or taken != 1 or row.expires <= now:
+        return None
+    return Login(
+        platform_id=row.platform_id,
+        nonce=row.nonce,
+        browser_hash=row.browser_hash,
+        target=row.target,
+        request=row.request,
+    )
+
+
+def invite(store: Store, note: str, now: datetime) -> str:
+    """A one-time secret for dynamic registration; what is stored is its hash."""
+    secret = new_token()
+    with store.writing() as connection:
+        connection.execute(
+            sa.insert(records.registration).values(
+                secret_hash=hashed(secret), note=note, created=now, expires=now + INVITATION
+            )
+        )
+    return secret
+
+
+def invitations(store: Store) -> list[Registration]:
+    """Every invitation, newest first."""
+    table = records.registration
+    with store.reading() as connection:
+        return [
+            Registration(
+                id=row.id, note=row.note, created=row.created, expires=row.expires, used_at=row.used_at
+            )
+            for row in connection.execute(sa.select(table).order_by(table.c.id.desc()))
+        ]
+
+
+def check_invitation(store: Store, secret: str, now: datetime) -> None:
+    """Make sure that an invitation may still be used.
+
+    Raises:
+        SessionError: it was used, is too old, or was never given out.
+    """
+    table = records.registration
+    open_ = sa.and_(table.c.secret_hash == hashed(secret), table.c.used_at.is_(None), table.c.expires > now)
+    with store.reading() as connection:
+        if connection.execute(sa.select(table.c.id).where(open_)).first() is None:
+            raise SessionError(Fault(code="invitation_used"))
+
+
+def use_invitation(store: Store, secret: str, now: datetime) -> None:
+    """Use an invitation up.
+
+    Raises:
+        SessionError: it was used, is too old, or was never given out.
+    """
+    table = records.registration
+    open_ = sa.and_(table.c.secret_hash == hashed(secret), table.c.used_at.is_(None), table.c.expires > now)
+    with store.writing() as connection:
+        if connection.execute(sa.update(table).where(open_).values(used_at=now)).rowcount != 1:
+            raise SessionError(Fault(code="invitation_used"))

@@ -1,0 +1,98 @@
+"""What people may ask for by law: all about one person, and its erasure; and data that ends with time."""
+
+from __future__ import annotations
+
+from datetime import datetime, timedelta
+from typing import Any
+
+import sqlalchemy as sa
+
+from courses import records
+from courses.refusals import unknown_record
+from courses.storage import Store
+
+_OF_A_PERSON = (
+    records.participation,
+    records.attempt,
+    records.grade,
+    records.score_to_send,
+    records.session,
+)
+
+
+def export_person(store: Store, key: str) -> dict[str, Any]:
+    """Everything that is stored about one person, as JSON.
+
+    Raises:
+        UnknownRecordError: there is no such person.
+    """
+    with store.reading() as connection:
+        person = connection.execute(sa.select(records.person).where(records.person.c.key == key)).first()
+        if person is None:
+            raise unknown_record("person")
+        found: dict[str, Any] = {"person": _plain(person)}
+        for table in _OF_A_PERSON:
+            rows = connection.execute(sa.select(table).where(table.c.person_id == person.id))
+            found[table.name] = [_plain(row, hidden=("token_hash", "lease")) for row in rows]
+        log = records.access
+        own = sa.or_(log.c.subject == key, log.c.actor == key)
+        found["access"] = [_plain(row) for row in connection.execute(sa.select(log).where(own))]
+    return found
+
+
+def erase_person(store: Store, key: str) -> dict[str, int]:
+    """Remove a person with attempts, drafts, grades, unsent scores, sessions and lines of the log.
+
+    Returns:
+        How many rows of each relation were removed.
+
+    Raises:
+        UnknownRecordError: there is no such person.
+    """
+    with store.writing() as connection:
+        person_id = connection.execute(
+            sa.select(records.person.c.id).where(records.person.c.key == key)
+        ).scalar()
+        if person_id is None:
+            raise unknown_record("person")
+        removed = {
+            table.name: connection.execute(sa.delete(table).where(table.c.person_id == person_id)).rowcount
+            for table in reversed(_OF_A_PERSON)
+        }
+        log = records.access
+        own = sa.or_(log.c.subject == key, log.c.actor == key)
+        removed["access"] = connection.execute(sa.delete(log).where(own)).rowcount
+        connection.execute(sa.delete(records.person).where(records.person.c.id == person_id))
+    return removed
+
+
+def purge(store: Store, now: datetime, *, people: timedelta, log: timedelta) -> dict[str, int]:
+    """Remove people who were not seen for a time, and old lines of the audit log.
+
+    Args:
+        store: the database.
+        now: the time.
+        people: how long what belongs to a person is kept after their last visit.
+        log: how long a line of the audit log is kept.
+
+    Returns:
+        How many people, sessions and lines were removed.
+    """
+    person, access = records.person, records.access
+    with store.writing() as connection:
+        old = sa.select(person.c.key).where(person.c.seen < now - people)
+        keys = list(connection.scalars(old))
+        sessions = sa.delete(records.session).where(records.session.c.expires < now)
+        ended = connection.execute(sessions).rowcount
+        lines = connection.execute(sa.delete(access).where(access.c.at < now - log)).rowcount
+    for key in keys:
+        erase_person(store, key)
+    return {"people": len(keys), "sessions": ended, "access": lines}
+
+
+def _plain(row: Any, hidden: tuple[str, ...] = ()) -> dict[str, Any]:
+    return {
+        name: value.isoformat() if isinstance(value, datetime) else value
+        for name, value in row._mapping.items()
+        if name not in hidden
+    }

@@ -1,0 +1,41 @@
+"""What goes wrong in courses.
+
+CourseError
+├── StorageError        the database cannot be used
+├── UnknownRecordError  there is no such link, attempt or person
+├── AttemptError        the policy takes no attempt now
+└── SessionError        nobody is signed in by this token, or not with the role that is needed
+"""
+
+from __future__ import annotations
+
+from kinematics.errors import Fault, KinematicsError
+
+
+class CourseError(KinematicsError):
+    """Root of this package's errors: one or more faults."""
+
+
+class StorageError(CourseError):
+    """The database cannot be used."""
+
+
+class UnknownRecordError(CourseError):
+    """There is no such record, or it is not of this course."""
+
+
+class AttemptError(CourseError):
+    """The policy takes no attempt now."""
+
+
+class SessionError(CourseError):
+    """The token signs nobody in."""
+
+
+class StaffOnlyError(CourseError):
+    """What was asked for is open to the course's staff."""
+
+
+def unknown_record(kind: str) -> UnknownRecordError:
+    """The refusal of a record that is not there, or belongs to another course."""
+    return UnknownRecordError(Fault(code="record_unknown", params={"kind": kind}))

@@ -1,0 +1,154 @@
+"""Judging stored attempts again after an exercise was mended: looked at first, then applied, resumable.
+
+A run writes what it finds beside the attempts and changes nothing until it is applied. A run that was
+interrupted goes on with what it has not judged yet. Attempts stay as they are: the grade takes the score of
+the last applied run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from enum import StrEnum
+from typing import Any
+
+import sqlalchemy as sa
+
+from courses import records
+from courses.attempts import attempt_of, insert_findings
+from courses.links import regrade_people
+from courses.model import Attempt
+from courses.refusals import unknown_record
+from courses.storage import Store
+
+_RUN, _DONE, _ATTEMPT = records.regrading, records.regraded, records.attempt
+BATCH = 200
+
+
+class Scope(StrEnum):
+    """Which attempts are judged again."""
+
+    COUNTED = "counted"
+    ALL = "all"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Rejudged:
+    """What an attempt is worth now.
+
+    Attributes:
+        analysis: the full report, whose codes feed the statistics.
+    """
+
+    attempt_id: int
+    score: float
+    correct: bool
+    report: Mapping[str, Any]
+    analysis: Mapping[str, Any]
+
+
+Judge = Callable[[Sequence[Attempt]], Sequence[Rejudged]]
+"""Judges a batch; may use several processes."""
+
+
+def begin(store: Store, link_id: int, scope: Scope, version: str, now: datetime) -> int:
+    """A run; one of this link, scope and version that was not applied yet is taken up again."""
+    same = sa.and_(
+        _RUN.c.link_id == link_id,
+        _RUN.c.scope == scope.value,
+        _RUN.c.version == version,
+        _RUN.c.applied.is_(None),
+    )
+    with store.writing() as connection:
+        found = connection.execute(sa.select(_RUN.c.id).where(same)).scalar()
+        if found is not None:
+            return int(found)
+        values = {"link_id": link_id, "scope": scope.value, "version": version, "started": now}
+        return int(connection.execute(sa.insert(_RUN).values(values).returning(_RUN.c.id)).scalar_one())
+
+
+def rejudge(store: Store, run: int, judge: Judge) -> int:
+    """Judge what the run has not judged yet, batch after batch; return how many attempts it judged."""
+    count = 0
+    while batch := _waiting(store, run):
+        found = judge(batch)
+        with store.writing() as connection:
+            connection.execute(
+                sa.insert(_DONE),
+                [
+                    {
+                        "regrading_id": run,
+                        "attempt_id": item.attempt_id,
+                        "score": item.score,
+                        "correct": item.correct,
+                        "report": {"report": dict(item.report), "analysis": dict(item.analysis)},
+                    }
+                    for item in found
+                ],
+            )
+        count += len(found)
+    return count
+
+
+def _waiting(store: Store, run: int) -> list[Attempt]:
+    with store.reading() as connection:
+        own = connection.execute(sa.select(_RUN).where(_RUN.c.id == run)).one()
+        done = sa.select(_DONE.c.attempt_id).where(_DONE.c.regrading_id == run)
+        wanted = sa.select(_ATTEMPT).where(_ATTEMPT.c.link_id == own.link_id, _ATTEMPT.c.id.not_in(done))
+        if own.scope == Scope.COUNTED:
+            grade = records.grade
+            wanted = wanted.join(
+                grade,
+                sa.and_(
+                    grade.c.link_id == _ATTEMPT.c.link_id,
+                    grade.c.person_id == _ATTEMPT.c.person_id,
+                    grade.c.number == _ATTEMPT.c.number,
+                ),
+            )
+        rows = connection.execute(wanted.order_by(_ATTEMPT.c.id).limit(BATCH))
+        return [attempt_of(row) for row in rows]
+
+
+def changes(store: Store, run: int) -> list[dict[str, Any]]:
+    """Who would change, and by how much: attempts whose score differs, largest change first."""
+    person = records.person
+    wanted = (
+        sa.select(
+            _ATTEMPT.c.id,
+            _ATTEMPT.c.number,
+            person.c.key,
+            person.c.name,
+            _ATTEMPT.c.score.label("before"),
+            _DONE.c.score.label("after"),
+        )
+        .join(_ATTEMPT, _ATTEMPT.c.id == _DONE.c.attempt_id)
+        .join(person, person.c.id == _ATTEMPT.c.person_id)
+        .where(_DONE.c.regrading_id == run, _DONE.c.score != _ATTEMPT.c.score)
+        .order_by(sa.func.abs(_DONE.c.score - _ATTEMPT.c.score).desc(), _ATTEMPT.c.id)
+    )
+    with store.reading() as connection:
+        return [dict(row._mapping) for row in connection.execute(wanted)]
+
+
+def apply(store: Store, link_id: int, run: int, now: datetime) -> None:
+    """Let the run's scores count, in one transaction; what changed goes to the gradebook again.
+
+    Raises:
+        UnknownRecordError: the link has no such run that waits.
+    """
+    with store.writing() as connection:
+        own = sa.and_(_RUN.c.id == run, _RUN.c.link_id == link_id, _RUN.c.applied.is_(None))
+        if connection.execute(sa.update(_RUN).where(own).values(applied=now)).rowcount != 1:
+            raise unknown_record("regrading")
+        rows = connection.execute(
+            sa.select(_DONE.c.attempt_id, _DONE.c.report, _ATTEMPT.c.person_id)
+            .join(_ATTEMPT, _ATTEMPT.c.id == _DONE.c.attempt_id)
+            .where(_DONE.c.regrading_id == run)
+        ).all()
+        finding = records.finding
+        stale = sa.select(_DONE.c.attempt_id).where(_DONE.c.regrading_id == run)
+        connection.execute(sa.delete(finding).where(finding.c.attempt_id.in_(stale)))
+        for row in rows:
+            insert_findings(connection, row.attempt_id, link_id, row.report["analysis"])
+        regrade_people(connection, link_id, sorted({row.person_id for row in rows}), now)

@@ -1,0 +1,219 @@
+"""The database: opened, brought to this program's schema under a lock, and used in transactions.
+
+SQLite keeps a file in a data folder (WAL, every commit flushed to the disk); PostgreSQL is named by its URL.
+A transaction that was committed survives the end of the process, however it ends.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import sqlalchemy as sa
+from alembic.config import Config
+from alembic.migration import MigrationContext
+from alembic.runtime.environment import EnvironmentContext
+from alembic.script import ScriptDirectory
+from sqlalchemy import event
+from sqlalchemy.exc import ArgumentError, SQLAlchemyError
+from sqlalchemy.pool import ConnectionPoolEntry
+
+from courses.records import metadata
+from courses.refusals import StorageError
+from kinematics.errors import Fault
+
+MIGRATIONS = Path(__file__).resolve().parent / "migrations"
+FILE_NAME = "framewise.sqlite"
+BUSY_SECONDS = 30.0
+"""How long a writer waits for another one on SQLite."""
+CONNECTIONS = 16
+_LOCK = 0x6672616D65776973  # "framewis", the advisory lock of migrations on PostgreSQL
+_WRITES = "writes"
+
+
+class Store:
+    """An open database.
+
+    Attributes:
+        engine: SQLAlchemy's.
+        file: the SQLite file; None for PostgreSQL.
+    """
+
+    def __init__(self, engine: sa.Engine, file: Path | None) -> None:
+        self.engine = engine
+        self.file = file
+
+    @property
+    def location(self) -> str:
+        """Where the data is, without a password."""
+        return str(self.file) if self.file else self.engine.url.render_as_string(hide_password=True)
+
+    @property
+    def is_postgresql(self) -> bool:
+        """Whether rows can be locked one by one."""
+        return self.engine.dialect.name == "postgresql"
+
+    @contextmanager
+    def reading(self) -> Iterator[sa.Connection]:
+        """A transaction that sees one state of the database."""
+        with self.engine.connect() as connection, connection.begin():
+            yield connection
+
+    @contextmanager
+    def writing(self) -> Iterator[sa.Connection]:
+        """A transaction that changes something; on SQLite there is one at a time."""
+        with self.engine.connect() as connection:
+            connection = connection.execution_options(**{_WRITES: True})
+            with connection.begin():
+                yield connection
+
+    def close(self) -> None:
+        """End every connection."""
+        self.engine.dispose()
+
+
+def open_store(url: str, folder: Path) -> Store:
+    """Open the database and bring it to the newest schema.
+
+    Args:
+        url: of a PostgreSQL database, or "" for SQLite.
+        folder: where the SQLite file is or will be; made if it is not there.
+
+    Raises:
+        StorageError: it cannot be opened, or a newer program has written it.
+    """
+    store = connect(url, folder)
+    try:
+        with _alone(store):
+            migrate(store)
+    except SQLAlchemyError as error:
+        store.close()
+        raise _unusable(store, error) from error
+    except StorageError:
+        store.close()
+        raise
+    return store
+
+
+def connect(url: str, folder: Path) -> Store:
+    """A store as it is, without migration.
+
+    Raises:
+        StorageError: the address or the folder cannot be used.
+    """
+    if url:
+        return Store(_postgresql(url), None)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / FILE_NAME).open("a").close()
+        (folder / FILE_NAME).chmod(0o600)
+    except OSError as error:
+        fault = Fault(code="storage_folder", params={"folder": str(folder), "reason": error.strerror or ""})
+        raise StorageError(fault) from error
+    return Store(_sqlite((folder / FILE_NAME).resolve()), (folder / FILE_NAME).resolve())
+
+
+def migrate(store: Store) -> None:
+    """Apply what the database lacks of the schema's history.
+
+    Raises:
+        StorageError: the database's schema is not in this program's history.
+    """
+    scripts = ScriptDirectory.from_config(configuration())
+    with store.writing() as connection:
+        current = MigrationContext.configure(connection).get_current_revision()
+        known = {script.revision for script in scripts.walk_revisions()}
+        if current is not None and current not in known:
+            params = {"found": current, "known": scripts.get_current_head() or ""}
+            raise StorageError(Fault(code="schema_newer", params=params))
+        if current == scripts.get_current_head():
+            return
+        with EnvironmentContext(
+            configuration(),
+            scripts,
+            fn=lambda revision, _: scripts._upgrade_revs("head", revision),
+        ) as environment:
+            environment.configure(connection=connection, target_metadata=metadata)
+            environment.run_migrations()
+
+
+def configuration() -> Config:
+    """Alembic's configuration: where the history is."""
+    config = Config()
+    config.set_main_option("script_location", str(MIGRATIONS))
+    config.set_main_option("path_separator", "os")
+    return config
+
+
+@contextmanager
+def _alone(store: Store) -> Iterator[None]:
+    """One program at a time migrates: a file lock beside SQLite, an advisory lock on PostgreSQL."""
+    if store.file is not None:
+        with store.file.with_suffix(".lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            yield
+        return
+    with store.engine.connect() as connection:
+        connection.execute(sa.select(sa.func.pg_advisory_lock(_LOCK)))
+        connection.commit()
+        try:
+            yield
+        finally:
+            connection.execute(sa.select(sa.func.pg_advisory_unlock(_LOCK)))
+            connection.commit()
+
+
+def _postgresql(url: str) -> sa.Engine:
+    try:
+        address = sa.make_url(url)
+    except ArgumentError as error:
+        raise StorageError(Fault(code="storage_address")) from error
+    if address.get_backend_name() not in ("postgresql", "postgres"):
+        raise StorageError(Fault(code="storage_address"))
+    address = address.set(drivername="postgresql+psycopg")
+    return sa.create_engine(
+        address,
+        pool_size=CONNECTIONS,
+        max_overflow=CONNECTIONS,
+        pool_pre_ping=True,
+        json_serializer=_written,
+    )
+
+
+def _sqlite(file: Path) -> sa.Engine:
+    engine = sa.create_engine(
+        sa.URL.create("sqlite+pysqlite", database=str(file)),
+        connect_args={"timeout": BUSY_SECONDS, "check_same_thread": False},
+        pool_size=CONNECTIONS,
+        max_overflow=CONNECTIONS,
+        json_serializer=_written,
+    )
+    event.listen(engine, "connect", _prepare)
+    event.listen(engine, "begin", _begin)
+    return engine
+
+
+def _prepare(connection: Any, _: ConnectionPoolEntry) -> None:
+    """Let SQLAlchemy begin transactions itself, and flush every commit."""
+    connection.isolation_level = None
+    for pragma in ("journal_mode = WAL", "synchronous = FULL", "foreign_keys = ON"):
+        connection.execute(f"PRAGMA {pragma}")
+
+
+def _begin(connection: sa.Connection) -> None:
+    """A writer takes its turn at once: a reader that turns writer could be refused."""
+    immediate = connection.get_execution_options().get(_WRITES)
+    connection.exec_driver_sql("BEGIN IMMEDIATE" if immediate else "BEGIN")
+
+
+def _written(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+
+
+def _unusable(store: Store, error: SQLAlchemyError) -> StorageError:
+    reason = str(getattr(error, "orig", None) or type(error).__name__).splitlines()[0]
+    return StorageError(Fault(code="storage_unusable", params={"location": store.location, "reason": reason}))

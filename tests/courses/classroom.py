@@ -1,0 +1,73 @@
+"""A platform, a course, students and what they hand in."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime, timedelta
+from typing import Any
+
+from courses.attempts import store_attempt
+from courses.enrolment import Arrival, arrive, session_of
+from courses.model import Attempt, CourseSession, Platform, PlatformStatus, Role
+from courses.platforms import add_platform
+from courses.storage import Store
+
+NOW = datetime(2027, 3, 1, 12, 0, tzinfo=UTC)
+
+
+def platform(store: Store) -> Platform:
+    asked = Platform(
+        issuer="https://lms.example.edu",
+        client_id="framewise",
+        authorization_endpoint="https://lms.example.edu/auth",
+        token_endpoint="https://lms.example.edu/token",
+        jwks_uri="https://lms.example.edu/jwks",
+        status=PlatformStatus.ACTIVE,
+    )
+    return add_platform(store, asked, ("1",), NOW)
+
+
+def joined(store: Store, subject: str = "student-1", **changed: Any) -> CourseSession:
+    """A session of somebody who has just come."""
+    at = changed.pop("at", NOW)
+    told: dict[str, Any] = {
+        "platform": platform(store),
+        "subject": subject,
+        "role": Role.LEARNER,
+        "deployment": "1",
+        "context": "course-1",
+        "resource": "link-1",
+        "exercise_id": "puma560",
+        "line_item": "https://lms.example.edu/items/1",
+        **changed,
+    }
+    token, _ = arrive(store, Arrival(**told), at)
+    return session_of(store, token, at)
+
+
+def submitted(
+    store: Store,
+    session: CourseSession,
+    score: float,
+    *,
+    minutes: float = 0.0,
+    key: str | None = None,
+    **more: Any,
+) -> Attempt:
+    """An attempt with a score, so many minutes after the beginning."""
+    at = NOW + timedelta(minutes=minutes)
+    report = more.pop("report", {"correct": score == 1.0, "feedback": [], "links": [], "repairs": []})
+    attempt = Attempt(
+        link_id=session.link.id,
+        person_id=session.person.id,
+        key=key or f"key-{minutes}-{score}",
+        at=at,
+        exercise_id="puma560",
+        version="1",
+        seed=None,
+        language="en",
+        answer=more.pop("answer", {"table": {"rows": []}}),
+        report=report,
+        score=score,
+        correct=score == 1.0,
+    )
+    return store_attempt(store, session, attempt, at, report)

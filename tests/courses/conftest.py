@@ -1,0 +1,55 @@
+"""Stores on both databases, and a class of students."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from hypothesis import settings
+
+from courses.storage import Store, open_store
+from tests.databases import new_database, postgresql_server
+
+settings.register_profile("framewise", deadline=None)
+settings.load_profile("framewise")
+
+
+@pytest.fixture(scope="session")
+def postgresql() -> Iterator[str]:
+    """URL of a PostgreSQL server."""
+    with postgresql_server() as url:
+        yield url
+
+
+@pytest.fixture(params=["sqlite", "postgresql"])
+def database(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
+    """Address of an empty database: "" for SQLite."""
+    if request.param == "sqlite":
+        yield ""
+        return
+    with new_database(request.getfixturevalue("postgresql")) as url:
+        yield url
+
+
+@pytest.fixture(scope="session")
+def migrated(postgresql: str) -> Iterator[str]:
+    """Name of an empty PostgreSQL database with the newest schema."""
+    with new_database(postgresql) as url:
+        open_store(url, Path()).close()
+        yield url.rpartition("/")[2].partition("?")[0]
+
+
+@pytest.fixture(params=["sqlite", "postgresql"])
+def store(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Store]:
+    """An open, empty store."""
+    if request.param == "sqlite":
+        opened = open_store("", tmp_path / "data")
+        yield opened
+        opened.close()
+        return
+    server, template = (request.getfixturevalue(name) for name in ("postgresql", "migrated"))
+    with new_database(server, template) as url:
+        opened = open_store(url, tmp_path)
+        yield opened
+        opened.close()

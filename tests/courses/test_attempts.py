@@ -1,0 +1,301 @@
+"""Attempts, grades, drafts, sessions and the outbox, on both databases."""
+
+from __future__ import annotations
+
+import itertools
+import threading
+from datetime import timedelta
+
+import pytest
+
+from courses.attempts import attempt_numbered, attempts_of, draft_of, keep_draft
+from courses.enrolment import SESSION, end_session, issue_code, redeem_code, remember_nonce, session_of
+from courses.gradebook import delivered, lease_scores, postponed, resend, undeliverable
+from courses.links import allow, change_settings, release_feedback
+from courses.model import LinkSettings
+from courses.policies import Allowance, AttemptPolicy, Counting, FeedbackTiming
+from courses.privacy import erase_person, export_person, purge
+from courses.refusals import AttemptError, SessionError, UnknownRecordError
+from courses.regrading import Rejudged, Scope, apply, begin, changes, rejudge
+from courses.statistics import (
+    attempts_behind,
+    class_overview,
+    link_statistics,
+    misconceptions,
+    undelivered,
+    unexplained,
+)
+from courses.storage import Store
+from tests.courses.classroom import NOW, joined, platform, submitted
+
+
+def minutes(count: float) -> timedelta:
+    return timedelta(minutes=count)
+
+
+def test_an_attempt_comes_back_as_it_was_typed(store: Store) -> None:
+    session = joined(store)
+    typed = {"table": {"rows": [{"theta": "θ₁ + ½π", "a": "\u0000", "d": 1e-300}]}, "seed": "𝔰"}
+    made = submitted(store, session, 0.25, answer=typed)
+    found = attempt_numbered(store, session.link.id, session.person.id, 1)
+    assert found == made
+    assert found.answer == typed
+    assert found.at == NOW
+
+
+def test_a_submission_that_comes_twice_is_one_attempt(store: Store) -> None:
+    session = joined(store)
+    first = submitted(store, session, 0.5, key="same")
+    again = submitted(store, session, 0.9, key="same", minutes=1)
+    assert again == first
+    assert len(attempts_of(store, session.link.id, session.person.id)) == 1
+
+
+def test_submissions_at_the_same_time_are_numbered_and_limited(store: Store) -> None:
+    session = joined(store)
+    change_settings(store, session.link.id, LinkSettings(policy=AttemptPolicy(attempts=5)), NOW)
+    session = joined(store)
+    refused: list[AttemptError] = []
+
+    def hand_in(number: int) -> None:
+        try:
+            submitted(store, session, 0.1, key=f"key-{number}")
+        except AttemptError as error:
+            refused.append(error)
+
+    threads = [threading.Thread(target=hand_in, args=(n,)) for n in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    numbers = [attempt.number for attempt in attempts_of(store, session.link.id, session.person.id)]
+    assert numbers == [1, 2, 3, 4, 5]
+    assert [error.code for error in refused] == ["attempts_used"] * 3
+
+
+def test_the_best_score_goes_out_once(store: Store) -> None:
+    session = joined(store)
+    for score in (0.5, 1.0, 0.2):
+        submitted(store, session, score, key=str(score))
+    sent = lease_scores(store, NOW)
+    assert [item.score for item in sent] == [1.0]
+    assert lease_scores(store, NOW) == []
+    delivered(store, sent[0], NOW)
+    assert lease_scores(store, NOW + minutes(60)) == []
+
+
+def test_timestamps_rise_whatever_the_clock_says(store: Store) -> None:
+    session = joined(store)
+    stamps = []
+    for number, now in enumerate((NOW, NOW, NOW - minutes(5), NOW + minutes(1))):
+        submitted(store, session, 0.1 * (number + 1), key=str(number))
+        (sent,) = lease_scores(store, max(now, NOW))
+        stamps.append(sent.timestamp)
+        delivered(store, sent, now)
+    assert all(later - earlier >= timedelta(seconds=1) for earlier, later in itertools.pairwise(stamps))
+    assert all(stamp.microsecond == 0 for stamp in stamps)
+
+
+def test_a_score_that_changes_while_it_is_sent_is_sent_again_later(store: Store) -> None:
+    session = joined(store)
+    submitted(store, session, 0.2, key="a")
+    (sent,) = lease_scores(store, NOW)
+    submitted(store, session, 0.8, key="b")
+    assert lease_scores(store, NOW + minutes(0.5)) == []
+    delivered(store, sent, NOW)
+    (newer,) = lease_scores(store, NOW)
+    assert (newer.score, newer.timestamp > sent.timestamp) == (0.8, True)
+
+
+def test_a_sender_that_died_loses_its_lease(store: Store) -> None:
+    session = joined(store)
+    submitted(store, session, 0.2)
+    (sent,) = lease_scores(store, NOW)
+    (again,) = lease_scores(store, NOW + minutes(2))
+    assert again.timestamp > sent.timestamp
+    delivered(store, sent, NOW)  # too late: the lease is another's
+    postponed(store, again, "platform_busy", NOW + minutes(9))
+    assert lease_scores(store, NOW + minutes(8)) == []
+    assert len(lease_scores(store, NOW + minutes(9))) == 1
+
+
+def test_two_senders_never_hold_the_same_score(store: Store) -> None:
+    for number in range(30):
+        submitted(store, joined(store, f"student-{number}"), 0.5)
+    taken: list[tuple[int, int]] = []
+
+    def send() -> None:
+        while items := lease_scores(store, NOW, limit=3):
+            taken.extend((item.link_id, item.person_id) for item in items)
+
+    threads = [threading.Thread(target=send) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(taken) == len(set(taken)) == 30
+
+
+def test_what_cannot_be_delivered_waits_for_the_lecturer(store: Store) -> None:
+    session = joined(store)
+    submitted(store, session, 0.2)
+    (sent,) = lease_scores(store, NOW)
+    undeliverable(store, sent, "line_item_gone")
+    assert lease_scores(store, NOW + minutes(600)) == []
+    (told,) = undelivered(store, session.course.id)
+    assert (told["problem"], told["dead"]) == ("line_item_gone", True)
+    assert resend(store, session.link.id, NOW) == 1
+    assert len(lease_scores(store, NOW)) == 1
+
+
+def test_scores_are_held_until_the_release(store: Store) -> None:
+    session = joined(store)
+    policy = AttemptPolicy(feedback=FeedbackTiming.ON_RELEASE)
+    change_settings(store, session.link.id, LinkSettings(policy=policy), NOW)
+    submitted(store, joined(store), 0.7)
+    assert lease_scores(store, NOW + minutes(10_000)) == []
+    release_feedback(store, session.link.id, NOW)
+    assert [item.score for item in lease_scores(store, NOW)] == [0.7]
+
+
+def test_extra_time_lets_a_late_attempt_count(store: Store) -> None:
+    session = joined(store)
+    policy = AttemptPolicy(closes=NOW + minutes(10), counting=Counting.LAST)
+    change_settings(store, session.link.id, LinkSettings(policy=policy), NOW)
+    session = joined(store)
+    submitted(store, session, 0.9, minutes=15)
+    state = class_overview(store, session.course.id)["students"][0]["links"][session.link.id]
+    assert state["score"] is None
+    allow(store, session.link.id, session.person.key, Allowance(extra_time=minutes(10)), NOW)
+    state = class_overview(store, session.course.id)["students"][0]["links"][session.link.id]
+    assert (state["score"], state["extra_seconds"]) == (0.9, 600)
+
+
+def test_a_draft_comes_back_in_another_session(store: Store) -> None:
+    keep_draft(store, joined(store), {"table": ["θ"]}, NOW)
+    draft = draft_of(store, joined(store))
+    assert draft is not None
+    assert (draft.state, draft.at) == ({"table": ["θ"]}, NOW)
+
+
+def test_sessions_live_while_they_are_used(store: Store) -> None:
+    from courses.enrolment import Arrival, arrive
+    from courses.model import Role
+
+    told = Arrival(
+        platform=platform(store),
+        subject="s",
+        role=Role.LEARNER,
+        deployment="1",
+        context="c",
+        resource="r",
+    )
+    token, _ = arrive(store, told, NOW)
+    session_of(store, token, NOW + SESSION - minutes(1))
+    session = session_of(store, token, NOW + 2 * SESSION - minutes(2))
+    with pytest.raises(SessionError):
+        session_of(store, token, NOW + 9 * SESSION)
+    end_session(store, session.id)
+    with pytest.raises(SessionError):
+        session_of(store, token, NOW)
+
+
+def test_codes_and_nonces_work_once(store: Store) -> None:
+    code = issue_code(store, "session", {"token": "t"}, NOW, minutes(1))
+    with pytest.raises(SessionError):
+        redeem_code(store, "other", code, NOW)
+    assert redeem_code(store, "session", code, NOW) == {"token": "t"}
+    with pytest.raises(SessionError):
+        redeem_code(store, "session", code, NOW)
+    known = platform(store).id
+    assert remember_nonce(store, known, "n", NOW + minutes(10))
+    assert not remember_nonce(store, known, "n", NOW + minutes(10))
+
+
+WRONG = {
+    "feedback": [{"code": "links_differ", "row": None}],
+    "links": [{"row": 2, "length": "wrong", "twist": "ok", "offset": "ok", "joint": "ok"}],
+    "repairs": [{"edits": [{"code": "sign_of_twist", "row": 2}]}],
+}
+
+
+def test_numbers_of_a_class(store: Store) -> None:
+    ann, bob, eve = (joined(store, name) for name in ("ann", "bob", "eve"))
+    submitted(store, ann, 0.5, key="1", report=WRONG)
+    submitted(store, ann, 1.0, key="2", minutes=1)
+    submitted(store, bob, 0.5, key="1", report=WRONG)
+    submitted(store, bob, 0.5, key="2", report={**WRONG, "repairs": []})
+    submitted(store, eve, 1.0, key="1")
+    found = link_statistics(store, ann.link.id)
+    assert (found["attempts"], found["students"], found["solved"]) == (5, 3, 2)
+    assert found["first_attempt_rate"] == pytest.approx(1 / 3)
+    assert found["sequence"] == [
+        {"attempt": 1, "reached": 3, "solved": 1, "dropped_out": 0},
+        {"attempt": 2, "reached": 2, "solved": 1, "dropped_out": 1},
+    ]
+    assert misconceptions(store, ann.link.id) == [
+        {"kind": "repair", "code": "sign_of_twist", "attempts": 2, "students": 2}
+    ]
+    (cluster,) = unexplained(store, ann.link.id)
+    assert cluster["facts"] == ["2:length"]
+    assert len(attempts_behind(store, ann.link.id, code="sign_of_twist")) == 2
+    assert len(attempts_behind(store, ann.link.id, ids=tuple(cluster["attempts"]))) == 1
+
+
+def test_a_regrading_is_looked_at_then_applied_and_resumed(store: Store) -> None:
+    ann, bob = joined(store, "ann"), joined(store, "bob")
+    for session in (ann, bob):
+        submitted(store, session, 0.5, key="1", report=WRONG)
+    for item in lease_scores(store, NOW):
+        delivered(store, item, NOW)
+    run = begin(store, ann.link.id, Scope.COUNTED, "2", NOW)
+
+    class Interrupted(Exception):
+        pass
+
+    def judge(batch):
+        return [
+            Rejudged(attempt_id=a.id, score=1.0, correct=True, report={}, analysis={})
+            for a in batch
+            if a.person_id == ann.person.id
+        ] or (_ for _ in ()).throw(Interrupted)
+
+    with pytest.raises(Interrupted):
+        rejudge(store, run, judge)
+    assert begin(store, ann.link.id, Scope.COUNTED, "2", NOW) == run
+    same = lambda batch: [  # noqa: E731
+        Rejudged(attempt_id=a.id, score=a.score, correct=False, report={}, analysis=WRONG) for a in batch
+    ]
+    assert rejudge(store, run, same) == 1
+    assert [(row["key"], row["before"], row["after"]) for row in changes(store, run)] == [
+        (ann.person.key, 0.5, 1.0)
+    ]
+    assert lease_scores(store, NOW + minutes(99)) == []
+    apply(store, ann.link.id, run, NOW)
+    assert [item.score for item in lease_scores(store, NOW)] == [1.0]
+    assert misconceptions(store, ann.link.id)[0]["students"] == 1
+    with pytest.raises(UnknownRecordError):
+        apply(store, ann.link.id, run, NOW)
+
+
+def test_a_person_is_exported_and_erased(store: Store) -> None:
+    ann, bob = joined(store, "ann"), joined(store, "bob")
+    submitted(store, ann, 0.5)
+    submitted(store, bob, 0.5)
+    found = export_person(store, ann.person.key)
+    assert len(found["attempt"]) == len(found["score_to_send"]) == 1
+    assert "token_hash" not in found["session"][0]
+    assert erase_person(store, ann.person.key)["attempt"] == 1
+    with pytest.raises(UnknownRecordError):
+        export_person(store, ann.person.key)
+    assert export_person(store, bob.person.key)["attempt"]
+
+
+def test_what_is_old_is_purged(store: Store) -> None:
+    old = joined(store, "old")
+    young = joined(store, "young", at=NOW + timedelta(days=300))
+    removed = purge(store, NOW + timedelta(days=400), people=timedelta(days=365), log=timedelta(days=90))
+    assert removed["people"] == 1
+    assert export_person(store, young.person.key)
+    with pytest.raises(UnknownRecordError):
+        export_person(store, old.person.key)

@@ -1,0 +1,101 @@
+"""Opening, migrating, backing up and restoring, on both databases."""
+
+from __future__ import annotations
+
+import threading
+from pathlib import Path
+
+import pytest
+import sqlalchemy as sa
+from alembic.autogenerate import compare_metadata
+from alembic.migration import MigrationContext
+
+from courses.backup import back_up, restore
+from courses.records import metadata
+from courses.refusals import StorageError
+from courses.statistics import class_overview
+from courses.storage import Store, open_store
+from tests.courses.classroom import joined, submitted
+
+
+def test_the_history_ends_at_the_schema_of_the_program(store: Store) -> None:
+    with store.reading() as connection:
+        context = MigrationContext.configure(connection, opts={"compare_type": True})
+        assert compare_metadata(context, metadata) == []
+
+
+def test_processes_that_start_together_migrate_once(database: str, tmp_path: Path) -> None:
+    opened: list[Store] = []
+    threads = [
+        threading.Thread(target=lambda: opened.append(open_store(database, tmp_path / "data")))
+        for _ in range(4)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(opened) == 4
+    for store in opened:
+        store.close()
+
+
+def test_a_newer_schema_is_refused(database: str, tmp_path: Path) -> None:
+    store = open_store(database, tmp_path / "data")
+    with store.writing() as connection:
+        connection.execute(sa.text("UPDATE alembic_version SET version_num = '9999'"))
+    store.close()
+    with pytest.raises(StorageError) as caught:
+        open_store(database, tmp_path / "data")
+    assert caught.value.code == "schema_newer"
+
+
+def test_sqlite_writes_ahead_and_flushes(tmp_path: Path) -> None:
+    store = open_store("", tmp_path)
+    with store.reading() as connection:
+        assert connection.exec_driver_sql("PRAGMA journal_mode").scalar() == "wal"
+        assert connection.exec_driver_sql("PRAGMA synchronous").scalar() == 2
+        assert connection.exec_driver_sql("PRAGMA foreign_keys").scalar() == 1
+    assert store.location == str((tmp_path / "framewise.sqlite").resolve())
+    store.close()
+
+
+@pytest.mark.parametrize("url", ["mysql://somewhere/db", "no address", "sqlite:///x"])
+def test_other_databases_are_refused(url: str, tmp_path: Path) -> None:
+    with pytest.raises(StorageError) as caught:
+        open_store(url, tmp_path)
+    assert caught.value.code == "storage_address"
+
+
+def test_a_database_that_cannot_be_reached_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(StorageError) as caught:
+        open_store("postgresql://nobody:secret@127.0.0.1:9/none", tmp_path)
+    assert caught.value.code == "storage_unusable"
+    assert "secret" not in str(caught.value.faults)
+
+
+def test_a_backup_restores_on_either_database(store: Store, postgresql: str, tmp_path: Path) -> None:
+    from tests.databases import new_database
+
+    session = joined(store)
+    submitted(store, session, 0.5, answer={"table": {"rows": [["θ₁ + π/2", "\u0000", "𝛼"]]}})
+    file = tmp_path / "backup.gz"
+    written = back_up(store, file)
+    with new_database(postgresql) as url:
+        for number, address in enumerate(("", url)):
+            copy = open_store(address, tmp_path / f"copy{number}")
+            assert restore(copy, file) == written
+            assert class_overview(copy, session.course.id) == class_overview(store, session.course.id)
+            with pytest.raises(StorageError) as caught:
+                restore(copy, file)
+            assert caught.value.code == "storage_not_empty"
+            again = joined(copy, "another", resource="link-2")
+            assert again.link.id > session.link.id
+            copy.close()
+
+
+def test_a_file_that_is_no_backup_is_refused(store: Store, tmp_path: Path) -> None:
+    file = tmp_path / "backup.gz"
+    file.write_bytes(b"nothing")
+    with pytest.raises(StorageError) as caught:
+        restore(store, file)
+    assert caught.value.code == "backup_unreadable"
