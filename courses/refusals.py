@@ -35,6 +35,16 @@ class SessionError(CourseError):
 class StaffOnlyError(CourseError):
     """What was asked for is open to the course's staff."""
 
+    def __init__(self) -> None:
+        super().__init__(Fault(code="staff_only"))
+
+
+class NoExerciseError(CourseError):
+    """No exercise has been chosen for the link yet."""
+
+    def __init__(self) -> None:
+        super().__init__(Fault(code="link_without_exercise"))
+
 
 def unknown_record(kind: str) -> UnknownRecordError:
     """The refusal of a record that is not there, or belongs to another course."""

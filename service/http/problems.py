@@ -22,6 +22,13 @@ from enum import StrEnum
 
 import orjson
 
+from courses.refusals import (
+    AttemptError,
+    NoExerciseError,
+    SessionError,
+    StaffOnlyError,
+    UnknownRecordError,
+)
 from kinematics.errors import Fault, KinematicsError
 from service.messages import sentence
 
@@ -118,6 +125,11 @@ STATUS: dict[type[Exception], int] = {
     RequestError: 422,
     KinematicsError: 422,
     BusyError: 503,
+    SessionError: 401,
+    StaffOnlyError: 403,
+    UnknownRecordError: 404,
+    NoExerciseError: 404,
+    AttemptError: 409,
 }
 INTERNAL = 500
 

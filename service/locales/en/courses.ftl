@@ -1,0 +1,37 @@
+### Courses, stored attempts and launches from a learning management system: what is refused, and why.
+
+problem-title-401 = Not signed in
+problem-title-403 = Not open to you
+problem-title-409 = Not now
+
+## Storage
+
+error-storage_folder = The data folder { $folder } cannot be used: { $reason }. Set FRAMEWISE_DATA_FOLDER to a folder that can be written, or FRAMEWISE_STORAGE to off.
+error-storage_address = FRAMEWISE_DATABASE_URL does not name a PostgreSQL database. It looks like postgresql://user:password@host/database.
+error-storage_unusable = The database { $location } cannot be used: { $reason }.
+error-schema_newer = The data was written by a newer version of the program (schema { $found }; this version knows { $known }). Install the newer version.
+error-storage_not_empty = A backup is restored into an empty database only; the relation { $table } holds rows already.
+error-backup_unreadable = { $file } cannot be read or written as a backup: { $reason }.
+
+## Attempts
+
+error-record_unknown = { $kind ->
+    [attempt] There is no such attempt in this course.
+    [person] There is no such person in this course.
+    [link] There is no such link in this course.
+    [platform] There is no such platform.
+   *[other] There is no such record in this course.
+}
+error-attempts_not_open = Attempts are taken from { $opens } on.
+error-attempts_closed = The exercise closed at { $closes }.
+error-attempts_used = { $allowed ->
+    [one] The one attempt that this exercise allows has been made.
+   *[other] All { $allowed } attempts that this exercise allows have been made.
+}
+error-setting_invalid = { $name } can be: { $known }.
+error-closes_before_opening = The exercise would close before it opens.
+error-session_expired = You are no longer signed in. What you typed is still here: open the exercise from your course again.
+error-code_used = This address has been used already. Open the exercise from your course again.
+error-staff_only = This is open to the staff of the course.
+error-link_without_exercise = No exercise has been chosen for this link yet. A teacher chooses it by opening the link.
+error-invitation_used = This registration address has been used already, or is too old. Ask for a new one.

@@ -1,0 +1,37 @@
+### Cursos, intentos guardados y accesos desde un sistema de gestión del aprendizaje: qué se rechaza y por qué.
+
+problem-title-401 = Sin sesión iniciada
+problem-title-403 = Sin acceso
+problem-title-409 = Ahora no
+
+## Almacenamiento
+
+error-storage_folder = No se puede usar la carpeta de datos { $folder }: { $reason }. Indique en FRAMEWISE_DATA_FOLDER una carpeta en la que se pueda escribir, o ponga FRAMEWISE_STORAGE en off.
+error-storage_address = FRAMEWISE_DATABASE_URL no designa una base de datos PostgreSQL. Tiene la forma postgresql://usuario:contraseña@servidor/base.
+error-storage_unusable = No se puede usar la base de datos { $location }: { $reason }.
+error-schema_newer = Los datos fueron escritos por una versión más reciente del programa (esquema { $found }; esta versión conoce { $known }). Instale la versión más reciente.
+error-storage_not_empty = Una copia de seguridad solo se restaura en una base de datos vacía; la relación { $table } ya contiene filas.
+error-backup_unreadable = { $file } no se puede leer o escribir como copia de seguridad: { $reason }.
+
+## Intentos
+
+error-record_unknown = { $kind ->
+    [attempt] No existe ese intento en este curso.
+    [person] No existe esa persona en este curso.
+    [link] No existe ese enlace en este curso.
+    [platform] No existe esa plataforma.
+   *[other] No existe ese registro en este curso.
+}
+error-attempts_not_open = Se admiten intentos a partir de { $opens }.
+error-attempts_closed = El ejercicio se cerró en { $closes }.
+error-attempts_used = { $allowed ->
+    [one] Ya se ha hecho el único intento que permite este ejercicio.
+   *[other] Ya se han hecho los { $allowed } intentos que permite este ejercicio.
+}
+error-setting_invalid = { $name } puede ser: { $known }.
+error-closes_before_opening = El ejercicio se cerraría antes de abrirse.
+error-session_expired = Su sesión ha terminado. Lo que escribió sigue aquí: vuelva a abrir el ejercicio desde su curso.
+error-code_used = Esta dirección ya se ha usado. Vuelva a abrir el ejercicio desde su curso.
+error-staff_only = Esto está abierto al profesorado del curso.
+error-link_without_exercise = Todavía no se ha elegido un ejercicio para este enlace. Lo elige un docente al abrir el enlace.
+error-invitation_used = Esta dirección de registro ya se ha usado o es demasiado antigua. Pida una nueva.

@@ -1,0 +1,37 @@
+### Cours, essais conservés et lancements depuis une plateforme pédagogique : ce qui est refusé, et pourquoi.
+
+problem-title-401 = Vous n’êtes pas connecté
+problem-title-403 = Accès réservé
+problem-title-409 = Pas maintenant
+
+## Stockage
+
+error-storage_folder = Le dossier de données { $folder } est inutilisable : { $reason }. Indiquez dans FRAMEWISE_DATA_FOLDER un dossier accessible en écriture, ou mettez FRAMEWISE_STORAGE à off.
+error-storage_address = FRAMEWISE_DATABASE_URL ne désigne pas une base PostgreSQL. Elle a la forme postgresql://utilisateur:motdepasse@serveur/base.
+error-storage_unusable = La base de données { $location } est inutilisable : { $reason }.
+error-schema_newer = Les données ont été écrites par une version plus récente du programme (schéma { $found } ; cette version connaît { $known }). Installez la version plus récente.
+error-storage_not_empty = Une sauvegarde n’est restaurée que dans une base vide ; la relation { $table } contient déjà des lignes.
+error-backup_unreadable = { $file } ne peut être ni lu ni écrit comme sauvegarde : { $reason }.
+
+## Essais
+
+error-record_unknown = { $kind ->
+    [attempt] Cet essai n’existe pas dans ce cours.
+    [person] Cette personne n’existe pas dans ce cours.
+    [link] Ce lien n’existe pas dans ce cours.
+    [platform] Cette plateforme n’existe pas.
+   *[other] Cet enregistrement n’existe pas dans ce cours.
+}
+error-attempts_not_open = Les essais sont acceptés à partir de { $opens }.
+error-attempts_closed = L’exercice a fermé à { $closes }.
+error-attempts_used = { $allowed ->
+    [one] Le seul essai que permet cet exercice a été fait.
+   *[other] Les { $allowed } essais que permet cet exercice ont tous été faits.
+}
+error-setting_invalid = { $name } peut valoir : { $known }.
+error-closes_before_opening = L’exercice fermerait avant d’ouvrir.
+error-session_expired = Vous n’êtes plus connecté. Ce que vous avez saisi est toujours là : rouvrez l’exercice depuis votre cours.
+error-code_used = Cette adresse a déjà servi. Rouvrez l’exercice depuis votre cours.
+error-staff_only = Ceci est réservé à l’équipe enseignante du cours.
+error-link_without_exercise = Aucun exercice n’a encore été choisi pour ce lien. Un enseignant le choisit en ouvrant le lien.
+error-invitation_used = Cette adresse d’enregistrement a déjà servi ou est trop ancienne. Demandez-en une nouvelle.

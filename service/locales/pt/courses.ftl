@@ -1,0 +1,37 @@
+### Disciplinas, tentativas guardadas e acessos a partir de uma plataforma de ensino: o que é recusado e porquê.
+
+problem-title-401 = Sem sessão iniciada
+problem-title-403 = Sem acesso
+problem-title-409 = Agora não
+
+## Armazenamento
+
+error-storage_folder = A pasta de dados { $folder } não pode ser usada: { $reason }. Indique em FRAMEWISE_DATA_FOLDER uma pasta onde se possa escrever, ou ponha FRAMEWISE_STORAGE em off.
+error-storage_address = FRAMEWISE_DATABASE_URL não designa uma base de dados PostgreSQL. Tem a forma postgresql://utilizador:palavra-passe@servidor/base.
+error-storage_unusable = A base de dados { $location } não pode ser usada: { $reason }.
+error-schema_newer = Os dados foram escritos por uma versão mais recente do programa (esquema { $found }; esta versão conhece { $known }). Instale a versão mais recente.
+error-storage_not_empty = Uma cópia de segurança só é reposta numa base de dados vazia; a relação { $table } já contém linhas.
+error-backup_unreadable = { $file } não pode ser lido nem escrito como cópia de segurança: { $reason }.
+
+## Tentativas
+
+error-record_unknown = { $kind ->
+    [attempt] Não existe essa tentativa nesta disciplina.
+    [person] Não existe essa pessoa nesta disciplina.
+    [link] Não existe essa ligação nesta disciplina.
+    [platform] Não existe essa plataforma.
+   *[other] Não existe esse registo nesta disciplina.
+}
+error-attempts_not_open = As tentativas são aceites a partir de { $opens }.
+error-attempts_closed = O exercício fechou em { $closes }.
+error-attempts_used = { $allowed ->
+    [one] A única tentativa que este exercício permite já foi feita.
+   *[other] Já foram feitas as { $allowed } tentativas que este exercício permite.
+}
+error-setting_invalid = { $name } pode ser: { $known }.
+error-closes_before_opening = O exercício fecharia antes de abrir.
+error-session_expired = A sua sessão terminou. O que escreveu continua aqui: volte a abrir o exercício a partir da sua disciplina.
+error-code_used = Este endereço já foi usado. Volte a abrir o exercício a partir da sua disciplina.
+error-staff_only = Isto está aberto aos docentes da disciplina.
+error-link_without_exercise = Ainda não foi escolhido um exercício para esta ligação. Um docente escolhe-o ao abrir a ligação.
+error-invitation_used = Este endereço de registo já foi usado ou é demasiado antigo. Peça um novo.

@@ -1,0 +1,38 @@
+### Cursuri, încercări păstrate și lansări dintr-o platformă de învățare: ce se refuză și de ce.
+
+problem-title-401 = Nu sunteți autentificat
+problem-title-403 = Acces nepermis
+problem-title-409 = Nu acum
+
+## Stocare
+
+error-storage_folder = Dosarul de date { $folder } nu poate fi folosit: { $reason }. Puneți în FRAMEWISE_DATA_FOLDER un dosar în care se poate scrie sau FRAMEWISE_STORAGE pe off.
+error-storage_address = FRAMEWISE_DATABASE_URL nu numește o bază de date PostgreSQL. Are forma postgresql://utilizator:parolă@server/bază.
+error-storage_unusable = Baza de date { $location } nu poate fi folosită: { $reason }.
+error-schema_newer = Datele au fost scrise de o versiune mai nouă a programului (schema { $found }; această versiune cunoaște { $known }). Instalați versiunea mai nouă.
+error-storage_not_empty = O copie de siguranță se restaurează numai într-o bază de date goală; relația { $table } are deja rânduri.
+error-backup_unreadable = { $file } nu poate fi citit sau scris ca o copie de siguranță: { $reason }.
+
+## Încercări
+
+error-record_unknown = { $kind ->
+    [attempt] Nu există această încercare în acest curs.
+    [person] Nu există această persoană în acest curs.
+    [link] Nu există această legătură în acest curs.
+    [platform] Nu există această platformă.
+   *[other] Nu există această înregistrare în acest curs.
+}
+error-attempts_not_open = Încercările se primesc începând cu { $opens }.
+error-attempts_closed = Exercițiul s-a închis la { $closes }.
+error-attempts_used = { $allowed ->
+    [one] Singura încercare permisă de acest exercițiu a fost făcută.
+    [few] Toate cele { $allowed } încercări permise de acest exercițiu au fost făcute.
+   *[other] Toate cele { $allowed } de încercări permise de acest exercițiu au fost făcute.
+}
+error-setting_invalid = { $name } poate fi: { $known }.
+error-closes_before_opening = Exercițiul s-ar închide înainte de a se deschide.
+error-session_expired = Nu mai sunteți autentificat. Ce ați scris este încă aici: deschideți din nou exercițiul din cursul dumneavoastră.
+error-code_used = Această adresă a fost deja folosită. Deschideți din nou exercițiul din cursul dumneavoastră.
+error-staff_only = Aici au acces doar cadrele didactice ale cursului.
+error-link_without_exercise = Pentru această legătură nu s-a ales încă un exercițiu. Un profesor îl alege deschizând legătura.
+error-invitation_used = Această adresă de înregistrare a fost deja folosită sau este prea veche. Cereți una nouă.

@@ -1,0 +1,38 @@
+### Курси, збережені спроби та запуски з системи керування навчанням: що відхиляється і чому.
+
+problem-title-401 = Вхід не виконано
+problem-title-403 = Доступ закрито
+problem-title-409 = Не зараз
+
+## Сховище
+
+error-storage_folder = Теку даних { $folder } неможливо використати: { $reason }. Задайте у FRAMEWISE_DATA_FOLDER теку, доступну для запису, або FRAMEWISE_STORAGE=off.
+error-storage_address = FRAMEWISE_DATABASE_URL не називає бази даних PostgreSQL. Вона має вигляд postgresql://користувач:пароль@сервер/база.
+error-storage_unusable = Базу даних { $location } неможливо використати: { $reason }.
+error-schema_newer = Дані записала новіша версія програми (схема { $found }; ця версія знає { $known }). Установіть новішу версію.
+error-storage_not_empty = Резервну копію відновлюють лише в порожню базу даних; у відношенні { $table } вже є рядки.
+error-backup_unreadable = { $file } неможливо прочитати чи записати як резервну копію: { $reason }.
+
+## Спроби
+
+error-record_unknown = { $kind ->
+    [attempt] Такої спроби в цьому курсі немає.
+    [person] Такої особи в цьому курсі немає.
+    [link] Такого посилання в цьому курсі немає.
+    [platform] Такої платформи немає.
+   *[other] Такого запису в цьому курсі немає.
+}
+error-attempts_not_open = Спроби приймаються з { $opens }.
+error-attempts_closed = Вправу закрито о { $closes }.
+error-attempts_used = { $allowed ->
+    [one] Використано { $allowed } спробу — усі, що дозволяє ця вправа.
+    [few] Використано { $allowed } спроби — усі, що дозволяє ця вправа.
+   *[other] Використано { $allowed } спроб — усі, що дозволяє ця вправа.
+}
+error-setting_invalid = { $name } може бути: { $known }.
+error-closes_before_opening = Вправа закрилася б раніше, ніж відкрилася.
+error-session_expired = Ваш сеанс завершився. Введене вами збережено на цій сторінці: відкрийте вправу з курсу ще раз.
+error-code_used = Цю адресу вже використано. Відкрийте вправу з курсу ще раз.
+error-staff_only = Це доступно лише викладачам курсу.
+error-link_without_exercise = Для цього посилання ще не вибрано вправи. Її вибирає викладач, відкривши посилання.
+error-invitation_used = Цю адресу реєстрації вже використано, або вона застаріла. Попросіть нову.
