@@ -57,6 +57,19 @@ def link_transform(row: NumericRow, convention: Convention, q: float = 0.0) -> T
     return np.array([*pose_of_motions(motions), (0.0, 0.0, 0.0, 1.0)])
 
 
+def around_joint(row: NumericRow, convention: Convention) -> tuple[Transform, Transform]:
+    """Return the constants K, L of a row whose link transform is K · J(q) · L, J about or along z.
+
+    A standard row is J(q) A(0), a modified one A(0) J(q); a fixed row is all in K.
+
+    Raises:
+        TableError: an entry of the row is NaN or infinite.
+    """
+    constant = link_transform(row, convention)
+    leads = convention is Convention.STANDARD and row.joint is not JointType.FIXED
+    return (np.eye(4), constant) if leads else (constant, np.eye(4))
+
+
 Row: TypeAlias = tuple[Scalar, Scalar, Scalar, Scalar]
 JointValue: TypeAlias = Any
 """(cos q, sin q) of a revolute joint, q of a prismatic one."""

@@ -274,6 +274,12 @@ def inverse_transform(transform: Transform) -> Transform:
     return inverse
 
 
+def turns_between(left: Transform, right: Transform) -> Floats:
+    """Return the rotation vectors that take one orientation to the other, to first order, (…, 3) [rad]."""
+    columns, meant = (np.swapaxes(poses[..., :3, :3], -1, -2) for poses in (left, right))
+    return np.asarray(0.5 * cross_arrays(columns, meant).sum(axis=-2), dtype=np.float64)
+
+
 def check_transform(
     value: ArrayLike, *, where: Place = (), tolerance: float = ORTHONORMAL_TOLERANCE
 ) -> Transform:

@@ -93,6 +93,12 @@ class DHTable(Generic[Entry]):
         """Types of joint 1 … n, fixed rows not counted."""
         return tuple(self.rows[i].joint for i in self.joint_rows)
 
+    @cached_property
+    def axis_frames(self) -> tuple[int, ...]:
+        """For each joint the frame whose z is its axis: row i's i-1 (standard) or i (modified)."""
+        behind = self.convention is Convention.MODIFIED
+        return tuple(i + behind for i in self.joint_rows)
+
     @property
     def n_joints(self) -> int:
         """Number of joint variables."""

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from exercises.figures.camera import Array, Camera
 from exercises.figures.geometry import JointAxis
+from kinematics.se3 import cross_arrays
 from kinematics.table import JointType
 
 RADIUS = 0.036
@@ -68,13 +69,13 @@ def body_of(axis: JointAxis, size: float, camera: Camera) -> Body:
     if direction @ camera.eye < 0:
         direction = -direction
     reference = np.array([0.0, 0.0, 1.0]) if abs(direction[2]) < 0.9 else np.array([1.0, 0.0, 0.0])
-    first = np.cross(direction, reference)
+    first = cross_arrays(direction, reference)
     first /= np.linalg.norm(first)
     return Body(
         type=axis.type,
         centre=np.array(axis.point),
         axis=direction,
-        across=(first, np.cross(direction, first)),
+        across=(first, cross_arrays(direction, first)),
         radius=RADIUS * size * axis.scale,
         half=LENGTH / 2 * size * axis.scale * (1.15 if axis.type is JointType.PRISMATIC else 1.0),
     )

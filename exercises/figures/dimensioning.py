@@ -11,6 +11,7 @@ from exercises.figures.camera import Array, Camera
 from exercises.figures.geometry import Dimension
 from exercises.figures.placement import NO_CELLS, Candidate, Label, PaperMap, Rectangle
 from exercises.figures.svg import Canvas, line, text_width
+from kinematics.se3 import cross_arrays
 
 FONT_SIZE = 18.0
 OFFSETS = (0.0, 22.0, 36.0, 52.0, 70.0, 92.0)
@@ -95,7 +96,7 @@ def _offsets(dimension: Dimension, camera: Camera) -> Iterator[tuple[Array, floa
         directions.append((np.array(wished), -60.0))
     for axis in np.eye(3):
         directions += [(axis, 0.0), (-axis, 0.0)]
-    screen = np.cross(along, camera.eye)
+    screen = cross_arrays(along, camera.eye)
     if np.linalg.norm(screen) > 1e-6:
         directions += [(screen, 15.0), (-screen, 15.0)]
     for direction, cost in directions:

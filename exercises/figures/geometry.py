@@ -12,6 +12,7 @@ from exercises.errors import DefinitionError
 from exercises.figures.camera import Array
 from exercises.figures.points import Points
 from exercises.figures.specification import DimensionMark, FigureSpecification, Gripper, JointMark
+from kinematics.se3 import cross_arrays
 from kinematics.table import JointType, SymbolicTable
 
 Vector: TypeAlias = tuple[float, float, float]
@@ -171,7 +172,7 @@ def _axis(points: Points, joint: int, mark: JointMark, size: float, *, signed: b
     direction: Array = pose[:3, 2]
     point = points.point(mark.at, "joints", joint, "at")
     joint_type = points.reference.joint_types[joint - 1]
-    distance = np.linalg.norm(np.cross(point - pose[:3, 3], direction))
+    distance = np.linalg.norm(cross_arrays(point - pose[:3, 3], direction))
     if joint_type is JointType.REVOLUTE and distance > ON_AXIS * size:
         points.fault(
             "joint_off_axis",

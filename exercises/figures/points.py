@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from exercises.figures.camera import Array
-from exercises.figures.skeleton import axis_frame, completed
+from exercises.figures.skeleton import completed
 from exercises.figures.specification import (
     FigureSpecification,
     Point,
@@ -50,7 +50,7 @@ class Points:
 
     def axis_pose(self, joint: int) -> Transform:
         """The frame whose z axis is the axis of a joint."""
-        return self.frames[axis_frame(self.reference, joint)]
+        return self.frames[self.reference.axis_frames[joint - 1]]
 
     def point(self, name: str, *where: str | int) -> Array:
         """(3,) the point of that name; O0, O1, … are the origins of the reference's frames."""

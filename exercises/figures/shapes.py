@@ -7,6 +7,7 @@ import numpy as np
 from exercises.figures.bodies import Body
 from exercises.figures.camera import Array, Camera
 from exercises.figures.geometry import JointAxis, Scene
+from kinematics.se3 import cross_arrays
 from kinematics.table import JointType
 
 REACH = 0.11
@@ -35,7 +36,7 @@ def sense_arrow(axis: JointAxis, body: Body, size: float, camera: Camera) -> tup
     else:
         turn = np.linspace(0.3, 0.3 + 1.5 * np.pi, 28)[:, None]
         u = body.across[0]
-        v = np.cross(direction, u)
+        v = cross_arrays(direction, u)
         centre = body.centre + direction * (body.half + 0.03 * size)
         space = centre + 1.25 * body.radius * (np.cos(turn) * u + np.sin(turn) * v)
     run = camera.project(space)

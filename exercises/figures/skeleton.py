@@ -146,7 +146,7 @@ def _spread(
     bones = _bones(table, frames)
     for joint in group:
         i = table.joint_rows[joint - 1]
-        axis = frames[axis_frame(table, joint)][:3, 2]
+        axis = frames[table.axis_frames[joint - 1]][:3, 2]
         here = centres[joint - 1]
         back = _away(here, bones[: 2 * i + 1][::-1]) if joint > 1 else np.array([0.0, 0.0, -1.0])
         on = _away(here, bones[2 * i + 1 :])
@@ -216,9 +216,3 @@ def _name(value: Expression) -> str | None:
         case Parameter(name) | Product((Number(), Parameter(name))):
             return name
     return None
-
-
-def axis_frame(table: SymbolicTable, joint: int) -> int:
-    """The frame whose z axis is a joint's axis: i-1 of row i in a standard table, i in a modified one."""
-    row = table.joint_rows[joint - 1]
-    return row if table.convention is Convention.STANDARD else row + 1

@@ -14,7 +14,7 @@ from kinematics.chain import chain_of_table, frames_at_zero
 from kinematics.equivalence import Certificate, ExactCertificate
 from kinematics.equivalence.reference import prepared
 from kinematics.se3 import Motion, compose, from_matrix, inverse, position, rotation_about, scale, translation
-from kinematics.table import Convention, JointType, NumericTable
+from kinematics.table import JointType, NumericTable
 
 NOTICED = 1e-3
 NOTICED_IF_ROUNDED = 0.02
@@ -112,8 +112,7 @@ def _frames(
 
 def _joint_of_axis(table: NumericTable, k: int) -> int | None:
     """The joint, counted from 1, whose axis is z_k; None if no joint's is."""
-    row = k if table.convention is Convention.STANDARD else k - 1
-    return table.joint_rows.index(row) + 1 if row in table.joint_rows else None
+    return table.axis_frames.index(k) + 1 if k in table.axis_frames else None
 
 
 def _apart(apart: Motion, k: int, joint: int | None, noticed: _Noticed) -> Iterator[Feedback]:

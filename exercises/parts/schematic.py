@@ -20,6 +20,7 @@ from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, shown
 from kinematics.chain import Axis, chain_of_table, size_of
 from kinematics.errors import Fault
+from kinematics.se3 import cross_arrays
 from kinematics.table import JointType, NumericTable
 
 EXACT = 1e-9
@@ -103,10 +104,10 @@ def relation(first: Axis, second: Axis, size: float) -> AxisRelation:
     """How two axes lie to each other; distances count as zero below `EXACT` of the robot's size."""
     a, b = np.array(first.direction), np.array(second.direction)
     apart = np.array(second.point) - np.array(first.point)
-    normal = np.cross(a, b)
+    normal = cross_arrays(a, b)
     sine = float(np.linalg.norm(normal))
     if sine < EXACT:
-        distance = float(np.linalg.norm(np.cross(apart, a)))
+        distance = float(np.linalg.norm(cross_arrays(apart, a)))
         return AxisRelation.COINCIDENT if distance < EXACT * size else AxisRelation.PARALLEL
     meets = abs(float(apart @ normal)) / sine < EXACT * size
     square = math.isclose(abs(float(a @ b)), 0.0, abs_tol=EXACT)

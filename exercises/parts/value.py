@@ -20,7 +20,7 @@ from kinematics.chain import Axis, Chain, size_of
 from kinematics.equivalence import Tolerance
 from kinematics.equivalence.decision import certify
 from kinematics.equivalence.reference import prepared
-from kinematics.se3 import from_matrix
+from kinematics.se3 import cross_arrays, from_matrix
 from kinematics.table import JointType
 
 Matrix = NDArray[np.float64]
@@ -99,7 +99,7 @@ def _axis(screw: Matrix, joint_type: JointType, tolerance: Tolerance, size: floa
     direction = direction / length
     if abs(direction @ shift) > 4 * tolerance.length * size:
         return None
-    return Axis(False, _triple(direction), _triple(np.cross(direction, shift)))
+    return Axis(False, _triple(direction), _triple(cross_arrays(direction, shift)))
 
 
 def _scaled(chain: Chain, factor: float) -> Chain:

@@ -6,13 +6,13 @@ from functools import cache
 from importlib.resources import files
 
 from kinematics.catalogue.reading import read_robot
-from kinematics.catalogue.robots import Chain, Configuration, ReferencePose, Robot, Source
+from kinematics.catalogue.robots import Configuration, ReferencePose, Robot, ScmDescription, Source
 
 __all__ = [
-    "Chain",
     "Configuration",
     "ReferencePose",
     "Robot",
+    "ScmDescription",
     "Source",
     "read_robot",
     "robot",

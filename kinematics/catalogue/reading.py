@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.catalogue.keys import Keys, fault, is_number, is_numbers
-from kinematics.catalogue.robots import Chain, Configuration, ReferencePose, Robot, Source
+from kinematics.catalogue.robots import Configuration, ReferencePose, Robot, ScmDescription, Source
 from kinematics.cells import (
     AngleUnit,
     LengthUnit,
@@ -171,7 +171,7 @@ def _position(keys: Keys, raw: RawTable) -> tuple[Expression, Expression, Expres
     return None if x is None or y is None or z is None else (x, y, z)
 
 
-def _chain(keys: Keys, raw: RawTable) -> Chain | None:
+def _chain(keys: Keys, raw: RawTable) -> ScmDescription | None:
     rows = keys.lists("joints", None, 6)
     final = keys.cell("final")
     if not isinstance(final, list) or len(final) != 6:
@@ -193,7 +193,7 @@ def _chain(keys: Keys, raw: RawTable) -> Chain | None:
     if read is None:
         return None
     parameters = {name: renamed.get(name, name) for name in read.parameters}
-    return Chain(raw=chain, read=read, parameters=parameters)
+    return ScmDescription(raw=chain, read=read, parameters=parameters)
 
 
 def _reference(keys: Keys, n: int) -> ReferencePose | None:

@@ -42,7 +42,7 @@ class Configuration:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Chain:
+class ScmDescription:
     """The same robot as an SCM chain.
 
     Attributes:
@@ -98,5 +98,5 @@ class Robot:
     configurations: Mapping[str, Configuration]
     limits: tuple[tuple[float, float], ...] | None
     limits_source: str | None
-    chain: Chain | None
+    chain: ScmDescription | None
     reference: ReferencePose

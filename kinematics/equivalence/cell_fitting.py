@@ -21,6 +21,7 @@ from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.refinement import FREE_TWISTS, Problem
 from kinematics.equivalence.search import forced_path
 from kinematics.equivalence.verification import joint_values
+from kinematics.se3 import turns_between
 from kinematics.table import DHTable, NumericTable
 
 Place: TypeAlias = tuple[int, str]
@@ -101,7 +102,7 @@ def _column(
     step = SMALL_ANGLE if place[1] in ANGLES else scale
     before = chain_of_table(_changed(table, (place,), (-step / 2,))).poses(joints.T)
     after = chain_of_table(_changed(table, (place,), (step / 2,))).poses(joints.T)
-    turn = 0.5 * np.cross(before[:, :3, :3], after[:, :3, :3], axis=1).sum(axis=2)
+    turn = turns_between(before, after)
     shift = after[:, :3, 3] - before[:, :3, 3]
     return np.concatenate([turn, shift], axis=1) * (scale / step)
 

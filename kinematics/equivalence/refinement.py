@@ -26,11 +26,13 @@ from kinematics.se3 import (
     Motion,
     Vector,
     compose,
+    cross_arrays,
     norm,
     rotation_about,
     scale,
     to_matrix,
     translation,
+    turns_between,
 )
 
 Matrix = NDArray[np.float64]
@@ -268,7 +270,7 @@ def _left_side(submission: Chain, joints: Matrix) -> tuple[Matrix, Matrix]:
     turns = [not axis.prismatic for axis in submission.axes]
     jacobian[:, 3:, slides] = directions[slides].transpose(1, 2, 0)
     jacobian[:, :3, turns] = directions[turns].transpose(1, 2, 0)
-    arms = np.cross(directions[turns], left[:, :3, 3] - points[turns])
+    arms = cross_arrays(directions[turns], left[:, :3, 3] - points[turns])
     jacobian[:, 3:, turns] = arms.transpose(1, 2, 0)
     return left, jacobian
 
@@ -295,7 +297,7 @@ def _twists_of_tool(right: Matrix) -> Matrix:
 
 def _mismatch(left: Matrix, right: Matrix) -> Matrix:
     """The rotation and displacement that take the left side to the right: (samples, 6)."""
-    turn = 0.5 * np.cross(left[:, :3, :3], right[:, :3, :3], axis=1).sum(axis=2)
+    turn = turns_between(left, right)
     return np.concatenate([turn, right[:, :3, 3] - left[:, :3, 3]], axis=1)
 
 

@@ -12,9 +12,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.dh import link_transform
-from kinematics.se3 import Transform
-from kinematics.table import Convention, JointType, NumericTable
+from kinematics.dh import around_joint
+from kinematics.se3 import Transform, cross_arrays
+from kinematics.table import JointType, NumericTable
 
 Array = NDArray[np.float64]
 
@@ -101,7 +101,7 @@ class Arm:
         arms = frames[-1, :, :3, 3] - frames[:-1, :, :3, 3]
         J = np.empty((frames.shape[1], 6, self.n_joints))
         turns = self.revolute[:, None, None]
-        J[:, :3] = (np.where(turns, _cross(axes, arms), axes) / self.size).transpose(1, 2, 0)
+        J[:, :3] = (np.where(turns, cross_arrays(axes, arms), axes) / self.size).transpose(1, 2, 0)
         J[:, 3:] = np.where(turns, axes, 0.0).transpose(1, 2, 0)
         return J
 
@@ -115,8 +115,7 @@ class Arm:
 def arm_of(table: NumericTable, base: Transform | None = None, tool: Transform | None = None) -> Arm:
     """The chain of a DH table.
 
-    A row of a standard table is J(q)·A(0), one of a modified table A(0)·J(q), with A(0) the link transform at
-    zero; a variable that enters reversed is J(-q) = Rot_x(π) J(q) Rot_x(π).
+    A variable that enters reversed is J(-q) = Rot_x(π) J(q) Rot_x(π).
 
     Args:
         table: the table.
@@ -127,12 +126,11 @@ def arm_of(table: NumericTable, base: Transform | None = None, tool: Transform |
     revolute: list[bool] = []
     constant = np.eye(4) if base is None else np.array(base, dtype=np.float64)
     for row in table.rows:
-        A = link_transform(row, table.convention)
+        before, after = around_joint(row, table.convention)
         if row.joint is JointType.FIXED:
-            constant = constant @ A
+            constant = constant @ before
             continue
         revolute.append(row.joint is JointType.REVOLUTE)
-        before, after = (np.eye(4), A) if table.convention is Convention.STANDARD else (A, np.eye(4))
         flip = _REVERSED if row.sign < 0 else np.eye(4)
         constants.append(constant @ before @ flip)
         constant = flip @ after
@@ -155,12 +153,3 @@ def volumes(J: Array) -> Array:
     with np.errstate(divide="ignore", under="ignore"):  # lengths of 1e-308 are pivots, too
         square = J if J.shape[2] == 6 else J.transpose(0, 2, 1) @ J
         return np.asarray(np.abs(np.linalg.det(square)))
-
-
-def _cross(u: Array, v: Array) -> Array:
-    """Vector products along the last axis; several times faster than numpy.cross on small arrays."""
-    w = np.empty(np.broadcast_shapes(u.shape, v.shape))
-    w[..., 0] = u[..., 1] * v[..., 2] - u[..., 2] * v[..., 1]
-    w[..., 1] = u[..., 2] * v[..., 0] - u[..., 0] * v[..., 2]
-    w[..., 2] = u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
-    return w

@@ -25,6 +25,7 @@ from kinematics.inverse.refinement import AS_IT_IS
 from kinematics.inverse.results import IKStatus, InverseKinematics
 from kinematics.inverse.solve import Solver, rigid_target
 from kinematics.jacobian import jacobian
+from kinematics.se3 import cross_arrays
 
 Indices = NDArray[np.intp]
 
@@ -135,7 +136,7 @@ def _checked(targets: ArrayLike) -> Array:
     R = poses[:, :3, :3]
     with np.errstate(all="ignore"):
         off = np.abs(R.transpose(0, 2, 1) @ R - np.eye(3)).reshape(-1, 9)
-        handed = (np.cross(R[:, :, 0], R[:, :, 1]) * R[:, :, 2]).sum(axis=1)
+        handed = (cross_arrays(R[:, :, 0], R[:, :, 1]) * R[:, :, 2]).sum(axis=1)
         bottom = poses[:, 3] - (0.0, 0.0, 0.0, 1.0)
     far = np.abs(poses[:, :3, 3])
     if off.max() <= 1e-14 and handed.min() > 0.0 and not bottom.any() and far.max() < LARGEST_LENGTH:

@@ -22,6 +22,7 @@ import numpy as np
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.partition import partition_of
 from kinematics.inverse.search import low_discrepancy
+from kinematics.se3 import cross_arrays
 
 NEARLY = 0.1
 """Candidates with a larger error vector than this are least-squares answers, not solutions."""
@@ -85,8 +86,8 @@ def _looks_special(arm: Arm) -> bool:
     EAIK would say so too, but on the standard error stream.
     """
     z, p, _ = arm.screws
-    sine = np.linalg.norm(np.cross(z[:-1], z[1:]), axis=1)
-    gap = np.abs(np.einsum("ij,ij->i", np.cross(z[:-1], z[1:]), p[1:] - p[:-1]))
+    sine = np.linalg.norm(cross_arrays(z[:-1], z[1:]), axis=1)
+    gap = np.abs(np.einsum("ij,ij->i", cross_arrays(z[:-1], z[1:]), p[1:] - p[:-1]))
     near = 1e-5 * arm.size
     parallel, meeting = sine < 1e-5, gap < near * np.maximum(sine, 1e-5)
     if arm.n_joints < max(_DECOMPOSED):

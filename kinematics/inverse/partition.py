@@ -17,7 +17,7 @@ import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.position import DegenerateError, Joint, place_points
-from kinematics.se3 import inverse_transform
+from kinematics.se3 import cross_arrays, inverse_transform
 
 LONGEST_HEAD = 3
 LONGEST_TAIL = 3
@@ -142,7 +142,7 @@ def _tail_turns(tail: Sequence[Joint], R: Array) -> list[list[float]]:
         return [[q4, _last_turn(axes[1], _rotation(tail[0], q4).T @ R)]]
     z4, z5, z6 = axes
     along = (z4 @ z5) * (z5 @ z6)
-    cosine, sine = float(z4 @ z6 - along), float(z4 @ np.cross(z5, z6))
+    cosine, sine = float(z4 @ z6 - along), float(z4 @ cross_arrays(z5, z6))
     ratio = float(z4 @ R @ z6 - along) / np.hypot(cosine, sine)
     middle, half = np.arctan2(sine, cosine), np.arccos(np.clip(ratio, -1.0, 1.0))
     found = []
@@ -164,7 +164,7 @@ def _turn(axis: Array, u: Array, v: Array) -> float:
     u, v = u - (u @ axis) * axis, v - (v @ axis) * axis
     if np.linalg.norm(u) < 1e-9 or np.linalg.norm(v) < 1e-9:
         return 0.0
-    return float(np.arctan2(axis @ np.cross(u, v), u @ v))
+    return float(np.arctan2(axis @ cross_arrays(u, v), u @ v))
 
 
 def _rotation(joint: Joint, q: float) -> Array:
@@ -176,7 +176,7 @@ def _rotation(joint: Joint, q: float) -> Array:
 
 
 def _parallel(u: Array, v: Array) -> bool:
-    return float(np.linalg.norm(np.cross(u, v))) <= _PARALLEL
+    return float(np.linalg.norm(cross_arrays(u, v))) <= _PARALLEL
 
 
 def _applied(T: Array, x: Array) -> Array:

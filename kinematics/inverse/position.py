@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Array
+from kinematics.se3 import cross_arrays
 
 _NOTHING = 1e-11
 """A quantity this small beside its terms is zero for every q."""
@@ -63,7 +64,7 @@ class Joint:
         v = points - self.point
         along = (v @ self.axis)[:, None] * self.axis
         across = v - along
-        turned = np.cos(q) * across + np.sin(q) * np.cross(self.axis, across)
+        turned = np.cos(q) * across + np.sin(q) * cross_arrays(self.axis, across)
         return np.asarray(self.point + along + turned)
 
     def lever(self, points: Array) -> float:
@@ -80,7 +81,7 @@ class Joint:
         u, v = points - self.point, places - self.point
         u = u - (u @ self.axis)[:, None] * self.axis
         v = v - (v @ self.axis)[:, None] * self.axis
-        sine, cosine = float((np.cross(u, v) @ self.axis).sum()), float((u * v).sum())
+        sine, cosine = float((cross_arrays(u, v) @ self.axis).sum()), float((u * v).sum())
         return float(np.arctan2(sine, cosine)) if sine or cosine else 0.0
 
 
@@ -160,7 +161,7 @@ class _Second:
         v = y - c
         along = (v @ h)[:, None] * h
         across = v - along
-        aside = np.cross(h, across)
+        aside = cross_arrays(h, across)
         A = [np.stack((across @ g.T, aside @ g.T), axis=-1).reshape(-1, 2) / size]
         b = [(self.heights - (along + c) @ g.T / size).ravel()]
         if self.distances is not None:

@@ -16,7 +16,7 @@ from kinematics.expressions import evaluate
 from kinematics.joint_values import one_configuration
 from kinematics.poses import transform_from_xyzabc
 from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain
-from kinematics.se3 import Transform
+from kinematics.se3 import Transform, cross_arrays
 from kinematics.table import JointType
 
 _ENTRIES = tuple(Entry)
@@ -146,7 +146,7 @@ def jacobian_end_by_inspection(
 def _column(row: ChainRow, axis: NDArray[np.float64], arm: NDArray[np.float64]) -> NDArray[np.float64]:
     if row.joint is JointType.PRISMATIC:
         return np.concatenate([axis, np.zeros(3)])
-    return np.concatenate([np.cross(axis, arm), axis])
+    return np.concatenate([cross_arrays(axis, arm), axis])
 
 
 def _unit_vector(row: ChainRow, values: Mapping[str, float]) -> NDArray[np.float64]:

@@ -10,17 +10,17 @@ from __future__ import annotations
 
 import html
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinematics.dh import link_transform
+from kinematics.dh import around_joint
 from kinematics.errors import DescriptionError, Fault
 from kinematics.inverse.limits import JointLimits, read_limits
 from kinematics.poses import rpy_from_transform
 from kinematics.se3 import Transform, check_transform
-from kinematics.table import Convention, JointType, NumericTable
+from kinematics.table import JointType, NumericTable
 from kinematics.urdf.document import MAX_NUMBER
 
 BASE_LINK = "base_link"
@@ -106,13 +106,10 @@ def _write_rows(writer: _Writer, table: NumericTable, bounds: Sequence[tuple[flo
     numbers = {row: joint for joint, row in enumerate(table.joint_rows)}
     for i, row in enumerate(table.rows):
         writer.where = ("rows", i)
-        constant = link_transform(replace(row, joint=JointType.FIXED), table.convention)
+        before, behind = around_joint(row, table.convention)
         if row.joint is JointType.FIXED:
-            writer.fixed(f"row_{i + 1}", constant)
+            writer.fixed(f"row_{i + 1}", before)
             continue
-        before, behind = (
-            (constant, np.eye(4)) if table.convention is Convention.MODIFIED else (np.eye(4), constant)
-        )
         writer.moving(numbers[i] + 1, row.joint, row.sign, before, bounds[numbers[i]])
         writer.behind = behind
 

@@ -13,9 +13,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinematics.forward import end_poses, forward_kinematics
-from kinematics.se3 import Transform
-from kinematics.table import Convention, JointType, NumericTable
+from kinematics.chain import chain_of_table
+from kinematics.forward import end_poses
+from kinematics.se3 import Transform, cross_arrays
+from kinematics.table import JointType, NumericTable
 from kinematics.workspace.goals import Array, Goal, Goals, stacked
 from kinematics.workspace.spans import spread
 
@@ -93,14 +94,7 @@ def _places(table: NumericTable, joints: Array, tool: Transform | None) -> Array
 
 def _axes(table: NumericTable, joints: Array) -> tuple[Array, Array]:
     """(m, n, 3) directions of the joints' positive motions, and points of their axes, in frame 0."""
-    frames = forward_kinematics(table, joints).frames
-    rows = np.array(table.joint_rows)
-    if table.convention is Convention.STANDARD:
-        first = np.broadcast_to(np.eye(4), (len(joints), 1, 4, 4))
-        frames = np.concatenate((first, frames[:, :-1]), axis=1)
-    signs = np.array([table.rows[i].sign for i in table.joint_rows], dtype=np.float64)
-    moving = frames[:, rows]
-    return moving[..., :3, 2] * signs[:, None], moving[..., :3, 3]
+    return chain_of_table(table).axes_at(joints)
 
 
 def first_axis(table: NumericTable) -> tuple[Array, Array]:
@@ -123,7 +117,7 @@ def _swept(table: NumericTable, goals: Goals, joints: Array, spans: Array, tool:
             continue
         arm = p - points[:, i]
         along = np.einsum("mi,mi->m", arm, u)[:, None] * u
-        a, b = arm - along, np.cross(u, arm)
+        a, b = arm - along, cross_arrays(u, arm)
         c, s = np.cos(joints[:, i, None]), np.sin(joints[:, i, None])
         a, b = c * a - s * b, s * a + c * b  # at q = 0, and a quarter turn on
         centre = points[:, i] + along
@@ -203,9 +197,9 @@ def _slopes(table: NumericTable, goal: Goal, q: Array, place: Array) -> tuple[Ar
     """
     directions, points = (array[0] for array in _axes(table, q[None]))
     turning = np.array([kind is JointType.REVOLUTE for kind in table.joint_types])
-    J = np.where(turning[:, None], np.cross(directions, place - points), directions)
+    J = np.where(turning[:, None], cross_arrays(directions, place - points), directions)
     lever = 2.0 * goal.W @ (place - goal.origin) + goal.c
-    turned = np.cross(directions[:, None], J[None, :]) @ lever
+    turned = cross_arrays(directions[:, None], J[None, :]) @ lever
     upper = np.triu(np.where(turning[:, None], turned, 0.0))
     hessian = 2.0 * J @ goal.W @ J.T + upper + np.triu(upper, 1).T
     return J @ lever, hessian

@@ -7,8 +7,8 @@ from typing import Annotated, Self
 
 from pydantic import Field
 
-from kinematics.catalogue import Chain as CatalogueChain
 from kinematics.catalogue import Robot as CatalogueRobot
+from kinematics.catalogue import ScmDescription
 from service.schemas.base import Real, Wire
 from service.schemas.scm import Chain
 from service.schemas.tables import Row, Table
@@ -95,7 +95,7 @@ class RobotList(Wire):
     robots: list[Robot]
 
 
-def _scm_form(robot: CatalogueRobot, chain: CatalogueChain) -> ScmForm:
+def _scm_form(robot: CatalogueRobot, chain: ScmDescription) -> ScmForm:
     return ScmForm(
         chain=Chain.of(chain.raw),
         parameters={name: robot.parameters[known] for name, known in chain.parameters.items()},
