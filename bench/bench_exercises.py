@@ -119,11 +119,11 @@ def _in_process() -> list[Outcome]:
     from exercises.drawings import figure_svg
     from exercises.grading import accept
     from exercises.instance import generate
-    from exercises.loader import exercise
+    from exercises.loader import packaged
     from kinematics.cells import AngleUnit, RawRow, RawTable, read_table
     from kinematics.table import Convention
 
-    found = exercise("puma560")
+    found = packaged().exercise("puma560")
     instance = generate(found)
     count = iter(range(10**9))
 

@@ -15,7 +15,7 @@ from exercises.definition import Exercise
 from exercises.drawings import figure_svg
 from exercises.errors import ExerciseError
 from exercises.instance import generate
-from exercises.loader import ROOT, exercise, exercise_ids, load_exercise
+from exercises.loader import ROOT, load_exercise, packaged
 from exercises.selftest.checks import check
 
 SEEDS = 10
@@ -72,8 +72,8 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _list(options: argparse.Namespace) -> int:
-    for exercise_id in exercise_ids():
-        found = exercise(exercise_id)
+    for exercise_id in packaged().ids:
+        found = packaged().exercise(exercise_id)
         parts = ", ".join(part.kind for part in found.parts)
         sys.stdout.write(f"{exercise_id:12} {found.titles['en']:32} {parts}\n")
     return 0
@@ -81,7 +81,7 @@ def _list(options: argparse.Namespace) -> int:
 
 def _check(options: argparse.Namespace) -> int:
     failed = False
-    for name in options.exercise or exercise_ids():
+    for name in options.exercise or packaged().ids:
         findings = check(_found(name), options.seeds)
         sys.stdout.write(f"{findings.exercise:12} {findings.passed.total()} checks passed")
         sys.stdout.write(f", {len(findings.failures)} failed\n" if findings.failures else "\n")
@@ -119,7 +119,7 @@ def _source(options: argparse.Namespace) -> Source:
 
 def _found(name: str) -> Exercise:
     folder: Traversable = Path(name)
-    return load_exercise(folder) if (folder / FILE).is_file() else exercise(name)
+    return load_exercise(folder) if (folder / FILE).is_file() else packaged().exercise(name)
 
 
 if __name__ == "__main__":

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from exercises.definition import Exercise, PartKind, WorkspacePart
+from exercises.definition import Exercise
 from exercises.errors import DefinitionError
 from exercises.figures.geometry import build_scene
 from exercises.figures.specification import FigureSpecification
+from exercises.parts.registry import part_type
 from exercises.statements import names_in
 from kinematics.cells import AngleUnit, ParameterKind
 from kinematics.errors import Fault
@@ -20,6 +21,7 @@ def inconsistencies(exercise: Exercise) -> Iterator[Fault]:
     """What does not fit together, each at (file, key, …)."""
     yield from _figure_faults(exercise)
     yield from _name_faults(exercise)
+    yield from _part_faults(exercise)
 
 
 def values_in_radians(
@@ -59,9 +61,9 @@ def _figure_faults(exercise: Exercise) -> list[Fault]:
 
 
 def _name_faults(exercise: Exercise) -> list[Fault]:
-    """Names in statements that stand neither in the table nor in the figure; parts that lack their point."""
+    """Names in statements that stand neither in the table nor in the figure."""
     known = {parameter.name for parameter in exercise.parameters} | _figure_names(exercise.figure)
-    faults = [
+    return [
         Fault(
             code="statement_name_unknown",
             where=(f"statement.{language}.md",),
@@ -70,18 +72,13 @@ def _name_faults(exercise: Exercise) -> list[Fault]:
         for language, text in exercise.statements.items()
         for name in sorted(names_in(text) - known)
     ]
-    workspace = exercise.part(PartKind.WORKSPACE)
-    if isinstance(workspace, WorkspacePart):
-        faults += [
-            Fault(
-                code="unknown_point",
-                where=(FILE, "parts", exercise.parts.index(workspace), key),
-                params={"name": name},
-            )
-            for key, name in (("point", workspace.point), ("from", workspace.origin))
-            if name is not None and name not in exercise.figure.marks
-        ]
-    return faults
+
+
+def _part_faults(exercise: Exercise) -> Iterator[Fault]:
+    """Yield what parts ask for and the exercise lacks."""
+    for i, part in enumerate(exercise.parts):
+        for fault in part_type(part.kind).inconsistencies(part, exercise):
+            yield fault.within(FILE, "parts", i)
 
 
 def _figure_names(figure: FigureSpecification) -> set[str]:

@@ -4,69 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from enum import StrEnum
 from fractions import Fraction
 from types import MappingProxyType
 
+from exercises.draws import Draw
 from exercises.figures.specification import FigureSpecification
 from exercises.grading import HelpLevel, Policy
 from kinematics.cells import AngleUnit, LengthUnit, RawTable, ReadTable
 
 LANGUAGES = ("en", "ro", "pt", "fr", "uk", "es")
 """The languages that every exercise speaks."""
-
-
-class PartKind(StrEnum):
-    """What may be asked.
-
-    SCHEMATIC: the type of every joint, and how each axis lies to the next.
-    TABLE: the DH table.
-    LINK_MATRICES: {}^{i-1}T_i for every row.
-    TRANSFORM: ⁰T_N in closed form.
-    POSE: ⁰T_N in numbers, at given joint values.
-    WORKSPACE: inner and outer radius of the workspace.
-    """
-
-    SCHEMATIC = "schematic"
-    TABLE = "table"
-    LINK_MATRICES = "link_matrices"
-    TRANSFORM = "transform"
-    POSE = "pose"
-    WORKSPACE = "workspace"
-
-
-class ReachFrom(StrEnum):
-    """From where the radii of a workspace are measured.
-
-    AXIS: from the axis of the first joint, square to it.
-    POINT: from a named point of the figure that no joint moves, or only joint 1 about itself.
-    """
-
-    AXIS = "axis"
-    POINT = "point"
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Draw:
-    """Values from which a student's own one is drawn: start, start + step, …, not beyond stop.
-
-    Attributes:
-        start: the least value [unit of the exercise].
-        stop: no value is greater.
-        step: distance of neighbours.
-        without: values that are left out.
-    """
-
-    start: Fraction
-    stop: Fraction
-    step: Fraction
-    without: tuple[Fraction, ...] = ()
-
-    def values(self) -> tuple[Fraction, ...]:
-        """The values, in ascending order."""
-        count = int((self.stop - self.start) / self.step)
-        grid = (self.start + k * self.step for k in range(count + 1))
-        return tuple(value for value in grid if value not in self.without)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -89,47 +36,12 @@ class Part:
     """Something that is asked.
 
     Attributes:
-        kind: what.
+        kind: what, a key of `exercises.parts.registry.part_types`.
         points: what it is worth.
     """
 
-    kind: PartKind
+    kind: str
     points: Fraction
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class PosePart(Part):
-    """⁰T_N in numbers.
-
-    Attributes:
-        joints: the joint values where no seed is given [units of the exercise].
-        draws: per joint, from where a student's own value is drawn, or None.
-        tolerance: largest error of a position as a fraction of the robot's size, and of a direction cosine.
-    """
-
-    joints: tuple[Fraction, ...]
-    draws: tuple[Draw | None, ...]
-    tolerance: float
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class WorkspacePart(Part):
-    """Inner and outer radius of the workspace.
-
-    Attributes:
-        point: name of the point of the figure whose workspace is meant.
-        reach_from: from where the radii are measured.
-        origin: name of the point from which they are measured, if from a point.
-        limits: per joint its lowest and highest value [units of the exercise]; None leaves it unlimited
-            (a revolute joint turns fully).
-        tolerance: largest error of a radius, as a fraction of the outer radius.
-    """
-
-    point: str
-    reach_from: ReachFrom
-    origin: str | None
-    limits: tuple[tuple[Fraction, Fraction] | None, ...]
-    tolerance: float
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -188,9 +100,9 @@ class Exercise:
     samples: tuple[Sample, ...] = ()
     defaults: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
 
-    def part(self, kind: PartKind) -> Part | None:
-        """The part of a kind, if it is asked."""
-        return next((part for part in self.parts if part.kind is kind), None)
+    def part(self, kind: str) -> Part | None:
+        """Return the part of a kind, if it is asked."""
+        return next((part for part in self.parts if part.kind == kind), None)
 
     @property
     def points(self) -> Fraction:

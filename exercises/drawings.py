@@ -4,29 +4,33 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 from exercises.consistency import values_in_radians
-from exercises.figures.camera import Array
 from exercises.figures.description import Sentence, describe
 from exercises.figures.drawing import draw_figure
 from exercises.figures.geometry import Scene, Vector, build_scene
 from exercises.figures.points import rotation_rpy
 from exercises.grading import DirectionRule, ZeroRule
+from exercises.grading.verdict import Matrix4
 from exercises.instance import Instance
 from kinematics.table import JointType
+
+KEPT = 512
+"""Instances whose `KeyPose` is kept: some hundred students, each with one or two exercises at a time."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class KeyPose:
-    """How the key lies in the figure: what is shown only with an accepted answer.
+    """How the key lies in the figure; told with an accepted table only.
 
     Attributes:
-        base: (4, 4) pose of the key's frame 0 in the figure [m].
+        base: pose of the key's frame 0 in the figure [m].
         posture: the key's joint values in the figure [rad or m].
-        directions: per joint the unit vector along its axis, in the sense of the key's variable.
+        directions: unit vectors along the joint axes, in the sense of the key's variables.
     """
 
-    base: Array
+    base: Matrix4
     posture: tuple[float, ...]
     directions: tuple[Vector, ...]
 
@@ -106,8 +110,9 @@ def figure_geometry(instance: Instance) -> dict[str, object]:
     }
 
 
+@lru_cache(maxsize=KEPT)
 def key_pose(instance: Instance) -> KeyPose:
-    """How the key lies in the figure."""
+    """Return how the key lies in the figure; every accepted answer to the instance is shown it."""
     exercise = instance.exercise
     figure = exercise.figure
     types = exercise.reference.table.joint_types
@@ -115,7 +120,7 @@ def key_pose(instance: Instance) -> KeyPose:
     metres = float(exercise.length_unit.metres_per_unit)
     scene = build_scene(figure, exercise.reference.table, values(instance), signed_axes=True, drawn=False)
     return KeyPose(
-        base=rotation_rpy(*figure.upright),
+        base=tuple(tuple(row) for row in rotation_rpy(*figure.upright).tolist()),
         posture=tuple(
             value * metres if joint_type is JointType.PRISMATIC else value
             for value, joint_type in zip(posture, types, strict=True)

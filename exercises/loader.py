@@ -13,11 +13,13 @@ from types import MappingProxyType
 from typing import Any
 
 from exercises.consistency import FILE, inconsistencies
-from exercises.definition import LANGUAGES, DrawnParameter, Exercise
+from exercises.definition import LANGUAGES, DrawnParameter, Exercise, Part
+from exercises.draws import read_draw
 from exercises.errors import DefinitionError, UnknownExerciseError
 from exercises.figures.reading import read_figure
 from exercises.grading import HelpLevel
-from exercises.part_reading import read_draw, read_parts
+from exercises.parts.protocol import RobotFacts
+from exercises.parts.registry import part_type, part_types
 from exercises.policy_reading import read_policy
 from exercises.reading import Reader
 from exercises.sample_reading import read_raw_table, read_samples
@@ -29,60 +31,61 @@ from kinematics.errors import Fault
 ROOT = files("exercises") / "definitions"
 
 
-_folders: list[Traversable] = [ROOT]
+class Library:
+    """The exercises of some folders and of the package; each is read once.
 
-
-def use_folders(folders: Sequence[Path]) -> None:
-    """Take exercises from further folders, too; one of them goes before a packaged one of its id.
-
-    Raises:
-        DefinitionError: a folder does not exist, or holds a malformed exercise; every fault.
+    One of your own goes before a packaged one of its id.
     """
-    missing = [
-        Fault(code="folder_missing", params={"folder": str(folder)})
-        for folder in folders
-        if not folder.is_dir()
-    ]
-    if missing:
-        raise DefinitionError(missing)
-    _folders[:] = [*folders, ROOT]
-    exercise_ids.cache_clear()
-    exercise.cache_clear()
-    faults: list[Fault] = []
-    for exercise_id in exercise_ids():
-        try:
-            exercise(exercise_id)
-        except DefinitionError as error:
-            faults += error.faults
-    if faults:
-        raise DefinitionError(faults)
+
+    def __init__(self, folders: Sequence[Path] = ()) -> None:
+        self._folders: tuple[Traversable, ...] = (*folders, ROOT)
+        self._read: dict[str, Exercise] = {}
+        missing = [folder for folder in folders if not folder.is_dir()]
+        if missing:
+            raise DefinitionError(Fault(code="folder_missing", params={"folder": str(f)}) for f in missing)
+        found = (entry for folder in self._folders for entry in folder.iterdir())
+        self.ids: tuple[str, ...] = tuple(sorted({e.name for e in found if (e / FILE).is_file()}))
+
+    def exercise(self, exercise_id: str) -> Exercise:
+        """Return the exercise of that id.
+
+        Raises:
+            UnknownExerciseError: there is none.
+            DefinitionError: its folder is malformed.
+        """
+        if exercise_id not in self._read:
+            if exercise_id not in self.ids:
+                raise UnknownExerciseError(
+                    Fault(
+                        code="exercise_unknown",
+                        where=("exercise_id",),
+                        params={"id": exercise_id, "known": ", ".join(self.ids)},
+                    )
+                )
+            holding = (folder / exercise_id for folder in self._folders)
+            self._read[exercise_id] = load_exercise(next(f for f in holding if (f / FILE).is_file()))
+        return self._read[exercise_id]
+
+    def read_all(self) -> None:
+        """Read every exercise now.
+
+        Raises:
+            DefinitionError: some are malformed; every fault of every folder.
+        """
+        faults: list[Fault] = []
+        for exercise_id in self.ids:
+            try:
+                self.exercise(exercise_id)
+            except DefinitionError as error:
+                faults += error.faults
+        if faults:
+            raise DefinitionError(faults)
 
 
 @cache
-def exercise_ids() -> tuple[str, ...]:
-    """Ids of all exercises, in alphabetical order."""
-    found = (entry for folder in _folders for entry in folder.iterdir())
-    return tuple(sorted({entry.name for entry in found if (entry / FILE).is_file()}))
-
-
-@cache
-def exercise(exercise_id: str) -> Exercise:
-    """The exercise of that id.
-
-    Raises:
-        UnknownExerciseError: there is none.
-        DefinitionError: its folder is malformed.
-    """
-    if exercise_id not in exercise_ids():
-        known = ", ".join(exercise_ids())
-        raise UnknownExerciseError(
-            Fault(
-                code="exercise_unknown",
-                where=("exercise_id",),
-                params={"id": exercise_id, "known": known},
-            )
-        )
-    return load_exercise(next(f / exercise_id for f in _folders if (f / exercise_id / FILE).is_file()))
+def packaged() -> Library:
+    """Return the exercises that come with the package."""
+    return Library()
 
 
 def load_exercise(folder: Traversable) -> Exercise:
@@ -154,7 +157,7 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
     types = reference.table.joint_types
     degrees = reference.angle_unit is AngleUnit.DEG
     limits = catalogue.robot(robot).limits if robot else None
-    parts = read_parts(reader, types, degrees, limits)
+    parts = _parts(reader, RobotFacts(joint_types=types, degrees=degrees, limits=limits))
     figure = read_figure(reader.table("figure"), types, degrees)
     tests = reader.table("tests")
     misconceptions = tests.texts("misconceptions", default=())
@@ -212,6 +215,26 @@ def _reference(reader: Reader, robot: str | None) -> tuple[ReadTable | None, Map
     raw = read_raw_table(inner)
     inner.finish()
     return (inner.guarded(lambda: read_table(raw)) if raw is not None else None), {}
+
+
+def _parts(reader: Reader, robot: RobotFacts) -> tuple[Part, ...]:
+    """Return what is asked."""
+    parts: list[Part] = []
+    for entry in reader.entries("parts"):
+        kind = entry.text("kind")
+        points = entry.exact("points")
+        if points <= 0:
+            entry.fault("points_not_positive", "points")
+        if any(part.kind == kind for part in parts):
+            entry.fault("part_twice", "kind", kind=kind)
+        if kind in part_types():
+            parts.append(part_type(kind).define(entry, points, robot))
+        elif entry.given("kind"):
+            entry.fault("exercise_value_unknown", "kind", key="kind", known=", ".join(part_types()))
+        entry.finish()
+    if not reader.values.get("parts"):
+        reader.fault("nothing_asked", "parts")
+    return tuple(parts)
 
 
 def _parameters(

@@ -14,7 +14,6 @@ from starlette.exceptions import HTTPException
 from starlette.middleware.cors import CORSMiddleware
 from starlette.routing import Match
 
-from exercises.loader import use_folders
 from kinematics.errors import Fault, KinematicsError
 from service import __version__
 from service.http import openapi
@@ -73,7 +72,6 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         telemetry={"tracing": False, "metrics": False, "logs": False},
         lifespan=_lifespan,
     )
-    use_folders(settings.exercise_folders)
     app.state.resources = Resources(settings)
     found = [route for router in routers() for route in router.routes]
     app.router.routes.extend(sorted(found, key=lambda route: not isinstance(route, DirectRoute)))

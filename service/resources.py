@@ -1,4 +1,4 @@
-"""What one application has at its disposal: its settings, caches, limiters and worker processes.
+"""What one application has at its disposal: its settings, exercises, caches, limiters and worker processes.
 
 Two applications in one process have each their own. Routes ask for them as a dependency:
 `resources: AppResources`.
@@ -10,6 +10,7 @@ from typing import Annotated, TypeAlias
 
 from fastapi import Depends, Request
 
+from exercises.loader import Library
 from service.settings import Settings
 from service.wire.answer_cache import AnswerCache
 from service.wire.prepared_robots import RobotCache
@@ -22,6 +23,7 @@ class Resources:
 
     Attributes:
         settings: the operator's choices.
+        exercises: the exercises that it serves.
         robots: tables that were read before.
         symbolic_answers: closed forms that were written before.
         limiters: for each kind of work in threads.
@@ -30,6 +32,8 @@ class Resources:
 
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
+        self.exercises = Library(settings.exercise_folders)
+        self.exercises.read_all()
         self.robots = RobotCache(settings)
         self.symbolic_answers = AnswerCache()
         self.limiters = limiters(settings)

@@ -14,7 +14,7 @@ from typing import Any
 from exercises.errors import DefinitionError
 from exercises.reading import Reader
 from exercises.sample_reading import read_raw_table
-from exercises.selftest.answers import typed
+from exercises.selftest.typed import typed
 from kinematics import catalogue
 from kinematics.cells import AngleUnit, LengthUnit, RawTable, ReadTable, read_table
 from kinematics.errors import Fault, KinematicsError

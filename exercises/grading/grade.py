@@ -111,8 +111,8 @@ def _accepted(decision: Decision, comparison: Comparison, submission: ReadTable)
         links=all_right(answer),
         feedback=explained(key, answer, certificate, exact, submission.angle_unit),
         repairs=(),
-        angle_unit=submission.angle_unit.value,
-        length_unit=submission.length_unit.value,
+        angle_unit=submission.angle_unit,
+        length_unit=submission.length_unit,
     )
 
 
@@ -139,8 +139,8 @@ def _rejected(
         links=link_findings(answer, wrong, decision, repairs, help_level),
         feedback=(*_about_names(reference, submission, comparison), *feedback),
         repairs=told_repairs(repairs, help_level),
-        angle_unit=submission.angle_unit.value,
-        length_unit=submission.length_unit.value,
+        angle_unit=submission.angle_unit,
+        length_unit=submission.length_unit,
     )
 
 

@@ -9,6 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from kinematics.cells import AngleUnit, LengthUnit
+
 Matrix4 = tuple[tuple[float, ...], ...]
 ParamValue = str | int | float | tuple[str, ...] | tuple[int, ...]
 
@@ -186,5 +188,5 @@ class Verdict:
     links: tuple[LinkFinding, ...]
     feedback: tuple[Feedback, ...]
     repairs: tuple[Repair, ...]
-    angle_unit: str
-    length_unit: str
+    angle_unit: AngleUnit
+    length_unit: LengthUnit

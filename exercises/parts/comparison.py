@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.parts.context import Context
-from exercises.parts.matrix_cells import SymbolicMatrix
+from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix
+from kinematics.cells import Cell
 from kinematics.equivalence import Tolerance
 from kinematics.table import JointType
 
@@ -108,6 +109,17 @@ def transposed_rotation(poses: Matrices) -> Matrices:
     result = poses.copy()
     result[..., :3, :3] = np.swapaxes(poses[..., :3, :3], -1, -2)
     return result
+
+
+def transposed_cells(matrix: CellMatrix) -> list[list[Cell]] | None:
+    """Return 4×4 cells with the rotation transposed.
+
+    None where that is no mistake of its own: the rotation is symmetric, or nothing is shifted, so that the
+    result is the inverse.
+    """
+    turned = [[matrix[c][r] if r < 3 and c < 3 else matrix[r][c] for c in range(4)] for r in range(4)]
+    shifted = any(str(matrix[r][3]) not in ("0", "0.0", "-0.0") for r in range(3))
+    return turned if shifted and turned != [list(row) for row in matrix] else None
 
 
 def is_rigid(poses: Matrices, tolerance: Tolerance) -> bool:

@@ -10,11 +10,15 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.grading import HelpLevel, Policy
+from exercises.grading import Policy, Verdict
+from exercises.instance import Instance
+from exercises.parts.protocol import Answer
+from exercises.parts.report import Credit
 from kinematics.cells import AngleUnit, LengthUnit, ParameterKind, ReadTable
 from kinematics.chain import chain_of_table, size_of
 from kinematics.errors import ParameterError
 from kinematics.forward import ForwardKinematics, forward_kinematics
+from kinematics.symbolic import ClosedForm, closed_form
 from kinematics.table import JointType, NumericTable, bind
 
 DRAWS = 3
@@ -27,24 +31,60 @@ class Context:
     """Everything that one answer is judged by.
 
     Attributes:
-        reference: the key, in the exercise's units.
-        parameters: values of the robot's dimensions [the exercise's units].
-        policy: what a table is held to.
-        help_level: how much may be told.
-        own: the student's own table, if one was handed in.
-        own_correct: whether it was accepted.
-        angle_unit: unit of angles in the student's answer.
-        length_unit: unit of lengths in the student's answer.
+        instance: the exercise with the student's values.
+        answer: everything that was handed in, as read.
+        verdict: on the student's own table, if one was handed in.
     """
 
-    reference: ReadTable
-    parameters: Mapping[str, float]
-    policy: Policy
-    help_level: HelpLevel
-    own: ReadTable | None
-    own_correct: bool
-    angle_unit: AngleUnit
-    length_unit: LengthUnit
+    instance: Instance
+    answer: Answer
+    verdict: Verdict | None
+
+    @property
+    def reference(self) -> ReadTable:
+        """The key, in the exercise's units."""
+        return self.instance.exercise.reference
+
+    @property
+    def policy(self) -> Policy:
+        """What a table is held to."""
+        return self.instance.exercise.policy
+
+    @property
+    def own(self) -> ReadTable | None:
+        """The student's own table, if one was handed in."""
+        return self.answer.table
+
+    @property
+    def own_correct(self) -> bool:
+        """Whether the student's own table was accepted."""
+        return self.verdict is not None and self.verdict.correct
+
+    @property
+    def own_credit(self) -> Credit:
+        """What marks rest on that follow from the student's own table."""
+        return Credit.KEY if self.own_correct else Credit.OWN_TABLE
+
+    @property
+    def angle_unit(self) -> AngleUnit:
+        """Unit of angles in the student's answer."""
+        return self.answer.angle_unit
+
+    @property
+    def length_unit(self) -> LengthUnit:
+        """Unit of lengths in the student's answer."""
+        return self.answer.length_unit
+
+    @cached_property
+    def parameters(self) -> Mapping[str, float]:
+        """Values of the robot's dimensions [the exercise's units]."""
+        return self.instance.parameters
+
+    @cached_property
+    def own_form(self) -> ClosedForm:
+        """The closed form of the student's own table."""
+        assert self.own is not None
+        return closed_form(self.own.table)
 
     @cached_property
     def reference_numbers(self) -> NumericTable:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from fractions import Fraction
+from collections.abc import Iterator, Mapping, Sequence
+from random import Random
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from exercises.definition import PartKind
+from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.grading.verdict import ParamValue
+from exercises.instance import Instance
 from exercises.parts.comparison import (
     Compared,
     Expected,
@@ -19,66 +21,16 @@ from exercises.parts.comparison import (
     compare,
     inverse,
     is_rigid,
+    transposed_cells,
     transposed_rotation,
 )
 from exercises.parts.context import Context
-from exercises.parts.matrix_cells import SymbolicMatrix
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, shown
+from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
+from exercises.parts.protocol import TABLE, Length, PartType, Reading, Task
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.value import is_robot
 from kinematics.dh import link_transform
 from kinematics.table import Convention, bind
-
-_DISCLOSURES = {
-    "matrix_wrong": Disclosure(level=HelpLevel.ROW),
-    "matrix_missing": Disclosure(level=HelpLevel.ROW),
-    "matrix_cells_wrong": Disclosure(level=HelpLevel.KIND, instead="matrix_wrong"),
-    "matrix_inverse": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
-    "matrix_rotation_transposed": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
-    "matrix_other_convention": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
-    "matrix_of_other_row": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
-    "matrix_without_variable": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
-    "matrix_not_rigid": Disclosure(level=HelpLevel.KIND, instead="matrix_wrong"),
-}
-
-
-def grade_link_matrices(
-    context: Context, answer: Sequence[SymbolicMatrix | None], points: Fraction
-) -> PartReport:
-    """Judge link matrices by the rows of the student's own table; each counts the same.
-
-    Args:
-        context: what the answer is judged by; it holds the student's own table.
-        answer: one matrix per row of that table; None where none was handed in.
-        points: what the part is worth.
-    """
-    assert context.own is not None
-    facts: list[Fact] = []
-    feedback: list[Feedback] = []
-    for i, matrix in enumerate(answer):
-        if matrix is None:
-            facts.append(Fact(where=(i,), finding=Finding.MISSING))
-            feedback.append(Feedback(code="matrix_missing", row=i + 1, params={"matrix": i + 1}))
-            continue
-        compared = compare(context, matrix, link_of(context, i))
-        facts.append(Fact(where=(i,), finding=Finding.OK if compared.right else Finding.WRONG))
-        if not compared.right:
-            facts += _cell_facts(i, compared)
-            feedback.append(_what_is_off(context, i, compared))
-    right = sum(fact.finding is Finding.OK and len(fact.where) == 1 for fact in facts)
-    score = right / len(answer)
-    correct = score == 1.0 and context.own_correct
-    if score == 1.0:
-        feedback.append(Feedback(code="matrices_right" if correct else "matrices_follow_table"))
-    report = PartReport(
-        kind=PartKind.LINK_MATRICES,
-        correct=correct,
-        score=score,
-        points=float(points) * score,
-        max_points=float(points),
-        credit=Credit.NONE if not right else Credit.KEY if context.own_correct else Credit.OWN_TABLE,
-        facts=tuple(facts),
-        feedback=tuple(feedback),
-    )
-    return shown(report, context.help_level, _DISCLOSURES)
 
 
 def link_of(context: Context, row: int, convention: Convention | None = None) -> Expected:
@@ -126,3 +78,112 @@ def _what_is_off(context: Context, i: int, compared: Compared) -> Feedback:
     if not is_rigid(compared.actual, context.policy.tolerance):
         return Feedback(code="matrix_not_rigid", row=i + 1, params=params)
     return Feedback(code="matrix_cells_wrong", row=i + 1, params=params)
+
+
+class LinkMatricesPart(PartType[Part, Sequence[CellMatrix | None], tuple[SymbolicMatrix | None, ...]]):
+    """The matrices {}^{i-1}T_i, one for each row of the table."""
+
+    kind = "link_matrices"
+    raw: ClassVar = Annotated[tuple[CellMatrix | None, ...], Length(least=1)]
+    meaning = "for each row of the table the matrix of its link, or null"
+    follows_table = True
+    disclosures: ClassVar = {
+        "matrix_wrong": Disclosure(level=HelpLevel.ROW),
+        "matrix_missing": Disclosure(level=HelpLevel.ROW),
+        "matrix_cells_wrong": Disclosure(level=HelpLevel.KIND, instead="matrix_wrong"),
+        "matrix_inverse": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
+        "matrix_rotation_transposed": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
+        "matrix_other_convention": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
+        "matrix_of_other_row": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
+        "matrix_without_variable": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
+        "matrix_not_rigid": Disclosure(level=HelpLevel.KIND, instead="matrix_wrong"),
+    }
+
+    def task(self, part: Part, instance: Instance) -> Task:
+        """Ask for a matrix for each row."""
+        return Task(message="task-link-matrices")
+
+    def read(
+        self, raw: Sequence[CellMatrix | None], reading: Reading
+    ) -> tuple[SymbolicMatrix | None, ...] | None:
+        """Return the matrices; without a table none may be missing."""
+        table = reading.raw.get(TABLE)
+        if table is not None and len(raw) != len(table.rows):
+            reading.fault("link_matrices_count", self.kind, expected=len(table.rows), given=len(raw))
+        elif table is None and (not raw or any(matrix is None for matrix in raw)):
+            reading.fault("link_matrices_need_table", self.kind)
+        elif table is None or reading.table is not None:
+            return tuple(
+                None if cells is None else read_known_matrix(cells, reading, self.kind, i)
+                for i, cells in enumerate(raw)
+            )
+        return None
+
+    def grade(self, part: Part, answer: tuple[SymbolicMatrix | None, ...], context: Context) -> PartReport:
+        """Judge by the student's own rows; what does not follow from them may be right as a whole."""
+        report = _by_own_rows(context, answer, part) if context.own is not None else None
+        if report is not None and (report.score == 1.0 or context.own_correct):
+            return report
+        whole = [matrix for matrix in answer if matrix is not None]
+        if len(whole) == len(answer) and _product_is_robot(context, whole):
+            code = "matrices_right" if context.own is None else "matrices_right_not_from_table"
+            return judged(part, 1.0, Credit.KEY, feedback=[Feedback(code=code)])
+        if report is not None:
+            return report
+        return judged(part, 0.0, Credit.NONE, feedback=[Feedback(code="matrices_product_wrong")])
+
+    def right(self, part: Part, context: Context) -> list[CellMatrix | None]:
+        """Return the matrices of the student's own rows."""
+        assert context.own is not None
+        n, names = context.own.table.n_joints, tuple(context.own.parameters)
+        return [write_matrix(link, n, names) for link in context.own_form.links]
+
+    def wrong(
+        self, part: Part, context: Context, rng: Random
+    ) -> Iterator[tuple[str, list[CellMatrix | None]]]:
+        """Yield the matrices with one transposed, and with the one that is missing."""
+        right = self.right(part, context)
+        i = rng.randrange(len(right))
+        chosen = right[i]
+        assert chosen is not None
+        yield "matrix_missing", [*right[:i], None, *right[i + 1 :]]
+        turned = transposed_cells(chosen)
+        if turned is not None:
+            yield "matrix_rotation_transposed", [*right[:i], turned, *right[i + 1 :]]
+
+
+def _by_own_rows(context: Context, answer: Sequence[SymbolicMatrix | None], part: Part) -> PartReport:
+    """Judge link matrices by the rows of the student's own table; each counts the same."""
+    facts: list[Fact] = []
+    feedback: list[Feedback] = []
+    for i, matrix in enumerate(answer):
+        if matrix is None:
+            facts.append(Fact(where=(i,), finding=Finding.MISSING))
+            feedback.append(Feedback(code="matrix_missing", row=i + 1, params={"matrix": i + 1}))
+            continue
+        compared = compare(context, matrix, link_of(context, i))
+        facts.append(Fact(where=(i,), finding=Finding.OK if compared.right else Finding.WRONG))
+        if not compared.right:
+            facts += _cell_facts(i, compared)
+            feedback.append(_what_is_off(context, i, compared))
+    right = sum(fact.finding is Finding.OK and len(fact.where) == 1 for fact in facts)
+    if right == len(answer):
+        code = "matrices_right" if context.own_correct else "matrices_follow_table"
+        feedback.append(Feedback(code=code))
+    return judged(part, right / len(answer), context.own_credit, facts=facts, feedback=feedback)
+
+
+def _product_is_robot(context: Context, matrices: list[SymbolicMatrix]) -> bool:
+    names = frozenset[str]().union(*(matrix.names() for matrix in matrices)) | context.own_names()
+    values = context.values(names)
+
+    def pose(joints: Sequence[float]) -> Matrices:
+        product = np.eye(4)
+        for matrix in matrices:
+            product = product @ matrix.at(values, joints)
+        return product
+
+    return is_robot(context, pose, context.joint_types)
+
+
+PART = LinkMatricesPart()

@@ -14,6 +14,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from exercises.parts.protocol import Reading
 from kinematics.cells import AngleUnit, Cell, Limits
 from kinematics.cells.entries import cell_meaning
 from kinematics.cells.meaning import Position
@@ -29,6 +30,8 @@ from kinematics.expressions import (
     evaluate,
     parameters_in,
 )
+from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
+from kinematics.symbolic import Matrix
 from kinematics.table import JointType
 
 CellMatrix: TypeAlias = Sequence[Sequence[Cell]]
@@ -100,6 +103,48 @@ def read_matrix(
     if faults:
         raise CellError(faults)
     return SymbolicMatrix(tuple(entries))
+
+
+def read_known_matrix(cells: CellMatrix, reading: Reading, part: str, *where: int) -> SymbolicMatrix | None:
+    """Return the matrix that a 4×4 of cells means in the joint variables of a student's answer.
+
+    Its faults are kept in the reading, at `where` inside the part.
+    """
+    return reading.keep(part, lambda: read_matrix(cells, reading.joint_types, reading.angle_unit, where))
+
+
+def read_numbers(cells: CellMatrix, reading: Reading, part: str) -> NDArray[np.float64] | None:
+    """Return (4, 4) the values of cells that hold numbers and dimensions but no joint variables.
+
+    Lengths are in the student's unit; faults are kept in the reading.
+    """
+    matrix = reading.keep(part, lambda: read_matrix(cells, (), reading.angle_unit, ()))
+    if matrix is None:
+        return None
+    values = reading.values
+    known = tuple(values)
+    unknown = [
+        (name, r, c)
+        for r, row in enumerate(matrix.entries)
+        for c, entry in enumerate(row)
+        for name in sorted(parameters_in(entry) - set(known))
+    ]
+    for name, r, c in unknown:
+        reading.fault("name_without_value", part, r, c, name=name, known=known)
+    if unknown:
+        return None
+    numbers = matrix.at(values, ())
+    for r, c in np.argwhere(~np.isfinite(numbers)).tolist():
+        reading.fault("value_not_real", part, r, c)
+    return numbers
+
+
+def write_matrix(matrix: Matrix, n_joints: int, parameters: Sequence[str]) -> CellMatrix:
+    """Return a matrix in closed form as a student would type it, with c1 for cos(q1)."""
+    printer = MatrixPrinter(n_joints=n_joints, parameters=tuple(parameters), notation=Notation.SHORT)
+    purpose = Purpose(name="matrix", meaning="A matrix.")
+    written: CellMatrix = printer.write(matrix, (Format.TEXT,), purpose)["text"]
+    return written
 
 
 def _read(

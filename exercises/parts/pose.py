@@ -10,12 +10,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 from fractions import Fraction
+from random import Random
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.definition import PartKind
+from exercises.definition import Exercise, Part
+from exercises.draws import Draw, Picker, read_draw
 from exercises.grading import (
     BaseRule,
     DirectionRule,
@@ -26,23 +30,25 @@ from exercises.grading import (
     ToolRule,
     ZeroRule,
 )
-from exercises.parts.comparison import Matrices, agreeing, inverse, transposed_rotation
+from exercises.instance import Instance
+from exercises.parts.comparison import Matrices, agreeing, inverse, transposed_cells, transposed_rotation
 from exercises.parts.context import Context
-from exercises.parts.matrix_cells import SymbolicMatrix
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, shown
+from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_numbers
+from exercises.parts.protocol import TABLE, PartType, Reading, RobotFacts, Task
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from exercises.parts.transform import transform_is_robot
+from exercises.reading import Reader
+from kinematics.cells import AngleUnit
 from kinematics.equivalence import Tolerance
 from kinematics.errors import ParameterError
 from kinematics.forward import forward_kinematics
 from kinematics.table import JointType
 
-_DISCLOSURES = {
-    "pose_rotation_right": Disclosure(level=HelpLevel.ROW),
-    "pose_position_right": Disclosure(level=HelpLevel.ROW),
-    "pose_inverse": Disclosure(level=HelpLevel.REPAIR),
-    "pose_rotation_transposed": Disclosure(level=HelpLevel.REPAIR),
-    "pose_degrees_as_radians": Disclosure(level=HelpLevel.REPAIR),
-}
+USUAL_TURNS = Draw(start=Fraction(-120), stop=Fraction(120), step=Fraction(15), without=(Fraction(0),))
+"""From where the angles of a numeric pose are drawn, in degrees."""
+
+DECIMALS = 4
+"""Decimals that a student writes of a pose."""
 
 
 def policy_fixes_pose(policy: Policy) -> bool:
@@ -55,50 +61,145 @@ def policy_fixes_pose(policy: Policy) -> bool:
     )
 
 
-def grade_pose(
-    context: Context,
-    answer: Matrices,
-    joints: Sequence[float],
-    transform: SymbolicMatrix | None,
-    points: Fraction,
-    tolerance: float,
-) -> PartReport:
-    """Judge a pose: its rotation and its position count half each.
+@dataclass(frozen=True, kw_only=True, slots=True)
+class PosePart(Part):
+    """⁰T_N in numbers.
 
-    Args:
-        context: what the answer is judged by.
-        answer: (4, 4) what was handed in, lengths in the student's unit.
-        joints: the joint values [rad, or the student's unit].
-        transform: the student's own ⁰T_N in closed form, if one was handed in.
-        points: what the part is worth.
-        tolerance: largest error of a position relative to the robot's size, and of a direction cosine.
+    Attributes:
+        joints: the joint values where no seed is given [units of the exercise].
+        draws: per joint, from where a student's own value is drawn, or None.
+        tolerance: largest error of a position as a fraction of the robot's size, and of a direction cosine.
     """
-    allowed = Tolerance(length=tolerance, angle=tolerance)
-    score, answer, pose, credit = max(
-        (
-            (_score(agreeing(given[None], pose[None], context.size, allowed)), given, pose, credit)
-            for pose, credit in _expected(context, joints, transform)
-            for given in _in_either_unit(context, answer)
-        ),
-        key=lambda judged: judged[0],
-        default=(0.0, answer, np.full((4, 4), np.nan), Credit.NONE),
-    )
-    cells = agreeing(answer[None], pose[None], context.size, allowed)
-    report = PartReport(
-        kind=PartKind.POSE,
-        correct=score == 1.0 and credit is Credit.KEY,
-        score=score,
-        points=float(points) * score,
-        max_points=float(points),
-        credit=credit if score else Credit.NONE,
-        facts=tuple(
+
+    joints: tuple[Fraction, ...]
+    draws: tuple[Draw | None, ...]
+    tolerance: float
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class PoseTask:
+    """At which joint values a pose is asked for.
+
+    Attributes:
+        joints: joint values of the numeric pose, in the exercise's units.
+    """
+
+    joints: tuple[float, ...]
+
+
+class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
+    """⁰T_N in numbers, at given joint values."""
+
+    kind = "pose"
+    raw: ClassVar = CellMatrix
+    meaning = "⁰T_N in numbers, at the exercise's joint values"
+    given: ClassVar = PoseTask
+    follows_table = True
+    disclosures: ClassVar = {
+        "pose_rotation_right": Disclosure(level=HelpLevel.ROW),
+        "pose_position_right": Disclosure(level=HelpLevel.ROW),
+        "pose_inverse": Disclosure(level=HelpLevel.REPAIR),
+        "pose_rotation_transposed": Disclosure(level=HelpLevel.REPAIR),
+        "pose_degrees_as_radians": Disclosure(level=HelpLevel.REPAIR),
+    }
+
+    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> PosePart:
+        """Return the part with its joint values and from where students' own are drawn."""
+        joints = reader.exacts("joints")
+        if len(joints) != len(robot.joint_types):
+            reader.fault("joints_wrong_length", "joints", expected=len(robot.joint_types))
+            joints = (Fraction(0),) * len(robot.joint_types)
+        slides = read_draw(reader, "slides")
+        turns = read_draw(reader, "turns")
+        if turns is None and robot.degrees:
+            turns = USUAL_TURNS
+        draws = tuple(slides if type_ is JointType.PRISMATIC else turns for type_ in robot.joint_types)
+        tolerance = reader.number("tolerance", 0.005)
+        return PosePart(kind=self.kind, points=points, joints=joints, draws=draws, tolerance=tolerance)
+
+    def draw(self, part: PosePart, exercise: Exercise, picker: Picker) -> tuple[Fraction, ...]:
+        """Return the student's joint values [the exercise's units]."""
+        return tuple(
+            picker.value(value, draw, f"pose q{i}")
+            for i, (value, draw) in enumerate(zip(part.joints, part.draws, strict=True), 1)
+        )
+
+    def task(self, part: PosePart, instance: Instance) -> Task:
+        """Ask for the pose at the student's joint values."""
+        found = instance.exercise
+        drawn: tuple[Fraction, ...] = instance.drawn[self.kind]
+        units = {
+            JointType.REVOLUTE: "°" if found.angle_unit is AngleUnit.DEG else " rad",
+            JointType.PRISMATIC: f" {found.length_unit.value}",
+        }
+        joints = zip(drawn, found.reference.table.joint_types, strict=True)
+        text = ", ".join(f"q{i} = {float(value):g}{units[kind]}" for i, (value, kind) in enumerate(joints, 1))
+        return Task(
+            message="task-pose",
+            values={"joints": text, "unit": found.length_unit.value},
+            given=PoseTask(joints=tuple(float(value) for value in drawn)),
+        )
+
+    def read(self, raw: CellMatrix, reading: Reading) -> Matrices | None:
+        """Return (4, 4) numbers, lengths in the student's unit."""
+        fixed = policy_fixes_pose(reading.instance.exercise.policy)
+        if not fixed and reading.raw.get(TABLE) is None and reading.raw.get("transform") is None:
+            reading.fault("pose_needs_table", self.kind)
+        return read_numbers(raw, reading, self.kind)
+
+    def grade(self, part: PosePart, answer: Matrices, context: Context) -> PartReport:
+        """Judge a pose: its rotation and its position count half each."""
+        joints = joints_at(context, context.instance.drawn[self.kind])
+        allowed = Tolerance(length=part.tolerance, angle=part.tolerance)
+        score, answer, pose, credit = max(
+            (
+                (_score(agreeing(given[None], pose[None], context.size, allowed)), given, pose, credit)
+                for pose, credit in _expected(context, joints, context.answer.get("transform"))
+                for given in _in_either_unit(context, answer)
+            ),
+            key=lambda judged: judged[0],
+            default=(0.0, answer, np.full((4, 4), np.nan), Credit.NONE),
+        )
+        cells = agreeing(answer[None], pose[None], context.size, allowed)
+        facts = [
             Fact(where=(r, c), finding=Finding.OK if cells[r, c] else Finding.WRONG)
             for r in range(4)
             for c in range(4)
-        ),
-        feedback=tuple(_feedback(context, answer, pose, score, credit, joints, allowed)),
-    )
-    return shown(report, context.help_level, _DISCLOSURES)
+        ]
+        feedback = _feedback(context, answer, pose, score, credit, joints, allowed)
+        return judged(part, score, credit, facts=facts, feedback=feedback)
+
+    def right(self, part: PosePart, context: Context) -> CellMatrix:
+        """Return the pose of the student's own table, rounded as on paper."""
+        joints = joints_at(context, context.instance.drawn[self.kind])
+        pose = context.own_poses(context.values(context.own_names()), joints).transform
+        rounded: CellMatrix = np.round(pose, DECIMALS).tolist()
+        return rounded
+
+    def wrong(self, part: PosePart, context: Context, rng: Random) -> Iterator[tuple[str, CellMatrix]]:
+        """Yield the pose with its rotation transposed, and with another position."""
+        right = self.right(part, context)
+        turned = transposed_cells(right)
+        near = {"rtol": 0.0, "atol": 2 * part.tolerance}
+        if turned is not None and not np.allclose(np.array(turned, float), np.array(right, float), **near):
+            yield "pose_rotation_transposed", turned
+        moved = [list(row) for row in right]
+        moved[0][3] = float(moved[0][3]) + context.size
+        yield "pose_wrong", moved
+
+
+def joints_at(context: Context, drawn: Sequence[Fraction]) -> list[float]:
+    """Return joint values of the exercise in [rad] and in the student's length unit."""
+    exercise = context.instance.exercise
+    degrees = exercise.angle_unit is AngleUnit.DEG
+    return [
+        float(value) * context.unit_ratio
+        if joint_type is JointType.PRISMATIC
+        else math.radians(float(value))
+        if degrees
+        else float(value)
+        for value, joint_type in zip(drawn, exercise.reference.table.joint_types, strict=True)
+    ]
 
 
 def _score(cells: NDArray[np.bool_]) -> float:
@@ -182,3 +283,6 @@ def _degrees_as_radians(
     except ParameterError:
         return False
     return looks_like(pose)
+
+
+PART = PosePartType()

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
-from exercises.definition import PartKind
+from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
 
 
@@ -51,7 +51,7 @@ class PartReport:
         feedback: what to tell the student.
     """
 
-    kind: PartKind
+    kind: str
     correct: bool
     score: float
     points: float
@@ -59,6 +59,39 @@ class PartReport:
     credit: Credit
     facts: tuple[Fact, ...] = ()
     feedback: tuple[Feedback, ...] = ()
+
+
+def judged(
+    part: Part,
+    score: float,
+    credit: Credit,
+    *,
+    correct: bool | None = None,
+    facts: Iterable[Fact] = (),
+    feedback: Iterable[Feedback] = (),
+) -> PartReport:
+    """Return the report on a part.
+
+    Args:
+        part: what was asked.
+        score: 0 … 1.
+        credit: what the marks rest on; nothing, if there are none.
+        correct: right for the robot; left out: full marks that rest on the key.
+        facts: the single findings.
+        feedback: what to tell the student.
+    """
+    credit = credit if score else Credit.NONE
+    points = float(part.points)
+    return PartReport(
+        kind=part.kind,
+        correct=(score == 1.0 and credit is Credit.KEY) if correct is None else correct,
+        score=score,
+        points=points * score,
+        max_points=points,
+        credit=credit,
+        facts=tuple(facts),
+        feedback=tuple(feedback),
+    )
 
 
 _LEVELS = tuple(HelpLevel)

@@ -8,16 +8,20 @@ one only the angle is judged.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from enum import StrEnum
-from fractions import Fraction
+from random import Random
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from exercises.definition import PartKind
+from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, shown
+from exercises.instance import Instance
+from exercises.parts.context import Context
+from exercises.parts.protocol import Length, PartType, Reading, Task
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from kinematics.chain import Axis, chain_of_table, size_of
 from kinematics.errors import Fault
 from kinematics.se3 import cross_arrays
@@ -62,8 +66,8 @@ class Schematic:
         relations: how axis i lies to axis i+1, for i = 1 … n-1.
     """
 
-    joints: tuple[JointType, ...]
-    relations: tuple[AxisRelation, ...]
+    joints: Annotated[tuple[JointType, ...], Length(least=1)]
+    relations: Annotated[tuple[AxisRelation, ...], Length(most=63)]
 
 
 def schematic_faults(answer: Schematic) -> list[Fault]:
@@ -114,46 +118,6 @@ def relation(first: Axis, second: Axis, size: float) -> AxisRelation:
     if meets:
         return AxisRelation.INTERSECTING_PERPENDICULAR if square else AxisRelation.INTERSECTING_OBLIQUE
     return AxisRelation.SKEW_PERPENDICULAR if square else AxisRelation.SKEW_OBLIQUE
-
-
-def grade_schematic(
-    reference: NumericTable, answer: Schematic, points: Fraction, help_level: HelpLevel
-) -> PartReport:
-    """Judge a schematic: each joint's type and each relation counts the same.
-
-    Args:
-        reference: the robot.
-        answer: what was handed in.
-        points: what the part is worth.
-        help_level: how much may be told.
-    """
-    key = schematic_of(reference)
-    feedback: list[Feedback] = []
-    facts = [*_joint_facts(key, answer, feedback), *_relation_facts(key, answer, feedback)]
-    right = sum(fact.finding is Finding.OK for fact in facts)
-    correct = right == len(facts)
-    if not feedback and not correct:
-        raise AssertionError("a wrong fact has its feedback")
-    report = PartReport(
-        kind=PartKind.SCHEMATIC,
-        correct=correct,
-        score=right / len(facts),
-        points=float(points) * right / len(facts),
-        max_points=float(points),
-        credit=Credit.KEY if right else Credit.NONE,
-        facts=tuple(facts),
-        feedback=tuple(feedback) or (Feedback(code="schematic_right"),),
-    )
-    return shown(report, help_level, _DISCLOSURES)
-
-
-_DISCLOSURES = {
-    "schematic_joint_count": Disclosure(level=HelpLevel.ROW),
-    "schematic_joint_type": Disclosure(level=HelpLevel.ROW),
-    "schematic_relation": Disclosure(level=HelpLevel.ROW),
-    "schematic_angle_right": Disclosure(level=HelpLevel.KIND, instead="schematic_relation"),
-    "schematic_meeting_right": Disclosure(level=HelpLevel.KIND, instead="schematic_relation"),
-}
 
 
 def _joint_facts(key: Schematic, answer: Schematic, feedback: list[Feedback]) -> list[Fact]:
@@ -207,3 +171,64 @@ def _finding(key: Sequence[str], given: Sequence[str], i: int) -> Finding:
     if i >= len(given):
         return Finding.MISSING
     return Finding.OK if i < len(key) and key[i] == given[i] else Finding.WRONG
+
+
+class SchematicPart(PartType[Part, Schematic, Schematic]):
+    """The structure: joint types, and how neighbouring axes lie."""
+
+    kind = "schematic"
+    raw: ClassVar = Schematic
+    meaning = "joint types, and how neighbouring axes lie"
+    disclosures: ClassVar = {
+        "schematic_joint_count": Disclosure(level=HelpLevel.ROW),
+        "schematic_joint_type": Disclosure(level=HelpLevel.ROW),
+        "schematic_relation": Disclosure(level=HelpLevel.ROW),
+        "schematic_angle_right": Disclosure(level=HelpLevel.KIND, instead="schematic_relation"),
+        "schematic_meeting_right": Disclosure(level=HelpLevel.KIND, instead="schematic_relation"),
+    }
+
+    def task(self, part: Part, instance: Instance) -> Task:
+        """Ask for the structure."""
+        return Task(message="task-schematic")
+
+    def read(self, raw: Schematic, reading: Reading) -> Schematic | None:
+        """Return the structure, if its counts fit."""
+        faults = schematic_faults(raw)
+        reading.faults.extend(fault.within(self.kind) for fault in faults)
+        return None if faults else raw
+
+    def grade(self, part: Part, answer: Schematic, context: Context) -> PartReport:
+        """Judge a structure: each joint's type and each relation counts the same."""
+        key = schematic_of(context.reference_numbers)
+        feedback: list[Feedback] = []
+        facts = [*_joint_facts(key, answer, feedback), *_relation_facts(key, answer, feedback)]
+        right = sum(fact.finding is Finding.OK for fact in facts)
+        if not feedback and right < len(facts):
+            raise AssertionError("a wrong fact has its feedback")
+        told = feedback or [Feedback(code="schematic_right")]
+        return judged(part, right / len(facts), Credit.KEY, facts=facts, feedback=told)
+
+    def right(self, part: Part, context: Context) -> Schematic:
+        """Return the robot's structure: it does not follow from a table."""
+        return schematic_of(context.reference_numbers)
+
+    def wrong(self, part: Part, context: Context, rng: Random) -> Iterator[tuple[str, Schematic]]:
+        """Yield the structure with a joint of another type, with one too many, and with another relation."""
+        key = schematic_of(context.reference_numbers)
+        other = {JointType.REVOLUTE: JointType.PRISMATIC, JointType.PRISMATIC: JointType.REVOLUTE}
+        i = rng.randrange(len(key.joints))
+        joints = (*key.joints[:i], other[key.joints[i]], *key.joints[i + 1 :])
+        yield "schematic_joint_type", replace(key, joints=joints)
+        longer = Schematic(
+            joints=(*key.joints, JointType.REVOLUTE), relations=(*key.relations, AxisRelation.PARALLEL)
+        )
+        yield "schematic_joint_count", longer
+        for k, relation_ in enumerate(key.relations):
+            turned = (
+                AxisRelation.SKEW_OBLIQUE if _ANGLES[relation_] is _Angle.PARALLEL else AxisRelation.PARALLEL
+            )
+            relations = (*key.relations[:k], turned, *key.relations[k + 1 :])
+            yield "schematic_relation", replace(key, relations=relations)
+
+
+PART = SchematicPart()

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from fractions import Fraction
+from collections.abc import Iterator, Mapping, Sequence
+from random import Random
+from typing import ClassVar
 
 import numpy as np
 
-from exercises.definition import PartKind
+from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.instance import Instance
 from exercises.parts.comparison import (
     Compared,
     Expected,
@@ -18,48 +20,15 @@ from exercises.parts.comparison import (
     compare,
     inverse,
     is_rigid,
+    transposed_cells,
     transposed_rotation,
 )
 from exercises.parts.context import Context
-from exercises.parts.matrix_cells import SymbolicMatrix
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, shown
+from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
+from exercises.parts.protocol import PartType, Reading, Task
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from exercises.parts.value import is_robot
 from kinematics.errors import ParameterError
-
-_DISCLOSURES = {
-    "transform_rotation_right": Disclosure(level=HelpLevel.ROW),
-    "transform_position_right": Disclosure(level=HelpLevel.ROW),
-    "transform_cells_wrong": Disclosure(level=HelpLevel.KIND),
-    "transform_not_rigid": Disclosure(level=HelpLevel.KIND),
-    "transform_inverse": Disclosure(level=HelpLevel.REPAIR, instead="transform_cells_wrong"),
-    "transform_rotation_transposed": Disclosure(level=HelpLevel.REPAIR, instead="transform_cells_wrong"),
-    "transform_order_reversed": Disclosure(level=HelpLevel.REPAIR, instead="transform_cells_wrong"),
-    "transform_links_missing": Disclosure(level=HelpLevel.REPAIR, instead="transform_cells_wrong"),
-}
-
-
-def grade_transform(context: Context, answer: SymbolicMatrix, points: Fraction) -> PartReport:
-    """Judge a ⁰T_N: its rotation and its position count half each.
-
-    Args:
-        context: what the answer is judged by.
-        answer: what was handed in.
-        points: what the part is worth.
-    """
-    compared = compare(context, answer, _own(context)) if context.own is not None else None
-    follows = compared is not None and compared.right
-    if follows and context.own_correct:
-        return _report(context, points, 1.0, Credit.KEY, (), (Feedback(code="transform_right"),))
-    if transform_is_robot(context, answer):
-        code = "transform_right_not_from_table" if context.own is not None else "transform_right"
-        return _report(context, points, 1.0, Credit.KEY, (), (Feedback(code=code),))
-    if follows:
-        return _report(
-            context, points, 1.0, Credit.OWN_TABLE, (), (Feedback(code="transform_follows_table"),)
-        )
-    if compared is None:
-        return _report(context, points, 0.0, Credit.NONE, (), (Feedback(code="transform_wrong"),))
-    return _wrong(context, compared, points)
 
 
 def transform_is_robot(context: Context, answer: SymbolicMatrix) -> bool:
@@ -78,7 +47,7 @@ def _own(context: Context) -> Expected:
     return expected
 
 
-def _wrong(context: Context, compared: Compared, points: Fraction) -> PartReport:
+def _wrong(context: Context, compared: Compared, part: Part) -> PartReport:
     cells = compared.cells
     rotation, position = bool(cells[:3, :3].all()), bool(cells[:3, 3].all())
     feedback = [_what_is_off(context, compared)]
@@ -86,36 +55,13 @@ def _wrong(context: Context, compared: Compared, points: Fraction) -> PartReport
         feedback.append(Feedback(code="transform_rotation_right"))
     if position:
         feedback.append(Feedback(code="transform_position_right"))
-    facts = tuple(
+    facts = [
         Fact(where=(r, c), finding=Finding.OK if cells[r, c] else Finding.WRONG)
         for r in range(4)
         for c in range(4)
-    )
-    credit = Credit.NONE
-    if rotation or position:
-        credit = Credit.KEY if context.own_correct else Credit.OWN_TABLE
-    return _report(context, points, 0.5 * (rotation + position), credit, facts, tuple(feedback))
-
-
-def _report(
-    context: Context,
-    points: Fraction,
-    score: float,
-    credit: Credit,
-    facts: tuple[Fact, ...],
-    feedback: tuple[Feedback, ...],
-) -> PartReport:
-    report = PartReport(
-        kind=PartKind.TRANSFORM,
-        correct=score == 1.0 and credit is Credit.KEY,
-        score=score,
-        points=float(points) * score,
-        max_points=float(points),
-        credit=credit,
-        facts=facts,
-        feedback=feedback,
-    )
-    return shown(report, context.help_level, _DISCLOSURES)
+    ]
+    score = 0.5 * (rotation + position)
+    return judged(part, score, context.own_credit, correct=False, facts=facts, feedback=feedback)
 
 
 def _what_is_off(context: Context, compared: Compared) -> Feedback:
@@ -142,3 +88,60 @@ def _what_is_off(context: Context, compared: Compared) -> Feedback:
     if not is_rigid(compared.actual, context.policy.tolerance):
         return Feedback(code="transform_not_rigid")
     return Feedback(code="transform_cells_wrong", params={"cells": cell_names(compared.cells)})
+
+
+class TransformPart(PartType[Part, CellMatrix, SymbolicMatrix]):
+    """⁰T_N in closed form."""
+
+    kind = "transform"
+    raw: ClassVar = CellMatrix
+    meaning = "⁰T_N in closed form"
+    follows_table = True
+    disclosures: ClassVar = {
+        "transform_rotation_right": Disclosure(level=HelpLevel.ROW),
+        "transform_position_right": Disclosure(level=HelpLevel.ROW),
+        "transform_cells_wrong": Disclosure(level=HelpLevel.KIND),
+        "transform_not_rigid": Disclosure(level=HelpLevel.KIND),
+        "transform_inverse": Disclosure(level=HelpLevel.REPAIR, instead="transform_cells_wrong"),
+        "transform_rotation_transposed": Disclosure(level=HelpLevel.REPAIR, instead="transform_cells_wrong"),
+        "transform_order_reversed": Disclosure(level=HelpLevel.REPAIR, instead="transform_cells_wrong"),
+        "transform_links_missing": Disclosure(level=HelpLevel.REPAIR, instead="transform_cells_wrong"),
+    }
+
+    def task(self, part: Part, instance: Instance) -> Task:
+        """Ask for the product of all link matrices."""
+        return Task(message="task-transform")
+
+    def read(self, raw: CellMatrix, reading: Reading) -> SymbolicMatrix | None:
+        """Return the matrix in expressions."""
+        return read_known_matrix(raw, reading, self.kind)
+
+    def grade(self, part: Part, answer: SymbolicMatrix, context: Context) -> PartReport:
+        """Judge by the student's own table, then as the robot's; rotation and position count half."""
+        compared = compare(context, answer, _own(context)) if context.own is not None else None
+        follows = compared is not None and compared.right
+        if follows and context.own_correct:
+            return judged(part, 1.0, Credit.KEY, feedback=[Feedback(code="transform_right")])
+        if transform_is_robot(context, answer):
+            code = "transform_right_not_from_table" if context.own is not None else "transform_right"
+            return judged(part, 1.0, Credit.KEY, feedback=[Feedback(code=code)])
+        if follows:
+            return judged(part, 1.0, Credit.OWN_TABLE, feedback=[Feedback(code="transform_follows_table")])
+        if compared is None:
+            return judged(part, 0.0, Credit.NONE, feedback=[Feedback(code="transform_wrong")])
+        return _wrong(context, compared, part)
+
+    def right(self, part: Part, context: Context) -> CellMatrix:
+        """Return ⁰T_N of the student's own table."""
+        assert context.own is not None
+        form = context.own_form
+        return write_matrix(form.transform, context.own.table.n_joints, tuple(context.own.parameters))
+
+    def wrong(self, part: Part, context: Context, rng: Random) -> Iterator[tuple[str, CellMatrix]]:
+        """Yield the matrix with its rotation transposed."""
+        turned = transposed_cells(self.right(part, context))
+        if turned is not None:
+            yield "transform_rotation_transposed", turned
+
+
+PART = TransformPart()

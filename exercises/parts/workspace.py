@@ -3,34 +3,91 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from enum import StrEnum
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
+from random import Random
+from typing import ClassVar
 
 import numpy as np
 
-from exercises.definition import PartKind, ReachFrom, WorkspacePart
+from exercises.definition import Exercise, Part
 from exercises.figures.camera import Array
 from exercises.figures.points import Points
-from exercises.figures.specification import FigureSpecification
 from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.instance import Instance
 from exercises.parts.comparison import inverse
 from exercises.parts.context import Context
+from exercises.parts.protocol import PartType, Reading, RobotFacts, Task
 from exercises.parts.reach import Interval, Reach, reach
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, shown
-from kinematics.cells import AngleUnit
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.reading import Reader
+from kinematics.cells import AngleUnit, Cell, ParameterKind, read_cell
 from kinematics.chain import chain_of_table
+from kinematics.errors import CellError, Fault, KinematicsError
+from kinematics.expressions import evaluate
 from kinematics.table import JointType, NumericTable
 
 Key = tuple[float, float, float]
 
-_DISCLOSURES = {
-    "workspace_inner_wrong": Disclosure(level=HelpLevel.ROW),
-    "workspace_outer_wrong": Disclosure(level=HelpLevel.ROW),
-    "workspace_swapped": Disclosure(level=HelpLevel.KIND),
-    "workspace_diameters": Disclosure(level=HelpLevel.REPAIR),
-    "workspace_other_length_unit": Disclosure(level=HelpLevel.KIND),
-}
+
+class ReachFrom(StrEnum):
+    """From where the radii of a workspace are measured.
+
+    AXIS: from the axis of the first joint, square to it.
+    POINT: from a named point of the figure that no joint moves, or only joint 1 about itself.
+    """
+
+    AXIS = "axis"
+    POINT = "point"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class WorkspacePart(Part):
+    """Inner and outer radius of the workspace.
+
+    Attributes:
+        point: name of the point of the figure whose workspace is meant.
+        reach_from: from where the radii are measured.
+        origin: name of the point from which they are measured, if from a point.
+        limits: per joint its lowest and highest value [units of the exercise]; None leaves it unlimited
+            (a revolute joint turns fully).
+        tolerance: largest error of a radius, as a fraction of the outer radius.
+    """
+
+    point: str
+    reach_from: ReachFrom
+    origin: str | None
+    limits: tuple[tuple[Fraction, Fraction] | None, ...]
+    tolerance: float
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RadiiCells:
+    """The radii of a workspace.
+
+    Attributes:
+        inner: least distance.
+        outer: greatest distance.
+    """
+
+    inner: Cell
+    outer: Cell
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class WorkspaceTask:
+    """Whose workspace is asked for.
+
+    Attributes:
+        point: whose workspace is asked for.
+        reach_from: from where radii are measured: axis, or a point of the figure.
+    """
+
+    point: str
+    reach_from: str
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -41,11 +98,11 @@ class WorkspaceAnswer:
     outer: float
 
 
-def workspace_of(context: Context, part: WorkspacePart, figure: FigureSpecification) -> Reach:
+def workspace_of(context: Context, part: WorkspacePart) -> Reach:
     """The radii of the robot's workspace, in the exercise's unit."""
     table = context.reference_numbers
     values = context.reference_values
-    points = Points(figure, context.reference.table, values)
+    points = Points(context.instance.exercise.figure, context.reference.table, values)
     to_base, to_last = inverse(points.frames[0]), inverse(points.frames[-1])
     point = to_last[:3, :3] @ points.point(part.point) + to_last[:3, 3]
     if part.reach_from is ReachFrom.POINT and part.origin is not None:
@@ -80,45 +137,94 @@ def _key(vector: Array) -> Key:
     return x, y, z
 
 
-def grade_workspace(
-    context: Context, answer: WorkspaceAnswer, part: WorkspacePart, figure: FigureSpecification
-) -> PartReport:
-    """Judge the radii: each counts half.
+class WorkspacePartType(PartType[WorkspacePart, RadiiCells, WorkspaceAnswer]):
+    """Inner and outer radius of the workspace."""
 
-    Args:
-        context: what the answer is judged by.
-        answer: the radii, in the student's unit or the exercise's.
-        part: from where they are measured, and the tolerance.
-        figure: holds the points.
-    """
-    key = workspace_of(context, part, figure)
-    scaled = Reach(inner=key.inner * context.unit_ratio, outer=key.outer * context.unit_ratio)
-    if abs(answer.outer - key.outer) <= part.tolerance * key.outer:
-        scaled = key  # beside a table in another unit, radii may be in the exercise's own
-    limit = part.tolerance * scaled.outer
-    right = {
-        "inner": abs(answer.inner - scaled.inner) <= limit,
-        "outer": abs(answer.outer - scaled.outer) <= limit,
+    kind = "workspace"
+    raw: ClassVar = RadiiCells
+    meaning = "inner and outer radius"
+    given: ClassVar = WorkspaceTask
+    disclosures: ClassVar = {
+        "workspace_inner_wrong": Disclosure(level=HelpLevel.ROW),
+        "workspace_outer_wrong": Disclosure(level=HelpLevel.ROW),
+        "workspace_swapped": Disclosure(level=HelpLevel.KIND),
+        "workspace_diameters": Disclosure(level=HelpLevel.REPAIR),
+        "workspace_other_length_unit": Disclosure(level=HelpLevel.KIND),
     }
-    score = sum(right.values()) / 2
-    feedback = [Feedback(code=f"workspace_{name}_wrong") for name, is_right in right.items() if not is_right]
-    other = _what_is_off(answer, scaled, context, limit)
-    if not all(right.values()) and other is not None:
-        feedback.insert(0, other)
-    report = PartReport(
-        kind=PartKind.WORKSPACE,
-        correct=score == 1.0,
-        score=score,
-        points=float(part.points) * score,
-        max_points=float(part.points),
-        credit=Credit.KEY if score else Credit.NONE,
-        facts=tuple(
-            Fact(where=(name,), finding=Finding.OK if is_right else Finding.WRONG)
-            for name, is_right in right.items()
-        ),
-        feedback=tuple(feedback) or (Feedback(code="workspace_right"),),
-    )
-    return shown(report, context.help_level, _DISCLOSURES)
+
+    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> WorkspacePart:
+        """Return the part with its point, limits and tolerance."""
+        origin = reader.text("from", ReachFrom.AXIS.value)
+        return WorkspacePart(
+            kind=self.kind,
+            points=points,
+            point=reader.text("point"),
+            reach_from=ReachFrom.AXIS if origin == ReachFrom.AXIS.value else ReachFrom.POINT,
+            origin=None if origin == ReachFrom.AXIS.value else origin,
+            limits=_limits(reader, len(robot.joint_types), robot.limits),
+            tolerance=reader.number("tolerance", 0.01),
+        )
+
+    def inconsistencies(self, part: WorkspacePart, exercise: Exercise) -> Iterator[Fault]:
+        """Yield the points that the figure does not mark."""
+        for key, name in (("point", part.point), ("from", part.origin)):
+            if name is not None and name not in exercise.figure.marks:
+                yield Fault(code="unknown_point", where=(key,), params={"name": name})
+
+    def task(self, part: WorkspacePart, instance: Instance) -> Task:
+        """Ask for the least and the greatest distance."""
+        limited = any(limit is not None for limit in part.limits)
+        values = {
+            "point": part.point,
+            "origin": part.origin or "",
+            "limits": "some" if limited else "none",
+            "unit": instance.exercise.length_unit.value,
+        }
+        given = WorkspaceTask(point=part.point, reach_from=part.origin or ReachFrom.AXIS.value)
+        return Task(message=f"task-workspace-{part.reach_from.value}", values=values, given=given)
+
+    def read(self, raw: RadiiCells, reading: Reading) -> WorkspaceAnswer | None:
+        """Return the radii in the student's unit."""
+        values = reading.values
+        inner, outer = (
+            reading.keep(self.kind, partial(_radius, getattr(raw, name), name, values, reading.angle_unit))
+            for name in ("inner", "outer")
+        )
+        return None if inner is None or outer is None else WorkspaceAnswer(inner=inner, outer=outer)
+
+    def grade(self, part: WorkspacePart, answer: WorkspaceAnswer, context: Context) -> PartReport:
+        """Judge the radii: each counts half."""
+        key = workspace_of(context, part)
+        scaled = Reach(inner=key.inner * context.unit_ratio, outer=key.outer * context.unit_ratio)
+        if abs(answer.outer - key.outer) <= part.tolerance * key.outer:
+            scaled = key  # beside a table in another unit, radii may be in the exercise's own
+        limit = part.tolerance * scaled.outer
+        right = {
+            "inner": abs(answer.inner - scaled.inner) <= limit,
+            "outer": abs(answer.outer - scaled.outer) <= limit,
+        }
+        feedback = [Feedback(code=f"workspace_{name}_wrong") for name, fits in right.items() if not fits]
+        other = _what_is_off(answer, scaled, context, limit)
+        if feedback and other is not None:
+            feedback.insert(0, other)
+        facts = [
+            Fact(where=(name,), finding=Finding.OK if fits else Finding.WRONG) for name, fits in right.items()
+        ]
+        told = feedback or [Feedback(code="workspace_right")]
+        return judged(part, sum(right.values()) / 2, Credit.KEY, facts=facts, feedback=told)
+
+    def right(self, part: WorkspacePart, context: Context) -> RadiiCells:
+        """Return the robot's radii: they do not follow from a table."""
+        radii = workspace_of(context, part)
+        ratio = context.unit_ratio
+        return RadiiCells(inner=radii.inner * ratio, outer=radii.outer * ratio)
+
+    def wrong(self, part: WorkspacePart, context: Context, rng: Random) -> Iterator[tuple[str, RadiiCells]]:
+        """Yield diameters, and the radii in each other's place."""
+        radii = workspace_of(context, part)
+        inner, outer = radii.inner * context.unit_ratio, radii.outer * context.unit_ratio
+        yield "workspace_diameters", RadiiCells(inner=2 * inner, outer=2 * outer)
+        yield "workspace_swapped", RadiiCells(inner=outer, outer=inner)
 
 
 def _what_is_off(answer: WorkspaceAnswer, key: Reach, context: Context, limit: float) -> Feedback | None:
@@ -138,3 +244,49 @@ def _what_is_off(answer: WorkspaceAnswer, key: Reach, context: Context, limit: f
 def _interval(limit: tuple[Fraction, Fraction], degrees: bool) -> tuple[float, float]:
     low, high = (float(value) for value in limit)
     return (math.radians(low), math.radians(high)) if degrees else (low, high)
+
+
+def _radius(cell: Cell, name: str, values: Mapping[str, float], unit: AngleUnit) -> float:
+    try:
+        expression = read_cell(cell, ParameterKind.LENGTH, angle_unit=unit, variable=lambda _: None)
+        value = evaluate(expression, values)
+    except KinematicsError as error:
+        raise type(error)(
+            Fault(code=fault.code, where=(name,), params=fault.params) for fault in error.faults
+        ) from None
+    if value < 0:
+        raise CellError(Fault(code="radius_negative", where=(name,)))
+    return value
+
+
+def _limits(
+    reader: Reader, n: int, known: Sequence[tuple[float, float]] | None
+) -> tuple[tuple[Fraction, Fraction] | None, ...]:
+    """Limits of the joints: "catalogue", a list with one entry per joint ([] for none), or none at all."""
+    free: tuple[tuple[Fraction, Fraction] | None, ...] = (None,) * n
+    if not reader.given("limits"):
+        return free
+    value = reader.values["limits"]
+    if value == "catalogue":
+        if known is None:
+            reader.fault("exercise_limits_unknown", "limits")
+            return free
+        return tuple((Fraction(repr(low)), Fraction(repr(high))) for low, high in known)
+    if not isinstance(value, list) or len(value) != n:
+        reader.fault("joints_wrong_length", "limits", expected=n)
+        return free
+    limits: list[tuple[Fraction, Fraction] | None] = []
+    for i, entry in enumerate(value):
+        if entry == []:
+            limits.append(None)
+            continue
+        inner = Reader({"pair": entry}, (*reader.where, "limits", i), reader.faults)
+        pair = inner.exacts("pair")
+        if len(pair) != 2 or pair[0] > pair[1]:
+            inner.fault("exercise_limits_reversed", joint=i + 1)
+            pair = (Fraction(0), Fraction(0))
+        limits.append((pair[0], pair[1]))
+    return tuple(limits)
+
+
+PART = WorkspacePartType()

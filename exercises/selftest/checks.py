@@ -10,17 +10,20 @@ from random import Random
 
 import numpy as np
 
-from exercises.answers import RawAnswer, parse, values_in_unit
-from exercises.definition import Exercise, PartKind
+from exercises.answers import RawAnswer, parse
+from exercises.definition import Exercise
 from exercises.drawings import figure_svg, true_scene, values
 from exercises.errors import AnswerError, DefinitionError
 from exercises.grader import Report, grade
-from exercises.grading import Verdict
+from exercises.grading import HelpLevel, Verdict
 from exercises.instance import Instance, generate
+from exercises.parts.protocol import TABLE, values_in_unit
+from exercises.parts.registry import part_type
 from exercises.parts.report import Credit
 from exercises.parts.schematic import schematic_of
-from exercises.selftest.answers import answer_from, typed
+from exercises.selftest.answers import answer_from, context_of
 from exercises.selftest.mistakes import MISTAKES
+from exercises.selftest.typed import typed
 from exercises.selftest.variants import some_lengths, variant
 from kinematics.cells import AngleUnit, ParameterKind, RawRow, RawTable, ReadTable, in_length_unit
 from kinematics.chain import chain_of_table, size_of
@@ -137,27 +140,51 @@ def _check_mistakes(findings: Findings, instance: Instance, rng: Random, most: i
 def _check_parts(findings: Findings, instance: Instance, rng: Random) -> None:
     """All parts of a right table earn full marks; what follows from a wrong one earns its own."""
     exercise = instance.exercise
-    kinds = {part.kind for part in exercise.parts}
-    right = _judged(instance, answer_from(instance, _other(instance, rng), kinds))
+    read = _other(instance, rng)
+    right = _judged(instance, answer_from(instance, read))
     for report in right.parts:
         findings.expect(
-            report.kind.value,
+            report.kind,
             report.correct,
             lambda report=report: f"seed {instance.seed}: {report}",  # type: ignore[misc]
         )
+    _check_wrong_parts(findings, instance, read, rng)
     wrong = next(iter(MISTAKES["a_d_swapped"](exercise.reference)), None)
     if wrong is None:
         return
-    following = _judged(instance, answer_from(instance, wrong, kinds))
+    following = _judged(instance, answer_from(instance, wrong))
     if following.verdict is None or following.verdict.correct:
         return
     for report in following.parts:
-        if report.kind in (PartKind.LINK_MATRICES, PartKind.TRANSFORM, PartKind.POSE):
+        if part_type(report.kind).follows_table:
             findings.expect(
                 "follow_through",
                 report.score == 1.0 and report.credit is Credit.OWN_TABLE and not report.correct,
                 lambda report=report: f"seed {instance.seed}: {report}",  # type: ignore[misc]
             )
+
+
+def _check_wrong_parts(findings: Findings, instance: Instance, read: ReadTable, rng: Random) -> None:
+    """Each part's own wrong answers beside a right table are rejected and told as what they are."""
+    context = context_of(instance, read)
+    right = answer_from(instance, read)
+    for part in instance.exercise.parts:
+        if part.kind == TABLE:
+            continue  # its misconceptions have a check of their own
+        for code, raw in part_type(part.kind).wrong(part, context, rng):
+            judged = _judged(instance, RawAnswer(**{**right.parts, part.kind: raw}))
+            report = next(found for found in judged.parts if found.kind == part.kind)
+            told = {entry.code for entry in report.feedback}
+            findings.expect(
+                f"wrong_{part.kind}",
+                not report.correct and report.score < 1.0 and (told_at_most(instance) or code in told),
+                lambda code=code, report=report: f"seed {instance.seed}: {code} is told as {report}",  # type: ignore[misc]
+            )
+
+
+def told_at_most(instance: Instance) -> bool:
+    """Return whether the exercise's help level keeps some explanations back."""
+    return instance.exercise.help is not HelpLevel.REPAIR
 
 
 def _check_invalid(findings: Findings, exercise: Exercise) -> None:

@@ -9,17 +9,15 @@ from typing import Annotated
 from fastapi import Path, Query, Request, Response
 from pydantic import TypeAdapter
 
-from exercises.answers import Answer, parse
-from exercises.drawings import key_pose
+from exercises.answers import parse
 from exercises.grader import Report, grade
-from exercises.instance import Instance
 from service.http.languages import language_of
 from service.http.openapi import problems, request_body
 from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
 from service.resources import resources_of
 from service.schemas import examples_grading as examples
-from service.schemas.exercises import ExerciseAnswer, ExerciseList, ExerciseModel, GradedModel
+from service.schemas.exercises import AnswerBase, ExerciseAnswer, ExerciseList, ExerciseModel, GradedModel
 from service.web.responses import text_response
 from service.wire.exercise_views import exercise_list, exercise_view, figure_file, instance_of
 from service.wire.ungraded import answer_refused, known_exercise
@@ -29,7 +27,7 @@ from service.work.limiters import WorkKind
 router = api_router("exercises")
 direct = api_router("exercises", route_class=DirectRoute)
 
-_ANSWER: TypeAdapter[ExerciseAnswer] = TypeAdapter(ExerciseAnswer)
+_ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
 SVG = "image/svg+xml"
 _FIGURE_POLICY = "default-src 'none'; style-src 'unsafe-inline'"
 
@@ -50,7 +48,7 @@ Language = Annotated[
 async def list_exercises(request: Request, lang: Language = None) -> Response:
     """Every exercise with its title, in the caller's language."""
     language = language_of(request)
-    return _text(request, encoded(exercise_list(language)), language, JSON)
+    return _text(request, encoded(exercise_list(resources_of(request).exercises, language)), language, JSON)
 
 
 @router.get(
@@ -62,7 +60,7 @@ async def show_exercise(
     """What is asked, with one student's values: statement, rules, dimensions, figure. Never the key."""
     language = language_of(request)
     with known_exercise():
-        instance = instance_of(exercise_id, seed)
+        instance = instance_of(resources_of(request).exercises, exercise_id, seed)
     return _text(request, encoded(exercise_view(instance, language)), language, JSON)
 
 
@@ -81,7 +79,7 @@ async def show_figure(
     """The robot with its joints, dimensions and marked points, and no frames: they are the question."""
     language = language_of(request)
     with known_exercise():
-        instance = instance_of(exercise_id, seed)
+        instance = instance_of(resources_of(request).exercises, exercise_id, seed)
     figure = (
         await resources_of(request).limiters[WorkKind.DRAWING].run(partial(figure_file, instance, language))
     )
@@ -106,23 +104,20 @@ async def grade_answer(request: ApiRequest) -> Response:
     """
     language = language_of(request)
     with answer_refused():
-        instance, answer, report = await _judged(request)
-    accepted = report.verdict is not None and report.verdict.correct
-    units = (answer.angle_unit.value, answer.length_unit.value)
-    body = report_body(report, instance, units, key_pose(instance) if accepted else None, language)
-    return _answer(encoded(body), language, JSON)
+        report = await _judged(request)
+    return _answer(encoded(report_body(report, language)), language, JSON)
 
 
-async def _judged(request: ApiRequest) -> tuple[Instance, Answer, Report]:
+async def _judged(request: ApiRequest) -> Report:
     exercise_id = request.path_params["exercise_id"]
-    instance_of(exercise_id, None)  # an address at which nothing is comes before what is wrong with the body
-    wire: ExerciseAnswer = validated(_ANSWER, await request.json())
-    instance = instance_of(exercise_id, wire.seed)
+    library = resources_of(request).exercises
+    library.exercise(exercise_id)  # an address at which nothing is comes before what is wrong with the body
+    wire: AnswerBase = validated(_ANSWER, await request.json())
+    instance = instance_of(library, exercise_id, wire.seed)
     raw, limits = wire.raw(), request.settings.cell_limits
 
-    def work() -> tuple[Instance, Answer, Report]:
-        answer = parse(instance, raw, limits)
-        return instance, answer, grade(instance, answer, wire.help)
+    def work() -> Report:
+        return grade(instance, parse(instance, raw, limits), wire.help)
 
     return await resources_of(request).limiters[WorkKind.GRADING].run(work)
 

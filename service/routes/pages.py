@@ -8,7 +8,6 @@ from urllib.parse import urlencode
 from fastapi import APIRouter, Request, Response
 
 from exercises.errors import UnknownExerciseError
-from exercises.loader import exercise
 from exercises.statements import to_html
 from service.messages import LOCALES, languages
 from service.resources import resources_of
@@ -38,7 +37,7 @@ async def home(request: Request) -> Response:
 async def exercise_page(request: Request, exercise_id: str) -> Response:
     """The page of an exercise: its title and statement stand in it before any script runs."""
     try:
-        found = exercise(exercise_id)
+        found = resources_of(request).exercises.exercise(exercise_id)
     except UnknownExerciseError:
         return missing_page(request, depth=1)
     language = page_language(request)

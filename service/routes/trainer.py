@@ -5,7 +5,7 @@ from __future__ import annotations
 from fastapi import APIRouter, Request, Response
 
 from exercises.errors import UnknownExerciseError
-from exercises.loader import exercise
+from service.resources import resources_of
 from service.web.responses import missing_page, page_language, page_response
 from service.web.shell import Page
 
@@ -24,7 +24,7 @@ TRAINER = Page(
 async def trainer(request: Request, exercise_id: str) -> Response:
     """Attach frames to the axes of an exercise's robot, by the rules of the procedure."""
     try:
-        found = exercise(exercise_id)
+        found = resources_of(request).exercises.exercise(exercise_id)
     except UnknownExerciseError:
         return missing_page(request, depth=1)
     return page_response(request, TRAINER, {"id": found.id, "title": found.titles[page_language(request)]})

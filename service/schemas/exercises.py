@@ -4,29 +4,21 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal, TypeAlias
 
-from pydantic import Field, PlainValidator, WithJsonSchema
+from pydantic import Field, PlainValidator, WithJsonSchema, create_model
 from pydantic_core import PydanticCustomError
 
 from exercises.answers import RawAnswer
-from exercises.definition import PartKind
-from exercises.grading import Finding, HelpLevel
-from exercises.parts.report import Credit
-from exercises.parts.schematic import AxisRelation, Schematic
-from kinematics.table import JointType
-from service.schemas.base import Matrix4, Real, Vector3, Wire
-from service.schemas.tables import Cell, Table, Units
-from service.schemas.verdicts import (
-    CertificateModel,
-    FeedbackModel,
-    Help,
-    LinkModel,
-    PolicyModel,
-    RepairModel,
-)
+from exercises.drawings import KeyPose
+from exercises.grading import Basis, HelpLevel, Verdict
+from exercises.parts.registry import part_type, part_types
+from exercises.parts.report import PartReport
+from service.schemas.base import Real, Vector3, Wire
+from service.schemas.derived import model_of, raw_of, wire_type
+from service.schemas.tables import Units
+from service.schemas.verdicts import Help, PolicyModel
 
-CellRow: TypeAlias = Annotated[list[Cell], Field(min_length=4, max_length=4)]
-CellMatrix: TypeAlias = Annotated[
-    list[CellRow], Field(min_length=4, max_length=4, description="4×4 of numbers or expressions, row by row")
+Kind: TypeAlias = Annotated[
+    str, WithJsonSchema({"type": "string", "enum": list(part_types()), "description": "kind of part"})
 ]
 
 
@@ -46,53 +38,25 @@ Seed: TypeAlias = Annotated[
 ]
 
 
-class SchematicModel(Wire):
-    """The structure of a robot."""
-
-    joints: list[Annotated[JointType, Field(strict=False)]] = Field(
-        min_length=1, max_length=64, description="type of joint 1 … n"
-    )
-    relations: list[Annotated[AxisRelation, Field(strict=False)]] = Field(
-        max_length=63, description="how axis i lies to axis i+1, for i = 1 … n-1"
-    )
-
-
-class WorkspaceModel(Wire):
-    """The radii of a workspace."""
-
-    inner: Cell = Field(description="least distance")
-    outer: Cell = Field(description="greatest distance")
-
-
-class ExerciseAnswer(Wire):
+class AnswerBase(Wire):
     """What a student hands in: any of what the exercise asks, at least one of it."""
 
-    table: Table | None = Field(None, description="the DH table")
-    link_matrices: Annotated[list[CellMatrix | None], Field(min_length=1, max_length=64)] | None = Field(
-        None, description="for each row of the table the matrix of its link, or null"
-    )
-    transform: CellMatrix | None = Field(None, description="⁰T_N in closed form")
-    pose: CellMatrix | None = Field(None, description="⁰T_N in numbers, at the exercise's joint values")
-    schematic: SchematicModel | None = Field(None, description="joint types, and how neighbouring axes lie")
-    workspace: WorkspaceModel | None = Field(None, description="inner and outer radius")
     seed: Seed = Field(None, description="the seed that the student's values were drawn from")
     help: Help | None = Field(None, description="less help than the exercise allows; more is not given")
 
     def raw(self) -> RawAnswer:
-        """The answer as the parts read it."""
-        schematic = self.schematic
+        """Return the answer as the parts read it."""
+        found = {kind: getattr(self, kind) for kind in part_types()}
         return RawAnswer(
-            table=self.table.raw() if self.table else None,
-            link_matrices=self.link_matrices,
-            transform=self.transform,
-            pose=self.pose,
-            schematic=Schematic(joints=tuple(schematic.joints), relations=tuple(schematic.relations))
-            if schematic
-            else None,
-            workspace={"inner": self.workspace.inner, "outer": self.workspace.outer}
-            if self.workspace
-            else None,
+            **{kind: raw_of(value, part_type(kind).raw) for kind, value in found.items() if value is not None}
         )
+
+
+_ANSWERS: dict[str, Any] = {
+    kind: (wire_type(found.raw) | None, Field(None, description=found.meaning))
+    for kind, found in part_types().items()
+}
+ExerciseAnswer = create_model("ExerciseAnswer", __base__=AnswerBase, __doc__=AnswerBase.__doc__, **_ANSWERS)
 
 
 class ExerciseEntry(Wire):
@@ -103,7 +67,7 @@ class ExerciseEntry(Wire):
     title: str
     summary: str = Field(description="the statement's first sentence")
     joints: int
-    parts: list[PartKind] = Field(description="what is asked")
+    parts: list[Kind] = Field(description="what is asked")
     points: Real
 
 
@@ -137,19 +101,27 @@ class JointName(Wire):
     type: Literal["revolute", "prismatic"]
 
 
-class AskedPart(Wire):
-    """Something that is asked."""
+class AskedPartBase(Wire):
+    """Something that is asked, with the data that its task is about."""
 
-    kind: PartKind
+    kind: Kind
     points: Real
     task: str = Field(description="what to do, in the caller's language")
-    joints: list[Real] | None = Field(
-        None, description="joint values of the numeric pose, in the exercise's units"
-    )
-    point: str | None = Field(None, description="whose workspace is asked for")
-    reach_from: str | None = Field(
-        None, description="from where radii are measured: axis, or a point of the figure"
-    )
+
+
+def _given() -> dict[str, Any]:
+    """Return the fields of all records that tasks show; each part has those of its own kind."""
+    found: dict[str, Any] = {}
+    for entry in part_types().values():
+        if entry.given is None:
+            continue
+        for name, field in model_of(entry.given).model_fields.items():
+            found[name] = (field.annotation | None, Field(None, description=field.description))  # type: ignore[operator]
+    return found
+
+
+TASK_FIELDS = _given()
+AskedPart = create_model("AskedPart", __base__=AskedPartBase, __doc__=AskedPartBase.__doc__, **TASK_FIELDS)
 
 
 class FigureAxis(Wire):
@@ -217,62 +189,35 @@ class ExerciseModel(Units):
     figure: FigureModel
 
 
-class FactModel(Wire):
-    """One thing that an answer says, and what was found of it."""
-
-    where: list[str | int] = Field(description="path inside the part's answer")
-    finding: Finding
-
-
-class PartModel(Wire):
-    """What is said of one part of an answer."""
-
-    kind: PartKind
-    correct: bool = Field(description="right for the robot")
-    score: Real = Field(ge=0, le=1)
-    points: Real
-    max_points: Real
-    credit: Credit = Field(
-        description="what the marks rest on: key, own_table (an error before it is marked once), none"
-    )
-    facts: list[FactModel]
-    feedback: list[FeedbackModel]
-
-
 class TotalModel(Wire):
     """The points of an answer."""
 
     points: Real
     max_points: Real
     score: Real = Field(ge=0, le=1)
-    missing: list[PartKind] = Field(description="parts that are asked and were not handed in")
+    missing: list[Kind] = Field(description="parts that are asked and were not handed in")
 
 
-class KeyInFigure(Wire):
-    """How the key lies in the figure; told with an accepted table only."""
-
-    base: Matrix4 = Field(description="pose of the key's frame 0 in the figure [m]")
-    posture: list[Real] = Field(description="the key's joint values in the figure [rad or m]")
-    directions: list[Vector3] = Field(
-        description="unit vectors along the axes, in the sense of the key's variables"
-    )
-
-
-class GradedModel(Units):
-    """The verdict on the table, and what is said of every part that was handed in."""
-
-    correct: bool = Field(description="of the table; without one, of all parts that were handed in")
-    score: Real = Field(ge=0, le=1, description="of the table; without one, of the parts that were handed in")
-    basis: str | None = Field(
-        description="what the verdict on the table rests on: proved, verified or refuted"
-    )
-    certificate: CertificateModel | None
-    links: list[LinkModel]
-    feedback: list[FeedbackModel]
-    repairs: list[RepairModel]
-    parts: dict[PartKind, PartModel]
-    total: TotalModel
-    help: HelpLevel = Field(description="how much was told")
-    seed: str | None
-    version: int = Field(description="of the exercise")
-    figure: KeyInFigure | None
+_WITHOUT_TABLE: dict[str, Any] = {
+    "correct": (bool, Field(description="of the table; without one, of all parts that were handed in")),
+    "score": (Real, Field(description="of the table; without one, of the parts that were handed in")),
+    "basis": (
+        Basis | None,
+        Field(description="what the verdict on the table rests on: proved, verified or refuted"),
+    ),
+}
+_BESIDE_THE_VERDICT: dict[str, Any] = {
+    "parts": (dict[Kind, model_of(PartReport)], Field(description="by kind of part")),  # type: ignore[misc]
+    "total": (TotalModel, Field(description="the points")),
+    "help": (HelpLevel, Field(description="how much was told")),
+    "seed": (str | None, Field(description="from what the student's values were drawn")),
+    "version": (int, Field(description="of the exercise")),
+    "figure": (model_of(KeyPose) | None, Field(description="told with an accepted table only")),
+}
+GradedModel = create_model(
+    "Graded",
+    __base__=model_of(Verdict),
+    __doc__="The verdict on the table, and what is said of every part that was handed in.",
+    **_WITHOUT_TABLE,
+    **_BESIDE_THE_VERDICT,
+)

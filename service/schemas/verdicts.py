@@ -8,18 +8,17 @@ from pydantic import Field
 
 from exercises.grading import (
     BaseRule,
-    Basis,
     ConventionRule,
     DirectionRule,
-    Finding,
     HelpLevel,
     Policy,
     Tolerance,
     ToolRule,
+    Verdict,
     ZeroRule,
 )
-from service.schemas.base import Matrix4, Real, Wire
-from service.schemas.tables import Units
+from service.schemas.base import Wire
+from service.schemas.derived import model_of
 
 Help = Annotated[
     HelpLevel,
@@ -71,71 +70,4 @@ class PolicyModel(Wire):
         )
 
 
-class FeedbackModel(Wire):
-    """One thing to tell the student."""
-
-    code: str = Field(description="stable identifier, in snake_case")
-    row: int | None = Field(description="the row of the submission that it speaks of, counted from 1")
-    params: dict[str, str | int | float | list[str] | list[int]] = Field(
-        description="the values in the message"
-    )
-    message: str = Field(description="the sentence, in the caller's language")
-
-
-class EditModel(FeedbackModel):
-    """One misconception, and where."""
-
-    cell: str | None = Field(description="alpha, a, d, theta or joint, if it concerns one cell")
-
-
-class RepairModel(Wire):
-    """Edits that together make the submission right."""
-
-    edits: list[EditModel]
-
-
-class LinkModel(Wire):
-    """What was found of one row."""
-
-    row: int = Field(description="counted from 1; a missing row has the number that it should have")
-    length: Finding
-    twist: Finding
-    offset: Finding
-    joint: Finding
-
-
-class ExactModel(Wire):
-    """A certificate in closed form."""
-
-    joint_offsets: list[str]
-    base: list[list[str]]
-    tool: list[list[str]]
-
-
-class CertificateModel(Wire):
-    """(σ, δ, B, E) with F_submission(σ∘q + δ) = B · F_reference(q) · E for all q."""
-
-    joint_signs: list[int]
-    joint_offsets: list[Real] = Field(description="in the submission's units")
-    base: Matrix4
-    tool: Matrix4
-    exact: ExactModel | None
-    parameters: dict[str, Real] = Field(
-        description="values of the parameters for which the numbers above hold, in the submission's units"
-    )
-    residual: Real = Field(
-        description="largest difference of the two sides at any configuration, in rad or relative to the size"
-    )
-    samples: int = Field(description="configurations at which the two sides were compared")
-
-
-class VerdictModel(Units):
-    """What the grader says of a table."""
-
-    correct: bool
-    score: Real = Field(ge=0, le=1)
-    basis: Basis
-    certificate: CertificateModel | None
-    links: list[LinkModel]
-    feedback: list[FeedbackModel]
-    repairs: list[RepairModel]
+VerdictModel = model_of(Verdict)

@@ -3,30 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import fields
 from functools import lru_cache
 from typing import Any
 
-from exercises.definition import Exercise, Part, PartKind, PosePart, ReachFrom, WorkspacePart
+from exercises.definition import Exercise, Part
 from exercises.drawings import figure_geometry, figure_sentences, figure_svg
 from exercises.grading import ConventionRule
 from exercises.instance import Instance, generate
-from exercises.loader import exercise, exercise_ids
+from exercises.loader import Library
+from exercises.parts.registry import part_type
 from exercises.statements import first_sentence, to_html
-from kinematics.cells import AngleUnit
-from kinematics.table import JointType
 from service.messages import languages, sentence
+from service.schemas.exercises import TASK_FIELDS
 
 KEPT = 512
 """Instances and figures that are kept."""
 
 
-def instance_of(exercise_id: str, seed: str | None) -> Instance:
-    """An exercise with the values of a seed.
+def instance_of(library: Library, exercise_id: str, seed: str | None) -> Instance:
+    """Return an exercise with the values of a seed.
 
     Raises:
         ExerciseError: there is no such exercise, or the seed is too long.
     """
-    return _instance(exercise(exercise_id), seed)
+    return _instance(library.exercise(exercise_id), seed)
 
 
 @lru_cache(maxsize=KEPT)
@@ -34,12 +35,12 @@ def _instance(found: Exercise, seed: str | None) -> Instance:
     return generate(found, seed)
 
 
-def exercise_list(language: str) -> dict[str, Any]:
+def exercise_list(library: Library, language: str) -> dict[str, Any]:
     """All exercises."""
     return {
         "language": language,
         "languages": list(languages()),
-        "exercises": [_entry(exercise(exercise_id), language) for exercise_id in exercise_ids()],
+        "exercises": [_entry(library.exercise(exercise_id), language) for exercise_id in library.ids],
     }
 
 
@@ -114,51 +115,18 @@ def _entry(found: Exercise, language: str) -> dict[str, Any]:
         "title": found.titles[language],
         "summary": first_sentence(found.statements[language]),
         "joints": found.reference.table.n_joints,
-        "parts": [part.kind.value for part in found.parts],
+        "parts": [part.kind for part in found.parts],
         "points": float(found.points),
     }
 
 
 def _part(part: Part, instance: Instance, language: str) -> dict[str, Any]:
-    view: dict[str, Any] = {
-        "kind": part.kind.value,
+    task = part_type(part.kind).task(part, instance)
+    given = task.given
+    return {
+        "kind": part.kind,
         "points": float(part.points),
-        "task": sentence(language, _task(part), _task_values(part, instance)),
-        "joints": None,
-        "point": None,
-        "reach_from": None,
+        "task": sentence(language, task.message, task.values),
+        **dict.fromkeys(TASK_FIELDS),
+        **({} if given is None else {entry.name: getattr(given, entry.name) for entry in fields(given)}),
     }
-    if isinstance(part, PosePart):
-        view["joints"] = [float(value) for value in instance.pose_joints]
-    if isinstance(part, WorkspacePart):
-        view["point"] = part.point
-        view["reach_from"] = part.origin or ReachFrom.AXIS.value
-    return view
-
-
-def _task(part: Part) -> str:
-    if isinstance(part, WorkspacePart):
-        return f"task-workspace-{part.reach_from.value}"
-    return f"task-{part.kind.value.replace('_', '-')}"
-
-
-def _task_values(part: Part, instance: Instance) -> dict[str, Any]:
-    found = instance.exercise
-    values: dict[str, Any] = {
-        "n": found.reference.table.n_joints,
-        "unit": found.length_unit.value,
-        "names": ", ".join(instance.exact),
-    }
-    if isinstance(part, WorkspacePart):
-        limits = "some" if any(limit is not None for limit in part.limits) else "none"
-        values |= {"point": part.point, "origin": part.origin or "", "limits": limits}
-    if part.kind is PartKind.POSE:
-        units = {
-            JointType.REVOLUTE: "°" if found.angle_unit is AngleUnit.DEG else " rad",
-            JointType.PRISMATIC: f" {found.length_unit.value}",
-        }
-        joints = zip(instance.pose_joints, found.reference.table.joint_types, strict=True)
-        values["joints"] = ", ".join(
-            f"q{i} = {float(value):g}{units[kind]}" for i, (value, kind) in enumerate(joints, 1)
-        )
-    return values

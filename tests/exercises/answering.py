@@ -8,10 +8,10 @@ from exercises.answers import RawAnswer, parse
 from exercises.grader import Report, grade
 from exercises.grading import HelpLevel
 from exercises.instance import generate
-from exercises.loader import exercise
 from exercises.parts.report import PartReport
 from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable
 from kinematics.table import Convention
+from tests.exercises.packaged import exercise
 
 
 def table(

@@ -7,15 +7,15 @@ from typing import Any
 import pytest
 
 from exercises.answers import RawAnswer, parse
-from exercises.definition import PartKind
 from exercises.errors import AnswerError
 from exercises.grader import allowed_help
 from exercises.grading import HelpLevel
 from exercises.instance import generate
-from exercises.loader import exercise
 from exercises.parts.schematic import AxisRelation, Schematic
+from exercises.parts.workspace import RadiiCells
 from kinematics.table import JointType
 from tests.exercises.answering import SCARA, SCARA_MATRICES, SCARA_TRANSFORM, edited, judged, table
+from tests.exercises.packaged import exercise
 
 EYE = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
 
@@ -46,9 +46,9 @@ def refused(exercise_id: str = "scara", **parts: Any) -> dict[str, str]:
         ({"table": SCARA, "pose": edited(EYE, 0, 3, "q1")}, {"pose.0.3": "joint_variable_unknown"}),
         ({"table": SCARA, "pose": edited(EYE, 0, 3, "a9")}, {"pose.0.3": "name_without_value"}),
         ({"table": SCARA, "pose": edited(EYE, 0, 3, "sqrt(a3-a2)")}, {"pose.0.3": "value_not_real"}),
-        ({"workspace": {"inner": -1, "outer": 2}}, {"workspace.inner": "radius_negative"}),
+        ({"workspace": RadiiCells(inner=-1, outer=2)}, {"workspace.inner": "radius_negative"}),
         (
-            {"workspace": {"inner": "x(", "outer": "a9"}},
+            {"workspace": RadiiCells(inner="x(", outer="a9")},
             {"workspace.inner": "function_unknown", "workspace.outer": "parameter_missing"},
         ),
         (
@@ -76,7 +76,7 @@ def test_faults_of_all_parts_come_at_once() -> None:
     found = refused(
         table=table("standard", (0, "a2", 0, "2*q1")),
         transform=edited(EYE, 0, 0, "#"),
-        workspace={"inner": 1, "outer": "?"},
+        workspace=RadiiCells(inner=1, outer="?"),
     )
     assert set(found) == {"table.rows.0.theta", "transform.0.0", "workspace.outer"}
 
@@ -102,12 +102,12 @@ def test_all_points_add_up() -> None:
             [0, 0, 0, 1],
         ],
         schematic=Schematic(joints=types, relations=relations),
-        workspace={"inner": 0.1, "outer": 0.7},
+        workspace=RadiiCells(inner=0.1, outer=0.7),
     )
     assert (report.points, report.max_points, report.score, report.correct) == (100, 100, 1.0, True)
     assert report.missing == ()
     assert judged("scara", table=SCARA).missing == tuple(
-        kind for kind in PartKind if kind is not PartKind.TABLE
+        part.kind for part in exercise("scara").parts if part.kind != "table"
     )
 
 

@@ -14,8 +14,9 @@ from typing import Any
 import pytest
 
 from exercises.__main__ import main
-from exercises.definition import LANGUAGES, PartKind
+from exercises.definition import LANGUAGES
 from exercises.loader import load_exercise
+from exercises.parts.registry import part_types
 from exercises.selftest.mistakes import MISTAKES
 from service.schemas.exercises import ExerciseAnswer
 from tests.exercises.answering import judged
@@ -54,7 +55,7 @@ def test_every_command_runs(desk: Path, capsys: pytest.CaptureFixture[str]) -> N
 
 def test_the_full_definition_says_what_its_comments_say(desk: Path) -> None:
     crane = load_exercise(desk / "crane")
-    assert {part.kind for part in crane.parts} == set(PartKind)
+    assert {part.kind for part in crane.parts} == set(part_types())
     assert crane.points == 100
     assert crane.figure.marks == ("P",)
     assert len(crane.samples) == 1
@@ -92,5 +93,5 @@ def test_requests_are_graded() -> None:
     assert requests
     for exercise_id, body in requests:
         raw = ExerciseAnswer.model_validate(body).raw()
-        report = judged(exercise_id, table=raw.table, workspace=raw.workspace)
+        report = judged(exercise_id, **raw.parts)
         assert report.correct

@@ -8,10 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exercises.definition import Draw, PosePart
+from exercises.draws import Draw, pick
 from exercises.errors import AnswerError
-from exercises.instance import generate, pick
-from exercises.loader import exercise, exercise_ids
+from exercises.instance import generate
+from exercises.parts.pose import PosePart
+from tests.exercises.packaged import exercise, exercise_ids
 
 
 def test_without_a_seed_everyone_has_the_usual_values() -> None:
@@ -29,14 +30,14 @@ def test_values_of_a_seed_never_change() -> None:
         "d3": "13/100",
         "d4": "39/100",
     }
-    assert [int(value) for value in instance.pose_joints] == [105, 45, 120, -75, 60, 90]
+    assert [int(value) for value in instance.drawn["pose"]] == [105, 45, 120, -75, 60, 90]
 
 
 def test_text_and_number_are_the_same_seed() -> None:
     assert generate(exercise("rx90"), 7).exact == generate(exercise("rx90"), "7").exact
 
 
-@given(seed=st.text(max_size=200), exercise_id=st.sampled_from(exercise_ids()))
+@given(seed=st.text(max_size=200), exercise_id=st.sampled_from(exercise_ids))
 def test_drawn_values_are_among_those_that_may_be_drawn(seed: str, exercise_id: str) -> None:
     found = exercise(exercise_id)
     instance = generate(found, seed)
@@ -45,7 +46,7 @@ def test_drawn_values_are_among_those_that_may_be_drawn(seed: str, exercise_id: 
         assert instance.exact[parameter.name] in parameter.draw.values()
     for part in found.parts:
         if isinstance(part, PosePart):
-            for value, draw in zip(instance.pose_joints, part.draws, strict=True):
+            for value, draw in zip(instance.drawn["pose"], part.draws, strict=True):
                 assert draw is not None
                 assert value in draw.values()
 

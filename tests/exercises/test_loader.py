@@ -6,11 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from exercises.definition import PosePart, ReachFrom, WorkspacePart
 from exercises.errors import DefinitionError, UnknownExerciseError
 from exercises.grading import BaseRule, HelpLevel, ToolRule
-from exercises.loader import exercise, exercise_ids, load_exercise, use_folders
+from exercises.loader import Library, load_exercise
+from exercises.parts.pose import PosePart
+from exercises.parts.workspace import ReachFrom, WorkspacePart
 from tests.exercises.folders import changed, folder, with_part
+from tests.exercises.packaged import exercise
 
 
 def faults(made: Path) -> dict[str, str]:
@@ -53,7 +55,6 @@ def test_every_fault_is_reported_at_once(tmp_path: Path) -> None:
         "two.exercise.toml.colour": "exercise_key_unknown",
         "two.exercise.toml.parts.0.kind": "exercise_value_unknown",
         "two.exercise.toml.parts.0.points": "points_not_positive",
-        "two.exercise.toml.parts": "table_not_asked",
         "two.exercise.toml.parameters.L3": "parameter_unused",
         "two.exercise.toml.parameters.L2": "parameter_missing",
     }
@@ -182,17 +183,23 @@ def test_a_fault_in_a_part_names_its_key(tmp_path: Path, part: str, place: str, 
 
 
 def test_own_folders_go_before_the_packaged_ones(tmp_path: Path) -> None:
-    try:
-        folder(tmp_path, name="two")
-        folder(tmp_path, name="puma560")
-        use_folders([tmp_path])
-        assert {"two", "puma560", "rx90"} <= set(exercise_ids())
-        assert exercise("puma560").titles["en"] == "Two"
-        folder(tmp_path, "version = 1", name="bad")
-        with pytest.raises(DefinitionError, match=r"bad\.exercise\.toml"):
-            use_folders([tmp_path])
-        with pytest.raises(DefinitionError, match="folder_missing"):
-            use_folders([tmp_path / "nowhere"])
-    finally:
-        use_folders([])
+    folder(tmp_path, name="two")
+    folder(tmp_path, name="puma560")
+    own = Library([tmp_path])
+    own.read_all()
+    assert {"two", "puma560", "rx90"} <= set(own.ids)
+    assert own.exercise("puma560").titles["en"] == "Two"
     assert exercise("puma560").titles["en"] == "PUMA 560"
+
+
+def test_a_malformed_exercise_of_ones_own_is_told_at_once(tmp_path: Path) -> None:
+    folder(tmp_path, "version = 1", name="bad")
+    with pytest.raises(DefinitionError, match=r"bad\.exercise\.toml"):
+        Library([tmp_path]).read_all()
+    with pytest.raises(DefinitionError, match="folder_missing"):
+        Library([tmp_path / "nowhere"])
+
+
+def test_an_exercise_asks_for_something(tmp_path: Path) -> None:
+    text = changed('[[parts]]\nkind = "table"\npoints = 10\n', "")
+    assert faults(folder(tmp_path, text)) == {"two.exercise.toml.parts": "nothing_asked"}

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exercises.loader import exercise, exercise_ids
 from exercises.statements import first_sentence, names_in, to_html
+from tests.exercises.packaged import exercise, exercise_ids
 
 
 @pytest.mark.parametrize(
@@ -44,7 +44,7 @@ def test_names_are_those_of_dimensions_and_points() -> None:
     assert names_in("*L1*, **a2**, `d3`, *P*, *two words*, *RL4*") == {"L1", "P", "RL4"}
 
 
-@pytest.mark.parametrize("exercise_id", exercise_ids())
+@pytest.mark.parametrize("exercise_id", exercise_ids)
 def test_a_first_sentence_is_plain_and_short(exercise_id: str) -> None:
     for text in exercise(exercise_id).statements.values():
         first = first_sentence(text)

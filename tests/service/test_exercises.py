@@ -12,11 +12,11 @@ import httpx
 import numpy as np
 import pytest
 
-from exercises.loader import exercise, exercise_ids, use_folders
 from service.__main__ import main
 from service.schemas.examples_grading import ANSWERS, SCARA_BY_THE_BOOK
 from service.settings import Settings
 from tests.exercises.folders import folder
+from tests.exercises.packaged import exercise, exercise_ids
 from tests.live_service import running
 
 LANGUAGES = ("en", "es", "fr", "pt", "ro", "uk")
@@ -44,7 +44,7 @@ def test_the_list_names_sixteen_exercises_in_every_language(client: httpx.Client
         answer = client.get("/api/v1/exercises", params={"lang": language})
         assert answer.headers["content-language"] == language
         body = answer.json()
-        assert [entry["id"] for entry in body["exercises"]] == list(exercise_ids())
+        assert [entry["id"] for entry in body["exercises"]] == list(exercise_ids)
         assert body["languages"] == list(LANGUAGES)
         titles.add(next(entry["title"] for entry in body["exercises"] if entry["id"] == "cloos"))
         assert all(entry["summary"].endswith(".") for entry in body["exercises"])
@@ -64,7 +64,7 @@ def test_accept_language_decides_unless_the_address_does(client: httpx.Client) -
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("exercise_id", exercise_ids())
+@pytest.mark.parametrize("exercise_id", exercise_ids)
 def test_an_exercise_tells_all_that_a_student_needs(
     client: httpx.Client, exercise_id: str, language: str
 ) -> None:
@@ -83,7 +83,7 @@ def test_an_exercise_tells_all_that_a_student_needs(
     assert {entry["name"] for entry in body["figure"]["dimensions"]} == set(body["parameters"])
 
 
-@pytest.mark.parametrize("exercise_id", exercise_ids())
+@pytest.mark.parametrize("exercise_id", exercise_ids)
 def test_the_key_is_never_told(client: httpx.Client, exercise_id: str) -> None:
     body = client.get(f"/api/v1/exercises/{exercise_id}").json()
     del body["policy"]
@@ -292,20 +292,17 @@ def test_less_help_may_be_asked_for(client: httpx.Client) -> None:
 
 def test_exercises_of_ones_own_are_served(tmp_path: Path) -> None:
     folder(tmp_path, name="crane")
-    try:
-        with running(Settings(exercise_folders=(tmp_path,))) as url, httpx.Client(base_url=url) as own:
-            assert "crane" in {entry["id"] for entry in own.get("/api/v1/exercises").json()["exercises"]}
-            assert own.get("/api/v1/exercises/crane/figure.svg").status_code == 200
-            table = {
-                "convention": "modified",
-                "rows": [
-                    {"alpha": 0, "a": 0, "d": 0, "theta": "q1"},
-                    {"alpha": 0, "a": "L1", "d": 0, "theta": "q2"},
-                ],
-            }
-            assert grade(own, "crane", {"table": table}).json()["correct"]
-    finally:
-        use_folders([])
+    with running(Settings(exercise_folders=(tmp_path,))) as url, httpx.Client(base_url=url) as own:
+        assert "crane" in {entry["id"] for entry in own.get("/api/v1/exercises").json()["exercises"]}
+        assert own.get("/api/v1/exercises/crane/figure.svg").status_code == 200
+        table = {
+            "convention": "modified",
+            "rows": [
+                {"alpha": 0, "a": 0, "d": 0, "theta": "q1"},
+                {"alpha": 0, "a": "L1", "d": 0, "theta": "q2"},
+            ],
+        }
+        assert grade(own, "crane", {"table": table}).json()["correct"]
 
 
 def test_a_malformed_exercise_of_ones_own_stops_the_service(
@@ -313,8 +310,5 @@ def test_a_malformed_exercise_of_ones_own_stops_the_service(
 ) -> None:
     folder(tmp_path, "version = 1")
     monkeypatch.setenv("FRAMEWISE_EXERCISE_FOLDERS", str(tmp_path))
-    try:
-        with pytest.raises(SystemExit, match=r"two\.exercise\.toml\.title"):
-            main(["--port", "0"])
-    finally:
-        use_folders([])
+    with pytest.raises(SystemExit, match=r"two\.exercise\.toml\.title"):
+        main(["--port", "0"])

@@ -15,11 +15,12 @@ from exercises.figures.camera import camera_for
 from exercises.figures.svg import split_name
 from exercises.grading import DirectionRule
 from exercises.instance import Instance, generate
-from exercises.loader import exercise, exercise_ids, load_exercise
+from exercises.loader import load_exercise
 from kinematics.table import JointType
 from tests.exercises.folders import folder
+from tests.exercises.packaged import exercise, exercise_ids
 
-ALL = exercise_ids()
+ALL = exercise_ids
 SVG = "{http://www.w3.org/2000/svg}"
 
 

@@ -12,15 +12,16 @@ from hypothesis import strategies as st
 
 from exercises.grading import Finding, HelpLevel
 from exercises.instance import generate
-from exercises.loader import exercise
 from exercises.parts.reach import reach
 from exercises.parts.report import Credit
 from exercises.parts.schematic import AxisRelation, Schematic, schematic_of
+from exercises.parts.workspace import RadiiCells
 from kinematics import catalogue
 from kinematics.cells import bind_parameters
 from kinematics.forward import forward_kinematics
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
 from tests.exercises.answering import SCARA, codes, judged, part, table
+from tests.exercises.packaged import exercise
 
 R, P = JointType.REVOLUTE, JointType.PRISMATIC
 A = AxisRelation
@@ -241,7 +242,7 @@ def test_right_radii() -> None:
     values = generate(exercise("puma560"), "9").parameters
     inner, outer = puma_radii(values["a2"], values["a3"], values["d3"], values["d4"])
     report = part(
-        judged("puma560", seed="9", workspace={"inner": round(inner, 3), "outer": round(outer, 3)}),
+        judged("puma560", seed="9", workspace=RadiiCells(inner=round(inner, 3), outer=round(outer, 3))),
         "workspace",
     )
     assert (report.correct, codes(report)) == (True, ["workspace_right"])
@@ -259,12 +260,12 @@ def test_right_radii() -> None:
     ],
 )
 def test_radii_of_the_scara(inner: Any, outer: Any, told: list[str], score: float) -> None:
-    report = part(judged("scara", workspace={"inner": inner, "outer": outer}), "workspace")
+    report = part(judged("scara", workspace=RadiiCells(inner=inner, outer=outer)), "workspace")
     assert (report.score, codes(report)) == (score, told)
 
 
 def test_radii_in_another_unit() -> None:
-    report = part(judged("scara", table=SCARA, workspace={"inner": 100, "outer": 700}), "workspace")
+    report = part(judged("scara", table=SCARA, workspace=RadiiCells(inner=100, outer=700)), "workspace")
     assert codes(report)[0] == "workspace_other_length_unit"
 
 

@@ -1,0 +1,96 @@
+"""From where a student's own values are drawn, and the draw itself.
+
+A value follows from names (the exercise's id, the seed, the value's name) by a hash, so the same seed gives
+the same values in every process, on every machine and in every later version, whatever else is drawn.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TypeVar
+
+from exercises.reading import Reader
+
+MOST_VALUES = 10_000
+"""Longest list of values that one draw chooses from: a finer step is a slip of the pen."""
+
+Value = TypeVar("Value")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Draw:
+    """Values from which a student's own one is drawn: start, start + step, …, not beyond stop.
+
+    Attributes:
+        start: the least value [unit of the exercise].
+        stop: no value is greater.
+        step: distance of neighbours.
+        without: values that are left out.
+    """
+
+    start: Fraction
+    stop: Fraction
+    step: Fraction
+    without: tuple[Fraction, ...] = ()
+
+    def values(self) -> tuple[Fraction, ...]:
+        """Return the values, in ascending order."""
+        count = int((self.stop - self.start) / self.step)
+        grid = (self.start + k * self.step for k in range(count + 1))
+        return tuple(value for value in grid if value not in self.without)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Picker:
+    """Draws a student's values for one exercise.
+
+    Attributes:
+        exercise_id: of the exercise.
+        seed: names the student or the try; None for the values that everyone sees without a seed.
+    """
+
+    exercise_id: str
+    seed: str | None
+
+    def value(self, usual: Fraction, draw: Draw | None, name: str) -> Fraction:
+        """Return the value of a name: the usual one without a seed or without anything to draw from."""
+        if self.seed is None or draw is None:
+            return usual
+        return pick(draw.values(), self.exercise_id, self.seed, name)
+
+    def choice(self, values: Sequence[Value], name: str) -> Value:
+        """Return one of the values: the first without a seed."""
+        return values[0] if self.seed is None else pick(values, self.exercise_id, self.seed, name)
+
+
+def pick(values: Sequence[Value], *names: str) -> Value:
+    """Return one of the values, the same one for the same names for ever."""
+    digest = hashlib.blake2b("\x1f".join(names).encode(), digest_size=16).digest()
+    return values[int.from_bytes(digest, "big") % len(values)]
+
+
+def read_draw(reader: Reader, key: str) -> Draw | None:
+    """Return from where values are drawn; None if the key is missing. Faults go to the reader."""
+    if not reader.given(key):
+        return None
+    inner = reader.table(key)
+    draw = Draw(
+        start=inner.exact("from"),
+        stop=inner.exact("to"),
+        step=inner.exact("step"),
+        without=inner.exacts("without", ()),
+    )
+    inner.finish()
+    if draw.step <= 0 or draw.stop < draw.start:
+        inner.fault("draw_empty")
+        return None
+    if (draw.stop - draw.start) / draw.step > MOST_VALUES:
+        inner.fault("draw_too_large", limit=MOST_VALUES)
+        return None
+    if not draw.values():
+        inner.fault("draw_empty")
+        return None
+    return draw

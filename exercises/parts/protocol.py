@@ -1,0 +1,261 @@
+"""What a part type is: the one protocol of all modules in this package that define `PART`.
+
+A part type reads its definition, draws a student's values, reads an answer, grades it with what follows from
+the student's own table, describes itself for the page, and makes right and wrong answers for the self-test.
+How an answer is written is `raw`, an annotation of plain Python types and records; whoever serves the
+exercises derives the wire schema and its documentation from it.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from random import Random
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
+
+from exercises.definition import Exercise, Part
+from exercises.draws import Picker
+from exercises.grading import HelpLevel
+from exercises.parts.report import Disclosure, PartReport, shown
+from exercises.reading import Reader
+from kinematics.cells import AngleUnit, LengthUnit, Limits, ParameterKind, ReadTable
+from kinematics.errors import Fault, KinematicsError
+from kinematics.table import JointType
+
+if TYPE_CHECKING:
+    from exercises.instance import Instance
+    from exercises.parts.context import Context
+
+TABLE = "table"
+"""The kind of part that all others may follow from."""
+
+P = TypeVar("P", bound=Part)
+Raw = TypeVar("Raw")
+Read = TypeVar("Read")
+Kept = TypeVar("Kept")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Length:
+    """How many entries a sequence in an answer may have; stands in `Annotated[...]`.
+
+    Attributes:
+        least: fewest entries.
+        most: most entries.
+    """
+
+    least: int = 0
+    most: int = 64
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RobotFacts:
+    """What a part's definition is read beside.
+
+    Attributes:
+        joint_types: types of the robot's joints.
+        degrees: the exercise gives angles in degrees.
+        limits: of the catalogue robot's joints, if they are known.
+    """
+
+    joint_types: tuple[JointType, ...]
+    degrees: bool
+    limits: Sequence[tuple[float, float]] | None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Task:
+    """What a part asks, for a page to show.
+
+    Attributes:
+        message: id of the sentence that asks for it.
+        values: the values in that sentence.
+        given: a record of the data that the task is about, or None; its fields are shown beside the task.
+    """
+
+    message: str
+    values: Mapping[str, Any] = field(default_factory=dict)
+    given: Any = None
+
+
+class RawAnswer:
+    """An answer as handed in: by kind of part what was written; None is the same as nothing."""
+
+    __slots__ = ("parts",)
+
+    def __init__(self, **parts: Any) -> None:
+        self.parts: Mapping[str, Any] = MappingProxyType(
+            {kind: raw for kind, raw in parts.items() if raw is not None}
+        )
+
+    def get(self, kind: str) -> Any:
+        """Return what was handed in for a kind of part, or None."""
+        return self.parts.get(kind)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Answer:
+    """An answer as read.
+
+    Attributes:
+        parts: by kind of part what was read.
+        angle_unit: unit of its angles: the table's, or else the exercise's.
+        length_unit: unit of its lengths: the table's, or else the exercise's.
+    """
+
+    parts: Mapping[str, Any]
+    angle_unit: AngleUnit
+    length_unit: LengthUnit
+
+    def get(self, kind: str) -> Any:
+        """Return what was read for a kind of part, or None."""
+        return self.parts.get(kind)
+
+    @property
+    def table(self) -> ReadTable | None:
+        """The student's own DH table, if one was handed in."""
+        table: ReadTable | None = self.parts.get(TABLE)
+        return table
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Reading:
+    """What an answer to a part is read beside.
+
+    Attributes:
+        instance: the exercise with the student's values.
+        raw: everything that was handed in.
+        table: the student's own table, if one was handed in and could be read.
+        limits: how large a table may be.
+        faults: what was found wrong, seen from the whole answer.
+    """
+
+    instance: Instance
+    raw: RawAnswer
+    table: ReadTable | None
+    limits: Limits
+    faults: list[Fault]
+
+    @property
+    def source(self) -> ReadTable:
+        """The table whose units and joints the answer uses: the student's own, else the key."""
+        return self.table or self.instance.exercise.reference
+
+    @property
+    def joint_types(self) -> tuple[JointType, ...]:
+        """Types of the joints whose variables may stand in the answer."""
+        return self.source.table.joint_types
+
+    @property
+    def angle_unit(self) -> AngleUnit:
+        """Unit of plain numbers where an angle stands."""
+        return self.source.angle_unit
+
+    @property
+    def values(self) -> dict[str, float]:
+        """Value of every dimension in the answer's length unit (an angle in the exercise's unit)."""
+        return values_in_unit(self.instance, self.source.length_unit)
+
+    def fault(self, code: str, *where: str | int, **params: Any) -> None:
+        """Keep a fault at a place in the whole answer."""
+        self.faults.append(Fault(code=code, where=where, params=params))
+
+    def keep(self, part: str, read: Callable[[], Kept]) -> Kept | None:
+        """Return what a function reads, or None; its faults are kept, seen from the whole answer."""
+        try:
+            return read()
+        except KinematicsError as error:
+            self.faults.extend(fault.within(part) for fault in error.faults)
+            return None
+
+
+class PartType(ABC, Generic[P, Raw, Read]):
+    """One kind of question.
+
+    Attributes:
+        kind: its name in definitions, answers and reports, in snake_case.
+        raw: how an answer is written, as an annotation; records are described by their docstrings.
+        meaning: what an answer says, for the documentation of the API.
+        given: the record that `task` shows beside its sentence, if there is one.
+        follows_table: an answer that follows from the student's own wrong table earns its marks.
+        disclosures: by feedback code from which help level on it is told; what is not listed always is.
+    """
+
+    kind: ClassVar[str]
+    raw: ClassVar[Any]
+    meaning: ClassVar[str]
+    given: ClassVar[type | None] = None
+    follows_table: ClassVar[bool] = False
+    disclosures: ClassVar[Mapping[str, Disclosure]] = MappingProxyType({})
+
+    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> P:
+        """Return the part as its definition asks for it; faults go to the reader.
+
+        Args:
+            reader: of the part's entry; `kind` and `points` are read already.
+            points: what the part is worth.
+            robot: what the definition is about.
+        """
+        return Part(kind=self.kind, points=points)  # type: ignore[return-value]
+
+    def inconsistencies(self, part: P, exercise: Exercise) -> Iterable[Fault]:
+        """Return what does not fit the rest of the exercise; places inside the part's entry."""
+        return ()
+
+    def draw(self, part: P, exercise: Exercise, picker: Picker) -> Any:
+        """Return what is drawn for one student beside the robot's dimensions; None if nothing is."""
+        return None
+
+    @abstractmethod
+    def task(self, part: P, instance: Instance) -> Task:
+        """Return what the part asks of one student."""
+
+    @abstractmethod
+    def read(self, raw: Raw, reading: Reading) -> Read | None:
+        """Return the answer as read; None if faults were kept in the reading.
+
+        Args:
+            raw: what was handed in.
+            reading: the exercise, the student's own table, and where faults go.
+        """
+
+    @abstractmethod
+    def grade(self, part: P, answer: Read, context: Context) -> PartReport:
+        """Judge an answer; everything that was found, whatever the help level.
+
+        Args:
+            part: what is asked.
+            answer: what was handed in, as read.
+            context: the key, the student's own table, values, tolerance, the other parts.
+        """
+
+    def shown(self, report: PartReport, level: HelpLevel) -> PartReport:
+        """Return the report as a level of help shows it."""
+        return shown(report, level, self.disclosures)
+
+    @abstractmethod
+    def right(self, part: P, context: Context) -> Raw:
+        """Return what a student with the table in `context.own` writes who makes no further mistake."""
+
+    @abstractmethod
+    def wrong(self, part: P, context: Context, rng: Random) -> Iterator[tuple[str, Raw]]:
+        """Yield wrong answers beside the table in `context.own`, each with the code that explains it."""
+
+    @property
+    def misconceptions(self) -> tuple[str, ...]:
+        """Feedback codes of the misconceptions that are told at the highest level of help."""
+        return tuple(code for code, entry in self.disclosures.items() if entry.level is HelpLevel.REPAIR)
+
+
+def values_in_unit(instance: Instance, unit: LengthUnit) -> dict[str, float]:
+    """Return the value of every dimension in a length unit (an angle in the exercise's unit)."""
+    exercise = instance.exercise
+    ratio = float(exercise.length_unit.metres_per_unit / unit.metres_per_unit)
+    kinds = exercise.reference.parameters
+    return {
+        name: value * (ratio if kinds[name] is ParameterKind.LENGTH else 1.0)
+        for name, value in instance.parameters.items()
+    }
