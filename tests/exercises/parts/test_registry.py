@@ -12,7 +12,7 @@ from exercises.instance import generate
 from exercises.parts.protocol import PartType
 from exercises.parts.registry import part_types
 from exercises.selftest.answers import context_of
-from service.messages import sentence
+from service.messages import bundle, sentence
 from tests.exercises.packaged import exercise, exercise_ids
 
 EXERCISES = Path(__file__).parents[3] / "exercises"
@@ -52,7 +52,7 @@ def test_every_kind_explains_what_it_says_in_every_language(kind: str) -> None:
         assert text
         assert "{" not in text
         for code in found.disclosures:
-            assert sentence(language, f"feedback-{code}", {}), code
+            assert bundle(language).has_message(f"feedback-{code}"), code
 
 
 @pytest.mark.parametrize("kind", part_types())
