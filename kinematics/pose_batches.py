@@ -11,7 +11,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.poses import GIMBAL_LOCK, NOISE
+from kinematics.poses import GIMBAL_LOCK, NOISE, SIGN_NOISE
 
 Floats: TypeAlias = NDArray[np.float64]
 
@@ -73,9 +73,9 @@ def _directions(y: Floats, x: Floats) -> Floats:
 
 
 def _canonical(quaternions: Floats) -> Floats:
-    """The one of the two signs that has w > 0, or w = 0 and the first non-zero of x, y, z positive."""
+    """Return the sign with w > 0, or with w = 0 and the first of x, y, z above SIGN_NOISE positive."""
     half_turn = np.abs(quaternions[..., 0]) < NOISE
-    first = np.argmax(np.abs(quaternions[..., 1:]) > NOISE, axis=-1)
+    first = np.argmax(np.abs(quaternions[..., 1:]) > SIGN_NOISE, axis=-1)
     leading = np.take_along_axis(quaternions[..., 1:], first[..., None], axis=-1)[..., 0]
     negative = np.where(half_turn, leading, quaternions[..., 0]) < 0.0
     signed = np.where(negative[..., None], -quaternions, quaternions)

@@ -3,7 +3,8 @@
 A transform T_a_b is the pose of frame b in frame a, and maps coordinates in b to coordinates in a.
 Orientation is written as
 
-- a unit quaternion (w, x, y, z), scalar first, w ≥ 0, and the first non-zero of x, y, z positive where w = 0;
+- a unit quaternion (w, x, y, z), scalar first, w ≥ 0, and the first of x, y, z that is not zero (within
+  1e-14) positive where w = 0;
 - roll, pitch, yaw: R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll), with roll and yaw in (−π, π] and pitch in [−π/2,
   π/2];
 - an axis (a unit vector) and an angle in [0, π];
@@ -27,7 +28,13 @@ from kinematics.errors import Fault, ParamValue, PoseError
 from kinematics.se3 import Transform
 
 GIMBAL_LOCK = 1e-12
+"""Cosine of the pitch below which roll and yaw are not told apart: yaw comes from entries of that size, which
+carry roundings of 1e-16 each, and would be right to four digits at best."""
 NOISE = 1e-15
+"""What a few roundings leave of a component of a unit quaternion that is zero."""
+SIGN_NOISE = 1e-14
+"""A component of a half turn below this does not decide on the sign: a product of some fifty rotations
+leaves as much of a zero, and the same pose would get either sign."""
 
 Vector3 = tuple[float, float, float]
 
@@ -95,7 +102,8 @@ def quaternion_from_transform(transform: Transform) -> Quaternion:
     """Unit quaternion of a pose's orientation, w ≥ 0.
 
     The largest of the four components is found first and the others are divided by it, so nothing is lost
-    near half turns. Within 1e-15 of a half turn w counts as 0 and the first non-zero of x, y, z is positive.
+    near half turns. Within 1e-15 of a half turn w counts as 0 and the first of x, y, z
+    above 1e-14 in size is positive.
 
     Source: S. W. Shepperd, Quaternion from rotation matrix, J. Guidance and Control 1 (1978) 223.
     """
@@ -258,7 +266,7 @@ def _quaternion(r0: list[float], r1: list[float], r2: list[float]) -> Quaternion
     w *= scale
     if abs(w) < NOISE:
         w = 0.0
-        first = next((part for part in (x, y, z) if abs(part * scale) > NOISE), 1.0)
+        first = next((part for part in (x, y, z) if abs(part * scale) > SIGN_NOISE), 1.0)
         scale = math.copysign(scale, first)
     elif w < 0.0:
         w, scale = -w, -scale

@@ -56,7 +56,7 @@ class Settings(BaseSettings):
     exponent_limit: PositiveInt = Field(16, description="largest exponent in a cell, and its denominator")
     number_digits: PositiveInt = Field(32, description="most digits of a number in a cell")
     number_smallest: PositiveFloat = Field(
-        1e-30, description="smallest size of a number in a cell that is not 0"
+        5e-324, description="smallest size of a number in a cell that is not 0"
     )
     number_largest: PositiveFloat = Field(1e15, description="largest size of a number in a cell")
     fault_limit: PositiveInt = Field(50, description="most faults listed in one problem document")

@@ -58,12 +58,11 @@ REFUSED = [
     ("2^(1/99999)", "exponent_out_of_range", 3),
     ("10^16", "number_out_of_range", 1),
     ("((10^9)^9)^9", "number_out_of_range", 2),
-    ("0.1^16^1*0.1^16", "number_out_of_range", 1),
     ("1e999999", "number_out_of_range", 1),
     ("1e-999999", "number_out_of_range", 1),
     ("2e99999999999999999999999999999", "number_out_of_range", 1),
     ("1e16", "number_out_of_range", 1),
-    ("1e-31", "number_out_of_range", 1),
+    ("1e-330", "number_out_of_range", 1),
     ("1e15*10+L1", "number_out_of_range", 1),
     ("1" * 33, "number_too_long", 1),
     ("0." + "3" * 40, "number_too_long", 1),
@@ -243,7 +242,7 @@ def test_numbers_that_are_none_are_refused(number):
     assert faults_of(raw_row(a=number)) == [("cell_not_finite", ("rows", 0, "a"))]
 
 
-@pytest.mark.parametrize("number", [1e16, -1e300, 10**400, 5e-324, -1e-31])
+@pytest.mark.parametrize("number", [1e16, -1e300, 10**400])
 def test_numbers_out_of_range_are_refused(number):
     assert faults_of(raw_row(a=number)) == [("number_out_of_range", ("rows", 0, "a"))]
 

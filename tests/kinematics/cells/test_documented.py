@@ -55,7 +55,7 @@ def test_the_bounds_are_those_of_the_code():
         f"{limits.table_characters} characters and {limits.rows} rows a table",
         f"{limits.cell_symbols}\nnames a cell, {limits.table_parameters} parameters a table",
         f"exponents up to {limits.exponent}, numbers of up to {limits.digits} digits",
-        f"between {limits.smallest:g} and 1e15",
+        f"between {limits.smallest!r} and 1e15",
     ):
         assert value in PAGE
     assert limits.largest == 1e15

@@ -7,17 +7,24 @@ import yourdfpy
 
 
 def foreign_poses(text: str, joints: np.ndarray, base: str, tip: str) -> np.ndarray:
-    """(m, 4, 4) poses of the tip link in the base link [m], joints in the order of the chain."""
+    """(m, 4, 4) poses of the tip link in the base link [m], joints in the order of the chain.
+
+    Each joint's matrix is the library's. They are multiplied here, because its scene graph leaves out
+    matrices within 1e-8 of the identity, and with them lengths below 10 nm.
+    """
     urdf = yourdfpy.URDF.load(io.BytesIO(text.encode()), load_meshes=False)
     parents = {joint.child: joint for joint in urdf.robot.joints}
-    names, link = [], tip
+    chain, link = [], tip
     while link != base:
-        joint = parents[link]
-        if joint.type != "fixed":
-            names.append(joint.name)
-        link = joint.parent
+        chain.insert(0, parents[link])
+        link = chain[0].parent
     found = []
     for q in joints:
-        urdf.update_cfg(dict(zip(reversed(names), q.tolist(), strict=True)))
-        found.append(urdf.get_transform(tip, base))
+        values = iter(q.tolist())
+        pose = np.eye(4)
+        for joint in chain:
+            value = 0.0 if joint.type == "fixed" else next(values)
+            matrix, _ = urdf._forward_kinematics_joint(joint, value)
+            pose = pose @ matrix
+        found.append(pose)
     return np.array(found)
