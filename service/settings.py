@@ -44,7 +44,7 @@ class Settings(BaseSettings):
     )
     batch_limit: PositiveInt = Field(200_000, description="most configurations in one request")
     batch_threads: PositiveInt = Field(2, description="batches that are computed at the same time")
-    batch_queue: NonNegativeInt = Field(16, description="batches that may wait for their turn")
+    batch_queue: NonNegativeInt = Field(64, description="batches that may wait for their turn")
     row_limit: PositiveInt = Field(64, description="most rows of a DH table")
     parameter_limit: PositiveInt = Field(64, description="most different parameters of a DH table")
     cell_characters: PositiveInt = Field(200, description="longest expression in a cell [character]")
@@ -62,8 +62,13 @@ class Settings(BaseSettings):
     fault_limit: PositiveInt = Field(50, description="most faults listed in one problem document")
     table_cache: PositiveInt = Field(512, description="tables that are kept parsed")
     symbolic_workers: PositiveInt = Field(1, description="processes for closed forms")
-    symbolic_queue: NonNegativeInt = Field(8, description="closed forms that may wait for their turn")
-    symbolic_seconds: PositiveFloat = Field(5.0, description="time that one closed form may take [s]")
+    symbolic_queue: NonNegativeInt = Field(256, description="closed forms that may wait for their turn")
+    symbolic_seconds: PositiveFloat = Field(
+        5.0, description="processor time that one closed form may take [s]"
+    )
+    queue_seconds: PositiveFloat = Field(
+        20.0, description="time that a request may wait for its turn, wherever it waits [s]"
+    )
     symbolic_memory: PositiveInt = Field(
         1024 * MIB, description="memory that one process for closed forms may take [byte]"
     )

@@ -20,6 +20,7 @@ from service.http.languages import language_for
 from service.http.problems import INTERNAL, PROBLEM_JSON, Problem
 from service.http.uploads import Upload, may_be_under_way
 from service.settings import Settings
+from service.work.fair_queue import current_client
 
 REQUEST_ID = "request_id"
 _SANE_REQUEST_ID = re.compile(rb"[A-Za-z0-9._:-]{1,64}")
@@ -54,6 +55,7 @@ class OuterMiddleware:
             await self._app(scope, receive, send)
             return
         fields = dict(scope["headers"])
+        current_client.set(tuple(scope.get("client") or ("", 0)))
         request_id = self._open(scope, fields)
         is_head = scope["method"] == "HEAD"
         if is_head:

@@ -8,7 +8,8 @@
     ├── BodySizeError        the body, or what it asks for, is larger than a limit
     ├── MediaTypeError       the body comes in a form that is not read
     ├── RequestError         the body is well formed and does not say what is needed
-    └── BusyError            no place is free; try again later
+    ├── BusyError            no slot is free; try again later
+    └── UnavailableError     the server itself is in trouble; try again later
 
 Errors of `kinematics` and `exercises` carry faults of the same shape and know no status: this table does.
 """
@@ -34,6 +35,7 @@ from service.messages import sentence
 
 PROBLEM_JSON = "application/problem+json"
 RETRY_SECONDS = 2
+"""What Retry-After says: about as long as a task of the slow lane takes that is neither small nor refused."""
 
 
 class RequestPart(StrEnum):
@@ -101,18 +103,20 @@ class RequestError(ServiceError):
 
 
 class BusyError(ServiceError):
-    """No place is free; the caller may try again later."""
+    """No slot is free; the caller may try again later."""
+
+
+class UnavailableError(ServiceError):
+    """The server itself is in trouble, not the request; the caller may try again later."""
+
+    def __init__(self, faults: Fault | Iterable[Fault]) -> None:
+        super().__init__(faults, headers={"Retry-After": str(RETRY_SECONDS)})
 
 
 def busy() -> BusyError:
-    """The refusal of work for which there is no place."""
-    return BusyError(
-        Fault(
-            code="busy",
-            params={"seconds": RETRY_SECONDS},
-        ),
-        headers={"Retry-After": str(RETRY_SECONDS)},
-    )
+    """Return the refusal of work for which there is no slot."""
+    fault = Fault(code="busy", params={"seconds": RETRY_SECONDS})
+    return BusyError(fault, headers={"Retry-After": str(RETRY_SECONDS)})
 
 
 STATUS: dict[type[Exception], int] = {
@@ -130,6 +134,7 @@ STATUS: dict[type[Exception], int] = {
     UnknownRecordError: 404,
     NoExerciseError: 404,
     AttemptError: 409,
+    UnavailableError: 503,
 }
 INTERNAL = 500
 

@@ -141,7 +141,7 @@ async def batch_response(
         if check:
             check()
         return BytesResponse(b"".join(blocks()), media_type)
-    slot = resources_of(request).limiters[WorkKind.BATCH].acquire()
+    slot = await resources_of(request).limiters[WorkKind.BATCH].acquire()
     try:
         if check:
             await slot.run(check)

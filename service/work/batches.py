@@ -7,16 +7,16 @@ from collections.abc import AsyncIterator, Iterator, Mapping
 from starlette.responses import StreamingResponse
 from starlette.types import Receive, Scope, Send
 
-from service.work.limiters import Slot
+from service.work.limiters import ThreadSlot
 
 
 class BatchResponse(StreamingResponse):
-    """Sends blocks as they are computed; the slot is left when all is sent, or the caller has gone."""
+    """Sends blocks as they are computed; the slot is released when all is sent, or the caller has gone."""
 
     def __init__(
         self,
         blocks: Iterator[bytes | memoryview],
-        slot: Slot,
+        slot: ThreadSlot,
         media_type: str,
         headers: Mapping[str, str] | None = None,
     ) -> None:
@@ -31,7 +31,9 @@ class BatchResponse(StreamingResponse):
             self._slot.release()
 
 
-async def _computed(blocks: Iterator[bytes | memoryview], slot: Slot) -> AsyncIterator[bytes | memoryview]:
+async def _computed(
+    blocks: Iterator[bytes | memoryview], slot: ThreadSlot
+) -> AsyncIterator[bytes | memoryview]:
     while True:
         block = await slot.run(lambda: next(blocks, None))
         if block is None:

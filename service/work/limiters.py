@@ -1,4 +1,4 @@
-"""Work in threads: so many tasks at a time, so many waiting, and the next is told to come back."""
+"""Work in threads: so many tasks at a time, shared fairly between clients; long waits are refused."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from typing import TypeVar
 import anyio
 import anyio.to_thread
 
-from service.http.problems import busy
 from service.settings import Settings
+from service.work.fair_queue import FairQueue, Slot
 
 _Result = TypeVar("_Result")
 
@@ -21,49 +21,42 @@ class WorkKind(StrEnum):
     BATCH = "batch"
     GRADING = "grading"
     DRAWING = "drawing"
+    READING = "reading"
 
 
 class Limiter:
     """Lets so many tasks run at a time, and so many wait."""
 
-    def __init__(self, threads: int, waiting: int) -> None:
+    def __init__(self, *, threads: int, places: int, patience: float) -> None:
         self._threads = anyio.CapacityLimiter(threads)
-        self._slots = threads + waiting
-        self._taken = 0
+        self.queue = FairQueue(slots=threads, places=places, patience=patience)
 
-    def acquire(self) -> Slot:
-        """Take a slot until it is released.
+    async def acquire(self) -> ThreadSlot:
+        """Wait for a slot, and take it until it is released.
 
         Raises:
-            BusyError: as many as may wait are waiting.
+            BusyError: as many as may wait are waiting, or the slot did not come in time.
         """
-        if self._taken >= self._slots:
-            raise busy()
-        self._taken += 1
-        return Slot(self, self._threads)
-
-    def release(self) -> None:
-        """Give a slot back."""
-        self._taken -= 1
+        return ThreadSlot(await self.queue.acquire(), self._threads)
 
     async def run(self, work: Callable[[], _Result]) -> _Result:
         """Do the work in a thread, in turn.
 
         Raises:
-            BusyError: as many as may wait are waiting.
+            BusyError: as many as may wait are waiting, or the slot did not come in time.
         """
-        slot = self.acquire()
+        slot = await self.acquire()
         try:
             return await slot.run(work)
         finally:
             slot.release()
 
 
-class Slot:
-    """The right to have work done."""
+class ThreadSlot:
+    """The right to have work done in a thread."""
 
-    def __init__(self, limiter: Limiter, threads: anyio.CapacityLimiter) -> None:
-        self._limiter: Limiter | None = limiter
+    def __init__(self, slot: Slot, threads: anyio.CapacityLimiter) -> None:
+        self._slot = slot
         self._threads = threads
 
     async def run(self, work: Callable[[], _Result]) -> _Result:
@@ -72,15 +65,18 @@ class Slot:
 
     def release(self) -> None:
         """Give the slot back; once is enough, twice does no harm."""
-        if self._limiter is not None:
-            self._limiter.release()
-            self._limiter = None
+        self._slot.release()
 
 
 def limiters(settings: Settings) -> dict[WorkKind, Limiter]:
     """The limiters of an application."""
+    threads = {
+        WorkKind.BATCH: (settings.batch_threads, settings.batch_queue),
+        WorkKind.GRADING: (settings.grading_threads, settings.grading_queue),
+        WorkKind.DRAWING: (1, settings.grading_queue),
+        WorkKind.READING: (1, settings.grading_queue),
+    }
     return {
-        WorkKind.BATCH: Limiter(settings.batch_threads, settings.batch_queue),
-        WorkKind.GRADING: Limiter(settings.grading_threads, settings.grading_queue),
-        WorkKind.DRAWING: Limiter(1, settings.grading_queue),
+        kind: Limiter(threads=count, places=places, patience=settings.queue_seconds)
+        for kind, (count, places) in threads.items()
     }

@@ -1,83 +1,97 @@
-"""How worker processes are made."""
+"""A worker process, as its parent sees it."""
 
 from __future__ import annotations
 
+import multiprocessing
+import os
+import signal
+import subprocess
 import sys
-import tempfile
-import threading
-import types
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
-from multiprocessing import popen_forkserver, popen_spawn_posix
-from multiprocessing.context import (
-    BaseContext,
-    ForkServerContext,
-    ForkServerProcess,
-    SpawnContext,
-    SpawnProcess,
-)
-from multiprocessing.process import BaseProcess
-from typing import Any
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
 
-PRELOADED = ("service.wire.symbolic_forms",)
-"""What tasks need; imported once, by the process that the workers are forked from."""
-
-_LOCK = threading.Lock()
+_ROOT = Path(__file__).resolve().parents[2]
+_ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+"""Matrices are small here: threads of the linear algebra would only spin."""
 
 
-def process_context() -> BaseContext:
-    """How processes are made: from a server that has imported what tasks need, or each anew.
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Confinement:
+    """What a worker process may take.
 
-    The server listens on a socket in the folder for temporary files, which a container may not have. Neither
-    way imports the program's main module, as multiprocessing usually does: it may be a script that does not
-    expect to be run twice, or no file at all.
+    Attributes:
+        memory: address space [byte].
+        seconds: processor time of a task [s].
+        niceness: how far it stands back behind other processes.
     """
-    with suppress(FileNotFoundError):
-        tempfile.gettempdir()
-        context = _ForkServerContext()
-        context.set_forkserver_preload(list(PRELOADED))
-        return context
-    return _SpawnContext()
+
+    memory: int
+    seconds: float
+    niceness: int
 
 
-@contextmanager
-def _without_main() -> Iterator[None]:
-    with _LOCK:
-        main = sys.modules["__main__"]
-        sys.modules["__main__"] = types.ModuleType("__main__")
+class ProcessDiedError(Exception):
+    """The process ended before its answer came."""
+
+    def __init__(self, status: int) -> None:
+        super().__init__(f"exit status {status}")
+        self.ran_out_of_time = status == -signal.SIGPROF
+
+
+class UnansweredError(Exception):
+    """The process has neither answered nor used up its processor time: this machine is overloaded."""
+
+
+class WorkerProcess:
+    """A process that does one task at a time; while it waits for the first, it imports what tasks need."""
+
+    def __init__(self, confinement: Confinement) -> None:
+        self._connection, theirs = multiprocessing.Pipe()
+        number = theirs.fileno()
+        options = (number, confinement.memory, confinement.niceness, confinement.seconds)
+        path = [str(_ROOT), *(entry or os.getcwd() for entry in sys.path)]
+        with theirs:
+            self._process = subprocess.Popen(  # noqa: S603  this program, with numbers
+                [sys.executable, "-P", "-m", "service.work.worker_process", *map(str, options)],
+                pass_fds=[number],
+                stdin=subprocess.DEVNULL,
+                env={**os.environ, **_ONE_THREAD, "PYTHONPATH": os.pathsep.join(path)},
+            )
+
+    @property
+    def identifier(self) -> int:
+        """Return its process id."""
+        return self._process.pid
+
+    @property
+    def is_alive(self) -> bool:
+        """Return whether it is running."""
+        return self._process.poll() is None
+
+    def perform(self, task: bytes, patience: float) -> bytes:
+        """Send a task, and wait for its reply.
+
+        Raises:
+            ProcessDiedError: the process ended, of itself or by somebody's hand.
+            UnansweredError: nothing came for so many seconds.
+        """
         try:
-            yield
-        finally:
-            sys.modules["__main__"] = main
+            self._connection.send_bytes(task)
+            if not self._connection.poll(patience):
+                raise UnansweredError
+            return self._connection.recv_bytes()
+        except (EOFError, OSError):
+            self.kill()
+            raise ProcessDiedError(self._process.returncode) from None
 
+    def kill(self) -> None:
+        """End the process, whatever it is doing."""
+        with suppress(ProcessLookupError):
+            self._process.kill()
+        self._process.wait()
 
-class _ForkServerPopen(popen_forkserver.Popen):
-    def _launch(self, process_obj: Any) -> None:
-        with _without_main():
-            super()._launch(process_obj)  # type: ignore[misc]
-
-
-class _SpawnPopen(popen_spawn_posix.Popen):
-    def _launch(self, process_obj: Any) -> None:
-        with _without_main():
-            super()._launch(process_obj)  # type: ignore[misc]
-
-
-class _ForkServerProcess(ForkServerProcess):
-    @staticmethod
-    def _Popen(process_obj: BaseProcess) -> Any:
-        return _ForkServerPopen(process_obj)
-
-
-class _SpawnProcess(SpawnProcess):
-    @staticmethod
-    def _Popen(process_obj: BaseProcess) -> Any:
-        return _SpawnPopen(process_obj)
-
-
-class _ForkServerContext(ForkServerContext):
-    Process = _ForkServerProcess
-
-
-class _SpawnContext(SpawnContext):
-    Process = _SpawnProcess
+    def close(self) -> None:
+        """End the process, and let go of it."""
+        self.kill()
+        self._connection.close()

@@ -1,37 +1,41 @@
-"""Worker processes: for work whose cost no one can promise, under a hard time-out and a memory limit.
+"""Worker processes: for work whose cost no one can promise, under limits on processor time and memory.
 
 Two lanes, so that what is hostile or merely large never stands before what is ordinary: the quick lane takes
-work that is known to be small, the slow lane everything else. Each lane has processes and a queue of its own;
-a full queue is refused at once. A process whose task runs out of time is killed, its neighbours are unharmed.
+work that is known to be small, the slow lane everything else. In each, clients take turns. A question that
+is being answered is not computed a second time. A process that dies is replaced, and its task done again;
+only a task that itself uses up its limits is refused.
 
-A worker imports what its tasks need and never the web framework. Functions and arguments must be picklable.
+Functions and arguments must be picklable, and what they import must not import the web framework.
 """
 
 from __future__ import annotations
 
 import asyncio
-import gc
+import hashlib
 import math
-import os
-import resource
-import signal
-import threading
+import pickle
 from collections.abc import Callable
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import ThreadPoolExecutor
 from enum import StrEnum
 from typing import Any, TypeVar
 
-from pebble import ProcessExpired, ProcessPool
-
 from kinematics.errors import Fault
-from service.http.problems import RequestError, busy
+from service.http.problems import RequestError, UnavailableError, busy
 from service.settings import Settings
-from service.work.processes import process_context
+from service.work.fair_queue import FairQueue
+from service.work.processes import Confinement, ProcessDiedError, UnansweredError, WorkerProcess
+from service.work.worker_process import Outcome
 
-START_SECONDS = 20.0
-"""What the first task of a lane may take longer, while its process starts."""
+QUICK_PLACES = 8
+"""The quick lane is so many times as fast as the slow one, or more: as many times as many may wait."""
 SLOW_NICENESS = 10
 """The server, and the quick lane, come before the slow lane where there are fewer cores than processes."""
+ATTEMPTS = 3
+"""How often a task is given to a process that then dies: twice for bad luck, then the task is suspected."""
+OVERLOAD = 6.0
+"""A process that has not used up its processor time after so many times as long gets next to no processor."""
+START_SECONDS = 20.0
+"""What the first task of a process may take longer, while the process starts on a busy machine."""
 
 _Result = TypeVar("_Result")
 
@@ -53,132 +57,152 @@ class Workers:
 
     def __init__(self, settings: Settings) -> None:
         self.preparation = asyncio.Lock()
-        memory, seconds = settings.symbolic_memory, settings.symbolic_seconds
-        self._lanes = {
-            Lane.QUICK: _Processes(
-                processes=1, queue=8 * settings.symbolic_queue, seconds=seconds, memory=memory, niceness=0
+        self.lanes = {
+            Lane.QUICK: LaneProcesses(
+                settings, processes=1, places=QUICK_PLACES * settings.symbolic_queue, niceness=0
             ),
-            Lane.SLOW: _Processes(
+            Lane.SLOW: LaneProcesses(
+                settings,
                 processes=settings.symbolic_workers,
-                queue=settings.symbolic_queue,
-                seconds=seconds,
-                memory=memory,
+                places=settings.symbolic_queue,
                 niceness=SLOW_NICENESS,
             ),
         }
 
     async def run(self, lane: Lane, function: Callable[..., _Result], *arguments: Any) -> _Result:
-        """What the function gives, computed in a worker process.
+        """Compute what the function gives, in a worker process.
 
         Raises:
             BusyError: the lane's queue is full, or the task's turn did not come in time.
-            RequestError: the task ran out of time or memory.
+            RequestError: the task ran out of processor time or memory.
+            UnavailableError: the processes die.
             Exception: whatever the function raises.
         """
-        return await self._lanes[lane].run(function, *arguments)
+        result: _Result = await self.lanes[lane].run(function, *arguments)
+        return result
 
     def warm(self) -> None:
         """Start the processes, so that the first request does not wait for them."""
-        for lane in self._lanes.values():
-            lane.warm()
+        for lane in self.lanes.values():
+            lane.heal()
 
     def close(self) -> None:
         """End the processes, whatever they are doing."""
-        for lane in self._lanes.values():
+        for lane in self.lanes.values():
             lane.close()
 
 
-class _Processes:
-    """The processes of one lane."""
+class LaneProcesses:
+    """The processes of one lane, and those who wait for them.
 
-    def __init__(self, *, processes: int, queue: int, seconds: float, memory: int, niceness: int) -> None:
-        self._processes = processes
-        self._places = processes + queue
-        self._seconds = seconds
-        self._memory = memory
-        self._niceness = niceness
-        self._taken = 0
-        self._pool: ProcessPool | None = None
-        self._started = threading.Event()
+    Attributes:
+        queue: hands out the processes.
+    """
 
-    async def run(self, function: Callable[..., _Result], *arguments: Any) -> _Result:
-        if self._taken >= self._places:
-            raise busy()
-        waits = self._taken >= self._processes
-        self._taken += 1
-        try:
-            future = self._schedule(function, *arguments)
-            deadline = self._seconds if self._started.is_set() else self._seconds + START_SECONDS
-            return await asyncio.wait_for(asyncio.wrap_future(future), deadline)
-        except TimeoutError:
-            # The deadline is for waiting and running together; pebble kills the process of a running task.
-            raise busy() if waits else _out_of_time(self._seconds) from None
-        except MemoryError:
-            raise _out_of_memory(self._memory) from None
-        except ProcessExpired:
-            raise _aborted() from None
-        except BrokenProcessPool:
-            await asyncio.to_thread(self.close)  # the next task makes a new one
-            raise _aborted() from None
-        finally:
-            self._taken -= 1
+    def __init__(self, settings: Settings, *, processes: int, places: int, niceness: int) -> None:
+        self._seconds = settings.symbolic_seconds
+        self._confinement = Confinement(
+            memory=settings.symbolic_memory, seconds=settings.symbolic_seconds, niceness=niceness
+        )
+        self._count = processes
+        self.queue = FairQueue(slots=processes, places=places, patience=settings.queue_seconds)
+        self._idle: list[WorkerProcess] = []
+        self._busy: set[WorkerProcess] = set()
+        self._threads = ThreadPoolExecutor(processes, thread_name_prefix="worker-process")
+        self._answering: dict[tuple[int, bytes], _Shared] = {}
 
-    def warm(self) -> None:
-        self._schedule(_nothing)
+    async def run(self, function: Callable[..., Any], *arguments: Any) -> Any:
+        """Do a task, or wait for the outcome of the same one."""
+        task = pickle.dumps((function, arguments), pickle.HIGHEST_PROTOCOL)
+        key = (id(asyncio.get_running_loop()), hashlib.blake2b(task).digest())
+        shared = self._answering.get(key)
+        if shared is None:
+            shared = self._answering[key] = _Shared(asyncio.ensure_future(self._performed(task)))
+            shared.task.add_done_callback(lambda _: self._answering.pop(key, None))
+        outcome, value = pickle.loads(await shared.wait())  # noqa: S301  from our own process
+        if outcome == Outcome.OUT_OF_MEMORY:
+            raise _out_of_memory(self._confinement.memory)
+        if outcome == Outcome.ERROR:
+            raise value
+        return value
+
+    def heal(self) -> bool:
+        """Replace the idle processes that have died; return whether none had, and all are there."""
+        alive = [process for process in self._idle if process.is_alive]
+        for process in set(self._idle) - set(alive):
+            process.close()
+        missing = self._count - len(alive) - len(self._busy)
+        self._idle = alive + [WorkerProcess(self._confinement) for _ in range(missing)]
+        return missing <= 0
 
     def close(self) -> None:
-        if self._pool is not None:
-            pool: Any = self._pool
-            self._pool = None
-            self._started = threading.Event()
-            pool.stop()
-            pool.join()
+        """End the processes, whatever they are doing."""
+        for process in (*self._idle, *self._busy):
+            process.kill()
+        self._threads.shutdown()
+        for process in (*self._idle, *self._busy):
+            process.close()
+        self._idle, self._busy = [], set()
+        self._threads = ThreadPoolExecutor(self._count, thread_name_prefix="worker-process")
 
-    def _schedule(self, function: Callable[..., Any], *arguments: Any) -> Any:
-        if self._pool is None:
-            self._pool = ProcessPool(
-                max_workers=self._processes,
-                initializer=_confine,
-                initargs=(self._memory, self._niceness),
-                context=process_context(),
-            )
-            started = self._started
-            self._pool.schedule(_nothing).add_done_callback(lambda _: started.set())
-        return self._pool.schedule(function, args=arguments, timeout=self._seconds)
+    async def _performed(self, task: bytes) -> bytes:
+        slot = await self.queue.acquire()
+        try:
+            for _ in range(ATTEMPTS):
+                try:
+                    return await self._performed_once(task)
+                except ProcessDiedError as died:
+                    if died.ran_out_of_time:
+                        raise _out_of_time(self._seconds) from None
+            raise _aborted()
+        except UnansweredError:
+            raise busy() from None
+        finally:
+            slot.release()
+
+    async def _performed_once(self, task: bytes) -> bytes:
+        self.heal()
+        process = self._idle.pop()
+        self._busy.add(process)
+        patience = OVERLOAD * self._seconds + START_SECONDS
+        doing = self._threads.submit(process.perform, task, patience)
+        try:
+            reply = await asyncio.wrap_future(doing)
+        except BaseException:
+            self._busy.discard(process)
+            process.close()
+            self._idle.append(WorkerProcess(self._confinement))
+            raise
+        self._busy.discard(process)
+        self._idle.append(process)
+        return reply
 
 
-def _confine(memory: int, niceness: int) -> None:
-    """In a worker: leave Ctrl-C to the parent, bound the address space [byte], and stand back."""
-    os.nice(niceness)
-    gc.freeze()  # modules that were imported before are no garbage, and need not be looked through
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    _, hard = resource.getrlimit(resource.RLIMIT_AS)
-    limit = memory if hard == resource.RLIM_INFINITY else min(memory, hard)
-    resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
+class _Shared:
+    """A task that several requests wait for; it is cancelled when the last of them has gone."""
 
+    def __init__(self, task: asyncio.Future[bytes]) -> None:
+        self.task = task
+        self._waiting = 0
 
-def _nothing() -> None:
-    """The task that starts a process."""
+    async def wait(self) -> bytes:
+        self._waiting += 1
+        try:
+            return await asyncio.shield(self.task)
+        finally:
+            self._waiting -= 1
+            if self._waiting == 0 and not self.task.done():
+                self.task.cancel()
 
 
 def _out_of_time(seconds: float) -> RequestError:
-    return RequestError(
-        Fault(
-            code="computation_out_of_time",
-            params={"seconds": int(seconds) if seconds == math.floor(seconds) else seconds},
-        )
-    )
+    whole = int(seconds) if seconds == math.floor(seconds) else seconds
+    return RequestError(Fault(code="computation_out_of_time", params={"seconds": whole}))
 
 
-def _aborted() -> RequestError:
-    return RequestError(Fault(code="computation_aborted"))
+def _aborted() -> UnavailableError:
+    return UnavailableError(Fault(code="computation_aborted"))
 
 
 def _out_of_memory(limit: int) -> RequestError:
-    megabytes = limit // 1024**2
-    return RequestError(
-        Fault(
-            code="computation_out_of_memory",
-            params={"megabytes": megabytes},
-        )
-    )
+    return RequestError(Fault(code="computation_out_of_memory", params={"megabytes": limit // 1024**2}))

@@ -180,7 +180,6 @@ def test_a_large_table_still_becomes_a_function(client: httpx.Client) -> None:
 def test_hostile_requests_end_in_time_and_delay_nobody() -> None:
     settings = Settings(symbolic_seconds=1.0, symbolic_queue=1)
     everything = {
-        "table": {"convention": "modified", "rows": hostile_rows(64, alpha="0.3*alpha1")},
         "formats": ["python", "numpy", "c", "matlab", "javascript"],
         "jacobian": True,
     }
@@ -188,10 +187,12 @@ def test_hostile_requests_end_in_time_and_delay_nobody() -> None:
         client.post("/api/v1/symbolic", json={"table": PUMA_LENGTHS})
         answers: list[httpx.Response] = []
 
-        def hostile() -> None:
-            answers.append(httpx.post(f"{url}/api/v1/symbolic", json=everything, timeout=30))
+        def hostile(number: int) -> None:
+            table = {"convention": "modified", "rows": hostile_rows(64, alpha=f"0.{number}*alpha1")}
+            body = {"table": table, **everything}
+            answers.append(httpx.post(f"{url}/api/v1/symbolic", json=body, timeout=120))
 
-        threads = [threading.Thread(target=hostile) for _ in range(4)]
+        threads = [threading.Thread(target=hostile, args=(number,)) for number in range(3, 7)]
         for thread in threads:
             thread.start()
         time.sleep(0.3)

@@ -4,46 +4,22 @@ from __future__ import annotations
 
 import asyncio
 import os
+import signal
 import subprocess
 import sys
-import tempfile
-import time
 from collections.abc import AsyncIterator, Callable, Coroutine
 from contextlib import asynccontextmanager
+from pathlib import Path
 from typing import Any
 
 import pytest
 
-from kinematics.errors import Fault, FormSizeError
-from service.http.problems import BusyError, RequestError
+from kinematics.errors import FormSizeError
+from service.http.problems import BusyError, RequestError, UnavailableError
 from service.settings import Settings
-from service.work.processes import process_context
+from service.work.fair_queue import current_client
 from service.work.workers import Lane, Workers
-
-
-def double(value: int) -> int:
-    return 2 * value
-
-
-def endless() -> None:
-    while True:
-        time.sleep(0.01)
-
-
-def greedy() -> int:
-    return len(bytearray(3 * 1024**3))
-
-
-def crash() -> None:
-    os.abort()
-
-
-def refuse() -> None:
-    raise FormSizeError(Fault(code="form_too_large", where=("rows", 1), params={"limit": 3}))
-
-
-def imported(name: str) -> bool:
-    return name in sys.modules
+from tests.service.tasks import asleep, crash, double, endless, greedy, imported, noted, pid, refuse
 
 
 @asynccontextmanager
@@ -85,7 +61,7 @@ def test_what_runs_out_of_time_is_killed_and_the_lane_goes_on() -> None:
         async with workers(symbolic_seconds=1.0) as pool:
             await pool.run(Lane.SLOW, double, 1)
             started = asyncio.create_task(pool.run(Lane.SLOW, endless))
-            await asyncio.sleep(0.1)
+            await asyncio.sleep(0)
             assert await pool.run(Lane.QUICK, double, 4) == 8
             with pytest.raises(RequestError) as refused:
                 await started
@@ -101,7 +77,7 @@ def test_what_needs_too_much_memory_or_crashes_is_refused() -> None:
             with pytest.raises(RequestError) as refused:
                 await pool.run(Lane.SLOW, greedy)
             assert refused.value.faults[0].code == "computation_out_of_memory"
-            with pytest.raises(RequestError) as refused:
+            with pytest.raises(UnavailableError) as refused:
                 await pool.run(Lane.SLOW, crash)
             assert refused.value.faults[0].code == "computation_aborted"
             assert await pool.run(Lane.SLOW, double, 6) == 12
@@ -109,16 +85,106 @@ def test_what_needs_too_much_memory_or_crashes_is_refused() -> None:
     run(test)
 
 
+def test_time_that_other_programs_take_does_not_count() -> None:
+    async def test() -> None:
+        async with workers(symbolic_seconds=0.2) as pool:
+            assert await pool.run(Lane.SLOW, asleep, 0.5) == 0.5
+
+    run(test)
+
+
 def test_a_full_queue_is_refused_at_once_with_a_time_to_retry() -> None:
     async def test() -> None:
-        async with workers(symbolic_seconds=2.0, symbolic_queue=1, symbolic_workers=1) as pool:
-            running = [asyncio.create_task(pool.run(Lane.SLOW, endless)) for _ in range(2)]
-            await asyncio.sleep(0.05)
+        async with workers(symbolic_queue=1, symbolic_workers=1) as pool:
+            running = [asyncio.create_task(pool.run(Lane.SLOW, asleep, 1.0 + i)) for i in range(2)]
+            while pool.lanes[Lane.SLOW].queue.waiting < 1:
+                await asyncio.sleep(0.01)
             with pytest.raises(BusyError) as refused:
                 await pool.run(Lane.SLOW, double, 1)
             assert refused.value.headers["Retry-After"] == "2"
-            outcomes = await asyncio.gather(*running, return_exceptions=True)
-            assert [type(outcome) for outcome in outcomes] == [RequestError, BusyError]
+            assert await asyncio.gather(*running) == [1.0, 2.0]
+
+    run(test)
+
+
+def test_who_waits_too_long_is_told_to_come_back() -> None:
+    async def test() -> None:
+        async with workers(queue_seconds=0.2) as pool:
+            first = asyncio.create_task(pool.run(Lane.SLOW, asleep, 1.0))
+            await asyncio.sleep(0)
+            with pytest.raises(BusyError):
+                await pool.run(Lane.SLOW, double, 1)
+            assert await first == 1.0
+            assert await pool.run(Lane.SLOW, double, 2) == 4
+
+    run(test)
+
+
+def test_the_same_question_is_computed_once(tmp_path: Path) -> None:
+    notes = str(tmp_path / "notes")
+
+    async def test() -> None:
+        async with workers(symbolic_queue=0) as pool:
+            answers = await asyncio.gather(*(pool.run(Lane.SLOW, noted, notes, "x") for _ in range(30)))
+            assert answers == ["x"] * 30
+
+    run(test)
+    assert Path(notes).read_text() == "x"
+
+
+def test_one_client_of_many_tasks_does_not_keep_another_out() -> None:
+    order: list[str] = []
+
+    async def ask(pool: Workers, client: tuple[str, int], name: str, task: float) -> None:
+        current_client.set(client)
+        await pool.run(Lane.SLOW, asleep, task)
+        order.append(name)
+
+    async def test() -> None:
+        async with workers() as pool:
+            await pool.run(Lane.SLOW, double, 1)
+            greedy = [
+                asyncio.create_task(ask(pool, ("192.0.2.1", 1), "greedy", 0.1 + i / 1000)) for i in range(5)
+            ]
+            await asyncio.sleep(0.05)
+            same_address = asyncio.create_task(ask(pool, ("192.0.2.1", 2), "same address", 0.01))
+            other = asyncio.create_task(ask(pool, ("192.0.2.2", 1), "other", 0.02))
+            await asyncio.gather(*greedy, same_address, other)
+
+    run(test)
+    assert order[:3] == ["greedy", "other", "same address"]
+
+
+def test_killed_processes_are_replaced_and_nothing_is_refused() -> None:
+    async def test() -> None:
+        async with workers() as pool:
+            for combination in range(3):
+                lanes = [lane for bit, lane in enumerate(Lane) if (combination + 1) >> bit & 1]
+                for lane in lanes:
+                    os.kill(await pool.run(lane, pid), signal.SIGKILL)
+                for number, lane in enumerate(Lane):
+                    assert await pool.run(lane, double, number) == 2 * number
+            for lane in Lane:  # while a task is being done
+                victim = await pool.run(lane, pid)
+                doing = asyncio.create_task(pool.run(lane, asleep, 0.3))
+                await asyncio.sleep(0.1)
+                os.kill(victim, signal.SIGKILL)
+                assert await doing == 0.3
+
+    run(test)
+
+
+def test_a_lane_says_whether_its_processes_are_there() -> None:
+    async def test() -> None:
+        async with workers() as pool:
+            lane = pool.lanes[Lane.SLOW]
+            victim = await pool.run(Lane.SLOW, pid)
+            assert lane.heal()
+            os.kill(victim, signal.SIGKILL)
+            while lane.heal():
+                await asyncio.sleep(0.01)
+            assert lane.heal()
+            assert await pool.run(Lane.SLOW, pid) != victim
 
     run(test)
 
@@ -149,13 +215,3 @@ print(TestClient(create_app()).post("/api/v1/symbolic", json={"table": PUMA_LENG
     for command in ([sys.executable, "-"], [sys.executable, "-c", program]):
         done = subprocess.run(command, input=program, capture_output=True, text=True, check=True, timeout=60)
         assert done.stdout.split() == ["begin", "200"]
-
-
-def test_without_a_folder_for_temporary_files_processes_are_spawned(monkeypatch: pytest.MonkeyPatch) -> None:
-    def nowhere() -> str:
-        raise FileNotFoundError
-
-    monkeypatch.setattr(tempfile, "gettempdir", nowhere)
-    assert process_context().get_start_method() == "spawn"
-    monkeypatch.undo()
-    assert process_context().get_start_method() == "forkserver"

@@ -30,7 +30,7 @@ error-method_not_allowed = This address knows { $allowed }, and no { $method }.
 error-address_unknown = Nothing is at { $path }. The document /api/v1/openapi.json lists every call.
 error-problem_unknown = No refusal has the code { $code }.
 error-internal_error = The service failed on this request. Report it with the id { $id }.
-error-busy = All places are taken. Try again in { $seconds } s.
+error-busy = The server is busy. Try again in { $seconds } s.
 
 error-field_missing = The field “{ $field }” is missing.
 error-field_unknown = There is no field “{ $field }” here. The fields are: { $allowed }.

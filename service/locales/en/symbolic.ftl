@@ -5,4 +5,4 @@ error-closed_form_too_large = Written out, a matrix has more than { $limit } ope
 error-closed_form_too_deep = An entry is nested too deeply for a JSON tree. Ask for text or LaTeX.
 error-computation_out_of_time = This takes longer than { $seconds } s. Ask for fewer rows, parts or formats.
 error-computation_out_of_memory = This takes more memory than { $megabytes } MiB. Ask for fewer rows, parts or formats.
-error-computation_aborted = The computation was ended by the operating system. Ask for fewer rows, parts or formats.
+error-computation_aborted = The computation was interrupted: the trouble is the server’s, not your request’s. Try again in a moment.

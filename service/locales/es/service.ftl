@@ -30,7 +30,7 @@ error-method_not_allowed = Esta dirección conoce { $allowed }, pero no { $metho
 error-address_unknown = No hay nada en { $path }. El documento /api/v1/openapi.json enumera todas las llamadas.
 error-problem_unknown = Ningún rechazo tiene el código { $code }.
 error-internal_error = El servicio ha fallado en esta petición. Comuníquelo con el identificador { $id }.
-error-busy = Todos los puestos están ocupados. Inténtelo de nuevo dentro de { $seconds } s.
+error-busy = El servidor está ocupado. Inténtelo de nuevo dentro de { $seconds } s.
 
 error-field_missing = Falta el campo «{ $field }».
 error-field_unknown = Aquí no existe el campo «{ $field }». Los campos son: { $allowed }.

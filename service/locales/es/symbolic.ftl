@@ -5,4 +5,4 @@ error-closed_form_too_large = Escrita por completo, una matriz tiene más de { $
 error-closed_form_too_deep = Un elemento tiene demasiados niveles de anidamiento para un árbol JSON. Pida texto o LaTeX.
 error-computation_out_of_time = El cálculo tarda más de { $seconds } s. Pida menos filas, partes o formatos.
 error-computation_out_of_memory = El cálculo ocupa más de { $megabytes } MiB de memoria. Pida menos filas, partes o formatos.
-error-computation_aborted = El sistema operativo interrumpió el cálculo. Pida menos filas, partes o formatos.
+error-computation_aborted = El cálculo se interrumpió por un problema del servidor, no de su petición. Inténtelo de nuevo dentro de un momento.

@@ -30,7 +30,7 @@ error-method_not_allowed = Cette adresse connaît { $allowed }, mais pas { $meth
 error-address_unknown = Il n’y a rien à { $path }. Le document /api/v1/openapi.json énumère tous les appels.
 error-problem_unknown = Aucun refus n’a le code { $code }.
 error-internal_error = Le service a échoué sur cette requête. Signalez-le avec l’identifiant { $id }.
-error-busy = Toutes les places sont prises. Réessayez dans { $seconds } s.
+error-busy = Le serveur est occupé. Réessayez dans { $seconds } s.
 
 error-field_missing = Le champ « { $field } » manque.
 error-field_unknown = Il n’y a pas ici de champ « { $field } ». Les champs sont : { $allowed }.

@@ -5,4 +5,4 @@ error-closed_form_too_large = Écrite en entier, une matrice compte plus de { $l
 error-closed_form_too_deep = Un élément est imbriqué trop profondément pour un arbre JSON. Demandez du texte ou du LaTeX.
 error-computation_out_of_time = Le calcul dure plus de { $seconds } s. Demandez moins de lignes, de parties ou de formats.
 error-computation_out_of_memory = Le calcul occupe plus de { $megabytes } Mio de mémoire. Demandez moins de lignes, de parties ou de formats.
-error-computation_aborted = Le calcul a été interrompu par le système d’exploitation. Demandez moins de lignes, de parties ou de formats.
+error-computation_aborted = Le calcul a été interrompu par un problème du serveur, et non de votre requête. Réessayez dans un instant.

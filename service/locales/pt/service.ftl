@@ -30,7 +30,7 @@ error-method_not_allowed = Este endereço conhece { $allowed }, mas não { $meth
 error-address_unknown = Não há nada em { $path }. O documento /api/v1/openapi.json lista todas as chamadas.
 error-problem_unknown = Nenhuma recusa tem o código { $code }.
 error-internal_error = O serviço falhou neste pedido. Comunique-o com o identificador { $id }.
-error-busy = Todos os lugares estão ocupados. Tente de novo dentro de { $seconds } s.
+error-busy = O servidor está ocupado. Tente de novo dentro de { $seconds } s.
 
 error-field_missing = Falta o campo “{ $field }”.
 error-field_unknown = Não existe aqui o campo “{ $field }”. Os campos são: { $allowed }.

@@ -30,7 +30,7 @@ error-method_not_allowed = Această adresă cunoaște { $allowed }, dar nu și {
 error-address_unknown = La { $path } nu există nimic. Documentul /api/v1/openapi.json enumeră toate apelurile.
 error-problem_unknown = Niciun refuz nu are codul { $code }.
 error-internal_error = Serviciul a eșuat la această cerere. Semnalați problema cu identificatorul { $id }.
-error-busy = Toate locurile sunt ocupate. Încercați din nou peste { $seconds } s.
+error-busy = Serverul este ocupat. Încercați din nou peste { $seconds } s.
 
 error-field_missing = Câmpul „{ $field }” lipsește.
 error-field_unknown = Aici nu există câmpul „{ $field }”. Câmpurile sunt: { $allowed }.

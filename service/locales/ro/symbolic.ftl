@@ -5,4 +5,4 @@ error-closed_form_too_large = Scrisă în întregime, o matrice are peste { $lim
 error-closed_form_too_deep = Un element este imbricat prea adânc pentru un arbore JSON. Cereți text sau LaTeX.
 error-computation_out_of_time = Calculul durează peste { $seconds } s. Cereți mai puține rânduri, părți sau formate.
 error-computation_out_of_memory = Calculul cere peste { $megabytes } MiB de memorie. Cereți mai puține rânduri, părți sau formate.
-error-computation_aborted = Calculul a fost oprit de sistemul de operare. Cereți mai puține rânduri, părți sau formate.
+error-computation_aborted = Calculul a fost întrerupt de o problemă a serverului, nu a cererii. Încercați din nou peste câteva clipe.

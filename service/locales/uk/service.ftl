@@ -30,7 +30,7 @@ error-method_not_allowed = Ця адреса знає { $allowed }, але не 
 error-address_unknown = За адресою { $path } нічого немає. Усі виклики перелічено в документі /api/v1/openapi.json.
 error-problem_unknown = Жодна відмова не має коду { $code }.
 error-internal_error = Служба не змогла виконати цей запит. Повідомте про це, вказавши ідентифікатор { $id }.
-error-busy = Усі місця зайняті. Спробуйте знову через { $seconds } с.
+error-busy = Сервер зайнятий. Спробуйте знову через { $seconds } с.
 
 error-field_missing = Бракує поля «{ $field }».
 error-field_unknown = Поля «{ $field }» тут немає. Можливі поля: { $allowed }.

@@ -1,0 +1,50 @@
+"""What worker processes are given to do in tests; imports next to nothing, for each of them imports it."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+
+from kinematics.errors import Fault, FormSizeError
+
+
+def double(value: int) -> int:
+    return 2 * value
+
+
+def endless() -> None:
+    while True:
+        pass
+
+
+def asleep(seconds: float) -> float:
+    time.sleep(seconds)
+    return seconds
+
+
+def noted(path: str, text: str) -> str:
+    with open(path, "a") as file:
+        file.write(text)
+    time.sleep(0.3)
+    return text
+
+
+def pid() -> int:
+    return os.getpid()
+
+
+def greedy() -> int:
+    return len(bytearray(3 * 1024**3))
+
+
+def crash() -> None:
+    os.abort()
+
+
+def refuse() -> None:
+    raise FormSizeError(Fault(code="form_too_large", where=("rows", 1), params={"limit": 3}))
+
+
+def imported(name: str) -> bool:
+    return name in sys.modules
