@@ -17,6 +17,7 @@ from kinematics.equivalence import Policy
 from kinematics.equivalence.cell_fitting import fitted_cells
 from kinematics.equivalence.diagnosis import likely_signs
 from kinematics.equivalence.invariants import Invariant, Measure
+from kinematics.equivalence.meter import PER_ALIGNMENT, PER_INVARIANT
 from kinematics.equivalence.reference import Reference
 from kinematics.table import NumericTable
 
@@ -40,6 +41,7 @@ def fitting_values(work: Work, table: NumericTable, draw: int, row: int, cell: s
     if table.joint_types != work.references[draw].table.joint_types:
         return []
     axes = work.axes(table)
+    work.meter.charge(PER_INVARIANT * len(work.invariants[draw]))
     strained = sorted(
         (
             (strain, k)
@@ -71,8 +73,9 @@ def fitted_tables(
     reference = work.references[draw]
     if table.joint_types != reference.table.joint_types:
         return []
+    work.meter.charge(PER_ALIGNMENT * 16 * len(table.joint_rows))
     for signs in _likely_signs(reference, table, work.policy)[:MOST_SIGNS]:
-        found = fitted_cells(reference, table, places, signs, work.policy.tolerance)
+        found = fitted_cells(reference, table, places, signs, work.policy.tolerance, work.meter)
         if found is not None:
             return [found]
     return []

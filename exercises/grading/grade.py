@@ -15,12 +15,13 @@ from exercises.grading.findings import (
     wrong_facts,
 )
 from exercises.grading.frames import explained
-from exercises.grading.repairs import find_repairs
+from exercises.grading.repairs import MOST_WORK, find_repairs
 from exercises.grading.score import score_of
 from exercises.grading.verdict import Basis, Feedback, HelpLevel, Verdict
 from exercises.grading.work import Work
 from kinematics.cells import ReadTable
 from kinematics.equivalence import Decision, Policy, decide_draws, prove
+from kinematics.equivalence.meter import Meter
 
 REMEMBERED = 2048
 
@@ -126,7 +127,12 @@ def _rejected(
 ) -> Verdict:
     key, answer = comparison.references[0], comparison.submissions[0]
     work = Work(
-        key=reference, answer=submission, comparison=comparison, policy=policy, tables=comparison.submissions
+        key=reference,
+        answer=submission,
+        comparison=comparison,
+        policy=policy,
+        tables=comparison.submissions,
+        meter=Meter(MOST_WORK),
     )
     repairs = find_repairs(work)
     wrong = wrong_facts(decision, repairs, answer)

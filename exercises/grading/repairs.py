@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
-from itertools import chain
+from itertools import chain, islice
 
 from exercises.grading.cell_edits import any_cell
 from exercises.grading.misconceptions import changes_of
 from exercises.grading.row_edits import any_row_left_out
-from exercises.grading.work import Change, Work
+from exercises.grading.work import Change, Work, after
+from kinematics.equivalence.meter import WorkExhaustedError
 from kinematics.equivalence.search import Effort
 from kinematics.table import NumericTable
 
-MOST_DECISIONS = 400
+# About a quarter of a second: see `kinematics.equivalence.meter`. The first round, and fitting cells to the
+# whole robot, may use no more than their share, so that what comes after is tried as well.
+MOST_WORK = 200_000
+WORK_OF_FIRST_EDITS = 80_000
+WORK_OF_FITTING = 60_000
 MOST_FIRST_EDITS = 24
 MOST_REPAIRS = 6
-SECONDS = 0.25
+# a single edit adds or removes one joint
+MOST_JOINTS_APART = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,19 +31,6 @@ class Repaired:
     """Changes that together make the table right."""
 
     changes: tuple[Change, ...]
-
-
-@dataclass(slots=True)
-class Budget:
-    """What a search may still spend; the count makes it reproducible, the thread's clock keeps it short."""
-
-    decisions: int
-    until: float
-
-    @property
-    def spent(self) -> bool:
-        """Nothing is left."""
-        return self.decisions <= 0 or time.thread_time() > self.until
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,17 +43,46 @@ class Trial:
 
 
 def find_repairs(work: Work) -> tuple[Repaired, ...]:
-    """The repairs of a wrong table, smallest and likeliest first; of two edits only if no one edit helps."""
-    trials = list(_tried(work, changes_of(work)))
-    budget = Budget(MOST_DECISIONS, time.thread_time() + SECONDS)
+    """The repairs of a wrong table, smallest and likeliest first; of two edits only if no one edit helps.
+
+    The search is bounded by the work that the meter of `work` grants.
+    """
+    apart = abs(work.tables[0].n_joints - work.references[0].table.n_joints)
+    if apart > MOST_JOINTS_APART:
+        return ()
+    found: list[Repaired] = []
+    with suppress(WorkExhaustedError):
+        for repaired in islice(_found(work), MOST_REPAIRS):
+            found.append(repaired)  # noqa: PERF402 - what was found before the work ran out counts
+    return tuple(found)
+
+
+def _found(work: Work) -> Iterator[Repaired]:
+    """Single edits, by growing effort; if there are none, pairs."""
+    trials: list[Trial] = []
+    with work.meter.at_most(WORK_OF_FIRST_EDITS):
+        for trial in _tried(work, changes_of(work)):
+            trials.append(trial)  # noqa: PERF402 - those made before the work runs out count
     trials.sort(key=lambda trial: (trial.change.extent.value, trial.change.rank))
+    found = False
     for effort in Effort:
-        singles = [Repaired((change,)) for change in _helping(work, trials, budget, effort)]
-        if singles:
-            return tuple(singles[:MOST_REPAIRS])
-    fitted = _tried(work, chain(any_cell(work), any_row_left_out(work)))
-    singles = [Repaired((change,)) for change in _helping(work, fitted, budget, Effort.REFINED)]
-    return tuple(singles or _pairs(work, trials, budget))[:MOST_REPAIRS]
+        for change in _helping(work, trials, effort):
+            found = True
+            yield Repaired((change,))
+        if found:
+            return
+    for change in _fitted(work):
+        found = True
+        yield Repaired((change,))
+    if not found:
+        yield from _pairs(work, trials)
+
+
+def _fitted(work: Work) -> Iterator[Change]:
+    """Single edits found by fitting a cell to the whole robot."""
+    with work.meter.at_most(WORK_OF_FITTING):
+        fitted = _tried(work, chain(any_cell(work), any_row_left_out(work)))
+        yield from _helping(work, fitted, Effort.REFINED)
 
 
 def _tried(work: Work, changes: Iterable[Change]) -> Iterator[Trial]:
@@ -75,19 +97,17 @@ def _tried(work: Work, changes: Iterable[Change]) -> Iterator[Trial]:
             yield Trial(change, table, known[table])
 
 
-def _helping(work: Work, trials: Iterable[Trial], budget: Budget, effort: Effort) -> Iterator[Change]:
+def _helping(work: Work, trials: Iterable[Trial], effort: Effort) -> Iterator[Change]:
     """The changes that make the table right at every draw; each place of an edit once."""
     told: set[tuple[str, int | None, str | None]] = set()
     for trial in trials:
         edit = trial.change.edit
         place = (edit.code, edit.row, edit.cell)
-        if trial.failing == 0 and place not in told:
-            budget.decisions -= 1
-            if work.accepts(trial.table, 0, effort) and _at_other_draws(work, (trial.change,), effort):
-                told.add(place)
-                yield trial.change
-        if budget.spent:
-            return
+        if trial.failing or trial.failing is None or place in told:
+            continue
+        if work.accepts(trial.table, 0, effort) and _at_other_draws(work, (trial.change,), effort):
+            told.add(place)
+            yield trial.change
 
 
 def _at_other_draws(work: Work, changes: tuple[Change, ...], effort: Effort) -> bool:
@@ -105,7 +125,7 @@ def _applied(changes: tuple[Change, ...], table: NumericTable, draw: int) -> Ite
         yield from _applied(changes[1:], edited, draw)
 
 
-def _pairs(work: Work, trials: list[Trial], budget: Budget) -> Iterator[Repaired]:
+def _pairs(work: Work, trials: list[Trial]) -> Iterator[Repaired]:
     """Two edits: first one that brings the table nearer to the key, then each that might finish."""
     before = work.failing(work.tables[0])
     first = [trial for trial in trials if _is_nearer(trial.failing, before)]
@@ -122,15 +142,11 @@ def _pairs(work: Work, trials: list[Trial], budget: Budget) -> Iterator[Repaired
             places = frozenset((c.edit.code, c.edit.row, c.edit.cell) for c in (trial.change, other.change))
             if places in told:
                 continue
-            if budget.spent:
-                return
-            budget.decisions -= 1
             changes = (trial.change, other.change)
             if work.accepts(other.table, 0, Effort.PLAIN) and _at_other_draws(work, changes, Effort.PLAIN):
                 told.add(places)
-                yield Repaired(tuple(sorted(changes, key=lambda c: c.edit.row or 0)))
-                if len(told) == MOST_REPAIRS:
-                    return
+                shown = (trial.change, after(trial.change, other.change))
+                yield Repaired(tuple(sorted(shown, key=lambda c: c.edit.row or 0)))
 
 
 def _is_nearer(failing: int | None, before: int | None) -> bool:

@@ -15,6 +15,7 @@ from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import Policy
 from kinematics.equivalence.decision import certify, convention_fits
 from kinematics.equivalence.invariants import Invariant, axes_of, invariants_of
+from kinematics.equivalence.meter import PER_INVARIANT, PER_ROW, Meter
 from kinematics.equivalence.reference import Reference, prepared
 from kinematics.equivalence.search import Effort
 from kinematics.table import DHTable, NumericRow, NumericTable
@@ -60,6 +61,7 @@ class Work:
         comparison: both with numbers.
         policy: what the answer is held to.
         tables: the answer at each draw, perhaps with an edit made already.
+        meter: counts what trying edits costs.
     """
 
     key: ReadTable
@@ -67,6 +69,7 @@ class Work:
     comparison: Comparison
     policy: Policy
     tables: tuple[NumericTable, ...]
+    meter: Meter
 
     @cached_property
     def references(self) -> tuple[Reference, ...]:
@@ -81,6 +84,7 @@ class Work:
 
     def axes(self, table: NumericTable) -> list[Axis]:
         """The axes that the invariants are measured between."""
+        self.meter.charge(PER_ROW * len(table.rows))
         return axes_of(chain_of_table(table), self.policy)
 
     def failing(self, table: NumericTable, draw: int = 0) -> int | None:
@@ -88,13 +92,16 @@ class Work:
         if table.joint_types != self.references[draw].table.joint_types:
             return None
         axes = self.axes(table)
+        self.meter.charge(PER_INVARIANT * len(self.invariants[draw]))
         return sum(not invariant.fits(axes) for invariant in self.invariants[draw])
 
     def accepts(self, table: NumericTable, draw: int, effort: Effort) -> bool:
         """Whether a table is right, at one draw."""
         if not convention_fits(table.convention, self.policy.convention):
             return False
-        return certify((self.references[draw],), (chain_of_table(table),), self.policy, effort) is not None
+        self.meter.charge(PER_ROW * len(table.rows))
+        chain = chain_of_table(table)
+        return certify((self.references[draw],), (chain,), self.policy, effort, self.meter) is not None
 
 
 def change(
@@ -115,6 +122,39 @@ def change(
         shown.setdefault("row", row + 1)
     edit = Edit(code=code, row=None if row is None else row + 1, cell=cell, params=shown)
     return Change(edit=edit, apply=apply, extent=extent, touched=tuple(touched))
+
+
+def after(first: Change, second: Change) -> Change:
+    """A second change as it concerns the answer, of which the first one may have moved the rows.
+
+    Args:
+        first: the change made before.
+        second: a change of the table that the first one led to.
+    """
+
+    def origin(row: int) -> int:
+        place = first.touched[0][0] if first.touched else 0
+        if first.edit.code == "row_missing":
+            return row - 1 if row > place else row
+        if first.edit.code == "row_extra":
+            return row + 1 if row >= place else row
+        if first.edit.code == "rows_swapped":
+            swapped = tuple(dict.fromkeys(row for row, _ in first.touched))
+            return dict(zip(swapped, swapped[::-1], strict=True)).get(row, row)
+        return row
+
+    params = dict(second.edit.params)
+    for name in ("row", "other", "place"):
+        if isinstance(number := params.get(name), int):
+            params[name] = origin(number - 1) + 1
+    if isinstance(number := params.get("after"), int) and number:
+        params["after"] = origin(number - 1) + 1
+    row = None if second.edit.row is None else origin(second.edit.row - 1) + 1
+    return replace(
+        second,
+        edit=replace(second.edit, row=row, params=params),
+        touched=tuple((origin(row), cell) for row, cell in second.touched),
+    )
 
 
 def with_row(table: NumericTable, index: int, row: NumericRow) -> NumericTable:

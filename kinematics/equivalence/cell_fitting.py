@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from kinematics.chain import chain_of_table
 from kinematics.equivalence.certificates import Candidate, candidate_from
+from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.policy import BaseRule, Tolerance, ZeroRule
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.refinement import FREE_TWISTS, Problem
@@ -42,6 +43,7 @@ def fitted_cells(
     places: Sequence[Place],
     signs: Sequence[int],
     tolerance: Tolerance,
+    meter: Meter | None = None,
 ) -> NumericTable | None:
     """The table with some cells changed so that it describes the reference, as nearly as they can do that.
 
@@ -51,6 +53,7 @@ def fitted_cells(
         places: which cells may change.
         signs: σ.
         tolerance: what counts as near.
+        meter: counts the work, if it is bounded.
 
     Returns:
         None if the mean error stays above half the tolerance.
@@ -61,7 +64,7 @@ def fitted_cells(
     twists = np.repeat((1.0, reference.size), 3)[:, None] * FREE_TWISTS
     for _ in range(ROUNDS):
         chain = chain_of_table(table)
-        problem = Problem(reference, chain, tolerance, twists, twists, offsets_free=True)
+        problem = Problem(reference, chain, tolerance, twists, twists, offsets_free=True, meter=meter)
         joints = joint_values(reference, candidate)
         columns = [_column(table, place, joints, scale) for place, scale in zip(places, scales, strict=True)]
         model = problem.linearised(candidate, *columns)

@@ -16,12 +16,24 @@ from dataclasses import replace
 
 from kinematics.chain import Chain, chain_of_table
 from kinematics.equivalence.diagnosis import diagnose
-from kinematics.equivalence.policy import BaseRule, ConventionRule, DirectionRule, Policy, ToolRule, ZeroRule
+from kinematics.equivalence.meter import Meter
+from kinematics.equivalence.policy import (
+    BaseRule,
+    ConventionRule,
+    DirectionRule,
+    Policy,
+    Tolerance,
+    ToolRule,
+    ZeroRule,
+)
 from kinematics.equivalence.reference import SAMPLES, Reference, prepared
 from kinematics.equivalence.results import Certificate, Decision, Kind, Mismatch
 from kinematics.equivalence.search import Effort, Found, Search
 from kinematics.se3 import to_matrix
 from kinematics.table import Convention, DHTable, NumericTable
+
+EXACT = Tolerance(length=1e-8, angle=1e-8)
+"""Where two tables are the same but for the errors of the arithmetic, which are below 1e-9 of a robot."""
 
 
 def decide(reference: NumericTable, submission: NumericTable, policy: Policy) -> Decision:
@@ -66,16 +78,31 @@ def certify(
     submissions: Sequence[Chain],
     policy: Policy,
     effort: Effort = Effort.REFINED,
+    meter: Meter | None = None,
 ) -> Certificate | None:
-    """The verified certificate of a submission, whatever its convention; None if there is none."""
+    """The verified certificate of a submission, whatever its convention; None if there is none.
+
+    An exact one is looked for first: among axes that are nearly parallel there may be others nearby, which
+    stand within the tolerance.
+
+    Args:
+        references: the key at each draw.
+        submissions: the submission's chain at the same draws.
+        policy: what is left free and what is fixed.
+        effort: how hard to try.
+        meter: counts the work, if it is bounded.
+    """
     types = [axis.prismatic for axis in references[0].chain.axes]
     if types != [axis.prismatic for axis in submissions[0].axes]:
         return None
     references = [r.beside(chain) for r, chain in zip(references, submissions, strict=True)]
-    for level in references[0].levels(policy.base, policy.zero, policy.tolerance):
-        found = Search(references, submissions, policy, level, effort).run()
-        if found is not None:
-            return _certificate(found)
+    for asked, trying in ((replace(policy, tolerance=EXACT), Effort.PLAIN), (policy, effort)):
+        if asked.tolerance.length > policy.tolerance.length or asked.tolerance.angle > policy.tolerance.angle:
+            continue
+        for level in references[0].levels(asked.base, asked.zero, asked.tolerance):
+            found = Search(references, submissions, asked, level, trying, meter).run()
+            if found is not None:
+                return _certificate(found)
     return None
 
 

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from kinematics.chain import Chain, joint_motions
 from kinematics.equivalence.certificates import Candidate
+from kinematics.equivalence.meter import PER_ROUND, Meter
 from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.verification import Residual, joint_values, largest
@@ -63,6 +64,7 @@ def refine(
     base_twists: Matrix,
     tool_twists: Matrix,
     offsets_free: bool,
+    meter: Meter | None = None,
 ) -> tuple[Candidate, Residual] | None:
     """The certificate near a given one that stands, and its residual; None if none was found.
 
@@ -78,10 +80,17 @@ def refine(
         base_twists: (6, k) twists (rotation, translation) by which B may change from the left, in frame 0.
         tool_twists: (6, k) twists by which E may change from the right, in frame N.
         offsets_free: δ may change.
+        meter: counts the work, if it is bounded.
     """
     lengths_too = np.repeat((1.0, reference.size), 3)[:, None]
     problem = Problem(
-        reference, submission, tolerance, lengths_too * base_twists, lengths_too * tool_twists, offsets_free
+        reference,
+        submission,
+        tolerance,
+        lengths_too * base_twists,
+        lengths_too * tool_twists,
+        offsets_free,
+        meter,
     )
     settled = _settled(problem, candidate)
     return None if settled is None else _brought_down(problem, settled)
@@ -203,6 +212,7 @@ class Problem:
     base_twists: Matrix
     tool_twists: Matrix
     offsets_free: bool
+    meter: Meter | None = None
 
     @property
     def joint_scales(self) -> Matrix:
@@ -224,6 +234,8 @@ class Problem:
             candidate: the certificate.
             more: (samples, 6) how frame N turns and moves with whatever else may change.
         """
+        if self.meter is not None:
+            self.meter.charge(PER_ROUND)
         size = self.reference.size
         left, by_joint = _left_side(self.submission, joint_values(self.reference, candidate))
         right = to_matrix(candidate.base) @ self.reference.poses @ to_matrix(candidate.tool)
@@ -235,7 +247,7 @@ class Problem:
         errors = _mismatch(left, right) / units
         return Model(
             errors=errors.reshape(-1, 3),
-            jacobian=jacobian.reshape(-1, jacobian.shape[2]),
+            jacobian=jacobian.reshape(jacobian.shape[0] * jacobian.shape[1], jacobian.shape[2]),
             found=largest(left - right, size),
         )
 

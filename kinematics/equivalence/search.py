@@ -10,6 +10,7 @@ from kinematics.chain import Chain
 from kinematics.equivalence.alignment import Alignment, align, aligning_motion
 from kinematics.equivalence.certificates import Candidate, Path, candidate_from
 from kinematics.equivalence.groups import Group, Nearness, Rotations, departure
+from kinematics.equivalence.meter import PER_ALIGNMENT, PER_CERTIFICATE, Meter
 from kinematics.equivalence.plan import Plan
 from kinematics.equivalence.policy import BaseRule, DirectionRule, Policy, ZeroRule
 from kinematics.equivalence.reference import Reference
@@ -102,6 +103,7 @@ class Search:
         policy: what is asked.
         level: index into `Reference.nearnesses`.
         effort: whether to refine.
+        meter: counts the work, if it is bounded.
     """
 
     references: Sequence[Reference]
@@ -109,6 +111,7 @@ class Search:
     policy: Policy
     level: int
     effort: Effort = Effort.REFINED
+    meter: Meter | None = None
     nodes: int = 0
     tried: int = 0
     seen: dict[tuple[int, int], list[tuple[Motion, float]]] = field(default_factory=dict)
@@ -158,6 +161,7 @@ class Search:
             yield Path(start, signs, motions, totals, IDENTITY)
             return
         self.nodes += 1
+        self._charge(PER_ALIGNMENT)
         if self.nodes > MOST_NODES or self._been_here(index, plan, depth, here, misfit):
             return
         for sign, alignment, value in self._options(plan, depth, here):
@@ -222,6 +226,7 @@ class Search:
         for which, choice in enumerate(choices):
             for placement, last in enumerate(placements(choice, here)):
                 self.tried += 1
+                self._charge(PER_CERTIFICATE)
                 way = Way(index, start, path.signs, which, placement)
                 candidate = self._candidate(0, plan, choice, replace(path, last=last))
                 found = judged(reference, submission, candidate, tolerance)
@@ -279,7 +284,12 @@ class Search:
             base_twists=base_twists(plan, self.policy.base),
             tool_twists=choice.twists,
             offsets_free=self.policy.zero is ZeroRule.FREE,
+            meter=self.meter,
         )
+
+    def _charge(self, units: int) -> None:
+        if self.meter is not None:
+            self.meter.charge(units)
 
 
 def _promise(unfinished: Unfinished) -> float:

@@ -34,6 +34,7 @@ from kinematics.se3 import (
     inverse,
     move,
     norm,
+    normalised,
     position,
     rejection,
     rotate,
@@ -46,6 +47,9 @@ from kinematics.se3 import (
     z_axis,
 )
 
+# a share: what is shorter than this beside what it is compared with is a rounding error
+NEGLIGIBLE = 1e-12
+
 
 @dataclass(frozen=True, slots=True)
 class ToolChoice:
@@ -56,6 +60,7 @@ class ToolChoice:
         step: the line or direction that z_N must lie on, prepared; None for `free` and `point`.
         group: H_N.
         target: the reference's M.
+        off_axis: the reference's O_N is not on what H_N turns about, so that it says how far to turn.
         turns: frame N may move with the last joint, and the rule still holds.
     """
 
@@ -63,6 +68,7 @@ class ToolChoice:
     step: Step | None
     group: Group
     target: Motion
+    off_axis: bool
     turns: bool
 
     @property
@@ -82,22 +88,30 @@ def tool_choices(
 ) -> tuple[ToolChoice, ...]:
     """The ways in which a rule lets frame N of the submission lie, for a reference and its H_N."""
     end = chain.end
+    off_axis = _is_off_axis(position(end), group, near)
     if rule is ToolRule.FREE:
-        return (ToolChoice(rule, None, group, end, turns=True),)
+        return (ToolChoice(rule, None, group, end, off_axis, turns=True),)
     own = Axis(False, z_axis(end), position(end))
     last = chain.axes[-1] if chain.axes else None
     if rule is ToolRule.POINT:
         turns = last is not None and not last.prismatic and _on(position(end), last, near)
-        return (ToolChoice(rule, None, group, end, turns=turns),)
+        return (ToolChoice(rule, None, group, end, off_axis, turns=turns),)
     step = prepare(own, group, near, size)
     if rule is ToolRule.FRAME or last is None:
-        return (ToolChoice(rule, step, group, end, turns=False),)
+        return (ToolChoice(rule, step, group, end, off_axis, turns=False),)
     along = are_parallel(last.direction, own.direction, near)
     same = along and (last.prismatic or _on(own.point, last, near))
-    found = [ToolChoice(rule, prepare(last, group, near, size), group, end, turns=True)]
+    found = [ToolChoice(rule, prepare(last, group, near, size), group, end, off_axis, turns=True)]
     if not same:
-        found.insert(0, ToolChoice(rule, step, group, end, turns=along and last.prismatic))
+        found.insert(0, ToolChoice(rule, step, group, end, off_axis, turns=along and last.prismatic))
     return tuple(found)
+
+
+def _is_off_axis(point: Vector, group: Group, near: Nearness) -> bool:
+    """Whether a point moves where the group's rotations turn."""
+    if group.rotations is Rotations.ABOUT_POINT:
+        return norm(subtract(point, group.point)) > near.length
+    return distance_to_line(point, group.point, group.axis) > near.length
 
 
 def _on(point: Vector, axis: Axis, near: Nearness) -> bool:
@@ -114,7 +128,7 @@ def placements(choice: ToolChoice, here: Motion) -> list[Motion]:
     if choice.rule is ToolRule.FREE:
         return [IDENTITY]
     if choice.rule is ToolRule.POINT:
-        return [_point_onto(choice.group, position(here), position(choice.target))]
+        return [_point_onto(choice, position(here))]
     assert choice.step is not None
     if choice.rule is ToolRule.FRAME:
         first = align(choice.step, z_axis(here), position(here), 1).motion
@@ -122,11 +136,16 @@ def placements(choice: ToolChoice, here: Motion) -> list[Motion]:
     return [align(choice.step, z_axis(here), position(here), sign).motion for sign in (1, -1)]
 
 
-def _point_onto(group: Group, point: Vector, target: Vector) -> Motion:
-    turn = IDENTITY
-    if group.rotations is Rotations.ABOUT_POINT:
-        turn = IDENTITY if group.translations else _turn_point(group.point, point, target)
-    elif group.rotations is Rotations.ABOUT_LINE and len(group.translations) < 3:
+def _point_onto(choice: ToolChoice, point: Vector) -> Motion:
+    """The motion of H_N that brings a point nearest to the reference's O_N.
+
+    Where that lies on what H_N turns about, no turn brings the point nearer: the direction in which it was
+    seen from there would be that of a rounding error.
+    """
+    group, target, turn = choice.group, position(choice.target), IDENTITY
+    if choice.off_axis and not group.translations and group.rotations is Rotations.ABOUT_POINT:
+        turn = _turn_point(group.point, point, target)
+    elif choice.off_axis and len(group.translations) < 3 and group.rotations is Rotations.ABOUT_LINE:
         turn = _turn_about_line(group, point, target)
     gap = subtract(target, move(turn, point))
     return compose(translation(subtract(gap, outside(gap, group.translations))), turn)
@@ -134,17 +153,17 @@ def _point_onto(group: Group, point: Vector, target: Vector) -> Motion:
 
 def _turn_point(centre: Vector, point: Vector, target: Vector) -> Motion:
     a, b = subtract(point, centre), subtract(target, centre)
-    if norm(a) < 1e-12 or norm(b) < 1e-12:
+    if norm(a) < NEGLIGIBLE * norm(b):
         return IDENTITY
-    return turn_onto(centre, scale(a, 1.0 / norm(a)), scale(b, 1.0 / norm(b)))
+    return turn_onto(centre, normalised(a), normalised(b))
 
 
 def _turn_about_line(group: Group, point: Vector, target: Vector) -> Motion:
     a = rejection(subtract(point, group.point), group.axis)
     b = rejection(subtract(target, group.point), group.axis)
-    size = norm(a) * norm(b)
-    if size < 1e-24:
+    if norm(a) < NEGLIGIBLE * norm(b):
         return IDENTITY
+    size = norm(a) * norm(b)
     return rotation_about(group.point, group.axis, dot(a, b) / size, dot(group.axis, cross(a, b)) / size)
 
 
@@ -155,7 +174,7 @@ def _settle(group: Group, here: Motion, target: Motion) -> Motion:
         x, goal = x_axis(here), x_axis(target)
         cosine, sine = dot(rejection(x, group.axis), goal), dot(group.axis, cross(x, goal))
         size = (cosine * cosine + sine * sine) ** 0.5
-        if size > 1e-12:
+        if size > NEGLIGIBLE:
             turn = rotation_about(group.point, group.axis, cosine / size, sine / size)
     gap = subtract(position(target), move(turn, position(here)))
     return compose(translation(subtract(gap, outside(gap, group.translations))), turn)

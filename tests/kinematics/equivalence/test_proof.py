@@ -110,7 +110,7 @@ def test_lengths_are_recognised_at_three_draws() -> None:
     draws = [{f"L{k}": rng.uniform(0.4, 1.6) for k in range(1, 7)} for _ in range(3)]
     wanted = add((atoms[4], multiply((number(-1), atoms[1]))))
     values = [evaluate(wanted, draw) for draw in draws]
-    lengths = LengthForms(atoms, draws)
+    lengths = LengthForms(atoms, draws, 1.6)
     form = lengths.form(values)
     assert form is not None
     assert [evaluate(form, draw) for draw in draws] == pytest.approx(values)
@@ -119,7 +119,7 @@ def test_lengths_are_recognised_at_three_draws() -> None:
     assert with_number is not None
     assert evaluate(with_number, draws[0]) == pytest.approx(values[0] + 0.25)
     assert lengths.form([0.25, 0.25, 0.25]) == number("0.25")
-    assert LengthForms([], [{}]).form([0.25]) == number("0.25")
+    assert LengthForms([], [{}], 0.25).form([0.25]) == number("0.25")
 
 
 def test_angles_are_recognised() -> None:

@@ -1,0 +1,51 @@
+"""Work counted, not timed: a search that is bounded so ends at the same point on every machine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+
+# What the steps cost, in units of about a microsecond of the processor on which they were measured (2026);
+# only their ratios matter for what a bound means.
+PER_ROW = 3
+PER_INVARIANT = 2
+PER_ALIGNMENT = 60
+PER_CERTIFICATE = 150
+PER_ROUND = 1500
+
+
+class WorkExhaustedError(Exception):
+    """The work that was granted is used up."""
+
+
+@dataclass(slots=True)
+class Meter:
+    """Counts the work of a search down.
+
+    Attributes:
+        left: units that may still be spent.
+    """
+
+    left: int
+
+    def charge(self, units: int) -> None:
+        """Spend some units.
+
+        Raises:
+            WorkExhaustedError: none are left.
+        """
+        if self.left <= 0:
+            raise WorkExhaustedError
+        self.left -= units
+
+    @contextmanager
+    def at_most(self, units: int) -> Iterator[None]:
+        """Let a step spend no more than some units; it ends where they are used up, and the rest goes on."""
+        reserved = max(self.left - units, 0)
+        self.left -= reserved
+        try:
+            with suppress(WorkExhaustedError):
+                yield
+        finally:
+            self.left = max(self.left, 0) + reserved
