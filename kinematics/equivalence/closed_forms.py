@@ -37,8 +37,8 @@ from kinematics.table import SymbolicTable
 
 Matrix: TypeAlias = NDArray[np.float64]
 
-# what the arithmetic leaves of a certificate's entry is some 1e-12 of it; closed forms that are tried lie
-# much farther apart than this
+# a share of the tables' lengths, or of 1: what the arithmetic leaves of a certificate's entry is some 1e-12,
+# and the closed forms that are tried lie much farther apart than this
 CLOSE = 1e-8
 DIGITS = 9
 # 16 atoms have 5 024 sums and differences of one to three: with more atoms fewer terms are tried, so that
@@ -119,16 +119,21 @@ def known_number(value: float) -> Expression | None:
 class LengthForms:
     """Closed forms of lengths, from their values at some draws of the parameters."""
 
-    def __init__(self, atoms: Sequence[Expression], draws: Sequence[Mapping[str, float]]) -> None:
+    def __init__(
+        self, atoms: Sequence[Expression], draws: Sequence[Mapping[str, float]], size: float
+    ) -> None:
         """Prepare.
 
         Args:
             atoms: what the lengths may be sums of.
             draws: values of the parameters.
+            size: the longest of the tables' lengths; 0 if they have none.
         """
         self._atoms = atoms[: MOST_SUMS // 2]
         values = [[evaluate(atom, draw) for draw in draws] for atom in self._atoms]
         self._values = np.array(values).reshape(len(self._atoms), len(draws))
+        self._near = CLOSE * (size or 1.0)
+        self._digits = DIGITS - math.ceil(math.log10(size or 1.0))
         which, signs = _sums(len(self._atoms))
         padded = np.concatenate([self._values, np.zeros((1, len(draws)))])
         self._sums = np.einsum("sk,skd->sd", signs, padded[which])
@@ -140,19 +145,19 @@ class LengthForms:
         draws than atoms, any linear combination with known coefficients is tried after that.
         """
         most = max(map(abs, values))
-        if most < CLOSE:
+        if most < self._near:
             return ZERO
-        near = CLOSE * max(1.0, most)
+        near = max(self._near, CLOSE * most)
         several = len(values) > 1
         if (several or not self._atoms) and max(values) - min(values) < near:
-            return _decimal(values[0])
+            return self._decimal(values[0])
         rest = np.array(values) - self._sums
         (exact,) = np.nonzero(np.abs(rest).max(axis=1) < near)
         if exact.size:
             return self._sum(exact[0])
         (constant,) = np.nonzero(np.ptp(rest, axis=1) < near) if several else (exact,)
         if constant.size:
-            return add((self._sum(constant[0]), _decimal(rest[constant[0], 0])))
+            return add((self._sum(constant[0]), self._decimal(rest[constant[0], 0])))
         return self._combination(np.array(values))
 
     def _sum(self, choice: int) -> Expression:
@@ -168,8 +173,8 @@ class LengthForms:
         if basis.shape[0] < basis.shape[1]:
             return None
         weights, _, rank, _ = np.linalg.lstsq(basis, goal, rcond=1e-10)
-        scale = max(1.0, float(np.abs(goal).max()))
-        if rank < basis.shape[1] or np.abs(basis @ weights - goal).max() > CLOSE * scale:
+        near = max(self._near, CLOSE * float(np.abs(goal).max()))
+        if rank < basis.shape[1] or np.abs(basis @ weights - goal).max() > near:
             return None
         *known, constant = weights.tolist()
         exact = [known_number(weight) for weight in known]
@@ -180,11 +185,11 @@ class LengthForms:
             for weight, atom in zip(exact, self._atoms, strict=True)
             if weight is not None
         ]
-        return add([*parts, _decimal(constant)])
+        return add([*parts, self._decimal(constant)])
 
-
-def _decimal(value: float) -> Expression:
-    return Number(Fraction(str(round(value, DIGITS))))
+    def _decimal(self, value: float) -> Expression:
+        """The number with as many decimals as are more than the arithmetic's errors."""
+        return Number(Fraction(repr(round(float(value), self._digits))))
 
 
 @lru_cache(maxsize=32)

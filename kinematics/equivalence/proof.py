@@ -18,7 +18,7 @@ from kinematics.errors import ParameterError
 from kinematics.expressions import ONE, ZERO, Expression
 from kinematics.se3 import Motion
 from kinematics.symbolic import Verdict, prove_identity
-from kinematics.table import JointType, SymbolicTable
+from kinematics.table import JointType, SymbolicTable, bind
 
 ExactMatrix: TypeAlias = tuple[tuple[Expression, ...], ...]
 
@@ -81,7 +81,9 @@ def _guess(
     draws: Sequence[Mapping[str, float]],
 ) -> ExactCertificate | None:
     tables = (reference, submission)
-    lengths, angles = LengthForms(length_atoms(tables), draws), angle_atoms(tables)
+    numbers = (bind(table, draws[0]) for table in tables)
+    size = max((abs(x) for table in numbers for row in table.rows for x in (row.a, row.d)), default=0.0)
+    lengths, angles = LengthForms(length_atoms(tables), draws, size), angle_atoms(tables)
     offsets: list[Expression] = []
     for i, joint in enumerate(reference.joint_types):
         values = [candidate.offsets[i] for candidate in candidates]

@@ -44,7 +44,7 @@ def names_of(n: int) -> list[str]:
 def form_of(n: int, expression: Expression) -> Expression | None:
     names = names_of(n)
     draws = draws_of(names)
-    forms = LengthForms([Parameter(name) for name in names], draws)
+    forms = LengthForms([Parameter(name) for name in names], draws, 1.5)
     return forms.form([evaluate(expression, draw) for draw in draws])
 
 
@@ -70,7 +70,7 @@ def test_with_many_names_fewer_terms_are_tried(n: int, terms: int) -> None:
     try:
         names = names_of(n)
         draws = draws_of(names)
-        forms = LengthForms([Parameter(name) for name in names], draws)
+        forms = LengthForms([Parameter(name) for name in names], draws, 1.5)
         sum_ = add(Parameter(f"L{i}") for i in range(terms))
         assert forms.form([evaluate(sum_, draw) for draw in draws]) == sum_
         peak = tracemalloc.get_traced_memory()[1]
@@ -122,3 +122,15 @@ def test_known_numbers(n: int) -> None:
     assert known_number(math.sqrt(n)) == root
     assert known_number(-math.sqrt(n) / 4) == multiply((number(-1), Number(number(1).value / 4), root))
     assert known_number(math.sqrt(n) / 7) is None
+
+
+@pytest.mark.parametrize("size", [1e-9, 1e-3, 1.0, 1e3, 1e9])
+def test_lengths_of_any_unit_are_recognised(size: float) -> None:
+    """A robot in nanometres is no point: what is zero is so beside the robot's own lengths."""
+    draws = [{"L0": size * value} for value in (0.7, 0.9, 1.1)]
+    forms = LengthForms([Parameter("L0")], draws, 1.1 * size)
+    assert forms.form([draw["L0"] for draw in draws]) == Parameter("L0")
+    assert forms.form([1e-12 * size] * 3) == number(0)
+    constant = forms.form([0.25 * size] * 3)
+    assert constant is not None
+    assert evaluate(constant) == pytest.approx(0.25 * size, rel=1e-9)
