@@ -34,7 +34,6 @@ from kinematics.se3 import (
     inverse,
     move,
     norm,
-    normalised,
     position,
     rejection,
     rotate,
@@ -43,6 +42,7 @@ from kinematics.se3 import (
     subtract,
     translation,
     turn_onto,
+    unit,
     x_axis,
     z_axis,
 )
@@ -155,7 +155,7 @@ def _turn_point(centre: Vector, point: Vector, target: Vector) -> Motion:
     a, b = subtract(point, centre), subtract(target, centre)
     if norm(a) < NEGLIGIBLE * norm(b):
         return IDENTITY
-    return turn_onto(centre, normalised(a), normalised(b))
+    return turn_onto(centre, unit(a), unit(b))
 
 
 def _turn_about_line(group: Group, point: Vector, target: Vector) -> Motion:

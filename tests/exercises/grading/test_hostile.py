@@ -1,0 +1,89 @@
+"""Answers nobody expects: no answer raises, none is expensive, and none is judged by a rounding error."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule, grade
+from exercises.grading.comparison import comparisons
+from exercises.grading.repairs import MOST_WORK, find_repairs
+from exercises.grading.work import Work
+from kinematics.equivalence.meter import PER_ROUND, Meter, WorkExhaustedError
+from tests.exercises.grading.test_grade import KEY, PUMA, USUAL, VALUES, Rows, with_cells
+from tests.exercises.grading.written import read, written
+from tests.kinematics.equivalence.campaign import catalogue
+from tests.kinematics.equivalence.mutations import mutations
+
+EVERYTHING_FIXED = Policy(
+    base=BaseRule.FRAME, tool=ToolRule.FRAME, zero=ZeroRule.FIGURE, direction=DirectionRule.FIGURE
+)
+
+
+def without_row(rows: Rows, row: int) -> Rows:
+    """The rows without one (counted from 1), the later variables renumbered."""
+    kept = [*rows[: row - 1], *rows[row:]]
+    return [(*cells[:3], f"q{k}") for k, cells in enumerate(kept, 1)]
+
+
+@pytest.mark.parametrize("base", list(BaseRule))
+@pytest.mark.parametrize("tool", list(ToolRule))
+@pytest.mark.parametrize("twist", [0.7854, 0.785, 0.79])
+def test_a_rounded_twist_keeps_every_rule(base: BaseRule, tool: ToolRule, twist: float) -> None:
+    """The marked point is on the last axis: how far it is to be turned about that is no rounding error's."""
+    key = read("standard", [("pi/4", 0.3, 0.4, "q1"), (0, 0, 0.3, "q2")])
+    answer = read("standard", [(twist, 0.3, 0.4, "q1"), (0, 0, 0.3, "q2")])
+    assert grade(key, answer, Policy(base=base, tool=tool)).correct
+
+
+def test_mistakes_where_nothing_is_left_to_refine() -> None:
+    """Both frames and the zeros are fixed: B, E and δ are given, and there is nothing to fit."""
+    rng = Random(1)
+    for _, robot in catalogue():
+        made = mutations(robot, rng)
+        for mutation in rng.sample(made, min(4, len(made))):
+            verdict = grade(written(robot), written(mutation.table), EVERYTHING_FIXED)
+            assert 0.0 <= verdict.score <= 1.0
+
+
+@pytest.mark.parametrize("missing", [2, 4])
+def test_a_row_missing_and_one_more_mistake(missing: int) -> None:
+    """Rows are told as the student numbered them, although the first edit moves them."""
+    for row in range(1, 7):
+        if row == missing:
+            continue
+        rows = without_row(with_cells(PUMA, (row, 1, "d4")), missing)
+        verdict = grade(KEY, read("standard", rows), USUAL, VALUES)
+        assert not verdict.correct
+        assert all(1 <= link.row <= len(rows) + 1 for link in verdict.links)
+        mistaken = row - (row > missing)
+        for repair in verdict.repairs:
+            if {edit.code for edit in repair.edits} == {"row_missing", "a_not_zero"}:
+                assert mistaken in {edit.row for edit in repair.edits if edit.code == "a_not_zero"}
+
+
+def test_the_work_of_a_search_is_bounded() -> None:
+    """Sixty-four rows and a mistake: the meter, and no clock, ends the search."""
+    junk = [(0, 0.01 * k, 0.02, "0.3") for k in range(58)]
+    answer = read("standard", [*with_cells(PUMA, (4, 1, 0.2)), *junk])
+    way = comparisons(KEY, answer, {})[0]
+    meter = Meter(MOST_WORK)
+    find_repairs(
+        Work(key=KEY, answer=answer, comparison=way, policy=USUAL, tables=way.submissions, meter=meter)
+    )
+    assert -PER_ROUND <= meter.left < MOST_WORK / 2
+
+
+def test_a_meter_refuses_when_it_is_empty() -> None:
+    meter = Meter(10)
+    meter.charge(7)
+    with meter.at_most(2):
+        meter.charge(2)
+        meter.charge(1)
+        pytest.fail("the step has spent its share")
+    assert meter.left == 1
+    with meter.at_most(5):
+        meter.charge(5)
+    with pytest.raises(WorkExhaustedError):
+        meter.charge(1)
