@@ -12,6 +12,7 @@ from pydantic import ValidationError
 
 from exercises.errors import DefinitionError
 from service.app import create_app
+from service.secret import share_secret
 from service.settings import Settings
 
 _LARGEST_PORT = 65535
@@ -34,6 +35,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         "server_header": False,
     }
     if chosen.workers > 1:
+        share_secret()
         uvicorn.run("service.app:create_app", factory=True, workers=chosen.workers, **options)  # type: ignore[arg-type]
     else:
         try:

@@ -11,9 +11,11 @@ from typing import Annotated, TypeAlias
 from fastapi import Depends, Request
 
 from exercises.loader import Library
+from service.receipts.keys import receipt_keys
 from service.settings import Settings
 from service.wire.answer_cache import AnswerCache
 from service.wire.prepared_robots import RobotCache
+from service.work.callbacks import Callbacks
 from service.work.limiters import limiters
 from service.work.workers import Workers
 
@@ -28,6 +30,8 @@ class Resources:
         symbolic_answers: closed forms that were written before.
         limiters: for each kind of work in threads.
         workers: the worker processes.
+        receipt_keys: the keys that sign receipts.
+        callbacks: sends feedback that is asked for later.
     """
 
     def __init__(self, settings: Settings) -> None:
@@ -38,6 +42,8 @@ class Resources:
         self.symbolic_answers = AnswerCache()
         self.limiters = limiters(settings)
         self.workers = Workers(settings)
+        self.receipt_keys = receipt_keys(settings)
+        self.callbacks = Callbacks(settings.callback_hosts, self.receipt_keys.sign)
 
 
 def resources_of(request: Request) -> Resources:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated
 
-from pydantic import Field, NonNegativeInt, PositiveFloat, PositiveInt, field_validator
+from pydantic import Field, NonNegativeInt, PositiveFloat, PositiveInt, SecretStr, field_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from kinematics.cells import Limits
@@ -79,6 +79,19 @@ class Settings(BaseSettings):
     grading_threads: PositiveInt = Field(2, description="wrong answers that are explained at the same time")
     grading_queue: NonNegativeInt = Field(512, description="wrong answers that may wait for their turn")
 
+    secret: SecretStr | None = Field(
+        None,
+        min_length=32,
+        description="secret of the installation, the same for all its processes: signs receipts and links; "
+        "without it, what was signed is void after a restart",
+    )
+    receipt_keys: Path | None = Field(
+        None, description="file of the keys that sign receipts (framewise receipts rotate), if not the secret"
+    )
+    callback_hosts: Names = Field(
+        (), description="hosts (host or host:port) to which feedback may be sent that is asked for later"
+    )
+
     @property
     def calling_origins(self) -> tuple[str, ...]:
         """Origins whose pages may call the API from a browser.
@@ -89,7 +102,14 @@ class Settings(BaseSettings):
         framed = set(self.frame_ancestors) - {"'self'", "'none'"}
         return tuple(dict.fromkeys((*self.cors_origins, *(("null",) if framed else ()))))
 
-    @field_validator("exercise_folders", "trusted_proxies", "frame_ancestors", "cors_origins", mode="before")
+    @field_validator(
+        "exercise_folders",
+        "trusted_proxies",
+        "frame_ancestors",
+        "cors_origins",
+        "callback_hosts",
+        mode="before",
+    )
     @classmethod
     def _split(cls, value: object) -> object:
         return tuple(value.replace(",", " ").split()) if isinstance(value, str) else value

@@ -48,7 +48,10 @@ async def exercise_page(request: Request, exercise_id: str) -> Response:
         "statement": to_html(found.statements[language]),
         "query": "?" + urlencode({"lang": language, **({"seed": seed} if seed else {})}),
     }
-    return page_response(request, EXERCISE, values)
+    # A SCORM package frames the page from whatever origin its LMS has. Nobody is signed in there: a page that
+    # frames it gains nothing that it could not ask for itself.
+    packaged = request.query_params.get("embed") == "scorm"
+    return page_response(request, EXERCISE, values, in_any_frame=packaged)
 
 
 @router.get("/static/{version}/{name:path}")

@@ -19,8 +19,14 @@ from service.web.assets import Assets, static_root
 from service.web.shell import Page, render
 
 
-def content_security_policy(settings: Settings) -> str:
-    """What a page may load and who may frame it: only this origin; no inline script or style at all."""
+def content_security_policy(settings: Settings, *, in_any_frame: bool = False) -> str:
+    """Return what a page may load and who may frame it: only this origin; no inline script or style at all.
+
+    Args:
+        settings: names the origins that may frame pages.
+        in_any_frame: whether the page may stand in anybody's frame, whatever the settings say.
+    """
+    ancestors = ("*",) if in_any_frame else settings.frame_ancestors
     return "; ".join(
         (
             "default-src 'none'",
@@ -31,7 +37,7 @@ def content_security_policy(settings: Settings) -> str:
             "connect-src 'self'",
             "base-uri 'none'",
             "form-action 'self'",
-            "frame-ancestors " + (" ".join(settings.frame_ancestors) or "'none'"),
+            "frame-ancestors " + (" ".join(ancestors) or "'none'"),
         )
     )
 
@@ -49,7 +55,12 @@ def page_language(request: Request) -> str:
 
 
 def page_response(
-    request: Request, page: Page, values: Mapping[str, str] | None = None, *, status: int = 200
+    request: Request,
+    page: Page,
+    values: Mapping[str, str] | None = None,
+    *,
+    status: int = 200,
+    in_any_frame: bool = False,
 ) -> Response:
     """A page in the reader's language, with the headers that every page has.
 
@@ -58,6 +69,7 @@ def page_response(
         page: which kind of page.
         values: what its template asks for as `${.name}`; `title` overrides the page's title.
         status: the HTTP status.
+        in_any_frame: whether anybody may frame it.
     """
     settings = resources_of(request).settings
     language = page_language(request)
@@ -76,7 +88,7 @@ def page_response(
         values=values,
     )
     headers = {
-        "Content-Security-Policy": content_security_policy(settings),
+        "Content-Security-Policy": content_security_policy(settings, in_any_frame=in_any_frame),
         "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
         "Cache-Control": "no-cache",
         "Content-Language": language,

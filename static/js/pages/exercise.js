@@ -5,6 +5,7 @@ import { browserAttempts } from "../attempts.js";
 import { announce, el, fill } from "../dom.js";
 import "../editor/dh-table-editor.js";
 import { AnswerCard } from "../exercise/answer-card.js";
+import { isPackaged, PackageFrame } from "../exercise/embedding.js";
 import { showFigure } from "../exercise/figure-card.js";
 import { showHistory } from "../exercise/history.js";
 import { OwnCard } from "../exercise/own-card.js";
@@ -49,6 +50,7 @@ async function run() {
   const answer = new AnswerCard($("answer"), exercise, {
     changed: (what) => {
       keep(draftKey, answer.state);
+      frame?.draft(answer.state);
       verdict.outdated();
       if (what === "table") follow();
     },
@@ -57,6 +59,7 @@ async function run() {
   robot.addEventListener("reading", (event) => answer.showReading(/** @type {CustomEvent} */ (event).detail));
 
   restore(recall(draftKey, null));
+  const frame = isPackaged() ? new PackageFrame(resume) : null;
   follow({ now: true });
   await listAttempts();
 
@@ -67,6 +70,21 @@ async function run() {
     } catch (error) {
       console.warn(error);
     }
+  }
+
+  /** @param {any} state of an earlier visit, from wherever it was stored */
+  function resume(state) {
+    restore(state);
+    keep(draftKey, answer.state);
+    follow({ now: true });
+  }
+
+  /** Tells the package around this page what an answer earned, with a receipt that the browser cannot forge. */
+  async function report(request, graded, state) {
+    const { points, max_points: most, missing } = graded.total;
+    const body = { ...request, ...(seed ? { seed } : {}), name: seed ?? "-" };
+    const issued = await api.post(`exercises/${id}/receipts`, body).catch(() => null);
+    frame?.verdict({ points, max_points: most, complete: !missing.length, receipt: issued?.receipt ?? null, state });
   }
 
   function follow(options) {
@@ -81,6 +99,7 @@ async function run() {
     answer.busy = true;
     try {
       const graded = await api.post(`exercises/${id}/grade`, { ...request, ...(seed ? { seed } : {}) });
+      if (frame) void report(request, graded, handed);
       answer.showRefusal([], request.table);
       await attempts.add(id, {
         at: new Date().toISOString(),

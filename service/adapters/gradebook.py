@@ -1,0 +1,121 @@
+"""Marks as the gradebooks of Moodle and Canvas import them, and as a plain CSV file."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import TextIO
+
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+
+
+class GradebookFormat(StrEnum):
+    """Formats of a gradebook file."""
+
+    CSV = "csv"
+    MOODLE = "moodle"
+    CANVAS = "canvas"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Mark:
+    """What one student earned.
+
+    Attributes:
+        student: the name or id that the hand-in bears.
+        exercise: the exercise.
+        points: what was earned; None where nothing could be graded.
+        max_points: what the exercise is worth.
+        correct: everything that was handed in is right.
+        codes: what was found, as stable codes.
+        feedback: the same in sentences.
+        source: the file or receipt that it stems from.
+    """
+
+    student: str
+    exercise: str
+    points: float | None
+    max_points: float | None
+    correct: bool
+    codes: tuple[str, ...]
+    feedback: str
+    source: str
+
+    @property
+    def score(self) -> float | None:
+        """The points as a part of 1."""
+        if self.points is None or not self.max_points:
+            return None
+        return self.points / self.max_points
+
+
+def write_marks(marks: Iterable[Mark], stream: TextIO, form: GradebookFormat = GradebookFormat.CSV) -> None:
+    """Write marks as they come; cells that a spreadsheet would take for a formula are written as text."""
+    writer = csv.writer(stream, lineterminator="\n")
+    match form:
+        case GradebookFormat.CSV:
+            writer.writerow(
+                (
+                    "student",
+                    "exercise",
+                    "correct",
+                    "points",
+                    "max_points",
+                    "score",
+                    "codes",
+                    "feedback",
+                    "source",
+                )
+            )
+            for mark in marks:
+                writer.writerow(_plain_row(mark))
+        case GradebookFormat.MOODLE:
+            # Site administration calls the columns what it likes; these are the grade import's own names.
+            writer.writerow(("Identifier", "Full name", "Grade", "Maximum Grade", "Feedback comments"))
+            for mark in marks:
+                writer.writerow(
+                    (safe(mark.student), safe(mark.student), _number(mark.points), _number(mark.max_points),
+                     safe(mark.feedback))
+                )  # fmt: skip
+        case GradebookFormat.CANVAS:
+            _write_canvas(marks, writer)
+
+
+def safe(text: str) -> str:
+    """Return the text as no spreadsheet takes it for a formula."""
+    return f"'{text}" if text.startswith(_FORMULA) else text
+
+
+def _write_canvas(marks: Iterable[Mark], writer: csv._writer) -> None:  # type: ignore[name-defined]
+    """Canvas wants one column for an assignment and a second row with what it is worth."""
+    marks = list(marks)
+    exercises = {mark.exercise: mark.max_points for mark in marks}
+    writer.writerow(("Student", "ID", "SIS Login ID", "Section", *exercises))
+    writer.writerow(("    Points Possible", "", "", "", *map(_number, exercises.values())))
+    students: dict[str, dict[str, float | None]] = {}
+    for mark in marks:
+        students.setdefault(mark.student, {})[mark.exercise] = mark.points
+    for student, points in students.items():
+        writer.writerow(
+            (safe(student), "", safe(student), "", *(_number(points.get(name)) for name in exercises))
+        )
+
+
+def _plain_row(mark: Mark) -> tuple[str, ...]:
+    return (
+        safe(mark.student),
+        safe(mark.exercise),
+        "" if mark.points is None else str(mark.correct).lower(),
+        _number(mark.points),
+        _number(mark.max_points),
+        _number(mark.score),
+        " ".join(mark.codes),
+        safe(mark.feedback),
+        safe(mark.source),
+    )
+
+
+def _number(value: float | None) -> str:
+    return "" if value is None else format(value, ".6g")

@@ -1,0 +1,44 @@
+"""Moodle's CodeRunner: the answer on standard input, a template grader's JSON on standard output."""
+
+from __future__ import annotations
+
+import json
+import sys
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from service.adapters.hosts.assignment import Assignment
+from service.adapters.judging import Judged, NotGraded
+from service.adapters.table_files import read_tables
+from service.http.problems import RequestError
+
+
+def run(assignment: Assignment, source: Path | None = None) -> int:
+    """Grade what stands on standard input (JSON, or a table with a header row), and print the outcome."""
+    text = sys.stdin.buffer.read() if source is None else source.read_bytes()
+    sys.stdout.write(json.dumps(outcome_of(_graded(assignment, text), assignment), ensure_ascii=False) + "\n")
+    return 0
+
+
+def outcome_of(judged: Judged | NotGraded, assignment: Assignment) -> dict[str, Any]:
+    """Return a combinator template grader's outcome: the fraction, and what the student sees."""
+    if isinstance(judged, NotGraded):
+        text = "".join(f"<p>{escape(line)}</p>" for line in judged.sentences(assignment.language))
+        return {"fraction": 0, "prologuehtml": text, "graderstate": ""}
+    head = ["iscorrect", "Part", "Points", "Of"]
+    rows = [
+        [int(part["correct"]), kind, part["points"], part["max_points"]]
+        for kind, part in judged.body["parts"].items()
+    ]
+    told = "".join(f"<p>{escape(line)}</p>" for line in judged.sentences())
+    return {"fraction": judged.score, "testresults": [head, *rows], "epiloguehtml": told}
+
+
+def _graded(assignment: Assignment, text: bytes) -> Judged | NotGraded:
+    name = "answer.json" if text.lstrip()[:1] in (b"{", b"[") else "answer.csv"
+    try:
+        found = read_tables(name, text, assignment.tables)
+    except RequestError as error:
+        return NotGraded(faults=error.faults)
+    return assignment.grade_table({"table": found[0].table, "exercise": found[0].exercise})

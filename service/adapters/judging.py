@@ -1,0 +1,152 @@
+"""The one function that grades an answer for every caller but the page itself."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import orjson
+from pydantic import TypeAdapter
+
+from exercises.answers import parse
+from exercises.errors import ExerciseError
+from exercises.grader import grade
+from kinematics.cells import DEFAULT, Limits
+from kinematics.errors import Fault, KinematicsError
+from service.http.problems import ServiceError
+from service.http.validation import validated
+from service.messages import sentence
+from service.schemas.exercises import ExerciseAnswer
+from service.wire.exercise_views import instance_of
+from service.wire.verdicts import encoded, report_body
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Judged:
+    """What an answer earned.
+
+    Attributes:
+        body: the answer of POST /exercises/{id}/grade.
+        points: what was earned.
+        max_points: what the parts that were handed in are worth.
+        correct: everything that was handed in is right.
+    """
+
+    body: Mapping[str, Any]
+    points: float
+    max_points: float
+    correct: bool
+
+    @property
+    def score(self) -> float:
+        """The points as a part of 1."""
+        return self.points / self.max_points
+
+    @property
+    def codes(self) -> tuple[str, ...]:
+        """Codes of what was found, most important first; repairs by the codes of their edits."""
+        found = [entry["code"] for entry in self.body["feedback"]]
+        found += [edit["code"] for repair in self.body["repairs"][:1] for edit in repair["edits"]]
+        for part in self.body["parts"].values():
+            found += [entry["code"] for entry in part["feedback"]]
+        return tuple(dict.fromkeys(found))
+
+    def sentences(self) -> tuple[str, ...]:
+        """What a student is told, in the language of the call."""
+        told = [entry["message"] for entry in self.body["feedback"]]
+        told += [edit["message"] for repair in self.body["repairs"][:1] for edit in repair["edits"]]
+        for part in self.body["parts"].values():
+            told += [entry["message"] for entry in part["feedback"]]
+        return tuple(dict.fromkeys(told))
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class NotGraded:
+    """An answer that cannot be graded, and costs no attempt.
+
+    Attributes:
+        faults: what is wrong, each with its place.
+    """
+
+    faults: tuple[Fault, ...]
+
+    def sentences(self, language: str) -> tuple[str, ...]:
+        """What is wrong, in a language, with its place."""
+        return tuple(told_fault(fault, language) for fault in self.faults)
+
+
+def told_fault(fault: Fault, language: str) -> str:
+    """Return the sentence of a fault, behind its place."""
+    text = sentence(language, f"error-{fault.code}", fault.params) or str(fault)
+    place = ", ".join(str(step + 1 if isinstance(step, int) else step) for step in fault.where)
+    return f"{place}: {text}" if place else text
+
+
+def judge(
+    exercise_id: str, answer: Mapping[str, Any], language: str = "en", limits: Limits = DEFAULT
+) -> Judged | NotGraded:
+    """Grade an answer.
+
+    Args:
+        exercise_id: the exercise.
+        answer: the body of POST /exercises/{id}/grade: the parts, `seed`, `help`.
+        language: of the sentences.
+        limits: how large a table may be.
+
+    Raises:
+        UnknownExerciseError: there is no such exercise.
+    """
+    instance_of(exercise_id, None)
+    try:
+        wire: ExerciseAnswer = validated(_adapter(), answer)
+        instance = instance_of(exercise_id, wire.seed)
+        read = parse(instance, wire.raw(), limits)
+        report = grade(instance, read, wire.help)
+    except (KinematicsError, ExerciseError, ServiceError) as error:
+        return NotGraded(faults=error.faults)
+    units = (read.angle_unit.value, read.length_unit.value)
+    body = orjson.loads(encoded(report_body(report, instance, units, None, language)))
+    return Judged(
+        body=body,
+        points=report.points,
+        max_points=sum(part.max_points for part in report.parts),
+        correct=report.correct,
+    )
+
+
+def with_joint_types(exercise_id: str, table: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Give a table of plain numbers the joint types of the exercise, row by row.
+
+    Tables of other programs list offsets and name no variables. A table that says its joints itself, or has
+    another number of rows than the exercise has joints, stays as it is.
+    """
+    types = instance_of(exercise_id, None).exercise.reference.table.joint_types
+    rows = table.get("rows")
+    if (
+        not isinstance(rows, list)
+        or len(rows) != len(types)
+        or not all(isinstance(row, dict) for row in rows)
+    ):
+        return table
+    if any("joint" in row or _is_variable(row.get("theta")) or _is_variable(row.get("d")) for row in rows):
+        return table
+    typed = [{**row, "joint": kind.value} for row, kind in zip(rows, types, strict=True)]
+    return {**table, "rows": typed}
+
+
+def _is_variable(cell: object) -> bool:
+    if not isinstance(cell, str):
+        return False
+    bare = cell.replace("\\", "").replace("_", "").replace(" ", "").lower()
+    return any(
+        bare.count(f"{letter}{digit}")
+        for letter in ("q", "θ", "theta", "d")
+        for digit in "₁₂₃₄₅₆₇₈₉123456789"
+    )
+
+
+@cache
+def _adapter() -> TypeAdapter[ExerciseAnswer]:
+    return TypeAdapter(ExerciseAnswer)

@@ -1,0 +1,133 @@
+"""µEd 0.1.0: a platform's evaluation request as one of our answers, and our judgement as its feedback."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from exercises.grading import HelpLevel
+from kinematics.errors import Fault
+from service.adapters.class_grading import exercise_named
+from service.adapters.judging import Judged, NotGraded, judge, told_fault, with_joint_types
+from service.http.negotiation import preferred_language
+from service.messages import DEFAULT_LANGUAGE, languages, sentence
+from service.schemas.evaluation import EvaluateRequest, SubmissionType
+
+VERSION = "0.1.0"
+TABLE_FORMAT = "dh_table"
+ANSWER_FORMAT = "exercise_answer"
+EVALUATED = (SubmissionType.MODEL, SubmissionType.OTHER)
+_DETAIL = {"BRIEF": HelpLevel.ROW, "MEDIUM": HelpLevel.KIND, "DETAILED": HelpLevel.REPAIR}
+
+
+class NotEvaluatedError(Exception):
+    """A request that µEd answers with 400: the code, and what would be right."""
+
+    def __init__(self, fault: Fault) -> None:
+        super().__init__(str(fault))
+        self.fault = fault
+
+
+def language_wanted(request: EvaluateRequest, accept_language: str | None) -> str:
+    """Return the language of the feedback: the learner's, or else the caller's, or else English."""
+    preference = request.user.preference if request.user else None
+    wanted = (preference.language if preference else None) or accept_language
+    return preferred_language(wanted, languages()) if wanted else DEFAULT_LANGUAGE
+
+
+def evaluate(request: EvaluateRequest, language: str) -> list[dict[str, Any]]:
+    """Evaluate a submission.
+
+    Raises:
+        NotEvaluatedError: it names no exercise, or is nothing that is evaluated here.
+        UnknownExerciseError: there is no such exercise.
+    """
+    submission = request.submission
+    if submission.type not in EVALUATED:
+        known = tuple(kind.value for kind in EVALUATED)
+        raise NotEvaluatedError(
+            Fault(code="artefact_unknown", params={"type": submission.type.value, "known": known})
+        )
+    exercise_id = _exercise(request)
+    answer: dict[str, Any] = dict(submission.content)
+    if "rows" in answer:
+        answer = {"table": answer}
+    if isinstance(answer.get("table"), Mapping):
+        answer["table"] = with_joint_types(exercise_id, answer["table"])
+    seed = (request.task.metadata or {}).get("seed") if request.task else None
+    if seed is not None:
+        answer["seed"] = str(seed)
+    preference = request.user.preference if request.user else None
+    if preference and preference.detail in _DETAIL:
+        answer["help"] = _DETAIL[preference.detail].value
+    if request.pre_submission_feedback and request.pre_submission_feedback.enabled:
+        return checked(judge(exercise_id, {**answer, "help": HelpLevel.VERDICT.value}, language), language)
+    return feedback_of(judge(exercise_id, answer, language), submission.type, language)
+
+
+def checked(judged: Judged | NotGraded, language: str) -> list[dict[str, Any]]:
+    """Return whether an answer could be graded, and nothing of whether it is right."""
+    if isinstance(judged, NotGraded):
+        return _refusals(judged, language)
+    title = sentence(language, "evaluation-readable") or ""
+    return [{"feedbackId": "readable", "title": title, "message": title}]
+
+
+def feedback_of(judged: Judged | NotGraded, kind: SubmissionType, language: str) -> list[dict[str, Any]]:
+    """Return µEd's feedback: first the outcome with all points, then what is said of rows and cells."""
+    if isinstance(judged, NotGraded):
+        return _refusals(judged, language)
+    title = sentence(language, "evaluation-right" if judged.correct else "evaluation-wrong") or ""
+    entries: list[dict[str, Any]] = [
+        {
+            "feedbackId": "verdict",
+            "title": title,
+            "message": " ".join(judged.sentences()) or title,
+            "awardedPoints": judged.points,
+        }
+    ]
+    for number, entry in enumerate(judged.body["feedback"], 1):
+        entries.append(_entry(f"feedback-{number}", entry, kind))
+    repairs = judged.body["repairs"][:1]
+    for number, edit in enumerate((edit for repair in repairs for edit in repair["edits"]), 1):
+        entries.append({**_entry(f"repair-{number}", edit, kind), "suggestedAction": edit["message"]})
+    for part, report in judged.body["parts"].items():
+        for number, entry in enumerate(report["feedback"], 1):
+            entries.append(_entry(f"{part}-{number}", entry, kind))
+    return entries
+
+
+def _entry(identifier: str, entry: Mapping[str, Any], kind: SubmissionType) -> dict[str, Any]:
+    told: dict[str, Any] = {
+        "feedbackId": identifier,
+        "title": entry["code"],
+        "message": entry["message"],
+    }
+    if entry["row"] is not None:
+        column = {"column": entry["cell"]} if entry.get("cell") else {}
+        locator = {"type": "cell" if column else "row", "row": entry["row"], **column}
+        told["target"] = {"artefactType": kind.value, "format": TABLE_FORMAT, "locator": locator}
+    return told
+
+
+def _refusals(judged: NotGraded, language: str) -> list[dict[str, Any]]:
+    title = sentence(language, "evaluation-unreadable") or ""
+    return [
+        {"feedbackId": f"fault-{number}", "title": title, "message": told_fault(fault, language)}
+        for number, fault in enumerate(judged.faults, 1)
+    ]
+
+
+def _exercise(request: EvaluateRequest) -> str:
+    """Return the exercise that a request means; a platform has ids of its own, so any member may name it."""
+    task = request.task
+    candidates = (
+        (task.metadata or {}).get("exercise") if task else None,
+        task.task_id if task else None,
+        request.submission.task_id,
+        request.submission.content.get("exercise"),
+    )
+    for candidate in candidates:
+        if isinstance(candidate, str) and (found := exercise_named(candidate)):
+            return found
+    raise NotEvaluatedError(Fault(code="exercise_not_named"))

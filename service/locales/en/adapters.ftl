@@ -1,0 +1,25 @@
+# Files of students, other systems' autograders, SCORM packages, receipts.
+
+error-file_too_large = { $file } is larger than { $limit } bytes; a table takes a few kilobytes.
+error-file_unreadable = { $file } cannot be read: { $reason }.
+error-file_type_unknown = { $file } is of a type that is not read here. Read are { $known }.
+error-file_without_table = { $file } holds no DH table. A table has the columns theta, d, a and alpha.
+error-files_too_many = { $file } holds more than { $limit } files.
+error-columns_unknown = No row of { $file } names the columns { $known }. Write them above the table.
+error-columns_differ_in_length = The columns of { $file } differ in length; each needs one entry for each row.
+error-exercise_not_named = It is not said which exercise this answers. Name it, such as puma560.
+error-artefact_unknown = Artefacts of type { $type } are not evaluated here; { $known } are.
+error-callback_not_allowed = The operator of this service does not allow feedback to be sent to this address.
+error-version_not_supported = This version of the evaluation API is not spoken here; { $supported } is.
+
+error-receipt_malformed = This is not a receipt, or not all of it. Copy it from its first character to its last.
+error-receipt_key_unknown = The receipt was signed with a key that this service does not have. Ask the service that issued it.
+error-receipt_altered = The receipt was changed after it was issued.
+
+evaluation-right = Right
+evaluation-wrong = Not right yet
+evaluation-readable = The answer can be graded.
+evaluation-unreadable = The answer cannot be graded as it stands; this costs no attempt.
+
+scorm-no-script = This exercise needs JavaScript.
+scorm-no-lms = No learning platform was found around this page. You can practise, but no mark will be recorded.

@@ -1,0 +1,25 @@
+# Ficheiros de estudantes, avaliadores de outros sistemas, pacotes SCORM, recibos.
+
+error-file_too_large = { $file } ocupa mais de { $limit } bytes; uma tabela ocupa poucos quilobytes.
+error-file_unreadable = Não é possível ler { $file }: { $reason }.
+error-file_type_unknown = { $file } é de um tipo que não é lido aqui. São lidos { $known }.
+error-file_without_table = { $file } não contém nenhuma tabela DH. Uma tabela tem as colunas theta, d, a e alpha.
+error-files_too_many = { $file } contém mais de { $limit } ficheiros.
+error-columns_unknown = Nenhuma linha de { $file } nomeia as colunas { $known }. Escreva-as acima da tabela.
+error-columns_differ_in_length = As colunas de { $file } têm comprimentos diferentes; cada uma precisa de um valor por linha.
+error-exercise_not_named = Não se diz a que exercício isto responde. Indique-o, por exemplo puma560.
+error-artefact_unknown = Aqui não se avaliam artefactos do tipo { $type }; avaliam-se { $known }.
+error-callback_not_allowed = O operador deste serviço não permite enviar comentários para este endereço.
+error-version_not_supported = Esta versão da API de avaliação não é suportada aqui; é suportada { $supported }.
+
+error-receipt_malformed = Isto não é um recibo, ou não está completo. Copie-o do primeiro ao último carácter.
+error-receipt_key_unknown = O recibo foi assinado com uma chave que este serviço não tem. Pergunte ao serviço que o emitiu.
+error-receipt_altered = O recibo foi alterado depois de emitido.
+
+evaluation-right = Certo
+evaluation-wrong = Ainda não está certo
+evaluation-readable = A resposta pode ser avaliada.
+evaluation-unreadable = A resposta não pode ser avaliada tal como está; isto não conta como tentativa.
+
+scorm-no-script = Este exercício precisa de JavaScript.
+scorm-no-lms = Não foi encontrada nenhuma plataforma de aprendizagem em torno desta página. Pode praticar, mas nenhuma nota será registada.

@@ -1,0 +1,25 @@
+# Fișiere ale studenților, evaluatori ai altor sisteme, pachete SCORM, adeverințe.
+
+error-file_too_large = { $file } depășește { $limit } octeți; un tabel ocupă câțiva kiloocteți.
+error-file_unreadable = { $file } nu poate fi citit: { $reason }.
+error-file_type_unknown = { $file } este de un tip care nu se citește aici. Se citesc { $known }.
+error-file_without_table = { $file } nu conține niciun tabel DH. Un tabel are coloanele theta, d, a și alpha.
+error-files_too_many = { $file } conține mai mult de { $limit } fișiere.
+error-columns_unknown = Niciun rând din { $file } nu numește coloanele { $known }. Scrieți-le deasupra tabelului.
+error-columns_differ_in_length = Coloanele din { $file } au lungimi diferite; fiecare are nevoie de o valoare pentru fiecare rând.
+error-exercise_not_named = Nu se spune la ce exercițiu răspunde. Numiți-l, de exemplu puma560.
+error-artefact_unknown = Aici nu se evaluează artefacte de tipul { $type }; se evaluează { $known }.
+error-callback_not_allowed = Operatorul acestui serviciu nu permite trimiterea de comentarii la această adresă.
+error-version_not_supported = Această versiune a API-ului de evaluare nu este suportată aici; este suportată { $supported }.
+
+error-receipt_malformed = Aceasta nu este o adeverință sau nu este întreagă. Copiați-o de la primul până la ultimul caracter.
+error-receipt_key_unknown = Adeverința a fost semnată cu o cheie pe care acest serviciu nu o are. Întrebați serviciul care a emis-o.
+error-receipt_altered = Adeverința a fost modificată după emitere.
+
+evaluation-right = Corect
+evaluation-wrong = Încă nu este corect
+evaluation-readable = Răspunsul poate fi notat.
+evaluation-unreadable = Răspunsul nu poate fi notat așa cum este; aceasta nu se socotește ca încercare.
+
+scorm-no-script = Acest exercițiu are nevoie de JavaScript.
+scorm-no-lms = Nu s-a găsit nicio platformă de învățare în jurul acestei pagini. Puteți exersa, dar nu se va înregistra nicio notă.

@@ -1,0 +1,25 @@
+# Файли студентів, перевірники інших систем, пакети SCORM, квитанції.
+
+error-file_too_large = { $file } займає понад { $limit } байтів; таблиця займає кілька кілобайтів.
+error-file_unreadable = { $file } не вдається прочитати: { $reason }.
+error-file_type_unknown = Файли такого типу, як { $file }, тут не читаються. Читаються { $known }.
+error-file_without_table = { $file } не містить таблиці DH. Таблиця має стовпці theta, d, a та alpha.
+error-files_too_many = { $file } містить понад { $limit } файлів.
+error-columns_unknown = Жоден рядок у { $file } не називає стовпців { $known }. Напишіть їх над таблицею.
+error-columns_differ_in_length = Стовпці в { $file } різної довжини; у кожному має бути по одному значенню на рядок.
+error-exercise_not_named = Не сказано, на яку вправу це відповідь. Назвіть її, наприклад puma560.
+error-artefact_unknown = Роботи типу { $type } тут не оцінюються; оцінюються { $known }.
+error-callback_not_allowed = Оператор цієї служби не дозволяє надсилати відгуки на цю адресу.
+error-version_not_supported = Ця версія API оцінювання тут не підтримується; підтримується { $supported }.
+
+error-receipt_malformed = Це не квитанція або не вся квитанція. Скопіюйте її від першого символу до останнього.
+error-receipt_key_unknown = Квитанцію підписано ключем, якого ця служба не має. Зверніться до служби, що її видала.
+error-receipt_altered = Квитанцію змінено після видачі.
+
+evaluation-right = Правильно
+evaluation-wrong = Ще не правильно
+evaluation-readable = Відповідь можна оцінити.
+evaluation-unreadable = Відповідь у такому вигляді оцінити не можна; це не рахується за спробу.
+
+scorm-no-script = Для цієї вправи потрібен JavaScript.
+scorm-no-lms = Навколо цієї сторінки не знайдено навчальної платформи. Ви можете вправлятися, але оцінку не буде записано.

@@ -1,0 +1,1 @@
+"""Receipts: what a student takes away from a verdict, signed, so that a lecturer can trust it."""

@@ -1,0 +1,85 @@
+"""Many receipts verified: what each says, and as marks for a gradebook."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from kinematics.errors import Fault
+from service.adapters.gradebook import Mark
+from service.http.problems import RequestError
+from service.receipts.keys import ReceiptKeys
+from service.receipts.receipt import Receipt, verify
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class CheckedReceipt:
+    """One text that was handed in as a receipt.
+
+    Attributes:
+        text: the text, without white space.
+        receipt: what it says; None if it is not ours.
+        fault: why it is not ours.
+        repeated: whether the same answer stands in another receipt beside it.
+    """
+
+    text: str
+    receipt: Receipt | None
+    fault: Fault | None
+    repeated: bool = False
+
+
+def check_receipts(texts: Sequence[str], keys: ReceiptKeys) -> list[CheckedReceipt]:
+    """Verify receipts; line breaks and spaces that a mail program put in do no harm."""
+    checked = [_check("".join(text.split()), keys) for text in texts]
+    answers = Counter(_answer(entry.receipt) for entry in checked if entry.receipt)
+    return [
+        CheckedReceipt(
+            text=entry.text,
+            receipt=entry.receipt,
+            fault=entry.fault,
+            repeated=entry.receipt is not None and answers[_answer(entry.receipt)] > 1,
+        )
+        for entry in checked
+    ]
+
+
+def marks_of(checked: Iterable[CheckedReceipt]) -> Iterator[Mark]:
+    """Yield a mark for each receipt; one that is not ours has no points."""
+    for entry in checked:
+        receipt = entry.receipt
+        if receipt is None:
+            assert entry.fault is not None
+            yield Mark(
+                student="",
+                exercise="",
+                points=None,
+                max_points=None,
+                correct=False,
+                codes=(entry.fault.code,),
+                feedback="",
+                source=entry.text[:40],
+            )
+        else:
+            yield Mark(
+                student=receipt.name,
+                exercise=receipt.exercise,
+                points=receipt.points,
+                max_points=receipt.max_points,
+                correct=receipt.points >= receipt.max_points,
+                codes=("answer_repeated",) if entry.repeated else (),
+                feedback=receipt.time.isoformat(),
+                source=entry.text[-12:],
+            )
+
+
+def _check(text: str, keys: ReceiptKeys) -> CheckedReceipt:
+    try:
+        return CheckedReceipt(text=text, receipt=verify(text, keys), fault=None)
+    except RequestError as error:
+        return CheckedReceipt(text=text, receipt=None, fault=error.faults[0])
+
+
+def _answer(receipt: Receipt) -> tuple[str, str, str | None]:
+    return receipt.exercise, receipt.answer, receipt.seed

@@ -1,0 +1,70 @@
+"""SCORM packages of exercises, for courses whose administrator nobody waits for."""
+
+from __future__ import annotations
+
+from typing import Annotated
+from urllib.parse import urlencode
+
+from fastapi import Query, Request, Response
+
+from service.adapters.scorm import ScormPackage, ScormVersion, package
+from service.http.languages import language_of
+from service.http.openapi import problems
+from service.http.routing import api_router
+from service.messages import sentence
+from service.routes.exercises import Id, Language
+from service.schemas.verdicts import Help
+from service.wire.exercise_views import instance_of
+from service.wire.ungraded import known_exercise
+
+router = api_router("exercises")
+
+ZIP = "application/zip"
+_SENTENCES = {"no_script": "scorm-no-script", "no_lms": "scorm-no-lms"}
+
+
+@router.get(
+    "/exercises/{exercise_id}/scorm.zip",
+    responses={
+        200: {"content": {ZIP: {"schema": {"type": "string", "format": "binary"}}}},
+        **problems(404),
+    },
+    response_class=Response,
+    summary="The exercise as a SCORM package",
+)
+async def scorm_package(
+    request: Request,
+    exercise_id: Id,
+    version: Annotated[ScormVersion, Query(description="1.2, or 2004 (4th edition)")] = ScormVersion.V1_2,
+    per_student: Annotated[bool, Query(description="every student gets values of their own")] = True,
+    pass_mark: Annotated[
+        float, Query(alias="pass", gt=0, le=1, description="share of the points that passes")
+    ] = 0.5,
+    help_level: Annotated[
+        Help | None, Query(alias="help", description="less help than the exercise allows")
+    ] = None,
+    lang: Language = None,
+) -> Response:
+    """A package that an LMS plays: it shows the exercise from this service and records score and answer.
+
+    What an LMS learns through SCORM comes from the student's browser and can be forged there; the receipt
+    that the package leaves in the comments cannot.
+    """
+    with known_exercise():
+        found = instance_of(exercise_id, None).exercise
+    language = language_of(request)
+    query = {"embed": "scorm", "lang": language, **({"help": help_level.value} if help_level else {})}
+    page = request.url_for("exercise_page", exercise_id=exercise_id)
+    what = ScormPackage(
+        version=version,
+        identifier=found.id,
+        title=found.titles[language],
+        language=language,
+        url=f"{page}?{urlencode(query)}",
+        per_student=per_student,
+        pass_mark=pass_mark,
+        sentences={name: sentence(language, message) or "" for name, message in _SENTENCES.items()},
+    )
+    name = f"{found.id}-scorm-{version.value}.zip"
+    headers = {"Content-Disposition": f'attachment; filename="{name}"', "Cache-Control": "no-cache"}
+    return Response(package(what), media_type=ZIP, headers=headers)

@@ -1,0 +1,146 @@
+"""µEd 0.1.0 on the wire: what a platform sends to have an answer evaluated, and the feedback it gets.
+
+Platforms leave out what they do not use and add what we do not know: unlike our own calls, nothing but the
+submission's type and content is needed, and unknown members are passed over.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+
+class _Lenient(BaseModel):
+    model_config = ConfigDict(extra="ignore", frozen=True, populate_by_name=True)
+
+
+class SubmissionType(StrEnum):
+    """Kinds of artefacts."""
+
+    TEXT = "TEXT"
+    CODE = "CODE"
+    MODEL = "MODEL"
+    MATH = "MATH"
+    OTHER = "OTHER"
+
+
+class Submission(_Lenient):
+    """What a learner hands in."""
+
+    type: SubmissionType
+    content: dict[str, Any] = Field(
+        description="a DH table (`convention`, `rows`) or an answer with the parts of an exercise"
+    )
+    format: str | None = Field(None, description="dh_table, or exercise_answer")
+    submission_id: str | None = Field(None, alias="submissionId")
+    task_id: str | None = Field(None, alias="taskId")
+
+
+class Task(_Lenient):
+    """What the learner was asked."""
+
+    task_id: str | None = Field(None, alias="taskId", description="id of an exercise of this service")
+    reference_solution: dict[str, Any] | None = Field(
+        None, alias="referenceSolution", description="a DH table to judge by, instead of an exercise"
+    )
+    metadata: dict[str, Any] | None = Field(None, description="`exercise` and `seed`")
+
+
+class Preference(_Lenient):
+    """How a learner wants feedback."""
+
+    detail: str | None = Field(None, description="BRIEF, MEDIUM or DETAILED")
+    language: str | None = Field(None, description="language tag of the feedback")
+
+
+class Learner(_Lenient):
+    """Whom the feedback is for; nothing of it is kept."""
+
+    preference: Preference | None = None
+
+
+class Enabled(_Lenient):
+    """A switch."""
+
+    enabled: bool = False
+
+
+class EvaluateRequest(_Lenient):
+    """The body of POST /evaluate."""
+
+    submission: Submission
+    task: Task | None = None
+    user: Learner | None = None
+    pre_submission_feedback: Enabled | None = Field(None, alias="preSubmissionFeedback")
+    callback_url: str | None = Field(None, alias="callbackUrl", max_length=2000)
+    configuration: dict[str, Any] | None = None
+
+
+class FeedbackTarget(_Lenient):
+    """The place that feedback speaks of."""
+
+    artefact_type: SubmissionType = Field(alias="artefactType")
+    format: str
+    locator: dict[str, Any]
+
+
+class EvaluationFeedback(_Lenient):
+    """One thing to tell the learner."""
+
+    feedback_id: str = Field(alias="feedbackId")
+    title: str
+    message: str
+    suggested_action: str | None = Field(None, alias="suggestedAction")
+    awarded_points: float | None = Field(None, alias="awardedPoints")
+    target: FeedbackTarget | None = None
+
+
+class EvaluationAccepted(_Lenient):
+    """The feedback is going to be sent to the callback."""
+
+    status: Literal["ACCEPTED"]
+    request_id: str = Field(alias="requestId")
+
+
+class EvaluationError(_Lenient):
+    """Why nothing was evaluated."""
+
+    title: str
+    message: str
+    code: str
+    trace: str | None = None
+    details: dict[str, Any] | None = None
+
+
+class ArtefactProfile(_Lenient):
+    """What can be evaluated."""
+
+    type: SubmissionType
+    supported_formats: list[str] = Field(alias="supportedFormats")
+    content_schema: dict[str, Any] = Field(alias="contentSchema")
+    locator_schema: dict[str, Any] = Field(alias="locatorSchema")
+
+
+class Capabilities(_Lenient):
+    """What this service does of µEd."""
+
+    supports_evaluate: bool = Field(alias="supportsEvaluate")
+    supports_pre_submission_feedback: bool = Field(alias="supportsPreSubmissionFeedback")
+    supports_formative_feedback: bool = Field(alias="supportsFormativeFeedback")
+    supports_summative_feedback: bool = Field(alias="supportsSummativeFeedback")
+    supports_data_policy: str = Field(alias="supportsDataPolicy")
+    supported_artefact_profiles: list[ArtefactProfile] = Field(alias="supportedArtefactProfiles")
+    supported_languages: list[str] = Field(alias="supportedLanguages")
+    supported_versions: list[str] = Field(alias="supportedVersions")
+
+
+class EvaluationHealth(_Lenient):
+    """The state of the evaluation service."""
+
+    status: Literal["OK", "DEGRADED", "UNAVAILABLE"]
+    version: str
+    message: str | None = None
+    requirements: dict[str, Any]
+    capabilities: Capabilities

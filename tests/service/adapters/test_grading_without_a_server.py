@@ -1,0 +1,160 @@
+"""A class graded from its files, and the protocols of other systems' autograders."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from framewise import check
+from service.adapters.class_grading import ClassSettings, grade_class, misconceptions
+from service.adapters.gradebook import GradebookFormat, Mark, write_marks
+from service.adapters.hand_ins import hand_ins
+from service.adapters.hosts import HOSTS
+from service.adapters.hosts.assignment import Assignment
+from service.adapters.table_files import TableSettings
+
+RIGHT = "theta,d,a,alpha\nq1,0,L1,0\nq2,0,L2,0\n"
+NUMBERS = "theta,d,a,alpha\n0,0,L1,0\n0,0,L2,0\n"
+WRONG = "theta,d,a,alpha\nq1,0,L1,90\nq2,0,L2,0\n"
+BROKEN = "theta,d,a,alpha\nq1,0,L1,(\nq2,0,L2,0\n"
+TWO_LINKS = Assignment(exercise="twolink", tables=TableSettings(angle_unit="deg"))
+
+
+def table(text: str) -> dict[str, Any]:
+    rows = list(csv.DictReader(io.StringIO(text)))
+    return {"convention": "standard", "angle_unit": "deg", "rows": rows}
+
+
+@pytest.fixture
+def class_folder(tmp_path: Path) -> Path:
+    folder = tmp_path / "class"
+    folder.mkdir()
+    for i, text in enumerate((RIGHT, WRONG, BROKEN, NUMBERS) * 9):
+        (folder / f"student{i:02}.csv").write_text(text)
+    (folder / "student36.json").write_text(json.dumps({"Two-Link": table(RIGHT)}))
+    return folder
+
+
+def graded(folder: Path, jobs: int) -> list[Mark]:
+    settings = ClassSettings(exercise="twolink", language="fr")
+    return list(grade_class(hand_ins(folder, TableSettings(angle_unit="deg")), settings, jobs=jobs))
+
+
+def test_a_class_is_graded_in_the_order_of_its_files_by_any_number_of_processes(class_folder: Path) -> None:
+    marks = graded(class_folder, jobs=1)
+    assert [mark.student for mark in marks] == sorted(mark.student for mark in marks)
+    assert [mark.correct for mark in marks] == [True, False, False, True] * 9 + [True]
+    assert [mark.points is None for mark in marks] == [False, False, True, False] * 9 + [False]
+    assert all(mark.score == 1 for mark in marks if mark.correct)
+    assert all(mark.score is not None and mark.score < 1 for mark in marks[1::4])
+    assert misconceptions(marks)["not_equivalent"] == 9
+    assert graded(class_folder, jobs=2) == marks
+
+
+def test_gradebooks(class_folder: Path) -> None:
+    marks = graded(class_folder, jobs=1)[:3]
+    written = {}
+    for form in GradebookFormat:
+        stream = io.StringIO()
+        write_marks(marks, stream, form)
+        written[form] = list(csv.reader(io.StringIO(stream.getvalue())))
+    assert written[GradebookFormat.CSV][1][:3] == ["student00", "twolink", "true"]
+    assert written[GradebookFormat.MOODLE][1][0] == "student00"
+    assert written[GradebookFormat.CANVAS][0][-1] == "twolink"
+    assert written[GradebookFormat.CANVAS][1][0].strip() == "Points Possible"
+    assert written[GradebookFormat.CANVAS][4][-1] == ""  # not graded is no zero
+
+
+def test_no_cell_of_a_gradebook_is_a_formula() -> None:
+    mark = Mark(
+        student="=HYPERLINK(1)", exercise="x", points=1, max_points=1, correct=True, codes=(), feedback="@x",
+        source="-1",
+    )  # fmt: skip
+    for form in GradebookFormat:
+        stream = io.StringIO()
+        write_marks([mark], stream, form)
+        cells = [cell for row in csv.reader(io.StringIO(stream.getvalue())) for cell in row]
+        assert not any(cell.startswith(("=", "@", "-")) for cell in cells)
+
+
+@pytest.mark.parametrize(("text", "score"), [(RIGHT, 1.0), (WRONG, None), (BROKEN, 0.0)])
+def test_gradescope(text: str, score: float | None, tmp_path: Path) -> None:
+    (tmp_path / "submission").mkdir()
+    (tmp_path / "submission" / "answer.csv").write_text(text)
+    assignment = Assignment(exercise="twolink", points=10, tables=TableSettings(angle_unit="deg"))
+    assert HOSTS["gradescope"](assignment, tmp_path) == 0
+    results = json.loads((tmp_path / "results" / "results.json").read_text())
+    assert results["output"]
+    if score is None:
+        assert 0 < results["score"] < 10
+        assert results["tests"][0]["status"] == "failed"
+    else:
+        assert results["score"] == 10 * score
+
+
+@pytest.mark.parametrize("submitted", [table(RIGHT), json.dumps(table(RIGHT)), {"table": table(RIGHT)}])
+def test_prairielearn(submitted: Mapping[str, Any] | str, tmp_path: Path) -> None:
+    (tmp_path / "data").mkdir()
+    data = {"params": {"framewise": {"exercise": "twolink"}}, "submitted_answers": {"table": submitted}}
+    (tmp_path / "data" / "data.json").write_text(json.dumps(data))
+    assert HOSTS["prairielearn"](Assignment(), tmp_path) == 0
+    results = json.loads((tmp_path / "results" / "results.json").read_text())
+    assert results["gradable"]
+    assert results["score"] == 1.0
+
+
+def test_prairielearn_counts_no_attempt_for_what_cannot_be_graded(tmp_path: Path) -> None:
+    for folder in ("data", "student"):
+        (tmp_path / folder).mkdir()
+    (tmp_path / "data" / "data.json").write_text(json.dumps({"params": {}, "submitted_answers": {}}))
+    (tmp_path / "student" / "answer.csv").write_text(BROKEN)
+    HOSTS["prairielearn"](TWO_LINKS, tmp_path)
+    results = json.loads((tmp_path / "results" / "results.json").read_text())
+    assert results["gradable"] is False
+    assert results["format_errors"]
+
+
+def test_coderunner(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "answer").write_text(json.dumps(table(RIGHT)))
+    HOSTS["coderunner"](TWO_LINKS, tmp_path / "answer")
+    outcome = json.loads(capsys.readouterr().out)
+    assert outcome["fraction"] == 1.0
+    assert outcome["testresults"][0][0] == "iscorrect"
+    (tmp_path / "answer").write_text("<script>alert(1)</script>")
+    HOSTS["coderunner"](TWO_LINKS, tmp_path / "answer")
+    outcome = json.loads(capsys.readouterr().out)
+    assert outcome["fraction"] == 0
+    assert "<script" not in outcome["prologuehtml"]
+
+
+def test_nbgrader_prints_points(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "answer.csv").write_text(RIGHT)
+    assignment = Assignment(exercise="twolink", points=5, tables=TableSettings(angle_unit="deg"))
+    HOSTS["nbgrader"](assignment, tmp_path / "answer.csv")
+    assert capsys.readouterr().out == "5\n"
+
+
+def test_otter_writes_results(tmp_path: Path) -> None:
+    (tmp_path / "answer.csv").write_text(RIGHT)
+    HOSTS["otter"](TWO_LINKS, tmp_path / "answer.csv")
+    assert json.loads((tmp_path / "results.json").read_text())["tests"][0]["status"] == "passed"
+
+
+def test_a_notebook_is_told() -> None:
+    right = check(table(NUMBERS), "twolink")
+    assert right.correct
+    assert right.points_of(5) == 5
+    assert "✓" in right._repr_html_()
+    wrong = check(table(WRONG), "twolink", language="es")
+    assert not wrong.correct
+    assert wrong.gradable
+    assert wrong.feedback
+    broken = check(table(BROKEN), "twolink")
+    assert not broken.gradable
+    assert broken.points_of(5) == 0

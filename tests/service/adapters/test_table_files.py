@@ -1,0 +1,174 @@
+"""Tables in the files that courses use."""
+
+from __future__ import annotations
+
+import io
+import json
+import zipfile
+from pathlib import Path
+from xml.sax.saxutils import escape
+
+import pytest
+
+from service.adapters.hand_ins import hand_ins, student_of
+from service.adapters.table_files import LARGEST_FILE, TableSettings, read_tables
+from service.http.problems import RequestError
+
+DEG = TableSettings(angle_unit="deg")
+COURSE = {
+    "scara": {"theta offset": [0, 0, 0], "d": [0, 0, 0.1], "a": [0.4, 0.3, 0], "alpha": [0, 3.14159, 0]},
+    "two": {"theta offset": [0], "d": [0], "a": [1], "alpha": [0]},
+}
+
+
+def rows(name: str, content: bytes, settings: TableSettings = DEG) -> list[dict[str, object]]:
+    (found,) = read_tables(name, content, settings)
+    return list(found.table["rows"])
+
+
+def spreadsheet(sheets: dict[str, list[list[object]]]) -> bytes:
+    """The least that is a workbook: Office Open XML with inline strings."""
+    stream = io.BytesIO()
+    main = 'xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"'
+    relations = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+    package = "http://schemas.openxmlformats.org/package/2006"
+    with zipfile.ZipFile(stream, "w") as book:
+        kinds = "".join(
+            f'<Override PartName="/xl/worksheets/sheet{i}.xml" ContentType="application/vnd.openxmlformats-'
+            'officedocument.spreadsheetml.worksheet+xml"/>'
+            for i in range(1, len(sheets) + 1)
+        )
+        book.writestr(
+            "[Content_Types].xml",
+            f'<Types xmlns="{package}/content-types"><Default Extension="rels" ContentType="application/vnd.'
+            'openxmlformats-package.relationships+xml"/><Override PartName="/xl/workbook.xml" ContentType='
+            f'"application/vnd.openxmlformats-officedocument.spreadsheetml.sheet.main+xml"/>{kinds}</Types>',
+        )
+        book.writestr(
+            "_rels/.rels",
+            f'<Relationships xmlns="{package}/relationships"><Relationship Id="r" Type="{relations}/'
+            'officeDocument" Target="xl/workbook.xml"/></Relationships>',
+        )
+        listed = "".join(
+            f'<sheet name="{name}" sheetId="{i}" r:id="r{i}"/>' for i, name in enumerate(sheets, 1)
+        )
+        book.writestr(
+            "xl/workbook.xml", f'<workbook {main} xmlns:r="{relations}"><sheets>{listed}</sheets></workbook>'
+        )
+        links = "".join(
+            f'<Relationship Id="r{i}" Type="{relations}/worksheet" Target="worksheets/sheet{i}.xml"/>'
+            for i in range(1, len(sheets) + 1)
+        )
+        book.writestr(
+            "xl/_rels/workbook.xml.rels",
+            f'<Relationships xmlns="{package}/relationships">{links}</Relationships>',
+        )
+        for i, grid in enumerate(sheets.values(), 1):
+            lines = "".join(f"<row>{''.join(map(cell, row))}</row>" for row in grid)
+            book.writestr(
+                f"xl/worksheets/sheet{i}.xml", f"<worksheet {main}><sheetData>{lines}</sheetData></worksheet>"
+            )
+    return stream.getvalue()
+
+
+def cell(value: object) -> str:
+    if isinstance(value, int | float):
+        return f"<c><v>{value}</v></c>"
+    return f'<c t="inlineStr"><is><t>{escape(str(value))}</t></is></c>'
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("t.csv", b"theta,d,a,alpha\nq1,0,L1,90\nq2,0,L2,0\n"),
+        ("t.csv", "﻿Link;θ [deg];d (m);a_i;α_i\n1;q1;0;L1;90\n2;q2;0;L2;0\n".encode()),
+        ("t.tsv", b"i\tTheta_i\td_i\tr_i\ttwist\n1\tq1\t0\tL1\t90\n2\tq2\t0\tL2\t0\n"),
+        ("t.txt", b"my answer\n\n| theta | d | a | alpha |\n| q1 | 0 | L1 | 90 |\n| q2 | 0 | L2 | 0 |\n"),
+        ("t.json", b'{"theta": ["q1", "q2"], "d": [0, 0], "a": ["L1", "L2"], "alpha": [90, 0]}'),
+    ],
+)  # fmt: skip
+def test_one_table_in_many_files(name: str, content: bytes) -> None:
+    found = rows(name, content)
+    assert [str(row["theta"]) for row in found] == ["q1", "q2"]
+    assert [str(row["a"]) for row in found] == ["L1", "L2"]
+    assert [float(str(row["alpha"])) for row in found] == [90, 0]
+
+
+def test_headers_name_convention_and_units() -> None:
+    content = "θ (deg);d [mm];a_{i-1};α_{i−1}\nq1;12,5;0;90\n".encode()
+    (found,) = read_tables("t.csv", content, TableSettings())
+    assert found.table["convention"] == "modified"
+    assert (found.table["angle_unit"], found.table["length_unit"]) == ("deg", "mm")
+    assert found.table["rows"][0]["d"] == "12.5"
+
+
+def test_several_robots_in_a_file() -> None:
+    found = read_tables("answers.json", json.dumps(COURSE).encode(), TableSettings())
+    assert [table.exercise for table in found] == ["scara", "two"]
+    assert [len(table.table["rows"]) for table in found] == [3, 1]
+
+
+def test_several_students_in_a_file() -> None:
+    content = b"student,theta,d,a,alpha\nann,q1,0,1,0\nbob,q1,0,1,0\nbob,q2,0,2,0\n"
+    found = read_tables("class.csv", content, TableSettings())
+    assert [(table.student, len(table.table["rows"])) for table in found] == [("ann", 1), ("bob", 2)]
+
+
+def test_a_workbook_with_a_sheet_for_each_robot() -> None:
+    head = ["theta", "d", "a", "alpha"]
+    content = spreadsheet({"scara": [head, ["q1", 0, 0.4, 0]], "twolink": [head, ["q1", 0, "L1", 90]]})
+    found = read_tables("class.xlsx", content, DEG)
+    assert [table.exercise for table in found] == ["scara", "twolink"]
+    assert found[0].table["rows"][0]["a"] == 0.4
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "code"),
+    [
+        ("t.json", b"{", "file_unreadable"),
+        ("t.json", b"[" * 500 + b"]" * 500, "file_without_table"),
+        ("t.json", b'{"a": 1}', "file_without_table"),
+        ("t.json", b'{"theta": [0], "d": [0, 1], "a": [0], "alpha": [0]}', "columns_differ_in_length"),
+        ("t.csv", b"", "file_unreadable"),
+        ("t.csv", b"1,2,3,4\n", "columns_unknown"),
+        ("t.csv", b"theta,d,a,alpha\n", "file_without_table"),
+        ("t.xlsx", b"PK\x03\x04 not a workbook", "file_unreadable"),
+        ("t.pdf", b"%PDF", "file_type_unknown"),
+        ("t.csv", b"x" * (LARGEST_FILE + 1), "file_too_large"),
+    ],
+)
+def test_what_cannot_be_read_is_refused_with_its_code(name: str, content: bytes, code: str) -> None:
+    with pytest.raises(RequestError) as refused:
+        read_tables(name, content, TableSettings())
+    assert refused.value.faults[0].code == code
+    assert refused.value.faults[0].params["file"] == name
+
+
+@pytest.mark.parametrize(
+    ("name", "student"),
+    [
+        ("Jane Doe_12345_assignsubmission_file_/table.csv", "Jane Doe"),
+        ("doejane_LATE_123_456_table-1.csv", "doejane"),
+        ("doejane_123_456_table.csv", "doejane"),
+        ("HW3_jdoe_attempt_2026-01-02-10-11-12_t.csv", "jdoe"),
+        ("ann/table.csv", "ann"),
+        ("bob.csv", "bob"),
+    ],
+)
+def test_students_are_named_by_the_schemes_of_lms_archives(name: str, student: str) -> None:
+    assert student_of(name) == student
+
+
+def test_an_archive_is_read_in_memory_and_bounded(tmp_path: Path) -> None:
+    archive = tmp_path / "class.zip"
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as written:
+        written.writestr("../../evil_1_2_x.csv", b"theta,d,a,alpha\nq1,0,1,0\n")
+        written.writestr("bomb_3_4_x.csv", b"0" * (50 * LARGEST_FILE))
+        written.writestr("__MACOSX/._x.csv", b"junk")
+        written.writestr("photo.png", b"junk")
+    before = sorted(tmp_path.rglob("*"))
+    found = list(hand_ins(archive, TableSettings()))
+    assert [hand_in.student for hand_in in found] == ["evil", "bomb"]
+    assert found[0].found is not None
+    assert [fault.code for fault in found[1].faults] == ["file_too_large"]
+    assert sorted(tmp_path.rglob("*")) == before

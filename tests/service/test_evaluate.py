@@ -1,0 +1,155 @@
+"""µEd 0.1.0 over HTTP."""
+
+from __future__ import annotations
+
+import http.server
+import json
+import threading
+from collections.abc import Iterator
+from typing import Any
+
+import httpx
+import pytest
+from joserfc import jws
+from joserfc.jwk import OKPKey
+
+from service.receipts.keys import REGISTRY
+from service.settings import Settings
+from tests.live_service import running
+
+ROWS = [{"theta": "q1", "d": 0, "a": "L1", "alpha": 0}, {"theta": "q2", "d": 0, "a": "L2", "alpha": 0}]
+TABLE = {"convention": "standard", "rows": ROWS}
+WRONG = {"convention": "standard", "rows": [{**ROWS[0], "alpha": 1}, ROWS[1]]}
+
+
+def request(content: Any = TABLE, **members: Any) -> dict[str, Any]:
+    submission = {"type": "MODEL", "format": "dh_table", "content": content}
+    return {"submission": submission, "task": {"taskId": "twolink"}, **members}
+
+
+def evaluate(client: httpx.Client, body: Any, **headers: str) -> httpx.Response:
+    return client.post("/evaluate", json=body, headers=headers)
+
+
+def test_a_right_table(client: httpx.Client) -> None:
+    response = evaluate(client, request(), **{"X-Request-Id": "abc-1", "X-Api-Version": "0.1.0"})
+    assert response.status_code == 200
+    assert response.headers["x-request-id"] == "abc-1"
+    assert response.headers["x-api-version"] == "0.1.0"
+    first = response.json()[0]
+    assert first["awardedPoints"] > 0
+    assert all(entry["feedbackId"] and entry["title"] and entry["message"] for entry in response.json())
+
+
+def test_a_wrong_table_names_the_place(client: httpx.Client) -> None:
+    french = {"user": {"preference": {"language": "fr-CA", "detail": "DETAILED"}}}
+    response = evaluate(client, request(WRONG, **french))
+    assert response.headers["content-language"] == "fr"
+    located = [entry["target"]["locator"] for entry in response.json() if "target" in entry]
+    assert any(place["row"] == 1 for place in located)
+    assert any(place.get("column") == "alpha" for place in located)
+
+
+def test_detail_limits_what_is_told(client: httpx.Client) -> None:
+    brief = {"user": {"preference": {"detail": "BRIEF"}}}
+    entries = evaluate(client, request(WRONG, **brief)).json()
+    assert not any("suggestedAction" in entry for entry in entries)
+
+
+@pytest.mark.parametrize("content", [TABLE, WRONG])
+def test_a_check_tells_nothing_of_right_or_wrong(client: httpx.Client, content: Any) -> None:
+    checked = evaluate(client, request(content, preSubmissionFeedback={"enabled": True})).json()
+    assert [entry["feedbackId"] for entry in checked] == ["readable"]
+    assert "awardedPoints" not in checked[0]
+
+
+def test_what_cannot_be_graded_is_feedback(client: httpx.Client) -> None:
+    entries = evaluate(client, request({"convention": "standard", "rows": []})).json()
+    assert entries[0]["feedbackId"] == "fault-1"
+
+
+@pytest.mark.parametrize(
+    "task",
+    [
+        {"task": None, "submission": {"type": "MODEL", "content": TABLE, "taskId": "twolink"}},
+        {"task": {"metadata": {"exercise": "Two Link"}, "referenceSolution": None}},
+        {"task": {}, "submission": {"type": "OTHER", "content": {"table": TABLE, "exercise": "twolink"}}},
+    ],
+)
+def test_an_exercise_may_be_named_in_any_member(client: httpx.Client, task: dict[str, Any]) -> None:
+    response = evaluate(client, {**request(), **task})
+    assert response.status_code == 200, response.text
+
+
+@pytest.mark.parametrize(
+    ("body", "code"),
+    [
+        ([], "body_invalid"),
+        ({}, "body_invalid"),
+        ({"submission": {"type": "SONG", "content": {}}}, "body_invalid"),
+        ({"submission": {"type": "TEXT", "content": {"text": "x"}}}, "artefact_unknown"),
+        ({"submission": {"type": "MODEL", "content": TABLE}}, "exercise_not_named"),
+        (request(callbackUrl="https://evil.example/x"), "callback_not_allowed"),
+        (request(callbackUrl="http://[::1"), "callback_not_allowed"),
+    ],
+)
+def test_refusals_have_the_standard_s_shape(client: httpx.Client, body: Any, code: str) -> None:
+    response = evaluate(client, body)
+    assert response.status_code == 400
+    assert response.json()["code"] == code
+    assert response.json()["title"]
+    assert response.json()["message"]
+
+
+def test_another_version_is_not_spoken(client: httpx.Client) -> None:
+    assert evaluate(client, request(), **{"X-Api-Version": "9.9"}).status_code == 406
+    assert client.get("/evaluate/health", headers={"X-Api-Version": "9.9"}).status_code == 406
+
+
+def test_health_says_what_is_evaluated(client: httpx.Client) -> None:
+    health = client.get("/evaluate/health").json()
+    assert health["status"] == "OK"
+    profiles = health["capabilities"]["supportedArtefactProfiles"]
+    assert {profile["type"] for profile in profiles} == {"MODEL", "OTHER"}
+    assert "uk" in health["capabilities"]["supportedLanguages"]
+
+
+class Receiver(http.server.BaseHTTPRequestHandler):
+    received: list[tuple[dict[str, str], bytes]]
+    arrived: threading.Event
+
+    def do_POST(self) -> None:
+        body = self.rfile.read(int(self.headers["Content-Length"]))
+        self.received.append((dict(self.headers), body))
+        self.send_response(200)
+        self.end_headers()
+        self.arrived.set()
+
+    def log_message(self, *_: object) -> None:
+        pass
+
+
+@pytest.fixture
+def receiver() -> Iterator[http.server.ThreadingHTTPServer]:
+    Receiver.received, Receiver.arrived = [], threading.Event()
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Receiver)
+    thread = threading.Thread(target=server.serve_forever, daemon=True)
+    thread.start()
+    yield server
+    server.shutdown()
+    server.server_close()
+
+
+def test_feedback_is_sent_to_an_allowed_host_and_signed(receiver: http.server.ThreadingHTTPServer) -> None:
+    port = receiver.server_address[1]
+    settings = Settings(callback_hosts=(f"127.0.0.1:{port}",))
+    with running(settings) as url, httpx.Client(base_url=url) as client:
+        response = evaluate(client, request(callbackUrl=f"http://127.0.0.1:{port}/feedback"))
+        assert response.status_code == 202
+        assert response.json()["status"] == "ACCEPTED"
+        assert Receiver.arrived.wait(60)
+        ((headers, body),) = Receiver.received
+        assert json.loads(body)[0]["awardedPoints"] > 0
+        key = OKPKey.import_key(client.get("/api/v1/receipts/keys").json()["keys"][0])
+    signed = jws.deserialize_compact(headers["X-Framewise-Signature"], key, payload=body, registry=REGISTRY)
+    assert signed.payload == body
