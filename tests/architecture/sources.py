@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-PACKAGES = ("kinematics", "exercises", "courses", "service")
+PACKAGES = ("kinematics", "exercises", "courses", "service", "framewise")
 
 
 @cache
