@@ -7,10 +7,11 @@ from collections import Counter, deque
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 from exercises.errors import UnknownExerciseError
-from exercises.loader import exercise_ids, use_folders
+from exercises.loader import Library, packaged
 from kinematics.errors import Fault
 from service.adapters.gradebook import Mark
 from service.adapters.hand_ins import HandIn
@@ -52,11 +53,10 @@ def grade_class(found: Iterable[HandIn], settings: ClassSettings, jobs: int | No
     jobs = jobs or os.cpu_count() or 1
     chunks = _chunks(found)
     if jobs == 1:
-        _prepare(settings.folders)
         for chunk in chunks:
             yield from _graded(chunk, settings)
         return
-    with ProcessPoolExecutor(jobs, initializer=_prepare, initargs=(settings.folders,)) as pool:
+    with ProcessPoolExecutor(jobs) as pool:
         waiting: deque[Future[list[Mark]]] = deque()
         for chunk in chunks:
             waiting.append(pool.submit(_graded, chunk, settings))
@@ -71,10 +71,10 @@ def misconceptions(marks: Iterable[Mark]) -> Counter[str]:
     return Counter(code for mark in marks if not mark.correct for code in mark.codes)
 
 
-def exercise_named(name: str) -> str | None:
+def exercise_named(name: str, library: Library | None = None) -> str | None:
     """Return the exercise that a file means by a robot's name: its id, whatever the case and the spaces."""
     bare = "".join(letter for letter in name.lower() if letter.isalnum())
-    return next((known for known in exercise_ids() if known.replace("-", "") == bare), None)
+    return next((known for known in (library or packaged()).ids if known.replace("-", "") == bare), None)
 
 
 def _chunks(found: Iterable[HandIn]) -> Iterator[list[HandIn]]:
@@ -88,8 +88,10 @@ def _chunks(found: Iterable[HandIn]) -> Iterator[list[HandIn]]:
         yield chunk
 
 
-def _prepare(folders: tuple[Path, ...]) -> None:
-    use_folders(folders)
+@lru_cache(maxsize=4)
+def _library(folders: tuple[Path, ...]) -> Library:
+    """Return the exercises that a worker grades by; it reads them once."""
+    return Library(folders)
 
 
 def _graded(chunk: list[HandIn], settings: ClassSettings) -> list[Mark]:
@@ -102,15 +104,16 @@ def _mark(hand_in: HandIn, settings: ClassSettings) -> Mark:
     named = settings.exercise or hand_in.found.exercise
     if named is None:
         return _ungraded(hand_in, "", (Fault(code="exercise_not_named"),), settings)
-    exercise_id = exercise_named(named) or named
+    library = _library(settings.folders)
+    exercise_id = exercise_named(named, library) or named
     answer: dict[str, object] = {}
     try:
-        answer["table"] = with_joint_types(exercise_id, hand_in.found.table)
+        answer["table"] = with_joint_types(exercise_id, hand_in.found.table, library)
         if settings.per_student:
             answer["seed"] = hand_in.student
         if settings.help_level:
             answer["help"] = settings.help_level
-        judged = judge(exercise_id, answer, settings.language)
+        judged = judge(exercise_id, answer, settings.language, library)
     except UnknownExerciseError as error:
         return _ungraded(hand_in, named, error.faults, settings)
     if not isinstance(judged, Judged):

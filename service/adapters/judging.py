@@ -13,12 +13,13 @@ from pydantic import TypeAdapter
 from exercises.answers import parse
 from exercises.errors import ExerciseError
 from exercises.grader import grade
+from exercises.loader import Library, packaged
 from kinematics.cells import DEFAULT, Limits
 from kinematics.errors import Fault, KinematicsError
 from service.http.problems import ServiceError
 from service.http.validation import validated
-from service.messages import sentence
-from service.schemas.exercises import ExerciseAnswer
+from service.messages import DEFAULT_LANGUAGE, sentence
+from service.schemas.exercises import AnswerBase, ExerciseAnswer
 from service.wire.exercise_views import instance_of
 from service.wire.verdicts import encoded, report_body
 
@@ -85,7 +86,11 @@ def told_fault(fault: Fault, language: str) -> str:
 
 
 def judge(
-    exercise_id: str, answer: Mapping[str, Any], language: str = "en", limits: Limits = DEFAULT
+    exercise_id: str,
+    answer: Mapping[str, Any],
+    language: str = DEFAULT_LANGUAGE,
+    library: Library | None = None,
+    limits: Limits = DEFAULT,
 ) -> Judged | NotGraded:
     """Grade an answer.
 
@@ -93,21 +98,21 @@ def judge(
         exercise_id: the exercise.
         answer: the body of POST /exercises/{id}/grade: the parts, `seed`, `help`.
         language: of the sentences.
+        library: the exercises; those of the package if left out.
         limits: how large a table may be.
 
     Raises:
         UnknownExerciseError: there is no such exercise.
     """
-    instance_of(exercise_id, None)
+    library = library or packaged()
+    library.exercise(exercise_id)
     try:
-        wire: ExerciseAnswer = validated(_adapter(), answer)
-        instance = instance_of(exercise_id, wire.seed)
-        read = parse(instance, wire.raw(), limits)
-        report = grade(instance, read, wire.help)
+        wire = validated(_adapter(), answer)
+        instance = instance_of(library, exercise_id, wire.seed)
+        report = grade(instance, parse(instance, wire.raw(), limits), wire.help)
     except (KinematicsError, ExerciseError, ServiceError) as error:
         return NotGraded(faults=error.faults)
-    units = (read.angle_unit.value, read.length_unit.value)
-    body = orjson.loads(encoded(report_body(report, instance, units, None, language)))
+    body = orjson.loads(encoded(report_body(report, language)))
     return Judged(
         body=body,
         points=report.points,
@@ -116,13 +121,15 @@ def judge(
     )
 
 
-def with_joint_types(exercise_id: str, table: Mapping[str, Any]) -> Mapping[str, Any]:
+def with_joint_types(
+    exercise_id: str, table: Mapping[str, Any], library: Library | None = None
+) -> Mapping[str, Any]:
     """Give a table of plain numbers the joint types of the exercise, row by row.
 
     Tables of other programs list offsets and name no variables. A table that says its joints itself, or has
     another number of rows than the exercise has joints, stays as it is.
     """
-    types = instance_of(exercise_id, None).exercise.reference.table.joint_types
+    types = (library or packaged()).exercise(exercise_id).reference.table.joint_types
     rows = table.get("rows")
     if (
         not isinstance(rows, list)
@@ -148,5 +155,5 @@ def _is_variable(cell: object) -> bool:
 
 
 @cache
-def _adapter() -> TypeAdapter[ExerciseAnswer]:
+def _adapter() -> TypeAdapter[AnswerBase]:
     return TypeAdapter(ExerciseAnswer)

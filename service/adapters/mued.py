@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from exercises.grading import HelpLevel
+from exercises.loader import Library
 from kinematics.errors import Fault
 from service.adapters.class_grading import exercise_named
 from service.adapters.judging import Judged, NotGraded, judge, told_fault, with_joint_types
@@ -35,7 +36,7 @@ def language_wanted(request: EvaluateRequest, accept_language: str | None) -> st
     return preferred_language(wanted, languages()) if wanted else DEFAULT_LANGUAGE
 
 
-def evaluate(request: EvaluateRequest, language: str) -> list[dict[str, Any]]:
+def evaluate(request: EvaluateRequest, language: str, library: Library) -> list[dict[str, Any]]:
     """Evaluate a submission.
 
     Raises:
@@ -48,12 +49,12 @@ def evaluate(request: EvaluateRequest, language: str) -> list[dict[str, Any]]:
         raise NotEvaluatedError(
             Fault(code="artefact_unknown", params={"type": submission.type.value, "known": known})
         )
-    exercise_id = _exercise(request)
+    exercise_id = _exercise(request, library)
     answer: dict[str, Any] = dict(submission.content)
     if "rows" in answer:
         answer = {"table": answer}
     if isinstance(answer.get("table"), Mapping):
-        answer["table"] = with_joint_types(exercise_id, answer["table"])
+        answer["table"] = with_joint_types(exercise_id, answer["table"], library)
     seed = (request.task.metadata or {}).get("seed") if request.task else None
     if seed is not None:
         answer["seed"] = str(seed)
@@ -61,8 +62,10 @@ def evaluate(request: EvaluateRequest, language: str) -> list[dict[str, Any]]:
     if preference and preference.detail in _DETAIL:
         answer["help"] = _DETAIL[preference.detail].value
     if request.pre_submission_feedback and request.pre_submission_feedback.enabled:
-        return checked(judge(exercise_id, {**answer, "help": HelpLevel.VERDICT.value}, language), language)
-    return feedback_of(judge(exercise_id, answer, language), submission.type, language)
+        return checked(
+            judge(exercise_id, {**answer, "help": HelpLevel.VERDICT.value}, language, library), language
+        )
+    return feedback_of(judge(exercise_id, answer, language, library), submission.type, language)
 
 
 def checked(judged: Judged | NotGraded, language: str) -> list[dict[str, Any]]:
@@ -118,7 +121,7 @@ def _refusals(judged: NotGraded, language: str) -> list[dict[str, Any]]:
     ]
 
 
-def _exercise(request: EvaluateRequest) -> str:
+def _exercise(request: EvaluateRequest, library: Library) -> str:
     """Return the exercise that a request means; a platform has ids of its own, so any member may name it."""
     task = request.task
     candidates = (
@@ -128,6 +131,6 @@ def _exercise(request: EvaluateRequest) -> str:
         request.submission.content.get("exercise"),
     )
     for candidate in candidates:
-        if isinstance(candidate, str) and (found := exercise_named(candidate)):
+        if isinstance(candidate, str) and (found := exercise_named(candidate, library)):
             return found
     raise NotEvaluatedError(Fault(code="exercise_not_named"))

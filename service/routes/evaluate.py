@@ -98,7 +98,7 @@ async def evaluate_submission(request: Request, response: Response) -> Any:
     language = mued.language_wanted(asked, request.headers.get("accept-language"))
     if asked.callback_url is not None:
         return _accepted(request, asked, asked.callback_url, language)
-    work = partial(mued.evaluate, asked, language)
+    work = partial(mued.evaluate, asked, language, resources_of(request).exercises)
     try:
         feedback = await resources_of(request).limiters[WorkKind.GRADING].run(work)
     except mued.NotEvaluatedError as error:
@@ -118,7 +118,9 @@ def _accepted(request: Request, asked: EvaluateRequest, address: str, language: 
     request_id = _request_id(request)
     if not callbacks.has_room():
         raise busy()
-    callbacks.send(address, request_id, partial(mued.evaluate, asked, language))
+    callbacks.send(
+        address, request_id, partial(mued.evaluate, asked, language, resources_of(request).exercises)
+    )
     return JSONResponse({"status": "ACCEPTED", "requestId": request_id}, 202, _headers())
 
 

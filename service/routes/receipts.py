@@ -50,7 +50,7 @@ async def issue_receipt(
     in force and a hash of the answer. Anybody can verify it with the keys at /receipts/keys.
     """
     with known_exercise():
-        instance = instance_of(exercise_id, body.seed)
+        instance = instance_of(resources.exercises, exercise_id, body.seed)
     with answer_refused():
         judged = partial(_judged, instance, body, resources)
         report = await resources.limiters[WorkKind.GRADING].run(judged)
@@ -110,12 +110,12 @@ def _receipt(request: Request, instance: Instance, body: ReceiptRequest, report:
         points=report.points,
         max_points=report.max_points,
         parts={
-            part.kind.value: PartScore(points=part.points, max_points=part.max_points, correct=part.correct)
+            part.kind: PartScore(points=part.points, max_points=part.max_points, correct=part.correct)
             for part in report.parts
         },
         settings={
             "help": report.help_level.value,
-            "parts": [part.kind.value for part in instance.exercise.parts],
+            "parts": [part.kind for part in instance.exercise.parts],
         },
         answer=answer_hash(answer),
         time=datetime.now(UTC).replace(microsecond=0),

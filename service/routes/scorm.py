@@ -12,9 +12,9 @@ from service.http.languages import language_of
 from service.http.openapi import problems
 from service.http.routing import api_router
 from service.messages import sentence
+from service.resources import AppResources
 from service.routes.exercises import Id, Language
 from service.schemas.verdicts import Help
-from service.wire.exercise_views import instance_of
 from service.wire.ungraded import known_exercise
 
 router = api_router("exercises")
@@ -35,6 +35,7 @@ _SENTENCES = {"no_script": "scorm-no-script", "no_lms": "scorm-no-lms"}
 async def scorm_package(
     request: Request,
     exercise_id: Id,
+    resources: AppResources,
     version: Annotated[ScormVersion, Query(description="1.2, or 2004 (4th edition)")] = ScormVersion.V1_2,
     per_student: Annotated[bool, Query(description="every student gets values of their own")] = True,
     pass_mark: Annotated[
@@ -51,7 +52,7 @@ async def scorm_package(
     that the package leaves in the comments cannot.
     """
     with known_exercise():
-        found = instance_of(exercise_id, None).exercise
+        found = resources.exercises.exercise(exercise_id)
     language = language_of(request)
     query = {"embed": "scorm", "lang": language, **({"help": help_level.value} if help_level else {})}
     page = request.url_for("exercise_page", exercise_id=exercise_id)
