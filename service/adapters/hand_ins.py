@@ -101,7 +101,7 @@ def _archived(path: Path) -> Iterator[tuple[str, bytes]]:
             for member in members:
                 with archive.open(member) as stream:
                     yield member.filename, stream.read(LARGEST_FILE + 1)
-    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, OSError) as error:
+    except (zipfile.BadZipFile, RuntimeError, OSError) as error:
         raise _unreadable("file_unreadable", path, reason=str(error)) from None
 
 
