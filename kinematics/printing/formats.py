@@ -9,12 +9,11 @@ from typing import Any, TypeAlias
 
 from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import Expression
-from kinematics.printing.code import FunctionWriter
 from kinematics.printing.latex import LatexWriter
 from kinematics.printing.ledger import Entered, Ledger
 from kinematics.printing.mathml import MathmlWriter
 from kinematics.printing.notation import Names, Notation
-from kinematics.printing.program import Purpose
+from kinematics.printing.program import Purpose, program
 from kinematics.printing.text import TextWriter
 from kinematics.printing.trees import TreeWriter
 
@@ -28,7 +27,7 @@ class Format(StrEnum):
     """What a matrix can be written as.
 
     latex and mathml are one string for the matrix; text is a list of rows of infix strings, json one of
-    expression trees; the others are the source of one function.
+    expression trees; sympy is a script that makes the matrix, the others are the source of one function.
     """
 
     LATEX = "latex"
@@ -40,6 +39,12 @@ class Format(StrEnum):
     C = "c"
     MATLAB = "matlab"
     JAVASCRIPT = "javascript"
+    SYMPY = "sympy"
+    CPP = "cpp"
+    JULIA = "julia"
+    RUST = "rust"
+    FORTRAN = "fortran"
+    MATHEMATICA = "mathematica"
 
 
 class MatrixPrinter:
@@ -56,7 +61,7 @@ class MatrixPrinter:
         self._limit = limit
         self._names = Names(notation=notation, parameters=frozenset(parameters), separated=n_joints > 9)
         self._ledger = Ledger()
-        self._functions = FunctionWriter(self._ledger, n_joints=n_joints, parameters=tuple(parameters))
+        self._n_joints, self._parameters = n_joints, tuple(parameters)
         self._answers: dict[Hashable, dict[str, Any]] = {}
         self._writers: dict[Format, Callable[[Entered], Any]] = {
             Format.LATEX: LatexWriter(self._names, self._ledger).bmatrix,
@@ -75,7 +80,7 @@ class MatrixPrinter:
         entered = self._ledger.matrix(matrix)
         question = (entered.rows, purpose, wanted)
         if question not in self._answers:
-            self._answers[question] = self._written(entered, wanted, purpose)
+            self._answers[question] = self._written(matrix, entered, wanted, purpose)
         return self._answers[question]
 
     def symbols(self, matrices: Iterable[Matrix]) -> dict[str, str]:
@@ -94,16 +99,30 @@ class MatrixPrinter:
                 found[name.word] = text
         return dict(sorted(found.items()))
 
-    def _written(self, matrix: Entered, wanted: Sequence[Format], purpose: Purpose) -> dict[str, Any]:
-        languages = [chosen.value for chosen in wanted if chosen not in self._writers]
-        if len(languages) < len(wanted):
-            self._refuse_large(matrix)
-        sources: dict[str, Any] = {}
-        if languages:
-            sources = self._functions.write(matrix, purpose, languages)
+    def _written(
+        self, matrix: Matrix, entered: Entered, wanted: Sequence[Format], purpose: Purpose
+    ) -> dict[str, Any]:
+        if any(chosen in self._writers or chosen is Format.SYMPY for chosen in wanted):
+            self._refuse_large(entered)
+        sources = self._sources(matrix, [c for c in wanted if c not in self._writers], purpose)
         return {
-            chosen.value: self._writers[chosen](matrix) if chosen in self._writers else sources[chosen.value]
+            chosen.value: sources[chosen] if chosen in sources else self._writers[chosen](entered)
             for chosen in wanted
+        }
+
+    def _sources(self, matrix: Matrix, wanted: Sequence[Format], purpose: Purpose) -> dict[Format, str]:
+        if not wanted:
+            return {}
+        from kinematics.printing.languages import LANGUAGES  # this imports SymPy
+
+        plans = {
+            stepwise: program(
+                matrix, purpose, n_joints=self._n_joints, parameters=self._parameters, stepwise=stepwise
+            )
+            for stepwise in {chosen is not Format.SYMPY for chosen in wanted}
+        }
+        return {
+            chosen: LANGUAGES[chosen.value](plans[chosen is not Format.SYMPY]).source() for chosen in wanted
         }
 
     def _refuse_large(self, matrix: Entered) -> None:

@@ -1,114 +1,363 @@
-"""How each programming language spells an expression, and which words it keeps for itself."""
+"""The programming languages that functions are written in.
+
+A language is one class here and one member of `Format`; all of them stand in this one file, however long it
+grows, so that they can be compared. Importing it imports SymPy.
+"""
 
 from __future__ import annotations
 
 import keyword
-from dataclasses import dataclass
-from fractions import Fraction
+from typing import Any, ClassVar
 
-from kinematics.expressions import Function
-from kinematics.printing.infix import Spelling, infix_power
-from kinematics.printing.writer import Binding, Written
+import sympy
+from sympy.printing import cxx
+from sympy.printing.c import C99CodePrinter
+from sympy.printing.fortran import FCodePrinter
+from sympy.printing.jscode import JavascriptCodePrinter
+from sympy.printing.julia import JuliaCodePrinter
+from sympy.printing.mathematica import MCodePrinter
+from sympy.printing.numpy import NumPyPrinter
+from sympy.printing.octave import OctaveCodePrinter
+from sympy.printing.pycode import PythonCodePrinter
+from sympy.printing.rust import RustCodePrinter
+from sympy.printing.str import StrPrinter
 
-_COMMON = {function: function.value for function in Function}
-_PYTHON = _COMMON | {Function.ABS: "abs"}
-_NUMPY = {function: f"np.{function.value}" for function in Function} | {
-    Function.ASIN: "np.arcsin",
-    Function.ACOS: "np.arccos",
-    Function.ATAN: "np.arctan",
-    Function.ATAN2: "np.arctan2",
+from kinematics.expressions import Expression, JointVariable
+from kinematics.printing import words as reserved
+from kinematics.printing.language import IDENTIFIER, Language
+
+
+class Python(Language, PythonCodePrinter):
+    """Python with the module math."""
+
+    settings: ClassVar[dict[str, Any]] = {"fully_qualified_modules": False}
+    words = " ".join([*keyword.kwlist, *keyword.softkwlist, "pi len ValueError"])
+
+    def _lines(self) -> list[str]:
+        steps, rows = self.steps("    {} = {}"), self.listed("        [{}]")
+        lines = [f"def {self.function}(q{self.signature()}):", *self.docstring()]
+        if self.program.n_joints:
+            lines += [f"    if len(q) != {self.program.n_joints}:"]
+            lines += [f'        raise ValueError("{self.wrong_length()}")']
+        lines += [*steps, "    return [", *rows, "    ]"]
+        used = set(self.module_imports["math"]) | ({"pi"} if "o:pi" in self.names else set())
+        return [f"from math import {', '.join(sorted(used))}", "", "", *lines] if used else lines
+
+    def docstring(self, *more: str) -> list[str]:
+        """The comments as a docstring."""
+        first, *rest = [*self.comments(), *more]
+        if not rest:
+            return [f'    """{first}"""']
+        return [f'    """{first}', "", *(f"    {line}" for line in rest), '    """']
+
+
+class Numpy(Python, NumPyPrinter):
+    """Python with NumPy, for one configuration or a batch."""
+
+    words = f"{Python.words} np float"
+    variable = "q[..., {}]"
+    pi = "np.pi"
+
+    def _module_format(self, fqn: str, register: bool = True) -> str:
+        return fqn.replace("numpy.", "np.")
+
+    def _lines(self) -> list[str]:
+        return [
+            "import numpy as np",
+            "",
+            "",
+            f"def {self.function}(q{self.signature()}):",
+            *self.docstring("One configuration of shape (n,), or a batch (…, n)."),
+            "    q = np.asarray(q, dtype=float)",
+            f"    if q.shape[-1:] != ({self.program.n_joints},):",
+            f'        raise ValueError("{self.wrong_length()}")',
+            *self.steps("    {} = {}"),
+            f"    {self.result} = np.empty(q.shape[:-1] + {self.shape})",
+            *self.assigned(f"    {self.result}[..., {{}}, {{}}] = {{}}"),
+            f"    return {self.result}",
+        ]
+
+
+class Sympy(Language, StrPrinter):
+    """A script that makes a SymPy matrix, nested as it is read."""
+
+    settings: ClassVar[dict[str, Any]] = {"sympy_integers": True, "order": "none"}
+    words = f"{Python.words} Abs Matrix Rational S Symbol"
+    decimal = 'Rational("{}")'
+    _uses: ClassVar[str] = "Abs Rational S acos asin atan atan2 cos pi sin sqrt tan"
+
+    def _atom(self, node: Expression) -> str:
+        return f"q{node.index}" if isinstance(node, JointVariable) else super()._atom(node)
+
+    def _lines(self) -> list[str]:
+        matrix = self.listed("    [{}]")
+        joints = [f"q{i}" for i in range(1, self.program.n_joints + 1)]
+        symbols = {name: name for name in joints} | {new: old for old, new in self.arguments.items()}
+        written = set(IDENTIFIER.findall(" ".join(matrix)))
+        used = ["Matrix", *(["Symbol"] if symbols else []), *(written & set(self._uses.split()))]
+        return [
+            f"from sympy import {', '.join(sorted(used))}",
+            "",
+            *self.comments("# "),
+            *(f"{new} = Symbol({old!r})" for new, old in symbols.items()),
+            f"{self.function} = Matrix([",
+            *matrix,
+            "])",
+        ]
+
+
+class C(Language, C99CodePrinter):
+    """C99; the matrix is the last argument."""
+
+    settings: ClassVar[dict[str, Any]] = {"math_macros": {}}  # M_PI is no part of the standard
+    words = f"{reserved.C} {' '.join(cxx.reserved['C++17'])}"
+    pi = "3.14159265358979323846"
+
+    def _lines(self) -> list[str]:
+        rows, columns = self.shape
+        result = f"double {self.result}[{rows}][{columns}]" if columns else f"double *{self.result}"
+        steps = self.steps("    const double {} = {};")
+        entries = self.assigned(f"    {self.result}[{{}}][{{}}] = {{}};")
+        written = set(IDENTIFIER.findall(" ".join([*steps, *entries])))
+        unused = [name for name in ("q", *self.arguments.values(), self.result) if name not in written]
+        return [
+            "#include <math.h>",
+            "",
+            "/*",
+            *self.comments(" * "),
+            " */",
+            f"void {self.function}(const double *q{self.signature('double {}')}, {result})",
+            "{",
+            *(f"    (void){name};" for name in unused),
+            *steps,
+            *entries,
+            "}",
+        ]
+
+
+class Cpp(Language, cxx.CXX17CodePrinter):
+    """C++17 without any library but the standard one."""
+
+    settings = C.settings
+    words = C.words
+    pi = C.pi
+
+    def _lines(self) -> list[str]:
+        rows, columns = self.shape
+        joints = f"[[maybe_unused]] const std::array<double, {self.program.n_joints}>& q"
+        return [
+            "#include <array>",
+            "#include <cmath>",
+            "",
+            *self.comments("// "),
+            f"inline std::array<std::array<double, {columns}>, {rows}> {self.function}("
+            f"{joints}{self.signature('[[maybe_unused]] double {}')})",
+            "{",
+            *self.steps("    const double {} = {};"),
+            "    return {{",
+            *self.listed("        {{{{{}}}}}"),
+            "    }};",
+            "}",
+        ]
+
+
+class Matlab(Language, OctaveCodePrinter):
+    """MATLAB and Octave."""
+
+    words = reserved.MATLAB
+    variable = "q({})"
+    first = 1
+
+    def _lines(self) -> list[str]:
+        rows, columns = self.shape
+        joints = self.program.n_joints
+        check = f"assert(numel(q) == {joints}, '{self.wrong_length()}');"
+        matrix = [f"{self.result} = [", *self.listed("    {}", between=";", last=""), "];"]
+        return [
+            f"function {self.result} = {self.function}(q{self.signature()})",
+            *self.comments("% "),
+            *([check] if joints else []),
+            *self.steps("{} = {};"),
+            *(matrix if columns else [f"{self.result} = zeros({rows}, 0);"]),
+            "end",
+        ]
+
+
+class Javascript(Language, JavascriptCodePrinter):
+    """JavaScript, a plain function."""
+
+    words = reserved.JAVASCRIPT
+    pi = "Math.PI"
+
+    def _lines(self) -> list[str]:
+        joints = self.program.n_joints
+        check = f'  if (q.length !== {joints}) throw new RangeError("{self.wrong_length()}");'
+        return [
+            "/**",
+            *self.comments(" * "),
+            " */",
+            f"function {self.function}(q{self.signature()}) {{",
+            *([check] if joints else []),
+            *self.steps("  const {} = {};"),
+            "  return [",
+            *self.listed("    [{}]"),
+            "  ];",
+            "}",
+        ]
+
+
+class Julia(Language, JuliaCodePrinter):
+    """Julia."""
+
+    # the printer calls atan2, which Julia 1.0 renamed
+    settings: ClassVar[dict[str, Any]] = {"user_functions": {"atan2": "atan"}}
+    words = reserved.JULIA
+    first = 1
+
+    def _lines(self) -> list[str]:
+        rows, columns = self.shape
+        joints = self.program.n_joints
+        return [
+            '"""',
+            *self.comments(),
+            '"""',
+            f"function {self.function}(q{self.signature()})",
+            f'    length(q) == {joints} || throw(DimensionMismatch("{self.wrong_length()}"))',
+            *self.steps("    {} = {}"),
+            f"    {self.result} = zeros({rows}, {columns})",
+            *self.assigned(f"    {self.result}[{{}}, {{}}] = {{}}"),
+            f"    return {self.result}",
+            "end",
+        ]
+
+
+class Rust(Language, RustCodePrinter):
+    """Rust without any crate."""
+
+    words = reserved.RUST
+    decimal = "{}_f64"
+    pi = "std::f64::consts::PI"
+
+    def _lines(self) -> list[str]:
+        rows, columns = self.shape
+        return [
+            *self.comments("/// "),
+            "#[allow(non_snake_case, unused_variables)]",
+            f"pub fn {self.function}(q: &[f64; {self.program.n_joints}]{self.signature('{}: f64')})"
+            f" -> [[f64; {columns}]; {rows}] {{",
+            *self.steps("    let {} = {};"),
+            "    [",
+            *self.listed("        [{}]"),
+            "    ]",
+            "}",
+        ]
+
+    # Where a factor is a number, the printer of SymPy 1.14 loses the parentheses of the others
+    # (-1/3*s*x + y for -s*(x + y)/3), and it mixes integers with floating-point numbers.
+    def _print_Mul(self, expr: sympy.Mul) -> str:
+        return str(StrPrinter._print_Mul(self, expr))
+
+    def _print_Add(self, expr: sympy.Add, order: str | None = None) -> str:
+        return str(StrPrinter._print_Add(self, expr, order))
+
+    def _print_Integer(self, expr: sympy.Integer, _type: bool = False) -> str:
+        return f"{expr.p}.0_f64"
+
+    def _print_Rational(self, expr: sympy.Rational) -> str:
+        return f"{expr.p}.0_f64/{expr.q}.0_f64"
+
+    def _print_caller_var(self, expr: sympy.Expr) -> str:
+        return f"({self._print(expr)})"
+
+    def _print_Pow(self, expr: sympy.Pow, rational: bool = False) -> str:
+        base = self._print_caller_var(expr.base)
+        if expr.exp == sympy.S.Half:
+            return f"{base}.sqrt()"
+        if expr.exp.is_integer:
+            return f"{base}.powi({expr.exp.p})"
+        return f"{base}.powf({self._print(expr.exp)})"
+
+
+class Fortran(Language, FCodePrinter):
+    """Fortran 2003, free form; the matrix is the last argument."""
+
+    settings: ClassVar[dict[str, Any]] = {"source_format": "free", "standard": 2003}
+    words = reserved.FORTRAN
+    decimal = "{}d0"
+    pi = "3.14159265358979323846d0"
+    variable = "q({})"
+    first = 1
+    fold = str.lower
+    _WIDTH = 100
+
+    def _lines(self) -> list[str]:
+        rows, columns = self.shape
+        real = "real(kind(1d0))"
+        names = [self.names[symbol] for symbol, _, _ in self.program.steps]
+        arguments = [f"q({self.program.n_joints})", *self.arguments.values()]
+        lines = [
+            *self.comments("! "),
+            f"subroutine {self.function}(q{self.signature()}, {self.result})",
+            "    implicit none",
+            *(f"    {real}, intent(in) :: {name}" for name in arguments),
+            f"    {real}, intent(out) :: {self.result}({rows}, {columns})",
+            *(f"    {real} :: {name}" for name in names),
+            *self.steps("    {} = {}"),
+            *self.assigned(f"    {self.result}({{}}, {{}}) = {{}}"),
+            f"end subroutine {self.function}",
+        ]
+        return [piece for line in lines for piece in self._wrapped(line)]
+
+    def _wrapped(self, line: str) -> list[str]:
+        if line.startswith("!"):
+            return [line]
+        pieces = [line[i : i + self._WIDTH] for i in range(0, len(line), self._WIDTH)]
+        ends = [*["&"] * (len(pieces) - 1), ""]
+        return [f"{'&' if i else ''}{piece}{ends[i]}" for i, piece in enumerate(pieces)]
+
+
+class Mathematica(Language, MCodePrinter):
+    """Mathematica and the Wolfram Language."""
+
+    pi = "Pi"
+    variable = "q[[{}]]"
+    first = 1
+    suffix = "0"
+
+    def identifier(self, wanted: str) -> str:
+        """No underscores, which make patterns, and no word that may be one of the many built-in symbols."""
+        first, *rest = super().identifier(wanted).split("_")
+        name = first + "".join(word[:1].upper() + word[1:] for word in rest)
+        return f"{name[0].lower()}{name[1:]}0" if name[0].isupper() and name.isalpha() else name
+
+    def _lines(self) -> list[str]:
+        steps = self.steps("  {} = {};")
+        names = ", ".join(self.names[symbol] for symbol, _, _ in self.program.steps)
+        return [
+            *(f"(* {line} *)" for line in self.comments()),
+            f"{self.function}[q_{self.signature('{}_')}] := Module[{{{names}}},",
+            *steps,
+            "  {",
+            *self.listed("    {{{}}}", last=""),
+            "  }",
+            "]",
+        ]
+
+
+LANGUAGES: dict[str, type[Language]] = {
+    language.__name__.lower(): language
+    for language in (
+        Python,
+        Numpy,
+        Sympy,
+        C,
+        Cpp,
+        Matlab,
+        Javascript,
+        Julia,
+        Rust,
+        Fortran,
+        Mathematica,
+    )
 }
-_C = _COMMON | {Function.ABS: "fabs"}
-_JAVASCRIPT = {function: f"Math.{function.value}" for function in Function}
-
-_C_WORDS = """
-auto break case char const continue default do double else enum extern float for goto if inline int long
-register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
-alignas alignof bool constexpr false nullptr static_assert thread_local true typeof typeof_unqual asm
-and and_eq bitand bitor catch class compl const_cast delete dynamic_cast explicit export friend mutable
-namespace new not not_eq operator or or_eq private protected public reinterpret_cast static_cast template
-this throw try typeid typename using virtual wchar_t xor xor_eq
-linux unix main NULL NAN INFINITY HUGE_VAL HUGE_VALF HUGE_VALL EOF FILE errno signgam math_errhandling
-isnan isinf isfinite isnormal signbit fpclassify double_t float_t
-M_E M_LOG2E M_LOG10E M_LN2 M_LN10 M_PI M_PI_2 M_PI_4 M_1_PI M_2_PI M_2_SQRTPI M_SQRT2 M_SQRT1_2 MAXFLOAT
-DOMAIN SING OVERFLOW UNDERFLOW PLOSS TLOSS X_TLOSS FP_NAN FP_INFINITE FP_ZERO FP_SUBNORMAL FP_NORMAL
-acos asin atan atan2 cos sin tan acosh asinh atanh cosh sinh tanh exp exp2 exp10 expm1 log log10 log1p log2
-logb ilogb pow sqrt cbrt hypot fabs floor ceil fmod remainder remquo round rint lrint llrint lround llround
-nearbyint trunc fmin fmax fdim fma frexp ldexp modf scalb scalbn scalbln copysign nan nextafter nexttoward
-erf erfc lgamma tgamma gamma lgamma_r drem significand finite isinff isnanf sincos pow10
-j0 j1 jn y0 y1 yn abs labs div exit free
-"""
-_MATLAB_WORDS = """
-break case catch classdef continue else elseif end for function global if otherwise parfor persistent return
-spmd switch try while endfunction endif endfor endwhile end_try_catch unwind_protect do until
-pi i j e eps Inf NaN NA inf nan ans sin cos tan asin acos atan atan2 abs sqrt numel assert zeros
-arguments properties methods events enumeration import isargout nargin nargout varargin varargout
-"""
-_JAVASCRIPT_WORDS = """
-break case catch class const continue debugger default delete do else enum export extends false finally for
-function if import in instanceof new null return super switch this throw true try typeof var void while with
-yield let static implements interface package private protected public await async of get set eval arguments
-undefined NaN Infinity Math Object Array Number RangeError Symbol
-"""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Language:
-    """A programming language.
-
-    Attributes:
-        reserved: words that no identifier may be: keywords, and names that the written code relies on.
-        spelling: how expressions are written.
-    """
-
-    reserved: frozenset[str]
-    spelling: Spelling
-
-
-def _c_power(base: str, factor: str, exponent: Fraction) -> Written:
-    if exponent == 2:
-        return Written(f"({factor}*{factor})", Binding.ATOM)
-    written = f"{exponent.numerator}.0" + (f"/{exponent.denominator}.0" if exponent.denominator != 1 else "")
-    return Written(f"pow({base}, {written})", Binding.ATOM)
-
-
-def _javascript_power(base: str, _: str, exponent: Fraction) -> Written:
-    return Written(f"Math.pow({base}, {exponent})", Binding.ATOM)
-
-
-PYTHON = Language(
-    reserved=frozenset([*keyword.kwlist, *keyword.softkwlist, *_PYTHON.values(), "pi", "len", "ValueError"]),
-    spelling=Spelling(functions=_PYTHON, variable=lambda joint: f"q[{joint - 1}]", power=infix_power("**")),
-)
-NUMPY = Language(
-    reserved=frozenset([*keyword.kwlist, *keyword.softkwlist, "np", "float", "ValueError"]),
-    spelling=Spelling(
-        pi="np.pi",
-        functions=_NUMPY,
-        variable=lambda joint: f"q[..., {joint - 1}]",
-        power=infix_power("**"),
-    ),
-)
-C = Language(
-    reserved=frozenset(_C_WORDS.split()),
-    spelling=Spelling(
-        pi="3.14159265358979323846",
-        whole="{}.0".format,
-        functions=_C,
-        variable=lambda joint: f"q[{joint - 1}]",
-        power=_c_power,
-    ),
-)
-MATLAB = Language(
-    reserved=frozenset(_MATLAB_WORDS.split()),
-    spelling=Spelling(functions=_COMMON, variable="q({})".format, power=infix_power("^")),
-)
-JAVASCRIPT = Language(
-    reserved=frozenset(_JAVASCRIPT_WORDS.split()),
-    spelling=Spelling(
-        pi="Math.PI",
-        functions=_JAVASCRIPT,
-        variable=lambda joint: f"q[{joint - 1}]",
-        power=_javascript_power,
-    ),
-)
+"""Languages by the names of their formats."""

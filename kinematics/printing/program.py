@@ -1,20 +1,28 @@
-"""A matrix as a straight-line program: common subexpressions first, then the entries."""
+"""Functions in programming languages: SymPy finds what is repeated, and prints it."""
 
 from __future__ import annotations
 
-import re
-from collections import Counter
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import chain, count
+from itertools import count
+from typing import TYPE_CHECKING, NamedTuple
 
-from kinematics.expressions import Function, Parameter, Pi
-from kinematics.printing.ledger import Entered
-from kinematics.printing.notation import ShortName
-from kinematics.printing.traits import Head, Naming, Traits
+from kinematics.expressions import (
+    Call,
+    Expression,
+    Function,
+    JointVariable,
+    Number,
+    Parameter,
+    Pi,
+    joint_variables_in,
+)
+from kinematics.printing.notation import short_name
+from kinematics.printing.numbers import decimal_text
+from kinematics.symbolic.interchange import SympyNodes
 
-_PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
-_FOREIGN = re.compile(r"[^A-Za-z0-9_]")
+if TYPE_CHECKING:
+    import sympy
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -32,150 +40,139 @@ class Purpose:
     result: str = "T"
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Plan:
-    """What a function computes, before its names are chosen; nodes are numbers of a ledger.
+class Step(NamedTuple):
+    """Something that is computed before the entries.
 
     Attributes:
-        matrix: the entries, and all nodes.
-        steps: what is computed first and given a name, in an order in which that is possible, with the short
-            name of what is a sine or cosine of joint variables.
-        functions: what is called.
-        parameters: names of the parameters that occur.
-        moves: whether a joint variable occurs.
-        holds_pi: whether π does.
+        symbol: what stands for it in later steps and in the entries.
+        word: the name that it would like to have: c23, or nothing.
+        value: what it is.
     """
 
-    matrix: Entered
-    steps: dict[int, ShortName | None]
-    functions: frozenset[Function]
-    parameters: frozenset[str]
-    moves: bool
-    holds_pi: bool
+    symbol: str
+    word: str
+    value: sympy.Expr
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Program:
-    """A function to be written.
+    """What a function computes, before a language gives names to it.
 
     Attributes:
-        plan: what it computes.
         purpose: its name and meaning.
         n_joints: number of joint variables, its first argument.
-        arguments: for each parameter its identifier, in the order of the arguments.
-        steps: names of the common subexpressions.
-        result: the identifier of the matrix.
+        parameters: its other arguments.
+        atoms: what the symbols in the expressions stand for, by their names.
+        steps: sines and cosines of joint variables, then what occurs more than once, in an order in which
+            they can be computed.
+        entries: the matrix.
     """
 
-    plan: Plan
     purpose: Purpose
     n_joints: int
-    arguments: dict[str, str]
-    steps: dict[int, str]
-    result: str
+    parameters: tuple[str, ...]
+    atoms: dict[str, Expression]
+    steps: list[Step]
+    entries: list[list[sympy.Expr]]
 
 
-def plan(traits: Traits, matrix: Entered) -> Plan:
-    """Find what occurs more than once, and every sine and cosine of a joint."""
-    traits.entries(matrix)
-    uses = Counter(chain.from_iterable([traits.ledger.below[number] for number in matrix.nodes]))
-    uses.update(chain.from_iterable(matrix.rows))
-    heads: set[Head] = set()
-    steps = []
-    for number in matrix.nodes:
-        naming, short, _, head, *_ = traits.of(number)
-        heads.add(head)
-        if naming is Naming.ALWAYS or (naming is Naming.REPEATED and uses[number] > 1):
-            steps.append((number, short))
-    steps.sort(key=_place)
-    moving = traits.ledger.moving
-    return Plan(
-        matrix=matrix,
-        steps=dict(steps),
-        functions=frozenset(head for head in heads if isinstance(head, Function)),
-        parameters=frozenset(head.name for head in heads if isinstance(head, Parameter)),
-        holds_pi=Pi() in heads,
-        moves=any(moving[number] for row in matrix.rows for number in row),
-    )
-
-
-def named(
-    plan: Plan,
+def program(
+    matrix: Sequence[Sequence[Expression]],
     purpose: Purpose,
     *,
     n_joints: int,
-    parameters: Sequence[str],
-    reserved: Sequence[frozenset[str]],
-) -> list[Program]:
-    """Choose the names of a function, in languages that reserve some words; most often one choice suits all.
+    parameters: tuple[str, ...],
+    stepwise: bool = True,
+) -> Program:
+    """Plan a function.
 
     Args:
-        plan: what it computes.
-        purpose: what it is called.
+        matrix: its value.
+        purpose: its name and meaning.
         n_joints: number of joint variables.
-        parameters: the table's parameters in the order in which they are to be arguments.
-        reserved: words that no identifier may be, for each language.
+        parameters: its other arguments, whether the matrix holds them or not.
+        stepwise: whether what is repeated is computed once; otherwise the entries are as they are read.
     """
-    counter = count(1)
-    words = [short.word if short else f"t{next(counter)}" for short in plan.steps.values()]
-    wanted = [*parameters, *words, purpose.result]
-    suits = len({*wanted, purpose.name, "q"}) == len(wanted) + 2 and all(map(_PLAIN.fullmatch, wanted))
-    common = None
-    if suits:
-        common = Program(
-            plan=plan,
-            purpose=purpose,
-            n_joints=n_joints,
-            arguments=dict(zip(parameters, parameters, strict=True)),
-            steps=dict(zip(plan.steps, words, strict=True)),
-            result=purpose.result,
-        )
-    return [
-        common if common and kept.isdisjoint(wanted) else _program(plan, purpose, n_joints, parameters, kept)
-        for kept in reserved
-    ]
+    import sympy
+    from sympy.simplify.cse_main import tree_cse
 
-
-def _program(
-    plan: Plan, purpose: Purpose, n_joints: int, parameters: Sequence[str], reserved: Collection[str]
-) -> Program:
-    identifiers = _Identifiers(reserved, {purpose.name, "q"})
-    arguments = {name: identifiers.take(name) for name in parameters}
-    steps = {
-        number: identifiers.take(short.word) if short else identifiers.number("t")
-        for number, short in plan.steps.items()
-    }
-    result = identifiers.take(purpose.result)
+    atoms = _Atoms(stepwise=stepwise)
+    nodes = SympyNodes(atoms=atoms.symbol, evaluate=stepwise)
+    entries = [[nodes.convert(entry) for entry in row] for row in matrix]
+    steps: list[Step] = []
+    if stepwise:
+        names = map("t:{}".format, count(1))
+        flat = [entry for row in entries for entry in row]
+        repeated, reduced = tree_cse(flat, map(sympy.Symbol, names), order="none")
+        for symbol, node in sorted(atoms.circular.items()):
+            function = getattr(sympy, node.function.value)
+            short = short_name(node)
+            value = function(nodes.convert(node.arguments[0]))
+            steps.append(Step(symbol, short.word if short else "", value))
+        steps += [Step(symbol.name, "", value) for symbol, value in repeated]
+        left = iter(reduced)
+        entries = [[next(left) for _ in row] for row in entries]
     return Program(
-        plan=plan, purpose=purpose, n_joints=n_joints, arguments=arguments, steps=steps, result=result
+        purpose=purpose,
+        n_joints=n_joints,
+        parameters=parameters,
+        atoms=atoms.known,
+        steps=steps,
+        entries=entries,
     )
 
 
-class _Identifiers:
-    """Names that are not taken yet."""
+class _Atoms:
+    """Symbols for what SymPy must leave alone.
 
-    def __init__(self, reserved: Collection[str], taken: set[str]) -> None:
-        self._reserved = reserved
-        self._taken = taken
-        self._numbers: Counter[str] = Counter()
+    It would fold π and write decimals as fractions, and the sines and cosines of joint variables have names
+    of their own. Names of symbols decide the order of factors: decimals, parameters, joint variables, and
+    sines and cosines by joint.
 
-    def take(self, wanted: str) -> str:
-        """The wanted name, with underscores appended until nothing else has it."""
-        name = wanted if _PLAIN.fullmatch(wanted) else _FOREIGN.sub("_", wanted)
-        if not name[:1].isalpha():
-            name = f"p{name}"
-        while name in self._taken or name in self._reserved:
-            name += "_"
-        self._taken.add(name)
-        return name
+    Attributes:
+        known: what the symbols stand for.
+        circular: the sines and cosines among them.
+    """
 
-    def number(self, letter: str) -> str:
-        """The next of t1, t2 and so on."""
-        self._numbers[letter] += 1
-        return self.take(f"{letter}{self._numbers[letter]}")
+    def __init__(self, *, stepwise: bool) -> None:
+        self._stepwise = stepwise
+        self.known: dict[str, Expression] = {}
+        self.circular: dict[str, Call] = {}
+        self._places: dict[Call, str] = {}
 
+    def symbol(self, node: Expression) -> sympy.Expr | None:
+        """The symbol that stands for a node, if one does."""
+        import sympy
 
-def _place(step: tuple[int, ShortName | None]) -> tuple[int, tuple[tuple[int, int], ...], str]:
-    """Sines and cosines of joint variables first, in the order of the joints; then as they are needed."""
-    short = step[1]
-    return (0, short.joints, short.letter) if short else (1, (), "")
+        negative = False
+        if isinstance(node, Number) and node.value < 0:
+            node, negative = Number(-node.value), True
+        name = self._name(node)
+        if name is None:
+            return None
+        self.known[name] = node
+        return -sympy.Symbol(name) if negative else sympy.Symbol(name)
+
+    def _name(self, node: Expression) -> str | None:
+        match node:
+            case Number(value):
+                decimal = decimal_text(value)
+                return None if decimal is None else f"n:{decimal}"
+            case Parameter(name):
+                return f"p:{name}"
+            case Pi():
+                return "o:pi"
+            case JointVariable(index):
+                return f"q:{index:02}"
+            case Call(Function.SIN | Function.COS) if self._stepwise and joint_variables_in(node):
+                return self._circular(node)
+        return None
+
+    def _circular(self, node: Call) -> str:
+        if node not in self._places:
+            short = short_name(node)
+            joints = [f"{joint:02}{'+-'[sign < 0]}" for joint, sign in short.joints] if short else []
+            place = "~".join(joints) or f"~{len(self._places):03}"
+            self._places[node] = f"s:{place}{node.function.value[0]}"
+            self.circular[self._places[node]] = node
+        return self._places[node]

@@ -2,7 +2,7 @@
 
 `closed_form` and `differential` write matrices to be read; `canonical` gives every function one normal form;
 `identity` proves that two tables are the same robot. All work on the expression trees of
-`kinematics.expressions`; no computer algebra system is involved.
+`kinematics.expressions`, which `to_sympy` and `from_sympy` exchange with SymPy.
 """
 
 from kinematics.symbolic.canonical import (
@@ -15,6 +15,7 @@ from kinematics.symbolic.canonical import (
 )
 from kinematics.symbolic.closed_form import ClosedForm, Workings, closed_form, inverse, jacobian
 from kinematics.symbolic.identity import Proof, prove_identity
+from kinematics.symbolic.interchange import from_sympy, to_sympy
 from kinematics.symbolic.size import count_operations
 from kinematics.symbolic.verdict import Verdict
 from kinematics.symbolic.writing import Matrix
@@ -32,8 +33,10 @@ __all__ = [
     "closed_form",
     "compare",
     "count_operations",
+    "from_sympy",
     "inverse",
     "jacobian",
     "prove_identity",
     "same_function",
+    "to_sympy",
 ]

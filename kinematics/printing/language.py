@@ -1,0 +1,140 @@
+"""A programming language: a printer of SymPy's that knows the names in one function."""
+
+from __future__ import annotations
+
+import re
+from abc import abstractmethod
+from collections.abc import Callable, Iterable
+from typing import Any, ClassVar
+
+import sympy
+from sympy.printing.printer import Printer
+
+from kinematics.expressions import Expression, Function, JointVariable, Number, Parameter
+from kinematics.printing.numbers import decimal_text
+from kinematics.printing.program import Program
+
+IDENTIFIER = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+_PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+_FOREIGN = re.compile(r"[^A-Za-z0-9_]")
+
+
+class Language(Printer):
+    """A printer of SymPy's that knows the names in one function; mixed in before the printer's class.
+
+    Attributes:
+        settings: the printer's.
+        words: what no identifier may be, besides the printer's own reserved words.
+        decimal: how a decimal is written, given its digits.
+        pi: the number π.
+        variable: a joint variable, given its number.
+        first: the number of the first joint variable, row and column.
+        suffix: what is appended to a name that is taken.
+        fold: what makes two names one, in a language that takes no notice of case.
+    """
+
+    settings: ClassVar[dict[str, Any]] = {}
+    words: ClassVar[str] = ""
+    decimal: ClassVar[str] = "{}"
+    pi: ClassVar[str] = "pi"
+    variable: ClassVar[str] = "q[{}]"
+    first: ClassVar[int] = 0
+    suffix: ClassVar[str] = "_"
+    fold: ClassVar[Callable[[str], str]] = str
+
+    def __init__(self, program: Program) -> None:
+        super().__init__(dict(self.settings))  # printers take entries out of it
+        self.program, self.purpose = program, program.purpose
+        self.taken = {type(self).fold(word) for word in self._reserved()}
+        self.function = self.take(program.purpose.name)
+        self.taken.add("q")
+        self.arguments = {name: self.take(name) for name in program.parameters}
+        self.names: dict[str, str] = {}
+        for symbol, node in program.atoms.items():
+            self.names[symbol] = self._atom(node)
+        counter = 0
+        for symbol, word, _ in program.steps:
+            if not word:
+                counter += 1
+            self.names[symbol] = self.take(word or f"t{counter}")
+        self.result = self.take(program.purpose.result)
+        self.shape = len(program.entries), len(program.entries[0])
+
+    def _reserved(self) -> Iterable[str]:
+        return [*self.words.split(), *Function, *getattr(self, "reserved_words", ())]
+
+    def take(self, wanted: str) -> str:
+        """The wanted name, or one like it that nothing else has."""
+        name = self.identifier(wanted)
+        while type(self).fold(name) in self.taken:
+            name += self.suffix
+        self.taken.add(type(self).fold(name))
+        return name
+
+    def identifier(self, wanted: str) -> str:
+        """A name made of letters, digits and underscores, a letter first."""
+        name = wanted if _PLAIN.fullmatch(wanted) else _FOREIGN.sub("_", wanted)
+        return name if name[:1].isalpha() else f"p{name}"
+
+    def _atom(self, node: Expression) -> str:
+        match node:
+            case Parameter(name):
+                return self.arguments[name]
+            case JointVariable(index):
+                return self.variable.format(index - 1 + self.first)
+            case Number(value):
+                return self.decimal.format(decimal_text(value))
+        return self.pi
+
+    def _print_Symbol(self, symbol: sympy.Symbol) -> str:
+        return self.names[symbol.name]
+
+    def comments(self, prefix: str = "") -> list[str]:
+        """What a reader must know: the joint variables, and parameters that had to be renamed."""
+        lines = [self.purpose.meaning]
+        if self.program.n_joints:
+            lines.append(f"q: the {self.program.n_joints} joint variables, angles in radians.")
+        changed = [(old, new) for old, new in self.arguments.items() if new != old]
+        renamed = [f"{new} is {old}" for old, new in changed if IDENTIFIER.fullmatch(old)]
+        if renamed:
+            lines.append(f"Renamed: {', '.join(renamed)}.")
+        return [prefix + line for line in lines]
+
+    def wrong_length(self) -> str:
+        """What is said when q does not have one element for each joint."""
+        return f"q holds {self.program.n_joints} joint variables"
+
+    def signature(self, argument: str = "{}") -> str:
+        """The arguments after q."""
+        return "".join(f", {argument.format(name)}" for name in self.arguments.values())
+
+    def steps(self, step: str) -> list[str]:
+        """Assignments of what is computed first, by a format of name and value."""
+        return [
+            step.format(self.names[symbol], self._print(value)) for symbol, _, value in self.program.steps
+        ]
+
+    def rows(self) -> list[list[str]]:
+        """The entries, written."""
+        return [[self._print(entry) for entry in row] for row in self.program.entries]
+
+    def listed(self, row: str, *, between: str = ",", last: str = ",") -> list[str]:
+        """The rows as one nested literal, by a format of a row."""
+        rows = [row.format(", ".join(entries)) for entries in self.rows()]
+        return [line + (last if i == len(rows) else between) for i, line in enumerate(rows, 1)]
+
+    def assigned(self, entry: str) -> list[str]:
+        """Assignments of the entries, by a format of row, column and value."""
+        return [
+            entry.format(i, j, value)
+            for i, row in enumerate(self.rows(), self.first)
+            for j, value in enumerate(row, self.first)
+        ]
+
+    def source(self) -> str:
+        """The source of the function."""
+        return "\n".join([*self._lines(), ""])
+
+    @abstractmethod
+    def _lines(self) -> list[str]:
+        """The lines of the source."""
