@@ -182,7 +182,7 @@ def _catalogue() -> list[Outcome]:
         )
         outcomes.append(
             measured(
-                f"{name} of a catalogue robot in all nine formats, as JSON; the slowest is {slowest}",
+                f"{name} of a catalogue robot in all formats, as JSON; the slowest is {slowest}",
                 peer="a bar of 20 ms",
                 ours=seconds,
                 theirs=20e-3,

@@ -47,6 +47,22 @@ class Format(StrEnum):
     MATHEMATICA = "mathematica"
 
 
+SOURCES = {
+    Format.PYTHON: "a function of q and the parameters, with the module math",
+    Format.NUMPY: "the same for one configuration or a batch",
+    Format.C: "the same in C99; the matrix is the last argument",
+    Format.MATLAB: "the same in MATLAB and Octave",
+    Format.JAVASCRIPT: "the same in JavaScript",
+    Format.SYMPY: "a script that makes a SymPy matrix, nested as it is read",
+    Format.CPP: "the same in C++17",
+    Format.JULIA: "the same in Julia",
+    Format.RUST: "the same in Rust",
+    Format.FORTRAN: "a subroutine in Fortran 2003; the matrix is the last argument",
+    Format.MATHEMATICA: "the same in Mathematica",
+}
+"""The formats that are source code, and what it is."""
+
+
 class MatrixPrinter:
     """Writes the matrices of one table; what they share is written once."""
 

@@ -30,9 +30,9 @@ async def symbolic(request: ApiRequest) -> Response:
 
     Entries are nested from the last joint to the first, angles of parallel joints are added (c23), and
     multiples of π/12 are exact. Parameters that have no value stay symbols. Matrices come as LaTeX, MathML,
-    infix text, expression trees, or as functions in Python, NumPy, C, MATLAB and JavaScript, whose arguments
-    are the joint variables and then the parameters. Angles are radians in all of them. What takes too long,
-    or more memory than it may, is refused.
+    infix text, expression trees, a SymPy script, or as functions in ten programming languages, whose
+    arguments are the joint variables and then the parameters. Angles are radians in all of them. What takes
+    too long, or more memory than it may, is refused.
     """
     request.accepts(JSON)
     body = await request.json()

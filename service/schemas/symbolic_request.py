@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 from pydantic import ConfigDict, Field, RootModel
 
 from kinematics.jacobian import JacobianFrame
-from kinematics.printing import Format, Notation
+from kinematics.printing import SOURCES, Format, Notation
 from service.schemas.base import Matrix4, Real, Wire
 from service.schemas.examples import PUMA_560, TWO_LINKS
 from service.schemas.jacobian_request import JacobianAnswer, JacobianRequest
@@ -66,10 +66,15 @@ class SymbolicJacobianRequest(WritingQuestion):
     )
 
 
+def _with_sources(schema: dict[str, Any]) -> None:
+    for chosen, description in SOURCES.items():
+        schema["properties"][chosen.value] = {"type": "string", "description": description}
+
+
 class WrittenMatrix(Wire):
     """A matrix in the formats that were asked for."""
 
-    model_config = ConfigDict(populate_by_name=True)
+    model_config = ConfigDict(populate_by_name=True, json_schema_extra=_with_sources)
 
     latex: str | None = Field(None, description="a bmatrix environment, without dollar signs")
     mathml: str | None = Field(None, description="one math element: presentation, annotated with content")
@@ -77,11 +82,6 @@ class WrittenMatrix(Wire):
     json_: list[list[dict[str, Any]]] | None = Field(
         None, alias="json", description="rows of expression trees: a type, and what belongs to it"
     )
-    python: str | None = Field(None, description="a function of q and the parameters, with the module math")
-    numpy: str | None = Field(None, description="the same for one configuration or a batch")
-    c: str | None = Field(None, description="the same in C99; the matrix is the last argument")
-    matlab: str | None = Field(None, description="the same in MATLAB and Octave")
-    javascript: str | None = Field(None, description="the same in JavaScript")
 
 
 class WrittenJacobians(Wire):
@@ -163,7 +163,7 @@ SYMBOLIC: dict[str, Any] = {
     "two links as functions, one length given": {
         "table": TWO_LINKS,
         "parameters": {"L1": 0.4},
-        "formats": ["python", "c", "matlab", "javascript"],
+        "formats": ["python", "c", "matlab", "sympy"],
         "parts": ["transform"],
         "inverse": True,
         "jacobian": True,

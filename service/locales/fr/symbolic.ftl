@@ -1,7 +1,7 @@
 # Formes closes.
 
 error-form_too_large = La forme développée demande plus de { $limit } produits de termes. Demandez moins de lignes.
-error-closed_form_too_large = Écrite en entier, une matrice compte plus de { $limit } opérations. Demandez moins de lignes, ou une fonction (python, numpy, c, matlab ou javascript), qui ne calcule qu’une fois ce qui se répète.
+error-closed_form_too_large = Écrite en entier, une matrice compte plus de { $limit } opérations. Demandez moins de lignes, ou une fonction (python, c, matlab et d’autres), qui ne calcule qu’une fois ce qui se répète.
 error-closed_form_too_deep = Un élément est imbriqué trop profondément pour un arbre JSON. Demandez du texte ou du LaTeX.
 error-computation_out_of_time = Le calcul dure plus de { $seconds } s. Demandez moins de lignes, de parties ou de formats.
 error-computation_out_of_memory = Le calcul occupe plus de { $megabytes } Mio de mémoire. Demandez moins de lignes, de parties ou de formats.
