@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING
 
 from kinematics.expressions import (
     PI,
@@ -39,10 +39,6 @@ _SYMPY_NAMES = {Function.ABS: "Abs"}
 _VARIABLE = re.compile(r"q([1-9][0-9]*)", re.ASCII)
 
 
-@overload
-def to_sympy(expression: Expression, *, evaluate: bool = True) -> sympy.Expr: ...
-@overload
-def to_sympy(expression: Sequence[Sequence[Expression]], *, evaluate: bool = True) -> sympy.Matrix: ...
 def to_sympy(
     expression: Expression | Sequence[Sequence[Expression]], *, evaluate: bool = True
 ) -> sympy.Expr | sympy.Matrix:
