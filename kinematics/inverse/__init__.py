@@ -1,18 +1,26 @@
 """Inverse kinematics: from a pose to the joint variables that reach it.
 
-results      what comes out: solutions with their true residuals, or the nearest pose
-arm          a serial chain as constants and joints, for one configuration or many
-residuals    how far a pose is from its target
-search       damped least squares from many starts at once
-closed_form  methods that yield all solutions, EAIK's among them
-partition    arms taken apart into a head that places a point and a tail that turns about it
-refinement   from candidates to solutions, none lost at special targets
-position     three joints that bring points to their places
-limits       turns of a joint into its range
-distinct     which solutions are the same, and which belong to a continuum
-solve        one target
-batch        many targets
-judging      what is asked of all their candidates, in one pass
+goals          what is to be reached, and within which tolerance
+results        what comes out: solutions with their true residuals, families, or the nearest pose
+arm            a serial chain as constants and joints, for one configuration or many
+residuals      how far a pose is from its target
+closed_form    methods that yield all solutions, and which arm has which:
+  wrist          three axes through one point
+  parallel       three parallel axes
+  general        six turning joints of any kind, as an eigenproblem
+  partition      arms of few joints, or with slides before a wrist
+  position       three joints that bring points to their places
+  trigonometric  equations in the cosine and sine of one angle
+search         damped least squares from many starts at once
+refinement     from candidates to solutions
+distinct       which solutions are the same
+components     which solutions stand alone, and which belong to families
+families       families followed along their path
+limits         turns of a joint into its range
+ranges         families within joint limits
+solve          one target
+batch          many targets
+judging        what is asked of all their candidates, in one pass
 """
 
 from kinematics.inverse.batch import InverseKinematicsBatch, solve_many

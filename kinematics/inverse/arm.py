@@ -21,6 +21,12 @@ Array = NDArray[np.float64]
 _TINY, _TINY_BESIDE_A_SLIDE = 1e-9, 1e-6
 """Offsets below this part of 1 (or of the distance of the base) say nothing about the arm's size."""
 
+FULL_RANK = 1e-4
+"""Singular values that exceed this somewhere are not zero everywhere."""
+
+RANK_SAMPLES = 8
+"""Configurations at which the rank is looked at; one would do but for chance."""
+
 _REVERSED = np.diag([1.0, -1.0, -1.0, 1.0])
 
 
@@ -106,6 +112,18 @@ class Arm:
         return J
 
     @cached_property
+    def generic_rank(self) -> int:
+        """Rank of the Jacobian at almost every configuration."""
+        q = 2.0 * np.pi * low_discrepancy(RANK_SAMPLES, self.n_joints)
+        J = self.jacobians(self.frames(q * np.where(self.revolute, 1.0, self.size / np.pi))) * self.units
+        return int((np.linalg.svd(J, compute_uv=False) > FULL_RANK).sum(axis=1).max(initial=0))
+
+    @property
+    def spare(self) -> int:
+        """Number of joints to spare: the dimension of the solutions for almost every pose in reach."""
+        return self.n_joints - self.generic_rank
+
+    @cached_property
     def screws(self) -> tuple[Array, Array, Transform]:
         """Axes at q = 0: (n, 3) unit directions, (n, 3) points, and the (4, 4) end pose."""
         frames = self.frames(np.zeros((1, self.n_joints)))[:, 0]
@@ -146,6 +164,23 @@ def arm_of(table: NumericTable, base: Transform | None = None, tool: Transform |
         size=size,
         rounding=1e-13 * (size + float(np.linalg.norm(K[0, :3, 3]))),
     )
+
+
+def low_discrepancy(count: int, dimension: int, skip: int = 0) -> Array:
+    """Points of the additive recurrence x_k = frac(½ + k·α), α from the generalised golden ratio.
+
+    Args:
+        count: how many.
+        dimension: of the cube [0, 1)ⁿ.
+        skip: how many points of the sequence to leave out first.
+
+    Source: M. Roberts, The unreasonable effectiveness of quasirandom sequences (2018).
+    """
+    root = 1.5
+    for _ in range(60):
+        root = (1.0 + root) ** (1.0 / (dimension + 1))
+    alpha = root ** -np.arange(1.0, dimension + 1.0)
+    return np.asarray((0.5 + np.arange(skip + 1, skip + count + 1)[:, None] * alpha) % 1.0)
 
 
 def volumes(J: Array) -> Array:

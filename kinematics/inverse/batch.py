@@ -16,22 +16,26 @@ from numpy.typing import ArrayLike, NDArray
 from kinematics.errors import Fault, PoseError
 from kinematics.evaluation.plan import plan_of
 from kinematics.inverse.arm import Array
-from kinematics.inverse.closed_form import Decomposition
-from kinematics.inverse.distinct import SAME, SINGULAR_VALUE
+from kinematics.inverse.components import merging_value
+from kinematics.inverse.distinct import SAME
+from kinematics.inverse.goals import LEAST_TOLERANCE, read_goal
 from kinematics.inverse.judging import judge
 from kinematics.inverse.lengths import LARGEST_LENGTH
 from kinematics.inverse.limits import within_limits
-from kinematics.inverse.refinement import AS_IT_IS
 from kinematics.inverse.results import IKStatus, InverseKinematics
-from kinematics.inverse.solve import Solver, rigid_target
+from kinematics.inverse.solve import Solver
+from kinematics.inverse.wrist import WristArm
 from kinematics.jacobian import jacobian
 from kinematics.se3 import cross_arrays
 
 Indices = NDArray[np.intp]
 
-DELICATE = 1e-6
-"""|det J|, lengths in units of the size, above which no singular value is below `SINGULAR_VALUE`: the squares
-of all six add up to twelve at most, so the product of the larger five is below nine."""
+LARGER_FIVE = 9.0
+"""Largest product of the larger five singular values of the Jacobian, lengths in units of the size: the
+squares of all six add up to twelve at most."""
+
+AS_IT_IS = 1e-11
+"""A candidate this exact [m and rad] needs no Newton step."""
 
 TOGETHER = 500
 """How many targets are solved in the same array operations: more would not fit into the cache."""
@@ -77,7 +81,7 @@ def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
     n = solver.arm.n_joints
     parts = [_Part(np.empty((0, n)), np.empty(0, dtype=np.intp), np.empty(0), np.empty(0))]
     done = np.zeros(len(poses), dtype=bool)
-    if isinstance(solver.closed_form, Decomposition) and n == 6 and len(poses):
+    if isinstance(solver.closed_form, WristArm) and len(poses):
         for start in range(0, len(poses), TOGETHER):
             block = slice(start, start + TOGETHER)
             part, done[block] = _together(solver, solver.closed_form, poses[block])
@@ -145,19 +149,16 @@ def _checked(targets: ArrayLike) -> Array:
     suspects |= ~(far.max(axis=1) < LARGEST_LENGTH)
     rigid = poses.copy()
     for i in np.flatnonzero(suspects).tolist():
-        rigid[i] = rigid_target(poses[i], where=("target", i))
+        rigid[i] = read_goal(poses[i], None, where=("target", i)).pose
     return rigid
 
 
-def _together(solver: Solver, decomposition: Decomposition, poses: Array) -> tuple[_Part, NDArray[np.bool_]]:
+def _together(solver: Solver, wrist: WristArm, poses: Array) -> tuple[_Part, NDArray[np.bool_]]:
     """Solutions of the targets that need no care, and which targets those are."""
-    solve = decomposition.robot.calculate_IK
-    scaled = poses.copy()
-    scaled[:, :3, 3] /= decomposition.size
-    found = [solve(pose).Q for pose in scaled]
+    found = [wrist.turns_of(pose) or [] for pose in poses]
     counts = np.fromiter(map(len, found), dtype=np.intp, count=len(found))
     owner = np.repeat(np.arange(len(poses)), counts)
-    joints = np.concatenate(found).reshape(-1, solver.arm.n_joints)
+    joints = np.array([turns for each in found for turns in each]).reshape(-1, solver.arm.n_joints)
     plan = plan_of(solver.table, solver.base, solver.tool)
     position, angle, volume, fingerprint = judge(plan, joints, poses, counts)
     exact = (position <= max(AS_IT_IS, solver.arm.rounding)) & (angle <= AS_IT_IS)
@@ -174,13 +175,13 @@ def _together(solver: Solver, decomposition: Decomposition, poses: Array) -> tup
 
 def _singular(solver: Solver, joints: Array, volume: Array) -> Indices:
     """Configurations at which the Jacobian all but loses rank."""
-    size = solver.arm.size
-    delicate = np.flatnonzero(~(volume > DELICATE * size**3))
+    size, smallest = solver.arm.size, merging_value(LEAST_TOLERANCE)
+    delicate = np.flatnonzero(~(volume > LARGER_FIVE * smallest * size**3))
     if not len(delicate):
         return delicate
     J = jacobian(solver.table, joints[delicate], base=solver.base, tool=solver.tool)
     J[:, :3] /= size
-    return np.asarray(delicate[np.linalg.svd(J, compute_uv=False)[:, -1] < SINGULAR_VALUE])
+    return np.asarray(delicate[np.linalg.svd(J, compute_uv=False)[:, -1] <= smallest])
 
 
 def _repeated(fingerprint: Array, counts: Indices) -> Indices:

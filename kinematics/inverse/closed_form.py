@@ -1,36 +1,33 @@
-"""Methods that yield all solutions of an arm.
+"""Methods that yield all solutions of an arm, and which arm has which.
 
-Arms of five or six turning joints go to the library EAIK, which decomposes them into the Paden–Kahan
-subproblems. It is given the axes as directions and points at q = 0, not a DH table, so both conventions and
-fixed rows are the same to it. All other arms, and those for which EAIK has no decomposition, are taken apart
-by `partition` where they can be. What a method returns are candidates: each is refined and judged by our own
-forward kinematics.
+What a method returns are candidates: each is refined and judged by our own forward kinematics. Every
+method is tried on the chain seen from the hand as well, T⁻¹ being a chain of the reversed joints at -q;
+and an arm of five joints is an arm of six of which the last stands still.
 
-EAIK is not given arms of which the Jacobian never has full rank: on some of them (coincident neighbouring
-axes) its analysis does not come to an end.
-
-Source: D. Ostermeier, J. Külz, M. Althoff, Automatic geometric decomposition for analytical inverse
-kinematics (2024).
+Arms of which the Jacobian has full rank nowhere have joints to spare, so no finite number of solutions.
 """
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Protocol
 
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.general import general_arm_of
+from kinematics.inverse.parallel import parallel_arm_of
 from kinematics.inverse.partition import partition_of
-from kinematics.inverse.search import low_discrepancy
-from kinematics.se3 import cross_arrays
+from kinematics.inverse.wrist import wrist_arm_of
+from kinematics.se3 import inverse_transform
 
 NEARLY = 0.1
 """Candidates with a larger error vector than this are least-squares answers, not solutions."""
 
-FULL_RANK = 1e-4
-"""Least singular value that the Jacobian of an arm without a spare joint exceeds somewhere."""
-
-_DECOMPOSED = (5, 6)
+STANDING_STILL = 0.05
+"""Largest turn [rad] of the joint that was added to an arm of five: at a double root rounding moves it most,
+by its square root, 1e-6 or so."""
 
 
 class ClosedForm(Protocol):
@@ -49,69 +46,74 @@ class ClosedForm(Protocol):
         ...
 
 
-class Decomposition:
-    """An arm of turning joints, decomposed by EAIK; lengths in units of the arm's size.
+@dataclass(frozen=True, eq=False)
+class FromTheHand:
+    """The closed form of the reversed chain."""
 
-    Attributes:
-        robot: EAIK's own object.
-        n_joints: number of joints.
-        size: the arm's size.
-    """
-
-    def __init__(self, robot: Any, n_joints: int, size: float) -> None:
-        self.robot = robot
-        self.n_joints = n_joints
-        self.size = size
+    reversed: ClosedForm
 
     def candidates(self, target: Array) -> Array | None:
         """See `ClosedForm`."""
-        scaled = target.copy()
-        scaled[:3, 3] /= self.size
-        return np.asarray(self.robot.calculate_IK(scaled).Q, dtype=np.float64).reshape(-1, self.n_joints)
+        found = self.reversed.candidates(inverse_transform(target))
+        return None if found is None else -found[:, ::-1]
+
+
+@dataclass(frozen=True, eq=False)
+class WithoutLast:
+    """The closed form of an arm with one more joint, which has to stand still."""
+
+    longer: ClosedForm
+
+    def candidates(self, target: Array) -> Array | None:
+        """See `ClosedForm`."""
+        found = self.longer.candidates(target)
+        if found is None:
+            return None
+        last = np.abs((found[:, -1] + np.pi) % (2.0 * np.pi) - np.pi)
+        return np.asarray(found[last <= STANDING_STILL, :-1])
 
 
 def closed_form_of(arm: Arm) -> ClosedForm | None:
     """The closed form of an arm, or None if there is none."""
-    if arm.n_joints > max(_DECOMPOSED) or not _has_full_rank(arm):
+    if arm.n_joints > 6 or arm.spare:
         return None
-    decomposition = None
-    if arm.n_joints in _DECOMPOSED and arm.revolute.all() and _looks_special(arm):
-        decomposition = _decomposition_of(arm)
-    return decomposition or partition_of(arm)
+    if arm.n_joints <= 4:
+        return partition_of(arm)
+    methods: list[Callable[[Arm], ClosedForm | None]] = [wrist_arm_of, partition_of, parallel_arm_of]
+    found = _either_way(arm, methods)
+    if found is not None or not arm.revolute.all():
+        return found
+    if arm.n_joints == 6:
+        return general_arm_of(arm)
+    longer = _with_one_more(arm)
+    inner = _either_way(longer, [parallel_arm_of]) or general_arm_of(longer)
+    return None if inner is None else WithoutLast(inner)
 
 
-def _looks_special(arm: Arm) -> bool:
-    """Whether there is any hope: in six joints three axes that meet or are parallel, in five joints two.
-
-    EAIK would say so too, but on the standard error stream.
-    """
-    z, p, _ = arm.screws
-    sine = np.linalg.norm(cross_arrays(z[:-1], z[1:]), axis=1)
-    gap = np.abs(np.einsum("ij,ij->i", cross_arrays(z[:-1], z[1:]), p[1:] - p[:-1]))
-    near = 1e-5 * arm.size
-    parallel, meeting = sine < 1e-5, gap < near * np.maximum(sine, 1e-5)
-    if arm.n_joints < max(_DECOMPOSED):
-        return bool((parallel | meeting).any())
-    return bool((parallel[:-1] & parallel[1:]).any() or (meeting[:-1] & meeting[1:]).any())
+def _either_way(arm: Arm, methods: list[Callable[[Arm], ClosedForm | None]]) -> ClosedForm | None:
+    """The first method that has an answer for the arm or for its reversed chain."""
+    for method in methods:
+        found = method(arm)
+        if found is not None:
+            return found
+        found = method(reversed_arm(arm))
+        if found is not None:
+            return FromTheHand(found)
+    return None
 
 
-def _has_full_rank(arm: Arm) -> bool:
-    """Whether the arm has no joint to spare: its Jacobian has full rank somewhere."""
-    q = 2.0 * np.pi * low_discrepancy(8, arm.n_joints)
-    scale = arm.units
-    J = arm.jacobians(arm.frames(q * np.where(arm.revolute, 1.0, arm.size / np.pi))) * scale
-    return bool(np.linalg.svd(J, compute_uv=False)[:, -1].max() > FULL_RANK)
+def reversed_arm(arm: Arm) -> Arm:
+    """The chain seen from the hand: T⁻¹ = K_n⁻¹ J_n(-q_n) ⋯ J_1(-q_1) K_0⁻¹."""
+    return replace(
+        arm, constants=inverse_transform(arm.constants)[::-1].copy(), revolute=arm.revolute[::-1].copy()
+    )
 
 
-def _decomposition_of(arm: Arm) -> Decomposition | None:
-    import eaik.pybindings.EAIK as EAIK
-
-    directions, points, end = arm.screws
-    offsets = np.diff(np.vstack((np.zeros(3), points, end[:3, 3])), axis=0) / arm.size
-    try:
-        robot = EAIK.Robot(directions.T.copy(), offsets.T.copy(), end[:3, :3].copy(), [], True)
-    except RuntimeError:
-        return None
-    if not robot.has_known_decomposition() or "Unknown" in robot.get_kinematic_family():
-        return None
-    return Decomposition(robot, arm.n_joints, arm.size)
+def _with_one_more(arm: Arm) -> Arm:
+    """The arm with one more turning joint at the hand, on an axis that neither meets nor follows another."""
+    away = np.eye(4)
+    away[:3, :3] = np.linalg.qr(np.array(((0.3, -0.8, 0.5), (0.9, 0.2, -0.4), (0.1, 0.7, 0.6))))[0]
+    away[:3, :3] *= np.linalg.det(away[:3, :3])
+    away[:3, 3] = arm.size * np.array((0.21, -0.13, 0.17))
+    constants = np.concatenate((arm.constants[:-1], [arm.constants[-1] @ away], [inverse_transform(away)]))
+    return replace(arm, constants=constants, revolute=np.append(arm.revolute, True))

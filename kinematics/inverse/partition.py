@@ -4,7 +4,7 @@ The tail is up to three turning joints at the hand whose axes pass through one p
 tail cannot move, has its place by the head alone (Pieper's condition); what rotation is left is the
 tail's. A tail of one joint leaves its whole axis alone, an empty tail the whole hand: so arms of up to
 four joints can always be taken apart, and of the longer ones those with a wrist, the Stanford arm among
-them. The same is tried from the hand, T⁻¹ being the reversed chain at -q.
+them.
 """
 
 from __future__ import annotations
@@ -63,19 +63,7 @@ class PartitionedArm:
         return np.array(found, dtype=np.float64).reshape(-1, len(self.head) + len(self.tail))
 
 
-@dataclass(frozen=True, eq=False)
-class ReversedArm:
-    """An arm that is taken apart from the hand."""
-
-    inner: PartitionedArm
-
-    def candidates(self, target: Array) -> Array | None:
-        """See `ClosedForm`."""
-        found = self.inner.candidates(inverse_transform(target))
-        return None if found is None else -found[:, ::-1]
-
-
-def partition_of(arm: Arm) -> PartitionedArm | ReversedArm | None:
+def partition_of(arm: Arm) -> PartitionedArm | None:
     """The way to take an arm apart, or None if there is none."""
     directions, points, end = arm.screws
     joints = [
@@ -84,11 +72,7 @@ def partition_of(arm: Arm) -> PartitionedArm | ReversedArm | None:
     ]
     if len(joints) <= LONGEST_HEAD:
         return PartitionedArm(joints, [], arm.size * _HAND, end, arm.size)
-    forward = _partition(joints, end, arm.size)
-    if forward is not None:
-        return forward
-    backward = _partition(_reversed(joints, end), inverse_transform(end), arm.size)
-    return None if backward is None else ReversedArm(backward)
+    return _partition(joints, end, arm.size)
 
 
 def _partition(joints: Sequence[Joint], end: Array, size: float) -> PartitionedArm | None:
@@ -115,15 +99,6 @@ def _points_left_alone(tail: Sequence[Joint], size: float) -> Array | None:
     centre = np.linalg.solve(across.sum(axis=0), np.einsum("kij,kj->i", across, own))
     off = np.linalg.norm(np.einsum("kij,kj->ki", across, centre - own), axis=1)
     return None if float(off.max()) > _SAME_POINT * size else np.array(centre[None], dtype=np.float64)
-
-
-def _reversed(joints: Sequence[Joint], end: Array) -> list[Joint]:
-    """T = E_1 ⋯ E_n M, so T⁻¹ = E'_n(-q_n) ⋯ E'_1(-q_1) M⁻¹ with every E' = M⁻¹ E M."""
-    inverse = inverse_transform(end)
-    return [
-        Joint(joint.turns, inverse[:3, :3] @ joint.axis, _applied(inverse, joint.point))
-        for joint in reversed(joints)
-    ]
 
 
 def _tail_turns(tail: Sequence[Joint], R: Array) -> list[list[float]]:

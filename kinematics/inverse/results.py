@@ -12,8 +12,9 @@ from kinematics.se3 import Transform
 class IKStatus(StrEnum):
     """What is to be said about a target.
 
-    SOLVED: at least one solution. SINGULAR: infinitely many, though the arm has no joint to spare; one or
-    more of them are returned. UNREACHABLE: none within the limits; the nearest pose is returned.
+    SOLVED: at least one solution. SINGULAR: families of solutions of more dimensions than the arm has joints
+    to spare, the Jacobian's rank being below its generic rank. UNREACHABLE: none within the limits; the
+    nearest pose is returned.
     """
 
     SOLVED = "solved"
@@ -39,10 +40,46 @@ class Method(StrEnum):
 
 
 class Isolation(StrEnum):
-    """Whether a solution stands alone or can be moved along a continuum of solutions."""
+    """Whether a solution stands alone or belongs to a family."""
 
     ISOLATED = "isolated"
     CONTINUUM = "continuum"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FamilyParameter:
+    """A joint that may be chosen within a family; the others follow from it.
+
+    Attributes:
+        joint: number of the joint, from 1.
+        least: least value of the joint in the family [rad, or m].
+        greatest: greatest value.
+        full_turn: whether it turns fully, and the interval is closed to a circle.
+    """
+
+    joint: int
+    least: float
+    greatest: float
+    full_turn: bool
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Family:
+    """Solutions joined by a path on which the target stays reached.
+
+    Attributes:
+        dimension: number of joints that may be chosen.
+        parameters: these joints, if the family was followed; the interval of each holds while the others keep
+            the values that they have in the solution.
+        direction: (n,) joint velocities along the family, if it is straight, the parameter's being 1: then
+            all members are joints + t·direction. Of a family of more than one dimension none.
+        members: members in order along the family, ends included [rad, or m].
+    """
+
+    dimension: int
+    parameters: tuple[FamilyParameter, ...] = ()
+    direction: tuple[float, ...] | None = None
+    members: tuple[tuple[float, ...], ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -54,12 +91,14 @@ class IKSolution:
         position_error: distance from the target [m], from the forward kinematics of these joints.
         orientation_error: angle from the target [rad], likewise.
         isolation: whether it stands alone.
+        family: what it is a member of, if it does not.
     """
 
     joints: tuple[float, ...]
     position_error: float
     orientation_error: float
     isolation: Isolation = Isolation.ISOLATED
+    family: Family | None = None
 
     @property
     def residual(self) -> float:
@@ -97,7 +136,8 @@ class InverseKinematics:
         solutions: distinct solutions, the one with the smallest joint values first.
         nearest: the nearest pose, if unreachable.
         reason: why it is unreachable.
-        outside_limits: number of solutions that were found outside the limits.
+        outside_limits: number of solutions, or families, that were found outside the limits.
+        tolerance: distance [m] and angle [rad] within which the target counts as reached.
     """
 
     status: IKStatus
@@ -107,3 +147,4 @@ class InverseKinematics:
     nearest: NearestPose | None = None
     reason: UnreachableReason | None = None
     outside_limits: int = 0
+    tolerance: float = 0.0

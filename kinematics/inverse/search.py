@@ -16,7 +16,7 @@ from enum import StrEnum
 
 import numpy as np
 
-from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.arm import Arm, Array, low_discrepancy
 from kinematics.inverse.distinct import distinct
 from kinematics.inverse.residuals import are_solutions, error_vectors
 
@@ -44,6 +44,15 @@ ENOUGH_STARTS = 512
 MOST_STARTS = 2048
 BY_OWN_SIZE = 256
 """Starts that descend by the arm's own size to what is nearest, where another was taken for the search."""
+
+IDLE_STEPS = 4
+"""Newton steps in a row that do not halve the error before it is as small as it will get."""
+
+EXACT = 1e-16
+"""Size of the error vector below which another Newton step would only move rounding."""
+
+LONGEST_STEP = 0.3
+"""Longest Newton step [rad, or parts of the size]: from candidates it is a correction."""
 
 _DAMPING = (1e-9, 1e4)
 
@@ -107,23 +116,6 @@ class SearchResult:
     nearest: Array
 
 
-def low_discrepancy(count: int, dimension: int, skip: int = 0) -> Array:
-    """Points of the additive recurrence x_k = frac(½ + k·α), α from the generalised golden ratio.
-
-    Args:
-        count: how many.
-        dimension: of the cube [0, 1)ⁿ.
-        skip: how many points of the sequence to leave out first.
-
-    Source: M. Roberts, The unreasonable effectiveness of quasirandom sequences (2018).
-    """
-    root = 1.5
-    for _ in range(60):
-        root = (1.0 + root) ** (1.0 / (dimension + 1))
-    alpha = root ** -np.arange(1.0, dimension + 1.0)
-    return np.asarray((0.5 + np.arange(skip + 1, skip + count + 1)[:, None] * alpha) % 1.0)
-
-
 def descend(
     arm: Arm, target: Array, starts: Array, box: Box, iterations: int = 60, least_gain: float = 1e-4
 ) -> Descent:
@@ -174,7 +166,7 @@ def descend(
     return Descent(q, np.sqrt(ended))
 
 
-def search(arm: Arm, target: Array, box: Box, bounds: Bounds) -> SearchResult:
+def search(arm: Arm, target: Array, box: Box, bounds: Bounds, tolerance: float = TOLERANCE) -> SearchResult:
     """Solutions from many starts, and the nearest configuration.
 
     Rounds of starts, each as large as all before it, go on until one brings nothing new (of arms with
@@ -186,6 +178,7 @@ def search(arm: Arm, target: Array, box: Box, bounds: Bounds) -> SearchResult:
         target: (4, 4).
         box: joint limits.
         bounds: whether starts and descent keep them.
+        tolerance: distance [m] and angle [rad] of a solution, at least `TOLERANCE`.
     """
     n = arm.n_joints
     box = box if bounds is Bounds.KEPT else unbounded(n)
@@ -196,13 +189,15 @@ def search(arm: Arm, target: Array, box: Box, bounds: Bounds) -> SearchResult:
     while done < min(MOST_STARTS, FIRST_ROUND * 8 ** (n - 1)):
         descent = descend(measured, target, _starts(arm, target, box, count, done), box)
         ends.append(_best(descent))
-        arrived = descent.joints[descent.errors < ARRIVED]
+        arrived = descent.joints[descent.errors < max(ARRIVED, tolerance)]
         before = len(found)
         if len(arrived):
-            found = distinct(arm, target, np.concatenate((found, _exact(measured, target, arrived, box))))
+            found = distinct(
+                arm, target, np.concatenate((found, _exact(measured, target, arrived, box, tolerance)))
+            )
         done, count = done + count, done + count
         enough = len(found) == before or len(found) > MOST_ISOLATED or done >= ENOUGH_STARTS
-        if len(found) and (n > JOINTS_OF_SPACE or enough):
+        if len(found) and (arm.spare or enough):
             break
     if len(found):
         return SearchResult(found, found[0])
@@ -223,11 +218,11 @@ def _measured(arm: Arm, target: Array) -> Arm:
     return arm if arm.revolute.all() or far <= arm.size else replace(arm, size=far)
 
 
-def _exact(arm: Arm, target: Array, joints: Array, box: Box) -> Array:
+def _exact(arm: Arm, target: Array, joints: Array, box: Box, tolerance: float) -> Array:
     """Those configurations that, refined and put back into the box, are solutions; the best first."""
     q = np.clip(polish(arm, target, joints), box.low, box.high)
     vectors = error_vectors(arm.frames(q)[-1], target, arm.size)
-    exact = are_solutions(vectors, arm, TOLERANCE)
+    exact = are_solutions(vectors, arm, max(tolerance, TOLERANCE))
     return np.asarray(q[exact][np.argsort(np.linalg.norm(vectors[exact], axis=1), kind="stable")])
 
 
@@ -243,7 +238,10 @@ def _starts(arm: Arm, target: Array, box: Box, count: int, skip: int) -> Array:
 
 
 def polish(arm: Arm, targets: Array, joints: Array, steps: int = 20) -> Array:
-    """Newton steps of least norm from configurations that are nearly right; the better of each pair is kept.
+    """Newton steps of least norm from configurations that are nearly right; the best on the way is returned.
+
+    Beside a singularity the way to the solution is long and bent: the first step along it loses what the next
+    one brings back. So a step is not refused for being worse.
 
     Args:
         arm: the arm.
@@ -251,24 +249,23 @@ def polish(arm: Arm, targets: Array, joints: Array, steps: int = 20) -> Array:
         joints: (m, n).
         steps: how many.
     """
-    q = joints.copy()
-    frames = arm.frames(q)
-    e = error_vectors(frames[-1], targets, arm.size)
-    cost = (e * e).sum(axis=1)
+    x = joints / arm.units
+    best, least = x, np.full(len(x), np.inf)
+    idle = np.zeros(len(x), dtype=int)
     for _ in range(steps):
-        J = arm.jacobians(frames) * arm.units
-        tried = q + (np.linalg.pinv(J, rcond=1e-9) @ e[:, :, None])[:, :, 0] * arm.units
-        new_frames = arm.frames(tried)
-        new_e = error_vectors(new_frames[-1], targets, arm.size)
-        new_cost = (new_e * new_e).sum(axis=1)
-        better = new_cost < cost
-        if not better.any():
+        frames = arm.frames(x * arm.units)
+        e = error_vectors(frames[-1], targets, arm.size)
+        cost = (e * e).sum(axis=1)
+        better = cost < least
+        idle = np.where(cost < 0.25 * least, 0, idle + 1)
+        best, least = np.where(better[:, None], x, best), np.where(better, cost, least)
+        if (idle >= IDLE_STEPS).all() or cost.max(initial=0.0) <= EXACT**2:
             break
-        q = np.where(better[:, None], tried, q)
-        frames = np.where(better[None, :, None, None], new_frames, frames)
-        e = np.where(better[:, None], new_e, e)
-        cost = np.where(better, new_cost, cost)
-    return q
+        J = arm.jacobians(frames) * arm.units
+        step = (np.linalg.pinv(J, rcond=1e-12) @ e[:, :, None])[:, :, 0]
+        length = np.linalg.norm(step, axis=1)
+        x = x + step * np.minimum(1.0, LONGEST_STEP / np.maximum(length, 1e-300))[:, None]
+    return np.asarray(best * arm.units)
 
 
 def _steps(arm: Arm, J: Array, e: Array, damping: Array, q: Array, box: Box | None) -> Array:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -11,12 +11,16 @@ from numpy.typing import ArrayLike
 from kinematics.errors import Fault, PoseError, TableError
 from kinematics.inverse.arm import Arm, Array, arm_of
 from kinematics.inverse.closed_form import ClosedForm, closed_form_of
-from kinematics.inverse.distinct import on_continuum, one_per_continuum
+from kinematics.inverse.components import components_of
+from kinematics.inverse.families import Follower
+from kinematics.inverse.goals import Goal, read_goal
 from kinematics.inverse.lengths import check_lengths, is_far, too_long
 from kinematics.inverse.limits import JointLimits, read_limits, within_limits
+from kinematics.inverse.ranges import families_within
 from kinematics.inverse.refinement import solutions_of
 from kinematics.inverse.residuals import pose_errors
 from kinematics.inverse.results import (
+    Family,
     IKSolution,
     IKStatus,
     InverseKinematics,
@@ -25,7 +29,7 @@ from kinematics.inverse.results import (
     NearestPose,
     UnreachableReason,
 )
-from kinematics.inverse.search import JOINTS_OF_SPACE, Bounds, Box, search
+from kinematics.inverse.search import MOST_ISOLATED, Bounds, Box, search
 from kinematics.se3 import Transform, check_transform
 from kinematics.table import NumericTable
 
@@ -54,103 +58,119 @@ class Solver:
     closed_form: ClosedForm | None
     box: Box
 
-    def solve(self, target: ArrayLike) -> InverseKinematics:
+    def solve(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics:
         """The joint variables that reach a target.
 
         Args:
             target: (4, 4) pose of the tool in the world.
+            tolerance: distance [m] and angle [rad] within which it counts as reached, for poses that were
+                rounded: with five decimals 1e-5. Left out, what the target itself shows of rounding.
 
         Raises:
             PoseError: not a rigid motion, or too far away to be computed with, at ("target", …).
         """
-        pose = rigid_target(target, where=("target",))
-        found, method = self._candidates(pose)
-        answer = self._within_limits(found, pose, method)
+        goal = read_goal(target, tolerance, where=("target",))
+        answer = self._directly(goal)
         if answer is not None:
             return answer
-        freely = None
-        if not len(found) and self.arm.n_joints <= JOINTS_OF_SPACE:
-            freely = search(self.arm, pose, self.box, Bounds.IGNORED)
-            found, method = freely.solutions, Method.SEARCH if len(freely.solutions) else method
-            answer = self._within_limits(found, pose, Method.SEARCH)
-        if answer is not None:
-            return answer
-        if freely is None or self.box.limited:
-            return self._search_within_limits(pose, len(found), method)
-        return self._unreachable(pose, freely.nearest, 0, method)
+        return self._searched(goal)
 
-    def solve_directly(self, target: ArrayLike) -> InverseKinematics | None:
+    def solve_directly(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics | None:
         """What the closed form alone says: solutions within the limits, or None if it has none; never long.
 
-        Args:
-            target: (4, 4) pose of the tool in the world.
-
-        Raises:
-            PoseError: not a rigid motion, or too far away to be computed with, at ("target", …).
+        Arguments and refusals are those of `solve`.
         """
-        pose = rigid_target(target, where=("target",))
-        found, method = self._candidates(pose)
-        return self._within_limits(found, pose, method)
+        return self._directly(read_goal(target, tolerance, where=("target",)))
 
-    def _candidates(self, pose: Transform) -> tuple[Array, Method]:
+    def _directly(self, goal: Goal) -> InverseKinematics | None:
+        found = self._by_closed_form(goal)
+        return None if found is None else self._answer(found, goal, Method.CLOSED_FORM)
+
+    def _by_closed_form(self, goal: Goal) -> Array | None:
         """Solutions by the closed form, if it has an answer for this target."""
-        found = None if self.closed_form is None else solutions_of(self.arm, self.closed_form, pose)
-        if found is None:
-            return np.empty((0, self.arm.n_joints)), Method.SEARCH
-        return found, Method.CLOSED_FORM
+        candidates = None if self.closed_form is None else self.closed_form.candidates(goal.pose)
+        return None if candidates is None else solutions_of(self.arm, candidates, goal.pose, goal.tolerance)
 
-    def _within_limits(self, found: Array, pose: Transform, method: Method) -> InverseKinematics | None:
-        """The result for solutions of which some lie within the limits."""
-        inside, fits = within_limits(found, self.arm.revolute, self.box, self.arm.size)
-        if not fits.any():
-            return None
-        return self._answer(inside[fits], pose, method, int((~fits).sum()))
-
-    def _answer(self, joints: Array, pose: Transform, method: Method, outside: int) -> InverseKinematics:
-        """The result for solutions within the limits."""
+    def _answer(
+        self, joints: Array, goal: Goal, method: Method, outside: int = 0
+    ) -> InverseKinematics | None:
+        """The result for solutions without limits, of which some lie within them; None if none does."""
         arm = self.arm
-        continuum = np.zeros(len(joints), dtype=bool)
-        if arm.n_joints <= JOINTS_OF_SPACE:
-            continuum, directions = on_continuum(arm, pose, joints)
-            if continuum.any():
-                keep = one_per_continuum(arm, joints, continuum, directions)
-                joints, continuum = joints[keep], continuum[keep]
-        position, angle = pose_errors(arm.frames(joints)[-1], pose)
+        parts = components_of(arm, goal.pose, joints, goal.tolerance)
+        alone = [part.joints for part in parts if not part.dimension]
+        found: list[tuple[Array, Family | None]] = []
+        if alone:
+            inside, fits = within_limits(np.array(alone), arm.revolute, self.box, arm.size)
+            found += [(q, None) for q in inside[fits]]
+        follower = Follower(arm, goal.pose, goal.tolerance)
+        continua = [part for part in parts if part.dimension]
+        reached = len(found)
+        for part in continua:
+            within = families_within(arm, follower, part, self.box)
+            reached += bool(within)
+            found += within
+        if not found:
+            return None
+        most = max((part.dimension for part in continua), default=0)
+        return InverseKinematics(
+            status=IKStatus.SINGULAR if most > arm.spare else IKStatus.SOLVED,
+            complete=method is Method.CLOSED_FORM and not continua and len(alone) <= MOST_ISOLATED,
+            method=method,
+            solutions=self._told(found, goal.pose),
+            outside_limits=outside + len(parts) - reached,
+            tolerance=goal.tolerance,
+        )
+
+    def _told(self, found: list[tuple[Array, Family | None]], pose: Transform) -> tuple[IKSolution, ...]:
+        """Solutions with their errors, the one with the smallest joint values first."""
+        joints = np.array([q for q, _ in found])
+        position, angle = pose_errors(self.arm.frames(joints)[-1], pose)
         order = np.argsort(np.abs(joints).sum(axis=1), kind="stable")[:MOST_SOLUTIONS]
         values, distances, angles = joints.tolist(), position.tolist(), angle.tolist()
-        solutions = tuple(
+        return tuple(
             IKSolution(
                 joints=tuple(values[i]),
                 position_error=distances[i],
                 orientation_error=angles[i],
-                isolation=Isolation.CONTINUUM if continuum[i] else Isolation.ISOLATED,
+                isolation=Isolation.ISOLATED if found[i][1] is None else Isolation.CONTINUUM,
+                family=found[i][1],
             )
             for i in order.tolist()
         )
-        singular = bool(continuum.any())
-        return InverseKinematics(
-            status=IKStatus.SINGULAR if singular else IKStatus.SOLVED,
-            complete=method is Method.CLOSED_FORM and not singular,
-            method=method,
-            solutions=solutions,
-            outside_limits=outside,
-        )
 
-    def _search_within_limits(self, pose: Transform, outside: int, method: Method) -> InverseKinematics:
+    def _searched(self, goal: Goal) -> InverseKinematics:
+        """The result of a search: solutions within the limits, outside them, or the nearest pose."""
+        known = self._by_closed_form(goal)
+        method = Method.SEARCH if known is None else Method.CLOSED_FORM
+        outside = 0 if known is None else len(components_of(self.arm, goal.pose, known, goal.tolerance))
+        freely = None
+        if not outside and not (self.arm.spare and self.box.limited):
+            freely = search(self.arm, goal.pose, self.box, Bounds.IGNORED, goal.tolerance)
+            answer = self._answer(freely.solutions, goal, Method.SEARCH)
+            if answer is not None:
+                return answer
+            outside = len(components_of(self.arm, goal.pose, freely.solutions, goal.tolerance))
+            method = Method.SEARCH if outside else method
+            if not self.box.limited:
+                return self._unreachable(goal, freely.nearest, 0, method)
+        return self._search_within_limits(goal, outside, method)
+
+    def _search_within_limits(self, goal: Goal, outside: int, method: Method) -> InverseKinematics:
         """The result where no solution is known within the limits: look there, or report the nearest pose."""
-        found = search(self.arm, pose, self.box, Bounds.KEPT)
-        answer = self._within_limits(found.solutions, pose, Method.SEARCH)
+        found = search(self.arm, goal.pose, self.box, Bounds.KEPT, goal.tolerance)
+        answer = self._answer(found.solutions, goal, Method.SEARCH, outside)
         if answer is not None:
-            return replace(answer, outside_limits=outside)
-        return self._unreachable(pose, found.nearest, outside, method)
+            return answer
+        if not outside and self.arm.spare:
+            freely = search(self.arm, goal.pose, self.box, Bounds.IGNORED, goal.tolerance)
+            outside = len(components_of(self.arm, goal.pose, freely.solutions, goal.tolerance))
+        return self._unreachable(goal, found.nearest, outside, method)
 
-    def _unreachable(
-        self, pose: Transform, nearest: Array, outside: int, method: Method
-    ) -> InverseKinematics:
+    def _unreachable(self, goal: Goal, nearest: Array, outside: int, method: Method) -> InverseKinematics:
         """The result without solutions, but with the configuration that comes nearest."""
         wrapped, _ = within_limits(nearest[None], self.arm.revolute, self.box, self.arm.size)
         transform = self.arm.frames(wrapped)[-1, 0]
-        position, angle = pose_errors(transform[None], pose)
+        position, angle = pose_errors(transform[None], goal.pose)
         return InverseKinematics(
             status=IKStatus.UNREACHABLE,
             complete=method is Method.CLOSED_FORM,
@@ -164,6 +184,7 @@ class Solver:
             ),
             reason=UnreachableReason.JOINT_LIMITS if outside else UnreachableReason.OUT_OF_REACH,
             outside_limits=outside,
+            tolerance=goal.tolerance,
         )
 
 
@@ -174,6 +195,7 @@ def inverse_kinematics(
     base: ArrayLike | None = None,
     tool: ArrayLike | None = None,
     limits: JointLimits | None = None,
+    tolerance: float | None = None,
 ) -> InverseKinematics:
     """The joint variables at which the arm reaches a target: base · A_1(q) ⋯ A_N(q) · tool = target.
 
@@ -188,13 +210,14 @@ def inverse_kinematics(
         base: (4, 4) pose of frame 0 in the world; the identity if left out.
         tool: (4, 4) pose of the tool in frame N; the identity if left out.
         limits: (least, greatest) of each joint [rad, or m], None where there is none.
+        tolerance: distance [m] and angle [rad] within which the target counts as reached; see `Solver.solve`.
 
     Raises:
         TableError: no joint, or more than 12.
         JointValueError: malformed limits.
         PoseError: target, base or tool is not a rigid motion.
     """
-    return solver_of(table, base=base, tool=tool, limits=limits).solve(target)
+    return solver_of(table, base=base, tool=tool, limits=limits).solve(target, tolerance)
 
 
 def solver_of(
@@ -221,32 +244,6 @@ def solver_of(
         closed_form=closed_form,
         box=read_limits(limits, arm.revolute.tolist()),
     )
-
-
-def rigid_target(target: ArrayLike, where: tuple[str | int, ...]) -> Transform:
-    """The target as a rigid motion that can be computed with.
-
-    Raises:
-        PoseError: not a rigid motion, or a position too far away, at `where`.
-    """
-    pose = nearest_rigid(check_transform(target, where=where))
-    if is_far(pose):
-        raise PoseError(too_long(where))
-    return pose
-
-
-def nearest_rigid(target: Transform) -> Transform:
-    """The target with its rotation part replaced by the nearest rotation, if it is off by more than rounding.
-
-    Source: N. J. Higham, Matrix nearness problems and applications (1989) §3, the orthogonal polar factor.
-    """
-    R = target[:3, :3]
-    if float(np.abs(R.T @ R - np.eye(3)).max()) <= 1e-14:
-        return target
-    U, _, V = np.linalg.svd(R)
-    rigid = target.copy()
-    rigid[:3, :3] = U @ V
-    return rigid
 
 
 @lru_cache(maxsize=256)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 from pydantic import Field
 
 from kinematics.inverse.results import IKStatus, Isolation, Method, UnreachableReason
@@ -18,6 +20,35 @@ class InverseKinematicsRequest(RobotQuestion):
     limits: JointRanges | None = None
     base: Matrix4 | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
     tool: Matrix4 | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+    tolerance: Real | None = Field(
+        None,
+        description="how far the target may be off, as a distance in the table's unit and as an angle "
+        "in rad: of a pose rounded to five decimals 1e-5. Left out, what its rotation part shows of rounding",
+    )
+
+
+class FamilyParameter(Wire):
+    """A joint that may be chosen within a family."""
+
+    joint: int = Field(description="its number, from 1")
+    interval: Annotated[list[Real], Field(min_length=2, max_length=2)] = Field(
+        description="least and greatest value, in the table's units"
+    )
+    full_turn: bool = Field(description="the joint turns fully: the family is closed to a circle")
+
+
+class SolutionFamily(Wire):
+    """Infinitely many solutions, joined by a path on which the target stays reached."""
+
+    dimension: int = Field(description="number of joints that may be chosen")
+    parameters: list[FamilyParameter] = Field(
+        description="these joints; each interval holds while the others keep the values of the solution"
+    )
+    direction: list[Real] | None = Field(
+        None,
+        description="of a straight family: every member is joints + t·direction",
+    )
+    members: list[list[Real]] = Field(description="members in order along the family, its ends included")
 
 
 class Solution(Wire):
@@ -32,6 +63,7 @@ class Solution(Wire):
     position_error: Real = Field(description="distance from the target")
     orientation_error: Real = Field(description="angle from the target, in the answer's angle unit")
     isolation: Isolation = Field(description="continuum: it can be moved while the target stays reached")
+    family: SolutionFamily | None = Field(None, description="of a continuum: what it can be moved to")
 
 
 class Nearest(Wire):
@@ -48,12 +80,13 @@ class InverseKinematicsAnswer(Units):
     """Unreachable and singular are results."""
 
     status: IKStatus = Field(
-        description="solved; singular: infinitely many solutions of an arm without a spare joint, "
-        "some of them returned; unreachable: none within the limits"
+        description="solved; singular: families of more dimensions than the arm has joints to spare; "
+        "unreachable: none within the limits"
     )
     complete: bool = Field(description="whether these are all solutions within the limits")
     method: Method = Field(description="closed_form finds all solutions, search as many as it does")
     solutions: list[Solution]
     nearest: Nearest | None = Field(None, description="if unreachable: the nearest pose")
     reason: UnreachableReason | None = Field(None, description="if unreachable: why")
-    outside_limits: int = Field(description="solutions that were found outside the limits")
+    outside_limits: int = Field(description="solutions and families that were found outside the limits")
+    tolerance: Real = Field(description="within which the target counts as reached")

@@ -217,7 +217,7 @@ def test_short_arms_of_every_kind_are_complete():
         target = end_pose(table, q)
         solver = solver_of(table)
         answer = solver.solve(target)
-        if answer.status is IKStatus.SINGULAR:
+        if answer.status is IKStatus.SINGULAR or solver.arm.spare:
             assert not answer.complete
             continue
         assert answer.complete
@@ -238,13 +238,14 @@ def test_short_arms_of_every_kind_are_complete():
     ],
 )
 def test_axes_on_one_line_do_no_harm(twists):
-    """Arms with two joints on one axis, on which the decomposition's own analysis does not come to an end."""
+    """Arms with two joints on one axis have a joint to spare: a family for every pose, nothing singular."""
     rows = [("revolute", alpha * math.pi / 2, a, d, 0.0) for alpha, a, d in twists]
     table = numeric(Convention.STANDARD, *rows)
     target = end_pose(table, np.linspace(0.3, 0.9, len(rows)))
     answer = inverse_kinematics(table, target)
-    assert answer.status is IKStatus.SINGULAR
+    assert answer.status is IKStatus.SOLVED
     assert not answer.complete
+    assert all(solution.family for solution in answer.solutions)
     assert_solutions(table, target, answer, tolerance=1e-8)
 
 
@@ -286,7 +287,8 @@ def test_joints_to_spare_are_no_singularity():
 
 def test_a_joint_to_spare_in_the_plane_is_a_continuum():
     answer = inverse_kinematics(PLANAR4, end_pose(PLANAR4, [0.1, 0.5, 0.4, 0.2]))
-    assert answer.status is IKStatus.SINGULAR
+    assert answer.status is IKStatus.SOLVED
+    assert {solution.isolation for solution in answer.solutions} == {Isolation.CONTINUUM}
 
 
 def test_out_of_reach_gives_the_nearest_pose():
@@ -392,13 +394,23 @@ def test_base_tool_and_fixed_rows():
     assert_solutions(table, target, answer, base=base, tool=tool)
 
 
-def test_a_general_arm_is_searched():
+def test_a_general_arm_has_all_its_solutions():
     rng = np.random.default_rng(8)
     q = random_joints(rng, GENERAL)
     answer = inverse_kinematics(GENERAL, end_pose(GENERAL, q))
+    assert answer.method is Method.CLOSED_FORM
+    assert answer.complete
+    assert min(apart(GENERAL, q, s.joints) for s in answer.solutions) < 1e-5
+
+
+def test_a_general_arm_with_a_slide_is_searched():
+    rows = (*GENERAL.rows[:3], replace(GENERAL.rows[3], joint=JointType.PRISMATIC), *GENERAL.rows[4:])
+    table = replace(GENERAL, rows=rows)
+    q = random_joints(np.random.default_rng(8), table)
+    answer = inverse_kinematics(table, end_pose(table, q))
     assert answer.method is Method.SEARCH
     assert not answer.complete
-    assert min(apart(GENERAL, q, s.joints) for s in answer.solutions) < 1e-5
+    assert min(apart(table, q, s.joints) for s in answer.solutions) < 1e-5
 
 
 def test_the_same_every_time():

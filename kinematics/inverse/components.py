@@ -1,0 +1,166 @@
+"""Solutions as components: which are the same, which stand alone, and which families there are."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.distinct import SAME, differences
+from kinematics.inverse.families import Follower, Path, blind_directions, nearest_on, pivots_of
+from kinematics.inverse.residuals import error_vectors
+
+LONG = 0.02
+"""A solution that can be moved by this [rad, or parts of the size] belongs to a family."""
+
+ACROSS_A_FOLD = 8.0
+"""Two solutions beside a fold with curvature κ are joined within a tolerance ε up to 2√(2ε/κ) apart; κ is
+1/8 or more of arms whose links are not thousands of times their offsets. What is no longer than 8√ε is one
+solution, not a family."""
+
+MERGING = 6.0
+"""Solutions whose least singular value is above 6√ε are neither joined by a fold of curvature κ ≤ 18,
+where it is at most √(2εκ), nor long, where it is at most ε/LONG."""
+
+BESIDE = 1e-3
+"""A solution this near to a path [rad, or parts of the size], or within twenty tolerances of it, is on it."""
+
+CHORD = 0.05
+"""Distance from the chords of a path within which a solution may be on it: the chords are LONGEST_STEP
+long and turn by three times STRAIGHT at most."""
+
+MOST_FOLLOWED = 8
+"""Families that are followed for one target; what is left over is returned as members of continua."""
+
+
+@dataclass(frozen=True, slots=True)
+class Component:
+    """One answer: a solution that stands alone, or a family.
+
+    Attributes:
+        joints: (n,) its most exact member.
+        paths: one path for each direction of a family that was followed; empty of an isolated solution.
+        dimension: 0 of an isolated solution.
+    """
+
+    joints: Array
+    paths: tuple[Path, ...] = ()
+    dimension: int = 0
+
+
+def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> list[Component]:
+    """The components that solutions belong to, each once.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        joints: (m, n) solutions, as exact as they can be had.
+        tolerance: distance [m] and angle [rad] within which the target is reached.
+    """
+    if not len(joints):
+        return []
+    frames = arm.frames(joints)
+    errors = np.linalg.norm(error_vectors(frames[-1], target, arm.size), axis=1)
+    J = arm.jacobians(frames) * arm.units
+    least = np.linalg.svd(J, compute_uv=False)[:, arm.generic_rank - 1]
+    smallest = merging_value(tolerance)
+    delicate = (least <= smallest) | (arm.spare > 0)
+    found: list[Component] = []
+    for i in np.argsort(errors, kind="stable").tolist():
+        if not delicate[i] and all(_apart(arm, joints[i], one.joints) > SAME for one in found):
+            found.append(Component(joints[i]))
+    order = [i for i in np.argsort(errors, kind="stable").tolist() if delicate[i]]
+    if order:
+        sorter = _Sorter(arm, Follower(arm, target, tolerance), tolerance)
+        found += sorter.sorted(joints[order], J[order], smallest)
+    return found
+
+
+def merging_value(tolerance: float) -> float:
+    """Least singular value of the Jacobian above which a solution stands alone."""
+    return MERGING * math.sqrt(tolerance)
+
+
+def _apart(arm: Arm, q: Array, other: Array) -> float:
+    return float(np.abs(differences(q, other, arm)).max())
+
+
+class _Sorter:
+    """Sorts solutions near singularities, or with joints to spare, into components."""
+
+    def __init__(self, arm: Arm, follower: Follower, tolerance: float) -> None:
+        self.arm, self.follower = arm, follower
+        self.long = max(LONG, ACROSS_A_FOLD * float(np.sqrt(tolerance)))
+        self.beside = max(BESIDE, 20.0 * tolerance)
+
+    def sorted(self, joints: Array, J: Array, smallest: float) -> list[Component]:
+        left = list(range(len(joints)))
+        found: list[Component] = []
+        followed = 0
+        while left:
+            i, *left = left
+            if followed < MOST_FOLLOWED:
+                new = self._components(joints[i], blind_directions(J[i], smallest))
+            else:
+                new = [Component(joints[i], dimension=max(self.arm.spare, 1))]
+            followed += sum(bool(one.paths) for one in new)
+            left = [k for k in left if not any(self._within(one, joints[k]) for one in new)]
+            found += new
+        return found
+
+    def _components(self, q: Array, blind: Array) -> list[Component]:
+        """The components through a solution: several where families cross."""
+        if self.arm.spare > 1:
+            return [Component(q, dimension=len(blind))]
+        x = q / self.arm.units
+        moving = [d for d in blind if self._moves(x, d)]
+        if not moving:
+            return [Component(q)]
+        pairs = [
+            (one + sign * other) / np.linalg.norm(one + sign * other)
+            for k, one in enumerate(moving)
+            for other in moving[:k]
+            for sign in (1.0, -1.0)
+        ]
+        if len(moving) > 1 and all(self._moves(x, d) for d in pairs):
+            return [Component(q, self._paths_of_surface(x, np.array(moving)), len(moving))]
+        paths = [self.follower.path(x, d, np.empty((0, len(x)))) for d in moving]
+        members = [q, *(path.points[len(path.points) // 4] for path in paths[1:])]
+        return [Component(member, (path,), 1) for member, path in zip(members, paths, strict=True)]
+
+    def _moves(self, x: Array, direction: Array) -> bool:
+        return any(self.follower.moves(x, direction, step) is not None for step in (self.long, -self.long))
+
+    def _paths_of_surface(self, x: Array, directions: Array) -> tuple[Path, ...]:
+        """Along each direction, the joints that move most along the others held."""
+        pivots = pivots_of(directions)
+        held = np.eye(len(x))[pivots]
+        others = [np.delete(held, k, axis=0) for k in range(len(pivots))]
+        return tuple(self.follower.path(x, d, rows) for d, rows in zip(directions, others, strict=True))
+
+    def _within(self, component: Component, q: Array) -> bool:
+        """Whether a solution belongs to a component."""
+        apart = differences(q, component.joints, self.arm)
+        if float(np.abs(apart).max()) <= SAME:
+            return True
+        if any(self._on(path, q) for path in component.paths):
+            return True
+        x = component.joints / self.arm.units
+        if component.dimension > 1:
+            return self.follower.joined(x, x + apart)
+        near = float(np.abs(apart).max()) <= self.long
+        return near and self.follower.joined(x, x + apart)
+
+    def _on(self, path: Path, q: Array) -> bool:
+        """Whether a solution is on a path: its nearest chord, corrected, leads to it."""
+        off, chord = nearest_on(self.arm, path, q)
+        distance, length = float(np.linalg.norm(off)), float(np.linalg.norm(chord))
+        if distance <= self.beside or length == 0.0:
+            return distance <= self.beside
+        if distance > CHORD:
+            return False
+        x = q / self.arm.units
+        corrected, e, _ = self.follower.corrected(x - off, (chord / length)[None])
+        return self.follower.reached(e) and float(np.linalg.norm(corrected - x)) <= self.beside

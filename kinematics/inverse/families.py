@@ -1,0 +1,230 @@
+"""Families of solutions: configurations joined by a path on which the target stays reached.
+
+A target is known to within a tolerance, so its solutions are the components of
+{q : the pose at q is within the tolerance of the target}. Most components are tiny balls around one solution.
+Where the Jacobian loses rank they may be long: a whole turn of q_4 against q_6 at a wrist in line, a shorter
+interval beside it. Such a component is followed in small steps from one of its members, every step
+corrected by Gauss–Newton steps across it, until the pose leaves the tolerance or the path closes.
+
+Source: for the predictor and the corrector, E. L. Allgower, K. Georg, Introduction to numerical continuation
+methods (2003) ch. 2 and 3.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.residuals import are_solutions, error_vectors
+
+FIRST_STEP = 1e-3
+"""First step along a component [rad, or parts of the size]; later ones grow while the path stays straight."""
+
+LONGEST_STEP = 0.4
+"""Straight families (a wrist in line) are followed in steps of this length; bent ones in shorter steps."""
+
+SHORTEST_STEP = 1e-7
+"""A path ends where not even this step keeps the target."""
+
+SLIDING = 1e-9
+"""Turns below this [rad per unit] in a direction: slides alone move, and steps may be of any length."""
+
+FARTHEST = 10.0
+"""Slides without end are followed for ten times the arm's size and the target's distance."""
+
+MOST_STEPS = 400
+"""More steps than the longest closed paths of seven-joint arms were seen to take (some 250)."""
+
+STRAIGHT = 0.03
+"""Turn of the direction in one step [rad] below which the next step may be twice as long; with three times
+this a step is taken again at half the length."""
+
+ROUNDS = 4
+"""Gauss–Newton steps for one step along the path: convergence is quadratic from an error of STRAIGHT·step."""
+
+
+@dataclass(frozen=True, slots=True)
+class Path:
+    """A component followed from one member.
+
+    Attributes:
+        points: (k, n) configurations along it in order, turns not brought into any range; slides in m.
+        closed: whether the last point leads back to the first.
+    """
+
+    points: Array
+    closed: bool
+
+
+def blind_directions(J: Array, smallest: float) -> Array:
+    """Return the (k, n) directions that a Jacobian does not see, singular values up to `smallest`.
+
+    They come in echelon form, which keeps apart what is independent: in a PUMA stretched upwards, the
+    turns of joints 1, 4 and 6 against each other from the bending of the elbow.
+    """
+    _, values, rows = np.linalg.svd(J)
+    seen = int((values > smallest).sum())
+    basis = rows[seen:].copy()
+    pivots: list[int] = []
+    for i in range(len(basis)):
+        rest = np.abs(basis[i:])
+        rest[:, pivots] = 0.0
+        row, column = np.unravel_index(int(rest.argmax()), rest.shape)
+        swap = [i, i + int(row)]
+        basis[swap] = basis[swap[::-1]]
+        basis[i] /= basis[i, column]
+        others = [k for k in range(len(basis)) if k != i]
+        basis[others] -= basis[others, column, None] * basis[i]
+        pivots.append(int(column))
+    return np.asarray(basis / np.linalg.norm(basis, axis=1, keepdims=True))
+
+
+class Follower:
+    """Follows components of one target.
+
+    Joint values are measured in the arm's units here: x = q / units.
+    """
+
+    def __init__(self, arm: Arm, target: Array, tolerance: float) -> None:
+        self.arm, self.target, self.tolerance = arm, target, tolerance
+        self._farthest = FARTHEST * (1.0 + float(np.linalg.norm(target[:3, 3])) / arm.size)
+
+    def _seen(self, x: Array) -> tuple[Array, Array]:
+        """Error vector and Jacobian in units."""
+        frames = self.arm.frames((x * self.arm.units)[None])
+        e = error_vectors(frames[-1], self.target, self.arm.size)[0]
+        return e, self.arm.jacobians(frames)[0] * self.arm.units
+
+    def reached(self, e: Array) -> bool:
+        """Whether an error vector is within the tolerance."""
+        return bool(are_solutions(e[None], self.arm, self.tolerance)[0])
+
+    def corrected(self, x: Array, held: Array) -> tuple[Array, Array, Array]:
+        """The nearest pose with held·x unchanged: x, its error vector and its Jacobian.
+
+        Args:
+            x: (n,) in units.
+            held: (k, n) rows.
+        """
+        free = np.linalg.svd(held)[2][len(held) :]
+        e, J = self._seen(x)
+        for _ in range(ROUNDS):
+            step = free.T @ (np.linalg.pinv(J @ free.T, rcond=1e-7) @ e)
+            tried = x + step
+            new_e, new_J = self._seen(tried)
+            if not new_e @ new_e < e @ e:
+                break
+            x, e, J = tried, new_e, new_J
+            if step @ step < 1e-24:
+                break
+        return x, e, J
+
+    def moves(self, x: Array, direction: Array, step: float) -> Array | None:
+        """Where x is after a step along a direction, corrected across it; None if the target is lost."""
+        moved, e, _ = self.corrected(x + step * direction, direction[None])
+        near = float(np.linalg.norm(moved - x - step * direction)) <= abs(step)
+        return moved if near and self.reached(e) else None
+
+    def joined(self, x: Array, other: Array) -> bool:
+        """Whether the straight way between two solutions, corrected across it, keeps the target."""
+        way = other - x
+        length = float(np.linalg.norm(way))
+        if length < 1e-12:
+            return True
+        unit = way / length
+        for part in (0.5, 0.25, 0.75):
+            between, e, _ = self.corrected(x + part * way, unit[None])
+            off = float(np.linalg.norm(between - x - part * way))
+            if off > 0.5 * length or not self.reached(e):
+                return False
+        return True
+
+    def path(self, x: Array, direction: Array, held: Array) -> Path:
+        """The component through x along a direction, both ways.
+
+        Args:
+            x: (n,) a solution, in units.
+            direction: (n,) unit direction that the Jacobian does not see.
+            held: (k, n) rows of which held·x stays as it is: the other directions of a family of more than
+            one.
+        """
+        ahead, closed = self._one_way(x, direction, held)
+        points = [x, *ahead]
+        if not closed:
+            behind, _ = self._one_way(x, -direction, held)
+            points = [*behind[::-1], *points]
+        return Path(np.array(points) * self.arm.units, closed)
+
+    def _one_way(self, start: Array, direction: Array, held: Array) -> tuple[list[Array], bool]:
+        x, t, h = start, direction, FIRST_STEP
+        found: list[Array] = []
+        gone = 0.0
+        for _ in range(MOST_STEPS):
+            new, e, J = self.corrected(x + h * t, np.vstack((t, held)))
+            turned = self._direction(J, t, held)
+            bend = float(np.arccos(np.clip(turned @ t, -1.0, 1.0)))
+            off = float(np.linalg.norm(new - x - h * t))
+            if not self.reached(e) or off > 0.5 * h or (bend > 3.0 * STRAIGHT and h > FIRST_STEP):
+                h *= 0.5
+                if h < SHORTEST_STEP:
+                    return found, False
+                continue
+            gone += h
+            back = self._back(start, new)
+            along = float(back @ turned)
+            if gone > 4.0 * h and abs(along) <= h and float(np.linalg.norm(back - along * turned)) < 0.2 * h:
+                return [*found, new], True
+            x, t = new, turned
+            found.append(new)
+            slides = float(np.abs(t[self.arm.revolute]).max(initial=0.0)) < SLIDING
+            h = min(2.0 * h if bend < STRAIGHT else h, np.inf if slides else LONGEST_STEP)
+            if float(np.abs(new - start)[~self.arm.revolute].max(initial=0.0)) > self._farthest:
+                return found, False
+        return found, False
+
+    def _direction(self, J: Array, before: Array, held: Array) -> Array:
+        """What of the direction before the Jacobian does not see here, nor any held row."""
+        _, values, rows = np.linalg.svd(np.vstack((J, held)))
+        n = J.shape[1]
+        values = np.concatenate((values, np.zeros(n - len(values))))
+        blind = rows[values <= max(float(np.sort(values)[0]) * 3.0, 1e-5)]
+        t = blind.T @ (blind @ before)
+        length = float(np.linalg.norm(t))
+        return np.asarray(t / length if length > 0.1 else before)
+
+    def _back(self, start: Array, x: Array) -> Array:
+        """The way from x to the start, turns on the circle."""
+        difference = start - x
+        turned = (difference + np.pi) % (2.0 * np.pi) - np.pi
+        return np.asarray(np.where(self.arm.revolute, turned, difference))
+
+
+def nearest_on(arm: Arm, path: Path, q: Array) -> tuple[Array, Array]:
+    """Return the way from a path's nearest chord to a configuration, and that chord; both in units."""
+    points = path.points / arm.units
+    way = np.diff(points, axis=0)
+    if path.closed:
+        back = points[0] - points[-1]
+        way = np.vstack((way, np.where(arm.revolute, (back + np.pi) % (2.0 * np.pi) - np.pi, back)))
+    start = points[: len(way)] if len(way) else points
+    way = way if len(way) else np.zeros_like(points)
+    # Each joint by the turn that is nearest to the middle of the chord.
+    off = q / arm.units - start - 0.5 * way
+    off = np.where(arm.revolute, (off + np.pi) % (2.0 * np.pi) - np.pi, off) + 0.5 * way
+    square = np.maximum((way * way).sum(axis=1), 1e-300)
+    part = np.clip((off * way).sum(axis=1) / square, 0.0, 1.0)
+    off = off - part[:, None] * way
+    k = int((off * off).sum(axis=1).argmin())
+    return off[k], way[k]
+
+
+def pivots_of(directions: Array) -> Sequence[int]:
+    """For each direction the joint that moves most along it, each joint once."""
+    chosen: list[int] = []
+    for row in np.abs(directions):
+        order = [int(i) for i in np.argsort(-row, kind="stable") if int(i) not in chosen]
+        chosen.append(order[0])
+    return chosen

@@ -1,0 +1,205 @@
+"""All solutions of six turning joints without any special geometry, as an eigenproblem.
+
+Seen from joint 3, axis 6 is a point p and a direction l, reached from either end of the chain:
+
+    E_3 E_4 E_5 · axis 6 = E_2⁻¹ E_1⁻¹ T' · axis 6.
+
+Of p, l, p·p, p·l, p × l and (p·p) l - 2 (p·l) p every entry is linear in the cosine and sine of every
+angle: fourteen equations. The eight products of the angles on the right are eliminated linearly; what
+remains are six equations in q_3, q_4, q_5, twelve with their multiples by x_4 = tan(q_4/2), in the twelve
+monomials x_4^a x_5^b, a ≤ 3, b ≤ 2. Their matrix is quadratic in x_3 and singular at the solutions: a linear
+eigenproblem of size 24, of which at most 16 eigenvalues are solutions. The coefficients are not derived but
+interpolated: what is linear in the cosine and sine of an angle is known from its values at three angles.
+
+Source: M. Raghavan, B. Roth, Inverse kinematics of the general 6R manipulator and related linkages, J. Mech.
+Design 115 (1993) 502; D. Manocha, J. F. Canny, Efficient inverse kinematics for general 6R manipulators,
+IEEE Trans. Robotics 10 (1994) 648, for the eigenproblem.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from kinematics.inverse.arm import Arm, Array
+from kinematics.se3 import cross_arrays, inverse_transform
+
+NEARLY_REAL = 0.05
+"""Imaginary part of an angle up to which it is tried: two solutions that meet leave the real line
+together."""
+
+WELL_CONDITIONED = 1e9
+"""Largest condition of the leading matrix with which an eigenproblem is worth its digits: Newton steps
+take over from five."""
+
+_SHIFTS = ((0.4, 1.1, -0.7), (2.3, -0.9, 1.9), (-1.6, 0.3, 0.8), (1.2, 2.6, -2.1))
+"""Half turns of (q_3, q_4, q_5), where tangents of half angles are infinite, are put at these angles plus
+π."""
+
+_GRID = 2.0 * np.pi * np.arange(3) / 3.0
+_WAVES = np.column_stack((np.ones(3), np.cos(_GRID), np.sin(_GRID)))
+_TO_WAVES = np.linalg.inv(_WAVES)
+
+
+@dataclass(frozen=True, eq=False)
+class GeneralArm:
+    """The eigenproblem of an arm.
+
+    Attributes:
+        arm: the arm; lengths are measured in its size.
+    """
+
+    arm: Arm
+
+    @cached_property
+    def _axes(self) -> tuple[Array, Array, Array]:
+        z, p, end = self.arm.screws
+        return z, p / self.arm.size, inverse_transform(end)
+
+    @cached_property
+    def _left(self) -> Array:
+        """(14, 3, 9): coefficients of the left side in (1, cos, sin) of q_3, and of q_4 times q_5."""
+        z, p, _ = self._axes
+        turns = [np.array([_displacement(z[i], p[i], q) for q in _GRID]) for i in (2, 3, 4)]
+        E = np.einsum("aij,bjk,ckl->abcil", *turns).reshape(27, 4, 4)
+        values = _functions(E[:, :3, :3] @ p[5] + E[:, :3, 3] - p[2], E[:, :3, :3] @ z[5])
+        waves = np.einsum("ai,bj,ck,ijkf->fabc", *[_TO_WAVES] * 3, values.reshape(3, 3, 3, 14))
+        return np.asarray(waves.reshape(14, 3, 9))
+
+    @cached_property
+    def _back(self) -> Array:
+        """(9, 4, 4): E_2⁻¹ E_1⁻¹ at the grid of q_1 and q_2."""
+        z, p, _ = self._axes
+        first, second = (np.array([_displacement(z[i], p[i], -q) for q in _GRID]) for i in (0, 1))
+        return np.asarray(np.einsum("bij,ajk->abik", second, first).reshape(9, 4, 4))
+
+    def _right(self, moved: Array) -> Array:
+        """(14, 9): coefficients of the right side in (1, cos, sin) of q_1 times that of q_2."""
+        z, p, _ = self._axes
+        R, B = moved[:3, :3], self._back
+        points = B[:, :3, :3] @ (R @ p[5] + moved[:3, 3]) + B[:, :3, 3] - p[2]
+        values = _functions(points, B[:, :3, :3] @ (R @ z[5])).reshape(3, 3, 14)
+        return np.asarray(np.einsum("ai,bj,ijf->fab", _TO_WAVES, _TO_WAVES, values).reshape(14, 9))
+
+    def candidates(self, target: Array) -> Array | None:
+        """See `ClosedForm`."""
+        moved = target @ self._axes[2]
+        moved[:3, 3] /= self.arm.size
+        right = self._right(moved)
+        U, scales, Vt = np.linalg.svd(right[:, 1:])
+        if scales[-1] <= 1e-9 * scales[0]:
+            return None
+        N = U[:, 8:].T
+        waves = np.einsum("nf,fak->ank", N, self._left)
+        waves[0, :, 0] -= N @ right[:, 0]
+        thirds = _middle_turns(waves)
+        if thirds is None:
+            return None
+        return self._completed(thirds, right, (U[:, :8] / scales) @ Vt, moved[:3, :3])
+
+    def _completed(self, found: Array, right: Array, inverse: Array, R: Array) -> Array:
+        """q_1, q_2 from the products that were eliminated, q_6 from the rotation that is left."""
+        z = self._axes[0]
+        c3, c45 = _waves(found[:, 0]), np.einsum("mi,mj->mij", _waves(found[:, 1]), _waves(found[:, 2]))
+        left = np.einsum("fak,ma,mk->mf", self._left, c3, c45.reshape(-1, 9))
+        products = (left - right[:, 0]) @ inverse
+        q = np.empty((len(found), 6))
+        q[:, 1] = np.arctan2(products[:, 1], products[:, 0])
+        q[:, 0] = np.arctan2(products[:, 5], products[:, 2])
+        q[:, 2:5] = found
+        rest = np.broadcast_to(R, (len(q), 3, 3))
+        for i in range(5):
+            rest = _rotations(z[i], -q[:, i]) @ rest
+        across = np.linalg.svd(z[5][None])[2][1]
+        turned = rest @ across
+        q[:, 5] = np.arctan2(turned @ cross_arrays(z[5], across), turned @ across)
+        return q
+
+
+def general_arm_of(arm: Arm) -> GeneralArm | None:
+    """The eigenproblem of an arm, or None if it is not one of six turning joints."""
+    return GeneralArm(arm) if arm.n_joints == 6 and bool(arm.revolute.all()) else None
+
+
+def _functions(p: Array, l: Array) -> Array:  # noqa: E741
+    """(m, 14): p, l, p·p, p·l, p × l and (p·p) l - 2 (p·l) p."""
+    pp, pl = (p * p).sum(axis=1)[:, None], (p * l).sum(axis=1)[:, None]
+    return np.concatenate((p, l, pp, pl, cross_arrays(p, l), pp * l - 2.0 * pl * p), axis=1)
+
+
+def _middle_turns(waves: Array) -> Array | None:
+    """(m, 3): q_3, q_4, q_5 at which six equations hold, given their coefficients (3, 6, 9).
+
+    None where the equations hold for every q_3, or no eigenproblem is well conditioned.
+    """
+    best = None
+    for shift in _SHIFTS:
+        A, B, C = _quadratic(waves, shift)
+        condition = float(np.linalg.cond(A))
+        if best is None or condition < best[0]:
+            best = (condition, A, B, C, shift)
+        if condition < 1e5:
+            break
+    assert best is not None
+    condition, A, B, C, shift = best
+    if not condition < WELL_CONDITIONED:
+        return None
+    companion = np.zeros((24, 24))
+    companion[:12, 12:] = np.eye(12)
+    companion[12:] = -np.linalg.solve(A, np.hstack((C, B)))
+    x, vectors = np.linalg.eig(companion)
+    with np.errstate(all="ignore"):
+        off = np.abs(2.0 * x.imag / (1.0 + x * x))
+    near = (off <= NEARLY_REAL) & (x.imag >= 0.0)
+    x, vectors = x[near], vectors[:, near]
+    monomials = np.where(np.abs(x) > 1.0, vectors[12:], vectors[:12]).T.reshape(-1, 4, 3)
+    found = np.empty((len(x), 3))
+    found[:, 0] = 2.0 * np.arctan(x.real) + shift[0]
+    for i, v in enumerate(monomials):
+        x4 = _ratio(v[:-1], v[1:])
+        x5 = _ratio(v[:, :-1], v[:, 1:])
+        found[i, 1:] = 2.0 * np.arctan(x4) + shift[1], 2.0 * np.arctan(x5) + shift[2]
+    return found
+
+
+def _ratio(lower: Array, upper: Array) -> float:
+    """The factor from monomials to their multiples, by least squares."""
+    lower, upper = lower.ravel(), upper.ravel()
+    return float((np.vdot(lower, upper) / max(float(np.vdot(lower, lower).real), 1e-300)).real)
+
+
+def _quadratic(waves: Array, shift: tuple[float, float, float]) -> tuple[Array, Array, Array]:
+    """A, B, C of the (12, 12) matrix A x_3² + B x_3 + C."""
+    to_powers = [_powers(angle) for angle in shift]
+    small = np.einsum("inj,ia->anj", waves, to_powers[0]).reshape(3, 6, 3, 3)
+    small = np.einsum("anij,ik,jl->ankl", small, to_powers[1], to_powers[2])
+    large = np.zeros((3, 12, 4, 3))
+    large[:, :6, :3] = small
+    large[:, 6:, 1:] = small
+    C, B, A = large.reshape(3, 12, 12)
+    return A, B, C
+
+
+def _powers(shift: float) -> Array:
+    """(1, cos q, sin q) times 1 + x² in the powers 1, x, x², where q = shift + 2 atan x."""
+    c, s = np.cos(shift), np.sin(shift)
+    return np.array(((1.0, 0.0, 1.0), (c, -2.0 * s, -c), (s, 2.0 * c, -s)))
+
+
+def _waves(q: Array) -> Array:
+    return np.stack((np.ones_like(q), np.cos(q), np.sin(q)), axis=-1)
+
+
+def _rotations(z: Array, q: Array) -> Array:
+    """(m, 3, 3) turns about an axis."""
+    K = np.array(((0.0, -z[2], z[1]), (z[2], 0.0, -z[0]), (-z[1], z[0], 0.0)))
+    return np.asarray(np.eye(3) + np.sin(q)[:, None, None] * K + (1.0 - np.cos(q))[:, None, None] * (K @ K))
+
+
+def _displacement(z: Array, p: Array, q: float) -> Array:
+    E = np.eye(4)
+    E[:3, :3] = _rotations(z, np.array([q]))[0]
+    E[:3, 3] = p - E[:3, :3] @ p
+    return E
