@@ -62,7 +62,7 @@ def read_goal(target: ArrayLike, tolerance: float | None, where: tuple[str | int
     """
     if tolerance is not None and not 0.0 < tolerance <= LARGEST_TOLERANCE:
         params = {"limit": LARGEST_TOLERANCE}
-        raise PoseError(Fault(code="tolerance_out_of_range", where=("tolerance",), params=params))
+        raise PoseError(Fault(code="pose_tolerance_out_of_range", where=("tolerance",), params=params))
     allowed = max(ORTHONORMAL_TOLERANCE, ROUNDED_ENTRIES * (tolerance or 0.0))
     pose = check_transform(target, where=where, tolerance=allowed)
     if is_far(pose):

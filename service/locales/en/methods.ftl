@@ -4,5 +4,5 @@ error-inverse_joint_count = Inverse kinematics takes 1 to { $limit } joints; thi
 error-limits_wrong_length = The arm has { $expected } joints, but { $given } limits were given; give one for each, null where there is none.
 error-limits_reversed = The limits of joint { $joint } are its least and its greatest value, in this order.
 error-limits_too_far = The limits of joint { $joint } are both more than { $limit } rad from 0. Take full turns off both.
-error-tolerance_out_of_range = The tolerance is a positive number up to { $limit }.
+error-pose_tolerance_out_of_range = The tolerance is a positive number up to { $limit }.
 error-targets_wrong_shape = Many targets are a list of 4×4 matrices.

@@ -4,5 +4,5 @@ error-inverse_joint_count = La cinemática inversa admite de 1 a { $limit } arti
 error-limits_wrong_length = El brazo tiene { $expected } articulaciones, pero se dieron { $given } límites; dé uno por articulación, null donde no haya.
 error-limits_reversed = Los límites de la articulación { $joint } son su valor mínimo y su valor máximo, en este orden.
 error-limits_too_far = Los límites de la articulación { $joint } están ambos a más de { $limit } rad de 0. Reste a ambos vueltas completas.
-error-tolerance_out_of_range = La tolerancia es un número positivo no mayor que { $limit }.
+error-pose_tolerance_out_of_range = La tolerancia es un número positivo no mayor que { $limit }.
 error-targets_wrong_shape = Varios objetivos se dan como una lista de matrices 4×4.

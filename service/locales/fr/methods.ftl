@@ -4,5 +4,5 @@ error-inverse_joint_count = Le modèle géométrique inverse accepte de 1 à { $
 error-limits_wrong_length = Le bras a { $expected } articulations, mais { $given } butées ont été données ; donnez-en une par articulation, null là où il n’y en a pas.
 error-limits_reversed = Les butées de l’articulation { $joint } sont sa valeur minimale puis sa valeur maximale, dans cet ordre.
 error-limits_too_far = Les butées de l’articulation { $joint } sont toutes deux à plus de { $limit } rad de 0. Retranchez des tours complets de l’une et de l’autre.
-error-tolerance_out_of_range = La tolérance est un nombre positif, { $limit } au plus.
+error-pose_tolerance_out_of_range = La tolérance est un nombre positif, { $limit } au plus.
 error-targets_wrong_shape = Plusieurs situations à atteindre se donnent comme une liste de matrices 4×4.

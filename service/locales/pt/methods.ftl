@@ -4,5 +4,5 @@ error-inverse_joint_count = A cinemática inversa admite de 1 a { $limit } junta
 error-limits_wrong_length = O braço tem { $expected } juntas, mas foram dados { $given } limites; dê um para cada junta, null onde não houver limite.
 error-limits_reversed = Os limites da junta { $joint } são o valor mínimo e o valor máximo, nesta ordem.
 error-limits_too_far = Os limites da junta { $joint } ficam ambos a mais de { $limit } rad de 0. Subtraia de ambos voltas completas.
-error-tolerance_out_of_range = A tolerância é um número positivo até { $limit }.
+error-pose_tolerance_out_of_range = A tolerância é um número positivo até { $limit }.
 error-targets_wrong_shape = Vários alvos são dados como uma lista de matrizes 4×4.

@@ -4,5 +4,5 @@ error-inverse_joint_count = Cinematica inversă se calculează pentru 1 până l
 error-limits_wrong_length = Brațul are { $expected } cuple, dar s-au dat { $given } limite; dați câte una pentru fiecare cuplă, null acolo unde nu există limită.
 error-limits_reversed = Limitele cuplei { $joint } sunt valoarea minimă și valoarea maximă, în această ordine.
 error-limits_too_far = Limitele cuplei { $joint } sunt ambele la peste { $limit } rad de 0. Scădeți din amândouă rotații complete.
-error-tolerance_out_of_range = Toleranța este un număr pozitiv de cel mult { $limit }.
+error-pose_tolerance_out_of_range = Toleranța este un număr pozitiv de cel mult { $limit }.
 error-targets_wrong_shape = Mai multe poziții-țintă se dau ca listă de matrice 4×4.

@@ -4,5 +4,5 @@ error-inverse_joint_count = Обернена задача розв’язуєт�
 error-limits_wrong_length = Маніпулятор має { $expected } зчленувань, а обмежень задано { $given }; задайте по одному на кожне зчленування, null там, де обмежень немає.
 error-limits_reversed = Обмеження зчленування { $joint } — це найменше і найбільше значення, саме в такому порядку.
 error-limits_too_far = Обидва обмеження зчленування { $joint } віддалені від 0 більш ніж на { $limit } рад. Відніміть від обох повні оберти.
-error-tolerance_out_of_range = Допуск — додатне число, не більше { $limit }.
+error-pose_tolerance_out_of_range = Допуск — додатне число, не більше { $limit }.
 error-targets_wrong_shape = Кілька цільових положень задають списком матриць 4×4.
