@@ -60,11 +60,11 @@ $(PEERS)/.peers: bench/requirements-peers.lock | $(PEERS)/bin/python
 	@touch $@
 
 exercise: $(VENV)/.runtime ## start an exercise: NEW=id and ROBOT=id, TABLE=, AXES= or URDF=file (INTO=folder)
-	$(PY) -m exercises new $(NEW) $(if $(ROBOT),--robot $(ROBOT)) $(if $(TABLE),--table $(TABLE)) \
+	$(PY) -m service exercises new $(NEW) $(if $(ROBOT),--robot $(ROBOT)) $(if $(TABLE),--table $(TABLE)) \
 	    $(if $(AXES),--axes $(AXES)) $(if $(URDF),--urdf $(URDF)) $(if $(INTO),--into $(INTO))
 
-check-exercises: $(VENV)/.runtime ## let exercises test themselves: SEEDS=50 students each (ONLY="puma560 scara": some)
-	$(PY) -m exercises check $(ONLY) --seeds $(or $(SEEDS),50)
+check-exercises: $(VENV)/.runtime ## let exercises test themselves: SEEDS=50 students each (ONLY="puma560 my/folder": some)
+	$(PY) -m service exercises check $(ONLY) --seeds $(or $(SEEDS),50)
 
 campaign: $(VENV)/.dev ## the checker against two million tables, valid and wrong (half an hour; ARGS="--valid 100000": some)
 	$(PY) -m tests.kinematics.equivalence $(ARGS)

@@ -9,6 +9,7 @@ from exercises.definition import Exercise
 from exercises.errors import DefinitionError
 from exercises.figures.geometry import build_scene
 from exercises.figures.specification import FigureSpecification
+from exercises.needs import unmet_needs
 from exercises.parts.registry import part_type
 from exercises.statements import names_in
 from kinematics.cells import AngleUnit, ParameterKind
@@ -22,6 +23,8 @@ def inconsistencies(exercise: Exercise) -> Iterator[Fault]:
     yield from _figure_faults(exercise)
     yield from _name_faults(exercise)
     yield from _part_faults(exercise)
+    for i in unmet_needs(exercise):
+        yield Fault(code="need_unmet", where=(FILE, "needs", i), params={"name": exercise.needs[i]})
 
 
 def values_in_radians(

@@ -13,7 +13,7 @@ from exercises.grading import HelpLevel, Policy
 from kinematics.cells import AngleUnit, LengthUnit, RawTable, ReadTable
 
 LANGUAGES = ("en", "ro", "pt", "fr", "uk", "es")
-"""The languages that every exercise speaks."""
+"""The languages that the package's own exercises speak; one of your own needs one language."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -81,6 +81,8 @@ class Exercise:
         figure: how the robot is drawn.
         misconceptions: codes of the misconceptions that its own tests apply to the key.
         samples: answers with the judgement that is expected of them.
+        needs: dimensions that every right answer contains; the policy sees to it, and loading checks that.
+        aliases: other names that students may use, with the dimension that each stands for.
     """
 
     id: str
@@ -98,7 +100,22 @@ class Exercise:
     figure: FigureSpecification
     misconceptions: tuple[str, ...]
     samples: tuple[Sample, ...] = ()
+    needs: tuple[str, ...] = ()
+    aliases: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
     defaults: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+
+    def text_language(self, language: str) -> str:
+        """Return the language in which a reader is shown the texts: their own, else English, else any."""
+        written = [found for found in self.titles if found in self.statements]
+        return next((found for found in (language, "en") if found in written), written[0])
+
+    def title(self, language: str) -> str:
+        """Return the title for a reader of a language."""
+        return self.titles[self.text_language(language)]
+
+    def statement(self, language: str) -> str:
+        """Return the statement for a reader of a language."""
+        return self.statements[self.text_language(language)]
 
     def part(self, kind: str) -> Part | None:
         """Return the part of a kind, if it is asked."""

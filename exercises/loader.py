@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -29,6 +30,9 @@ from kinematics.cells import AngleUnit, ReadTable, read_table
 from kinematics.errors import Fault
 
 ROOT = files("exercises") / "definitions"
+
+_STATEMENT = re.compile(r"statement\.([a-z]{2})\.md")
+_LANGUAGE = re.compile(r"[a-z]{2}")
 
 
 class Library:
@@ -92,7 +96,7 @@ def load_exercise(folder: Traversable) -> Exercise:
     """The exercise in a folder.
 
     Args:
-        folder: holds exercise.toml and one statement.<language>.md for each language; its name is the id.
+        folder: holds exercise.toml and a statement.<language>.md in one language or more; its name is the id.
 
     Raises:
         DefinitionError: every fault that was found, each at (file, key, …).
@@ -123,36 +127,70 @@ def _document(folder: Traversable) -> Mapping[str, Any]:
 
 
 def _statements(folder: Traversable, faults: list[Fault]) -> Mapping[str, str]:
+    """Return the statements by language; one is enough."""
     statements: dict[str, str] = {}
-    for language in LANGUAGES:
-        name = f"statement.{language}.md"
-        file = folder / name
-        text = file.read_text(encoding="utf-8").strip() if file.is_file() else ""
-        if not text:
-            faults.append(
-                Fault(
-                    code="statement_missing",
-                    where=(name,),
-                    params={"language": language},
+    if folder.is_dir():
+        for file in sorted(folder.iterdir(), key=lambda entry: entry.name):
+            named = _STATEMENT.fullmatch(file.name)
+            text = file.read_text(encoding="utf-8").strip() if named else ""
+            if named and text:
+                statements[named[1]] = text
+            elif named:
+                faults.append(
+                    Fault(code="statement_missing", where=(file.name,), params={"language": named[1]})
                 )
-            )
-        statements[language] = text
+    if not statements and not faults:
+        name = f"statement.{LANGUAGES[0]}.md"
+        faults.append(Fault(code="statement_missing", where=(name,), params={"language": LANGUAGES[0]}))
     return MappingProxyType(statements)
+
+
+def _titles(reader: Reader, statements: Mapping[str, str]) -> Mapping[str, str]:
+    """Return the titles by language; one is needed of which there is a statement, too."""
+    inner = reader.table("title", needed=True)
+    titles = {language: inner.text(language) for language in inner.values}
+    for language in titles:
+        if _LANGUAGE.fullmatch(language) is None:
+            inner.fault("exercise_key_unknown", language, key=language)
+    if reader.given("title") and statements and not titles.keys() & statements.keys():
+        reader.fault("title_missing", "title")
+    return MappingProxyType(titles)
+
+
+def _aliases(reader: Reader, names: Mapping[str, object]) -> Mapping[str, str]:
+    """Return the other names that students may use."""
+    aliases: dict[str, str] = {}
+    for name, inner in reader.tables("parameters"):
+        for i, text in enumerate(inner.texts("aliases", default=())):
+            alias = inner.name(text, "aliases", i)
+            if alias in names or alias in aliases:
+                inner.fault("alias_taken", "aliases", i, name=alias)
+            aliases[alias] = inner.name(name)
+    return MappingProxyType(aliases)
+
+
+def _needs(reader: Reader, names: Mapping[str, object]) -> tuple[str, ...]:
+    """Return the dimensions that an answer must contain."""
+    needs = reader.texts("needs", default=())
+    for i, name in enumerate(needs):
+        if name not in names:
+            reader.fault("need_unknown", "needs", i, name=name, known=", ".join(names))
+    return needs
 
 
 def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -> Exercise | None:
     robot = reader.text("robot", "") or None
     reference, values = _reference(reader, robot)
     version = reader.integer("version")
-    titles = reader.table("title", needed=True)
-    found_titles = {language: titles.text(language) for language in LANGUAGES}
-    titles.finish()
+    titles = _titles(reader, statements)
     policy = read_policy(reader.table("policy"))
     help_table = reader.table("help")
     help_level = help_table.choice("most", HelpLevel, HelpLevel.REPAIR)
     help_table.finish()
     if reference is None:
         return None
+    aliases = _aliases(reader, reference.parameters)
+    needs = _needs(reader, reference.parameters)
     parameters = _parameters(reader, reference, values)
     types = reference.table.joint_types
     degrees = reference.angle_unit is AngleUnit.DEG
@@ -177,7 +215,7 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
     return Exercise(
         id=exercise_id,
         version=version,
-        titles=MappingProxyType(found_titles),
+        titles=titles,
         statements=statements,
         robot=robot,
         reference=reference,
@@ -190,6 +228,8 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
         figure=figure,
         misconceptions=misconceptions,
         samples=samples,
+        needs=needs,
+        aliases=aliases,
     )
 
 
@@ -249,6 +289,7 @@ def _parameters(
         default = values.get(spelled)
         value = inner.exact("value", *(() if default is None else (default,)))
         draw = read_draw(inner, "draw")
+        inner.given("aliases")
         given[spelled] = DrawnParameter(name=spelled, value=value, draw=draw)
         inner.finish()
     for name in reference.parameters:

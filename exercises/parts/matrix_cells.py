@@ -14,6 +14,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from exercises.names import renamed, unknown_name
 from exercises.parts.protocol import Reading
 from kinematics.cells import AngleUnit, Cell, Limits
 from kinematics.cells.entries import cell_meaning
@@ -110,7 +111,8 @@ def read_known_matrix(cells: CellMatrix, reading: Reading, part: str, *where: in
 
     Its faults are kept in the reading, at `where` inside the part.
     """
-    return reading.keep(part, lambda: read_matrix(cells, reading.joint_types, reading.angle_unit, where))
+    read = reading.keep(part, lambda: read_matrix(cells, reading.joint_types, reading.angle_unit, where))
+    return None if read is None else _in_known_names(read, reading, part, *where)
 
 
 def read_numbers(cells: CellMatrix, reading: Reading, part: str) -> NDArray[np.float64] | None:
@@ -121,22 +123,32 @@ def read_numbers(cells: CellMatrix, reading: Reading, part: str) -> NDArray[np.f
     matrix = reading.keep(part, lambda: read_matrix(cells, (), reading.angle_unit, ()))
     if matrix is None:
         return None
-    values = reading.values
-    known = tuple(values)
-    unknown = [
-        (name, r, c)
-        for r, row in enumerate(matrix.entries)
-        for c, entry in enumerate(row)
-        for name in sorted(parameters_in(entry) - set(known))
-    ]
-    for name, r, c in unknown:
-        reading.fault("name_without_value", part, r, c, name=name, known=known)
-    if unknown:
+    known = _in_known_names(matrix, reading, part)
+    if known is None:
         return None
-    numbers = matrix.at(values, ())
+    numbers = known.at(reading.values, ())
     for r, c in np.argwhere(~np.isfinite(numbers)).tolist():
         reading.fault("value_not_real", part, r, c)
     return numbers
+
+
+def _in_known_names(
+    matrix: SymbolicMatrix, reading: Reading, part: str, *where: int
+) -> SymbolicMatrix | None:
+    """Return a matrix in the exercise's own names; None if it holds one that means nothing there."""
+    exercise = reading.instance.exercise
+    known = {*exercise.reference.parameters, *exercise.aliases}
+    unknown = [
+        unknown_name(name, exercise, (part, *where, r, c))
+        for r, row in enumerate(matrix.entries)
+        for c, entry in enumerate(row)
+        for name in sorted(parameters_in(entry) - known)
+    ]
+    reading.faults.extend(unknown)
+    if unknown or not exercise.aliases:
+        return None if unknown else matrix
+    rows = tuple(tuple(renamed(entry, exercise.aliases) for entry in row) for row in matrix.entries)
+    return SymbolicMatrix(rows)
 
 
 def write_matrix(matrix: Matrix, n_joints: int, parameters: Sequence[str]) -> CellMatrix:

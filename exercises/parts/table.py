@@ -9,6 +9,7 @@ from typing import ClassVar
 from exercises.definition import Part
 from exercises.grading import HelpLevel
 from exercises.instance import Instance
+from exercises.names import table_faults, without_aliases
 from exercises.parts.context import Context
 from exercises.parts.protocol import TABLE, PartType, Reading, Task
 from exercises.parts.report import Credit, PartReport, judged
@@ -30,8 +31,13 @@ class DHTablePart(PartType[Part, RawTable, ReadTable]):
         return Task(message="task-table", values=values)
 
     def read(self, raw: RawTable, reading: Reading) -> ReadTable | None:
-        """Return the table in exact expressions."""
-        return reading.keep(self.kind, lambda: read_table(raw, reading.limits))
+        """Return the table in exact expressions and in the exercise's own names."""
+        read = reading.keep(self.kind, lambda: read_table(raw, reading.limits))
+        if read is None:
+            return None
+        faults = table_faults(read, reading.instance.exercise)
+        reading.faults.extend(fault.within(self.kind) for fault in faults)
+        return None if faults else without_aliases(read, reading.instance.exercise)
 
     def grade(self, part: Part, answer: ReadTable, context: Context) -> PartReport:
         """Return the verdict's score; what there is to tell stands in the verdict."""

@@ -1,15 +1,24 @@
-"""A table and all that follows from it, as a student would hand it in."""
+"""A table and all that follows from it, as a student would hand it in; and handing it in."""
 
 from __future__ import annotations
 
+from dataclasses import replace
+from random import Random
 from types import MappingProxyType
 
-from exercises.answers import Answer, RawAnswer
-from exercises.instance import Instance
+from exercises.answers import Answer, RawAnswer, parse
+from exercises.definition import Exercise
+from exercises.drawings import values
+from exercises.errors import AnswerError
+from exercises.grader import Report, grade
+from exercises.instance import Instance, generate
 from exercises.parts.context import Context
 from exercises.parts.protocol import TABLE
 from exercises.parts.registry import part_type
-from kinematics.cells import ReadTable
+from exercises.selftest.variants import some_lengths, variant
+from kinematics.cells import RawTable, ReadTable
+from kinematics.chain import chain_of_table, size_of
+from kinematics.table import bind
 
 
 def answer_from(instance: Instance, read: ReadTable) -> RawAnswer:
@@ -31,3 +40,26 @@ def context_of(instance: Instance, read: ReadTable) -> Context:
         parts=MappingProxyType({TABLE: read}), angle_unit=read.angle_unit, length_unit=read.length_unit
     )
     return Context(instance=instance, answer=answer, verdict=None)
+
+
+def other_frames(instance: Instance, rng: Random) -> ReadTable:
+    """Return the key as somebody with other frames would have written it."""
+    exercise = instance.exercise
+    usual = size_of(chain_of_table(bind(exercise.reference.table, values(instance)))) / 4
+    lengths = some_lengths(exercise.reference.table, usual)
+    table = variant(exercise.reference.table, exercise.policy, lengths, rng)
+    return replace(exercise.reference, table=table)
+
+
+def judged_answer(instance: Instance, raw: RawAnswer) -> Report:
+    """Return what is said of an answer."""
+    return grade(instance, parse(instance, raw))
+
+
+def is_refused(exercise: Exercise, raw: RawTable) -> bool:
+    """Return whether a table is refused as malformed."""
+    try:
+        parse(generate(exercise), RawAnswer(table=raw))
+    except AnswerError:
+        return True
+    return False

@@ -44,8 +44,8 @@ async def exercise_page(request: Request, exercise_id: str) -> Response:
     seed = request.query_params.get("seed")
     values = {
         "id": found.id,
-        "title": found.titles[language],
-        "statement": to_html(found.statements[language]),
+        "title": found.title(language),
+        "statement": to_html(found.statement(language)),
         "query": "?" + urlencode({"lang": language, **({"seed": seed} if seed else {})}),
     }
     # A SCORM package frames the page from whatever origin its LMS has. Nobody is signed in there: a page that

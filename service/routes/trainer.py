@@ -27,4 +27,4 @@ async def trainer(request: Request, exercise_id: str) -> Response:
         found = resources_of(request).exercises.exercise(exercise_id)
     except UnknownExerciseError:
         return missing_page(request, depth=1)
-    return page_response(request, TRAINER, {"id": found.id, "title": found.titles[page_language(request)]})
+    return page_response(request, TRAINER, {"id": found.id, "title": found.title(page_language(request))})

@@ -92,6 +92,8 @@ class DimensionValue(Wire):
     name: str
     value: Real
     unit: str
+    needed: bool = Field(description="every right answer contains it; false: frames may be chosen without")
+    aliases: list[str] = Field(description="other names that an answer may use for it")
 
 
 class JointName(Wire):
@@ -175,6 +177,8 @@ class ExerciseModel(Units):
     version: int
     seed: str | None
     language: str
+    text_language: str = Field(description="language of title and statement, if they lack the caller's")
+    note: str | None = Field(description="says so, in the caller's language")
     title: str
     statement: StatementModel
     rules: list[str] = Field(description="what is free and what is fixed, in the caller's language")

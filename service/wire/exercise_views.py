@@ -12,6 +12,8 @@ from exercises.drawings import figure_geometry, figure_sentences, figure_svg
 from exercises.grading import ConventionRule
 from exercises.instance import Instance, generate
 from exercises.loader import Library
+from exercises.needs import unneeded_dimensions
+from exercises.parts.protocol import TABLE
 from exercises.parts.registry import part_type
 from exercises.statements import first_sentence, to_html
 from service.messages import languages, sentence
@@ -47,7 +49,8 @@ def exercise_list(library: Library, language: str) -> dict[str, Any]:
 def exercise_view(instance: Instance, language: str) -> dict[str, Any]:
     """An exercise with one student's values."""
     found = instance.exercise
-    statement = found.statements[language]
+    statement = found.statement(language)
+    free = _free_dimensions(found)
     names = [f"q{i}" for i in range(1, found.reference.table.n_joints + 1)]
     types = found.reference.table.joint_types
     return {
@@ -55,7 +58,9 @@ def exercise_view(instance: Instance, language: str) -> dict[str, Any]:
         "version": found.version,
         "seed": instance.seed,
         "language": language,
-        "title": found.titles[language],
+        "text_language": found.text_language(language),
+        "note": _language_note(found, language),
+        "title": found.title(language),
         "statement": {"markdown": statement, "html": to_html(statement)},
         "rules": list(rules(found, language)),
         "conventions": conventions(found),
@@ -65,7 +70,13 @@ def exercise_view(instance: Instance, language: str) -> dict[str, Any]:
         "length_unit": found.length_unit.value,
         "parameters": instance.parameters,
         "dimensions": [
-            {"name": name, "value": value, "unit": found.length_unit.value}
+            {
+                "name": name,
+                "value": value,
+                "unit": found.length_unit.value,
+                "needed": name not in free,
+                "aliases": [alias for alias, meant in found.aliases.items() if meant == name],
+            }
             for name, value in instance.parameters.items()
         ],
         "joints": [{"name": name, "type": kind.value} for name, kind in zip(names, types, strict=True)],
@@ -89,6 +100,22 @@ def rules(found: Exercise, language: str) -> Iterator[str]:
         text = sentence(language, f"rule-{name}-{rule}", {"points": ", ".join(found.figure.marks)})
         if text:
             yield text
+    free = _free_dimensions(found)
+    if free and found.part(TABLE) is not None:
+        yield sentence(language, "rule-dimension-free", {"names": free}) or ""
+
+
+@lru_cache(maxsize=KEPT)
+def _free_dimensions(found: Exercise) -> tuple[str, ...]:
+    return unneeded_dimensions(found)
+
+
+def _language_note(found: Exercise, language: str) -> str | None:
+    """Return what a reader is told whose language the exercise is not written in."""
+    written = found.text_language(language)
+    if written == language:
+        return None
+    return sentence(language, "exercise-other-language", {"language": written})
 
 
 def figure_description(instance: Instance, language: str) -> str:
@@ -102,7 +129,7 @@ def figure_description(instance: Instance, language: str) -> str:
 @lru_cache(maxsize=KEPT)
 def figure_file(instance: Instance, language: str) -> bytes:
     """The figure as an SVG file."""
-    title = sentence(language, "figure-title", {"title": instance.exercise.titles[language]}) or ""
+    title = sentence(language, "figure-title", {"title": instance.exercise.title(language)}) or ""
     description = figure_description(instance, language)
     note = sentence(language, "figure-note") or ""
     return figure_svg(instance, title=title, description=description, language=language, note=note).encode()
@@ -112,8 +139,8 @@ def _entry(found: Exercise, language: str) -> dict[str, Any]:
     return {
         "id": found.id,
         "version": found.version,
-        "title": found.titles[language],
-        "summary": first_sentence(found.statements[language]),
+        "title": found.title(language),
+        "summary": first_sentence(found.statement(language)),
         "joints": found.reference.table.n_joints,
         "parts": [part.kind for part in found.parts],
         "points": float(found.points),

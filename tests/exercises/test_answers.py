@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
 from exercises.answers import RawAnswer, parse
 from exercises.errors import AnswerError
-from exercises.grader import allowed_help
+from exercises.grader import allowed_help, grade
 from exercises.grading import HelpLevel
 from exercises.instance import generate
 from exercises.parts.schematic import AxisRelation, Schematic
@@ -44,7 +45,7 @@ def refused(exercise_id: str = "scara", **parts: Any) -> dict[str, str]:
             {"link_matrices.2.1.2": "cell_empty"},
         ),
         ({"table": SCARA, "pose": edited(EYE, 0, 3, "q1")}, {"pose.0.3": "joint_variable_unknown"}),
-        ({"table": SCARA, "pose": edited(EYE, 0, 3, "a9")}, {"pose.0.3": "name_without_value"}),
+        ({"table": SCARA, "pose": edited(EYE, 0, 3, "a9")}, {"pose.0.3": "name_unknown"}),
         ({"table": SCARA, "pose": edited(EYE, 0, 3, "sqrt(a3-a2)")}, {"pose.0.3": "value_not_real"}),
         ({"workspace": RadiiCells(inner=-1, outer=2)}, {"workspace.inner": "radius_negative"}),
         (
@@ -119,3 +120,24 @@ def test_help_is_never_more_than_the_exercise_allows(asked: HelpLevel | None, al
     order = list(HelpLevel)
     given = allowed_help(replace(exercise("scara"), help=allowed), asked)
     assert order.index(given) == min(order.index(asked or HelpLevel.REPAIR), order.index(allowed))
+
+
+@pytest.mark.parametrize(
+    ("typed", "close"), [("A2", "a2"), ("a4", "a3"), ("a22", "a2"), ("x", ""), ("L1", "")]
+)
+def test_an_unknown_name_is_no_attempt_and_is_told_the_nearest_known_one(typed: str, close: str) -> None:
+    rows = [(0, typed, 0, "q1"), (180, "a3", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4")]
+    with pytest.raises(AnswerError) as error:
+        parse(generate(exercise("scara")), RawAnswer(table=table("standard", *rows)))
+    (fault,) = error.value.faults
+    assert (fault.code, fault.where) == ("name_unknown", ("table", "rows", 0, "a"))
+    assert (fault.params["close"], fault.params["known"]) == (close, ("a2", "a3"))
+
+
+def test_an_alias_means_its_dimension() -> None:
+    found = replace(exercise("scara"), aliases={"L1": "a2", "L2": "a3"})
+    rows = [(0, "L1", 0, "q1"), (180, "L2", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4")]
+    renamed = [[str(cell).replace("a2", "L1") for cell in row] for row in SCARA_TRANSFORM]
+    raw = RawAnswer(table=table("standard", *rows), transform=renamed)
+    report = grade(generate(found), parse(generate(found), raw))
+    assert report.correct

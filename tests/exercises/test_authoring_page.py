@@ -13,11 +13,11 @@ from typing import Any
 
 import pytest
 
-from exercises.__main__ import main
 from exercises.definition import LANGUAGES
 from exercises.loader import load_exercise
 from exercises.parts.registry import part_types
 from exercises.selftest.mistakes import MISTAKES
+from service.cli.commands import main
 from service.schemas.exercises import ExerciseAnswer
 from tests.exercises.answering import judged
 
@@ -47,8 +47,8 @@ def test_every_command_runs(desk: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert len(commands) == 7
     for command in commands:
         words = shlex.split(command)
-        assert words[:3] == ["python", "-m", "exercises"]
-        arguments = ["2" if before == "--seeds" else word for before, word in pairwise(words[2:])]
+        assert words[:2] == ["framewise", "exercises"]
+        arguments = ["2" if before == "--seeds" else word for before, word in pairwise(words)]
         assert main(arguments) == 0, capsys.readouterr()
     assert (desk / "my-arm.svg").read_text(encoding="utf-8").startswith("<svg")
 

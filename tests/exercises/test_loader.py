@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,7 @@ from exercises.grading import BaseRule, HelpLevel, ToolRule
 from exercises.loader import Library, load_exercise
 from exercises.parts.pose import PosePart
 from exercises.parts.workspace import ReachFrom, WorkspacePart
-from tests.exercises.folders import changed, folder, with_part
+from tests.exercises.folders import TWO_LINKS, changed, folder, with_part
 from tests.exercises.packaged import exercise
 
 
@@ -48,7 +49,7 @@ def test_every_fault_is_reported_at_once(tmp_path: Path) -> None:
     text = changed("points = 10", "points = 0", text)
     text = changed("L2.value = 0.3", "L3.value = 0.3", text)
     made = folder(tmp_path, text)
-    (made / "statement.uk.md").unlink()
+    (made / "statement.uk.md").write_text("", encoding="utf-8")
     assert faults(made) == {
         "two.statement.uk.md": "statement_missing",
         "two.exercise.toml.version": "exercise_value_type",
@@ -66,7 +67,9 @@ def test_every_fault_is_reported_at_once(tmp_path: Path) -> None:
         ("[reference]", 'robot = "puma560"\n[reference]', "title.robot", "exercise_key_unknown"),
         ("version = 1", 'version = 1\nrobot = "r2d2"', "robot", "exercise_robot_unknown"),
         ("version = 1", 'version = 1\nrobot = "rx90"', "reference", "robot_and_reference"),
-        ('en = "Two"\n', "", "title.en", "exercise_key_missing"),
+        ("[title]", '[title]\nenglish = "Two"', "title.english", "exercise_key_unknown"),
+        ("L2.value = 0.3", 'L2.value = 0.3\nL2.aliases = ["L1"]', "parameters.L2.aliases.0", "alias_taken"),
+        ("version = 1", 'version = 1\nneeds = ["L9"]', "needs.0", "need_unknown"),
         ('theta = "q1"', 'theta = "2*q1"', "reference.rows.0.theta", "variable_scaled"),
         ('theta = "q1", ', "", "reference.rows.0.theta", "exercise_key_missing"),
         ('convention = "standard"', 'convention = "craig"', "reference.convention", "exercise_value_unknown"),
@@ -203,3 +206,28 @@ def test_a_malformed_exercise_of_ones_own_is_told_at_once(tmp_path: Path) -> Non
 def test_an_exercise_asks_for_something(tmp_path: Path) -> None:
     text = changed('[[parts]]\nkind = "table"\npoints = 10\n', "")
     assert faults(folder(tmp_path, text)) == {"two.exercise.toml.parts": "nothing_asked"}
+
+
+def test_any_one_language_is_enough_and_the_rest_falls_back(tmp_path: Path) -> None:
+    made = folder(tmp_path, re.sub(r"^(en|ro|pt|fr|es) = .*\n", "", TWO_LINKS, flags=re.MULTILINE))
+    for language in ("en", "ro", "pt", "fr", "es"):
+        (made / f"statement.{language}.md").unlink()
+    found = load_exercise(made)
+    assert (found.text_language("fr"), found.title("fr"), found.statement("fr")) == (
+        "uk",
+        "Два",
+        "Links *L1*, *L2*.",
+    )
+    (made / "statement.uk.md").unlink()
+    assert faults(made) == {"two.statement.en.md": "statement_missing"}
+    (made / "statement.en.md").write_text("Links.", encoding="utf-8")
+    assert faults(made) == {"two.exercise.toml.title": "title_missing"}
+
+
+def test_needs_that_the_policy_sees_to_are_kept(tmp_path: Path) -> None:
+    text = changed("version = 1", 'version = 1\nneeds = ["L1", "L0"]')
+    text = changed('theta = "q1", d = 0', 'theta = "q1", d = "L0"', text)
+    text = changed("[parameters]", "[parameters]\nL0.value = 0.2", text)
+    assert faults(folder(tmp_path, text)) == {"two.exercise.toml.needs.1": "need_unmet"}
+    fixed = changed("[[parts]]", '[policy]\nbase = "origin"\ntool = "point"\n[[parts]]', text)
+    assert load_exercise(folder(tmp_path, fixed)).needs == ("L1", "L0")

@@ -153,7 +153,6 @@ error-short_form_unknown = { $name } is read as a cosine or a sine, but not all 
     [one] one joint
    *[other] { $joints } joints
 }.
-error-name_without_value = { $name } has no value here. Write numbers, or these names: { $known }.
 error-radius_negative = A radius is not negative.
 error-schematic_fixed_joint = The structure lists the joints that move: revolute or prismatic.
 error-schematic_relations_count = { $joints ->
@@ -203,3 +202,14 @@ error-joint_off_axis = The point { $point } does not lie on the axis of joint { 
 error-dimension_disagrees = The points of { $name } lie { $length } apart, but { $name } is { $value }.
 error-gripper_without_direction = The gripper and the point that it points away from are the same.
 error-jaws_along_gripper = The jaws stand beside each other, square to the gripper.
+
+error-name_unknown = { $name } is none of the dimensions of this exercise.{ $found ->
+    [0] {""}
+   *[one] {" "}Did you mean { $close }?
+} Known are { $known }.
+error-need_unmet = No answer needs { $name } under this policy: students may choose frames in which it does not appear. Fix the base (origin or frame) or the tool (point or frame).
+error-need_unknown = { $name } is no dimension of the table. There are { $known }.
+error-alias_taken = { $name } already has a meaning.
+error-title_missing = A title in one language at least is needed: [title] with en = "…".
+exercise-other-language = This exercise is not written in your language yet; its text is in { $language }.
+rule-dimension-free = { $names } need not appear in your table: with frames chosen accordingly it drops out.

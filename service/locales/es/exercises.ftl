@@ -153,7 +153,6 @@ error-short_form_unknown = { $name } se lee como un coseno o un seno, pero no to
     [one] una articulación
    *[other] { $joints } articulaciones
 }.
-error-name_without_value = { $name } no tiene valor aquí. Escriba números o estos nombres: { $known }.
 error-radius_negative = Un radio no es negativo.
 error-schematic_fixed_joint = La estructura enumera las articulaciones que se mueven: de rotación o prismáticas.
 error-schematic_relations_count = { $joints ->
@@ -203,3 +202,14 @@ error-joint_off_axis = El punto { $point } no está sobre el eje de la articulac
 error-dimension_disagrees = Los puntos de { $name } distan { $length }, pero { $name } es { $value }.
 error-gripper_without_direction = La pinza y el punto del que se aleja son el mismo.
 error-jaws_along_gripper = Los dedos están uno al lado del otro, perpendiculares a la pinza.
+
+error-name_unknown = { $name } no es ninguna de las cotas de este ejercicio.{ $found ->
+    [0] {""}
+   *[one] {" "}¿Quería decir { $close }?
+} Se conocen { $known }.
+error-need_unmet = Con esta política ninguna respuesta necesita { $name }: se pueden elegir sistemas en los que no aparece. Fije la base (origin o frame) o la herramienta (point o frame).
+error-need_unknown = { $name } no es ninguna cota de la tabla. Hay { $known }.
+error-alias_taken = { $name } ya tiene un significado.
+error-title_missing = Hace falta un título al menos en un idioma: [title] con en = "…".
+exercise-other-language = Este ejercicio aún no está escrito en su idioma; su texto está en { $language }.
+rule-dimension-free = { $names } no tiene por qué aparecer en su tabla: con sistemas elegidos de cierto modo desaparece.

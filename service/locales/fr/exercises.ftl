@@ -153,7 +153,6 @@ error-short_form_unknown = { $name } est lu comme un cosinus ou un sinus, mais s
     [one] une articulation
    *[other] { $joints } articulations
 }.
-error-name_without_value = { $name } n'a pas de valeur ici. Écrivez des nombres, ou ces noms : { $known }.
 error-radius_negative = Un rayon n'est pas négatif.
 error-schematic_fixed_joint = La structure énumère les articulations mobiles : rotoïdes ou prismatiques.
 error-schematic_relations_count = { $joints ->
@@ -203,3 +202,14 @@ error-joint_off_axis = Le point { $point } n'est pas sur l'axe de l'articulation
 error-dimension_disagrees = Les points de { $name } sont distants de { $length }, mais { $name } vaut { $value }.
 error-gripper_without_direction = La pince et le point dont elle s'éloigne sont confondus.
 error-jaws_along_gripper = Les mors sont placés côte à côte, perpendiculairement à la pince.
+
+error-name_unknown = { $name } n'est aucune des cotes de cet exercice.{ $found ->
+    [0] {""}
+   *[one] {" "}Vouliez-vous dire { $close } ?
+} On connaît { $known }.
+error-need_unmet = Avec ces règles, aucune réponse n'a besoin de { $name } : on peut choisir des repères où cette cote n'apparaît pas. Fixez la base (origin ou frame) ou l'outil (point ou frame).
+error-need_unknown = { $name } n'est pas une cote du tableau. Il y a { $known }.
+error-alias_taken = { $name } a déjà un sens.
+error-title_missing = Il faut un titre dans une langue au moins : [title] avec en = "…".
+exercise-other-language = Cet exercice n'est pas encore écrit dans votre langue ; son texte est en { $language }.
+rule-dimension-free = { $names } ne doit pas nécessairement figurer dans votre tableau : un choix convenable des repères la fait disparaître.

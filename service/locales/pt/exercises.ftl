@@ -153,7 +153,6 @@ error-short_form_unknown = { $name } é lido como cosseno ou seno, mas nem todos
     [one] uma junta
    *[other] { $joints } juntas
 }.
-error-name_without_value = { $name } não tem valor aqui. Escreva números ou estes nomes: { $known }.
 error-radius_negative = Um raio não é negativo.
 error-schematic_fixed_joint = A estrutura enumera as juntas que se movem: rotativas ou prismáticas.
 error-schematic_relations_count = { $joints ->
@@ -203,3 +202,14 @@ error-joint_off_axis = O ponto { $point } não está sobre o eixo da junta { $jo
 error-dimension_disagrees = Os pontos de { $name } distam { $length }, mas { $name } é { $value }.
 error-gripper_without_direction = A garra e o ponto do qual ela se afasta são o mesmo.
 error-jaws_along_gripper = Os dedos ficam um ao lado do outro, perpendiculares à garra.
+
+error-name_unknown = { $name } não é nenhuma das cotas deste exercício.{ $found ->
+    [0] {""}
+   *[one] {" "}Queria dizer { $close }?
+} Conhecem-se { $known }.
+error-need_unmet = Com esta política nenhuma resposta precisa de { $name }: podem escolher-se referenciais em que não aparece. Fixe a base (origin ou frame) ou a ferramenta (point ou frame).
+error-need_unknown = { $name } não é nenhuma cota da tabela. Há { $known }.
+error-alias_taken = { $name } já tem um significado.
+error-title_missing = É preciso um título pelo menos numa língua: [title] com en = "…".
+exercise-other-language = Este exercício ainda não está escrito na sua língua; o texto está em { $language }.
+rule-dimension-free = { $names } não tem de aparecer na sua tabela: com referenciais escolhidos de certo modo desaparece.

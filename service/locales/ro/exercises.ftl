@@ -159,7 +159,6 @@ error-short_form_unknown = { $name } este citit ca un cosinus sau un sinus, dar 
     [few] { $joints } cuple
    *[other] { $joints } de cuple
 }.
-error-name_without_value = { $name } nu are aici nicio valoare. Scrieți numere sau aceste nume: { $known }.
 error-radius_negative = O rază nu este negativă.
 error-schematic_fixed_joint = Structura enumeră cuplele care se mișcă: de rotație sau de translație.
 error-schematic_relations_count = { $joints ->
@@ -211,3 +210,14 @@ error-joint_off_axis = Punctul { $point } nu se află pe axa cuplei { $joint }.
 error-dimension_disagrees = Punctele cotei { $name } se află la { $length } unul de altul, dar { $name } este { $value }.
 error-gripper_without_direction = Prehensorul și punctul de la care pornește direcția lui coincid.
 error-jaws_along_gripper = Fălcile stau una lângă alta, perpendicular pe prehensor.
+
+error-name_unknown = { $name } nu este niciuna dintre cotele acestui exercițiu.{ $found ->
+    [0] {""}
+   *[one] {" "}Ați vrut să scrieți { $close }?
+} Se cunosc { $known }.
+error-need_unmet = Cu aceste reguli niciun răspuns nu are nevoie de { $name }: se pot alege sisteme în care nu apare. Fixați baza (origin sau frame) ori scula (point sau frame).
+error-need_unknown = { $name } nu este o cotă a tabelului. Există { $known }.
+error-alias_taken = { $name } are deja un înțeles.
+error-title_missing = Este nevoie de un titlu în cel puțin o limbă: [title] cu en = "…".
+exercise-other-language = Acest exercițiu nu este încă scris în limba dumneavoastră; textul este în { $language }.
+rule-dimension-free = { $names } nu trebuie să apară neapărat în tabel: cu sisteme alese potrivit, dispare.

@@ -158,7 +158,6 @@ error-short_form_unknown = { $name } читається як косинус аб
     [few] { $joints } зчленування
    *[other] { $joints } зчленувань
 }.
-error-name_without_value = { $name } не має тут значення. Пишіть числа або такі імена: { $known }.
 error-radius_negative = Радіус не буває від'ємним.
 error-schematic_fixed_joint = У структурі перелічуються рухомі зчленування: обертальні або поступальні.
 error-schematic_relations_count = { $joints ->
@@ -210,3 +209,14 @@ error-joint_off_axis = Точка { $point } не лежить на осі зч�
 error-dimension_disagrees = Відстань між точками { $name } дорівнює { $length }, але { $name } — це { $value }.
 error-gripper_without_direction = Схват і точка, від якої він спрямований, збігаються.
 error-jaws_along_gripper = Губки стоять поруч, перпендикулярно до схвата.
+
+error-name_unknown = { $name } не є розміром цієї вправи.{ $found ->
+    [0] {""}
+   *[one] {" "}Можливо, ви мали на увазі { $close }?
+} Відомі { $known }.
+error-need_unmet = За цих правил жодна відповідь не потребує { $name }: можна вибрати системи координат, у яких його немає. Зафіксуйте основу (origin або frame) чи інструмент (point або frame).
+error-need_unknown = { $name } не є розміром таблиці. Є { $known }.
+error-alias_taken = { $name } вже має значення.
+error-title_missing = Потрібна назва принаймні однією мовою: [title] з en = "…".
+exercise-other-language = Цю вправу ще не написано вашою мовою; її текст мовою { $language }.
+rule-dimension-free = { $names } не мусить бути у вашій таблиці: за відповідного вибору систем координат цей розмір зникає.

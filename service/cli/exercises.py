@@ -1,10 +1,9 @@
-"""The command line of exercises: `python -m exercises --help`."""
+"""`framewise exercises`: list, start, draw and test exercises."""
 
 from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable, Sequence
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
@@ -12,45 +11,30 @@ from exercises.authoring.scaffold import scaffold
 from exercises.authoring.sources import Source, from_axes_file, from_robot, from_table_file, from_urdf_file
 from exercises.consistency import FILE
 from exercises.definition import Exercise
-from exercises.drawings import figure_svg
-from exercises.errors import ExerciseError
 from exercises.instance import generate
-from exercises.loader import ROOT, load_exercise, packaged
+from exercises.loader import ROOT, Library, load_exercise
 from exercises.selftest.checks import check
+from exercises.selftest.findings import Failure, Findings
+from service.cli.serve import settings_of_environment
+from service.messages import sentence
+from service.wire.exercise_views import figure_file
 
 SEEDS = 10
-NOTE = "not to scale"
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Run a command.
+def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare `exercises` with what can be done with them."""
+    parser = subparsers.add_parser("exercises", help="list, start, draw and test exercises")
+    commands = parser.add_subparsers(required=True, metavar="what")
 
-    Returns:
-        0, or 1 if something is wrong with an exercise, or 2 if the command cannot be carried out.
-    """
-    options = _parser().parse_args(arguments)
-    run: Callable[[argparse.Namespace], int] = options.run
-    try:
-        return run(options)
-    except ExerciseError as error:
-        sys.stderr.write(f"{error}\n")
-        return 2
-
-
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="python -m exercises", description="Write, draw and test exercises."
+    listed = commands.add_parser(
+        "list", help="all exercises: the package's and those of FRAMEWISE_EXERCISE_FOLDERS"
     )
-    commands = parser.add_subparsers(required=True, metavar="command")
-
-    listed = commands.add_parser("list", help="the exercises that come with the package")
     listed.set_defaults(run=_list)
 
     checked = commands.add_parser("check", help="let exercises test themselves")
-    checked.add_argument("exercise", nargs="*", help="ids or folders; all of the package, if none is named")
-    checked.add_argument(
-        "--seeds", type=int, default=SEEDS, help=f"students' values to try (usually {SEEDS})"
-    )
+    checked.add_argument("exercise", nargs="*", help="ids or folders; all exercises, if none is named")
+    checked.add_argument("--seeds", type=int, default=SEEDS, help="students' values to try (%(default)s)")
     checked.set_defaults(run=_check)
 
     drawn = commands.add_parser("figure", help="draw the figure of an exercise")
@@ -68,33 +52,46 @@ def _parser() -> argparse.ArgumentParser:
     source.add_argument("--axes", type=Path, help="joint axes in JSON or TOML")
     source.add_argument("--urdf", type=Path, help="a URDF file with one serial chain")
     new.set_defaults(run=_new)
-    return parser
 
 
 def _list(options: argparse.Namespace) -> int:
-    for exercise_id in packaged().ids:
-        found = packaged().exercise(exercise_id)
+    library = _library()
+    for exercise_id in library.ids:
+        found = library.exercise(exercise_id)
         parts = ", ".join(part.kind for part in found.parts)
-        sys.stdout.write(f"{exercise_id:12} {found.titles['en']:32} {parts}\n")
+        sys.stdout.write(f"{exercise_id:12} {found.title(options.lang):32} {parts}\n")
     return 0
 
 
 def _check(options: argparse.Namespace) -> int:
     failed = False
-    for name in options.exercise or packaged().ids:
+    for name in options.exercise or _library().ids:
         findings = check(_found(name), options.seeds)
-        sys.stdout.write(f"{findings.exercise:12} {findings.passed.total()} checks passed")
-        sys.stdout.write(f", {len(findings.failures)} failed\n" if findings.failures else "\n")
-        sys.stdout.writelines(f"  {failure}\n" for failure in findings.failures)
+        sys.stdout.write(f"{_counts(findings, options.lang)}\n")
+        for failure in findings.failures:
+            sys.stdout.write(f"  {failure.check}: {_told(failure, options.lang)}\n")
+        for warning in findings.warnings:
+            sys.stdout.write(f"  {warning.check}: {_told(warning, options.lang)}\n")
         failed |= bool(findings.failures)
     return int(failed)
 
 
+def _counts(findings: Findings, language: str) -> str:
+    params = {
+        "exercise": findings.exercise,
+        "passed": findings.passed.total(),
+        "failed": len(findings.failures),
+        "warnings": len(findings.warnings),
+    }
+    return sentence(language, "check-counts", params) or findings.exercise
+
+
+def _told(failure: Failure, language: str) -> str:
+    return sentence(language, f"check-{failure.check}", failure.params) or failure.check
+
+
 def _figure(options: argparse.Namespace) -> int:
-    found = _found(options.exercise)
-    svg = figure_svg(
-        generate(found, options.seed), title=found.titles["en"], description="", language="en", note=NOTE
-    )
+    svg = figure_file(generate(_found(options.exercise), options.seed), options.lang).decode()
     if options.output is None:
         sys.stdout.write(f"{svg}\n")
     else:
@@ -117,10 +114,10 @@ def _source(options: argparse.Namespace) -> Source:
     return from_axes_file(options.axes) if options.axes else from_urdf_file(options.urdf)
 
 
+def _library() -> Library:
+    return Library(settings_of_environment().exercise_folders)
+
+
 def _found(name: str) -> Exercise:
     folder: Traversable = Path(name)
-    return load_exercise(folder) if (folder / FILE).is_file() else packaged().exercise(name)
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    return load_exercise(folder) if (folder / FILE).is_file() else _library().exercise(name)

@@ -1,0 +1,67 @@
+"""The names that an answer may use: the exercise's dimensions, and a lecturer's aliases for them.
+
+A name that is neither is refused with the nearest one that is known, and costs no attempt: nothing can be
+said of what a student meant by it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from difflib import get_close_matches
+
+from exercises.definition import Exercise
+from exercises.grading.substitution import replaced, substituted
+from kinematics.cells import ReadTable
+from kinematics.errors import Fault
+from kinematics.expressions import Expression, Parameter, parameters_in
+from kinematics.table import CELLS
+
+SIMILAR = 0.5
+"""Least similarity (difflib's ratio) of a name that is suggested: half of the letters in the same order."""
+
+
+def unknown_name(name: str, exercise: Exercise, where: tuple[str | int, ...]) -> Fault:
+    """Return the fault of a name that means nothing in an exercise."""
+    known = tuple(exercise.reference.parameters)
+    close = nearest(name, (*known, *exercise.aliases))
+    params = {"name": name, "known": known or "–", "close": close or "", "found": int(close is not None)}
+    return Fault(code="name_unknown", where=where, params=params)
+
+
+def nearest(name: str, known: Iterable[str]) -> str | None:
+    """Return the known name that is most like a name: d3 for D3 before anything else; None if none is."""
+    by_case = {found.lower(): found for found in known}
+    close = get_close_matches(name.lower(), by_case, n=1, cutoff=SIMILAR)
+    return by_case[close[0]] if close else None
+
+
+def table_faults(read: ReadTable, exercise: Exercise) -> list[Fault]:
+    """Return the unknown names of a table, each at its first cell."""
+    faults: dict[str, Fault] = {}
+    for i, row in enumerate(read.table.rows):
+        for cell in CELLS:
+            for name in sorted(parameters_in(getattr(row, cell)) - _known(exercise)):
+                faults.setdefault(name, unknown_name(name, exercise, ("rows", i, cell)))
+    return list(faults.values())
+
+
+def without_aliases(read: ReadTable, exercise: Exercise) -> ReadTable:
+    """Return a table in the exercise's own names."""
+    aliases = exercise.aliases
+    if not aliases.keys() & read.parameters.keys():
+        return read
+    table = substituted(read.table, lambda name: Parameter(aliases[name]) if name in aliases else None)
+    kinds = {aliases.get(name, name): kind for name, kind in read.parameters.items()}
+    return replace(read, table=table, parameters=kinds)
+
+
+def renamed(expression: Expression, aliases: Mapping[str, str]) -> Expression:
+    """Return an expression in the exercise's own names."""
+    if not aliases:
+        return expression
+    return replaced(expression, lambda name: Parameter(aliases[name]) if name in aliases else None)
+
+
+def _known(exercise: Exercise) -> frozenset[str]:
+    return frozenset(exercise.reference.parameters) | frozenset(exercise.aliases)

@@ -1,0 +1,39 @@
+"""Which dimensions an answer needs: those that no valid choice of frames can leave out.
+
+A dimension is needed if the key with another value of it is a wrong answer. The height of a base whose frame
+may lie anywhere is not: a student may put frame 0 wherever the height vanishes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+from exercises.definition import Exercise
+from exercises.grading import accept
+from exercises.grading.substitution import substituted
+from kinematics.expressions import Number, Parameter, add, multiply
+
+OTHER = Fraction(7, 5)
+"""Another value is this many times the right one: far outside of every tolerance (at most 0.1)."""
+
+
+def unneeded_dimensions(exercise: Exercise) -> tuple[str, ...]:
+    """Return the dimensions that an answer may leave out under the exercise's policy."""
+    return tuple(name for name in exercise.reference.parameters if not is_needed(exercise, name))
+
+
+def is_needed(exercise: Exercise, name: str) -> bool:
+    """Return whether a table with another value of a dimension is a wrong answer."""
+    reference = exercise.reference
+    other = add((multiply((Number(OTHER), Parameter(name))), Number(Fraction(1, 1000))))
+    table = substituted(reference.table, lambda found: other if found == name else None)
+    return accept(reference, replace(reference, table=table), exercise.policy) is None
+
+
+def unmet_needs(exercise: Exercise) -> Iterator[int]:
+    """Yield the places in `exercise.needs` of dimensions that the policy lets students leave out."""
+    for i, name in enumerate(exercise.needs):
+        if name in exercise.reference.parameters and not is_needed(exercise, name):
+            yield i

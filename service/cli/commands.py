@@ -1,0 +1,66 @@
+"""The subcommands of `framewise`, and the one way in which their errors are told."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+from exercises.errors import ExerciseError
+from kinematics.errors import Fault, KinematicsError
+from service.cli import exercises, serve
+from service.messages import DEFAULT_LANGUAGE, languages, sentence
+
+
+class Command(Protocol):
+    """A module that declares a subcommand."""
+
+    def add(self, subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+        """Declare the subcommand, its options, and what runs it."""
+
+
+COMMANDS: tuple[Command, ...] = (serve, exercises)
+"""Every subcommand; a new one is a module of this package and an entry here."""
+
+FAILED, UNUSABLE = 1, 2
+"""Exit statuses: something was found wrong; the command could not be carried out."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a subcommand; without one, serve.
+
+    Returns:
+        The exit status: 0, or 1 if something was found wrong, or 2 if the command cannot be carried out.
+    """
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    if not given or (given[0].startswith("-") and given[0] not in ("-h", "--help", "--lang")):
+        given = ["serve", *given]
+    options = _parser().parse_args(given)
+    run: Callable[[argparse.Namespace], int] = options.run
+    try:
+        return run(options)
+    except (ExerciseError, KinematicsError) as error:
+        for fault in error.faults:
+            sys.stderr.write(f"framewise: {told(fault, options.lang)}\n")
+        return UNUSABLE
+
+
+def told(fault: Fault, language: str) -> str:
+    """Return a fault's place and sentence; the place as folder/file: key.key."""
+    path = [str(step) for step in fault.where]
+    files = next((i + 1 for i, step in enumerate(path) if "." in step), 0)
+    place = ": ".join(part for part in ("/".join(path[:files]), ".".join(path[files:])) if part)
+    text = sentence(language, f"error-{fault.code}", fault.params) or str(fault)
+    return f"{place}: {text} [{fault.code}]" if place else f"{text} [{fault.code}]"
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="framewise", description="Kinematics over HTTP, and its exercises.")
+    parser.add_argument(
+        "--lang", choices=languages(), default=DEFAULT_LANGUAGE, help="language of what is told (%(default)s)"
+    )
+    subparsers = parser.add_subparsers(required=True, metavar="command")
+    for command in COMMANDS:
+        command.add(subparsers)
+    return parser

@@ -1,0 +1,71 @@
+"""`framewise serve`: the service over HTTP."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+
+import uvicorn
+from pydantic import ValidationError
+
+from service.app import create_app
+from service.secret import share_secret
+from service.settings import Settings
+
+_LARGEST_PORT = 65535
+
+
+def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare `serve`; its options go before the environment."""
+    parser = subparsers.add_parser("serve", help="serve until interrupted")
+    parser.add_argument("--host", help="address to listen on (FRAMEWISE_HOST)")
+    parser.add_argument("--port", type=_port, help="port to listen on (FRAMEWISE_PORT)")
+    parser.add_argument("--workers", type=int, help="processes (FRAMEWISE_WORKERS)")
+    parser.set_defaults(run=_serve)
+
+
+def _serve(options: argparse.Namespace) -> int:
+    settings = settings_of_environment()
+    chosen: dict[str, object] = {
+        "host": settings.host if options.host is None else options.host,
+        "port": settings.port if options.port is None else options.port,
+        "access_log": settings.access_log,
+        "proxy_headers": True,
+        "forwarded_allow_ips": list(settings.trusted_proxies),
+        "server_header": False,
+    }
+    workers = settings.workers if options.workers is None else options.workers
+    if workers > 1:
+        share_secret()
+        uvicorn.run("service.app:create_app", factory=True, workers=workers, **chosen)  # type: ignore[arg-type]
+        return 0
+    app = create_app(settings)
+    try:
+        uvicorn.run(app, **chosen)  # type: ignore[arg-type]
+    finally:
+        app.state.resources.workers.close()  # or they would outlive a server that could not start
+    return 0
+
+
+def _port(text: str) -> int:
+    if not text.isdecimal() or int(text) > _LARGEST_PORT:
+        raise argparse.ArgumentTypeError(f"a port is a number from 0 to {_LARGEST_PORT}, not {text}")
+    return int(text)
+
+
+def settings_of_environment() -> Settings:
+    """Return the settings of the environment; what cannot be understood ends the program with its name."""
+    known = {f"FRAMEWISE_{name.upper()}" for name in Settings.model_fields}
+    faults = [
+        f"  {name}: there is no such setting"
+        for name in sorted(os.environ)
+        if name.upper().startswith("FRAMEWISE_") and name.upper() not in known
+    ]
+    try:
+        settings = Settings()
+    except ValidationError as error:
+        faults += [f"  FRAMEWISE_{str(fault['loc'][0]).upper()}: {fault['msg']}" for fault in error.errors()]
+    if faults:
+        sys.exit("\n".join(("These settings cannot be understood:", *faults)))
+    return settings

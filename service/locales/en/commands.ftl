@@ -1,0 +1,24 @@
+### What the self-test of an exercise tells its author.
+
+check-counts = { $exercise }: { $passed ->
+    [one] { $passed } check passed
+   *[other] { $passed } checks passed
+}, { $failed } failed, { $warnings ->
+    [one] { $warnings } warning
+   *[other] { $warnings } warnings
+}
+check-structure = Seed { $seed } changes the robot's structure.
+check-figure = Seed { $seed }: the figure cannot be drawn ({ $reason }).
+check-right = A right table is rejected: { $table }
+check-certificate = The certificate of a right table does not hold: { $table }
+check-harmless = A wrong table is accepted: { $table }
+check-mistake = The mistake { $mistake } is not explained in { $table }
+check-part = Seed { $seed }: a right answer to the part { $part } is rejected.
+check-follow_through = Seed { $seed }: what follows from a wrong table earns no marks in the part { $part }.
+check-wrong_part = Seed { $seed }: a wrong answer to the part { $part } is not told as { $mistake } but as { $told }.
+check-invalid = A malformed table is graded: { $name }.
+check-sample = The sample “{ $name }” is not judged as expected; it is told: { $told }.
+check-rounded = A right table rounded to { $digits } digits is rejected under the tool rule { $rule }: { $table }
+check-tool_rule = A right table is rejected under the tool rule { $rule }: { $table }
+check-crash = Seed { $seed }: grading fails: { $reason }
+check-unneeded = No right answer needs { $name }: a student may choose frames in which it does not appear. Fix the base or the tool frame if the answer is to contain it, or leave it out of the statement.

@@ -1,0 +1,24 @@
+### Lo que la autocomprobación de un ejercicio dice a su autor.
+
+check-counts = { $exercise }: { $passed ->
+    [one] { $passed } comprobación superada
+   *[other] { $passed } comprobaciones superadas
+}, { $failed } fallidas, { $warnings ->
+    [one] { $warnings } advertencia
+   *[other] { $warnings } advertencias
+}
+check-structure = La semilla { $seed } cambia la estructura del robot.
+check-figure = Semilla { $seed }: no se puede dibujar la figura ({ $reason }).
+check-right = Se rechaza una tabla correcta: { $table }
+check-certificate = El certificado de una tabla correcta no se cumple: { $table }
+check-harmless = Se acepta una tabla incorrecta: { $table }
+check-mistake = El error { $mistake } no se explica en { $table }
+check-part = Semilla { $seed }: se rechaza una respuesta correcta a la parte { $part }.
+check-follow_through = Semilla { $seed }: lo que se deduce de una tabla incorrecta no puntúa en la parte { $part }.
+check-wrong_part = Semilla { $seed }: una respuesta incorrecta a la parte { $part } no se explica como { $mistake }, sino como { $told }.
+check-invalid = Se califica una tabla mal formada: { $name }.
+check-sample = El ejemplo «{ $name }» no se juzga como se esperaba; se dice: { $told }.
+check-rounded = Se rechaza una tabla correcta redondeada a { $digits } cifras con la regla de herramienta { $rule }: { $table }
+check-tool_rule = Se rechaza una tabla correcta con la regla de herramienta { $rule }: { $table }
+check-crash = Semilla { $seed }: falla la calificación: { $reason }
+check-unneeded = Ninguna respuesta correcta necesita { $name }: el estudiante puede elegir sistemas en los que no aparece. Fije el sistema de la base o el de la herramienta si la respuesta debe contenerla, o no la mencione en el enunciado.

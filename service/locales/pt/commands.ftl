@@ -1,0 +1,24 @@
+### O que a autoverificação de um exercício diz ao seu autor.
+
+check-counts = { $exercise }: { $passed ->
+    [one] { $passed } verificação passou
+   *[other] { $passed } verificações passaram
+}, { $failed } falharam, { $warnings ->
+    [one] { $warnings } aviso
+   *[other] { $warnings } avisos
+}
+check-structure = A semente { $seed } altera a estrutura do robô.
+check-figure = Semente { $seed }: não é possível desenhar a figura ({ $reason }).
+check-right = Uma tabela correta é rejeitada: { $table }
+check-certificate = O certificado de uma tabela correta não se verifica: { $table }
+check-harmless = Uma tabela errada é aceite: { $table }
+check-mistake = O erro { $mistake } não é explicado em { $table }
+check-part = Semente { $seed }: uma resposta correta à parte { $part } é rejeitada.
+check-follow_through = Semente { $seed }: o que decorre de uma tabela errada não pontua na parte { $part }.
+check-wrong_part = Semente { $seed }: uma resposta errada à parte { $part } não é explicada como { $mistake }, mas como { $told }.
+check-invalid = Uma tabela mal formada é avaliada: { $name }.
+check-sample = O exemplo «{ $name }» não é julgado como esperado; diz-se: { $told }.
+check-rounded = Uma tabela correta arredondada a { $digits } algarismos é rejeitada com a regra de ferramenta { $rule }: { $table }
+check-tool_rule = Uma tabela correta é rejeitada com a regra de ferramenta { $rule }: { $table }
+check-crash = Semente { $seed }: a avaliação falha: { $reason }
+check-unneeded = Nenhuma resposta correta precisa de { $name }: o estudante pode escolher referenciais em que não aparece. Fixe o referencial da base ou o da ferramenta se a resposta o deve conter, ou retire-o do enunciado.

@@ -1,0 +1,26 @@
+### Ce spune autorului verificarea unui exercițiu.
+
+check-counts = { $exercise }: { $passed ->
+    [one] { $passed } verificare reușită
+    [few] { $passed } verificări reușite
+   *[other] { $passed } de verificări reușite
+}, { $failed } nereușite, { $warnings ->
+    [one] { $warnings } avertisment
+    [few] { $warnings } avertismente
+   *[other] { $warnings } de avertismente
+}
+check-structure = Sămânța { $seed } schimbă structura robotului.
+check-figure = Sămânța { $seed }: figura nu poate fi desenată ({ $reason }).
+check-right = Un tabel corect este respins: { $table }
+check-certificate = Certificatul unui tabel corect nu se verifică: { $table }
+check-harmless = Un tabel greșit este acceptat: { $table }
+check-mistake = Greșeala { $mistake } nu este explicată în { $table }
+check-part = Sămânța { $seed }: un răspuns corect la partea { $part } este respins.
+check-follow_through = Sămânța { $seed }: ce decurge dintr-un tabel greșit nu aduce puncte la partea { $part }.
+check-wrong_part = Sămânța { $seed }: un răspuns greșit la partea { $part } nu este explicat ca { $mistake }, ci ca { $told }.
+check-invalid = Un tabel scris greșit este notat: { $name }.
+check-sample = Exemplul „{ $name }” nu este judecat cum se aștepta; se spune: { $told }.
+check-rounded = Un tabel corect rotunjit la { $digits } cifre este respins cu regula sculei { $rule }: { $table }
+check-tool_rule = Un tabel corect este respins cu regula sculei { $rule }: { $table }
+check-crash = Sămânța { $seed }: notarea eșuează: { $reason }
+check-unneeded = Niciun răspuns corect nu are nevoie de { $name }: studentul poate alege sisteme în care nu apare. Fixați sistemul bazei sau al sculei dacă răspunsul trebuie să o conțină, ori scoateți-o din enunț.
