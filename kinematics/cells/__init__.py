@@ -10,6 +10,7 @@ from kinematics.cells.entries import read_cell
 from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.reading import read_table
 from kinematics.cells.scanner import canonical_name
+from kinematics.cells.suggestions import nearest_name
 from kinematics.cells.tables import Cell, RawRow, RawTable, ReadTable
 from kinematics.cells.units import AngleUnit, LengthUnit, ParameterKind
 
@@ -26,6 +27,7 @@ __all__ = [
     "bind_parameters",
     "canonical_name",
     "in_length_unit",
+    "nearest_name",
     "parameter_values",
     "read_cell",
     "read_table",

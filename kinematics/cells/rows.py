@@ -19,7 +19,7 @@ from kinematics.cells.refusals import Refusal
 from kinematics.cells.syntax import Node
 from kinematics.cells.tables import RawRow
 from kinematics.cells.units import AngleUnit, ParameterKind
-from kinematics.cells.variables import Use, refuse_numberless, uses
+from kinematics.cells.variables import Use, refuse_misspelled, refuse_numberless, uses
 from kinematics.errors import Fault, ParamValue
 from kinematics.expressions import ZERO, Expression
 from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
@@ -71,6 +71,8 @@ def row_syntax(row: RawRow, limits: Limits) -> RowSyntax:
                 numbers[cell] = node
             else:
                 refuse_numberless(node)
+                if cell == "theta":
+                    refuse_misspelled(node)
                 trees[cell] = node
         except Refusal as refusal:
             faults[cell] = refusal.at()

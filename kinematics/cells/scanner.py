@@ -16,6 +16,8 @@ from lark import Token
 from kinematics.cells.characters import GREEK, SUBSCRIPTS, SUPERSCRIPT_MINUS, SUPERSCRIPTS, translated
 from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.refusals import Refusal
+from kinematics.cells.unit_words import unit_refusal
+from kinematics.cells.variable_marks import without_marks
 from kinematics.expressions import Function
 
 FUNCTION_NAMES = {function.value: function for function in Function} | {
@@ -32,7 +34,6 @@ FUNCTION_NAMES = {function.value: function for function in Function} | {
 
 _NAME_CHARACTERS = 32
 _NOT_VALUES = {"nan", "inf", "infinity"}
-_UNITS = {"m", "mm", "cm", "in", "rad", "grad"}
 _OPERATORS = {
     "+": "PLUS",
     "-": "MINUS",
@@ -79,7 +80,7 @@ def scan(text: str, limits: Limits = DEFAULT) -> list[Token]:
     """
     if len(text) > limits.cell_characters:
         raise Refusal("cell_too_long", length=len(text), limit=limits.cell_characters)
-    plain = _without_dollars(translated(text))
+    plain = _without_dollars(_translated(text))
     tokens: list[Token] = []
     position = 0
     while position < len(plain):
@@ -90,9 +91,21 @@ def scan(text: str, limits: Limits = DEFAULT) -> list[Token]:
         tokens.extend(scanned)
     if not tokens:
         raise Refusal("cell_empty")
-    _refuse_units(tokens)
+    tokens = without_marks(tokens)
     _refuse_calls(tokens)
     return tokens
+
+
+def _translated(text: str) -> str:
+    """The text in the scanner's characters; a unit is told before the foreign letters in it."""
+    unit = unit_refusal(text)
+    try:
+        plain = translated(text)
+    except Refusal as refusal:
+        raise unit if unit and unit.column <= refusal.column else refusal from None
+    if unit:
+        raise unit
+    return plain
 
 
 @lru_cache(maxsize=4096)
@@ -253,12 +266,6 @@ def _without_dollars(plain: str) -> str:
     if inner >= 0:
         raise Refusal("dollar_misplaced", column=first + inner + 1)
     return " " * first + stripped
-
-
-def _refuse_units(tokens: list[Token]) -> None:
-    for value, unit in _pairs(tokens):
-        if value.type == "NUMBER" and unit.type == "NAME" and unit in _UNITS:
-            raise Refusal("unit_in_cell", column=unit.column or 0, name=str(unit))
 
 
 def _refuse_calls(tokens: list[Token]) -> None:

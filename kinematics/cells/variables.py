@@ -30,6 +30,11 @@ from kinematics.cells.syntax import (
 
 _VARIABLE = re.compile(r"(?:q|Q|theta|Theta)_?([0-9]{1,4})")
 _NUMBERLESS = re.compile(r"(q|Q|theta|Theta)(?:_[ijkn])?")
+_MISSPELLED = re.compile(
+    r"(?:th|tet|teta|tetha|thet|tita|t|vartheta)_?([0-9]{1,4})|var|variable|variavel|variabila|zminna",
+    re.IGNORECASE,
+)
+"""Abbreviations, and the word variable itself in the languages of the pages."""
 
 IsVariable = Callable[[str], bool]
 
@@ -52,6 +57,19 @@ def refuse_numberless(node: Node) -> None:
             raise Refusal(
                 "variable_without_number", column=name.column, name=name.name, suggestion=f"{match.group(1)}1"
             )
+
+
+def refuse_misspelled(node: Node) -> None:
+    """Refuse th1, t1 and var where a joint angle stands: they mean its variable and are not its name.
+
+    Raises:
+        Refusal: such a name stands in the cell, with the name that is meant if it has a number.
+    """
+    for name in names_in(node):
+        match = _MISSPELLED.fullmatch(name.name)
+        if match:
+            suggestion = f"q{match.group(1) or 1}"
+            raise Refusal("variable_misspelled", column=name.column, name=name.name, suggestion=suggestion)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

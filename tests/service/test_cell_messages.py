@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
-from kinematics.cells.refusals import MESSAGES
 from service.messages import LOCALES, languages, sentence
+
+SENTENCES = dict(
+    re.findall(
+        r"^error-(\w+) =((?:.*\n)(?:[ }].*\n)*)",
+        (LOCALES / "en" / "cells.ftl").read_text(encoding="utf-8"),
+        re.MULTILINE,
+    )
+)
 
 PARAMS = {
     "column": 3,
@@ -34,11 +43,11 @@ PARAMS = {
 
 
 @pytest.mark.parametrize("language", ["en", "ro", "pt", "fr", "uk", "es"])
-@pytest.mark.parametrize("code", sorted(MESSAGES))
+@pytest.mark.parametrize("code", sorted(SENTENCES))
 def test_every_code_has_a_sentence(code, language, caplog):
     assert language in languages()
-    english = MESSAGES[code]
-    params = {name: value for name, value in PARAMS.items() if "{" + name in english}
+    english = SENTENCES[code]
+    params = {name: value for name, value in PARAMS.items() if "$" + name in english}
     text = sentence(language, f"error-{code}", params)
     assert text
     assert not caplog.records  # a parameter that the message lacks, or one that it does not know

@@ -62,6 +62,7 @@ error-parameter_two_kinds =
     } elsewhere. Use two names.
 
 error-variable_without_number = At character { $column }: { $name } needs the number of its joint, as in { $suggestion }.
+error-variable_misspelled = At character { $column }: { $name } is no joint variable. Write { $suggestion } or θ with the number of the joint.
 error-variable_scaled = At character { $column }: { $name } is multiplied by { $factor }. A joint variable enters as +{ $name } or -{ $name }, for otherwise it would not be the motion of its joint.
 error-variable_in_product = At character { $column }: { $name } is multiplied by another quantity. A joint variable enters as +{ $name } or -{ $name } plus an offset.
 error-variable_in_denominator = At character { $column }: { $name } stands in a denominator. A joint variable enters as +{ $name } or -{ $name } plus an offset.

@@ -62,6 +62,7 @@ error-parameter_two_kinds =
     }. Use dois nomes.
 
 error-variable_without_number = No caractere { $column }: { $name } precisa do número da sua junta, como em { $suggestion }.
+error-variable_misspelled = No caractere { $column }: { $name } não é uma variável de junta. Escreva { $suggestion } ou θ com o número da junta.
 error-variable_scaled = No caractere { $column }: { $name } está multiplicada por { $factor }. Uma variável de junta entra como +{ $name } ou -{ $name }; de outro modo não seria o movimento da sua junta.
 error-variable_in_product = No caractere { $column }: { $name } está multiplicada por outra grandeza. Uma variável de junta entra como +{ $name } ou -{ $name } mais um offset.
 error-variable_in_denominator = No caractere { $column }: { $name } está num denominador. Uma variável de junta entra como +{ $name } ou -{ $name } mais um offset.

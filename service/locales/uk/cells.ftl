@@ -58,6 +58,7 @@ error-parameter_two_kinds =
     }. Візьміть два імені.
 
 error-variable_without_number = Символ { $column }: для { $name } потрібен номер зчленування, як у { $suggestion }.
+error-variable_misspelled = Символ { $column }: { $name } не є змінною зчленування. Напишіть { $suggestion } або θ з номером зчленування.
 error-variable_scaled = Символ { $column }: { $name } помножено на { $factor }. Змінна зчленування входить як +{ $name } або -{ $name }, інакше вона не була б рухом свого зчленування.
 error-variable_in_product = Символ { $column }: { $name } помножено на іншу величину. Змінна зчленування входить як +{ $name } або -{ $name } плюс стала.
 error-variable_in_denominator = Символ { $column }: { $name } стоїть у знаменнику. Змінна зчленування входить як +{ $name } або -{ $name } плюс стала.

@@ -9,6 +9,7 @@ import pytest
 
 from kinematics.cells import AngleUnit, Limits, ParameterKind, read_cell
 from kinematics.errors import CellError
+from tests.kinematics.cells.tables import raw_row, read
 
 PAGE = (Path(__file__).parents[3] / "docs" / "cells.md").read_text(encoding="utf-8")
 
@@ -20,12 +21,14 @@ def rows_after(comment: str) -> list[tuple[str, str]]:
 
 SAME = rows_after("the same value, in a table in radians")
 DEGREES = rows_after("in a table in degrees, and what it is in radians")
+VARIABLES = rows_after("joint variables, in the first row of a table")
 REFUSED = rows_after("refused")
 
 
 def test_the_page_has_examples():
     assert len(SAME) > 15
     assert len(DEGREES) > 5
+    assert len(VARIABLES) > 5
     assert len(REFUSED) > 10
 
 
@@ -59,3 +62,8 @@ def test_the_bounds_are_those_of_the_code():
     ):
         assert value in PAGE
     assert limits.largest == 1e15
+
+
+@pytest.mark.parametrize(("written", "same"), VARIABLES)
+def test_marked_variables_are_variables(written, same):
+    assert read(raw_row(theta=written)).table == read(raw_row(theta=same)).table

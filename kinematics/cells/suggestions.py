@@ -1,0 +1,54 @@
+"""What somebody may have meant who typed a name that does not exist."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+
+from kinematics.cells.scanner import canonical_name
+
+_CONFUSED = str.maketrans("oOlI", "0011")
+"""Letters that are taken for digits: O for 0, l and I for 1."""
+_DIGITS = re.compile(r"[0-9]+")
+
+
+def nearest_name(name: str, known: Collection[str]) -> str | None:
+    """Return the known name that a name most likely stands for, or None where there is none, or several.
+
+    Names are the same but for case (A2 for a2, rl4 for RL4), for letters that look like digits (L0 for LO),
+    or for one letter left out, put in, changed or exchanged with its neighbour; their numbers agree.
+
+    Args:
+        name: what was typed, in any spelling that a cell may have.
+        known: the names that mean something.
+    """
+    typed = canonical_name(name) or name
+    names = {canonical_name(candidate) or candidate for candidate in known}
+    if typed in names:
+        return typed
+    for same in (_ignoring_case, _looking_alike, _one_slip_apart):
+        found = {candidate for candidate in names if same(typed, candidate)}
+        if found:
+            return found.pop() if len(found) == 1 else None
+    return None
+
+
+def _ignoring_case(a: str, b: str) -> bool:
+    return a.lower() == b.lower()
+
+
+def _looking_alike(a: str, b: str) -> bool:
+    return a.translate(_CONFUSED).lower() == b.translate(_CONFUSED).lower()
+
+
+def _one_slip_apart(a: str, b: str) -> bool:
+    if _DIGITS.findall(a) != _DIGITS.findall(b) or max(len(a), len(b)) < 3:
+        return False
+    a, b = sorted((a.lower(), b.lower()), key=len)
+    if len(b) - len(a) > 1:
+        return False
+    start = next((i for i, (x, y) in enumerate(zip(a, b, strict=False)) if x != y), len(a))
+    if len(a) < len(b):
+        return a[start:] == b[start + 1 :]
+    exchanged = a[:start] + a[start : start + 2][::-1] + a[start + 2 :]
+    return a[start + 1 :] == b[start + 1 :] or exchanged == b

@@ -1,0 +1,68 @@
+"""Marks that people put on joint variables: θ1*, θ1^*, q1(t), theta(1).
+
+An asterisk marks what varies in many textbooks, (t) what depends on time, and programs count with
+parentheses. All of them are the variable itself.
+"""
+
+from __future__ import annotations
+
+import re
+
+from lark import Token
+
+_VARIABLE = re.compile(r"(?:q|Q|theta|Theta|d)[0-9]{1,4}")
+_NUMBERLESS = re.compile(r"q|Q|theta|Theta|d")
+_ANGLE_VARIABLE = re.compile(r"(?:q|Q|theta|Theta)[0-9]{1,4}")
+_RAISED_STAR = (("POW", "STAR"), ("POW", "LBRACE", "STAR", "RBRACE"))
+_CALL = ("LPAR", "NAME", "RPAR")
+_INDEX = ("LPAR", "NUMBER", "RPAR")
+
+
+def without_marks(tokens: list[Token]) -> list[Token]:
+    """The tokens with marked joint variables as plain names."""
+    if len(tokens) < 2:
+        return tokens
+    found: list[Token] = []
+    position = 0
+    while position < len(tokens):
+        token = tokens[position]
+        position += 1
+        if token.type == "NAME":
+            token, position = _unmarked(token, tokens, position)
+        found.append(token)
+    return found
+
+
+def _unmarked(name: Token, tokens: list[Token], position: int) -> tuple[Token, int]:
+    """A name and the position behind its marks."""
+    if _NUMBERLESS.fullmatch(name) and _types(tokens, position, 3) == _INDEX:
+        index = tokens[position + 1]
+        if index.isdecimal():
+            name, position = Token("NAME", f"{name}{int(index)}", column=name.column), position + 3
+    if not _VARIABLE.fullmatch(name):
+        return name, position
+    if _types(tokens, position, 3) == _CALL and tokens[position + 1] == "t":
+        position += 3
+    for mark in _RAISED_STAR:
+        if _types(tokens, position, len(mark)) == mark:
+            return name, position + len(mark)
+    return name, position + _is_star_mark(name, tokens, position)
+
+
+def _is_star_mark(name: Token, tokens: list[Token], position: int) -> bool:
+    """Whether a star marks the name: nothing follows that it could multiply, or only a signed offset.
+
+    A joint variable times a signed number is no entry of a table, but for q1*-1.
+    """
+    if _types(tokens, position, 1) != ("STAR",):
+        return False
+    following = _types(tokens, position + 1, 1)
+    if following in {(), ("RPAR",)}:
+        return True
+    unit = _types(tokens, position + 2, 1) == ("NUMBER",) and tokens[position + 2] == "1"
+    signed = following in {("PLUS",), ("MINUS",)} and not unit
+    return signed and _ANGLE_VARIABLE.fullmatch(name) is not None
+
+
+def _types(tokens: list[Token], start: int, length: int) -> tuple[str, ...]:
+    return tuple(token.type for token in tokens[start : start + length])

@@ -1,0 +1,142 @@
+"""What students type for a joint variable, a unit or a name: understood, or told."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinematics.cells import AngleUnit, nearest_name
+from kinematics.cells.scanner import scan
+from tests.kinematics.cells.tables import faults_of, raw_row, read
+
+NAMES = ("L1", "L2", "a2", "a3", "D3", "RL4", "alpha1", "reach")
+
+
+@pytest.mark.parametrize(
+    "cell",
+    [
+        "θ₁*",
+        "θ_1^*",
+        "\\theta_1^*",
+        "\\theta_{1}^{*}",
+        "$\\theta_1^{*}$",
+        "q1*",
+        "q_1 *",
+        "q1(t)",
+        "\\theta_1(t)",
+        "theta(1)",
+        "q(1)",
+        "θ(1)",
+        "(q1*)",
+        "theta1 ^ *",
+        "q1(t)*",
+    ],
+)
+def test_a_marked_joint_variable_is_the_variable(cell):
+    assert read(raw_row(theta=cell)).table == read(raw_row(theta="q1")).table
+
+
+@pytest.mark.parametrize(
+    ("cell", "same"),
+    [
+        ("θ1* + 90", "q1 + 90"),
+        ("θ1*-90", "q1-90"),
+        ("-θ1* + 90", "-q1+90"),
+        ("90 - q1(t)", "90-q1"),
+        ("q1*-1", "-q1"),
+    ],
+)
+def test_a_mark_stands_before_an_offset(cell, same):
+    options = {"angle_unit": AngleUnit.DEG}
+    assert read(raw_row(theta=cell), **options).table == read(raw_row(theta=same), **options).table
+
+
+@pytest.mark.parametrize("cell", ["d1*", "d_1^*", "d1(t)", "d(1)", "q1*"])
+def test_a_slider_is_marked_in_the_same_ways(cell):
+    assert read(raw_row(d=cell)).table == read(raw_row(d="d1")).table
+
+
+@pytest.mark.parametrize(
+    ("cell", "code"),
+    [
+        ("L1(t)", "function_unknown"),
+        ("L(1)", "function_unknown"),
+        ("q1(s)", "function_unknown"),
+        ("q(1.5)", "function_unknown"),
+        ("L1*", "cell_incomplete"),
+        ("q1**", "cell_incomplete"),
+        ("q1*L1", "variable_in_product"),
+        ("q1*2", "variable_scaled"),
+    ],
+)
+def test_what_only_looks_like_a_mark_is_refused_as_before(cell, code):
+    assert faults_of(raw_row(theta=cell)) == [(code, ("rows", 0, "theta"))]
+
+
+@pytest.mark.parametrize("name", ["th1", "t1", "TH_1", "teta1", "vartheta1", "var", "variable", "Var"])
+def test_other_names_of_the_variable_are_told(name):
+    assert faults_of(raw_row(theta=name)) == [("variable_misspelled", ("rows", 0, "theta"))]
+    assert not faults_of(raw_row(theta="q1", d=name))
+
+
+@pytest.mark.parametrize(
+    "cell",
+    [
+        "90 grados",
+        "90 degrees",
+        "90 degrés",
+        "90 graus",
+        "90 grade",
+        "90 градусів",
+        "1.5 rad",
+        "12mm",
+        "0.3 metros",
+        "3 mètres",
+        "12 мм",
+        "2.5e-1 m",
+        "90\u00a0Grados",
+        "q1 + 90 grados",
+    ],
+)
+def test_units_in_six_languages_are_told(cell):
+    assert faults_of(raw_row(theta=cell)) == [("unit_in_cell", ("rows", 0, "theta"))]
+
+
+@pytest.mark.parametrize("cell", ["2 m1", "L12 m", "L_1 m", "2 M", "2 cm(1)"])
+def test_names_that_are_no_units_are_left_alone(cell):
+    assert ("unit_in_cell", ("rows", 0, "a")) not in faults_of(raw_row(a=cell))
+
+
+def test_the_column_of_a_unit_is_where_it_begins():
+    with pytest.raises(Exception, match="unit_in_cell") as refused:
+        scan("q1 + 90 grados")
+    assert refused.value.params["column"] == 9
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("A2", "a2"),
+        ("rl4", "RL4"),
+        ("d3", "D3"),
+        ("l_1", "L1"),
+        ("Ll", "L1"),
+        ("alhpa1", "alpha1"),
+        ("α_1", "alpha1"),
+        ("aplha1", "alpha1"),
+        ("reac", "reach"),
+        ("raech", "reach"),
+        ("L3", None),
+        ("a4", None),
+        ("x", None),
+        ("alpha2", None),
+        ("", None),
+        ("a2", "a2"),
+    ],
+)
+def test_the_nearest_name(typed, meant):
+    assert nearest_name(typed, NAMES) == meant
+
+
+def test_two_names_as_near_are_no_suggestion():
+    assert nearest_name("A2", ("a2", "a_2")) == "a2"
+    assert nearest_name("reech", ("reach", "reuch")) is None
