@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple, TypeAlias
 from xml.etree.ElementTree import Element, ParseError, TreeBuilder
 
 import numpy as np
@@ -18,16 +18,31 @@ from defusedxml import DefusedXmlException
 from defusedxml.ElementTree import DefusedXMLParser
 
 from kinematics.errors import DescriptionError, Fault, ParamValue
-from kinematics.poses import transform_from_rpy
+from kinematics.poses import transform_from_quaternion, transform_from_rpy
 from kinematics.se3 import Transform
 
 MAX_CHARACTERS = 1_000_000
 MAX_DEPTH = 64
 MAX_ELEMENTS = 50_000
 MAX_NUMBER = 1e9
+"""Lengths beyond this [m] are no robot's, and limits beyond it [rad, or m] are none: programs write ±1e16,
+the largest double, or inf."""
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_INFINITE = re.compile(r"[+-]?inf(inity)?", re.IGNORECASE | re.ASCII)
 _ORIGIN = (0.0, 0.0, 0.0)
+_ORIGIN_ATTRIBUTES = ("xyz", "rpy", "quat_xyzw")
+
+Bounds: TypeAlias = tuple[float | None, float | None]
+"""(lowest, highest) value of a joint [rad, or m]; None on a side without a limit."""
+
+
+class Mimic(NamedTuple):
+    """How a joint follows another one: its value is multiplier · (the other's value) + offset."""
+
+    joint: str
+    multiplier: float
+    offset: float
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -49,33 +64,50 @@ class UrdfJoint:
     element: Element
 
     def origin(self) -> Transform:
-        """(4, 4) pose of the joint's frame in that of its parent link [m]; the identity if left out.
+        """Return the (4, 4) pose of the joint's frame in its parent link [m]; the identity if left out.
+
+        The orientation is `rpy`, or `quat_xyzw` (URDF 1.1 and later), of any length but zero.
 
         Raises:
-            DescriptionError: not three numbers where three belong.
+            DescriptionError: not the numbers that belong there, two orientations, a quaternion that is zero,
+                or an attribute that the format does not have.
         """
         origin = self.element.find("origin")
         if origin is None:
             return np.eye(4)
-        rpy = self._three(origin, "origin", "rpy", _ORIGIN)
-        return transform_from_rpy(rpy, self._three(origin, "origin", "xyz", _ORIGIN))
+        for name in origin.attrib:
+            if name not in _ORIGIN_ATTRIBUTES:
+                raise refused(
+                    "urdf_attribute_unknown",
+                    joint=self.name, element="origin", attribute=_short(name), known=_ORIGIN_ATTRIBUTES,
+                )  # fmt: skip
+        xyz = self._numbers(origin, "origin", "xyz", _ORIGIN)
+        if origin.get("quat_xyzw") is None:
+            return transform_from_rpy(self._numbers(origin, "origin", "rpy", _ORIGIN), xyz)
+        if origin.get("rpy") is not None:
+            raise refused("urdf_two_orientations", joint=self.name)
+        x, y, z, w = self._numbers(origin, "origin", "quat_xyzw", (0.0, 0.0, 0.0, 1.0))
+        if not any((x, y, z, w)):
+            raise refused("urdf_quaternion_zero", joint=self.name)
+        return transform_from_quaternion((w, x, y, z), xyz)
 
     def axis(self) -> tuple[float, float, float]:
-        """Direction of the joint's axis in its frame, of any length but zero; x if left out.
+        """Return the direction of the joint's axis in its frame, of any length but zero; x if left out.
 
         Raises:
             DescriptionError: not three numbers, or all of them zero.
         """
         axis = self.element.find("axis")
-        direction = (1.0, 0.0, 0.0) if axis is None else self._three(axis, "axis", "xyz", (1.0, 0.0, 0.0))
-        if not any(direction):
+        x, y, z = (1.0, 0.0, 0.0) if axis is None else self._numbers(axis, "axis", "xyz", (1.0, 0.0, 0.0))
+        if not any((x, y, z)):
             raise refused("urdf_axis_zero", joint=self.name)
-        return direction
+        return x, y, z
 
-    def limits(self) -> tuple[float, float] | None:
-        """Lowest and highest value [rad, or m]; a bound that is left out is 0, as the format has it.
+    def limits(self) -> Bounds | None:
+        """Return the lowest and highest value [rad, or m].
 
-        None of a continuous joint, or if there is no limit element.
+        A bound that is left out is 0, as the format has it; one beyond `MAX_NUMBER` is none.
+        None of a continuous joint, or if there is no limit at all.
 
         Raises:
             DescriptionError: a bound is no number, or the lower one lies above the upper one.
@@ -83,33 +115,46 @@ class UrdfJoint:
         limit = self.element.find("limit")
         if limit is None or self.kind == "continuous":
             return None
-        low, high = (self._number(limit, name) for name in ("lower", "upper"))
+        low, high = (self._bound(limit, name) for name in ("lower", "upper"))
         if low > high:
             raise refused("urdf_limits_reversed", joint=self.name)
-        return low, high
+        least, greatest = (None if abs(bound) > MAX_NUMBER else bound for bound in (low, high))
+        return None if least is None and greatest is None else (least, greatest)
 
-    def _three(
-        self, element: Element, tag: str, name: str, otherwise: tuple[float, float, float]
-    ) -> tuple[float, float, float]:
+    def mimics(self) -> Mimic | None:
+        """Return which joint this one follows, and how; None if it follows none.
+
+        Raises:
+            DescriptionError: the factor or the offset is no number.
+        """
+        mimic = self.element.find("mimic")
+        if mimic is None:
+            return None
+        return Mimic(
+            joint=_short(mimic.get("joint", "")),
+            multiplier=self._numbers(mimic, "mimic", "multiplier", (1.0,))[0],
+            offset=self._numbers(mimic, "mimic", "offset", (0.0,))[0],
+        )
+
+    def _numbers(
+        self, element: Element, tag: str, name: str, otherwise: tuple[float, ...]
+    ) -> tuple[float, ...]:
         text = element.get(name)
         if text is None:
             return otherwise
-        words = text.split()
-        if len(words) != 3:
-            raise self._malformed(tag, name)
-        x, y, z = (self._value(word, tag, name) for word in words)
-        return x, y, z
+        values = [_number(word) for word in text.split()]
+        if len(values) != len(otherwise) or not all(abs(value) <= MAX_NUMBER for value in values):
+            raise self._malformed(tag, name, len(otherwise))
+        return tuple(values)
 
-    def _number(self, limit: Element, name: str) -> float:
-        return self._value(limit.get(name, "0").strip(), "limit", name, count=1)
-
-    def _value(self, word: str, tag: str, name: str, count: int = 3) -> float:
-        value = float(word) if len(word) < 400 and _NUMBER.fullmatch(word) else math.nan
-        if not abs(value) <= MAX_NUMBER:
-            raise self._malformed(tag, name, count)
+    def _bound(self, limit: Element, name: str) -> float:
+        word = limit.get(name, "0").strip()
+        value = float(word) if _INFINITE.fullmatch(word) else _number(word)
+        if math.isnan(value):
+            raise self._malformed("limit", name, 1)
         return value
 
-    def _malformed(self, tag: str, name: str, count: int = 3) -> DescriptionError:
+    def _malformed(self, tag: str, name: str, count: int) -> DescriptionError:
         return refused(
             "urdf_numbers_malformed",
             joint=self.name,
@@ -233,6 +278,11 @@ def _check_names(tag: str, names: tuple[str, ...]) -> None:
         if name in seen:
             raise refused("urdf_name_twice", element=tag, name=name)
         seen.add(name)
+
+
+def _number(word: str) -> float:
+    """Return the number that a word is, NaN if it is none."""
+    return float(word) if len(word) < 400 and _NUMBER.fullmatch(word) else math.nan
 
 
 def _short(text: str) -> str:

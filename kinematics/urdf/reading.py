@@ -7,13 +7,31 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from kinematics.angles import cos_sin
+from kinematics.chain import Axis, Chain
 from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import MAX_AXES, JointAxis
 from kinematics.frames.parallels import NearParallel
-from kinematics.se3 import Transform
+from kinematics.se3 import (
+    IDENTITY,
+    Motion,
+    Transform,
+    Vector,
+    compose,
+    from_matrix,
+    inverse,
+    norm,
+    position,
+    rotate,
+    rotation_about,
+    scale,
+    to_matrix,
+    translation,
+    unit,
+)
 from kinematics.table import Convention, JointType, NumericTable
-from kinematics.urdf.chain import MOVING, serial_chain
-from kinematics.urdf.document import UrdfJoint, read_document, refused
+from kinematics.urdf.document import Bounds, UrdfJoint, read_document, refused
+from kinematics.urdf.serial import MOVING, Step, serial_chain
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -36,7 +54,7 @@ class UrdfRobot:
     base: Transform
     tool: Transform
     joints: tuple[str, ...]
-    limits: tuple[tuple[float, float] | None, ...]
+    limits: tuple[Bounds | None, ...]
     base_link: str
     tip_link: str
 
@@ -44,7 +62,7 @@ class UrdfRobot:
 def table_from_urdf(
     text: str, convention: Convention, *, base_link: str | None = None, tip_link: str | None = None
 ) -> UrdfRobot:
-    """A DH table of one serial chain of a URDF description.
+    """Return a DH table of one serial chain of a URDF description.
 
     Fixed joints go into the axes behind them. Axes that are parallel but for a tilt of 1e-10 to 5e-3 rad are
     joined by a fixed dummy row, so the table reproduces the chain for every q: to rounding, where angles are
@@ -59,36 +77,111 @@ def table_from_urdf(
     Raises:
         DescriptionError: the text cannot be read, or the chain is none that a DH table can hold.
     """
-    document = read_document(text)
-    chain = serial_chain(document, base_link, tip_link)
-    moving = [joint for joint in chain if joint.kind in MOVING]
-    if len(moving) > MAX_AXES:
-        f"the chain has {len(moving)} moving joints; a table takes at most {MAX_AXES}"
-        raise refused("urdf_too_many_joints", count=len(moving), limit=MAX_AXES)
-    axes, home = _axes(chain)
+    described = chain_from_urdf(text, base_link=base_link, tip_link=tip_link)
+    axes = [
+        JointAxis(
+            joint=JointType.PRISMATIC if axis.prismatic else JointType.REVOLUTE,
+            direction=axis.direction,
+            point=axis.point,
+        )
+        for axis in described.chain.axes
+    ]
     assigned = assign_frames(
-        axes, convention, base=np.eye(4), tool=home, near_parallel=NearParallel.DUMMY_ROW
+        axes,
+        convention,
+        base=np.eye(4),
+        tool=to_matrix(described.chain.end),
+        near_parallel=NearParallel.DUMMY_ROW,
     )
     return UrdfRobot(
-        name=document.name,
+        name=described.name,
         table=assigned.table,
         base=assigned.base,
         tool=assigned.tool,
-        joints=tuple(joint.name for joint in moving),
-        limits=tuple(joint.limits() for joint in moving),
-        base_link=chain[0].parent,
-        tip_link=chain[-1].child,
+        joints=described.joints,
+        limits=described.limits,
+        base_link=described.base_link,
+        tip_link=described.tip_link,
     )
 
 
-def _axes(chain: Sequence[UrdfJoint]) -> tuple[list[JointAxis], Transform]:
-    """The axes of the moving joints and the pose of the tip, at zero, in the base link."""
-    pose: Transform = np.eye(4)
-    axes = []
-    for joint in chain:
-        pose = pose @ joint.origin()
+@dataclass(frozen=True, kw_only=True, slots=True)
+class UrdfChain:
+    """A chain of a URDF description as its joint axes, in the coordinates of its base link.
+
+    Attributes:
+        name: the robot's name in the description.
+        chain: the axes and the home pose of the tip link; the links of the description are carried along.
+        joints: names of joint 1 … n.
+        limits: (lowest, highest) of joint 1 … n [rad, or m]; None where there is none.
+        base_link: name of the first link.
+        tip_link: name of the last link.
+    """
+
+    name: str
+    chain: Chain
+    joints: tuple[str, ...]
+    limits: tuple[Bounds | None, ...]
+    base_link: str
+    tip_link: str
+
+
+def chain_from_urdf(text: str, *, base_link: str | None = None, tip_link: str | None = None) -> UrdfChain:
+    """Return one serial chain of a URDF description.
+
+    Args:
+        text: the description, XML.
+        base_link: name of the first link; the root if left out.
+        tip_link: name of the last link; may be left out if only one link carries no other.
+
+    Raises:
+        DescriptionError: the text cannot be read, or the chain is none that a DH table can hold.
+    """
+    document = read_document(text)
+    steps = serial_chain(document, base_link, tip_link)
+    moving = [step.joint for step in steps if step.moves]
+    if len(moving) > MAX_AXES:
+        raise refused("urdf_too_many_joints", count=len(moving), limit=MAX_AXES)
+    first, last = steps[0], steps[-1]
+    return UrdfChain(
+        name=document.name,
+        chain=_chain(steps),
+        joints=tuple(joint.name for joint in moving),
+        limits=tuple(joint.limits() for joint in moving),
+        base_link=first.joint.child if first.upwards else first.joint.parent,
+        tip_link=last.joint.parent if last.upwards else last.joint.child,
+    )
+
+
+def _chain(steps: Sequence[Step]) -> Chain:
+    """Return the axes of the moving joints and the pose of the tip, at zero, in the base link.
+
+    Passed upwards, a joint is its inverse: it turns the other way, and its origin comes behind it.
+    """
+    here = IDENTITY
+    axes: list[Axis] = []
+    links = [(0, here)]
+    extent = 0.0
+    for joint, upwards, moves in steps:
+        origin = from_matrix(joint.origin())
+        here = here if upwards else compose(here, origin)
         if joint.kind in MOVING:
-            kind = JointType.PRISMATIC if joint.kind == "prismatic" else JointType.REVOLUTE
-            direction = pose[:3, :3] @ np.array(joint.axis())
-            axes.append(JointAxis(joint=kind, direction=direction.tolist(), point=pose[:3, 3].tolist()))
-    return axes, pose
+            axis = unit(rotate(here, joint.axis()))
+            if moves:
+                direction = scale(axis, -1.0) if upwards else axis
+                axes.append(Axis(joint.kind == "prismatic", direction, position(here)))
+            else:
+                here = _still(joint, here, axis, upwards)
+        here = compose(here, inverse(origin)) if upwards else here
+        links.append((len(axes), here))
+        extent += norm(position(origin))
+    return Chain(tuple(axes), here, extent, tuple(links))
+
+
+def _still(joint: UrdfJoint, here: Motion, axis: Vector, upwards: bool) -> Motion:
+    """Return where a joint that follows another one by the factor 0 stands: at its offset."""
+    mimics = joint.mimics()
+    by = 0.0 if mimics is None else -mimics.offset if upwards else mimics.offset
+    if joint.kind == "prismatic":
+        return compose(translation(scale(axis, by)), here)
+    return compose(rotation_about(position(here), axis, *cos_sin(by)), here)

@@ -9,6 +9,8 @@ stands where frame i-1 stood. A reversed variable is an axis 0 0 -1. A fixed row
 from __future__ import annotations
 
 import html
+import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -25,11 +27,12 @@ from kinematics.urdf.document import MAX_NUMBER
 
 BASE_LINK = "base_link"
 TIP_LINK = "tool0"
-UNKNOWN_TRAVEL = 1000.0
-"""Range ± of a sliding joint of unknown limits [m]: URDF has no sliding joint without limits."""
+UNLIMITED = 1e16
+"""A limit that stands for none [rad, or m]: URDF knows no sliding joint without two of them."""
 
 _NOTE = "Kinematics alone: no masses, no shapes. Effort and velocity of every limit are placeholders."
-_UNKNOWN = "Limits unknown: this range stands for none."
+_UNKNOWN = "A limit of 1e+16 stands for none."
+_FIXED = re.compile(r"fixed_(base|tool|row_\d+)", re.ASCII)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -40,7 +43,7 @@ class WrittenUrdf:
         text: the description, XML; lengths in [m].
         base_link: name of its first link.
         tip_link: name of its last link: the end frame, the tool included.
-        assumed_limits: numbers, from 1, of sliding joints whose range stands for no limits.
+        assumed_limits: numbers, from 1, of joints of which a limit of ±1e16 stands for none.
     """
 
     text: str
@@ -56,6 +59,7 @@ def urdf_from_table(
     base: ArrayLike | None = None,
     tool: ArrayLike | None = None,
     limits: JointLimits | None = None,
+    joint_names: Sequence[str] | None = None,
     metres_per_unit: float = 1.0,
 ) -> WrittenUrdf:
     """URDF that has the pose base · A_1 ⋯ A_N · tool between its first and its last link.
@@ -66,19 +70,23 @@ def urdf_from_table(
         base: (4, 4) pose of frame 0 in the first link; the identity if left out.
         tool: (4, 4) pose of the last link in frame N; the identity if left out.
         limits: (lowest, highest) of joint 1 … n [rad, or the table's length unit], None where there is none.
+        joint_names: names of joint 1 … n; joint_1 … joint_n if left out.
         metres_per_unit: length of the table's unit [m].
 
     Raises:
-        DescriptionError: a name that is empty or holds control characters, at ("name",); or a length that no
+        DescriptionError: a name that is empty or holds control characters, at ("name",) or ("joint_names",
+            i); names of the wrong number, or one of them twice, at ("joint_names",); or a length that no
             reader takes, at ("rows", i), ("limits", i), ("base",) or ("tool",).
         JointValueError: limits of the wrong number, or reversed.
         TableError: an entry of the table is NaN or infinite.
         PoseError: base or tool is not a rigid transform.
     """
-    if not name.strip() or not name.isprintable():
-        raise DescriptionError(Fault(code="urdf_name_invalid", where=("name",)))
+    names = _joint_names(joint_names, table.n_joints)
+    for text, where in ((name, ("name",)), *((text, ("joint_names", i)) for i, text in enumerate(names))):
+        if not text.strip() or not text.isprintable():
+            raise DescriptionError(Fault(code="urdf_name_invalid", where=where))
     box = read_limits(limits, [joint is JointType.REVOLUTE for joint in table.joint_types])
-    writer = _Writer(metres_per_unit)
+    writer = _Writer(metres_per_unit, names)
     if base is not None:
         writer.fixed("base", check_transform(base, where=("base",)))
     bounds = list(zip(box.low.tolist(), box.high.tolist(), strict=True))
@@ -120,12 +128,13 @@ class _Writer:
     `behind` is what is constant since the last one, `where` what is being written.
     """
 
-    def __init__(self, metres_per_unit: float) -> None:
+    def __init__(self, metres_per_unit: float, names: Sequence[str]) -> None:
         self.where: tuple[str | int, ...] = ("base",)
         self.lines = [f'  <link name="{BASE_LINK}"/>']
         self.behind: Transform = np.eye(4)
         self.assumed: list[int] = []
         self._metres = metres_per_unit
+        self._names = names
         self._link = BASE_LINK
 
     def fixed(self, name: str, pose: Transform) -> None:
@@ -142,21 +151,21 @@ class _Writer:
         """A joint that moves about or along z of its frame."""
         details = [f'<axis xyz="0 0 {"1" if sign > 0 else "-1"}"/>']
         kind = joint.value
-        low, high = bounds
-        known = bool(np.isfinite(low) and np.isfinite(high))
-        if joint is JointType.PRISMATIC:
-            if known:
-                low, high = low * self._metres, high * self._metres
-                self._check((low, high), ("limits", number - 1))
-            else:
-                low, high = -UNKNOWN_TRAVEL, UNKNOWN_TRAVEL
+        unit = self._metres if joint is JointType.PRISMATIC else 1.0
+        known = [bound * unit for bound in bounds if np.isfinite(bound)]
+        self._check(known, ("limits", number - 1))
+        if not known and joint is JointType.REVOLUTE:
+            kind = "continuous"
+        else:
+            if len(known) < 2:
                 details.append(f"<!-- {_UNKNOWN} -->")
                 self.assumed.append(number)
-        elif not known:
-            kind = "continuous"
-        if kind != "continuous":
-            details.append(f'<limit lower="{_text(low)}" upper="{_text(high)}" effort="1" velocity="1"/>')
-        self._joint(f"joint_{number}", kind, f"link_{number}", pose, details)
+            low, high = (
+                _text(bound * unit) if np.isfinite(bound) else f"{math.copysign(UNLIMITED, bound):g}"
+                for bound in bounds
+            )
+            details.append(f'<limit lower="{low}" upper="{high}" effort="1" velocity="1"/>')
+        self._joint(self._names[number - 1], kind, f"link_{number}", pose, details)
 
     def _joint(self, name: str, kind: str, child: str, pose: Transform, details: Sequence[str]) -> None:
         origin = self.behind @ pose
@@ -166,7 +175,7 @@ class _Writer:
         self._check(xyz, self.where)
         self.lines += [
             f'  <link name="{child}"/>',
-            f'  <joint name="{name}" type="{kind}">',
+            f'  <joint name="{html.escape(name)}" type="{kind}">',
             f'    <parent link="{self._link}"/>',
             f'    <child link="{child}"/>',
             f'    <origin xyz="{" ".join(map(_text, xyz))}" rpy="{" ".join(map(_text, rpy))}"/>',
@@ -180,6 +189,16 @@ class _Writer:
         if not all(abs(length) <= MAX_NUMBER for length in lengths):
             params = {"limit": MAX_NUMBER / self._metres, "limit_in_metres": MAX_NUMBER}
             raise DescriptionError(Fault(code="urdf_length_overflow", where=where, params=params))
+
+
+def _joint_names(given: Sequence[str] | None, count: int) -> Sequence[str]:
+    """Return the names of the joints, none of them twice and none that of a fixed joint."""
+    names = [f"joint_{i}" for i in range(1, count + 1)] if given is None else list(given)
+    fixed = [name for name in names if _FIXED.fullmatch(name)]
+    if len(names) != count or len(set(names)) != count or fixed:
+        params = {"expected": count, "given": len(names)}
+        raise DescriptionError(Fault(code="urdf_joint_names", where=("joint_names",), params=params))
+    return names
 
 
 def _text(value: float) -> str:

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from kinematics import end_poses
 from kinematics.errors import DescriptionError
 from kinematics.table import Convention, JointType
-from kinematics.urdf import table_from_urdf
+from kinematics.urdf import chain_from_urdf, table_from_urdf
 from tests.kinematics.urdf.foreign import foreign_poses
 
 
@@ -118,6 +118,97 @@ def test_a_chain_of_a_tree_is_chosen_by_its_ends():
     assert part.joints == ("lift",)
 
 
+def test_two_joints_that_follow_one_outside_the_chain_are_refused():
+    text, _ = REFUSED["two that follow another"]
+    with pytest.raises(DescriptionError) as refusal:
+        table_from_urdf(text, Convention.STANDARD, tip_link="c")
+    assert refusal.value.code == "urdf_mimic"
+    assert refusal.value.faults[0].params == {"joint": "l", "other": "j"}
+
+
+def test_links_that_nothing_connects_are_refused():
+    text = robot(joint("j", "a", "b"), joint("k", "c", "d"), links="abcd")
+    with pytest.raises(DescriptionError) as refusal:
+        table_from_urdf(text, Convention.STANDARD, base_link="a", tip_link="d")
+    assert refusal.value.code == "urdf_no_path"
+
+
+def test_a_finger_alone_is_a_joint_of_its_own():
+    text = robot(
+        joint("left", "a", "b", "prismatic", '<axis xyz="0 1 0"/><limit lower="0" upper="0.04"/>'),
+        joint(
+            "right", "a", "c", "prismatic", '<axis xyz="0 -1 0"/><mimic joint="left"/><limit upper="0.04"/>'
+        ),
+        links="abc",
+    )
+    found = table_from_urdf(text, Convention.MODIFIED, tip_link="c")
+    assert found.joints == ("right",)
+    assert found.limits == ((0.0, 0.04),)
+    poses = end_poses(found.table, [[0.03]], base=found.base, tool=found.tool)
+    np.testing.assert_allclose(poses[0, :3, 3], [0, -0.03, 0], atol=1e-15)
+
+
+def test_a_joint_that_follows_by_nothing_stands_at_its_offset():
+    text = robot(
+        joint("j", "a", "b", inner='<axis xyz="0 0 1"/><mimic joint="k" multiplier="0" offset="0.5"/>'),
+        joint("k", "b", "c", inner='<origin xyz="1 0 0"/><axis xyz="0 0 1"/>'),
+        links="abc",
+    )
+    found = table_from_urdf(text, Convention.MODIFIED)
+    assert found.joints == ("k",)
+    pose = end_poses(found.table, [[0.0]], base=found.base, tool=found.tool)[0]
+    np.testing.assert_allclose(pose[:2, 3], [math.cos(0.5), math.sin(0.5)], atol=1e-15)
+
+
+def test_a_quaternion_is_an_orientation():
+    half = math.sqrt(0.5)
+    by_angles = robot(
+        joint("j", "a", "b", inner='<origin xyz="1 2 3" rpy="0 0 1.5707963267948966"/>'), links="ab"
+    )
+    text = by_angles.replace('rpy="0 0 1.5707963267948966"', f'quat_xyzw="0 0 {half} {half}"')
+    ours, theirs = (chain_from_urdf(one).chain.end for one in (text, by_angles))
+    np.testing.assert_allclose(ours, theirs, atol=1e-15)
+
+
+@pytest.mark.parametrize("bound", ["1e16", "inf", "Infinity", "1.7976931348623157e308"])
+def test_limits_that_stand_for_none(bound):
+    limit = '<axis xyz="0 0 1"/><limit lower="-{}" upper="{}"/>'
+    text = robot(
+        joint("both", "a", "b", "revolute", limit.format(bound, bound)),
+        joint("one", "b", "c", "prismatic", limit.format("0.5", bound)),
+        joint("none", "c", "d", "prismatic", limit.format(bound, bound)),
+        links="abcd",
+    )
+    found = table_from_urdf(text, Convention.MODIFIED)
+    assert found.limits == (None, (-0.5, None), None)
+
+
+@pytest.mark.parametrize("convention", Convention)
+@pytest.mark.parametrize(("base", "tip"), [("f", "d"), ("d", "a"), ("f", "b")])
+def test_a_chain_may_climb_to_a_branch(base, tip, convention):
+    """From hand to hand of a torso with two arms: the inverse of one path times the other."""
+    text = robot(
+        joint("waist", "a", "b", inner='<origin xyz="0 0 0.5"/><axis xyz="0 0 1"/>'),
+        joint("left", "b", "c", inner='<origin xyz="0 0.3 0" rpy="0.3 0 0"/><axis xyz="1 0 0"/>'),
+        joint("slide", "c", "d", "prismatic", '<origin xyz="0.2 0 0"/><axis xyz="0 0 1"/><limit upper="1"/>'),
+        joint("right", "b", "e", inner='<origin xyz="0 -0.3 0" rpy="0 0.7 0"/><axis xyz="0 1 0"/>'),
+        joint("palm", "e", "f", "fixed", '<origin xyz="0 0 -0.4" rpy="0 0 1"/>'),
+        links="abcdef",
+    )
+    found = table_from_urdf(text, convention, base_link=base, tip_link=tip)
+    values = {"waist": 0.4, "left": -0.8, "slide": 0.25, "right": 1.1}
+    assert (found.base_link, found.tip_link) == (base, tip)
+    own = [[values[name] for name in found.joints]]
+    pose = end_poses(found.table, own, base=found.base, tool=found.tool)[0]
+    roots = {
+        "a": np.eye(4),
+        "b": foreign_poses(text, np.array([[0.4]]), "a", "b")[0],
+        "d": foreign_poses(text, np.array([[0.4, -0.8, 0.25]]), "a", "d")[0],
+        "f": foreign_poses(text, np.array([[0.4, 1.1]]), "a", "f")[0],
+    }
+    np.testing.assert_allclose(pose, np.linalg.inv(roots[base]) @ roots[tip], atol=1e-12)
+
+
 def test_the_axis_is_x_if_left_out():
     found = table_from_urdf(robot(joint("j", "a", "b", inner=""), links="ab"), Convention.STANDARD)
     z = found.base[:3, 2]
@@ -169,7 +260,33 @@ REFUSED = {
     "planar": (robot(joint("j", "a", "b", "planar"), links="ab"), "urdf_several_freedoms"),
     "a screw": (robot(joint("j", "a", "b", "screw"), links="ab"), "urdf_type_unknown"),
     "no type": (robot(joint("j", "a", "b", ""), links="ab"), "urdf_type_unknown"),
-    "mimic": (robot(joint("j", "a", "b", inner='<mimic joint="k"/>'), links="ab"), "urdf_mimic"),
+    "mimic": (robot(joint("j", "a", "b", inner='<mimic joint="k"/>'), links="ab"), "urdf_mimic_unknown"),
+    "a pair of fingers": (
+        robot(joint("j", "a", "b"), joint("k", "b", "c", inner='<mimic joint="j"/>'), links="abc"),
+        "urdf_mimic",
+    ),
+    "two that follow another": (
+        robot(
+            joint("j", "a", "x"),
+            joint("k", "a", "b", inner='<mimic joint="j"/>'),
+            joint("l", "b", "c", inner='<mimic joint="j" multiplier="-1"/>'),
+            links="abcx",
+        ),
+        "urdf_tip_needed",
+    ),
+    "itself": (robot(joint("j", "a", "b", inner='<mimic joint="j"/>'), links="ab"), "urdf_mimic_unknown"),
+    "an unknown attribute": (
+        robot(joint("j", "a", "b", inner='<origin quat="0 0 0 1"/>'), links="ab"),
+        "urdf_attribute_unknown",
+    ),
+    "two orientations": (
+        robot(joint("j", "a", "b", inner='<origin rpy="0 0 0" quat_xyzw="0 0 0 1"/>'), links="ab"),
+        "urdf_two_orientations",
+    ),
+    "a zero quaternion": (
+        robot(joint("j", "a", "b", inner='<origin quat_xyzw="0 0 0 0"/>'), links="ab"),
+        "urdf_quaternion_zero",
+    ),
     "no axis": (robot(joint("j", "a", "b", inner='<axis xyz="0 0 0"/>'), links="ab"), "urdf_axis_zero"),
     "two numbers": (
         robot(joint("j", "a", "b", inner='<origin xyz="0 0"/>'), links="ab"),
@@ -215,7 +332,6 @@ def test_what_is_refused(name):
     [
         ("z", None, "urdf_link_unknown"),
         (None, "z", "urdf_link_unknown"),
-        ("b", "a", "urdf_no_path"),
         ("a", "a", "urdf_nothing_moves"),
     ],
 )

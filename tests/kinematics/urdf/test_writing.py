@@ -70,19 +70,20 @@ def test_limits_become_metres_and_unlimited_joints_turn_on():
     written = urdf_from_table(table, limits=limits, metres_per_unit=0.001)
     found = elements(written.text)
     kinds = [found[f"joint_{i}"].get("type") for i in range(1, 5)]
-    assert kinds == ["revolute", "continuous", "prismatic", "continuous"]
+    assert kinds == ["revolute", "continuous", "prismatic", "revolute"]
     assert found["joint_1"].find("limit").attrib["lower"] == "-1"
     slide = found["joint_3"].find("limit").attrib
     assert (float(slide["lower"]), float(slide["upper"])) == pytest.approx((0.1, 0.4))
-    assert written.assumed_limits == ()
-    assert table_from_urdf(written.text, Convention.STANDARD).limits[0] == (-1.0, 2.0)
+    assert written.assumed_limits == (4,)
+    back = table_from_urdf(written.text, Convention.STANDARD).limits
+    assert back == ((-1.0, 2.0), None, (0.1, 0.4), (None, 3.0))
 
 
 def test_a_slide_of_unknown_limits_is_told_of():
     written = urdf_from_table(PRISMATIC_ENDS)
     assert written.assumed_limits == (1, 3)
-    assert written.text.count("Limits unknown") == 2
-    assert elements(written.text)["joint_1"].find("limit").attrib["upper"] == "1000"
+    assert written.text.count("stands for none") == 2
+    assert elements(written.text)["joint_1"].find("limit").attrib["upper"] == "1e+16"
 
 
 def test_a_reversed_variable_is_a_reversed_axis():
@@ -129,6 +130,35 @@ def test_what_else_is_refused():
     with pytest.raises(DescriptionError) as refusal:
         urdf_from_table(far, metres_per_unit=1e300)
     assert refusal.value.code == "urdf_length_overflow"
+
+
+def test_names_and_limits_survive():
+    names, limits = ("base turn", "lift", "elbow"), ((-1.0, 2.0), (None, 0.25), None)
+    kinds = ("revolute", "prismatic", "revolute")
+    table = numeric(Convention.MODIFIED, *((kind, 0.3, 0.2, 0.1, 0.0) for kind in kinds))
+    first = table_from_urdf(
+        urdf_from_table(table, name="arm 1", limits=limits, joint_names=names).text, Convention.STANDARD
+    )
+    again = table_from_urdf(
+        urdf_from_table(
+            first.table, name=first.name, base=first.base, tool=first.tool,
+            limits=first.limits, joint_names=first.joints,
+        ).text,
+        Convention.STANDARD,
+    )  # fmt: skip
+    for found in (first, again):
+        assert (found.name, found.joints, found.limits) == ("arm 1", names, limits)
+    joints = random_joints(table, 4)
+    one, two = (end_poses(r.table, joints, base=r.base, tool=r.tool) for r in (first, again))
+    np.testing.assert_allclose(one, two, atol=1e-14)
+
+
+@pytest.mark.parametrize("names", [["a"], ["a", "a"], ["a", "fixed_tool"], ["fixed_row_2", "b"]])
+def test_joint_names_that_do_not_fit(names):
+    table = numeric(Convention.MODIFIED, *[("revolute", 0.3, 0.2, 0.1, 0.0)] * 2)
+    with pytest.raises(DescriptionError) as refusal:
+        urdf_from_table(table, joint_names=names)
+    assert refusal.value.code == "urdf_joint_names"
 
 
 def test_a_table_without_rows_is_a_fixed_tool():
