@@ -18,7 +18,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinematics.dh import frame_after
+from kinematics.dh import around_joint, frame_after
 from kinematics.se3 import (
     IDENTITY,
     ORIGIN,
@@ -40,6 +40,8 @@ from kinematics.se3 import (
     z_axis,
 )
 from kinematics.table import Convention, JointType, NumericTable
+
+_REVERSED = np.diag([1.0, -1.0, -1.0, 1.0])
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,6 +154,34 @@ def chain_of_table(
         extent += abs(row.a) + abs(row.d)
     end = here if tool is None else compose(here, from_matrix(tool))
     return Chain(tuple(axes), end, extent, tuple(links))
+
+
+def joint_constants(
+    table: NumericTable, base: Transform | None = None, tool: Transform | None = None
+) -> list[Transform]:
+    """Return the constants K_0 … K_n of T(q) = K_0 J_1(q_1) K_1 ⋯ J_n(q_n) K_n.
+
+    J_i turns about z or slides along it. A variable that enters reversed is J(-q) = Rot_x(π) J(q) Rot_x(π).
+
+    Args:
+        table: the DH table.
+        base: (4, 4) pose of frame 0; the identity if left out.
+        tool: (4, 4) pose of the end frame in frame N; the identity if left out.
+
+    Raises:
+        TableError: an entry of the table is NaN or infinite.
+    """
+    constants = []
+    here = np.eye(4) if base is None else base
+    for row in table.rows:
+        before, behind = around_joint(row, table.convention)
+        if row.joint is JointType.FIXED:
+            here = here @ before
+            continue
+        flip = _REVERSED if row.sign < 0 else np.eye(4)
+        constants.append(here @ before @ flip)
+        here = flip @ behind
+    return [*constants, here if tool is None else here @ tool]
 
 
 def frames_at_zero(table: NumericTable) -> list[Motion]:

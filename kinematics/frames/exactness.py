@@ -38,10 +38,10 @@ def exact_table(table: NumericTable) -> SymbolicTable:
         rows=tuple(
             DHRow(
                 joint=row.joint,
-                theta=_exact_angle(row.theta),
+                theta=exact_angle(row.theta),
                 d=_exact_length(row.d),
                 a=_exact_length(row.a),
-                alpha=_exact_angle(row.alpha),
+                alpha=exact_angle(row.alpha),
                 sign=row.sign,
             )
             for row in table.rows
@@ -49,7 +49,8 @@ def exact_table(table: NumericTable) -> SymbolicTable:
     )
 
 
-def _exact_angle(angle: float) -> Expression:
+def exact_angle(angle: float) -> Expression:
+    """Return an angle [rad]: a multiple of π/12 as such, all else as the decimal it is."""
     k = nearest_twelfth(angle, 0.0)
     return number(repr(angle)) if k is None else pi_times(Fraction(k, 12))
 

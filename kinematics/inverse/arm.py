@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.dh import around_joint
+from kinematics.chain import joint_constants
 from kinematics.se3 import Transform, cross_arrays
 from kinematics.table import JointType, NumericTable
 
@@ -26,8 +26,6 @@ FULL_RANK = 1e-4
 
 RANK_SAMPLES = 8
 """Configurations at which the rank is looked at; one would do but for chance."""
-
-_REVERSED = np.diag([1.0, -1.0, -1.0, 1.0])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -133,27 +131,13 @@ class Arm:
 def arm_of(table: NumericTable, base: Transform | None = None, tool: Transform | None = None) -> Arm:
     """The chain of a DH table.
 
-    A variable that enters reversed is J(-q) = Rot_x(π) J(q) Rot_x(π).
-
     Args:
         table: the table.
         base: (4, 4) pose of frame 0; the identity if left out.
         tool: (4, 4) pose of the tool in frame N; the identity if left out.
     """
-    constants: list[Transform] = []
-    revolute: list[bool] = []
-    constant = np.eye(4) if base is None else np.array(base, dtype=np.float64)
-    for row in table.rows:
-        before, after = around_joint(row, table.convention)
-        if row.joint is JointType.FIXED:
-            constant = constant @ before
-            continue
-        revolute.append(row.joint is JointType.REVOLUTE)
-        flip = _REVERSED if row.sign < 0 else np.eye(4)
-        constants.append(constant @ before @ flip)
-        constant = flip @ after
-    constants.append(constant if tool is None else constant @ tool)
-    K = np.array(constants)
+    revolute = [kind is JointType.REVOLUTE for kind in table.joint_types]
+    K = np.array(joint_constants(table, base, tool))
     offsets = float(np.linalg.norm(K[1:, :3, 3], axis=1).sum())
     away = max(1.0, float(np.linalg.norm(K[0, :3, 3])))
     least = _TINY if all(revolute) else _TINY_BESIDE_A_SLIDE

@@ -19,6 +19,7 @@ from kinematics.scm.differentiation import (
     jacobian_by_differentiation,
     jacobian_numbers_by_differentiation,
 )
+from kinematics.scm.from_table import DescribedScm, scm_from_numbers, scm_from_table
 from kinematics.scm.inverse import inverse_kinematics_scm, nearest_first, solver_of_chain
 from kinematics.scm.motion import (
     ScmKinematics,
@@ -34,6 +35,7 @@ from kinematics.scm.unrolled import table_of_chain, unrolled_dh_from_scm
 
 __all__ = [
     "ChainRow",
+    "DescribedScm",
     "Entry",
     "Placement",
     "RawChain",
@@ -59,6 +61,8 @@ __all__ = [
     "nearest_first",
     "random_configurations",
     "read_chain",
+    "scm_from_numbers",
+    "scm_from_table",
     "solver_of_chain",
     "table_of_chain",
     "unrolled_dh_from_scm",

@@ -8,7 +8,7 @@ writing   a DH table to XML text
 
 from kinematics.urdf.document import MAX_CHARACTERS
 from kinematics.urdf.reading import UrdfChain, UrdfRobot, chain_from_urdf, table_from_urdf
-from kinematics.urdf.writing import WrittenUrdf, urdf_from_table
+from kinematics.urdf.writing import WrittenUrdf, check_joint_names, urdf_from_table
 
 __all__ = [
     "MAX_CHARACTERS",
@@ -16,6 +16,7 @@ __all__ = [
     "UrdfRobot",
     "WrittenUrdf",
     "chain_from_urdf",
+    "check_joint_names",
     "table_from_urdf",
     "urdf_from_table",
 ]

@@ -81,10 +81,9 @@ def urdf_from_table(
         TableError: an entry of the table is NaN or infinite.
         PoseError: base or tool is not a rigid transform.
     """
-    names = _joint_names(joint_names, table.n_joints)
-    for text, where in ((name, ("name",)), *((text, ("joint_names", i)) for i, text in enumerate(names))):
-        if not text.strip() or not text.isprintable():
-            raise DescriptionError(Fault(code="urdf_name_invalid", where=where))
+    names = joint_names or [f"joint_{i}" for i in range(1, table.n_joints + 1)]
+    _check_name(name, ("name",))
+    check_joint_names(names, table.n_joints)
     box = read_limits(limits, [joint is JointType.REVOLUTE for joint in table.joint_types])
     writer = _Writer(metres_per_unit, names)
     if base is not None:
@@ -191,14 +190,23 @@ class _Writer:
             raise DescriptionError(Fault(code="urdf_length_overflow", where=where, params=params))
 
 
-def _joint_names(given: Sequence[str] | None, count: int) -> Sequence[str]:
-    """Return the names of the joints, none of them twice and none that of a fixed joint."""
-    names = [f"joint_{i}" for i in range(1, count + 1)] if given is None else list(given)
+def check_joint_names(names: Sequence[str], count: int) -> None:
+    """Make sure that there is a name for each joint, none of them twice and none that of a fixed joint.
+
+    Raises:
+        DescriptionError: names that do not fit, at ("joint_names",) or ("joint_names", i).
+    """
     fixed = [name for name in names if _FIXED.fullmatch(name)]
     if len(names) != count or len(set(names)) != count or fixed:
         params = {"expected": count, "given": len(names)}
         raise DescriptionError(Fault(code="urdf_joint_names", where=("joint_names",), params=params))
-    return names
+    for i, name in enumerate(names):
+        _check_name(name, ("joint_names", i))
+
+
+def _check_name(name: str, where: tuple[str | int, ...]) -> None:
+    if not name.strip() or not name.isprintable():
+        raise DescriptionError(Fault(code="urdf_name_invalid", where=where))
 
 
 def _text(value: float) -> str:

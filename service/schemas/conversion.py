@@ -8,11 +8,12 @@ from typing import Annotated, Self, TypeAlias
 from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
+from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.table import JointType
 from kinematics.urdf import MAX_CHARACTERS
 from service.schemas.base import Matrix4, Real, Vector3, Wire
-from service.schemas.joint_limits import JointRanges
-from service.schemas.scm import Chain
+from service.schemas.joint_limits import JointRanges, Range
+from service.schemas.scm import Chain, Verification
 from service.schemas.tables import Parameters, Row, Table, Units
 
 
@@ -22,22 +23,54 @@ class Target(StrEnum):
     STANDARD = "standard"
     MODIFIED = "modified"
     POE = "poe"
+    SCM = "scm"
     URDF = "urdf"
 
 
-OPTIONS = {"to", "parameters", "base_link", "tip_link", "name", "limits"}
+OPTIONS = {
+    "to", "parameters", "base", "tool", "angle_unit", "base_link", "tip_link", "name", "joint_names",
+    "limits", "verify",
+}  # fmt: skip
 """Fields of a request that describe no robot."""
+
+
+class GivenScrew(Wire):
+    """A joint's motion: the velocity field of a unit joint rate."""
+
+    joint: Annotated[JointType | None, Field(strict=False)] = Field(
+        None, description="its type, which follows from ω and may be left out"
+    )
+    linear: Vector3 = Field(
+        description="v: the velocity at the world's origin, per radian of a revolute joint"
+    )
+    angular: Vector3 = Field(
+        description="ω: the unit vector along a revolute joint's axis; zero if prismatic"
+    )
+
+
+class ScrewProduct(Wire):
+    """T(q) = exp([S_1] q_1) ⋯ exp([S_n] q_n) · home, q in radians and in the length unit."""
+
+    screws: list[GivenScrew] = Field(
+        min_length=1, max_length=64, description="S_1 … S_n at q = 0, in the axes of the world"
+    )
+    home: Matrix4 = Field(description="the pose of the end frame at q = 0")
+    length_unit: Annotated[LengthUnit, Field(strict=False)] = Field(
+        LengthUnit.M, description="unit of every length"
+    )
 
 
 class ConvertRequest(Wire):
     """A robot, described in exactly one way, and the description that is wanted."""
 
     to: Annotated[Target, Field(strict=False)] = Field(
-        description="standard, modified: a DH table; poe: a product of exponentials; urdf: a URDF description"
+        description="standard, modified: a DH table; poe: a product of exponentials; scm: an SCM chain; "
+        "urdf: a URDF description"
     )
     table: Table | None = Field(None, description="a DH table")
     robot: str | None = Field(None, max_length=64, description="the id of a robot of the catalogue")
     scm: Chain | None = Field(None, description="an SCM chain; it becomes a DH table (SCM2DH)")
+    poe: ScrewProduct | None = Field(None, description="a product of exponentials")
     urdf: str | None = Field(
         None,
         max_length=MAX_CHARACTERS,
@@ -51,15 +84,28 @@ class ConvertRequest(Wire):
         max_length=200,
         description="of a URDF: the last link of the chain; needed where the description branches",
     )
+    base: Matrix4 | None = Field(None, description="what stands before a table, a listed robot or a chain")
+    tool: Matrix4 | None = Field(None, description="what stands behind a table, a listed robot or a chain")
+    angle_unit: Annotated[AngleUnit | None, Field(strict=False)] = Field(
+        None, description="of a URDF or a product: the unit of angles in the answer; rad if left out"
+    )
     name: str | None = Field(
         None, min_length=1, max_length=100, description="to URDF: the robot's name in the description"
     )
+    joint_names: list[Annotated[str, Field(min_length=1, max_length=200)]] | None = Field(
+        None, max_length=64, description="names of joint 1 … n; left out, those of the source if it has any"
+    )
     limits: JointRanges | None = Field(
         None,
-        description="to URDF: [least, greatest] of each joint in the table's units, null where there is "
+        description="[least, greatest] of each joint in the table's units, null where there is "
         "none; left out, those of the source if it has any",
     )
     parameters: Parameters | None = None
+    verify: Annotated[Verification | None, Field(strict=False)] = Field(
+        None,
+        description="of an SCM chain: strict (if left out) refuses one that does not pass the document's "
+        "input check; off takes it all the same, with fixed rows",
+    )
 
     @model_validator(mode="after")
     def _one_source(self) -> Self:
@@ -76,9 +122,14 @@ class ConvertRequest(Wire):
         idle = {
             "base_link": self.urdf is None,
             "tip_link": self.urdf is None,
+            "base": self.urdf is not None or self.poe is not None,
+            "tool": self.urdf is not None or self.poe is not None,
+            "angle_unit": self.urdf is None and self.poe is None,
+            "verify": self.scm is None,
             "name": self.to is not Target.URDF,
-            "limits": self.to is not Target.URDF,
-            "parameters": self.urdf is not None,
+            "joint_names": self.to in (Target.POE, Target.SCM),
+            "limits": self.to in (Target.POE, Target.SCM),
+            "parameters": self.urdf is not None or self.poe is not None,
         }
         found = tuple(name for name, is_idle in idle.items() if is_idle and getattr(self, name) is not None)
         if found:
@@ -105,21 +156,15 @@ class TableAnswer(Units):
     base_row: Row | None = Field(None, description="the base as a fixed row, where it is one")
     tool_row: Row | None = Field(None, description="the tool as a fixed row, where it is one")
     joint_names: list[str] | None = Field(None, description="the names of joint 1 … n, if the source has any")
-    limits: list[Annotated[list[Real], Field(min_length=2, max_length=2)] | None] | None = Field(
-        None, description="[least, greatest] of each joint, if the source is a URDF; null where there is none"
+    limits: list[Range | None] | None = Field(
+        None, description="[least, greatest] of each joint, if any are known; null where there is none"
     )
 
 
-class Screw(Wire):
-    """A joint's motion: the velocity field of a unit joint rate."""
+class Screw(GivenScrew):
+    """A joint's motion, with its type."""
 
     joint: JointType
-    linear: Vector3 = Field(
-        description="v: the velocity at the world's origin, per radian of a revolute joint"
-    )
-    angular: Vector3 = Field(
-        description="ω: the unit vector along a revolute joint's axis; zero if prismatic"
-    )
 
 
 class ProductAnswer(Units):
@@ -141,4 +186,11 @@ class UrdfAnswer(Units):
     )
 
 
-ConvertAnswer: TypeAlias = TableAnswer | ProductAnswer | UrdfAnswer
+class ScmAnswer(Units):
+    """base · (the chain's pose) is the described robot, for every q."""
+
+    scm: Chain = Field(description="the chain; where a twist is not zero it turns about two axes in a row")
+    base: MatrixOfCells = Field(description="what stands before the chain")
+
+
+ConvertAnswer: TypeAlias = TableAnswer | ProductAnswer | ScmAnswer | UrdfAnswer

@@ -88,6 +88,17 @@ CONVERT: dict[str, Any] = {
         "to": "modified",
     },
     "a robot of the catalogue to URDF": {"robot": "rx90", "to": "urdf"},
+    "a table to an SCM chain": {"robot": "twolink", "to": "scm"},
+    "a product of exponentials to the standard convention": {
+        "poe": {
+            "screws": [
+                {"linear": [0, 0, 0], "angular": [0, 0, 1]},
+                {"linear": [0, -0.5, 0], "angular": [0, 0, 1]},
+            ],
+            "home": [[1, 0, 0, 0.8], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
+        },
+        "to": "standard",
+    },
     "a chain of a URDF description to the standard convention": {
         "urdf": TURNING_ARM,
         "base_link": "floor",

@@ -18,6 +18,7 @@ _SOURCES: Mapping[str, tuple[str, ...]] = {
     "robot": ("robot",),
     "chain": ("chain", "joints"),
     "scm": ("scm", "joints"),
+    "poe": ("poe", "screws"),
     "urdf": ("urdf",),
 }
 """The fields that describe a robot, and where faults of its rows are shown; only a table shows its rows."""

@@ -126,11 +126,12 @@ def robot_of(read: ReadTable, parameters: Mapping[str, float]) -> Robot:
     return Robot(
         read=read,
         table=table,
-        joint_units=_joint_units(table.joint_types, angle),
+        joint_units=joint_units(table.joint_types, angle),
         angle=angle,
         units={"angle_unit": read.angle_unit.value, "length_unit": read.length_unit.value},
     )
 
 
-def _joint_units(types: Sequence[JointType], angle: float) -> tuple[float, ...]:
+def joint_units(types: Sequence[JointType], angle: float) -> tuple[float, ...]:
+    """Return for joint 1 … n what one unit of the request is in [rad], or in the table's length unit."""
     return tuple(angle if joint is JointType.REVOLUTE else 1.0 for joint in types)

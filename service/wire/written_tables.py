@@ -20,6 +20,8 @@ WireTable: TypeAlias = dict[str, Any]
 Spellings: TypeAlias = Mapping[tuple[ParameterKind, Expression], WireCell]
 
 _HALF_TURN = 180
+_ROUNDING = 1e-15
+"""What a few roundings leave of an angle between −π and π [rad]."""
 VARIABLE_CELL = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
 CELL_KINDS = {
     "alpha": ParameterKind.ANGLE,
@@ -63,7 +65,7 @@ class TableWriter:
             cells[name] = self.cell(getattr(row, name), kind)
         held = VARIABLE_CELL.get(row.joint)
         if held is not None:
-            own = _with_variable(f"{'-' if row.sign < 0 else ''}q{joint}", cells[held])
+            own = with_variable(f"{'-' if row.sign < 0 else ''}q{joint}", cells[held])
             cells[held] = self.variable_cells.get(joint, own)
         return cells
 
@@ -78,7 +80,7 @@ class TableWriter:
             if turns is not None:
                 return _number(turns * _HALF_TURN)
             if value is not None:
-                return math.degrees(value)
+                return readable_degrees(float(value))
         if value is not None:
             return _number(value)
         return text_writer(Names()).text(entry)
@@ -106,7 +108,7 @@ def numeric_row(row: NumericRow, joint: int, angle_unit: AngleUnit) -> dict[str,
     }
     held = VARIABLE_CELL.get(row.joint)
     if held is not None:
-        cells[held] = _with_variable(f"{'-' if row.sign < 0 else ''}q{joint}", cells[held])
+        cells[held] = with_variable(f"{'-' if row.sign < 0 else ''}q{joint}", cells[held])
     return cells
 
 
@@ -115,7 +117,15 @@ def angle_in(unit: AngleUnit, value: float) -> float:
     if unit is AngleUnit.RAD:
         return _readable(value)
     turns = pi_fraction(snapped(Fraction(repr(value))))
-    return float(turns * _HALF_TURN) if turns is not None else _readable(math.degrees(value))
+    return float(turns * _HALF_TURN) if turns is not None else _readable(readable_degrees(value))
+
+
+def readable_degrees(angle: float) -> float:
+    """Return an angle [rad] in degrees: to eleven decimals where that is the angle but for rounding."""
+    short = round(math.degrees(angle), 11)
+    return (
+        short if abs(math.radians(short) - angle) <= _ROUNDING * max(1.0, abs(angle)) else math.degrees(angle)
+    )
 
 
 def _readable(value: float) -> float:
@@ -133,7 +143,8 @@ def _number(value: Fraction) -> WireCell:
     return str(value)
 
 
-def _with_variable(variable: str, offset: WireCell) -> str:
+def with_variable(variable: str, offset: WireCell) -> str:
+    """Return a cell with a joint variable and a constant."""
     if offset == 0:
         return variable
     text = str(offset)

@@ -30,3 +30,4 @@ error-axis_length = An axis whose length is zero or overflows has no direction. 
 error-screw_not_finite = A screw is made of six finite numbers.
 error-screw_not_unit = The angular part of a turning joint's screw, or the linear part of a sliding one's, has length 1.
 error-screw_has_pitch = This screw has a pitch of { $pitch } per radian. A joint either turns or slides.
+error-screw_of_other_type = Screw { $joint } is said to be of another type than it is: a revolute joint has an angular part, a prismatic one has none.

@@ -30,3 +30,4 @@ error-axis_length = Un eje de longitud nula o demasiado grande no tiene direcci�
 error-screw_not_finite = Un torsor cinemático consta de seis números finitos.
 error-screw_not_unit = La parte angular del torsor de una articulación giratoria, o la parte lineal del de una prismática, tiene longitud 1.
 error-screw_has_pitch = Este torsor tiene un paso de { $pitch } por radián. Una articulación o gira o se desliza.
+error-screw_of_other_type = El torsor { $joint } no es del tipo que se indica: una articulación de revolución tiene parte angular, una prismática no.

@@ -30,3 +30,4 @@ error-axis_length = Un axe de longueur nulle ou trop grande n’a pas de directi
 error-screw_not_finite = Un torseur cinématique est formé de six nombres finis.
 error-screw_not_unit = La partie angulaire du torseur d’une articulation rotoïde, ou la partie linéaire de celui d’une articulation prismatique, est de longueur 1.
 error-screw_has_pitch = Ce torseur a un pas de { $pitch } par radian. Une articulation tourne ou coulisse, pas les deux.
+error-screw_of_other_type = Le torseur { $joint } n’est pas du type annoncé : une articulation rotoïde a une partie angulaire, une prismatique n’en a pas.

@@ -32,3 +32,4 @@ error-axis_length = O axă de lungime zero sau prea mare nu are direcție. Dați
 error-screw_not_finite = Un torsor cinematic este format din șase numere finite.
 error-screw_not_unit = Partea unghiulară a torsorului unei cuple de rotație sau partea liniară a torsorului unei cuple de translație are lungimea 1.
 error-screw_has_pitch = Acest torsor are pasul { $pitch } pe radian. O cuplă fie se rotește, fie translatează.
+error-screw_of_other_type = Torsorul { $joint } nu este de tipul declarat: o cuplă de rotație are parte unghiulară, una prismatică nu are.

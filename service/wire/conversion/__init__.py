@@ -15,8 +15,8 @@ from service.schemas.conversion import ConvertAnswer, ConvertRequest, Target
 from service.settings import Settings
 from service.wire.conversion.described import RobotDescription
 from service.wire.conversion.dh_tables import described_table, table_answer
-from service.wire.conversion.products import product_answer
-from service.wire.conversion.scm_chains import described_chain
+from service.wire.conversion.products import described_product, product_answer
+from service.wire.conversion.scm_chains import described_chain, scm_answer
 from service.wire.conversion.urdf_files import described_urdf, urdf_answer
 
 Source = Callable[[ConvertRequest, Settings], RobotDescription]
@@ -26,6 +26,7 @@ SOURCES: Mapping[str, Source] = {
     "table": described_table,
     "robot": described_table,
     "scm": described_chain,
+    "poe": described_product,
     "urdf": described_urdf,
 }
 
@@ -33,6 +34,7 @@ TARGETS: Mapping[Target, Writer] = {
     Target.STANDARD: table_answer,
     Target.MODIFIED: table_answer,
     Target.POE: product_answer,
+    Target.SCM: scm_answer,
     Target.URDF: urdf_answer,
 }
 
@@ -44,4 +46,5 @@ def converted(request: ConvertRequest, settings: Settings) -> ConvertAnswer:
         KinematicsError: the description cannot be read, or not be written in the other form.
     """
     source = next(name for name in SOURCES if getattr(request, name) is not None)
-    return TARGETS[request.to](SOURCES[source](request, settings), request)
+    robot = SOURCES[source](request, settings).between(request.base, request.tool)
+    return TARGETS[request.to](robot, request)

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from kinematics.cells import ReadTable
-from kinematics.se3 import Transform
+from kinematics.cells import AngleUnit, ReadTable
+from kinematics.se3 import Transform, check_transform
+from service.wire.prepared_robots import joint_units
 from service.wire.written_tables import Spellings, WireCell
+
+Ranges: TypeAlias = Sequence[Sequence[float | None] | None]
 
 
 def _identity() -> Transform:
@@ -29,7 +35,7 @@ class RobotDescription:
         variable_cells: how a person wrote the cells with the joint variables, by joint number.
         name: the robot's name, if it has one.
         joint_names: the names of joint 1 … n, if the source has any.
-        limits: (lowest, highest) of joint 1 … n [rad, or the table's length unit], if the source has any.
+        limits: [lowest, highest] of joint 1 … n in the units of the table, if the source has any.
     """
 
     read: ReadTable
@@ -40,4 +46,22 @@ class RobotDescription:
     variable_cells: Mapping[int, WireCell] = field(default_factory=dict)
     name: str | None = None
     joint_names: tuple[str, ...] | None = None
-    limits: tuple[tuple[float, float] | None, ...] | None = None
+    limits: Ranges | None = None
+
+    @property
+    def joint_units(self) -> tuple[float, ...]:
+        """For joint 1 … n what one unit of the table is in [rad], or in its length unit."""
+        angle = math.radians(1.0) if self.read.angle_unit is AngleUnit.DEG else 1.0
+        return joint_units(self.read.table.joint_types, angle)
+
+    def between(self, base: ArrayLike | None, tool: ArrayLike | None) -> RobotDescription:
+        """Return the robot with a further base before it and a further tool behind it.
+
+        Raises:
+            PoseError: one of them is not a rigid transform.
+        """
+        before, behind = (
+            np.eye(4) if pose is None else check_transform(pose, where=(name,))
+            for pose, name in ((base, "base"), (tool, "tool"))
+        )
+        return replace(self, base=before @ self.base, tool=self.tool @ behind)

@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from kinematics import catalogue
 from kinematics.cells import ParameterKind, RawTable, ReadTable, bind_parameters, read_table
 from kinematics.conversion import XScrew, convert, fixed_row
 from kinematics.dh import link_transform
 from kinematics.expressions import ONE, ZERO, Expression, Function, call, evaluate, negate, parameters_in
+from kinematics.inverse.limits import read_limits
 from kinematics.printing.notation import Names
 from kinematics.printing.text import text_writer
 from kinematics.se3 import Transform
-from kinematics.table import Convention, DHTable
+from kinematics.table import Convention, DHTable, JointType
+from kinematics.urdf import check_joint_names
 from service.http.problems import located
 from service.schemas.conversion import ConvertRequest, TableAnswer
+from service.schemas.joint_limits import domain_limits
 from service.schemas.tables import Row, Table
 from service.settings import Settings
-from service.wire.conversion.described import RobotDescription
+from service.wire.conversion.described import Ranges, RobotDescription
 from service.wire.prepared_robots import listed_robot, robot_of
 from service.wire.written_tables import CELL_KINDS, VARIABLE_CELL, Spellings, TableWriter, WireCell
 
@@ -37,7 +39,7 @@ def described_table(request: ConvertRequest, settings: Settings) -> RobotDescrip
     limits = None
     if request.table is None:
         listed = listed_robot(str(request.robot))
-        name, limits = listed.id, _listed_limits(listed)
+        name, limits = listed.id, listed.limits
         raw, read = listed.raw, listed.table
         parameters: Mapping[str, float] | None = {**listed.parameters, **(request.parameters or {})}
     else:
@@ -55,14 +57,6 @@ def described_table(request: ConvertRequest, settings: Settings) -> RobotDescrip
         name=name,
         limits=limits,
     )
-
-
-def _listed_limits(listed: catalogue.Robot) -> tuple[tuple[float, float], ...] | None:
-    """The limits of a robot of the catalogue, in [rad] and its length unit."""
-    if listed.limits is None:
-        return None
-    units = robot_of(listed.table, listed.parameters).joint_units
-    return tuple((low * unit, high * unit) for (low, high), unit in zip(listed.limits, units, strict=True))
 
 
 def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswer:
@@ -83,20 +77,33 @@ def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswe
         angle_unit=robot.read.angle_unit.value,
         length_unit=robot.read.length_unit.value,
         table=Table.model_validate(table),
-        base=_matrix(converted.base, robot, before=robot.base),
-        tool=_matrix(converted.tool, robot, behind=robot.tool),
+        base=matrix_of_cells(converted.base, robot, before=robot.base),
+        tool=matrix_of_cells(converted.tool, robot, behind=robot.tool),
         base_row=_row(converted.base, writer, robot.base),
         tool_row=_row(converted.tool, writer, robot.tool),
-        joint_names=None if robot.joint_names is None else list(robot.joint_names),
-        limits=_limits(robot) if robot.joint_names is not None else None,
+        joint_names=_joint_names(robot, request.joint_names),
+        limits=_limits(robot, request.limits),
     )
 
 
-def _limits(robot: RobotDescription) -> list[list[float] | None]:
-    return [None if pair is None else list(pair) for pair in robot.limits or ()]
+def _joint_names(robot: RobotDescription, given: Sequence[str] | None) -> list[str] | None:
+    names = robot.joint_names if given is None else given
+    if names is not None:
+        check_joint_names(names, robot.read.table.n_joints)
+    return None if names is None else list(names)
 
 
-def _matrix(
+def _limits(robot: RobotDescription, given: Ranges | None) -> list[list[float | None] | None] | None:
+    """The limits that were sent along, else those of the source; they fit the joints."""
+    limits = robot.limits if given is None else given
+    if limits is None:
+        return None
+    types = robot.read.table.joint_types
+    read_limits(domain_limits(limits, robot.joint_units), [kind is JointType.REVOLUTE for kind in types])
+    return [None if pair is None else list(pair) for pair in limits]
+
+
+def matrix_of_cells(
     screw: XScrew[Expression] | None,
     robot: RobotDescription,
     *,

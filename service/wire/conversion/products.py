@@ -2,12 +2,56 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from kinematics import screws as screws_module
+from kinematics.cells import AngleUnit, ReadTable
+from kinematics.errors import DescriptionError, Fault
+from kinematics.frames.exactness import exact_table
 from kinematics.inverse.lengths import check_lengths
-from kinematics.screws import product_of_exponentials
-from service.schemas.conversion import ConvertRequest, ProductAnswer, Screw
+from kinematics.screws import product_of_exponentials, table_of_product
+from kinematics.se3 import check_transform
+from kinematics.table import Convention, JointType
+from service.http.problems import located
+from service.schemas.conversion import ConvertRequest, ProductAnswer, Screw, Target
+from service.settings import Settings
 from service.wire.conversion.described import RobotDescription
 from service.wire.fault_pointers import traced
 from service.wire.prepared_robots import robot_of
+
+
+def described_product(request: ConvertRequest, _settings: Settings) -> RobotDescription:
+    """The robot of a product of exponentials, by frames assigned to its joint axes.
+
+    Raises:
+        DescriptionError: a screw is none of a joint, or of another type than it is said to be.
+        PoseError: the home pose is not a rigid transform.
+    """
+    given = request.poe
+    assert given is not None
+    convention = Convention.STANDARD if request.to is Target.STANDARD else Convention.MODIFIED
+    screws = tuple(screws_module.Screw(_three(one.linear), _three(one.angular)) for one in given.screws)
+    with located("poe"):
+        for i, one in enumerate(given.screws):
+            meant = JointType.REVOLUTE if any(one.angular) else JointType.PRISMATIC
+            if one.joint not in (None, meant):
+                params = {"joint": i + 1}
+                raise DescriptionError(Fault(code="screw_of_other_type", where=("screws", i), params=params))
+        home = check_transform(given.home, where=("home",))
+        product = screws_module.ProductOfExponentials(screws=screws, home=home)
+        assigned = table_of_product(product, convention)
+    read = ReadTable(
+        table=exact_table(assigned.table),
+        angle_unit=request.angle_unit or AngleUnit.RAD,
+        length_unit=given.length_unit,
+        parameters={},
+    )
+    return RobotDescription(read=read, base=assigned.base, tool=assigned.tool)
+
+
+def _three(values: Sequence[float]) -> tuple[float, float, float]:
+    x, y, z = values
+    return x, y, z
 
 
 def product_answer(robot: RobotDescription, request: ConvertRequest) -> ProductAnswer:

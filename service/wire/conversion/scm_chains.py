@@ -1,13 +1,30 @@
-"""SCM chains: SCM2DH of the toolbox."""
+"""SCM chains: SCM2DH of the toolbox, and the way back."""
 
 from __future__ import annotations
 
-from kinematics.cells import ReadTable, parameter_values
-from kinematics.scm import modified_dh_from_scm, read_chain
-from service.schemas.conversion import ConvertRequest
+import numpy as np
+
+from kinematics.cells import ParameterKind, ReadTable, parameter_values
+from kinematics.expressions import ZERO
+from kinematics.scm import (
+    ChainRow,
+    Entry,
+    Placement,
+    modified_dh_from_scm,
+    read_chain,
+    scm_from_numbers,
+    scm_from_table,
+    unrolled_dh_from_scm,
+)
+from service.schemas.conversion import ConvertRequest, ScmAnswer
+from service.schemas.scm import Chain, Verification
 from service.settings import Settings
 from service.wire.conversion.described import RobotDescription
+from service.wire.conversion.dh_tables import matrix_of_cells
+from service.wire.fault_pointers import traced
 from service.wire.prepared_chains import in_chain
+from service.wire.prepared_robots import robot_of
+from service.wire.written_tables import TableWriter, WireCell, with_variable
 
 
 def described_chain(request: ConvertRequest, settings: Settings) -> RobotDescription:
@@ -20,7 +37,8 @@ def described_chain(request: ConvertRequest, settings: Settings) -> RobotDescrip
     assert request.scm is not None
     with in_chain("scm", request.scm):
         chain = read_chain(request.scm.raw(), settings.cell_limits)
-        table = modified_dh_from_scm(chain.chain)
+        strict = request.verify is not Verification.OFF
+        table = modified_dh_from_scm(chain.chain) if strict else unrolled_dh_from_scm(chain.chain)
     if request.parameters is not None:
         parameter_values(chain.parameters, chain.angle_unit, request.parameters)
     read = ReadTable(
@@ -30,3 +48,53 @@ def described_chain(request: ConvertRequest, settings: Settings) -> RobotDescrip
         parameters=chain.parameters,
     )
     return RobotDescription(read=read, parameters=request.parameters)
+
+
+def scm_answer(robot: RobotDescription, request: ConvertRequest) -> ScmAnswer:
+    """The robot as an SCM chain: entry by entry, or in numbers where it has fixed rows, a base or a tool.
+
+    Raises:
+        TableError: the table has no joints.
+        ParameterError: a parameter has no value, and one is needed.
+    """
+    writer = TableWriter(
+        angle_unit=robot.read.angle_unit, length_unit=robot.read.length_unit, spellings=robot.spellings
+    )
+    with traced(request):
+        moved = scm_from_table(robot.read.table)
+        plain = np.array_equal(robot.base, np.eye(4)) and np.array_equal(robot.tool, np.eye(4))
+        if moved is not None and plain:
+            chain, base = moved.chain, matrix_of_cells(moved.base, robot)
+        else:
+            table = robot_of(robot.read, robot.parameters or {}).table
+            before, chain = scm_from_numbers(table, robot.base, robot.tool)
+            base = (before + 0.0).tolist()
+    units = {"angle_unit": robot.read.angle_unit.value, "length_unit": robot.read.length_unit.value}
+    rows = [_row(row, i, writer) for i, row in enumerate(chain.rows, 1)]
+    written = Chain.model_validate(
+        {
+            "joints": rows,
+            "final": _placement(chain.final, writer),
+            "tool": _placement(chain.tool, writer),
+            **units,
+        }
+    )
+    return ScmAnswer.model_validate({"scm": written, "base": base, **units})
+
+
+def _placement(placement: Placement, writer: TableWriter) -> dict[str, WireCell]:
+    """The entries that are not zero."""
+    return {
+        entry.value: writer.cell(
+            placement.entry(entry), ParameterKind.ANGLE if entry.is_turn else ParameterKind.LENGTH
+        )
+        for entry in Entry
+        if placement.entry(entry) != ZERO
+    }
+
+
+def _row(row: ChainRow, joint: int, writer: TableWriter) -> dict[str, WireCell]:
+    cells = _placement(row.constant, writer)
+    held = row.variable.value
+    cells[held] = with_variable(f"{'-' if row.sign < 0 else ''}q{joint}", cells.get(held, 0))
+    return cells

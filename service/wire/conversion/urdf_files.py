@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kinematics.cells import AngleUnit, LengthUnit, ReadTable
 from kinematics.frames.exactness import exact_table
-from kinematics.table import Convention
+from kinematics.table import Convention, JointType
 from kinematics.urdf import table_from_urdf, urdf_from_table
 from service.http.problems import located
 from service.schemas.conversion import ConvertRequest, Target, UrdfAnswer
@@ -13,6 +13,7 @@ from service.settings import Settings
 from service.wire.conversion.described import RobotDescription
 from service.wire.fault_pointers import traced
 from service.wire.prepared_robots import robot_of
+from service.wire.written_tables import angle_in
 
 
 def described_urdf(request: ConvertRequest, _settings: Settings) -> RobotDescription:
@@ -26,9 +27,11 @@ def described_urdf(request: ConvertRequest, _settings: Settings) -> RobotDescrip
         robot = table_from_urdf(
             str(request.urdf), convention, base_link=request.base_link, tip_link=request.tip_link
         )
+    unit = request.angle_unit or AngleUnit.RAD
+    turning = [kind is JointType.REVOLUTE for kind in robot.table.joint_types]
     read = ReadTable(
         table=exact_table(robot.table),
-        angle_unit=AngleUnit.RAD,
+        angle_unit=unit,
         length_unit=LengthUnit.M,
         parameters={},
     )
@@ -38,8 +41,15 @@ def described_urdf(request: ConvertRequest, _settings: Settings) -> RobotDescrip
         tool=robot.tool,
         name=robot.name if robot.name.strip() and robot.name.isprintable() else None,
         joint_names=robot.joints,
-        limits=robot.limits,
+        limits=[
+            None if pair is None else [_bound(bound, unit if turns else AngleUnit.RAD) for bound in pair]
+            for pair, turns in zip(robot.limits, turning, strict=True)
+        ],
     )
+
+
+def _bound(bound: float | None, unit: AngleUnit) -> float | None:
+    return None if bound is None else angle_in(unit, bound)
 
 
 def urdf_answer(robot: RobotDescription, request: ConvertRequest) -> UrdfAnswer:
@@ -51,14 +61,15 @@ def urdf_answer(robot: RobotDescription, request: ConvertRequest) -> UrdfAnswer:
         DescriptionError: a length that no reader of URDF takes.
     """
     prepared = robot_of(robot.read, robot.parameters or {})
-    limits = domain_limits(request.limits, prepared.joint_units)
+    limits = domain_limits(robot.limits if request.limits is None else request.limits, prepared.joint_units)
     with traced(request):
         written = urdf_from_table(
             prepared.table,
             name=request.name or robot.name or "robot",
             base=robot.base,
             tool=robot.tool,
-            limits=robot.limits if limits is None else limits,
+            limits=limits,
+            joint_names=request.joint_names or robot.joint_names,
             metres_per_unit=float(robot.read.length_unit.metres_per_unit),
         )
     return UrdfAnswer(

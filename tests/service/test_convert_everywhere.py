@@ -1,0 +1,164 @@
+"""POST /convert from every form to every form: the same poses, with base, tool, names and limits."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+
+from kinematics import catalogue
+from service.schemas.examples import CYLINDRICAL, PUMA_560
+from tests.service.test_bad_input import check_problem
+
+CONVERT = "/api/v1/convert"
+FK = "/api/v1/forward-kinematics"
+FORMS = ("standard", "modified", "poe", "scm", "urdf")
+BASE = [[0, -1, 0, 0.1], [1, 0, 0, 0.2], [0, 0, 1, 0.3], [0, 0, 0, 1]]
+TOOL = [[1, 0, 0, 0.05], [0, 0, -1, 0], [0, 1, 0, 0.1], [0, 0, 0, 1]]
+
+
+def answered(client: httpx.Client, path: str, body: dict[str, Any]) -> Any:
+    response = client.post(path, json=body)
+    assert response.status_code == 200, response.text
+    return response.json()
+
+
+def source(form: str, answer: dict[str, Any]) -> dict[str, Any]:
+    """The request's fields that say what an answer says."""
+    match form:
+        case "standard" | "modified":
+            return {"table": answer["table"], "base": answer["base"], "tool": answer["tool"]}
+        case "poe":
+            given = {name: answer[name] for name in ("screws", "home", "length_unit")}
+            return {"poe": given}
+        case "scm":
+            return {"scm": answer["scm"], "base": answer["base"], "verify": "off"}
+    return {"urdf": answer["urdf"]}
+
+
+def poses(client: httpx.Client, described: dict[str, Any]) -> tuple[Any, Any]:
+    """Poses in [m] at fixed joint values in [rad] and [m], and the table that they were computed by."""
+    found = answered(client, CONVERT, {**described, "to": "standard"})
+    table = found["table"]
+    angle = math.degrees(1.0) if table["angle_unit"] == "deg" else 1.0
+    metres = {"m": 1.0, "mm": 0.001, "cm": 0.01, "in": 0.0254}[table["length_unit"]]
+    joints = [row for row in table["rows"] if row["joint"] != "fixed"]
+    values = [0.3 + 0.2 * i for i in range(len(joints))]
+    units = [angle if row["joint"] == "revolute" else 1 / metres for row in joints]
+    body = {
+        "table": table, "base": found["base"], "tool": found["tool"],
+        "joints": [value * unit for value, unit in zip(values, units, strict=True)],
+        "parameters": described.get("parameters", {}),
+    }  # fmt: skip
+    pose = np.array(answered(client, FK, body)["transform"])
+    pose[:3, 3] *= metres
+    return pose, table
+
+
+@pytest.mark.parametrize("through", FORMS)
+@pytest.mark.parametrize("robot", catalogue.robot_ids())
+def test_every_form_describes_the_same_robot(client: httpx.Client, robot: str, through: str) -> None:
+    listed = catalogue.robot(robot)
+    values = dict(listed.parameters)
+    raw = {"robot": robot, "parameters": values}
+    expected, _ = poses(client, raw)
+    middle = answered(client, CONVERT, {**raw, "to": through})
+    again = source(through, middle)
+    if through in ("standard", "modified", "scm"):
+        again["parameters"] = {name: value for name, value in values.items() if name in str(again)}
+    found, _ = poses(client, again)
+    size = max(1.0, float(np.abs(expected[:3, 3]).max()))
+    np.testing.assert_allclose(found, expected, atol=1e-9 * size)
+
+
+@pytest.mark.parametrize("last", FORMS)
+@pytest.mark.parametrize("first", FORMS)
+def test_every_form_to_every_form_with_base_and_tool(client: httpx.Client, first: str, last: str) -> None:
+    start = {"table": PUMA_560, "base": BASE, "tool": TOOL}
+    expected, _ = poses(client, start)
+    one = answered(client, CONVERT, {**start, "to": first})
+    two = answered(client, CONVERT, {**source(first, one), "to": last})
+    found, _ = poses(client, source(last, two))
+    np.testing.assert_allclose(found, expected, atol=1e-9)
+
+
+def test_a_table_with_symbols_becomes_a_chain_with_symbols(client: httpx.Client) -> None:
+    found = answered(client, CONVERT, {"table": CYLINDRICAL, "to": "scm"})
+    text = str(found["scm"])
+    assert all(name in text for name in ("L1", "q1", "q2"))
+
+
+def test_names_and_limits_come_back_with_a_table(client: httpx.Client) -> None:
+    names, limits = ["waist", *"abcde"], [[-160, 160], None, [None, 90], [-1, 1], [-1, 1], [-1, 1]]
+    sent = {"table": {**PUMA_560, "angle_unit": "deg"}, "joint_names": names, "limits": limits}
+    written = answered(client, CONVERT, {**sent, "to": "urdf"})
+    back = answered(client, CONVERT, {"urdf": written["urdf"], "to": "standard", "angle_unit": "deg"})
+    assert back["joint_names"] == names
+    assert back["limits"] == limits
+    kept = answered(client, CONVERT, {**sent, "to": "modified"})
+    assert (kept["joint_names"], kept["limits"]) == (names, limits)
+    known = answered(client, CONVERT, {"robot": "scara", "to": "modified"})
+    assert known["limits"] == [list(pair) for pair in catalogue.robot("scara").limits or ()]
+
+
+def test_degrees_of_a_description_are_exact(client: httpx.Client) -> None:
+    rows = [
+        {"alpha": 12.5, "a": 0.1, "d": 0.2, "theta": "q1 + 33"},
+        {"alpha": 0, "a": 0.3, "d": 0, "theta": "q2"},
+    ]
+    table = {"convention": "modified", "angle_unit": "deg", "rows": rows}
+    written = answered(client, CONVERT, {"table": table, "to": "urdf"})
+    back = answered(client, CONVERT, {"urdf": written["urdf"], "to": "modified", "angle_unit": "deg"})
+    assert [row["alpha"] for row in back["table"]["rows"]][1] in (0, 12.5)
+    for row in back["table"]["rows"]:
+        for cell in (row["alpha"], row["theta"]):
+            assert "99999" not in str(cell)
+            assert "00000" not in str(cell)
+
+
+@pytest.mark.parametrize(
+    ("body", "code", "pointer"),
+    [
+        (
+            {"poe": {"screws": [{"linear": [0, 0, 0], "angular": [0, 0, 2]}], "home": BASE}},
+            "screw_not_unit",
+            "/poe/screws/0",
+        ),
+        (
+            {"poe": {"screws": [{"linear": [0, 0, 1], "angular": [0, 0, 1]}], "home": BASE}},
+            "screw_has_pitch",
+            "/poe/screws/0",
+        ),
+        (
+            {
+                "poe": {
+                    "screws": [{"joint": "revolute", "linear": [0, 0, 1], "angular": [0, 0, 0]}],
+                    "home": BASE,
+                }
+            },
+            "screw_of_other_type",
+            "/poe/screws/0",
+        ),
+        (
+            {
+                "poe": {
+                    "screws": [{"linear": [0, 0, 0], "angular": [0, 0, 1]}],
+                    "home": [[2, 0, 0, 0], *BASE[1:]],
+                }
+            },
+            "pose_not_orthonormal",
+            "/poe/home",
+        ),
+        ({"table": PUMA_560, "base": [[2, 0, 0, 0], *BASE[1:]]}, "pose_not_orthonormal", "/base"),
+        ({"table": PUMA_560, "joint_names": ["a"]}, "urdf_joint_names", "/joint_names"),
+        ({"table": PUMA_560, "limits": [None]}, "limits_wrong_length", "/limits"),
+        ({"table": PUMA_560, "angle_unit": "deg"}, "option_idle", ""),
+        ({"urdf": "<robot/>", "base": BASE}, "option_idle", ""),
+        ({"table": PUMA_560, "verify": "off"}, "option_idle", ""),
+    ],
+)
+def test_what_is_refused(client: httpx.Client, body: dict[str, Any], code: str, pointer: str) -> None:
+    check_problem(client.post(CONVERT, json={**body, "to": "standard"}), 422, code, pointer)
