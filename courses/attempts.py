@@ -6,7 +6,7 @@ message to the gradebook change in the transaction that stores the attempt.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from datetime import datetime, timedelta
 from typing import Any
@@ -121,28 +121,24 @@ def insert_findings(
 
 
 def path_of_codes(report: Mapping[str, Any]) -> Iterator[tuple[str, str, int | None]]:
-    """Kind, code and row of everything that a report tells: its path of stable codes.
+    """Kind, code and row of everything that a stored report tells: its path of stable codes.
 
     Kinds: `feedback` of the table, `repair` for the edits of the most plausible repair, `wrong` for the facts
     of rows that do not fit, and `part:<kind>` for what is said of the other parts.
     """
-    for entry in report.get("feedback", ()):
+    verdict = report.get("verdict") or {}
+    for entry in verdict.get("feedback", ()):
         yield "feedback", str(entry["code"]), entry.get("row")
-    for repair in list(report.get("repairs", ()))[:1]:
+    for repair in list(verdict.get("repairs", ()))[:1]:
         for edit in repair.get("edits", ()):
             yield "repair", str(edit["code"]), edit.get("row")
-    for link in report.get("links", ()):
+    for link in verdict.get("links", ()):
         for fact in ("length", "twist", "offset", "joint"):
             if link.get(fact) in ("wrong", "missing"):
                 yield "wrong", fact, link.get("row")
-    for kind, part in _parts(report):
+    for part in report.get("parts", ()):
         for entry in part.get("feedback", ()):
-            yield f"part:{kind}", str(entry["code"]), entry.get("row")
-
-
-def _parts(report: Mapping[str, Any]) -> Iterable[tuple[str, Mapping[str, Any]]]:
-    parts = report.get("parts") or {}
-    return parts.items() if isinstance(parts, Mapping) else ((str(p.get("kind")), p) for p in parts)
+            yield f"part:{part['kind']}", str(entry["code"]), entry.get("row")
 
 
 def attempts_of(store: Store, link_id: int, person_id: int) -> list[Attempt]:

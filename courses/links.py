@@ -138,6 +138,14 @@ def attempt_in(store: Store, course_id: int, attempt_id: int) -> tuple[Attempt, 
     return attempt_of(row), row.person_key
 
 
+def reports_of(store: Store, attempt_ids: list[int]) -> dict[int, Any]:
+    """Reports of attempts by their ids."""
+    table = records.attempt
+    with store.reading() as connection:
+        found = connection.execute(sa.select(table.c.id, table.c.report).where(table.c.id.in_(attempt_ids)))
+        return {row.id: row.report for row in found}
+
+
 def all_attempts(store: Store, link_id: int) -> Iterator[tuple[Attempt, str]]:
     """Every attempt at a link with the key of its student, for an export."""
     table = records.attempt

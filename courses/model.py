@@ -135,6 +135,7 @@ class Attempt:
         number: 1, 2, … of this student and link.
         key: idempotency key; a submission that is sent again with it is the same attempt.
         answer: what was typed, as it arrived.
+        form: what the page can put back into its form; None where no page was used.
         report: what was found, by stable codes and without sentences.
         shown: how much the student was shown when it was handed in.
     """
@@ -150,6 +151,7 @@ class Attempt:
     seed: str | None
     language: str
     answer: Mapping[str, Any]
+    form: Mapping[str, Any] | None = None
     report: Mapping[str, Any]
     score: float
     correct: bool

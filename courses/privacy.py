@@ -20,6 +20,25 @@ _OF_A_PERSON = (
 )
 
 
+def person_in(store: Store, course_id: int, key: str) -> None:
+    """Make sure that a person has taken part in a course.
+
+    Raises:
+        UnknownRecordError: nobody of this key has.
+    """
+    part, person, link = records.participation, records.person, records.link
+    wanted = (
+        sa.select(part.c.person_id)
+        .join(person, person.c.id == part.c.person_id)
+        .join(link, link.c.id == part.c.link_id)
+        .where(link.c.course_id == course_id, person.c.key == key)
+        .limit(1)
+    )
+    with store.reading() as connection:
+        if connection.execute(wanted).first() is None:
+            raise unknown_record("person")
+
+
 def export_person(store: Store, key: str) -> dict[str, Any]:
     """Everything that is stored about one person, as JSON.
 

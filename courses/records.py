@@ -221,6 +221,7 @@ attempt = sa.Table(
     sa.Column("seed", PlainText),
     sa.Column("language", PlainText, nullable=False),
     sa.Column("answer", sa.JSON, nullable=False),
+    sa.Column("form", sa.JSON(none_as_null=True)),
     sa.Column("report", sa.JSON, nullable=False),
     sa.Column("score", sa.Float, nullable=False),
     sa.Column("correct", sa.Boolean, nullable=False),

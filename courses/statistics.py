@@ -144,11 +144,17 @@ def _sequence(people: Iterable[list[Any]]) -> list[dict[str, int]]:
 
 
 def misconceptions(store: Store, link_id: int) -> list[dict[str, Any]]:
-    """How often each mistake was found: code, attempts and students, the most frequent first."""
+    """How often each mistake was found, the most frequent first, with the newest attempt that has it."""
     attempts = sa.func.count(sa.distinct(_ATTEMPT.c.id))
     students = sa.func.count(sa.distinct(_ATTEMPT.c.person_id))
     wanted = (
-        sa.select(_FINDING.c.kind, _FINDING.c.code, attempts.label("attempts"), students.label("students"))
+        sa.select(
+            _FINDING.c.kind,
+            _FINDING.c.code,
+            attempts.label("attempts"),
+            students.label("students"),
+            sa.func.max(_ATTEMPT.c.id).label("newest"),
+        )
         .join(_ATTEMPT, _ATTEMPT.c.id == _FINDING.c.attempt_id)
         .where(
             _FINDING.c.link_id == link_id,

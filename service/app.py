@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import functools
+import logging
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
@@ -34,9 +35,11 @@ from service.http.validation import request_error
 from service.resources import Resources, resources_of
 from service.routes import routers
 from service.settings import Settings
+from service.work.score_sender import ScoreSender
 from service.work.thread_switching import switch_threads_often
 from service.work.workers import Workers
 
+_log = logging.getLogger("uvicorn.error")
 DESCRIPTION = """\
 Denavit–Hartenberg kinematics over HTTP: a table and joint values in; poses, Jacobians, closed forms and other
 descriptions of the same robot out. Angles and lengths come and go in the units that the table names. Every
@@ -98,10 +101,17 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     switch_threads_often()
     workers: Workers = app.state.resources.workers
     workers.warm()
+    courses = app.state.resources.courses
+    sender = ScoreSender(courses) if courses is not None else None
+    if sender is not None:
+        _log.info("Courses and attempts are stored in %s", courses.store.location)
+        sender.start()
     try:
         yield
     finally:
-        await asyncio.to_thread(workers.close)
+        if sender is not None:
+            await asyncio.to_thread(sender.stop)
+        await asyncio.to_thread(app.state.resources.close)
 
 
 def problem_response(request: Request, problem: Problem) -> Response:

@@ -11,6 +11,9 @@ from typing import Annotated, TypeAlias
 from fastapi import Depends, Request
 
 from exercises.loader import Library
+from kinematics.errors import Fault
+from service.course_resources import CourseResources
+from service.http.problems import NotFoundError, RequestPart
 from service.receipts.keys import receipt_keys
 from service.settings import Settings
 from service.wire.answer_cache import AnswerCache
@@ -32,6 +35,7 @@ class Resources:
         workers: the worker processes.
         receipt_keys: the keys that sign receipts.
         callbacks: sends feedback that is asked for later.
+        courses: the database and what comes with it; None where storage is switched off.
     """
 
     def __init__(self, settings: Settings) -> None:
@@ -44,6 +48,23 @@ class Resources:
         self.workers = Workers(settings)
         self.receipt_keys = receipt_keys(settings)
         self.callbacks = Callbacks(settings.callback_hosts, self.receipt_keys.sign)
+        self.courses = CourseResources(settings) if settings.storage == "on" else None
+
+    def with_courses(self) -> CourseResources:
+        """Return the resources of courses.
+
+        Raises:
+            NotFoundError: storage is switched off.
+        """
+        if self.courses is None:
+            raise NotFoundError(Fault(code="storage_off"), part=RequestPart.PATH)
+        return self.courses
+
+    def close(self) -> None:
+        """End worker processes and connections."""
+        self.workers.close()
+        if self.courses is not None:
+            self.courses.close()
 
 
 def resources_of(request: Request) -> Resources:

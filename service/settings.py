@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field, NonNegativeInt, PositiveFloat, PositiveInt, SecretStr, field_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
@@ -73,6 +73,24 @@ class Settings(BaseSettings):
         1024 * MIB, description="memory that one process for closed forms may take [byte]"
     )
 
+    storage: Literal["on", "off"] = Field(
+        "on", description="keep courses and attempts; off serves what needs no storage, and nothing else"
+    )
+    data_folder: Path = Field(Path("data"), description="folder of the SQLite file")
+    database_url: str = Field(
+        "", description="PostgreSQL instead of SQLite: postgresql://user:password@host/database"
+    )
+    public_url: str = Field(
+        "", description="address that browsers and platforms reach this under, if not what requests say"
+    )
+    lti_trusted_origins: Names = Field(
+        (), description="origins of platforms that are asked though they are not public or not https"
+    )
+    people_days: PositiveInt = Field(
+        400, description="how long what belongs to a person is kept after their last visit [day]"
+    )
+    access_days: PositiveInt = Field(400, description="how long lines of the audit log are kept [day]")
+
     exercise_folders: Annotated[tuple[Path, ...], NoDecode] = Field(
         (), description="folders with exercises of your own; one of them goes before a packaged one of its id"
     )
@@ -108,6 +126,7 @@ class Settings(BaseSettings):
         "frame_ancestors",
         "cors_origins",
         "callback_hosts",
+        "lti_trusted_origins",
         mode="before",
     )
     @classmethod

@@ -44,7 +44,7 @@ def _serve(options: argparse.Namespace) -> int:
     try:
         uvicorn.run(app, **chosen)  # type: ignore[arg-type]
     finally:
-        app.state.resources.workers.close()  # or they would outlive a server that could not start
+        app.state.resources.close()  # or they would outlive a server that could not start
     return 0
 
 

@@ -8,6 +8,7 @@
     ├── BodySizeError        the body, or what it asks for, is larger than a limit
     ├── MediaTypeError       the body comes in a form that is not read
     ├── RequestError         the body is well formed and does not say what is needed
+    ├── UnauthorizedError    the caller is not believed
     ├── BusyError            no slot is free; try again later
     └── UnavailableError     the server itself is in trouble; try again later
 
@@ -102,6 +103,10 @@ class RequestError(ServiceError):
     """The body is well formed, and what it says cannot be done."""
 
 
+class UnauthorizedError(ServiceError):
+    """The caller is not believed to be who it says."""
+
+
 class BusyError(ServiceError):
     """No slot is free; the caller may try again later."""
 
@@ -127,6 +132,7 @@ STATUS: dict[type[Exception], int] = {
     BodySizeError: 413,
     MediaTypeError: 415,
     RequestError: 422,
+    UnauthorizedError: 401,
     KinematicsError: 422,
     BusyError: 503,
     SessionError: 401,

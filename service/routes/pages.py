@@ -22,6 +22,7 @@ HOME = Page(name="home", title="form-home-title", styles=("exercise",))
 EXERCISE = Page(
     name="exercise",
     title="form-exercise-title",
+    rooms=("session",),
     depth=1,
     styles=("scene", "editor", "exercise"),
 )

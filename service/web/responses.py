@@ -19,14 +19,22 @@ from service.web.assets import Assets, static_root
 from service.web.shell import Page, render
 
 
-def content_security_policy(settings: Settings, *, in_any_frame: bool = False) -> str:
+def content_security_policy(
+    settings: Settings,
+    *,
+    in_any_frame: bool = False,
+    platforms: tuple[str, ...] = (),
+    form_action: str = "'self'",
+) -> str:
     """Return what a page may load and who may frame it: only this origin; no inline script or style at all.
 
     Args:
         settings: names the origins that may frame pages.
         in_any_frame: whether the page may stand in anybody's frame, whatever the settings say.
+        platforms: origins of learning management systems, whose pages may frame ours.
+        form_action: where the page's forms may go.
     """
-    ancestors = ("*",) if in_any_frame else settings.frame_ancestors
+    ancestors = ("*",) if in_any_frame else (*settings.frame_ancestors, *platforms)
     return "; ".join(
         (
             "default-src 'none'",
@@ -36,7 +44,7 @@ def content_security_policy(settings: Settings, *, in_any_frame: bool = False) -
             "font-src 'self'",
             "connect-src 'self'",
             "base-uri 'none'",
-            "form-action 'self'",
+            f"form-action {form_action}",
             "frame-ancestors " + (" ".join(ancestors) or "'none'"),
         )
     )
@@ -61,6 +69,7 @@ def page_response(
     *,
     status: int = 200,
     in_any_frame: bool = False,
+    form_action: str = "'self'",
 ) -> Response:
     """A page in the reader's language, with the headers that every page has.
 
@@ -70,8 +79,10 @@ def page_response(
         values: what its template asks for as `${.name}`; `title` overrides the page's title.
         status: the HTTP status.
         in_any_frame: whether anybody may frame it.
+        form_action: where its forms may go.
     """
-    settings = resources_of(request).settings
+    settings, courses = resources_of(request).settings, resources_of(request).courses
+    platforms = courses.frame_origins() if courses is not None else ()
     language = page_language(request)
 
     def translate(identifier: str) -> str:
@@ -88,7 +99,9 @@ def page_response(
         values=values,
     )
     headers = {
-        "Content-Security-Policy": content_security_policy(settings, in_any_frame=in_any_frame),
+        "Content-Security-Policy": content_security_policy(
+            settings, in_any_frame=in_any_frame, platforms=platforms, form_action=form_action
+        ),
         "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
         "Cache-Control": "no-cache",
         "Content-Language": language,

@@ -12,6 +12,8 @@ import anyio.to_thread
 from service.settings import Settings
 from service.work.fair_queue import FairQueue, Slot
 
+COURSE_THREADS = 16
+"""Requests that wait for the database, or for a platform, at the same time."""
 _Result = TypeVar("_Result")
 
 
@@ -22,6 +24,7 @@ class WorkKind(StrEnum):
     GRADING = "grading"
     DRAWING = "drawing"
     READING = "reading"
+    COURSES = "courses"
 
 
 class Limiter:
@@ -75,6 +78,7 @@ def limiters(settings: Settings) -> dict[WorkKind, Limiter]:
         WorkKind.GRADING: (settings.grading_threads, settings.grading_queue),
         WorkKind.DRAWING: (1, settings.grading_queue),
         WorkKind.READING: (1, settings.grading_queue),
+        WorkKind.COURSES: (COURSE_THREADS, settings.grading_queue),
     }
     return {
         kind: Limiter(threads=count, places=places, patience=settings.queue_seconds)

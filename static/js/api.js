@@ -33,6 +33,8 @@ export class Api {
   constructor(base, language) {
     this.base = base;
     this.language = language;
+    /** Token of a session, sent with every call; never a cookie. */
+    this.token = "";
   }
 
   /** @param {string} path @param {{signal?: AbortSignal}} [options] */
@@ -45,6 +47,16 @@ export class Api {
     return this.#send("POST", path, body, options);
   }
 
+  /** @param {string} path @param {unknown} body */
+  put(path, body) {
+    return this.#send("PUT", path, body);
+  }
+
+  /** @param {string} path */
+  remove(path) {
+    return this.#send("DELETE", path, undefined);
+  }
+
   /** Address of something that is loaded by the browser itself, such as a figure. @param {string} path */
   address(path) {
     return `${this.base}${path}`;
@@ -53,6 +65,7 @@ export class Api {
   async #send(method, path, body, { signal } = {}) {
     const headers = { Accept: "application/json", "Accept-Language": this.language };
     if (body !== undefined) headers["Content-Type"] = "application/json";
+    if (this.token) headers.Authorization = `Bearer ${this.token}`;
     let answer, text;
     try {
       answer = await fetch(this.base + path, {

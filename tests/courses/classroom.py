@@ -55,7 +55,7 @@ def submitted(
 ) -> Attempt:
     """An attempt with a score, so many minutes after the beginning."""
     at = NOW + timedelta(minutes=minutes)
-    report = more.pop("report", {"correct": score == 1.0, "feedback": [], "links": [], "repairs": []})
+    report = more.pop("report", {"verdict": None, "parts": []})
     attempt = Attempt(
         link_id=session.link.id,
         person_id=session.person.id,

@@ -212,11 +212,12 @@ def test_codes_and_nonces_work_once(store: Store) -> None:
     assert not remember_nonce(store, known, "n", NOW + minutes(10))
 
 
-WRONG = {
+VERDICT = {
     "feedback": [{"code": "links_differ", "row": None}],
     "links": [{"row": 2, "length": "wrong", "twist": "ok", "offset": "ok", "joint": "ok"}],
     "repairs": [{"edits": [{"code": "sign_of_twist", "row": 2}]}],
 }
+WRONG = {"verdict": VERDICT, "parts": []}
 
 
 def test_numbers_of_a_class(store: Store) -> None:
@@ -224,7 +225,7 @@ def test_numbers_of_a_class(store: Store) -> None:
     submitted(store, ann, 0.5, key="1", report=WRONG)
     submitted(store, ann, 1.0, key="2", minutes=1)
     submitted(store, bob, 0.5, key="1", report=WRONG)
-    submitted(store, bob, 0.5, key="2", report={**WRONG, "repairs": []})
+    submitted(store, bob, 0.5, key="2", report={"verdict": {**VERDICT, "repairs": []}})
     submitted(store, eve, 1.0, key="1")
     found = link_statistics(store, ann.link.id)
     assert (found["attempts"], found["students"], found["solved"]) == (5, 3, 2)
@@ -233,9 +234,8 @@ def test_numbers_of_a_class(store: Store) -> None:
         {"attempt": 1, "reached": 3, "solved": 1, "dropped_out": 0},
         {"attempt": 2, "reached": 2, "solved": 1, "dropped_out": 1},
     ]
-    assert misconceptions(store, ann.link.id) == [
-        {"kind": "repair", "code": "sign_of_twist", "attempts": 2, "students": 2}
-    ]
+    (found,) = misconceptions(store, ann.link.id)
+    assert (found["code"], found["attempts"], found["students"]) == ("sign_of_twist", 2, 2)
     (cluster,) = unexplained(store, ann.link.id)
     assert cluster["facts"] == ["2:length"]
     assert len(attempts_behind(store, ann.link.id, code="sign_of_twist")) == 2

@@ -232,6 +232,7 @@ def _attempt() -> None:
         sa.Column("seed", sa.Text(), nullable=True),
         sa.Column("language", sa.Text(), nullable=False),
         sa.Column("answer", sa.JSON(), nullable=False),
+        sa.Column("form", sa.JSON(none_as_null=True), nullable=True),
         sa.Column("report", sa.JSON(), nullable=False),
         sa.Column("score", sa.Float(), nullable=False),
         sa.Column("correct", sa.Boolean(), nullable=False),

@@ -35,3 +35,6 @@ error-code_used = This address has been used already. Open the exercise from you
 error-staff_only = This is open to the staff of the course.
 error-link_without_exercise = No exercise has been chosen for this link yet. A teacher chooses it by opening the link.
 error-invitation_used = This registration address has been used already, or is too old. Ask for a new one.
+error-storage_off = This installation keeps no courses: its storage is switched off.
+error-posted_form_too_large = The form is larger than { $limit } bytes.
+error-form_invalid = The body is not a form (application/x-www-form-urlencoded).

@@ -36,3 +36,6 @@ error-code_used = Această adresă a fost deja folosită. Deschideți din nou ex
 error-staff_only = Aici au acces doar cadrele didactice ale cursului.
 error-link_without_exercise = Pentru această legătură nu s-a ales încă un exercițiu. Un profesor îl alege deschizând legătura.
 error-invitation_used = Această adresă de înregistrare a fost deja folosită sau este prea veche. Cereți una nouă.
+error-storage_off = Această instalare nu păstrează cursuri: stocarea ei este oprită.
+error-posted_form_too_large = Formularul depășește { $limit } octeți.
+error-form_invalid = Corpul nu este un formular (application/x-www-form-urlencoded).

@@ -36,3 +36,6 @@ error-code_used = Цю адресу вже використано. Відкри�
 error-staff_only = Це доступно лише викладачам курсу.
 error-link_without_exercise = Для цього посилання ще не вибрано вправи. Її вибирає викладач, відкривши посилання.
 error-invitation_used = Цю адресу реєстрації вже використано, або вона застаріла. Попросіть нову.
+error-storage_off = Ця установка не зберігає курсів: сховище вимкнено.
+error-posted_form_too_large = Форма більша за { $limit } байт.
+error-form_invalid = Тіло запиту не є формою (application/x-www-form-urlencoded).

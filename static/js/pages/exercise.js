@@ -19,22 +19,34 @@ import { plain } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import "../scene/robot-scene.js";
 import { keep, recall } from "../storage.js";
+import { CourseSession, openSession, receiptView } from "../session/course-session.js";
 import { convertedValues } from "../units.js";
 
 const $ = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const id = $("exercise").dataset.id;
 const seed = new URLSearchParams(location.search).get("seed");
 const query = seed ? `?seed=${encodeURIComponent(seed)}` : "";
-const draftKey = `draft:${id}${seed ? `:${seed}` : ""}`;
-const attempts = browserAttempts;
+let draftKey = `draft:${id}${seed ? `:${seed}` : ""}`;
+let attempts = browserAttempts;
 
 async function run() {
   let exercise;
+  /** @type {CourseSession | null} */
+  let course = null;
   try {
+    const told = await openSession(api);
+    if (told?.exercise === id) course = new CourseSession(api, told);
     exercise = await api.get(`exercises/${id}${query}`);
   } catch (error) {
     fill($("answer"), problemNotice(error, { retry: () => location.reload() }));
     return;
+  }
+  if (course) {
+    $("exercise").after(course.banner);
+    draftKey += `:${course.key}`;
+    attempts = course.attempts;
+    const asked = course.told.parts;
+    if (asked.length) exercise.parts = exercise.parts.filter(({ kind }) => asked.includes(kind));
   }
   arrange();
   showFigure(exercise, {
@@ -51,6 +63,7 @@ async function run() {
     changed: (what) => {
       keep(draftKey, answer.state);
       frame?.draft(answer.state);
+      course?.draft(answer.state);
       verdict.outdated();
       if (what === "table") follow();
     },
@@ -58,7 +71,7 @@ async function run() {
   });
   robot.addEventListener("reading", (event) => answer.showReading(/** @type {CustomEvent} */ (event).detail));
 
-  restore(recall(draftKey, null));
+  restore(recall(draftKey, null) ?? course?.told.draft?.state);
   const frame = isPackaged() ? new PackageFrame(resume) : null;
   follow({ now: true });
   await listAttempts();
@@ -98,9 +111,16 @@ async function run() {
     const changed = () => JSON.stringify(answer.state) !== JSON.stringify(handed);
     answer.busy = true;
     try {
-      const graded = await api.post(`exercises/${id}/grade`, { ...request, ...(seed ? { seed } : {}) });
+      const graded = course
+        ? await course.submit(request, handed)
+        : await api.post(`exercises/${id}/grade`, { ...request, ...(seed ? { seed } : {}) });
       if (frame) void report(request, graded, handed);
       answer.showRefusal([], request.table);
+      if (graded.shown === "receipt") {
+        fill($("submit-problem"), receiptView(graded));
+        await listAttempts();
+        return;
+      }
       await attempts.add(id, {
         at: new Date().toISOString(),
         score: graded.total.score,

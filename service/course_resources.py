@@ -1,0 +1,101 @@
+"""What an application with storage has at its disposal: the database, the platforms' keys, their services."""
+
+from __future__ import annotations
+
+import threading
+import time
+from datetime import UTC, datetime
+
+from courses.model import Platform, PlatformStatus
+from courses.platforms import StoredKey, add_key, platforms, remove_keys, stored_keys
+from courses.storage import Store, open_store
+from service.lti.fetching import Fetcher, origin_of
+from service.lti.platform_keys import PlatformKeys
+from service.lti.services import Services
+from service.lti.signing_keys import PUBLISHED_BEFORE, new_private_key, outdated, signing_key
+from service.settings import Settings
+
+_ORIGINS_LIVE = 30.0
+
+
+class CourseResources:
+    """The resources of courses.
+
+    Attributes:
+        store: the database.
+        fetcher: sends requests to platforms.
+        platform_keys: their keys.
+        services: their services.
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        self.store: Store = open_store(settings.database_url, settings.data_folder)
+        self.fetcher = Fetcher(frozenset(settings.lti_trusted_origins))
+        self.platform_keys = PlatformKeys(self.fetcher)
+        self.services = Services(self.fetcher, self.signing)
+        self._lock = threading.Lock()
+        self._origins: tuple[tuple[str, ...], float] = ((), float("-inf"))
+
+    def close(self) -> None:
+        """End every connection."""
+        self.fetcher.close()
+        self.store.close()
+
+    def keys(self) -> list[StoredKey]:
+        """The tool's keys; the first one is made when it is first needed."""
+        found = stored_keys(self.store)
+        if not found:
+            add_key(self.store, _new_key(now(), at_once=True), only_if_none=True)
+            found = stored_keys(self.store)
+        return found
+
+    def signing(self) -> StoredKey:
+        """The key that signs now."""
+        chosen = signing_key(self.keys(), now())
+        assert isinstance(chosen, StoredKey)
+        return chosen
+
+    def rotate(self, *, at_once: bool = False) -> StoredKey:
+        """Make a new key, published now and signing later; forget keys that have served their time."""
+        remove_keys(self.store, outdated(self.keys(), now()))
+        key = _new_key(now(), at_once=at_once)
+        add_key(self.store, key)
+        return key
+
+    def frame_origins(self) -> tuple[str, ...]:
+        """Origins of active platforms: their pages may show ours in a frame."""
+        with self._lock:
+            found, until = self._origins
+            if time.monotonic() < until:
+                return found
+        active = [each for each in platforms(self.store) if each.status is PlatformStatus.ACTIVE]
+        origins = tuple(sorted({origin for platform in active for origin in _origins(platform)}))
+        with self._lock:
+            self._origins = (origins, time.monotonic() + _ORIGINS_LIVE)
+        return origins
+
+    def forget_origins(self) -> None:
+        """Read the platforms' origins again: one of them has changed."""
+        with self._lock:
+            self._origins = ((), float("-inf"))
+
+
+def now() -> datetime:
+    """The time."""
+    return datetime.now(UTC)
+
+
+def _new_key(made: datetime, *, at_once: bool) -> StoredKey:
+    kid, private = new_private_key()
+    signs_from = made if at_once else made + PUBLISHED_BEFORE
+    return StoredKey(kid=kid, private=private, created=made, signs_from=signs_from)
+
+
+def _origins(platform: Platform) -> list[str]:
+    found = []
+    for address in (platform.issuer, platform.authorization_endpoint, *platform.origins):
+        try:
+            found.append(origin_of(address))
+        except ValueError:
+            continue
+    return found

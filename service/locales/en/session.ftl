@@ -1,0 +1,15 @@
+### Launches from a course, and what a signed-in student reads.
+
+session-launch-title = Opening the exercise
+session-new-window = Open in a new window
+session-registered = Framewise is registered with { $issuer }. An administrator of Framewise activates the registration; then links can be made.
+session-tool-description = Exercises in robot kinematics: every valid choice of frames is accepted, and wrong tables are explained.
+session-heading = Your session
+session-signed-in = Signed in as { $name } · { $course }
+session-attempts = Attempts: { $made }
+session-attempts-of = Attempts: { $made } of { $allowed }
+session-closes = Closes: { $when }
+session-grade = Counted: { $score } %
+session-no-more = No attempt is taken now
+session-back = Back to the course
+session-received = Attempt { $attempt } has been received and stored. What was found is shown later.

@@ -1,0 +1,15 @@
+### Accesos desde un curso y lo que lee un estudiante con sesión iniciada.
+
+session-launch-title = Abriendo el ejercicio
+session-new-window = Abrir en una ventana nueva
+session-registered = Framewise está registrado en { $issuer }. Un administrador de Framewise activa el registro; después se pueden crear enlaces.
+session-tool-description = Ejercicios de cinemática de robots: se acepta toda elección válida de sistemas de referencia y se explican las tablas erróneas.
+session-heading = Su sesión
+session-signed-in = Sesión iniciada como { $name } · { $course }
+session-attempts = Intentos: { $made }
+session-attempts-of = Intentos: { $made } de { $allowed }
+session-closes = Se cierra: { $when }
+session-grade = Cuenta: { $score } %
+session-no-more = Ahora no se admiten intentos
+session-back = Volver al curso
+session-received = El intento { $attempt } se ha recibido y guardado. Lo encontrado se mostrará más adelante.

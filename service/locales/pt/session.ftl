@@ -1,0 +1,15 @@
+### Acessos a partir de uma disciplina e o que lê um estudante com sessão iniciada.
+
+session-launch-title = A abrir o exercício
+session-new-window = Abrir numa janela nova
+session-registered = O Framewise está registado em { $issuer }. Um administrador do Framewise ativa o registo; depois podem criar-se ligações.
+session-tool-description = Exercícios de cinemática de robôs: aceita-se qualquer escolha válida de referenciais e explicam-se as tabelas erradas.
+session-heading = A sua sessão
+session-signed-in = Sessão iniciada como { $name } · { $course }
+session-attempts = Tentativas: { $made }
+session-attempts-of = Tentativas: { $made } de { $allowed }
+session-closes = Fecha: { $when }
+session-grade = Conta: { $score } %
+session-no-more = Agora não se aceitam tentativas
+session-back = Voltar à disciplina
+session-received = A tentativa { $attempt } foi recebida e guardada. O que se encontrou será mostrado mais tarde.

@@ -1,0 +1,15 @@
+### Lansări dintr-un curs și ce citește un student autentificat.
+
+session-launch-title = Se deschide exercițiul
+session-new-window = Deschide într-o fereastră nouă
+session-registered = Framewise este înregistrat la { $issuer }. Un administrator Framewise activează înregistrarea; apoi se pot crea legături.
+session-tool-description = Exerciții de cinematica roboților: se acceptă orice alegere corectă a sistemelor de coordonate, iar tabelele greșite sunt explicate.
+session-heading = Sesiunea dumneavoastră
+session-signed-in = Autentificat ca { $name } · { $course }
+session-attempts = Încercări: { $made }
+session-attempts-of = Încercări: { $made } din { $allowed }
+session-closes = Se închide: { $when }
+session-grade = Contează: { $score } %
+session-no-more = Acum nu se primesc încercări
+session-back = Înapoi la curs
+session-received = Încercarea { $attempt } a fost primită și păstrată. Ce s-a găsit se arată mai târziu.

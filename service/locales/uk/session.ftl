@@ -1,0 +1,15 @@
+### Запуски з курсу та те, що читає студент після входу.
+
+session-launch-title = Відкриття вправи
+session-new-window = Відкрити в новому вікні
+session-registered = Framewise зареєстровано в { $issuer }. Адміністратор Framewise активує реєстрацію; після цього можна створювати посилання.
+session-tool-description = Вправи з кінематики роботів: приймається будь-який правильний вибір систем координат, а помилкові таблиці пояснюються.
+session-heading = Ваш сеанс
+session-signed-in = Ви ввійшли як { $name } · { $course }
+session-attempts = Спроби: { $made }
+session-attempts-of = Спроби: { $made } з { $allowed }
+session-closes = Закривається: { $when }
+session-grade = Зараховано: { $score } %
+session-no-more = Зараз спроби не приймаються
+session-back = Назад до курсу
+session-received = Спробу { $attempt } отримано й збережено. Знайдене буде показано пізніше.

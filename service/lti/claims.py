@@ -1,0 +1,49 @@
+"""Names of claims, scopes, media types and roles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+LTI = "https://purl.imsglobal.org/spec/lti/claim/"
+DEEP_LINKING = "https://purl.imsglobal.org/spec/lti-dl/claim/"
+AGS = "https://purl.imsglobal.org/spec/lti-ags/"
+NRPS = "https://purl.imsglobal.org/spec/lti-nrps/"
+TOOL_CONFIGURATION = "https://purl.imsglobal.org/spec/lti-tool-configuration"
+
+ENDPOINT = f"{AGS}claim/endpoint"
+NAMES_AND_ROLES = f"{NRPS}claim/namesroleservice"
+
+LINE_ITEM_SCOPE = f"{AGS}scope/lineitem"
+RESULT_SCOPE = f"{AGS}scope/result.readonly"
+SCORE_SCOPE = f"{AGS}scope/score"
+MEMBERSHIP_SCOPE = f"{NRPS}scope/contextmembership.readonly"
+
+LINE_ITEM = "application/vnd.ims.lis.v2.lineitem+json"
+LINE_ITEMS = "application/vnd.ims.lis.v2.lineitemcontainer+json"
+SCORE = "application/vnd.ims.lis.v1.score+json"
+RESULTS = "application/vnd.ims.lis.v2.resultcontainer+json"
+MEMBERSHIPS = "application/vnd.ims.lti-nrps.v2.membershipcontainer+json"
+
+RESOURCE_LINK_REQUEST = "LtiResourceLinkRequest"
+DEEP_LINKING_REQUEST = "LtiDeepLinkingRequest"
+DEEP_LINKING_RESPONSE = "LtiDeepLinkingResponse"
+
+_TEACHING = {"Instructor", "TeachingAssistant", "ContentDeveloper", "Manager"}
+_ADMINISTRATING = {"Administrator", "SysAdmin"}
+_COURSE = "/membership"
+
+
+def is_staff(roles: Iterable[str]) -> bool:
+    """Whether roles are those of a course's staff.
+
+    Teaching counts in this course alone: who teaches elsewhere in the institution may study here.
+    Administrators count wherever they administrate, also without a role in the course.
+    """
+    for role in roles:
+        vocabulary, _, name = role.rpartition("#")
+        in_course = not vocabulary or _COURSE in vocabulary
+        if name in _ADMINISTRATING or (in_course and name in _TEACHING):
+            return True
+        if in_course and f"{_COURSE}/Instructor" in vocabulary:
+            return True
+    return False

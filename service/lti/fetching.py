@@ -1,0 +1,163 @@
+"""Requests to platforms: https to public addresses only, no redirects, bounded in time and size.
+
+A host is resolved once, and the address that was checked is the one that is connected to, so that a name
+cannot point inside the network after it was looked at. Origins that the operator trusts may be anything.
+"""
+
+from __future__ import annotations
+
+import ipaddress
+import socket
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from email.utils import parsedate_to_datetime
+from typing import Any
+from urllib.parse import urljoin, urlsplit
+
+import httpx
+import orjson
+
+from kinematics.errors import Fault
+from service.lti.launch_errors import PlatformError, unreachable
+
+TIMEOUT = 5.0
+LARGEST = 1024 * 1024
+"""Largest answer that is read [byte]."""
+Resolve = Callable[[str, int], list[str]]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Answer:
+    """What a platform answered."""
+
+    address: str
+    status: int
+    headers: Mapping[str, str]
+    body: bytes
+
+    def json(self) -> Any:
+        """The body as JSON.
+
+        Raises:
+            PlatformError: it is none.
+        """
+        try:
+            return orjson.loads(self.body)
+        except orjson.JSONDecodeError:
+            raise unreachable(self.address, "JSON") from None
+
+    @property
+    def retry_after(self) -> float | None:
+        """How long the platform asks to be left alone [s]."""
+        text = self.headers.get("retry-after", "").strip()
+        if text.isdecimal():
+            return float(text)
+        try:
+            return max(0.0, parsedate_to_datetime(text).timestamp() - time.time()) if text else None
+        except ValueError:
+            return None
+
+    def next_page(self) -> str | None:
+        """Address of the next page (RFC 8288), on the same origin only."""
+        link = httpx.Response(200, headers={"Link": self.headers.get("link", "")}).links.get("next")
+        address = urljoin(self.address, link["url"]) if link and "url" in link else None
+        return address if address and origin_of(address) == origin_of(self.address) else None
+
+
+class Fetcher:
+    """Sends requests to platforms."""
+
+    def __init__(self, trusted: frozenset[str] = frozenset(), resolve: Resolve | None = None) -> None:
+        self._trusted = trusted
+        self._resolve = resolve or _resolve
+        self._client = httpx.Client(timeout=TIMEOUT, follow_redirects=False, trust_env=False)
+
+    def close(self) -> None:
+        """End every connection."""
+        self._client.close()
+
+    def send(
+        self,
+        method: str,
+        address: str,
+        *,
+        headers: Mapping[str, str] | None = None,
+        content: bytes | None = None,
+    ) -> Answer:
+        """The answer to a request, whatever its status.
+
+        Raises:
+            PlatformError: the address is not fetched, does not answer in time, or answers too much.
+        """
+        url, extensions, host = self._checked(address)
+        sent = {"Accept": "application/json", **(headers or {}), "Host": host}
+        try:
+            with self._client.stream(
+                method, url, headers=sent, content=content, extensions=extensions
+            ) as answer:
+                body = bytearray()
+                for piece in answer.iter_bytes():
+                    body += piece
+                    if len(body) > LARGEST:
+                        raise unreachable(address, f"> {LARGEST}")
+                return Answer(
+                    address=address, status=answer.status_code, headers=answer.headers, body=bytes(body)
+                )
+        except (httpx.HTTPError, httpx.InvalidURL, OSError, ValueError) as error:
+            raise unreachable(address, type(error).__name__) from error
+
+    def get_json(self, address: str, headers: Mapping[str, str] | None = None) -> tuple[Any, Answer]:
+        """The JSON at an address.
+
+        Raises:
+            PlatformError: there is none.
+        """
+        answer = self.send("GET", address, headers=headers)
+        if answer.status != httpx.codes.OK:
+            raise unreachable(address, f"HTTP {answer.status}", status=answer.status)
+        return answer.json(), answer
+
+    def _checked(self, address: str) -> tuple[httpx.URL, dict[str, Any], str]:
+        """The address to connect to, with the host's name for TLS, and the Host field."""
+        try:
+            url = httpx.URL(address)
+            origin = origin_of(address)
+        except (httpx.InvalidURL, ValueError):
+            raise _refused(address) from None
+        host = url.netloc.decode("ascii").rpartition("@")[2]
+        if origin in self._trusted:
+            return url, {}, host
+        if url.scheme != "https" or not url.host or url.userinfo:
+            raise _refused(address)
+        try:
+            found = self._resolve(url.host, url.port or 443)
+        except OSError as error:
+            raise unreachable(address, type(error).__name__) from error
+        if not found or not all(ipaddress.ip_address(ip.partition("%")[0]).is_global for ip in found):
+            raise _refused(address)
+        return url.copy_with(host=found[0]), {"sni_hostname": url.host}, host
+
+
+def origin_of(address: str) -> str:
+    """Scheme, host and port of an address, the usual port left out.
+
+    Raises:
+        ValueError: it is not an http or https address.
+    """
+    parts = urlsplit(address)
+    if parts.scheme not in ("http", "https") or not parts.hostname:
+        raise ValueError(address)
+    usual = {"http": 80, "https": 443}[parts.scheme]
+    host = f"[{parts.hostname}]" if ":" in parts.hostname else parts.hostname
+    port = parts.port
+    return f"{parts.scheme}://{host}" + ("" if port in (None, usual) else f":{port}")
+
+
+def _resolve(host: str, port: int) -> list[str]:
+    return [str(found[4][0]) for found in socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)]
+
+
+def _refused(address: str) -> PlatformError:
+    params = {"address": address.partition("?")[0][:200]}
+    return PlatformError(Fault(code="lti_address_refused", params=params))

@@ -1,0 +1,54 @@
+"""What goes wrong in launches and services.
+
+LaunchError       a launch that is not believed (401)
+LoginError        a login, or a form, that lacks what it needs (400)
+PlatformError     a platform did not answer as its specification says
+"""
+
+from __future__ import annotations
+
+from kinematics.errors import Fault, ParamValue
+from service.http.problems import BodyError, RequestError, UnauthorizedError
+
+
+class LaunchError(UnauthorizedError):
+    """A launch that is not believed."""
+
+
+class LoginError(BodyError):
+    """A login, or a form, that lacks what it needs."""
+
+
+class PlatformError(RequestError):
+    """A platform did not answer as its specification says.
+
+    Attributes:
+        status: HTTP status of its answer; None if there was none.
+        retry_after: how long it asks to be left alone [s].
+    """
+
+    def __init__(self, fault: Fault, *, status: int | None = None, retry_after: float | None = None) -> None:
+        super().__init__(fault)
+        self.status = status
+        self.retry_after = retry_after
+
+
+def missing_claim(name: str) -> LaunchError:
+    """The refusal of a message that lacks a claim."""
+    return LaunchError(Fault(code="lti_claim_missing", params={"claim": name}))
+
+
+def wrong_claim(name: str) -> LaunchError:
+    """The refusal of a message whose claim does not belong to this launch."""
+    return LaunchError(Fault(code="lti_claim_wrong", params={"claim": name}))
+
+
+def unreachable(address: str, reason: ParamValue, **more: float | None) -> PlatformError:
+    """The report of an address that did not answer as it should; its query is left out."""
+    params = {"address": address.partition("?")[0], "reason": reason}
+    status, retry_after = more.get("status"), more.get("retry_after")
+    return PlatformError(
+        Fault(code="lti_unreachable", params=params),
+        status=None if status is None else int(status),
+        retry_after=retry_after,
+    )

@@ -1,0 +1,63 @@
+"""Names and Role Provisioning Services 2.0: who is in a course."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from service.lti import claims as names
+from service.lti.launch_errors import unreachable
+from service.lti.platform_keys import LtiPlatform
+from service.lti.services import Services
+
+PAGES = 200
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Member:
+    """Somebody in a course; a name only if the platform shares it."""
+
+    user: str
+    name: str | None
+    is_staff: bool
+
+
+def members(services: Services, platform: LtiPlatform, address: str) -> list[Member]:
+    """The active members of a course, from every page.
+
+    Raises:
+        PlatformError: the platform does not tell.
+    """
+    found: list[Member] = []
+    page: str | None = address
+    for _ in range(PAGES):
+        if page is None:
+            break
+        answer = services.call(platform, names.MEMBERSHIP_SCOPE, "GET", page, accept=names.MEMBERSHIPS)
+        if answer.status // 100 != 2:
+            raise unreachable(page, f"HTTP {answer.status}", status=answer.status)
+        container = answer.json()
+        listed = container.get("members") if isinstance(container, Mapping) else None
+        if not isinstance(listed, list):
+            raise unreachable(page, "members")
+        found += [_member(entry) for entry in listed if _is_active(entry)]
+        page = answer.next_page()
+    return found
+
+
+def _is_active(entry: object) -> bool:
+    return (
+        isinstance(entry, Mapping)
+        and isinstance(entry.get("user_id"), str)
+        and entry.get("status", "Active") == "Active"
+    )
+
+
+def _member(entry: Mapping[str, object]) -> Member:
+    roles = entry.get("roles")
+    name = entry.get("name")
+    return Member(
+        user=str(entry["user_id"]),
+        name=name if isinstance(name, str) else None,
+        is_staff=names.is_staff(str(role) for role in roles) if isinstance(roles, list) else False,
+    )

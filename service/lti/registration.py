@@ -1,0 +1,137 @@
+"""Dynamic Registration 1.0: the platform's configuration in, this tool's out, a client id back."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+from urllib.parse import urlsplit
+
+import orjson
+
+from kinematics.errors import Fault
+from service.lti import claims as names
+from service.lti.fetching import Fetcher
+from service.lti.launch_errors import LoginError, unreachable
+
+_NEEDED = ("issuer", "authorization_endpoint", "token_endpoint", "jwks_uri", "registration_endpoint")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Tool:
+    """What platforms are told of this tool.
+
+    Attributes:
+        root: its address, with a slash at the end.
+        names_asked: names of people are asked for.
+    """
+
+    name: str
+    description: str
+    root: str
+    names_asked: bool = False
+
+    def written(self) -> dict[str, Any]:
+        """The configuration as the specification writes it. Of people, only `sub` is asked for by default."""
+        scopes = [names.LINE_ITEM_SCOPE, names.RESULT_SCOPE, names.SCORE_SCOPE]
+        claims = ["iss", "sub"]
+        if self.names_asked:
+            scopes.append(names.MEMBERSHIP_SCOPE)
+            claims.append("name")
+        return {
+            "application_type": "web",
+            "response_types": ["id_token"],
+            "grant_types": ["implicit", "client_credentials"],
+            "initiate_login_uri": f"{self.root}lti/login",
+            "redirect_uris": [f"{self.root}lti/launch"],
+            "client_name": self.name,
+            "jwks_uri": f"{self.root}lti/jwks",
+            "logo_uri": f"{self.root}static/logo/img/icon.svg",
+            "token_endpoint_auth_method": "private_key_jwt",
+            "scope": " ".join(scopes),
+            names.TOOL_CONFIGURATION: {
+                "domain": urlsplit(self.root).netloc,
+                "description": self.description,
+                "target_link_uri": f"{self.root}lti/launch",
+                "claims": claims,
+                "custom_parameters": {},
+                "messages": [
+                    {"type": names.RESOURCE_LINK_REQUEST, "target_link_uri": f"{self.root}lti/launch"},
+                    {
+                        "type": names.DEEP_LINKING_REQUEST,
+                        "target_link_uri": f"{self.root}lti/launch",
+                        "label": self.name,
+                    },
+                ],
+            },
+        }
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Registered:
+    """What a registration gave."""
+
+    issuer: str
+    client_id: str
+    name: str
+    authorization_endpoint: str
+    token_endpoint: str
+    token_audience: str | None
+    jwks_uri: str
+    deployment: str | None
+
+
+def register(fetcher: Fetcher, configuration: str, token: str | None, tool: Tool) -> Registered:
+    """Register the tool with a platform.
+
+    Args:
+        fetcher: sends the requests.
+        configuration: address of the platform's OpenID configuration.
+        token: what the platform gave for this registration.
+        tool: what the platform is told.
+
+    Raises:
+        LoginError: the configuration lacks something, or speaks for another host.
+        PlatformError: the platform does not answer as it should.
+    """
+    found, _ = fetcher.get_json(configuration)
+    if not isinstance(found, Mapping):
+        raise unreachable(configuration, "JSON")
+    for name in _NEEDED:
+        if not isinstance(found.get(name), str) or not found[name]:
+            raise _lacks(name)
+    if urlsplit(found["issuer"]).hostname != urlsplit(configuration).hostname:
+        raise _lacks("issuer")
+    headers = {"Content-Type": "application/json"}
+    if token:
+        headers["Authorization"] = f"Bearer {token}"
+    address = found["registration_endpoint"]
+    answer = fetcher.send("POST", address, headers=headers, content=orjson.dumps(tool.written()))
+    if answer.status // 100 != 2:
+        raise unreachable(address, f"HTTP {answer.status}", status=answer.status)
+    given = answer.json()
+    if not isinstance(given, Mapping) or not isinstance(given.get("client_id"), str):
+        raise unreachable(address, "client_id")
+    return _registered(found, given)
+
+
+def _registered(found: Mapping[str, Any], given: Mapping[str, Any]) -> Registered:
+    own = given.get(names.TOOL_CONFIGURATION)
+    deployment = own.get("deployment_id") if isinstance(own, Mapping) else None
+    platform = found.get("https://purl.imsglobal.org/spec/lti-platform-configuration")
+    family = platform.get("product_family_code") if isinstance(platform, Mapping) else None
+    audience = found.get("authorization_server")
+    return Registered(
+        issuer=found["issuer"],
+        client_id=given["client_id"],
+        name=str(family or urlsplit(found["issuer"]).hostname or ""),
+        authorization_endpoint=found["authorization_endpoint"],
+        token_endpoint=found["token_endpoint"],
+        token_audience=audience if isinstance(audience, str) and audience else None,
+        jwks_uri=found["jwks_uri"],
+        deployment=str(deployment) if deployment else None,
+    )
+
+
+def _lacks(name: str) -> LoginError:
+    return LoginError(Fault(code="lti_configuration_invalid", params={"name": name}))

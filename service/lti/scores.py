@@ -1,0 +1,170 @@
+"""Assignment and Grade Services 2.0: scores, results and line items."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from enum import StrEnum
+from typing import Any
+from urllib.parse import urlencode, urlsplit, urlunsplit
+
+from service.lti import claims as names
+from service.lti.fetching import Answer
+from service.lti.launch_errors import PlatformError, unreachable
+from service.lti.platform_keys import LtiPlatform
+from service.lti.services import Services
+
+PAGES = 20
+_CLOSE = 1e-6
+
+
+class Delivery(StrEnum):
+    """What became of a score."""
+
+    TAKEN = "taken"
+    LATER = "later"
+    STALE = "stale"
+    REFUSED = "refused"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ScoreMessage:
+    """A score: points of so many, at a whole second."""
+
+    user: str
+    timestamp: datetime
+    given: float
+    maximum: float
+    submitted_at: datetime | None = None
+
+    def written(self) -> dict[str, Any]:
+        """The message as the specification writes it; never pending: some gradebooks then forget a mark."""
+        message: dict[str, Any] = {
+            "userId": self.user,
+            "timestamp": _written(self.timestamp),
+            "activityProgress": "Completed",
+            "gradingProgress": "FullyGraded",
+            "scoreGiven": self.given,
+            "scoreMaximum": self.maximum,
+        }
+        if self.submitted_at is not None:
+            message["submission"] = {"submittedAt": _written(self.submitted_at)}
+        return message
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class DeliveryReport:
+    """What became of a score, with the platform's status and how long it asks to be left alone [s]."""
+
+    delivery: Delivery
+    status: int | None = None
+    retry_after: float | None = None
+
+
+def post_score(
+    services: Services, platform: LtiPlatform, line_item: str, message: ScoreMessage
+) -> DeliveryReport:
+    """Send a score; whatever happens is a report.
+
+    409, and 400 where a platform says so of its timestamp, mean that the platform has one that is not older.
+    """
+    try:
+        answer = services.call(
+            platform,
+            names.SCORE_SCOPE,
+            "POST",
+            below(line_item, "scores"),
+            accept="application/json",
+            content=message.written(),
+            content_type=names.SCORE,
+        )
+    except PlatformError as error:
+        return DeliveryReport(delivery=Delivery.LATER, status=error.status, retry_after=error.retry_after)
+    return DeliveryReport(delivery=_delivery(answer), status=answer.status, retry_after=answer.retry_after)
+
+
+def _delivery(answer: Answer) -> Delivery:
+    status = answer.status
+    if status // 100 == 2:
+        return Delivery.TAKEN
+    if status in (400, 409):
+        return Delivery.STALE
+    rate_limited = status == 403 and answer.headers.get("x-rate-limit-remaining") in ("0", "0.0")
+    if status in (401, 408, 425, 429) or status >= 500 or rate_limited:
+        return Delivery.LATER
+    return Delivery.REFUSED
+
+
+def has_result(services: Services, platform: LtiPlatform, line_item: str, message: ScoreMessage) -> bool:
+    """Whether the gradebook holds the message's score already.
+
+    Raises:
+        PlatformError: the results cannot be read.
+    """
+    address = _with_query(below(line_item, "results"), {"user_id": message.user})
+    answer = services.call(platform, names.RESULT_SCOPE, "GET", address, accept=names.RESULTS)
+    if answer.status // 100 != 2:
+        raise unreachable(address, f"HTTP {answer.status}", status=answer.status)
+    found = answer.json()
+    for result in found if isinstance(found, list) else ():
+        score, maximum = result.get("resultScore"), result.get("resultMaximum") or 1
+        if result.get("userId") == message.user and isinstance(score, (int, float)):
+            return abs(score / maximum - message.given / message.maximum) < _CLOSE
+    return False
+
+
+def line_item_for(
+    services: Services, platform: LtiPlatform, line_items: str, *, resource: str, label: str, maximum: float
+) -> str:
+    """The line item of a resource: the one that is there, and a new one only if there is none.
+
+    Creating one is not idempotent: it is always looked for first.
+
+    Raises:
+        PlatformError: the platform gives none.
+    """
+    page: str | None = _with_query(line_items, {"resource_id": resource})
+    for _ in range(PAGES):
+        if page is None:
+            break
+        answer = services.call(platform, names.LINE_ITEM_SCOPE, "GET", page, accept=names.LINE_ITEMS)
+        found = answer.json() if answer.status // 100 == 2 else ()
+        for item in found if isinstance(found, list) else ():
+            if isinstance(item, Mapping) and item.get("resourceId") == resource and item.get("id"):
+                return str(item["id"])
+        page = answer.next_page()
+    content = {"label": label or resource, "scoreMaximum": maximum, "resourceId": resource}
+    answer = services.call(
+        platform,
+        names.LINE_ITEM_SCOPE,
+        "POST",
+        line_items,
+        accept=names.LINE_ITEM,
+        content=content,
+        content_type=names.LINE_ITEM,
+    )
+    if answer.status // 100 != 2:
+        raise unreachable(
+            line_items, f"HTTP {answer.status}", status=answer.status, retry_after=answer.retry_after
+        )
+    made = answer.json()
+    if not isinstance(made, Mapping) or not isinstance(made.get("id"), str):
+        raise unreachable(line_items, "id")
+    return str(made["id"])
+
+
+def below(address: str, name: str) -> str:
+    """An address below another one; a query stays where it is (Moodle: `…/lineitem?type_id=1`)."""
+    parts = urlsplit(address)
+    return urlunsplit(parts._replace(path=f"{parts.path.rstrip('/')}/{name}"))
+
+
+def _with_query(address: str, values: Mapping[str, str]) -> str:
+    parts = urlsplit(address)
+    query = "&".join(filter(None, (parts.query, urlencode(values))))
+    return urlunsplit(parts._replace(query=query))
+
+
+def _written(instant: datetime) -> str:
+    return instant.astimezone(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")

@@ -1,0 +1,67 @@
+"""The tool's own keys: RSA of 2048 bits, published before they sign and kept as long as a token may live."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from datetime import datetime, timedelta
+from typing import Any, Protocol
+
+from joserfc import jwt
+from joserfc.jwk import RSAKey
+
+ALGORITHM = "RS256"
+PUBLISHED_BEFORE = timedelta(days=2)
+"""Platforms keep key sets for a day: a new key is published so long before it signs."""
+KEPT_AFTER = timedelta(days=1)
+"""An old key stays published so long after its successor signs."""
+BITS = 2048
+
+
+class SigningKey(Protocol):
+    """A stored key."""
+
+    @property
+    def kid(self) -> str:
+        """Its name."""
+
+    @property
+    def private(self) -> str:
+        """The private JWK as JSON."""
+
+    @property
+    def signs_from(self) -> datetime:
+        """From when on it signs."""
+
+
+def new_private_key() -> tuple[str, str]:
+    """Name and private JWK of a new key."""
+    key = RSAKey.generate_key(BITS, {"use": "sig", "alg": ALGORITHM}, private=True, auto_kid=True)
+    return str(key.kid), json.dumps(key.as_dict(private=True))
+
+
+def key_set(keys: Sequence[SigningKey]) -> dict[str, Any]:
+    """The public keys (RFC 7517)."""
+    return {"keys": [RSAKey.import_key(json.loads(key.private)).as_dict(private=False) for key in keys]}
+
+
+def signing_key(keys: Sequence[SigningKey], now: datetime) -> SigningKey:
+    """The newest key that signs already; the oldest one if none does."""
+    ready = [key for key in keys if key.signs_from <= now]
+    return max(ready, key=lambda key: key.signs_from) if ready else min(keys, key=lambda key: key.signs_from)
+
+
+def outdated(keys: Sequence[SigningKey], now: datetime) -> tuple[str, ...]:
+    """Names of keys that nothing signed with them can still be valid."""
+    current = signing_key(keys, now)
+    return tuple(
+        key.kid
+        for key in keys
+        if key.signs_from < current.signs_from and current.signs_from + KEPT_AFTER < now
+    )
+
+
+def signed(claims: Mapping[str, Any], key: SigningKey) -> str:
+    """A JWT of the claims."""
+    header = {"alg": ALGORITHM, "typ": "JWT", "kid": key.kid}
+    return jwt.encode(header, dict(claims), RSAKey.import_key(json.loads(key.private)), [ALGORITHM])

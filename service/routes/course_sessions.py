@@ -1,0 +1,142 @@
+"""What a signed-in student does: see the exercise's rules, hand in, look back, keep a draft."""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Callable
+from functools import partial
+from typing import Any, TypeVar
+
+from fastapi import Response
+from pydantic import TypeAdapter
+
+from courses.attempts import attempt_numbered, attempts_of, draft_of, keep_draft, shown_now
+from courses.enrolment import end_session, redeem_code, session_of
+from courses.model import CourseSession
+from courses.policies import Shown, counted
+from courses.refusals import SessionError
+from kinematics.errors import Fault
+from service.course_resources import CourseResources, now
+from service.http.languages import language_of
+from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
+from service.http.validation import validated
+from service.resources import resources_of
+from service.schemas.exercises import AnswerBase, ExerciseAnswer
+from service.wire.session_views import attempt_view, masked, session_view, stored_report
+from service.wire.ungraded import answer_refused
+from service.wire.verdicts import encoded
+from service.work.limiters import WorkKind
+from service.work.session_grading import Grader, hand_in
+
+router = api_router("courses", route_class=DirectRoute)
+router.include_in_schema = False
+
+_ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
+_Result = TypeVar("_Result")
+LONGEST_KEY = 100
+_BEARER = "bearer "
+
+
+async def in_thread(request: ApiRequest, work: Callable[..., _Result], *arguments: Any) -> _Result:
+    """The result of work that waits for the database."""
+    return await resources_of(request).limiters[WorkKind.COURSES].run(partial(work, *arguments))
+
+
+async def signed_in(request: ApiRequest) -> tuple[CourseResources, CourseSession]:
+    """Who is signed in by the request's bearer token.
+
+    Raises:
+        SessionError: nobody is.
+    """
+    courses = resources_of(request).with_courses()
+    field = request.headers.get("authorization", "")
+    if not field.lower().startswith(_BEARER):
+        raise SessionError(Fault(code="session_expired"))
+    token = field[len(_BEARER) :].strip()
+    return courses, await in_thread(request, session_of, courses.store, token, now())
+
+
+def grader_of(request: ApiRequest) -> Grader:
+    """What judges answers by the application's exercises and limits."""
+    resources = resources_of(request)
+    return Grader(library=resources.exercises, limits=resources.settings.cell_limits)
+
+
+def json_response(body: Any, status: int = 200) -> Response:
+    """A body that no cache keeps."""
+    headers = {"Cache-Control": "no-store"}
+    return Response(encoded(body), status_code=status, media_type=JSON, headers=headers)
+
+
+@router.post("/session/open")
+async def open_session(request: ApiRequest) -> Response:
+    """Exchange the code of a launch for a session token, once."""
+    courses = resources_of(request).with_courses()
+    body = await request.json()
+    code = body.get("code") if isinstance(body, dict) else None
+    content = await in_thread(request, redeem_code, courses.store, "session", str(code), now())
+    return json_response(content)
+
+
+@router.get("/session")
+async def show_session(request: ApiRequest) -> Response:
+    """Who is signed in, for what, by which rules, and how far they are."""
+    courses, session = await signed_in(request)
+
+    def work() -> dict[str, Any]:
+        attempts = attempts_of(courses.store, session.link.id, session.person.id)
+        outcomes = [attempt.outcome for attempt in attempts]
+        grade = counted(session.link.settings.policy, outcomes, session.allowance)
+        return session_view(session, attempts, draft_of(courses.store, session), grade)
+
+    return json_response(await in_thread(request, work))
+
+
+@router.post("/session/close")
+async def close_session(request: ApiRequest) -> Response:
+    """Sign out."""
+    courses, session = await signed_in(request)
+    await in_thread(request, end_session, courses.store, session.id)
+    return Response(status_code=204)
+
+
+@router.post("/session/attempts")
+async def submit(request: ApiRequest) -> Response:
+    """Judge an answer, store it, and only then answer, as far as the rules let it be shown."""
+    language = language_of(request)
+    courses, session = await signed_in(request)
+    with answer_refused():
+        typed = await request.json()
+        form = typed.pop("form", None) if isinstance(typed, dict) else None
+        wire = validated(_ANSWER, typed)
+        key = request.headers.get("idempotency-key", "")[:LONGEST_KEY] or secrets.token_hex(16)
+        grader = grader_of(request)
+        work = partial(hand_in, courses.store, grader, session, wire, typed, key, language, form)
+        attempt = await resources_of(request).limiters[WorkKind.GRADING].run(work)
+    shown = Shown(attempt.shown)
+    report = masked(stored_report(attempt.report, language), shown) or {}
+    return json_response({**report, "attempt": attempt.number, "shown": shown.value})
+
+
+@router.get("/session/attempts/{number}")
+async def reopen(request: ApiRequest) -> Response:
+    """An attempt with what was found, as far as it may be shown now."""
+    language = language_of(request)
+    courses, session = await signed_in(request)
+    text = request.path_params["number"]
+    number = int(text) if text.isdecimal() and len(text) < 9 else 0
+    attempt = await in_thread(
+        request, attempt_numbered, courses.store, session.link.id, session.person.id, number
+    )
+    shown = shown_now(session, session.made, now())
+    return json_response(attempt_view(attempt, shown, language))
+
+
+@router.put("/session/draft")
+async def put_draft(request: ApiRequest) -> Response:
+    """Keep what has been typed, for any device."""
+    courses, session = await signed_in(request)
+    state = await request.json()
+    kept = state if isinstance(state, dict) else None
+    await in_thread(request, keep_draft, courses.store, session, kept, now())
+    return Response(status_code=204)

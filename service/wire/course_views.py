@@ -1,0 +1,84 @@
+"""What lecturers read: attempts in a file, and mistakes with an example in words."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+from courses.attempts import path_of_codes
+from courses.model import Attempt
+from service.wire.session_views import stored_report
+
+COLUMNS = (
+    "person",
+    "attempt",
+    "time",
+    "exercise",
+    "version",
+    "seed",
+    "score",
+    "correct",
+    "codes",
+)
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+
+
+def attempt_record(attempt: Attempt, person: str) -> dict[str, Any]:
+    """One attempt of an export: the student by pseudonym, and the path of codes."""
+    codes = [
+        f"{kind}:{code}" + (f"@{row}" if row else "") for kind, code, row in path_of_codes(attempt.report)
+    ]
+    return {
+        "person": person,
+        "attempt": attempt.number,
+        "time": attempt.at.isoformat(),
+        "exercise": attempt.exercise_id,
+        "version": attempt.version,
+        "seed": attempt.seed,
+        "score": attempt.score,
+        "correct": attempt.correct,
+        "codes": codes,
+        "answer": attempt.answer,
+        "report": attempt.report,
+    }
+
+
+def csv_of(attempts: Iterable[tuple[Attempt, str]]) -> Iterator[str]:
+    """Attempts as CSV, a line at a time; no cell is a formula to a spreadsheet."""
+    yield _line(COLUMNS)
+    for attempt, person in attempts:
+        record = attempt_record(attempt, person)
+        values = {**record, "codes": " ".join(record["codes"]), "correct": int(attempt.correct)}
+        yield _line([_harmless(values[name]) for name in COLUMNS])
+
+
+def _line(values: Iterable[object]) -> str:
+    out = io.StringIO()
+    csv.writer(out).writerow(values)
+    return out.getvalue()
+
+
+def _harmless(value: object) -> object:
+    if isinstance(value, str) and value.startswith(_FORMULA):
+        return f"'{value}"
+    return "" if value is None else value
+
+
+def with_examples(
+    found: Iterable[Mapping[str, Any]], reports: Mapping[int, Mapping[str, Any]], language: str
+) -> list[dict[str, Any]]:
+    """Mistakes, each with the sentence that the newest student with it would read."""
+    return [
+        {**entry, "example": _example(entry, reports.get(entry["newest"], {}), language)} for entry in found
+    ]
+
+
+def _example(entry: Mapping[str, Any], report: Mapping[str, Any], language: str) -> str | None:
+    if not report:
+        return None
+    told = stored_report(report, language)
+    entries = [edit for repair in told["repairs"] for edit in repair["edits"]]
+    entries += [each for part in told["parts"].values() for each in part["feedback"]]
+    return next((each["message"] for each in entries if each["code"] == entry["code"]), None)

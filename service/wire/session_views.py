@@ -1,0 +1,100 @@
+"""Sessions, attempts and stored reports as JSON."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from courses.attempts import shown_now
+from courses.enrolment import SESSION
+from courses.model import Attempt, CourseSession, Draft
+from courses.policies import Counted, Shown, attempts_allowed, deadline, refusal
+from exercises.grader import Report
+from exercises.records import restored
+from service.course_resources import now
+from service.wire.verdicts import report_body
+
+
+def seed_of(session: CourseSession) -> str | None:
+    """The seed of a student's values: the same for a student and link for ever."""
+    return session.person.key[:16] if session.link.settings.per_student else None
+
+
+def session_view(
+    session: CourseSession, attempts: Iterable[Attempt], draft: Draft | None, grade: Counted | None
+) -> dict[str, Any]:
+    """Who is signed in, for what, by which rules, and how far they are."""
+    settings, at = session.link.settings, now()
+    policy = settings.policy
+    closes = deadline(policy, session.allowance)
+    fault = refusal(policy, session.made, session.allowance, at)
+    shown = shown_now(session, session.made, at)
+    return {
+        "person": {"key": session.person.key, "name": session.person.name},
+        "role": session.role.value,
+        "course": {"title": session.course.title},
+        "link": {"id": session.link.id, "title": session.link.title},
+        "exercise": settings.exercise_id,
+        "seed": seed_of(session),
+        "parts": list(settings.parts),
+        "help": settings.help,
+        "points": settings.points,
+        "language": settings.language,
+        "mode": policy.mode.value,
+        "attempts_allowed": attempts_allowed(policy, session.allowance),
+        "attempts_made": session.made,
+        "opens": policy.opens.isoformat() if policy.opens else None,
+        "closes": closes.isoformat() if closes else None,
+        "refusal": fault.code if fault else None,
+        "shown": shown.value,
+        "grade": None
+        if shown is Shown.RECEIPT or grade is None
+        else {"score": grade.worth, "attempt": grade.number},
+        "attempts": [attempt_entry(attempt, shown) for attempt in attempts],
+        "draft": None if draft is None else {"state": draft.state, "at": draft.at.isoformat()},
+        "return_url": session.return_url,
+        "expires_in": int(SESSION.total_seconds()),
+    }
+
+
+def attempt_entry(attempt: Attempt, shown: Shown) -> dict[str, Any]:
+    """One attempt in a list, as far as it may be shown."""
+    told = shown is not Shown.RECEIPT
+    return {
+        "number": attempt.number,
+        "at": attempt.at.isoformat(),
+        "score": attempt.score if told else None,
+        "correct": attempt.correct if told else None,
+        "form": attempt.form,
+        "answer": attempt.answer,
+    }
+
+
+def attempt_view(attempt: Attempt, shown: Shown, language: str) -> dict[str, Any]:
+    """One attempt with what was found, as far as it may be shown."""
+    return {
+        **attempt_entry(attempt, shown),
+        "exercise": attempt.exercise_id,
+        "version": attempt.version,
+        "seed": attempt.seed,
+        "shown": shown.value,
+        "report": masked(stored_report(attempt.report, language), shown),
+    }
+
+
+def masked(report: Mapping[str, Any], shown: Shown) -> dict[str, Any] | None:
+    """A report as far as it may be shown: nothing, right or wrong with the score, or all."""
+    if shown is Shown.RECEIPT:
+        return None
+    if shown is Shown.ALL:
+        return dict(report)
+    hidden: dict[str, Any] = {"certificate": None, "links": [], "feedback": [], "repairs": [], "figure": None}
+    parts = {
+        kind: {**part, "facts": [], "feedback": []} for kind, part in dict(report.get("parts") or {}).items()
+    }
+    return {**report, **hidden, "parts": parts}
+
+
+def stored_report(report: Mapping[str, Any], language: str) -> dict[str, Any]:
+    """A stored report with its sentences, in any language."""
+    return report_body(restored(Report, report), language)

@@ -1,0 +1,151 @@
+"""Sends scores to gradebooks: one thread of each process, which takes what is due from the outbox.
+
+Several processes share the outbox: each score is leased to one of them. A process that dies loses its leases
+after a minute, and another one sends what it had.
+"""
+
+from __future__ import annotations
+
+import logging
+import random
+import threading
+from datetime import datetime, timedelta
+
+from sqlalchemy.exc import SQLAlchemyError
+
+from courses.gradebook import bumped, delivered, keep_line_item, lease_scores, postponed, undeliverable
+from courses.model import Platform, ScoreToSend
+from courses.platforms import platform_by_id
+from service.course_resources import CourseResources, now
+from service.lti.launch_errors import PlatformError
+from service.lti.scores import (
+    Delivery,
+    DeliveryReport,
+    ScoreMessage,
+    has_result,
+    line_item_for,
+    post_score,
+)
+
+PAUSE = 1.0
+"""Time between two looks at the outbox [s]."""
+LONGEST_WAIT = 3600.0
+MOST_TRIES = 40
+"""A platform that answers nothing useful for days is given up."""
+STALE_TRIES = 6
+
+_log = logging.getLogger("framewise.scores")
+
+
+class ScoreSender:
+    """The sender of one process."""
+
+    def __init__(self, resources: CourseResources, pause: float = PAUSE) -> None:
+        self._resources = resources
+        self._pause = pause
+        self._stop = threading.Event()
+        self._thread: threading.Thread | None = None
+
+    def start(self) -> None:
+        """Begin to send."""
+        self._thread = threading.Thread(target=self._run, name="scores", daemon=True)
+        self._thread.start()
+
+    def stop(self) -> None:
+        """Finish what is being sent, and end."""
+        self._stop.set()
+        if self._thread is not None:
+            self._thread.join(timeout=30.0)
+
+    def _run(self) -> None:
+        while not self._stop.wait(self._pause * random.uniform(0.75, 1.25)):  # noqa: S311
+            try:
+                while not self._stop.is_set() and self.send_due():
+                    pass
+            except SQLAlchemyError:
+                _log.exception("the outbox cannot be read")
+
+    def send_due(self) -> int:
+        """Send what is due now; return how many scores were tried."""
+        items = lease_scores(self._resources.store, now())
+        for item in items:
+            self.send(item)
+        return len(items)
+
+    def send(self, item: ScoreToSend) -> None:
+        """Send one leased score, and write down what became of it."""
+        store = self._resources.store
+        platform = platform_by_id(store, item.platform_id)
+        try:
+            line_item = item.line_item or self._found_line_item(platform, item)
+        except PlatformError as error:
+            self._later(
+                item,
+                DeliveryReport(delivery=Delivery.LATER, status=error.status, retry_after=error.retry_after),
+            )
+            return
+        message = _message(item)
+        report = post_score(self._resources.services, platform, line_item, message)
+        if report.delivery is Delivery.STALE:
+            report = self._stale(platform, line_item, item)
+        if report.delivery is Delivery.TAKEN:
+            delivered(store, item, now())
+        elif report.delivery is Delivery.REFUSED:
+            undeliverable(store, item, _problem(report))
+        else:
+            self._later(item, report)
+
+    def _found_line_item(self, platform: Platform, item: ScoreToSend) -> str:
+        found = line_item_for(
+            self._resources.services,
+            platform,
+            item.line_items or "",
+            resource=item.resource,
+            label=item.title,
+            maximum=item.points,
+        )
+        keep_line_item(self._resources.store, item.link_id, found)
+        return found
+
+    def _stale(self, platform: Platform, line_item: str, item: ScoreToSend) -> DeliveryReport:
+        """Send once more with a later timestamp; else see whether the gradebook has the score already."""
+        services = self._resources.services
+        later = bumped(self._resources.store, item, now())
+        message = _message(later)
+        report = post_score(services, platform, line_item, message)
+        if report.delivery is not Delivery.STALE:
+            return report
+        try:
+            if has_result(services, platform, line_item, message):
+                return DeliveryReport(delivery=Delivery.TAKEN, status=report.status)
+        except PlatformError:
+            pass
+        given_up = item.tries >= STALE_TRIES
+        return DeliveryReport(delivery=Delivery.REFUSED if given_up else Delivery.LATER, status=report.status)
+
+    def _later(self, item: ScoreToSend, report: DeliveryReport) -> None:
+        if item.tries >= MOST_TRIES:
+            undeliverable(self._resources.store, item, _problem(report))
+            return
+        postponed(self._resources.store, item, _problem(report), _next_try(item, report, now()))
+
+
+def _next_try(item: ScoreToSend, report: DeliveryReport, at: datetime) -> datetime:
+    """Exponential back-off with jitter, and never before the platform asks for it."""
+    wait = min(LONGEST_WAIT, 2.0 ** min(item.tries, 12)) * random.uniform(0.5, 1.0)  # noqa: S311
+    return at + timedelta(seconds=max(wait, min(report.retry_after or 0.0, LONGEST_WAIT * 24)))
+
+
+def _message(item: ScoreToSend) -> ScoreMessage:
+    return ScoreMessage(
+        user=item.subject,
+        timestamp=item.timestamp,
+        given=round(item.score * item.points, 6),
+        maximum=item.points,
+        submitted_at=item.submitted_at,
+    )
+
+
+def _problem(report: DeliveryReport) -> str:
+    """The stable code of what went wrong, with the platform's status."""
+    return f"http_{report.status}" if report.status else "no_answer"

@@ -1,0 +1,147 @@
+"""Judging what a signed-in student hands in: stored before it is answered."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
+
+from courses.attempts import by_key, check_open, store_attempt
+from courses.model import Attempt, CourseSession, LinkSettings
+from courses.refusals import NoExerciseError
+from courses.regrading import Rejudged
+from courses.storage import Store
+from exercises.answers import parse
+from exercises.definition import Exercise
+from exercises.grader import grade
+from exercises.grading import HelpLevel
+from exercises.instance import Instance, generate
+from exercises.loader import Library
+from exercises.records import plain
+from kinematics.cells import Limits
+from service.course_resources import now
+from service.schemas.exercises import AnswerBase, ExerciseAnswer
+from service.wire.session_views import seed_of
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Judged:
+    """What was found of an answer: as its student may be told, and at the highest level of help."""
+
+    report: dict[str, Any]
+    analysis: dict[str, Any]
+    score: float
+    correct: bool
+    version: str
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Grader:
+    """Judges answers to the exercises of links, for students and for statistics."""
+
+    library: Library
+    limits: Limits
+
+    def judge(self, settings: LinkSettings, seed: str | None, wire: AnswerBase) -> Judged:
+        """Judge an answer.
+
+        Raises:
+            KinematicsError, ExerciseError: it cannot be graded.
+        """
+        asked = asked_exercise(self.library, settings)
+        answer = parse(_instance(asked, seed), wire.raw(), self.limits)
+        level = wire.help if settings.help is None else HelpLevel(settings.help)
+        report = grade(_instance(asked, seed), answer, level)
+        told = analysis = plain(report)
+        if report.help_level is not HelpLevel.REPAIR and not report.correct:
+            open_ = _instance(replace(asked, help=HelpLevel.REPAIR), seed)
+            analysis = plain(grade(open_, answer))
+        return Judged(
+            report=told,
+            analysis=analysis,
+            score=report.score,
+            correct=report.correct and not report.missing,
+            version=str(asked.version),
+        )
+
+    def rejudge(self, attempts: Sequence[Attempt], settings: LinkSettings) -> list[Rejudged]:
+        """Judge stored attempts by the exercise as it is now."""
+        found = []
+        for attempt in attempts:
+            wire: AnswerBase = ExerciseAnswer.model_validate(attempt.answer)
+            judged = self.judge(replace(settings, exercise_id=attempt.exercise_id), attempt.seed, wire)
+            found.append(
+                Rejudged(
+                    attempt_id=attempt.id,
+                    score=judged.score,
+                    correct=judged.correct,
+                    report=judged.report,
+                    analysis=judged.analysis,
+                )
+            )
+        return found
+
+
+def asked_exercise(library: Library, settings: LinkSettings) -> Exercise:
+    """The exercise of a link, with the parts that the link asks.
+
+    Raises:
+        NoExerciseError: none has been chosen.
+    """
+    if settings.exercise_id is None:
+        raise NoExerciseError
+    return _with_parts(library.exercise(settings.exercise_id), settings.parts)
+
+
+@lru_cache(maxsize=256)
+def _with_parts(found: Exercise, kinds: tuple[str, ...]) -> Exercise:
+    chosen = tuple(part for part in found.parts if part.kind in kinds)
+    return replace(found, parts=chosen) if chosen else found
+
+
+@lru_cache(maxsize=512)
+def _instance(found: Exercise, seed: str | None) -> Instance:
+    return generate(found, seed)
+
+
+def hand_in(
+    store: Store,
+    grader: Grader,
+    session: CourseSession,
+    wire: AnswerBase,
+    typed: Any,
+    key: str,
+    language: str,
+    form: Any = None,
+) -> Attempt:
+    """Judge an answer and store it; an answer that cannot be graded is refused and costs nothing.
+
+    Raises:
+        AttemptError: the policy takes no attempt now.
+        KinematicsError, ExerciseError: the answer cannot be graded.
+    """
+    settings = session.link.settings
+    known = by_key(store, session, key)
+    if known is not None:
+        return known
+    arrived = now()
+    check_open(session, arrived)
+    seed = seed_of(session)
+    judged = grader.judge(settings, seed, wire)
+    attempt = Attempt(
+        link_id=session.link.id,
+        person_id=session.person.id,
+        key=key,
+        at=arrived,
+        exercise_id=settings.exercise_id or "",
+        version=judged.version,
+        seed=seed,
+        language=language,
+        answer=typed,
+        form=form if isinstance(form, dict) else None,
+        report=judged.report,
+        score=judged.score,
+        correct=judged.correct,
+    )
+    return store_attempt(store, session, attempt, arrived, judged.analysis)

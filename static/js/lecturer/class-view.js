@@ -1,0 +1,70 @@
+/** The class at a glance: every student and every link, and scores that did not arrive. */
+
+import { el, fill } from "../dom.js";
+import { t } from "../i18n.js";
+import { dataTable } from "./chart.js";
+
+const TONES = { solved: "good", stuck: "bad", begun: "warn", opened: "", absent: "" };
+
+/** What a student is called: a name where the platform shares it, else the beginning of the pseudonym. */
+export function studentName({ name, key }) {
+  return name ?? key.slice(0, 8);
+}
+
+/**
+ * @param {HTMLElement} place @param {any} found
+ * @param {{openLink: (link: any) => void, openStudent: (link: any, student: any) => void}} act
+ */
+export function showClass(place, { links, students }, { openLink, openStudent }) {
+  const counts = ["absent", "opened", "begun", "stuck", "solved"];
+  const summary = dataTable(
+    t("lecturer-links"),
+    [t("lecturer-link"), t("lecturer-exercise"), ...counts.map((name) => t(`lecturer-state-${name}`))],
+    links.map((/** @type {any} */ link) => [
+      el("button", { type: "button", class: "quiet", onclick: () => openLink(link), text: link.title || link.exercise || t("lecturer-no-exercise") }),
+      link.exercise ?? t("lecturer-no-exercise"),
+      ...counts.map((name) => link[name]),
+    ]),
+  );
+  const cell = (student, link) => {
+    const found = student.links[link.id];
+    const state = found?.state ?? "absent";
+    if (!found?.attempts) return el("span", { class: "badge", text: t(`lecturer-state-${state}`) });
+    const share = found.score === null ? "" : ` ${Math.round(found.score * 100)} %`;
+    return el("button", { type: "button", class: `badge ${TONES[state]}`, onclick: () => openStudent(link, student), text: `${t(`lecturer-state-${state}`)}${share} (${found.attempts})` });
+  };
+  const people = dataTable(
+    t("lecturer-students"),
+    [t("lecturer-student"), ...links.map((/** @type {any} */ { title, exercise }) => title || exercise || "–")],
+    students.map((/** @type {any} */ student) => [studentName(student), ...links.map((/** @type {any} */ link) => cell(student, link))]),
+  );
+  fill(place, summary, students.length ? people : el("p", { class: "hint", text: t("lecturer-nobody") }));
+}
+
+/** @param {HTMLElement} card @param {HTMLElement} place @param {any[]} lost @param {(link: number) => void} resend */
+export function showUndelivered(card, place, lost, resend) {
+  card.hidden = lost.length === 0;
+  fill(
+    place,
+    el("p", { text: t("lecturer-undelivered-text") }),
+    dataTable(
+      t("lecturer-undelivered"),
+      [t("lecturer-student"), t("lecturer-link"), t("lecturer-score"), t("lecturer-problem"), ""],
+      lost.map((entry) => [
+        studentName(entry),
+        entry.title,
+        `${Math.round(entry.score * 100)} %`,
+        el("span", { dataset: { code: entry.problem }, text: `${t(`lecturer-problem-${adviceFor(entry.problem)}`)} (${entry.problem})` }),
+        entry.dead ? el("button", { type: "button", class: "quiet small", onclick: () => resend(entry.link), text: t("lecturer-resend") }) : t("lecturer-waiting"),
+      ]),
+    ),
+  );
+}
+
+/** Which advice fits a stable code. @param {string} problem */
+function adviceFor(problem) {
+  if (problem === "http_404") return "gone";
+  if (problem === "http_403" || problem === "http_401") return "forbidden";
+  if (problem === "http_400" || problem === "http_409" || problem === "http_422") return "refused";
+  return "busy";
+}

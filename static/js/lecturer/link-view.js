@@ -1,0 +1,223 @@
+/** One link: its numbers, the attempts behind them, its rules, regrading, export. */
+
+import { announce, el, fill } from "../dom.js";
+import { language, t } from "../i18n.js";
+import { problemNotice } from "../problem.js";
+import { pageAddress } from "../page.js";
+import { barChart, dataTable } from "./chart.js";
+import { studentName } from "./class-view.js";
+import { settingsForm } from "./settings-form.js";
+
+export class LinkView {
+  /**
+   * @param {import("../api.js").Api} api @param {any[]} exercises
+   * @param {{card: HTMLElement, heading: HTMLElement, body: HTMLElement}} places
+   * @param {{openAttempt: (id: number) => void, changed: () => Promise<any>}} act
+   */
+  constructor(api, exercises, places, act) {
+    this.api = api;
+    this.exercises = exercises;
+    this.places = places;
+    this.act = act;
+    this.behind = el("div", { class: "stack" });
+    this.link = /** @type {any} */ (null);
+  }
+
+  /** @param {any} link */
+  async show(link) {
+    this.link = link;
+    const { card, heading, body } = this.places;
+    card.hidden = false;
+    heading.textContent = link.title || link.exercise || t("lecturer-no-exercise");
+    fill(this.behind);
+    try {
+      const settings = await this.api.get(this.#path("settings"));
+      const found = await this.api.get(this.#path("statistics"));
+      const numbers = link.exercise ? [this.#numbers(found), this.#mistakes(found), this.#unexplained(found)] : [];
+      fill(body, numbers, this.behind, this.#rules(settings), link.exercise ? this.#work() : null);
+    } catch (error) {
+      fill(body, problemNotice(error));
+    }
+  }
+
+  /** @param {any} link @param {any} student */
+  async showStudent(link, student) {
+    await this.show(link);
+    await this.#open({ person: student.key });
+    this.behind.prepend(this.#allowance(student));
+    this.behind.scrollIntoView({ block: "nearest" });
+  }
+
+  #path(rest) {
+    return `course/links/${this.link.id}/${rest}`;
+  }
+
+  #numbers({ attempts, students, solved, first_attempt_rate: first, days, sequence }) {
+    const percent = first === null ? "–" : `${Math.round(first * 100)} %`;
+    const facts = [
+      [t("lecturer-attempts-made"), attempts],
+      [t("lecturer-students"), students],
+      [t("lecturer-solved"), solved],
+      [t("lecturer-first-rate"), percent],
+    ];
+    const dayBars = days.map(({ day, attempts: all, correct: part }) => ({ label: day, all, part }));
+    return [
+      el("dl", { class: "row" }, facts.map(([name, value]) => el("div", {}, el("dt", { text: name }), el("dd", { text: value })))),
+      el("h3", { text: t("lecturer-by-day") }),
+      barChart(dayBars, t("lecturer-by-day")),
+      dataTable(t("lecturer-by-day"), [t("lecturer-day"), t("lecturer-attempts-made"), t("lecturer-right")], days.map(({ day, attempts: all, correct }) => [day, all, correct])),
+      el("h3", { text: t("lecturer-sequence") }),
+      barChart(sequence.map(({ attempt, reached, solved: part }) => ({ label: t("lecturer-attempt-number", { attempt }), all: reached, part })), t("lecturer-sequence")),
+      dataTable(
+        t("lecturer-sequence"),
+        [t("lecturer-attempt"), t("lecturer-reached"), t("lecturer-solved"), t("lecturer-left")],
+        sequence.map((step) => [step.attempt, step.reached, step.solved, step.dropped_out]),
+      ),
+    ];
+  }
+
+  #mistakes({ misconceptions }) {
+    const open = (entry) => this.#open({ kind: entry.kind, code: entry.code });
+    return [
+      el("h3", { text: t("lecturer-mistakes") }),
+      barChart(misconceptions.map(({ code, attempts }) => ({ label: code, all: attempts })), t("lecturer-mistakes")),
+      dataTable(
+        t("lecturer-mistakes"),
+        [t("lecturer-mistake"), t("lecturer-attempts-made"), t("lecturer-students"), t("lecturer-example")],
+        misconceptions.map((entry) => [
+          el("code", { text: entry.code }),
+          el("button", { type: "button", class: "quiet small", "aria-label": t("lecturer-open-attempts", { count: entry.attempts }), onclick: () => open(entry), text: String(entry.attempts) }),
+          entry.students,
+          entry.example ?? "–",
+        ]),
+      ),
+    ];
+  }
+
+  #unexplained({ unexplained }) {
+    if (!unexplained.length) return null;
+    return [
+      el("h3", { text: t("lecturer-unexplained") }),
+      dataTable(
+        t("lecturer-unexplained"),
+        [t("lecturer-does-not-fit"), t("lecturer-attempts-made")],
+        unexplained.map(({ facts, attempts }) => [
+          facts.length ? facts.map(factName).join(", ") : "–",
+          el("button", { type: "button", class: "quiet small", "aria-label": t("lecturer-open-attempts", { count: attempts.length }), onclick: () => this.#open({ ids: attempts.slice(0, 200).join(",") }), text: String(attempts.length) }),
+        ]),
+      ),
+    ];
+  }
+
+  /** @param {Record<string, string>} asked */
+  async #open(asked) {
+    const { attempts } = await this.api.get(this.#path(`attempts?${new URLSearchParams(asked)}`));
+    const when = new Intl.DateTimeFormat(language, { dateStyle: "short", timeStyle: "short" });
+    fill(
+      this.behind,
+      el("h3", { text: t("lecturer-attempts") }),
+      dataTable(
+        t("lecturer-attempts"),
+        [t("lecturer-student"), t("lecturer-attempt"), t("lecturer-time"), t("lecturer-score"), ""],
+        attempts.map((/** @type {any} */ attempt) => [
+          studentName(attempt),
+          attempt.number,
+          when.format(new Date(attempt.at)),
+          `${Math.round(attempt.score * 100)} %`,
+          el("button", { type: "button", class: "quiet small", onclick: () => this.act.openAttempt(attempt.id), text: t("lecturer-open") }),
+        ]),
+      ),
+    );
+    announce(t("lecturer-open-attempts", { count: attempts.length }));
+  }
+
+  /** @param {any} student */
+  #allowance(student) {
+    const minutes = el("input", { type: "number", min: 0, max: 527040, value: 0 });
+    const attempts = el("input", { type: "number", min: 0, max: 1000, value: 0 });
+    const give = async () => {
+      const value = (/** @type {any} */ field) => Number(field.value);
+      await this.api.post(this.#path("allowances"), { person: student.key, extra_minutes: value(minutes), extra_attempts: value(attempts) });
+      announce(t("lecturer-saved"));
+      await this.act.changed();
+    };
+    return el(
+      "div",
+      { class: "row" },
+      el("label", {}, t("lecturer-extra-minutes"), minutes),
+      el("label", {}, t("lecturer-extra-attempts"), attempts),
+      el("button", { type: "button", onclick: give, text: t("lecturer-give") }),
+    );
+  }
+
+  #rules(settings) {
+    const said = el("div", { role: "status" });
+    const save = async (/** @type {any} */ chosen) => {
+      try {
+        await this.api.put(this.#path("settings"), chosen);
+        this.link.exercise = chosen.exercise;
+        await this.act.changed();
+        await this.show(this.link);
+      } catch (error) {
+        fill(said, problemNotice(error));
+      }
+    };
+    const open = !settings.exercise;
+    return el("details", { open }, el("summary", {}, el("h3", { text: t("lecturer-rules") })), settingsForm(this.exercises, settings, save, t("lecturer-save")), said);
+  }
+
+  #work() {
+    const said = el("div", { class: "stack", role: "status" });
+    const release = async () => {
+      await this.api.post(this.#path("release"), {});
+      fill(said, el("p", { text: t("lecturer-released") }));
+    };
+    const regrade = async (/** @type {string} */ scope) => {
+      fill(said, el("p", { text: t("form-loading") }));
+      const { run, changes } = await this.api.post(this.#path("regradings"), { scope });
+      const apply = async () => {
+        await this.api.post(this.#path(`regradings/${run}/apply`), {});
+        await this.act.changed();
+        fill(said, el("p", { text: t("lecturer-applied") }));
+      };
+      const rows = changes.map((/** @type {any} */ entry) => [studentName(entry), entry.number, `${Math.round(entry.before * 100)} %`, `${Math.round(entry.after * 100)} %`]);
+      const headings = [t("lecturer-student"), t("lecturer-attempt"), t("lecturer-before"), t("lecturer-after")];
+      fill(
+        said,
+        changes.length ? dataTable(t("lecturer-changes"), headings, rows) : el("p", { text: t("lecturer-no-changes") }),
+        changes.length ? el("button", { type: "button", class: "primary", onclick: apply, text: t("lecturer-apply") }) : null,
+      );
+    };
+    const button = (text, onclick) => el("button", { type: "button", onclick, text });
+    return el(
+      "section",
+      { class: "stack" },
+      el(
+        "p",
+        { class: "row" },
+        el("a", { class: "button", href: pageAddress(`exercises/${this.link.exercise}`), target: "_blank", rel: "noopener", text: t("lecturer-preview") }),
+        button(t("lecturer-release"), release),
+        button(t("lecturer-regrade-counted"), () => regrade("counted")),
+        button(t("lecturer-regrade-all"), () => regrade("all")),
+        button("CSV", () => this.#download("csv")),
+        button("JSON", () => this.#download("json")),
+      ),
+      said,
+    );
+  }
+
+  /** A file with every attempt; the token goes in a header, so that no address holds it. @param {string} form */
+  async #download(form) {
+    const answer = await fetch(this.api.address(this.#path(`export.${form}`)), { headers: { Authorization: `Bearer ${this.api.token}` }, credentials: "omit" });
+    const address = URL.createObjectURL(await answer.blob());
+    const anchor = /** @type {HTMLAnchorElement} */ (el("a", { href: address, download: `attempts.${form}` }));
+    anchor.click();
+    URL.revokeObjectURL(address);
+  }
+}
+
+/** @param {string} fact such as "2:length" */
+function factName(fact) {
+  const [row, name] = fact.split(":");
+  return `${t("form-row-heading")} ${row}: ${t(`form-fact-${name}`)}`;
+}

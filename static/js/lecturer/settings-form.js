@@ -1,0 +1,116 @@
+/** The form with which a teacher chooses the exercise of a link and its rules. */
+
+import { el } from "../dom.js";
+import { t } from "../i18n.js";
+
+const CHOICES = {
+  counting: ["best", "last", "first"],
+  feedback: ["at_once", "after_attempts", "after_deadline", "verdict_only", "on_release"],
+  mode: ["practice", "exam"],
+  help: ["", "verdict", "row", "kind", "repair"],
+};
+
+/** A time as the service writes it, as the browser's field takes it. @param {string | null} text */
+function local(text) {
+  if (!text) return "";
+  const time = new Date(text);
+  return new Date(time.getTime() - time.getTimezoneOffset() * 60000).toISOString().slice(0, 16);
+}
+
+/**
+ * @param {any[]} exercises the list of the service
+ * @param {any} settings what holds now
+ * @param {(settings: any) => void} save
+ * @param {string} action what the button says
+ */
+export function settingsForm(exercises, settings, save, action) {
+  const field = (name, control) => el("label", {}, t(`lecturer-${name.replaceAll("_", "-")}`), control);
+  const select = (name) =>
+    field(
+      name,
+      el(
+        "select",
+        { name },
+        CHOICES[name].map((value) =>
+          el("option", { value, selected: (settings[name] ?? "") === value, text: t(`lecturer-${name}-${(value || "exercise").replaceAll("_", "-")}`) }),
+        ),
+      ),
+    );
+  const number = (name, attributes) => field(name, el("input", { type: "number", name, ...attributes, value: settings[name] ?? "" }));
+  const time = (name) => field(name, el("input", { type: "datetime-local", name, value: local(settings[name]) }));
+  const parts = el("fieldset", { class: "wide" });
+  const exercise = /** @type {HTMLSelectElement} */ (
+    el(
+      "select",
+      { name: "exercise", required: true, onchange: () => showParts() },
+      exercises.map(({ id, title }) => el("option", { value: id, selected: id === settings.exercise, text: title })),
+    )
+  );
+  function showParts() {
+    const chosen = exercises.find(({ id }) => id === exercise.value);
+    const kinds = chosen?.parts ?? [];
+    parts.replaceChildren(
+      el("legend", { text: t("lecturer-parts") }),
+      ...kinds.map((/** @type {string} */ kind) =>
+        el(
+          "label",
+          { class: "row" },
+          el("input", { type: "checkbox", name: "parts", value: kind, checked: !settings.parts?.length || settings.parts.includes(kind) }),
+          t(`form-part-${kind.replaceAll("_", "-")}`),
+        ),
+      ),
+    );
+  }
+  showParts();
+  const form = /** @type {HTMLFormElement} */ (
+    el(
+      "form",
+      {
+        class: "lecturer-form",
+        onsubmit: (event) => {
+          event.preventDefault();
+          save(settingsOf(form));
+        },
+      },
+      field("exercise", exercise),
+      number("points", { min: 0.01, step: "any", max: 1000000, required: true }),
+      number("attempts", { min: 1, max: 1000, placeholder: "∞" }),
+      select("counting"),
+      number("penalty", { min: 0, max: 1, step: 0.01 }),
+      time("opens"),
+      time("closes"),
+      select("mode"),
+      select("feedback"),
+      number("feedback_after", { min: 1, max: 1000 }),
+      select("help"),
+      el("label", { class: "row" }, el("input", { type: "checkbox", name: "per_student", checked: settings.per_student }), t("lecturer-per-student")),
+      parts,
+      el("p", { class: "wide" }, el("button", { type: "submit", class: "primary", text: action })),
+    )
+  );
+  return form;
+}
+
+/** @param {HTMLFormElement} form */
+function settingsOf(form) {
+  const data = new FormData(form);
+  const number = (name) => (data.get(name) === "" ? null : Number(data.get(name)));
+  const time = (name) => (data.get(name) ? new Date(String(data.get(name))).toISOString() : null);
+  const boxes = /** @type {HTMLInputElement[]} */ ([...form.querySelectorAll("input[name=parts]")]);
+  const chosen = boxes.filter(({ checked }) => checked).map(({ value }) => value);
+  return {
+    exercise: data.get("exercise"),
+    parts: chosen.length === boxes.length ? [] : chosen,
+    points: number("points"),
+    attempts: number("attempts"),
+    counting: data.get("counting"),
+    penalty: number("penalty") ?? 0,
+    opens: time("opens"),
+    closes: time("closes"),
+    mode: data.get("mode"),
+    feedback: data.get("feedback"),
+    feedback_after: number("feedback_after") ?? 1,
+    help: data.get("help") || null,
+    per_student: data.get("per_student") === "on",
+  };
+}

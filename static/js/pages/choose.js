@@ -1,0 +1,31 @@
+/** A teacher chooses the exercise of a link; the answer is posted to the platform, signed by the service. */
+
+import { el, fill } from "../dom.js";
+import { t } from "../i18n.js";
+import { settingsForm } from "../lecturer/settings-form.js";
+import { api, startPage } from "../page.js";
+import { problemNotice } from "../problem.js";
+
+const place = /** @type {HTMLElement} */ (document.getElementById("choose"));
+
+async function run() {
+  const choice = new URLSearchParams(location.hash.slice(1)).get("choice") ?? "";
+  const { exercises } = await api.get("exercises");
+  const problem = el("div", {});
+  const form = settingsForm(exercises, { points: 10 }, send, t("lecturer-insert"));
+  fill(place, el("p", { class: "hint", text: t("lecturer-choose-text") }), form, problem);
+
+  /** @param {any} settings */
+  async function send(settings) {
+    try {
+      const { address, jwt } = await api.post("deep-links", { ...settings, choice });
+      const answer = /** @type {HTMLFormElement} */ (el("form", { method: "post", action: address }, el("input", { type: "hidden", name: "JWT", value: jwt })));
+      place.append(answer);
+      answer.submit();
+    } catch (error) {
+      fill(problem, problemNotice(error));
+    }
+  }
+}
+
+startPage(run);

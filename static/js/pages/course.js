@@ -1,0 +1,52 @@
+/** The lecturers' page: the class, one link's numbers, and the attempts behind every number. */
+
+import { el, fill } from "../dom.js";
+import { t } from "../i18n.js";
+import { showAttempt } from "../lecturer/attempt-view.js";
+import { showClass, showUndelivered } from "../lecturer/class-view.js";
+import { LinkView } from "../lecturer/link-view.js";
+import { api, startPage } from "../page.js";
+import { problemNotice } from "../problem.js";
+import "../scene/robot-scene.js";
+import { openSession } from "../session/course-session.js";
+
+const $ = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
+
+async function run() {
+  try {
+    const session = await openSession(api);
+    if (session === null) {
+      fill($("class"), el("p", { text: t("lecturer-come-from-course") }));
+      return;
+    }
+    const { exercises } = await api.get("exercises");
+    const link = new LinkView(api, exercises, { card: $("link-card"), heading: $("link-heading"), body: $("link") }, { openAttempt, changed: refresh });
+    const { link: current, links } = await refresh();
+    const own = links.find((/** @type {any} */ { id }) => id === current);
+    if (own) await link.show(own);
+
+    async function refresh() {
+      const found = await api.get("course");
+      $("course-title").textContent = found.course.title || t("lecturer-title");
+      showClass($("class"), found, { openLink: (chosen) => link.show(chosen), openStudent: (chosen, student) => link.showStudent(chosen, student) });
+      showUndelivered($("undelivered-card"), $("undelivered"), found.undelivered, async (id) => {
+        await api.post(`course/links/${id}/resend`, {});
+        await refresh();
+      });
+      return found;
+    }
+  } catch (error) {
+    fill($("course-problem"), problemNotice(error));
+  }
+}
+
+/** @param {number} id */
+async function openAttempt(id) {
+  try {
+    await showAttempt(api, $("attempt-card"), $("attempt"), await api.get(`course/attempts/${id}`));
+  } catch (error) {
+    fill($("course-problem"), problemNotice(error));
+  }
+}
+
+startPage(run);

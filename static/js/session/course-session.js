@@ -1,0 +1,122 @@
+/**
+ * Somebody who came from a course. The launch leaves a code in the address's fragment, which is exchanged once
+ * for a token. The token is sent with every call; no cookie says who somebody is.
+ */
+
+import { Problem } from "../api.js";
+import { debounced, el, fill } from "../dom.js";
+import { language, t } from "../i18n.js";
+
+const KEPT = "framewise:session";
+const PAUSE = 1500;
+const RENEWED_EVERY = 20 * 60 * 1000;
+
+/** @typedef {import("../attempts.js").AttemptStore} AttemptStore */
+
+/** The token, where a reload of this tab finds it; a blocked storage only costs the reload. */
+const tab = {
+  get() {
+    try {
+      return sessionStorage.getItem(KEPT) ?? "";
+    } catch {
+      return "";
+    }
+  },
+  /** @param {string} token */
+  set(token) {
+    try {
+      if (token) sessionStorage.setItem(KEPT, token);
+      else sessionStorage.removeItem(KEPT);
+    } catch {
+      // memory has it
+    }
+  },
+};
+
+/**
+ * The session of this page, or null if nobody is signed in.
+ * @param {import("../api.js").Api} api
+ * @returns {Promise<any>}
+ */
+export async function openSession(api) {
+  const code = new URLSearchParams(location.hash.slice(1)).get("session");
+  if (code) {
+    history.replaceState(history.state, "", location.pathname + location.search);
+    tab.set((await api.post("session/open", { code })).token);
+  }
+  api.token = tab.get();
+  if (!api.token) return null;
+  try {
+    const told = await api.get("session");
+    setInterval(() => document.visibilityState === "visible" && api.get("session").catch(() => null), RENEWED_EVERY);
+    return told;
+  } catch (error) {
+    if (!(error instanceof Problem) || error.status !== 401) throw error;
+    api.token = "";
+    tab.set("");
+    return null;
+  }
+}
+
+/** A student's exercise in a course: attempts and draft are kept at the service. */
+export class CourseSession {
+  #api;
+  /** @param {import("../api.js").Api} api @param {any} told what the service says of the session */
+  constructor(api, told) {
+    this.#api = api;
+    this.told = told;
+    this.banner = el("section", { class: "card session-banner", "aria-label": t("session-heading") });
+    this.draft = debounced((/** @type {unknown} */ state) => {
+      this.#api.put("session/draft", state).catch(() => null);
+    }, PAUSE);
+    this.#show();
+  }
+
+  /** Names what this browser keeps for this person and no other. */
+  get key() {
+    return this.told.person.key;
+  }
+
+  /** @param {unknown} request @param {unknown} form @returns {Promise<any>} */
+  async submit(request, form) {
+    const graded = await this.#api.post("session/attempts", { .../** @type {any} */ (request), form });
+    this.told = await this.#api.get("session");
+    this.#show();
+    return graded;
+  }
+
+  /** @type {AttemptStore} */
+  get attempts() {
+    return {
+      list: async () =>
+        this.told.attempts.map((/** @type {any} */ { at, score, correct, form }) => ({
+          at,
+          score: score ?? 0,
+          correct: Boolean(correct),
+          submission: form,
+          verdict: null,
+        })),
+      add: async () => undefined,
+      clear: async () => undefined,
+    };
+  }
+
+  #show() {
+    const { person, course, attempts_allowed: allowed, attempts_made: made, closes, grade, refusal, return_url: back } = this.told;
+    const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
+    const facts = [
+      el("span", { text: t("session-signed-in", { name: person.name ?? person.key.slice(0, 8), course: course.title }) }),
+      el("span", { text: allowed === null ? t("session-attempts", { made }) : t("session-attempts-of", { made, allowed }) }),
+      closes ? el("span", { text: t("session-closes", { when: when.format(new Date(closes)) }) }) : null,
+      grade ? el("span", { class: "badge good", text: t("session-grade", { score: Math.round(grade.score * 100) }) }) : null,
+      refusal ? el("span", { class: "badge warn", text: t("session-no-more") }) : null,
+      back ? el("a", { href: back, target: "_top", text: t("session-back") }) : null,
+    ];
+    fill(this.banner, el("p", { class: "row" }, facts));
+  }
+}
+
+/** What is said where nothing may be shown yet. */
+export function receiptView({ attempt }) {
+  return el("p", { role: "status", text: t("session-received", { attempt }) });
+}

@@ -1,0 +1,70 @@
+"""A platform and a service with storage on either database."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from courses.storage import Store, open_store
+from service.settings import Settings
+from tests.databases import new_database, postgresql_server
+from tests.live_service import running
+from tests.lti.classes import Browser, Lms, lms_process
+
+
+@pytest.fixture(scope="session")
+def postgresql() -> Iterator[str]:
+    """URL of a PostgreSQL server."""
+    with postgresql_server() as url:
+        yield url
+
+
+@pytest.fixture(scope="module")
+def lms() -> Iterator[Lms]:
+    """A platform in a process of its own."""
+    with lms_process() as started:
+        yield started
+
+
+@pytest.fixture(scope="module", params=["sqlite", "postgresql"])
+def address(request: pytest.FixtureRequest) -> Iterator[str]:
+    """Address of an empty database: "" for SQLite."""
+    if request.param == "sqlite":
+        yield ""
+        return
+    with new_database(request.getfixturevalue("postgresql")) as url:
+        yield url
+
+
+@pytest.fixture(scope="module")
+def settings(address: str, lms: Lms, tmp_path_factory: pytest.TempPathFactory) -> Settings:
+    """Settings of a service that trusts the platform's origin."""
+    folder: Path = tmp_path_factory.mktemp("data")
+    return Settings(storage="on", data_folder=folder, database_url=address, lti_trusted_origins=(lms.root,))
+
+
+@pytest.fixture(scope="module")
+def store(settings: Settings, lms: Lms) -> Iterator[Store]:
+    """The service's database, with the platform written down."""
+    opened = open_store(settings.database_url, settings.data_folder)
+    lms.register(opened)
+    yield opened
+    opened.close()
+
+
+@pytest.fixture(scope="module")
+def service(settings: Settings, store: Store, lms: Lms) -> Iterator[str]:
+    """Origin of a running service."""
+    with running(settings) as origin:
+        lms.control(tool=origin)
+        yield origin
+
+
+@pytest.fixture
+def browser(lms: Lms, service: str) -> Iterator[Browser]:
+    """A browser that has visited nothing."""
+    opened = Browser(lms, service)
+    yield opened
+    opened.client.close()

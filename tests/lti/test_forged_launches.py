@@ -1,0 +1,263 @@
+"""Launches that must not be believed: refused with 400 or 401 and a stable code, logged without secrets."""
+
+from __future__ import annotations
+
+import base64
+import json
+import logging
+import time
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import jwt
+import pytest
+from cryptography.hazmat.primitives import serialization
+from cryptography.hazmat.primitives.asymmetric import rsa
+
+from courses.model import Platform, PlatformStatus
+from courses.platforms import add_platform, set_status
+from courses.storage import Store
+from service.course_resources import now
+from tests.lti.classes import LEARNER, Browser, Lms
+from tests.lti.key_server import KeyServer
+
+LTI = "https://purl.imsglobal.org/spec/lti/claim/"
+CLIENT, DEPLOYMENT = "forged-client", "d-1"
+
+
+@pytest.fixture(scope="module")
+def keys() -> Iterator[KeyServer]:
+    """A platform of which the test holds the keys."""
+    with KeyServer() as server:
+        yield server
+
+
+@pytest.fixture(scope="module")
+def settings(keys: KeyServer, address: str, lms: Lms, tmp_path_factory: pytest.TempPathFactory) -> Any:
+    from service.settings import Settings
+
+    trusted = (lms.root, keys.root)
+    folder = tmp_path_factory.mktemp("forged")
+    return Settings(storage="on", data_folder=folder, database_url=address, lti_trusted_origins=trusted)
+
+
+@pytest.fixture(scope="module")
+def platform(store: Store, keys: KeyServer) -> Platform:
+    asked = Platform(
+        issuer=keys.root,
+        client_id=CLIENT,
+        authorization_endpoint=f"{keys.root}/auth",
+        token_endpoint=f"{keys.root}/token",
+        jwks_uri=f"{keys.root}/jwks",
+        status=PlatformStatus.ACTIVE,
+    )
+    return add_platform(store, asked, (DEPLOYMENT,), now())
+
+
+class Forger(Browser):
+    """Logs in honestly, and posts a message of the test's making."""
+
+    def begin(self, keys: KeyServer, **changed: str) -> dict[str, str]:
+        """State and nonce of a login."""
+        asked = {"iss": keys.root, "login_hint": "eve", "client_id": CLIENT, **changed}
+        asked = {"target_link_uri": f"{self.service}/lti/launch", **asked}
+        answer = self._kept(self.client.post(f"{self.service}/lti/login", data=asked))
+        if answer.status_code != 302:
+            return {"status": str(answer.status_code), "code": answer.json()["code"]}
+        query = answer.headers["location"].partition("?")[2]
+        return dict(pair.split("=") for pair in query.split("&"))
+
+    def claims(self, keys: KeyServer, begun: dict[str, str], **changed: Any) -> dict[str, Any]:
+        at = int(time.time())
+        told = {
+            "iss": keys.root,
+            "aud": CLIENT,
+            "sub": "eve",
+            "iat": at,
+            "exp": at + 60,
+            "nonce": begun["nonce"],
+            f"{LTI}version": "1.3.0",
+            f"{LTI}message_type": "LtiResourceLinkRequest",
+            f"{LTI}deployment_id": DEPLOYMENT,
+            f"{LTI}target_link_uri": f"{self.service}/lti/launch",
+            f"{LTI}resource_link": {"id": "r"},
+            f"{LTI}custom": {"exercise": "puma560"},
+            f"{LTI}roles": [LEARNER],
+            **changed,
+        }
+        return {name: value for name, value in told.items() if value is not ...}
+
+
+@pytest.fixture
+def forger(lms: Lms, service: str, platform: Platform) -> Iterator[Forger]:
+    opened = Forger(lms, service)
+    yield opened
+    opened.client.close()
+
+
+def signed(keys: KeyServer, claims: dict[str, Any], **header: Any) -> str:
+    return jwt.encode(claims, keys.private, "RS256", headers={"kid": keys.kid, **header})
+
+
+def test_an_honest_launch_is_believed(forger: Forger, keys: KeyServer) -> None:
+    begun = forger.begin(keys)
+    token = signed(keys, forger.claims(keys, begun, aud=[CLIENT, "another"], azp=CLIENT))
+    assert forger.post({"id_token": token, "state": begun["state"]}).status_code == 303
+
+
+CLAIMS: list[tuple[str, Callable[[int], dict[str, Any]], str]] = [
+    ("issuer", lambda _: {"iss": "https://elsewhere.example"}, "lti_claim_wrong"),
+    ("audience", lambda _: {"aud": "another"}, "lti_claim_wrong"),
+    ("no audience", lambda _: {"aud": []}, "lti_claim_wrong"),
+    ("two audiences, no azp", lambda _: {"aud": [CLIENT, "another"]}, "lti_claim_missing"),
+    ("azp of another", lambda _: {"azp": "another"}, "lti_claim_wrong"),
+    ("expired", lambda at: {"exp": at - 61}, "lti_token_expired"),
+    ("expiry is a word", lambda _: {"exp": "tomorrow"}, "lti_claim_missing"),
+    ("expiry is infinite", lambda _: {"exp": 1e300}, "lti_claim_wrong"),
+    ("from the future", lambda at: {"iat": at + 120, "exp": at + 600}, "lti_token_early"),
+    ("old", lambda at: {"iat": at - 700, "exp": at + 600}, "lti_token_early"),
+    ("nonce of another", lambda _: {"nonce": "another"}, "lti_claim_wrong"),
+    ("no nonce", lambda _: {"nonce": ...}, "lti_claim_wrong"),
+    ("version", lambda _: {f"{LTI}version": "1.1"}, "lti_claim_wrong"),
+    ("message type", lambda _: {f"{LTI}message_type": "LtiSubmissionReviewRequest"}, "lti_claim_wrong"),
+    ("unknown deployment", lambda _: {f"{LTI}deployment_id": "d-2"}, "lti_deployment_unknown"),
+    ("no deployment", lambda _: {f"{LTI}deployment_id": ""}, "lti_claim_missing"),
+    ("long deployment", lambda _: {f"{LTI}deployment_id": "d" * 256}, "lti_claim_missing"),
+    ("another target", lambda _: {f"{LTI}target_link_uri": "https://x.example/"}, "lti_claim_wrong"),
+    ("roles are a word", lambda _: {f"{LTI}roles": "Instructor"}, "lti_claim_missing"),
+    ("no link", lambda _: {f"{LTI}resource_link": {}}, "lti_claim_missing"),
+    ("subject is a number", lambda _: {"sub": 7}, "lti_claim_wrong"),
+]
+
+
+@pytest.mark.parametrize(("changed", "code"), [case[1:] for case in CLAIMS], ids=[case[0] for case in CLAIMS])
+def test_a_message_with_a_wrong_claim_is_refused(
+    forger: Forger, keys: KeyServer, changed: Callable[[int], dict[str, Any]], code: str
+) -> None:
+    begun = forger.begin(keys)
+    token = signed(keys, forger.claims(keys, begun, **changed(int(time.time()))))
+    refused(forger.post({"id_token": token, "state": begun["state"]}), {code})
+
+
+def refused(answer: Any, codes: set[str]) -> None:
+    assert answer.status_code in (400, 401), answer.text
+    assert answer.headers["content-type"] == "application/problem+json"
+    assert answer.json()["code"] in codes
+
+
+def _unsigned(claims: dict[str, Any], **header: Any) -> str:
+    parts = [json.dumps(part).encode() for part in ({"alg": "none", "typ": "JWT", **header}, claims)]
+    return ".".join(base64.urlsafe_b64encode(part).rstrip(b"=").decode() for part in parts) + "."
+
+
+def _by_public_key(keys: KeyServer, claims: dict[str, Any]) -> str:
+    """HS256 with the public key as secret; PyJWT refuses to sign so, hence by hand."""
+    import hashlib
+    import hmac
+
+    header = {"alg": "HS256", "typ": "JWT", "kid": keys.kid}
+    parts = [base64.urlsafe_b64encode(json.dumps(part).encode()).rstrip(b"=") for part in (header, claims)]
+    mac = hmac.new(keys.public.encode(), b".".join(parts), hashlib.sha256).digest()
+    return b".".join([*parts, base64.urlsafe_b64encode(mac).rstrip(b"=")]).decode()
+
+
+def _by_another(keys: KeyServer, claims: dict[str, Any], **header: Any) -> str:
+    another = rsa.generate_private_key(public_exponent=65537, key_size=2048)
+    pem = another.private_bytes(
+        serialization.Encoding.PEM, serialization.PrivateFormat.PKCS8, serialization.NoEncryption()
+    )
+    return jwt.encode(claims, pem, "RS256", headers={"kid": keys.kid, **header})
+
+
+TOKENS: list[tuple[str, Callable[[KeyServer, dict[str, Any]], str], str]] = [
+    ("alg none", lambda keys, claims: _unsigned(claims, kid=keys.kid), "lti_token_algorithm"),
+    ("HS256 with the public key", _by_public_key, "lti_token_algorithm"),
+    ("another key", _by_another, "lti_token_signature"),
+    ("jku", lambda keys, claims: _by_another(keys, claims, jku=f"{keys.root}/evil"), "lti_token_signature"),
+    ("no kid", lambda keys, claims: signed(keys, claims, kid=""), "lti_token_key"),
+    ("unknown kid", lambda keys, claims: signed(keys, claims, kid="another"), "lti_token_key"),
+    ("no token", lambda *_: "nothing", "lti_token_malformed"),
+    ("deep", lambda *_: ".".join(["W" * 50_000] * 3), "lti_token_malformed"),
+    ("huge", lambda *_: "e" * 100_000, "lti_token_malformed"),
+    ("1 MB", lambda *_: "e" * 1_000_000, "posted_form_too_large"),
+]
+
+
+@pytest.mark.parametrize(("forge", "code"), [case[1:] for case in TOKENS], ids=[case[0] for case in TOKENS])
+def test_a_token_that_the_platform_did_not_sign_is_refused(
+    forger: Forger, keys: KeyServer, forge: Callable[[KeyServer, dict[str, Any]], str], code: str, caplog: Any
+) -> None:
+    begun = forger.begin(keys)
+    token = forge(keys, forger.claims(keys, begun))
+    with caplog.at_level(logging.INFO):
+        refused(forger.post({"id_token": token, "state": begun["state"]}), {code})
+    assert keys.visited_elsewhere == 0
+    written = caplog.text
+    assert code in written
+    assert begun["state"] not in written
+    assert token not in written
+
+
+def test_an_unknown_key_is_looked_for_once(forger: Forger, keys: KeyServer) -> None:
+    before = keys.fetched
+    for _ in range(3):
+        begun = forger.begin(keys)
+        token = signed(keys, forger.claims(keys, begun), kid="unknown")
+        refused(forger.post({"id_token": token, "state": begun["state"]}), {"lti_token_key"})
+    assert keys.fetched - before <= 1
+
+
+def test_a_state_works_once_and_in_its_browser_only(forger: Forger, keys: KeyServer, lms: Lms) -> None:
+    begun = forger.begin(keys)
+    form = {"id_token": signed(keys, forger.claims(keys, begun)), "state": begun["state"]}
+    stranger = Forger(lms, forger.service)
+    refused(stranger.post(form), {"lti_browser_unknown"})
+    refused(forger.post(form), {"lti_state_unknown"})
+    refused(forger.post({**form, "state": "made-up"}), {"lti_state_unknown"})
+    stranger.client.close()
+
+
+def test_a_nonce_works_once(forger: Forger, keys: KeyServer, store: Store, platform: Platform) -> None:
+    from courses.enrolment import remember_nonce
+    from service.lti.launch import NONCE_LIFE
+
+    begun = forger.begin(keys)
+    assert remember_nonce(store, platform.id, begun["nonce"], now() + NONCE_LIFE)
+    token = signed(keys, forger.claims(keys, begun))
+    refused(forger.post({"id_token": token, "state": begun["state"]}), {"lti_nonce_used"})
+
+
+@pytest.mark.parametrize(
+    ("changed", "code"),
+    [
+        ({"iss": "https://nobody.example"}, "lti_platform_unknown"),
+        ({"client_id": "nobody"}, "lti_platform_unknown"),
+        ({"login_hint": ""}, "lti_parameter_missing"),
+        ({"target_link_uri": "https://elsewhere.example/lti/launch"}, "lti_target_foreign"),
+        ({"target_link_uri": "//elsewhere.example/"}, "lti_target_foreign"),
+        ({"target_link_uri": "javascript:alert(1)"}, "lti_target_foreign"),
+    ],
+)
+def test_a_login_that_cannot_be_meant_is_refused(
+    forger: Forger, keys: KeyServer, changed: dict[str, str], code: str
+) -> None:
+    answer = forger.begin(keys, **changed)
+    assert (answer["status"], answer["code"]) == ("400", code)
+
+
+def test_a_platform_that_is_not_active_does_not_launch(
+    forger: Forger, keys: KeyServer, store: Store, platform: Platform
+) -> None:
+    set_status(store, platform.id, PlatformStatus.PENDING)
+    try:
+        assert forger.begin(keys)["code"] == "lti_platform_inactive"
+    finally:
+        set_status(store, platform.id, PlatformStatus.ACTIVE)
+
+
+def test_a_person_reads_a_page(forger: Forger, keys: KeyServer) -> None:
+    begun = forger.begin(keys)
+    forger.cookies = {}
+    answer = forger.post({"id_token": "x", "state": begun["state"]}, Accept="text/html")
+    assert answer.status_code == 401
+    assert 'data-step="window"' in answer.text
