@@ -9,7 +9,7 @@ from typing import Protocol
 
 from exercises.errors import ExerciseError
 from kinematics.errors import Fault, KinematicsError
-from service.cli import exercises, serve
+from service.cli import backups, exercises, lti, people, serve
 from service.messages import DEFAULT_LANGUAGE, languages, sentence
 
 
@@ -20,7 +20,7 @@ class Command(Protocol):
         """Declare the subcommand, its options, and what runs it."""
 
 
-COMMANDS: tuple[Command, ...] = (serve, exercises)
+COMMANDS: tuple[Command, ...] = (serve, exercises, backups, lti, people)
 """Every subcommand; a new one is a module of this package and an entry here."""
 
 FAILED, UNUSABLE = 1, 2

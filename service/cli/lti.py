@@ -1,0 +1,132 @@
+"""`framewise lti`: platforms, invitations to register, and keys."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+
+from courses.model import Platform, PlatformStatus
+from courses.platforms import (
+    add_deployment,
+    add_platform,
+    deployments_of,
+    invite,
+    platforms,
+    remove_platform,
+    set_status,
+)
+from service.cli.backups import opened_store
+from service.cli.serve import settings_of_environment
+from service.course_resources import CourseResources, now
+from service.lti.signing_keys import key_set
+
+_ADDRESSES = ("authorization_endpoint", "token_endpoint", "jwks_uri")
+
+
+def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare `lti` with what it does."""
+    actions = subparsers.add_parser("lti", help="learning management systems and keys").add_subparsers(
+        required=True, metavar="action"
+    )
+    actions.add_parser("platforms", help="list the platforms").set_defaults(run=_list)
+    _declare_add(actions.add_parser("add", help="register a platform, or change one"))
+    for status in PlatformStatus:
+        verb = {"pending": "suspend", "active": "activate", "disabled": "disable"}[status.value]
+        parser = actions.add_parser(verb, help=f"let a platform be {status.value}")
+        parser.add_argument("platform", type=int)
+        parser.set_defaults(run=_set_status, status=status)
+    remove = actions.add_parser("remove", help="forget a platform with all its courses")
+    remove.add_argument("platform", type=int)
+    remove.add_argument("--yes", action="store_true", required=True, help="attempts and grades are lost")
+    remove.set_defaults(run=_remove)
+    deployment = actions.add_parser("deployment", help="let a deployment of a platform launch")
+    deployment.add_argument("platform", type=int)
+    deployment.add_argument("deployment")
+    deployment.set_defaults(run=_add_deployment)
+    invitation = actions.add_parser("invite", help="print an address for dynamic registration, good once")
+    invitation.add_argument("root", help="address of this service as the platform reaches it")
+    invitation.add_argument("--note", default="", help="for whom it is")
+    invitation.set_defaults(run=_invite)
+    keys = actions.add_parser("keys", help="print the public keys")
+    keys.set_defaults(run=_keys, rotate=False, at_once=False)
+    rotate = actions.add_parser("rotate", help="make a new key; it signs two days after it is published")
+    rotate.add_argument("--now", action="store_true", dest="at_once", help="it signs at once")
+    rotate.set_defaults(run=_keys, rotate=True)
+
+
+def _declare_add(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("issuer")
+    parser.add_argument("client_id")
+    for name in _ADDRESSES:
+        parser.add_argument(f"--{name.replace('_', '-')}", required=True)
+    parser.add_argument("--token-audience", help="audience of token requests, if not the token endpoint")
+    parser.add_argument("--deployment", action="append", default=[], help="may be given several times")
+    parser.add_argument("--origin", action="append", default=[], help="further origin that frames the pages")
+    parser.add_argument("--name", default="")
+    parser.add_argument("--names-shared", action="store_true", help="store the names that it shares")
+    parser.set_defaults(run=_add)
+
+
+def _add(options: argparse.Namespace) -> int:
+    asked = Platform(
+        issuer=options.issuer,
+        client_id=options.client_id,
+        name=options.name,
+        authorization_endpoint=options.authorization_endpoint,
+        token_endpoint=options.token_endpoint,
+        token_audience=options.token_audience,
+        jwks_uri=options.jwks_uri,
+        origins=tuple(options.origin),
+        names_shared=options.names_shared,
+        status=PlatformStatus.ACTIVE,
+    )
+    with opened_store() as store:
+        stored = add_platform(store, asked, tuple(options.deployment), now())
+    sys.stdout.write(f"{stored.id}\n")
+    return 0
+
+
+def _list(_: argparse.Namespace) -> int:
+    with opened_store() as store:
+        for platform in platforms(store):
+            deployments = ", ".join(deployments_of(store, platform.id))
+            row = (str(platform.id), platform.status.value, platform.issuer, platform.client_id, deployments)
+            sys.stdout.write("\t".join(row) + "\n")
+    return 0
+
+
+def _set_status(options: argparse.Namespace) -> int:
+    with opened_store() as store:
+        set_status(store, options.platform, options.status)
+    return 0
+
+
+def _remove(options: argparse.Namespace) -> int:
+    with opened_store() as store:
+        remove_platform(store, options.platform)
+    return 0
+
+
+def _add_deployment(options: argparse.Namespace) -> int:
+    with opened_store() as store:
+        add_deployment(store, options.platform, options.deployment)
+    return 0
+
+
+def _invite(options: argparse.Namespace) -> int:
+    with opened_store() as store:
+        secret = invite(store, options.note, now())
+    sys.stdout.write(f"{options.root.rstrip('/')}/lti/register/{secret}\n")
+    return 0
+
+
+def _keys(options: argparse.Namespace) -> int:
+    courses = CourseResources(settings_of_environment())
+    try:
+        if options.rotate:
+            courses.rotate(at_once=options.at_once)
+        sys.stdout.write(json.dumps(key_set(courses.keys()), indent=2) + "\n")
+    finally:
+        courses.close()
+    return 0

@@ -1,0 +1,54 @@
+"""`framewise people`: what is stored about a person, its erasure, and the end of what is old."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from datetime import timedelta
+
+from courses.privacy import erase_person, export_person, purge
+from service.cli.backups import opened_store
+from service.cli.serve import settings_of_environment
+from service.course_resources import now
+
+
+def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare `people` with what it does."""
+    actions = subparsers.add_parser("people", help="privacy: export, erase, purge").add_subparsers(
+        required=True, metavar="action"
+    )
+    export = actions.add_parser("export", help="print everything that is stored about a person")
+    export.add_argument("key", help="their pseudonym, as the lecturers' page shows it")
+    export.set_defaults(run=_export)
+    erase = actions.add_parser("erase", help="remove a person with everything that is stored about them")
+    erase.add_argument("key")
+    erase.set_defaults(run=_erase)
+    purging = actions.add_parser(
+        "purge", help="remove what is older than FRAMEWISE_PEOPLE_DAYS and ACCESS_DAYS"
+    )
+    purging.set_defaults(run=_purge)
+
+
+def _export(options: argparse.Namespace) -> int:
+    with opened_store() as store:
+        _print(export_person(store, options.key))
+    return 0
+
+
+def _erase(options: argparse.Namespace) -> int:
+    with opened_store() as store:
+        _print(erase_person(store, options.key))
+    return 0
+
+
+def _purge(_: argparse.Namespace) -> int:
+    settings = settings_of_environment()
+    people, log = timedelta(days=settings.people_days), timedelta(days=settings.access_days)
+    with opened_store() as store:
+        _print(purge(store, now(), people=people, log=log))
+    return 0
+
+
+def _print(found: object) -> None:
+    sys.stdout.write(json.dumps(found, indent=2, ensure_ascii=False) + "\n")
