@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 
@@ -80,7 +81,7 @@ def in_length_unit(read: ReadTable, unit: LengthUnit) -> ReadTable:
         convention=read.table.convention,
         rows=tuple(_scaled_row(row, read.parameters, ratio) for row in read.table.rows),
     )
-    return ReadTable(table=table, angle_unit=read.angle_unit, length_unit=unit, parameters=read.parameters)
+    return replace(read, table=table, length_unit=unit)
 
 
 def _scaled_row(row: SymbolicRow, kinds: Mapping[str, ParameterKind], ratio: Fraction) -> SymbolicRow:

@@ -6,7 +6,7 @@ understood too. In a `d` cell, `d_i` is the variable of a prismatic row i and a 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -68,6 +68,20 @@ def row_joints(
         return max(fitting, key=lambda candidate: candidate[1])[0], ()
     joints, _, foreign = min(candidates, key=lambda candidate: len(candidate[2]))
     return joints, _numbering_faults(numberings[0], numberings[-1], joints, syntax, foreign)
+
+
+def variable_names(
+    joints: Sequence[RowJoint], syntax: Sequence[Syntax], parameters: Collection[str]
+) -> tuple[str, ...]:
+    """The names of the joint variables as typed, q_i where there is none that says which joint it is."""
+    names: list[str] = []
+    for joint, cells in zip(joints, syntax, strict=True):
+        if joint.joint is JointType.FIXED:
+            continue
+        cell, own = VARIABLE_CELLS[joint.joint], len(names) + 1
+        typed = [name.name for name in _names(cells, cell) if joint.variable(name.name, cell) == own]
+        names.append(typed[0] if typed and typed[0] not in parameters else f"q{own}")
+    return tuple(names)
 
 
 def _assigned(

@@ -7,7 +7,7 @@ from functools import lru_cache
 from types import MappingProxyType
 
 from kinematics.cells.entries import text_length
-from kinematics.cells.joints import row_joints
+from kinematics.cells.joints import row_joints, variable_names
 from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.refusals import Refusal, fault
 from kinematics.cells.rows import RowMeaning, row_meaning, row_syntax
@@ -64,6 +64,7 @@ def _read_anew(raw: RawTable, limits: Limits) -> ReadTable:
         angle_unit=raw.angle_unit,
         length_unit=raw.length_unit,
         parameters=MappingProxyType(kinds),
+        variables=variable_names(joints, trees, kinds),
     )
 
 

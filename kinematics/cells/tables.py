@@ -107,9 +107,13 @@ class ReadTable:
         angle_unit: the unit in which its angle parameters are given.
         length_unit: the unit of its lengths and length parameters.
         parameters: what each parameter measures, in the order in which they stand in the table.
+        variables: the names of the joint variables as typed (theta1, d3), in joint order; q_i where the table
+            does not name the variable, numbers it by row, or has a parameter of that name. Empty if nobody
+            typed them.
     """
 
     table: SymbolicTable
     angle_unit: AngleUnit
     length_unit: LengthUnit
     parameters: Mapping[str, ParameterKind]
+    variables: tuple[str, ...] = ()

@@ -18,7 +18,8 @@ from kinematics.expressions import (
     Product,
     Sum,
 )
-from kinematics.printing.ledger import Entered
+from kinematics.printing.ledger import Entered, Ledger
+from kinematics.printing.notation import Names
 from kinematics.printing.numbers import decimal_text
 from kinematics.printing.writer import Writer
 
@@ -37,6 +38,10 @@ _FUNCTIONS = {
 
 class ContentWriter(Writer[str]):
     """Writes expressions in content markup."""
+
+    def __init__(self, names: Names, ledger: Ledger | None = None) -> None:
+        super().__init__(ledger)
+        self._names = names
 
     def table(self, matrix: Entered) -> str:
         """A matrix in the ledger."""
@@ -57,7 +62,7 @@ class ContentWriter(Writer[str]):
             case Parameter(name):
                 return f"<ci>{escape(name)}</ci>"
             case JointVariable(index):
-                return f"<ci>q{index}</ci>"
+                return f"<ci>{escape(self._names.variable(index))}</ci>"
             case Pi():
                 return "<pi/>"
             case Power(_, exponent):

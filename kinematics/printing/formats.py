@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Sequence
+from dataclasses import replace
 from enum import StrEnum
 from itertools import chain
 from typing import Any, TypeAlias
 
 from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import Expression
+from kinematics.printing.entries import entry_lines
 from kinematics.printing.latex import LatexWriter
 from kinematics.printing.ledger import Entered, Ledger
 from kinematics.printing.mathml import MathmlWriter
@@ -27,13 +29,15 @@ class Format(StrEnum):
     """What a matrix can be written as.
 
     latex and mathml are one string for the matrix; text is a list of rows of infix strings, json one of
-    expression trees; sympy is a script that makes the matrix, the others are the source of one function.
+    expression trees; entries is a list of equations, named intermediates first; sympy is a script that makes
+    the matrix, the others are the source of one function.
     """
 
     LATEX = "latex"
     MATHML = "mathml"
     TEXT = "text"
     JSON = "json"
+    ENTRIES = "entries"
     PYTHON = "python"
     NUMPY = "numpy"
     C = "c"
@@ -71,19 +75,26 @@ class MatrixPrinter:
         *,
         n_joints: int,
         parameters: Sequence[str],
+        variables: Sequence[str] = (),
         notation: Notation = Notation.FULL,
         limit: int = LIMIT,
     ) -> None:
         self._limit = limit
-        self._names = Names(notation=notation, parameters=frozenset(parameters), separated=n_joints > 9)
+        self._names = Names(
+            notation=notation,
+            parameters=frozenset(parameters),
+            separated=n_joints > 9,
+            variables=tuple(variables),
+        )
         self._ledger = Ledger()
         self._n_joints, self._parameters = n_joints, tuple(parameters)
+        self._variables = tuple(map(self._names.variable, range(1, n_joints + 1)))
         self._answers: dict[Hashable, dict[str, Any]] = {}
         self._writers: dict[Format, Callable[[Entered], Any]] = {
             Format.LATEX: LatexWriter(self._names, self._ledger).bmatrix,
             Format.MATHML: MathmlWriter(self._names, self._ledger).table,
             Format.TEXT: TextWriter(self._names, self._ledger).lines,
-            Format.JSON: TreeWriter(self._ledger).entries,
+            Format.JSON: TreeWriter(self._names, self._ledger).entries,
         }
 
     def write(self, matrix: Matrix, formats: Iterable[Format], purpose: Purpose) -> dict[str, Any]:
@@ -108,7 +119,8 @@ class MatrixPrinter:
         nodes = ledger.under(ledger.numbers(chain.from_iterable(chain.from_iterable(matrices))))
         named = [(number, self._names.short(ledger.nodes[number])) for number in nodes]
         abbreviated = {number: name for number, name in named if name is not None}
-        texts = TextWriter(Names(), ledger).lines(ledger.entered((tuple(abbreviated),)))[0]
+        writer = TextWriter(replace(self._names, notation=Notation.FULL), ledger)
+        texts = writer.lines(ledger.entered((tuple(abbreviated),)))[0]
         for name, text in zip(abbreviated.values(), texts, strict=True):
             found[name.plain] = text
             if name.is_sum:
@@ -118,13 +130,19 @@ class MatrixPrinter:
     def _written(
         self, matrix: Matrix, entered: Entered, wanted: Sequence[Format], purpose: Purpose
     ) -> dict[str, Any]:
-        if any(chosen in self._writers or chosen is Format.SYMPY for chosen in wanted):
+        if not SOURCES.keys() - {Format.SYMPY} >= set(wanted):
             self._refuse_large(entered)
-        sources = self._sources(matrix, [c for c in wanted if c not in self._writers], purpose)
-        return {
-            chosen.value: sources[chosen] if chosen in sources else self._writers[chosen](entered)
-            for chosen in wanted
-        }
+        sources = self._sources(matrix, [chosen for chosen in wanted if chosen in SOURCES], purpose)
+        written: dict[str, Any] = {}
+        for chosen in wanted:
+            if chosen in sources:
+                written[chosen.value] = sources[chosen]
+            elif chosen is Format.ENTRIES:
+                lines = entry_lines(entered, self._ledger, self._names, purpose.result)
+                written[chosen.value] = [line._asdict() for line in lines]
+            else:
+                written[chosen.value] = self._writers[chosen](entered)
+        return written
 
     def _sources(self, matrix: Matrix, wanted: Sequence[Format], purpose: Purpose) -> dict[Format, str]:
         if not wanted:
@@ -133,7 +151,12 @@ class MatrixPrinter:
 
         plans = {
             stepwise: program(
-                matrix, purpose, n_joints=self._n_joints, parameters=self._parameters, stepwise=stepwise
+                matrix,
+                purpose,
+                n_joints=self._n_joints,
+                parameters=self._parameters,
+                variables=self._variables,
+                stepwise=stepwise,
             )
             for stepwise in {chosen is not Format.SYMPY for chosen in wanted}
         }

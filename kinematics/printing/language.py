@@ -47,7 +47,7 @@ class Language(Printer):
         self.program, self.purpose = program, program.purpose
         self.taken = {type(self).fold(word) for word in self._reserved()}
         self.function = self.take(program.purpose.name)
-        self.taken.add("q")
+        self.taken |= {"q", *map(type(self).fold, program.variables)}
         self.arguments = {name: self.take(name) for name in program.parameters}
         self.names: dict[str, str] = {}
         for symbol, node in program.atoms.items():

@@ -87,11 +87,13 @@ class Sympy(Language, StrPrinter):
     _uses: ClassVar[str] = "Abs Rational S acos asin atan atan2 cos pi sin sqrt tan"
 
     def _atom(self, node: Expression) -> str:
-        return f"q{node.index}" if isinstance(node, JointVariable) else super()._atom(node)
+        if isinstance(node, JointVariable):
+            return self.program.variables[node.index - 1]
+        return super()._atom(node)
 
     def _lines(self) -> list[str]:
         matrix = self.listed("    [{}]")
-        joints = [f"q{i}" for i in range(1, self.program.n_joints + 1)]
+        joints = self.program.variables
         symbols = {name: name for name in joints} | {new: old for old, new in self.arguments.items()}
         written = set(IDENTIFIER.findall(" ".join(matrix)))
         used = ["Matrix", *(["Symbol"] if symbols else []), *(written & set(self._uses.split()))]

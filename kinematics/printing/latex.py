@@ -72,7 +72,7 @@ class LatexWriter(Typesetter):
         return parameter(name)
 
     def _variable(self, index: int) -> str:
-        return f"q_{{{index}}}"
+        return parameter(self._names.variable(index))
 
     def _pi(self) -> str:
         return r"\pi"

@@ -44,7 +44,7 @@ class MathmlWriter(Typesetter):
     def __init__(self, names: Names, ledger: Ledger | None = None) -> None:
         super().__init__(ledger)
         self._names = names
-        self._content = ContentWriter(self.ledger)
+        self._content = ContentWriter(names, self.ledger)
 
     def matrix(self, matrix: Sequence[Sequence[Expression]]) -> str:
         """A matrix in square brackets, as one `math` element."""
@@ -104,7 +104,7 @@ class MathmlWriter(Typesetter):
         return f"<msub>{letter}<{kind}>{escape(script)}</{kind}></msub>"
 
     def _variable(self, index: int) -> str:
-        return f"<msub><mi>q</mi><mn>{index}</mn></msub>"
+        return self._parameter(self._names.variable(index))
 
     def _pi(self) -> str:
         return "<mi>π</mi>"

@@ -7,7 +7,7 @@ table has the same name.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -73,11 +73,17 @@ class Names:
         notation: short or full.
         parameters: names that the table's parameters have.
         separated: whether joint numbers are kept apart: the table has ten joints or more.
+        variables: names of the joint variables, in joint order; q1, q2, … if left out.
     """
 
     notation: Notation = Notation.FULL
     parameters: Collection[str] = frozenset()
     separated: bool = False
+    variables: Sequence[str] = ()
+
+    def variable(self, joint: int) -> str:
+        """The name of a joint variable."""
+        return self.variables[joint - 1] if joint <= len(self.variables) else f"q{joint}"
 
     def short(self, node: Expression) -> ShortName | None:
         """The short name of a sine or cosine of joint variables; None of what is written in full."""

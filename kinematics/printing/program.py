@@ -62,6 +62,7 @@ class Program:
         purpose: its name and meaning.
         n_joints: number of joint variables, its first argument.
         parameters: its other arguments.
+        variables: names of the joint variables.
         atoms: what the symbols in the expressions stand for, by their names.
         steps: sines and cosines of joint variables, then what occurs more than once, in an order in which
             they can be computed.
@@ -71,6 +72,7 @@ class Program:
     purpose: Purpose
     n_joints: int
     parameters: tuple[str, ...]
+    variables: tuple[str, ...]
     atoms: dict[str, Expression]
     steps: list[Step]
     entries: list[list[sympy.Expr]]
@@ -82,6 +84,7 @@ def program(
     *,
     n_joints: int,
     parameters: tuple[str, ...],
+    variables: tuple[str, ...],
     stepwise: bool = True,
 ) -> Program:
     """Plan a function.
@@ -91,6 +94,7 @@ def program(
         purpose: its name and meaning.
         n_joints: number of joint variables.
         parameters: its other arguments, whether the matrix holds them or not.
+        variables: names of the joint variables.
         stepwise: whether what is repeated is computed once; otherwise the entries are as they are read.
     """
     import sympy
@@ -116,6 +120,7 @@ def program(
         purpose=purpose,
         n_joints=n_joints,
         parameters=parameters,
+        variables=variables,
         atoms=atoms.known,
         steps=steps,
         entries=entries,

@@ -28,6 +28,9 @@ class TextWriter(InfixWriter):
         super().__init__(_SPELLING, ledger)
         self._names = names
 
+    def _variable(self, index: int) -> str:
+        return self._names.variable(index)
+
     def _call(self, node: Call, arguments: Sequence[Written]) -> Written:
         short = self._names.short(node)
         if short is not None and short.is_sum:

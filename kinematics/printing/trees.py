@@ -18,6 +18,8 @@ from kinematics.expressions import (
     Product,
     Sum,
 )
+from kinematics.printing.ledger import Ledger
+from kinematics.printing.notation import Names
 from kinematics.printing.numbers import decimal_text
 from kinematics.printing.writer import Writer
 
@@ -37,6 +39,10 @@ def to_tree(expression: Expression) -> Tree:
 class TreeWriter(Writer[Tree]):
     """Writes expressions as trees."""
 
+    def __init__(self, names: Names | None = None, ledger: Ledger | None = None) -> None:
+        super().__init__(ledger)
+        self._names = names or Names()
+
     def _write(self, number: int) -> Tree:
         below = [self._written[child] for child in self.ledger.below[number]]
         match self.ledger.nodes[number]:
@@ -51,7 +57,7 @@ class TreeWriter(Writer[Tree]):
             case Parameter(name):
                 return {"type": "parameter", "name": name}
             case JointVariable(index):
-                return {"type": "variable", "name": f"q{index}", "index": index}
+                return {"type": "variable", "name": self._names.variable(index), "index": index}
             case Pi():
                 return {"type": "pi"}
             case Power(_, exponent):

@@ -76,6 +76,10 @@ class LineWriter(Writer[Written]):
     minus = "-"
     sign = "-"
 
+    def name(self, number: int, name: str) -> None:
+        """Let a name stand for a node in what is written from now on."""
+        self._written[number] = Written(name, Binding.ATOM)
+
     def text(self, expression: Expression) -> str:
         """The expression with its sign."""
         return self._signed(self.written(expression))
@@ -164,7 +168,7 @@ class Typesetter(LineWriter):
         head = [self._digits(weight.digits)] if weight.digits else []
         head += [self._within(factor, Binding.PRODUCT) for factor in constants]
         tail = [self._within(factor, Binding.PRODUCT) for factor in above]
-        if below or (denominator and not head and len(tail) == 1 and above[0].binding >= Binding.POWER):
+        if below:
             head, tail = head + tail, []
         if denominator:
             over = self._over(self._times(head or [self._digits("1")]), self._times(denominator))

@@ -41,7 +41,7 @@ class MatrixWriter:
     def know(self, runs: Sequence[Run]) -> None:
         """Factors are written in the order in which they become known: base first."""
         for run in runs:
-            for angle in (*run.arms, run.angle):
+            for angle in (*run.arms, run.angle, run.twist):
                 self.arena.circle(angle)
 
     def matrix(self, runs: Sequence[Run], end: Pose = HERE) -> Matrix:

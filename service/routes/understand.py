@@ -127,8 +127,8 @@ def _known_values(read: ReadTable, given: Mapping[str, float]) -> dict[str, floa
 
 
 def _rows(read: ReadTable, unread: frozenset[Place], values: Mapping[str, float]) -> list[UnderstoodRow]:
-    names = Names(parameters=frozenset(read.parameters))
-    mathml, latex, text = MathmlWriter(names), LatexWriter(names), text_writer(names)
+    names = Names(parameters=frozenset(read.parameters), variables=read.variables)
+    mathml, latex, text = MathmlWriter(names), LatexWriter(names), text_writer(Names())
     rows = []
     joint = 0
     for i, row in enumerate(read.table.rows):

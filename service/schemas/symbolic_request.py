@@ -71,6 +71,14 @@ def _with_sources(schema: dict[str, Any]) -> None:
         schema["properties"][chosen.value] = {"type": "string", "description": description}
 
 
+class WrittenEntry(Wire):
+    """An entry of a matrix, or an intermediate that several of them hold."""
+
+    name: str = Field(description="r11 … r33 and px, py, pz of a pose, J11 … of a Jacobian; k1 … before them")
+    text: str = Field(description="its value as an infix expression")
+    latex: str = Field(description="the equation in LaTeX")
+
+
 class WrittenMatrix(Wire):
     """A matrix in the formats that were asked for."""
 
@@ -81,6 +89,9 @@ class WrittenMatrix(Wire):
     text: list[list[str]] | None = Field(None, description="rows of infix expressions")
     json_: list[list[dict[str, Any]]] | None = Field(
         None, alias="json", description="rows of expression trees: a type, and what belongs to it"
+    )
+    entries: list[WrittenEntry] | None = Field(
+        None, description="entry by entry, as books print it; what is repeated has a name of its own"
     )
 
 
@@ -98,7 +109,7 @@ class WritingAnswer(Units):
     π/2 is a right angle.
     """
 
-    variables: list[str] = Field(description="the joint variables, in joint order")
+    variables: list[str] = Field(description="the joint variables as the table names them, in joint order")
     parameters: list[str] = Field(
         description="the parameters that are left; functions take them in this order"
     )

@@ -40,6 +40,7 @@ class Task:
     Attributes:
         table: the DH table, values substituted.
         parameters: names of the parameters that are left.
+        variables: names of the joint variables; q1, q2, … if left out.
         parts: what is wanted.
         frames: which Jacobians, if any.
         formats: in which formats.
@@ -51,6 +52,7 @@ class Task:
 
     table: SymbolicTable
     parameters: tuple[str, ...]
+    variables: tuple[str, ...] = ()
     parts: tuple[Part, ...]
     frames: tuple[JacobianFrame, ...] = tuple(JacobianFrame)
     formats: tuple[Format, ...]
@@ -83,7 +85,12 @@ def written_answer(task: Task) -> bytes:
         FormSizeError: a matrix has too many operations to be written out.
     """
     answer: dict[str, Any] = dict(task.head)
-    printer = MatrixPrinter(n_joints=task.table.n_joints, parameters=task.parameters, notation=task.notation)
+    printer = MatrixPrinter(
+        n_joints=task.table.n_joints,
+        parameters=task.parameters,
+        variables=task.variables,
+        notation=task.notation,
+    )
     matrices: list[Matrix] = []
 
     def write(matrix: Matrix, purpose: Purpose) -> dict[str, Any]:

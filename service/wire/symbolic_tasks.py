@@ -51,9 +51,11 @@ def task_of(
         if matrix is not None:
             check_transform(matrix, where=(name,))
     parameters = table_parameters(table)
+    variables = read.variables or tuple(f"q{joint}" for joint in range(1, table.n_joints + 1))
     return Task(
         table=table,
         parameters=parameters,
+        variables=variables,
         parts=parts,
         frames=frames,
         formats=tuple(dict.fromkeys(question.formats)),
@@ -63,7 +65,7 @@ def task_of(
         head={
             "angle_unit": read.angle_unit.value,
             "length_unit": read.length_unit.value,
-            "variables": [f"q{joint}" for joint in range(1, table.n_joints + 1)],
+            "variables": list(variables),
             "parameters": list(parameters),
             "notation": question.notation.value,
         },

@@ -96,6 +96,19 @@ def test_full_notation_is_the_default_and_needs_no_legend(client: httpx.Client) 
     assert answer["transform"]["text"][2][3] == "a2*sin(q2) + a3*sin(q2 + q3) + d4*cos(q2 + q3)"
 
 
+def test_joint_variables_keep_the_names_typed(client: httpx.Client) -> None:
+    rows = [{"alpha": 0, "a": "L1", "d": 0, "theta": "θ₁*"}, {"alpha": 0, "a": 0, "d": "d2", "theta": 0}]
+    table = {"convention": "standard", "rows": rows}
+    answer = ask(client, table=table, parts=["transform"], formats=["text", "entries"])
+    assert answer["variables"] == ["theta1", "d2"]
+    assert answer["transform"]["text"][0][3] == "L1*cos(theta1)"
+    assert answer["transform"]["entries"][3] == {
+        "name": "px",
+        "text": "L1*cos(theta1)",
+        "latex": r"p_{x}=L_{1}\cos(\theta_{1})",
+    }
+
+
 def test_some_parameters_may_have_values(client: httpx.Client) -> None:
     answer = ask(client, table=PUMA_LENGTHS, parameters={"a_2": 0.4318, "d3": 0}, parts=["transform"])
     assert answer["parameters"] == ["a3", "d4"]

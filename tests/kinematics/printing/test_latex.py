@@ -56,7 +56,7 @@ def latex(expression: Expression, notation: Notation = Notation.SHORT) -> str:
         (call(Function.COS, add((q1, pi_times(Fraction(1, 4))))), r"\cos\left(q_{1}+\frac{\pi}{4}\right)"),
         (power(call(Function.COS, q1), 2), "c_{1}^{2}"),
         (multiply((number("1/2"), call(Function.SQRT, number(3)), L1)), r"\frac{\sqrt{3}}{2}L_{1}"),
-        (multiply((number("-1/2"), L1)), r"-\frac{L_{1}}{2}"),
+        (multiply((number("-1/2"), L1)), r"-\frac{1}{2}L_{1}"),
         (multiply((number("1/2"), L1, call(Function.COS, q1))), r"\frac{1}{2}L_{1}c_{1}"),
         (multiply((number("0.4318"), call(Function.COS, q1))), "0.4318c_{1}"),
         (pi_times(Fraction(37, 180)), r"\frac{37\pi}{180}"),
