@@ -113,15 +113,22 @@ def grade_exercise(exercise_id: str, answer: Mapping[str, Any], *, language: str
     return Call(method="POST", path=path, body=dict(answer), query={"lang": language})
 
 
-def grade_all(submissions: Sequence[Mapping[str, Any]], *, language: str | None = None) -> Call:
-    """Return the verdicts on many tables, in their order (POST /grade).
+def grade_all(
+    reference: Table,
+    submissions: Sequence[Table],
+    *,
+    policy: Mapping[str, Any] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    help_level: str | None = None,
+) -> Call:
+    """Return the verdicts on many tables by one key, in their order (POST /grade).
 
-    Args:
-        submissions: bodies of `grade`: reference, submission, policy, parameters, help.
-        language: of the sentences.
+    One that cannot be graded has a problem document in the place of its verdict.
     """
-    body = {"submissions": [dict(submission) for submission in submissions]}
-    return Call(method="POST", path="grade", body=body, query={"lang": language})
+    body = {"reference": dict(reference), "submissions": [dict(table) for table in submissions]}
+    return Call(
+        method="POST", path="grade", body=body | _given(policy=policy, parameters=parameters, help=help_level)
+    )
 
 
 def verify_receipts(receipts: Sequence[str]) -> Call:

@@ -58,6 +58,17 @@ def hand_ins(path: Path, settings: TableSettings) -> Iterator[HandIn]:
             yield HandIn(student=found.student or student, source=name, found=found)
 
 
+def count_files(path: Path) -> int:
+    """Return how many files with tables a path holds; 0 where nothing can be read."""
+    if path.is_dir():
+        return sum(1 for file in path.rglob("*") if _is_table(file.name))
+    try:
+        with zipfile.ZipFile(path) as archive:
+            return sum(1 for entry in archive.infolist() if _is_table(entry.filename))
+    except (zipfile.BadZipFile, OSError):
+        return int(path.is_file())
+
+
 def student_of(name: str) -> str:
     """Return the student that a file's path names, by the schemes of Moodle, Canvas and Blackboard.
 

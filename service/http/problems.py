@@ -157,6 +157,10 @@ def located(*prefix: str | int) -> Iterator[None]:
         yield
     except KinematicsError as error:
         raise type(error)(fault.within(*prefix) for fault in error.faults) from error
+    except ServiceError as error:
+        if error.part is RequestPart.BODY:
+            error.faults = tuple(fault.within(*prefix) for fault in error.faults)
+        raise
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -11,6 +12,12 @@ from service.adapters.gradebook import Mark
 from service.http.problems import RequestError
 from service.receipts.keys import ReceiptKeys
 from service.receipts.receipt import Receipt, verify
+
+_START = "eyJhbGciOiJFZERTQSI"
+"""How every receipt begins: `{"alg":"EdDSA"` in base64url."""
+_RECEIPT = re.compile(r"[\w-]+\.[\w-]+\.[\w-]{86}", re.ASCII)
+"""Header, payload, and an Ed25519 signature of 64 bytes."""
+_SHOWN = 200
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -28,6 +35,14 @@ class CheckedReceipt:
     receipt: Receipt | None
     fault: Fault | None
     repeated: bool = False
+
+
+def receipts_in(text: str) -> list[str]:
+    """Return the receipts in a text, such as a mail that broke them into lines; else the text itself."""
+    found = [_START + "".join(piece.split()) for piece in text.split(_START)[1:]]
+    whole = [_RECEIPT.match(piece) for piece in found]
+    pieces = [match[0] if match else piece[:_SHOWN] for match, piece in zip(whole, found, strict=True)]
+    return pieces or [text.strip()[:_SHOWN]]
 
 
 def check_receipts(texts: Sequence[str], keys: ReceiptKeys) -> list[CheckedReceipt]:

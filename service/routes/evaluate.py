@@ -27,7 +27,8 @@ from service.schemas.evaluation import (
 from service.schemas.tables import Table
 from service.work.limiters import WorkKind
 
-router = APIRouter(tags=["evaluation"])
+router = APIRouter(tags=["evaluation"], include_in_schema=False)
+"""µEd describes its calls itself; they are no part of our own document."""
 
 _LOCATOR = {
     "type": "object",

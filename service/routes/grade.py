@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from functools import partial
+from itertools import chain
+from typing import Any
 
 from fastapi import Response
 from pydantic import TypeAdapter
@@ -12,27 +14,31 @@ from kinematics.cells import read_table
 from service.http.languages import language_of
 from service.http.openapi import problems, request_body
 from service.http.problems import located
-from service.http.routing import ApiRequest, BytesResponse, DirectRoute, api_router
+from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.http.validation import validated
 from service.resources import resources_of
 from service.schemas import examples_grading as examples
-from service.schemas.grading import GradeRequest
+from service.schemas.grading import GradeBody, GradeManyRequest, GradeRequest, ManyVerdicts
 from service.schemas.verdicts import VerdictModel
+from service.wire.many_grades import lines, members, verdicts
 from service.wire.ungraded import answer_refused
 from service.wire.verdicts import encoded, verdict_body
+from service.work.batches import BatchResponse
 from service.work.limiters import WorkKind
 
 router = api_router("exercises", route_class=DirectRoute)
 
 _REQUEST: TypeAdapter[GradeRequest] = TypeAdapter(GradeRequest)
+_MANY: TypeAdapter[GradeManyRequest] = TypeAdapter(GradeManyRequest)
+NDJSON = "application/x-ndjson"
 
 
 @router.post(
     "/grade",
     summary="Judge a DH table by a key of your own",
-    response_model=VerdictModel,
-    responses=problems(503),
-    openapi_extra=request_body(GradeRequest, examples.GRADE),
+    response_model=VerdictModel | ManyVerdicts,
+    responses=problems(406, 503),
+    openapi_extra=request_body(GradeBody, examples.GRADE),
 )
 async def grade_table(request: ApiRequest) -> Response:
     """Whether a submission describes the reference robot, whatever frames it was written in.
@@ -40,10 +46,30 @@ async def grade_table(request: ApiRequest) -> Response:
     A right answer comes with a certificate: joint signs, joint offsets and two constant motions with which
     both tables give the same pose for every configuration. A wrong one is explained as far as `help`
     allows. A request that cannot be graded costs no attempt.
+
+    With `submissions` instead of `submission`, many tables are judged by one key: the verdicts come in their
+    order, as one JSON object or, where `application/x-ndjson` is accepted, line by line as they are found.
     """
+    body = await request.json()
+    if isinstance(body, dict) and "submissions" in body:
+        return await _many(request, body)
     with answer_refused():
         verdict = await _verdict(request)
     return BytesResponse(encoded(verdict_body(verdict, language_of(request))))
+
+
+async def _many(request: ApiRequest, body: dict[str, Any]) -> Response:
+    form = request.accepts(JSON, NDJSON)
+    wire: GradeManyRequest = validated(_MANY, body)
+    found = verdicts(wire, request.settings.cell_limits, language_of(request))
+    blocks = lines(found) if form == NDJSON else members(found)
+    slot = await resources_of(request).limiters[WorkKind.GRADING].acquire()
+    try:
+        first = await slot.run(lambda: next(blocks, b""))  # a key that cannot be read is refused as a whole
+    except BaseException:
+        slot.release()
+        raise
+    return BatchResponse(chain((first,), blocks), slot, form)
 
 
 async def _verdict(request: ApiRequest) -> Verdict:

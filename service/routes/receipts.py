@@ -8,7 +8,7 @@ from functools import partial
 from typing import Annotated, Any
 
 import segno
-from fastapi import Query, Request, Response
+from fastapi import Body, Query, Request, Response
 from fastapi.responses import JSONResponse
 
 from exercises.answers import parse
@@ -23,6 +23,8 @@ from service.receipts.checking import CheckedReceipt, check_receipts, marks_of
 from service.receipts.receipt import PartScore, Receipt, answer_hash, issue
 from service.resources import AppResources
 from service.routes.exercises import Id
+from service.schemas import examples_grading
+from service.schemas.examples import named
 from service.schemas.receipts import IssuedReceipt, ReceiptRequest, VerifiedReceipts, VerifyRequest
 from service.wire.exercise_views import instance_of
 from service.wire.ungraded import answer_refused, known_exercise
@@ -30,6 +32,10 @@ from service.work.limiters import WorkKind
 
 router = api_router("receipts")
 
+_RECEIPT: dict[str, Any] = named(
+    {"a table": {"table": examples_grading.SCARA_BY_THE_BOOK, "name": "Ada Lovelace"}}
+)
+_VERIFY: dict[str, Any] = named({"a text that is no receipt": {"receipts": ["eyJhbGciOiJFZERTQSIsImtpZCI6"]}})
 _CSV = "text/csv; charset=utf-8"
 _OUTSIDE = {"name", "seed", "help"}
 """Members of a request that are no part of the answer."""
@@ -42,7 +48,10 @@ _OUTSIDE = {"name", "seed", "help"}
     summary="Judge an answer and sign a receipt for it",
 )
 async def issue_receipt(
-    request: Request, exercise_id: Id, body: ReceiptRequest, resources: AppResources
+    request: Request,
+    exercise_id: Id,
+    body: Annotated[ReceiptRequest, Body(openapi_examples=_RECEIPT)],
+    resources: AppResources,
 ) -> Any:
     """A compact JWS that says what an answer earned, for a student to hand to a lecturer.
 
@@ -73,7 +82,7 @@ async def issue_receipt(
 )
 async def verify_receipts(
     request: Request,
-    body: VerifyRequest,
+    body: Annotated[VerifyRequest, Body(openapi_examples=_VERIFY)],
     resources: AppResources,
     gradebook: Annotated[
         GradebookFormat | None, Query(alias="format", description="a gradebook file instead of JSON")

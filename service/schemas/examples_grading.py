@@ -91,4 +91,5 @@ GRADE: dict[str, Any] = {
         "policy": {"tool": "axis"},
         "help": "row",
     },
+    "several submissions": {"reference": SCARA, "submissions": [SCARA, SCARA_BY_THE_BOOK]},
 }

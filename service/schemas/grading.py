@@ -2,22 +2,53 @@
 
 from __future__ import annotations
 
-from pydantic import Field
+from typing import Any
+
+from pydantic import Field, RootModel
 
 from exercises.grading import HelpLevel
-from service.schemas.base import Wire
+from service.schemas.base import ProblemDocument, Wire
 from service.schemas.tables import Parameters, Table
-from service.schemas.verdicts import Help, PolicyModel
+from service.schemas.verdicts import Help, PolicyModel, VerdictModel
+
+MOST_SUBMISSIONS = 1000
+"""Submissions in one request: a course's."""
 
 
-class GradeRequest(Wire):
-    """A submission to be judged by a key that the caller keeps."""
+class KeyQuestion(Wire):
+    """A key that the caller keeps, and how it is applied."""
 
     reference: Table = Field(description="the key")
-    submission: Table = Field(description="the answer; it may be in other units and in the other convention")
     policy: PolicyModel = PolicyModel()
     parameters: Parameters = Field(
         default_factory=dict,
         description="values of the key's parameters, in the key's units, so that answers may hold numbers",
     )
     help: Help = HelpLevel.REPAIR
+
+
+class GradeRequest(KeyQuestion):
+    """A submission to be judged by a key that the caller keeps."""
+
+    submission: Table = Field(description="the answer; it may be in other units and in the other convention")
+
+
+class GradeManyRequest(KeyQuestion):
+    """Many submissions to be judged by one key."""
+
+    submissions: list[Any] = Field(
+        min_length=1,
+        max_length=MOST_SUBMISSIONS,
+        description="tables; one that cannot be graded has a problem document in the place of its verdict",
+        json_schema_extra={"items": {"$ref": "#/components/schemas/Table"}},
+    )
+
+
+class GradeBody(RootModel[GradeRequest | GradeManyRequest]):
+    """One submission or many, by one key."""
+
+
+class ManyVerdicts(Wire):
+    """Verdicts in the order of the submissions."""
+
+    verdicts: list[VerdictModel | ProblemDocument]

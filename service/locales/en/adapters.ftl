@@ -23,3 +23,5 @@ evaluation-unreadable = The answer cannot be graded as it stands; this costs no 
 
 scorm-no-script = This exercise needs JavaScript.
 scorm-no-lms = No learning platform was found around this page. You can practise, but no mark will be recorded.
+
+grade-summary = { $right } right, { $wrong } wrong, { $ungraded } not gradable.

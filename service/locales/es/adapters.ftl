@@ -23,3 +23,5 @@ evaluation-unreadable = La respuesta no se puede calificar tal como está; esto 
 
 scorm-no-script = Este ejercicio necesita JavaScript.
 scorm-no-lms = No se ha encontrado ninguna plataforma de aprendizaje alrededor de esta página. Puedes practicar, pero no se registrará ninguna nota.
+
+grade-summary = { $right } correctas, { $wrong } incorrectas, { $ungraded } no calificables.

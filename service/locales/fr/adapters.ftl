@@ -23,3 +23,5 @@ evaluation-unreadable = La réponse ne peut pas être notée telle quelle ; cela
 
 scorm-no-script = Cet exercice a besoin de JavaScript.
 scorm-no-lms = Aucune plateforme d’apprentissage n’a été trouvée autour de cette page. Vous pouvez vous entraîner, mais aucune note ne sera enregistrée.
+
+grade-summary = { $right } justes, { $wrong } fausses, { $ungraded } non notables.

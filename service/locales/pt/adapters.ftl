@@ -23,3 +23,5 @@ evaluation-unreadable = A resposta não pode ser avaliada tal como está; isto n
 
 scorm-no-script = Este exercício precisa de JavaScript.
 scorm-no-lms = Não foi encontrada nenhuma plataforma de aprendizagem em torno desta página. Pode praticar, mas nenhuma nota será registada.
+
+grade-summary = { $right } certas, { $wrong } erradas, { $ungraded } não avaliáveis.

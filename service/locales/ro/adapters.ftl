@@ -23,3 +23,5 @@ evaluation-unreadable = Răspunsul nu poate fi notat așa cum este; aceasta nu s
 
 scorm-no-script = Acest exercițiu are nevoie de JavaScript.
 scorm-no-lms = Nu s-a găsit nicio platformă de învățare în jurul acestei pagini. Puteți exersa, dar nu se va înregistra nicio notă.
+
+grade-summary = { $right } corecte, { $wrong } greșite, { $ungraded } care nu pot fi notate.

@@ -15,6 +15,7 @@ from joserfc import jws
 from joserfc.jwk import OctKey, OKPKey
 
 from service.http.problems import RequestError
+from service.receipts.checking import receipts_in
 from service.receipts.keys import ReceiptKeys, keys_of_secret, read_keys, rotate
 from service.receipts.receipt import TYPE, PartScore, Receipt, answer_hash, issue, verify
 
@@ -125,3 +126,12 @@ def test_a_file_without_private_keys_is_no_key_file(tmp_path: Path) -> None:
         file.write_text(text)
         with pytest.raises(ValueError, match="key"):
             read_keys(file)
+
+
+def test_receipts_are_found_in_mails_and_lists() -> None:
+    first, second = issue(RECEIPT, KEYS), issue(replace(RECEIPT, name="Bob"), KEYS)
+    broken = "\n> ".join(first[i : i + 60] for i in range(0, len(first), 60)).replace("> ", "")
+    mail = f"Dear professor,\n\n{broken}\n\nBest regards, Ann\n{second}\n"
+    assert receipts_in(mail) == [first, second]
+    assert receipts_in(f"{first}\n{second}") == [first, second]
+    assert receipts_in("nothing here") == ["nothing here"]

@@ -1,0 +1,132 @@
+"""`framewise grade`: what students handed in, graded without a server; or one hand-in for an autograder."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Iterable, Iterator
+from dataclasses import asdict
+from pathlib import Path
+from typing import TextIO
+
+from service.cli.serve import settings_of_environment
+
+from exercises.grading import HelpLevel
+from kinematics.cells import AngleUnit, LengthUnit
+from kinematics.table import Convention
+from service.adapters.class_grading import ClassSettings, grade_class, misconceptions
+from service.adapters.gradebook import GradebookFormat, Mark, write_marks
+from service.adapters.hand_ins import count_files, hand_ins
+from service.adapters.hosts import HOSTS
+from service.adapters.hosts.assignment import Assignment
+from service.adapters.table_files import TableSettings
+from service.messages import sentence
+
+_JSON = "json"
+_BAR = 30
+
+
+def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare `grade`."""
+    parser = subparsers.add_parser("grade", help="grade files of students, without a server")
+    parser.add_argument(
+        "path", nargs="?", type=Path, help="a file, a folder or an LMS's zip archive; - or nothing with --for"
+    )
+    parser.add_argument("--exercise", help="the exercise; otherwise each file names it")
+    parser.add_argument("--for", dest="host", choices=tuple(HOSTS), help="speak an autograder's protocol")
+    parser.add_argument("--points", type=float, help="what the assignment is worth, with --for")
+    parser.add_argument("--format", choices=(*GradebookFormat, _JSON), default=GradebookFormat.CSV)
+    parser.add_argument("--output", type=Path, help="file of marks; standard output, if it is not named")
+    parser.add_argument("--jobs", type=int, help="processes (all cores)")
+    parser.add_argument(
+        "--per-student", action="store_true", help="the student's name is the seed of the values"
+    )
+    parser.add_argument("--tell", choices=tuple(HelpLevel), help="less help than the exercise allows")
+    parser.add_argument("--convention", choices=tuple(Convention), default=Convention.STANDARD)
+    parser.add_argument("--angle-unit", choices=tuple(AngleUnit), default=AngleUnit.RAD)
+    parser.add_argument("--length-unit", choices=tuple(LengthUnit), default=LengthUnit.M)
+    parser.set_defaults(run=_grade)
+
+
+def _grade(options: argparse.Namespace) -> int:
+    tables = TableSettings(
+        convention=options.convention, angle_unit=options.angle_unit, length_unit=options.length_unit
+    )
+    if options.host:
+        assignment = Assignment(
+            exercise=options.exercise,
+            language=options.lang,
+            help_level=options.tell,
+            points=options.points,
+            tables=tables,
+        )
+        return HOSTS[options.host](assignment, _named(options.path))
+    settings = ClassSettings(
+        exercise=options.exercise,
+        language=options.lang,
+        help_level=options.tell,
+        per_student=options.per_student,
+        folders=settings_of_environment().exercise_folders,
+    )
+    path = _named(options.path) or Path()
+    found = grade_class(hand_ins(path, tables), settings, options.jobs)
+    counted = _Counted(_with_progress(found, count_files(path)))
+    if options.output is None:
+        _write(counted, sys.stdout, options.format)
+    else:
+        with options.output.open("w", encoding="utf-8", newline="") as stream:
+            _write(counted, stream, options.format)
+    _summarise(counted, options.lang)
+    return 0
+
+
+def _named(path: Path | None) -> Path | None:
+    return None if path is None or str(path) == "-" else path
+
+
+class _Counted:
+    """Marks that are counted as they pass, so that no class has to fit into memory."""
+
+    def __init__(self, marks: Iterable[Mark]) -> None:
+        self._marks = marks
+        self.right = self.wrong = self.ungraded = 0
+        self.found = misconceptions(())
+
+    def __iter__(self) -> Iterator[Mark]:
+        for mark in self._marks:
+            self.right += mark.correct
+            self.ungraded += mark.points is None
+            self.wrong += mark.points is not None and not mark.correct
+            self.found.update(misconceptions((mark,)))
+            yield mark
+
+
+def _write(marks: Iterable[Mark], stream: TextIO, form: str) -> None:
+    if form == _JSON:
+        for mark in marks:
+            stream.write(json.dumps(asdict(mark), ensure_ascii=False) + "\n")
+    else:
+        write_marks(marks, stream, GradebookFormat(form))
+
+
+def _with_progress(marks: Iterable[Mark], files: int) -> Iterator[Mark]:
+    """Show on a terminal how many files are done."""
+    shown = sys.stderr.isatty()
+    done: set[str] = set()
+    for mark in marks:
+        yield mark
+        if shown:
+            done.add(mark.source)
+            filled = _BAR * len(done) // max(files, 1)
+            sys.stderr.write(f"\r[{'#' * filled}{'.' * (_BAR - filled)}] {len(done)}/{files}")
+            sys.stderr.flush()
+    if shown:
+        sys.stderr.write("\n")
+
+
+def _summarise(counted: _Counted, language: str) -> None:
+    counts = {"right": counted.right, "wrong": counted.wrong, "ungraded": counted.ungraded}
+    sys.stderr.write(f"{sentence(language, 'grade-summary', counts)}\n")
+    for code, count in counted.found.most_common(10):
+        sys.stderr.write(f"  {count:6} {code}\n")
