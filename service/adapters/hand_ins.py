@@ -98,6 +98,8 @@ def _files(path: Path) -> Iterator[tuple[str, bytes]]:
         try:
             with path.open("rb") as stream:
                 yield path.name, stream.read(LARGEST_FILE + 1)
+        except FileNotFoundError:
+            raise _unreadable("file_missing", path) from None
         except OSError as error:
             raise _unreadable("file_unreadable", path, reason=error.strerror or str(error)) from None
 

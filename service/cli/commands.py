@@ -9,7 +9,8 @@ from typing import Protocol
 
 from exercises.errors import ExerciseError
 from kinematics.errors import Fault, KinematicsError
-from service.cli import backups, exercises, lti, people, serve
+from service.cli import backups, exercises, grade, lti, people, receipts, serve
+from service.http.problems import ServiceError
 from service.messages import DEFAULT_LANGUAGE, languages, sentence
 
 
@@ -20,7 +21,7 @@ class Command(Protocol):
         """Declare the subcommand, its options, and what runs it."""
 
 
-COMMANDS: tuple[Command, ...] = (serve, exercises, backups, lti, people)
+COMMANDS: tuple[Command, ...] = (serve, exercises, grade, receipts, backups, lti, people)
 """Every subcommand; a new one is a module of this package and an entry here."""
 
 FAILED, UNUSABLE = 1, 2
@@ -40,7 +41,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     run: Callable[[argparse.Namespace], int] = options.run
     try:
         return run(options)
-    except (ExerciseError, KinematicsError) as error:
+    except (ExerciseError, KinematicsError, ServiceError) as error:
         for fault in error.faults:
             sys.stderr.write(f"framewise: {told(fault, options.lang)}\n")
         return UNUSABLE

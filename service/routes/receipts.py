@@ -27,7 +27,7 @@ from service.schemas import examples_grading
 from service.schemas.examples import named
 from service.schemas.receipts import IssuedReceipt, ReceiptRequest, VerifiedReceipts, VerifyRequest
 from service.wire.exercise_views import instance_of
-from service.wire.ungraded import answer_refused, known_exercise
+from service.wire.ungraded import answer_refused
 from service.work.limiters import WorkKind
 
 router = api_router("receipts")
@@ -58,9 +58,8 @@ async def issue_receipt(
     It names the exercise and its version, the seed, the name typed, the score by part, the settings that were
     in force and a hash of the answer. Anybody can verify it with the keys at /receipts/keys.
     """
-    with known_exercise():
-        instance = instance_of(resources.exercises, exercise_id, body.seed)
     with answer_refused():
+        instance = instance_of(resources.exercises, exercise_id, body.seed)
         judged = partial(_judged, instance, body, resources)
         report = await resources.limiters[WorkKind.GRADING].run(judged)
     receipt = _receipt(request, instance, body, report)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from types import GenericAlias
 from typing import Any
 
-from pydantic import Field, RootModel
+from pydantic import Field, RootModel, create_model
 
 from exercises.grading import HelpLevel
 from service.schemas.base import ProblemDocument, Wire
@@ -36,11 +37,10 @@ class GradeRequest(KeyQuestion):
 class GradeManyRequest(KeyQuestion):
     """Many submissions to be judged by one key."""
 
-    submissions: list[Any] = Field(
+    submissions: list[dict[str, Any]] = Field(
         min_length=1,
         max_length=MOST_SUBMISSIONS,
         description="tables; one that cannot be graded has a problem document in the place of its verdict",
-        json_schema_extra={"items": {"$ref": "#/components/schemas/Table"}},
     )
 
 
@@ -48,7 +48,8 @@ class GradeBody(RootModel[GradeRequest | GradeManyRequest]):
     """One submission or many, by one key."""
 
 
-class ManyVerdicts(Wire):
-    """Verdicts in the order of the submissions."""
-
-    verdicts: list[VerdictModel | ProblemDocument]
+_EITHER: Any = VerdictModel | ProblemDocument
+_VERDICTS: dict[str, Any] = {"verdicts": (GenericAlias(list, (_EITHER,)), ...)}
+ManyVerdicts = create_model(
+    "ManyVerdicts", __base__=Wire, __doc__="Verdicts in the order of the submissions.", **_VERDICTS
+)

@@ -1,6 +1,7 @@
 # Files of students, other systems' autograders, SCORM packages, receipts.
 
 error-file_too_large = { $file } is larger than { $limit } bytes; a table takes a few kilobytes.
+error-file_missing = There is no file or folder { $file }.
 error-file_unreadable = { $file } cannot be read: { $reason }.
 error-file_type_unknown = { $file } is of a type that is not read here. Read are { $known }.
 error-file_without_table = { $file } holds no DH table. A table has the columns theta, d, a and alpha.

@@ -1,6 +1,7 @@
 # Ficheros de estudiantes, correctores de otros sistemas, paquetes SCORM, resguardos.
 
 error-file_too_large = { $file } ocupa más de { $limit } bytes; una tabla ocupa unos pocos kilobytes.
+error-file_missing = No existe ningún fichero ni carpeta { $file }.
 error-file_unreadable = No se puede leer { $file }: { $reason }.
 error-file_type_unknown = { $file } es de un tipo que aquí no se lee. Se leen { $known }.
 error-file_without_table = { $file } no contiene ninguna tabla DH. Una tabla tiene las columnas theta, d, a y alpha.

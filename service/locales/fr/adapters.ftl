@@ -1,6 +1,7 @@
 # Fichiers d’étudiants, correcteurs d’autres systèmes, paquets SCORM, récépissés.
 
 error-file_too_large = { $file } dépasse { $limit } octets ; un tableau tient en quelques kilooctets.
+error-file_missing = Il n’y a ni fichier ni dossier { $file }.
 error-file_unreadable = { $file } ne peut pas être lu : { $reason }.
 error-file_type_unknown = { $file } est d’un type qui n’est pas lu ici. Sont lus : { $known }.
 error-file_without_table = { $file } ne contient aucun tableau DH. Un tableau a les colonnes theta, d, a et alpha.

@@ -1,6 +1,7 @@
 # Ficheiros de estudantes, avaliadores de outros sistemas, pacotes SCORM, recibos.
 
 error-file_too_large = { $file } ocupa mais de { $limit } bytes; uma tabela ocupa poucos quilobytes.
+error-file_missing = Não existe nenhum ficheiro nem pasta { $file }.
 error-file_unreadable = Não é possível ler { $file }: { $reason }.
 error-file_type_unknown = { $file } é de um tipo que não é lido aqui. São lidos { $known }.
 error-file_without_table = { $file } não contém nenhuma tabela DH. Uma tabela tem as colunas theta, d, a e alpha.

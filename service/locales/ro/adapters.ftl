@@ -1,6 +1,7 @@
 # Fișiere ale studenților, evaluatori ai altor sisteme, pachete SCORM, adeverințe.
 
 error-file_too_large = { $file } depășește { $limit } octeți; un tabel ocupă câțiva kiloocteți.
+error-file_missing = Nu există niciun fișier sau dosar { $file }.
 error-file_unreadable = { $file } nu poate fi citit: { $reason }.
 error-file_type_unknown = { $file } este de un tip care nu se citește aici. Se citesc { $known }.
 error-file_without_table = { $file } nu conține niciun tabel DH. Un tabel are coloanele theta, d, a și alpha.

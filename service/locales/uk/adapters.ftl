@@ -1,6 +1,7 @@
 # Файли студентів, перевірники інших систем, пакети SCORM, квитанції.
 
 error-file_too_large = { $file } займає понад { $limit } байтів; таблиця займає кілька кілобайтів.
+error-file_missing = Файлу чи теки { $file } немає.
 error-file_unreadable = { $file } не вдається прочитати: { $reason }.
 error-file_type_unknown = Файли такого типу, як { $file }, тут не читаються. Читаються { $known }.
 error-file_without_table = { $file } не містить таблиці DH. Таблиця має стовпці theta, d, a та alpha.

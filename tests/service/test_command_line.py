@@ -1,0 +1,68 @@
+"""`framewise grade` and `framewise receipts`, called as a person calls them."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import pytest
+
+from service.cli.commands import main
+from service.receipts.keys import read_keys
+from service.receipts.receipt import issue
+from tests.service.adapters.test_receipts import RECEIPT
+
+RIGHT = "theta,d,a,alpha\nq1,0,L1,0\nq2,0,L2,0\n"
+WRONG = "theta,d,a,alpha\nq1,0,L1,90\nq2,0,L2,0\n"
+
+
+def test_a_folder_is_graded_into_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = tmp_path / "class"
+    folder.mkdir()
+    (folder / "ann.csv").write_text(RIGHT)
+    (folder / "bob.csv").write_text(WRONG)
+    output = tmp_path / "marks.csv"
+    arguments = ["--lang", "es", "grade", str(folder), "--exercise", "twolink", "--angle-unit", "deg"]
+    assert main([*arguments, "--output", str(output), "--jobs", "1"]) == 0
+    rows = list(csv.DictReader(io.StringIO(output.read_text(encoding="utf-8"))))
+    assert [(row["student"], row["correct"]) for row in rows] == [("ann", "true"), ("bob", "false")]
+    assert "not_equivalent" in capsys.readouterr().err
+    assert main([*arguments, "--format", "json", "--jobs", "1"]) == 0
+    lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert [line["points"] == line["max_points"] for line in lines] == [True, False]
+
+
+def test_what_cannot_be_found_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["grade", str(tmp_path / "nowhere"), "--exercise", "twolink"]) == 2
+    assert "file_missing" in capsys.readouterr().err
+    (tmp_path / "a.csv").write_text(RIGHT)
+    assert main(["grade", str(tmp_path / "a.csv"), "--exercise", "r2d2", "--jobs", "1"]) == 0
+    assert "exercise_unknown" in capsys.readouterr().out
+
+
+def test_an_autograder_is_spoken_to(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "a.csv").write_text(RIGHT)
+    arguments = ["grade", str(tmp_path / "a.csv"), "--exercise", "twolink", "--angle-unit", "deg"]
+    assert main([*arguments, "--for", "nbgrader", "--points", "5"]) == 0
+    assert capsys.readouterr().out == "5\n"
+
+
+def test_receipts_are_verified_and_keys_renewed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    keys = tmp_path / "keys.json"
+    assert main(["receipts", "rotate", str(keys)]) == 0
+    capsys.readouterr()
+    monkeypatch.setenv("FRAMEWISE_RECEIPT_KEYS", str(keys))
+    folder = tmp_path / "handed-in"
+    folder.mkdir()
+    token = issue(RECEIPT, read_keys(keys))
+    (folder / "ann.txt").write_text(f"Here it is:\n{token[:90]}\n{token[90:]}\n")
+    assert main(["receipts", "verify", str(folder), "--csv"]) == 0
+    (row,) = csv.DictReader(io.StringIO(capsys.readouterr().out))
+    assert (row["student"], row["points"]) == (RECEIPT.name, "52.5")
+    (folder / "eve.txt").write_text(token[:-1] + ("A" if token[-1] != "A" else "B"))
+    assert main(["receipts", "verify", str(folder)]) == 1
+    assert capsys.readouterr().out.count("✓") == 1
