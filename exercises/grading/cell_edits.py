@@ -206,8 +206,8 @@ def _story(work: Work, row: int, cell: str, value: float) -> str:
 
 def _is_a_name(work: Work, row: int, cell: str) -> bool:
     entry = (
-        getattr(work.comparison.submission.rows[row], cell)
-        if row < len(work.comparison.submission.rows)
+        getattr(work.comparison.meant_table.rows[row], cell)
+        if row < len(work.comparison.meant_table.rows)
         else None
     )
     match entry:

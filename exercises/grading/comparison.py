@@ -8,20 +8,22 @@ instead, or in numbers here and names there.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
 from random import Random
 
 from exercises.grading.substitution import substituted
+from exercises.grading.typed import ANGLES, Place, Typed, half_steps, meant
 from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name, in_length_unit
 from kinematics.errors import Fault, ParameterError
-from kinematics.expressions import Number
-from kinematics.table import NumericTable, SymbolicTable, bind
+from kinematics.expressions import ZERO, Expression, Number, Parameter, negate, parameters_in
+from kinematics.table import CELLS, DHTable, NumericTable, SymbolicTable, bind
 
 DRAWS = 3
-ATTEMPTS = 40
+ATTEMPTS = 60
+FREE_ATTEMPTS = 20
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -36,6 +38,11 @@ class Comparison:
         references: the key at each draw.
         submissions: the answer at each draw.
         in_names: some parameter is drawn.
+        meant_table: the answer with rounded entries replaced by what they stand for, exact.
+        meant: that at each draw; `submissions` itself where nothing was rounded.
+        steps: half a unit of the last place of decimals that stand for themselves, by row and cell.
+        by_value: no name stands in the answer.
+        exact: the answer is in names, and nothing in it or in the key is known only to some digits.
     """
 
     reference: SymbolicTable
@@ -44,6 +51,11 @@ class Comparison:
     references: tuple[NumericTable, ...]
     submissions: tuple[NumericTable, ...]
     in_names: bool
+    meant_table: SymbolicTable
+    meant: tuple[NumericTable, ...]
+    steps: Mapping[Place, float]
+    exact: bool
+    by_value: bool
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -87,8 +99,8 @@ def comparisons(
     )
     found = [
         comparison
-        for fixed in _fixings(reference, submission, values)
-        if (comparison := _comparison(key, submission, fixed, values)) is not None
+        for answer, fixed in _ways(reference, submission, values)
+        if (comparison := _comparison(key, answer, fixed, values)) is not None
     ]
     if not found:
         bind(key.table, {name: float(value) for name, value in values.given.items()})
@@ -162,30 +174,66 @@ def _fault(
     return Fault(code=code, where=("parameters", spelled), params=params)
 
 
-def _fixings(reference: ReadTable, submission: ReadTable, values: Values) -> Iterator[frozenset[str]]:
-    """Sets of parameters to be put in by value, the fewest first."""
+def _ways(
+    reference: ReadTable, submission: ReadTable, values: Values
+) -> Iterator[tuple[ReadTable, frozenset[str]]]:
+    """The answer, and the parameters that are put in by value.
+
+    What is in names is decided by the names: values are put in only for names that the answer does not use,
+    and only if it has numbers that may stand for them. Where a name and its value both stand in the answer,
+    the value is taken for the name.
+    """
     asked, used = set(reference.parameters), set(submission.parameters)
-    known = set(values.given)
-    if not asked | used:
-        yield frozenset()
-        return
-    if used or not asked <= known:
-        yield frozenset()
     unnamed = asked - used
-    if unnamed and unnamed <= known:
-        yield frozenset(unnamed)
-    if unnamed != asked | used and asked | used <= known and _are_told_apart(values):
-        yield frozenset(asked | used)
+    if used or not asked or not asked <= set(values.given):
+        yield submission, frozenset()
+    known = set(values.given)
+    if unnamed and unnamed <= known and (not used or _has_numbers(submission.table, values, unnamed)):
+        yield submission, frozenset(unnamed)
+    if not asked and used and used <= known:
+        yield submission, frozenset(used)
+    if used:
+        named = _named(submission, values)
+        if named is not submission:
+            yield named, frozenset()
 
 
-def _are_told_apart(values: Values) -> bool:
-    """Whether no two given lengths are equal, so that a name used for another would show."""
-    lengths = [
-        abs(float(v)) for name, v in values.given.items() if values.kinds[name] is ParameterKind.LENGTH
-    ]
-    return all(
-        not math.isclose(one, other, rel_tol=1e-6) for i, one in enumerate(lengths) for other in lengths[:i]
+def _has_numbers(table: SymbolicTable, values: Values, names: Iterable[str]) -> bool:
+    """Whether numbers stand where each of some names might: lengths for lengths, angles for angles."""
+    lengths = any(
+        isinstance(entry := getattr(row, cell), Number) and entry.value
+        for row in table.rows
+        for cell in ("a", "d")
     )
+    return lengths or all(values.kinds[name] is ParameterKind.ANGLE for name in names)
+
+
+def _named(submission: ReadTable, values: Values) -> ReadTable:
+    """The answer with names for the numbers that are the value of one name, and of one alone."""
+    steps = half_steps(submission.table, submission.angle_unit)
+    lengths = {
+        name: float(value)
+        for name, value in values.given.items()
+        if values.kinds[name] is ParameterKind.LENGTH and value
+    }
+    rows = list(submission.table.rows)
+    found: dict[str, ParameterKind] = {}
+    for i, row in enumerate(rows):
+        for cell in ("a", "d"):
+            entry = getattr(row, cell)
+            if not isinstance(entry, Number) or not entry.value:
+                continue
+            here, near = float(entry.value), steps.get((i, cell), 0.0) * (1.0 + 1e-9)
+            fits = [name for name, value in lengths.items() if abs(abs(here) - abs(value)) <= near]
+            if len(fits) == 1:
+                name = Parameter(fits[0])
+                signed = name if (here > 0) == (lengths[fits[0]] > 0) else negate(name)
+                rows[i] = replace(rows[i], **{cell: signed})  # type: ignore[arg-type]
+                found[fits[0]] = ParameterKind.LENGTH
+    if not found:
+        return submission
+    table = DHTable(convention=submission.table.convention, rows=tuple(rows))
+    return replace(submission, table=table, parameters={**submission.parameters, **found})
 
 
 def _comparison(
@@ -196,13 +244,16 @@ def _comparison(
     except ZeroDivisionError:
         return None
     names = sorted(set(values.kinds) - fixed)
+    typed = _meant(key, answer, submission, in_names=bool(names))
     draws: list[Mapping[str, float]] = []
     keys: list[NumericTable] = []
     answers: list[NumericTable] = []
+    meanings: list[NumericTable] = []
     for attempt in range(ATTEMPTS if names else 1):
         draw = {name: _drawn(name, attempt, values) for name in names}
         try:
             bound = _bound(key, tuple(draw.items())), bind(answer, draw)
+            meanings.append(bound[1] if typed.table is answer else bind(typed.table, draw))
         except ParameterError:
             continue
         draws.append(draw)
@@ -212,14 +263,53 @@ def _comparison(
             break
     if not draws:
         return None
+    submissions = tuple(answers)
     return Comparison(
         reference=key,
         submission=answer,
         draws=tuple(draws),
         references=tuple(keys),
-        submissions=tuple(answers),
+        submissions=submissions,
         in_names=bool(names),
+        meant_table=typed.table,
+        meant=submissions if typed.table is answer else tuple(meanings),
+        steps=typed.steps,
+        by_value=not submission.parameters,
+        exact=bool(names) and typed.exact and _is_exact(key),
     )
+
+
+def _meant(key: SymbolicTable, answer: SymbolicTable, submission: ReadTable, *, in_names: bool) -> Typed:
+    """The answer as it was meant; how exactly an entry was typed is seen where no value was put in."""
+    angles, lengths = _known(key)
+    known = meant(submission.table, submission.angle_unit, angles, lengths if in_names else ())
+    if known.table is submission.table:
+        return Typed(answer, known.steps)
+    rows = tuple(
+        replace(
+            row,
+            **{cell: getattr(new, cell) for cell in CELLS if getattr(new, cell) != getattr(old, cell)},
+        )
+        for row, old, new in zip(answer.rows, submission.table.rows, known.table.rows, strict=True)
+    )
+    return Typed(DHTable(convention=answer.convention, rows=rows), known.steps)
+
+
+@lru_cache(maxsize=256)
+def _known(key: SymbolicTable) -> tuple[tuple[Expression, ...], tuple[Expression, ...]]:
+    """The angles and the lengths of the key that are numbers."""
+    entries = [(cell, getattr(row, cell)) for row in key.rows for cell in CELLS]
+    plain = [(cell, entry) for cell, entry in entries if entry != ZERO and not parameters_in(entry)]
+    return (
+        tuple(dict.fromkeys(entry for cell, entry in plain if cell in ANGLES)),
+        tuple(dict.fromkeys(entry for cell, entry in plain if cell not in ANGLES)),
+    )
+
+
+@lru_cache(maxsize=256)
+def _is_exact(key: SymbolicTable) -> bool:
+    """Whether no angle of the key is a rounded multiple of 15°."""
+    return meant(key, AngleUnit.RAD, ()).table is key
 
 
 @lru_cache(maxsize=1024)
@@ -229,10 +319,14 @@ def _bound(key: SymbolicTable, draw: tuple[tuple[str, float], ...]) -> NumericTa
 
 
 def _drawn(name: str, attempt: int, values: Values) -> float:
-    """A value for a parameter: the later the attempt, the nearer to the given one, so that roots exist."""
+    """A value for a parameter.
+
+    At first it owes nothing to the given one, so that what is right in names is so whatever a student is
+    given; after some attempts in vain it comes nearer and nearer to that, so that roots exist.
+    """
     given = float(values.given.get(name, 0.0))
-    if given:
-        return given * (1.0 + _deviation(name, attempt, 0.6 / (1.0 + attempt // 4)))
+    if given and attempt >= FREE_ATTEMPTS:
+        return given * (1.0 + _deviation(name, attempt, 0.6 / (1.0 + (attempt - FREE_ATTEMPTS) // 4)))
     middle = values.scale if values.kinds[name] is ParameterKind.LENGTH else 0.7
     return middle * (1.0 + _deviation(name, attempt, 0.6))
 

@@ -7,23 +7,18 @@ from functools import lru_cache
 
 from exercises.grading.certificate_report import certificate_report
 from exercises.grading.comparison import Comparison, comparisons
-from exercises.grading.findings import (
-    all_right,
-    feedback_of,
-    link_findings,
-    told_repairs,
-    wrong_facts,
-)
+from exercises.grading.explanation import explanation, renumbered, without_idle_rows
+from exercises.grading.facts import Weights
+from exercises.grading.findings import all_right
 from exercises.grading.frames import explained
-from exercises.grading.repairs import MOST_WORK, find_repairs
-from exercises.grading.score import score_of
+from exercises.grading.judgement import judged
 from exercises.grading.verdict import Basis, Feedback, HelpLevel, Verdict
-from exercises.grading.work import Work
 from kinematics.cells import ReadTable
-from kinematics.equivalence import Decision, Policy, decide_draws, prove
-from kinematics.equivalence.meter import Meter
+from kinematics.equivalence import Decision, Policy, prove
 
-REMEMBERED = 2048
+REMEMBERED = 512
+"""Verdicts that are kept: a class hands in the same few answers again and again."""
+USUAL = Weights()
 
 
 def grade(
@@ -32,6 +27,7 @@ def grade(
     policy: Policy,
     parameters: Mapping[str, float] | None = None,
     help_level: HelpLevel = HelpLevel.REPAIR,
+    weights: Weights = USUAL,
 ) -> Verdict:
     """Judge whether a submission describes the reference robot and keeps the policy.
 
@@ -41,13 +37,14 @@ def grade(
         policy: what is left free and what is fixed.
         parameters: values of the key's parameters [the key's units], so that an answer may be in numbers.
         help_level: how much a verdict on a wrong answer gives away.
+        weights: what facts and slips are worth in a wrong answer.
 
     Raises:
         ParameterError: a value is not a finite number or belongs to no parameter, or the tables have no value
             for any values of their parameters.
     """
     given = tuple(sorted((parameters or {}).items(), key=lambda item: item[0]))
-    return _grade(reference, submission, policy, given, help_level)
+    return _grade(reference, submission, policy, given, help_level, weights)
 
 
 def accept(
@@ -72,12 +69,29 @@ def _grade(
     policy: Policy,
     parameters: tuple[tuple[str, float], ...],
     help_level: HelpLevel,
+    weights: Weights,
 ) -> Verdict:
     decided = _decided(reference, submission, policy, parameters)
     if isinstance(decided, Verdict):
         return decided
+    shortened, kept = without_idle_rows(submission)
+    if shortened is not submission:
+        again = _decided(reference, shortened, policy, parameters)
+        decided = decided if isinstance(again, Verdict) else again
     decision, way = decided
-    return _rejected(decision, way, reference, submission, policy, help_level)
+    told = explanation(decision, way, (reference, shortened), policy, help_level, weights)
+    told = renumbered(told, kept, len(submission.table.rows))
+    return Verdict(
+        correct=False,
+        score=told.score,
+        basis=Basis.REFUTED,
+        certificate=None,
+        links=told.links,
+        feedback=(*_about_names(reference, submission, way), *told.feedback),
+        repairs=told.repairs,
+        angle_unit=submission.angle_unit,
+        length_unit=submission.length_unit,
+    )
 
 
 @lru_cache(maxsize=REMEMBERED)
@@ -91,7 +105,7 @@ def _decided(
     ways = comparisons(reference, submission, dict(parameters))
     decisions: list[Decision] = []
     for way in ways:
-        decision = decide_draws(way.references, way.submissions, policy)
+        decision = judged(way, policy)
         if decision.accepted:
             return _accepted(decision, way, submission)
         decisions.append(decision)
@@ -112,39 +126,6 @@ def _accepted(decision: Decision, comparison: Comparison, submission: ReadTable)
         links=all_right(answer),
         feedback=explained(key, answer, certificate, exact, submission.angle_unit),
         repairs=(),
-        angle_unit=submission.angle_unit,
-        length_unit=submission.length_unit,
-    )
-
-
-def _rejected(
-    decision: Decision,
-    comparison: Comparison,
-    reference: ReadTable,
-    submission: ReadTable,
-    policy: Policy,
-    help_level: HelpLevel,
-) -> Verdict:
-    key, answer = comparison.references[0], comparison.submissions[0]
-    work = Work(
-        key=reference,
-        answer=submission,
-        comparison=comparison,
-        policy=policy,
-        tables=comparison.submissions,
-        meter=Meter(MOST_WORK),
-    )
-    repairs = find_repairs(work)
-    wrong = wrong_facts(decision, repairs, answer)
-    feedback = feedback_of(decision, repairs, wrong, key, answer, policy, help_level)
-    return Verdict(
-        correct=False,
-        score=score_of(decision, repairs, answer, key),
-        basis=Basis.REFUTED,
-        certificate=None,
-        links=link_findings(answer, wrong, decision, repairs, help_level),
-        feedback=(*_about_names(reference, submission, comparison), *feedback),
-        repairs=told_repairs(repairs, help_level),
         angle_unit=submission.angle_unit,
         length_unit=submission.length_unit,
     )

@@ -3,52 +3,84 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from functools import lru_cache
 
+from exercises.grading.digits import tightened
+from exercises.grading.facts import Facts, Weights
 from exercises.grading.repairs import Repaired
-from kinematics.equivalence import Decision, Kind, Policy, ToolRule, decide
-from kinematics.table import DHRow, JointType, NumericTable
+from exercises.grading.work import Change, Extent, Work
+from kinematics.chain import Axis, chain_of_table
+from kinematics.equivalence import BaseRule, Decision, DirectionRule, Kind, Policy, ToolRule, ZeroRule
+from kinematics.equivalence.decision import convention_fits
+from kinematics.equivalence.invariants import Invariant, axes_of
+from kinematics.equivalence.reference import Reference
+from kinematics.se3 import ORIGIN, Z_AXIS
 
-WITHOUT_REPAIR = 0.9
 HIGHEST_PARTIAL = 0.95
+"""What a wrong answer earns at the most."""
+DECIMALS = 2
+"""What is shown of a score."""
+RULES = frozenset({Kind.ZERO, Kind.DIRECTION, Kind.CONVENTION})
+SIGNS = frozenset({"alpha_sign", "a_sign", "d_sign", "variable_sign"})
 
 
-def score_of(
-    decision: Decision, repairs: Sequence[Repaired], table: NumericTable, key: NumericTable
-) -> float:
+def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weights: Weights) -> float:
     """Partial credit of a wrong answer, in [0, 0.95].
 
-    With a repair, 1 less the share of the rows that its misconceptions spoiled: half a row for a cell, a row
-    for a row, one and a half for a misconception about the table, out of one more than there are rows.
-    Without one, nine tenths of the share of facts that were found; what a table of zeros has right counts for
-    nothing.
+    The facts that the answer has wrong, over those that a table of zeros has wrong, taken from 1. Where one
+    named slip explains everything, the answer loses no more than that costs.
+
+    Args:
+        decision: what was decided.
+        repairs: what mends the answer, the likeliest first.
+        work: the answer as it was meant, and the key.
+        weights: what facts and slips are worth.
     """
-    if repairs:
-        spoiled = sum(change.extent.value for change in repairs[0].changes)
-        return round(max(0.0, min(HIGHEST_PARTIAL, 1.0 - spoiled / (len(table.rows) + 1))), 4)
+    reference = work.references[0]
+    nothing = _of_nothing(reference, work.policy, weights)
+    if not nothing:
+        return 0.0
+    lost = max(weights.sign, _lost(decision, work, weights))
+    if repairs and len(repairs[0].changes) == 1:
+        lost = min(lost, _cost(repairs[0].changes, weights))
+    return round(min(max(1.0 - lost / nothing, 0.0), HIGHEST_PARTIAL), DECIMALS)
+
+
+def _cost(changes: Sequence[Change], weights: Weights) -> float:
+    """What the slips cost that changes undo, in facts."""
+    of_extent = {Extent.CELL: 1.0, Extent.ROW: weights.row, Extent.TABLE: weights.table}
+    return sum(weights.sign if change.edit.code in SIGNS else of_extent[change.extent] for change in changes)
+
+
+def _lost(decision: Decision, work: Work, weights: Weights) -> float:
+    """The weight of the facts that are wrong, and of the rules that are not kept."""
+    policy, reference, table = work.policy, work.references[0], work.tables[0]
+    facts = _facts(reference, work.invariants[0], policy, weights)
+    axes = axes_of(chain_of_table(table), policy)
+    wrong = facts.wrong(axes) if axes else _of_nothing(reference, policy, weights)
     if decision.same_robot:
-        return round(min(HIGHEST_PARTIAL, 1.0 - len(decision.mismatches) / (key.n_joints + 1)), 4)
-    wrong = _number_wrong(decision) + 3 * abs(key.n_joints - table.n_joints)
-    facts = max(_facts_to_find(key), wrong, 1)
-    return round(WITHOUT_REPAIR * (1.0 - wrong / facts), 4)
+        broken = {mismatch.kind for mismatch in decision.mismatches}
+        ends = bool(broken & {Kind.BASE, Kind.TOOL})
+        return max(wrong, weights.rule * (len(broken & RULES) + ends))
+    rules = _unconfirmed(policy) + (not convention_fits(table.convention, policy.convention))
+    return wrong + weights.rule * (rules)
 
 
-def _number_wrong(decision: Decision) -> int:
-    return len({(m.kind, m.joint) for m in decision.mismatches if m.kind is not Kind.HANDEDNESS})
+def _facts(reference: Reference, invariants: Sequence[Invariant], policy: Policy, weights: Weights) -> Facts:
+    fixed = policy.base is BaseRule.FRAME, policy.tool is ToolRule.FRAME
+    return Facts(axes_of(reference.chain, policy), invariants, fixed, weights)
+
+
+def _unconfirmed(policy: Policy) -> int:
+    """How many rules only the right robot can be seen to keep."""
+    return (policy.zero is ZeroRule.FIGURE) + (policy.direction is DirectionRule.FIGURE)
 
 
 @lru_cache(maxsize=256)
-def _facts_to_find(key: NumericTable) -> int:
-    """How many facts of a robot a table of zeros, all of whose joints turn, has wrong."""
-    empty = tuple(
-        DHRow(
-            joint=JointType.FIXED if row.joint is JointType.FIXED else JointType.REVOLUTE,
-            theta=0.0,
-            d=0.0,
-            a=0.0,
-            alpha=0.0,
-        )
-        for row in key.rows
-    )
-    return _number_wrong(decide(key, replace(key, rows=empty), Policy(tool=ToolRule.FREE)))
+def _of_nothing(reference: Reference, policy: Policy, weights: Weights) -> float:
+    """The weight of the facts that a table of zeros has wrong, the types of its joints being right."""
+    ours = axes_of(reference.chain, policy)
+    zeros = [Axis(axis.prismatic, Z_AXIS, ORIGIN) for axis in ours]
+    slack = tightened(reference, {}, policy, 0.0)
+    wrong = _facts(reference, slack, policy, weights).wrong(zeros) if zeros else 0.0
+    return wrong + weights.rule * _unconfirmed(policy)

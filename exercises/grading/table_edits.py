@@ -141,11 +141,11 @@ def parameters_swapped(work: Work) -> Iterator[Change]:
 
 def _renamed(work: Work, code: str, names: dict[str, str], name: str, **params: str) -> Change:
     table = substituted(
-        work.comparison.submission, lambda found: Parameter(names[found]) if found in names else None
+        work.comparison.meant_table, lambda found: Parameter(names[found]) if found in names else None
     )
     touched = tuple(
         (i, cell)
-        for i, (old, new) in enumerate(zip(work.comparison.submission.rows, table.rows, strict=True))
+        for i, (old, new) in enumerate(zip(work.comparison.meant_table.rows, table.rows, strict=True))
         for cell in ("alpha", "a", "d")
         if getattr(old, cell) != getattr(new, cell)
     )

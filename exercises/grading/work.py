@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import cached_property
 from typing import TypeAlias
 
 from exercises.grading.comparison import Comparison
@@ -14,9 +13,9 @@ from kinematics.cells import ReadTable
 from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import Policy
 from kinematics.equivalence.decision import certify, convention_fits
-from kinematics.equivalence.invariants import Invariant, axes_of, invariants_of
+from kinematics.equivalence.invariants import Invariant, axes_of
 from kinematics.equivalence.meter import PER_INVARIANT, PER_ROW, Meter
-from kinematics.equivalence.reference import Reference, prepared
+from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.search import Effort
 from kinematics.table import DHTable, NumericRow, NumericTable
 
@@ -60,7 +59,9 @@ class Work:
         answer: the answer as read.
         comparison: both with numbers.
         policy: what the answer is held to.
-        tables: the answer at each draw, perhaps with an edit made already.
+        tables: the answer at each draw, as it was meant, perhaps with an edit made already.
+        references: the key at each draw, prepared; at the answer's size, if it has none.
+        invariants: what no choice of frames changes, at each draw, as nearly as the answer must have it.
         meter: counts what trying edits costs.
     """
 
@@ -69,18 +70,9 @@ class Work:
     comparison: Comparison
     policy: Policy
     tables: tuple[NumericTable, ...]
+    references: tuple[Reference, ...]
+    invariants: tuple[tuple[Invariant, ...], ...]
     meter: Meter
-
-    @cached_property
-    def references(self) -> tuple[Reference, ...]:
-        """The key at each draw, prepared; at the answer's size, if it has none."""
-        pairs = zip(self.comparison.references, self.comparison.submissions, strict=True)
-        return tuple(prepared(key).beside(chain_of_table(answer)) for key, answer in pairs)
-
-    @cached_property
-    def invariants(self) -> tuple[tuple[Invariant, ...], ...]:
-        """What no choice of frames changes, at each draw."""
-        return tuple(invariants_of(reference, self.policy) for reference in self.references)
 
     def axes(self, table: NumericTable) -> list[Axis]:
         """The axes that the invariants are measured between."""

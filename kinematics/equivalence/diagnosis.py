@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from kinematics.chain import Axis, Chain
 from kinematics.equivalence.alignment import Alignment, align
 from kinematics.equivalence.groups import Group, Rotations, departure
+from kinematics.equivalence.invariants import Invariant, Measure, axes_of
 from kinematics.equivalence.plan import Plan, Step
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.reference import Reference
@@ -79,6 +81,40 @@ def diagnose(
     assert best is not None
     mismatches = best.mismatches or (Mismatch(kind=Kind.PRECISION),)
     return tuple(_placed(mismatch, table) for mismatch in mismatches)
+
+
+_KIND_OF_MEASURE = {
+    Measure.ANGLE: Kind.TWIST,
+    Measure.DISTANCE: Kind.LENGTH,
+    Measure.OFFSET: Kind.OFFSET,
+    Measure.TURN: Kind.OFFSET,
+}
+
+
+def mismatches_of(
+    invariants: Sequence[Invariant],
+    reference: Reference,
+    table: NumericTable,
+    submission: Chain,
+    policy: Policy,
+) -> tuple[Mismatch, ...]:
+    """Invariants that a submission does not share with the reference, as what does not fit."""
+    axes = axes_of(submission, policy)
+    last = len(reference.chain.axes)
+    found = []
+    for invariant in invariants:
+        joint, kind = invariant.axes[1], _KIND_OF_MEASURE[invariant.measure]
+        off = abs(invariant.measured(axes) - invariant.value)
+        angular = invariant.measure in (Measure.ANGLE, Measure.TURN)
+        if joint > last:
+            joint, kind = last, Kind.TOOL
+        elif invariant.axes[0] == 0 and kind is not Kind.OFFSET:
+            kind = Kind.BASE
+        mismatch = Mismatch(
+            kind=kind, joint=joint, angle=off if angular else 0.0, length=0.0 if angular else off
+        )
+        found.append(_placed(mismatch, table))
+    return tuple(found)
 
 
 def likely_signs(reference: Reference, submission: Chain, policy: Policy) -> list[tuple[int, ...]]:

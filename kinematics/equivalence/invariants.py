@@ -21,6 +21,7 @@ from kinematics.se3 import (
     ORIGIN,
     Z_AXIS,
     Vector,
+    angle_between,
     cross,
     dot,
     norm,
@@ -77,6 +78,27 @@ class Invariant:
         if self.measure is Measure.ANGLE:
             return dot(axes[self.axes[0]].direction, axes[self.axes[1]].direction)
         return self.measured(axes) ** 2
+
+    def oriented(self, axes: Sequence[Axis]) -> tuple[float, float]:
+        """The submission's value with its sign, and what it would be if one of its axes were reversed.
+
+        Lengths about sliders, and angles about them, have no sign here.
+        """
+        i, j = self.axes[:2]
+        if self.measure is Measure.ANGLE:
+            angle = angle_between(axes[i].direction, axes[j].direction)
+            return angle, math.pi - angle
+        value = self.measured(axes)
+        if self.measure is Measure.OFFSET:
+            before, first, final, after = (axes[k] for k in self.axes)
+            value = dot(first.direction, subtract(_foot(final, after), _foot(first, before)))
+            return value, -value
+        if self.measure is Measure.DISTANCE and set(self.axes[2:]) == {i, j}:
+            normal = cross(axes[i].direction, axes[j].direction)
+            if dot(normal, subtract(axes[j].point, axes[i].point)) < 0.0:
+                value = -value
+            return value, -value
+        return value, value
 
     def strain(self, axes: Sequence[Axis]) -> float:
         """How far the submission's value is off, in units of what it may be off."""

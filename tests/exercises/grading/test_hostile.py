@@ -8,8 +8,8 @@ import pytest
 
 from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule, grade
 from exercises.grading.comparison import comparisons
+from exercises.grading.explanation import work_on
 from exercises.grading.repairs import MOST_WORK, find_repairs
-from exercises.grading.work import Work
 from kinematics.equivalence.meter import PER_ROUND, Meter, WorkExhaustedError
 from tests.exercises.grading.test_grade import KEY, PUMA, USUAL, VALUES, Rows, with_cells
 from tests.exercises.grading.written import read, written
@@ -65,14 +65,12 @@ def test_a_row_missing_and_one_more_mistake(missing: int) -> None:
 
 def test_the_work_of_a_search_is_bounded() -> None:
     """Sixty-four rows and a mistake: the meter, and no clock, ends the search."""
-    junk = [(0, 0.01 * k, 0.02, "0.3") for k in range(58)]
+    junk: Rows = [(0, 0.01 * k, 0.02, 0.3) for k in range(58)]
     answer = read("standard", [*with_cells(PUMA, (4, 1, 0.2)), *junk])
     way = comparisons(KEY, answer, {})[0]
-    meter = Meter(MOST_WORK)
-    find_repairs(
-        Work(key=KEY, answer=answer, comparison=way, policy=USUAL, tables=way.submissions, meter=meter)
-    )
-    assert -PER_ROUND <= meter.left < MOST_WORK / 2
+    work = work_on(way, (KEY, answer), USUAL)
+    find_repairs(work)
+    assert -PER_ROUND <= work.meter.left < MOST_WORK / 2
 
 
 def test_a_meter_refuses_when_it_is_empty() -> None:

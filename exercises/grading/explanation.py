@@ -1,0 +1,164 @@
+"""What a wrong answer is told: where, what and why, as far as the help level goes, and what it still earns.
+
+An explanation is a courtesy: where it fails, the verdict stands, the failure is logged, and less is told.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from exercises.grading.comparison import Comparison
+from exercises.grading.digits import tightened
+from exercises.grading.facts import Weights
+from exercises.grading.findings import feedback_of, link_findings, told_repairs, wrong_facts
+from exercises.grading.judgement import IMPRECISE, policy_of, share_of
+from exercises.grading.repairs import MOST_WORK, Repaired, find_repairs
+from exercises.grading.score import score_of
+from exercises.grading.verdict import Edit, Feedback, HelpLevel, LinkFinding, ParamValue, Repair
+from exercises.grading.work import Work
+from kinematics.cells import ReadTable
+from kinematics.chain import chain_of_table
+from kinematics.equivalence import Decision, Policy
+from kinematics.equivalence.meter import Meter
+from kinematics.equivalence.reference import prepared
+from kinematics.expressions import ZERO
+from kinematics.table import CELLS, DHTable, JointType
+
+_LOG = logging.getLogger(__name__)
+_ROW_PARAMS = ("row", "other", "place")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Explanation:
+    """What is said of a wrong answer; see `Verdict`."""
+
+    score: float
+    links: tuple[LinkFinding, ...]
+    feedback: tuple[Feedback, ...]
+    repairs: tuple[Repair, ...]
+
+
+def explanation(
+    decision: Decision,
+    comparison: Comparison,
+    tables: tuple[ReadTable, ReadTable],
+    policy: Policy,
+    level: HelpLevel,
+    weights: Weights,
+) -> Explanation:
+    """Explain why an answer is wrong.
+
+    Args:
+        decision: what was decided.
+        comparison: in which way the answer was taken.
+        tables: the key and the answer as read.
+        policy: what the answer is held to.
+        level: how much may be told.
+        weights: what facts and slips are worth.
+    """
+    work = work_on(comparison, tables, policy)
+    repairs: tuple[Repaired, ...] = ()
+    score = 0.0
+    links: tuple[LinkFinding, ...] = ()
+    feedback: tuple[Feedback, ...] = (Feedback(code="not_equivalent"),)
+    try:
+        if decision is not IMPRECISE:
+            repairs = find_repairs(work)
+    except Exception:
+        _LOG.exception("no repairs")
+    try:
+        score = score_of(decision, repairs, work, weights)
+    except Exception:
+        _LOG.exception("no score")
+    try:
+        links, feedback = _told(decision, repairs, work, policy, level)
+    except Exception:
+        _LOG.exception("no findings")
+        repairs = ()
+    return Explanation(score=score, links=links, feedback=feedback, repairs=told_repairs(repairs, level))
+
+
+def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy: Policy) -> Work:
+    """The key and an answer, with what edits of it are tried against."""
+    strict = policy_of(comparison, policy)
+    share = share_of(comparison)
+    references = tuple(
+        prepared(key).beside(chain_of_table(answer))
+        for key, answer in zip(comparison.references, comparison.meant, strict=True)
+    )
+    return Work(
+        key=tables[0],
+        answer=tables[1],
+        comparison=comparison,
+        policy=strict,
+        tables=comparison.meant,
+        references=references,
+        invariants=tuple(tightened(reference, comparison.steps, strict, share) for reference in references),
+        meter=Meter(MOST_WORK),
+    )
+
+
+def _told(
+    decision: Decision, repairs: Sequence[Repaired], work: Work, policy: Policy, level: HelpLevel
+) -> tuple[tuple[LinkFinding, ...], tuple[Feedback, ...]]:
+    key, answer = work.references[0].table, work.tables[0]
+    wrong = wrong_facts(decision, repairs, answer)
+    feedback = feedback_of(decision, repairs, wrong, key, answer, policy, level)
+    return link_findings(answer, wrong, decision, repairs, level), feedback
+
+
+def without_idle_rows(read: ReadTable) -> tuple[ReadTable, tuple[int, ...]]:
+    """A table without the fixed rows of zeros, which change nothing, and the rows that are left.
+
+    Returns:
+        The table, with at least one row, and the number of each of its rows in the original, from 0.
+    """
+    rows = read.table.rows
+    kept = tuple(
+        i
+        for i, row in enumerate(rows)
+        if row.joint is not JointType.FIXED or any(getattr(row, cell) != ZERO for cell in CELLS)
+    ) or (0,)
+    if len(kept) == len(rows):
+        return read, kept
+    table = DHTable(convention=read.table.convention, rows=tuple(rows[i] for i in kept))
+    return replace(read, table=table), kept
+
+
+def renumbered(told: Explanation, kept: Sequence[int], rows: int) -> Explanation:
+    """What was said of a table without its idle rows, in the numbers of the whole table.
+
+    Args:
+        told: what was said.
+        kept: the number of each row in the whole table, from 0.
+        rows: how many rows that has.
+    """
+
+    def number(row: int) -> int:
+        return kept[row - 1] + 1 if row <= len(kept) else rows + row - len(kept)
+
+    def params(given: Mapping[str, ParamValue]) -> dict[str, ParamValue]:
+        changed = {
+            name: number(value)
+            for name in _ROW_PARAMS
+            if isinstance(value := given.get(name), int) and value > 0
+        }
+        if isinstance(after := given.get("after"), int) and after > 0:
+            changed["after"] = number(after)
+        return {**given, **changed}
+
+    def of(entry: Feedback | Edit) -> dict[str, object]:
+        row = None if entry.row is None else number(entry.row)
+        return {"row": row, "params": params(entry.params)}
+
+    return replace(
+        told,
+        links=tuple(replace(link, row=number(link.row)) for link in told.links),
+        feedback=tuple(replace(entry, **of(entry)) for entry in told.feedback),  # type: ignore[arg-type]
+        repairs=tuple(
+            Repair(edits=tuple(replace(edit, **of(edit)) for edit in repair.edits))  # type: ignore[arg-type]
+            for repair in told.repairs
+        ),
+    )

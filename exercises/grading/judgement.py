@@ -1,0 +1,72 @@
+"""Whether an answer is right, in one way in which it may be meant."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from exercises.grading.comparison import Comparison
+from exercises.grading.digits import PER_CENT, beyond_digits
+from kinematics.chain import chain_of_table
+from kinematics.equivalence import Decision, Kind, Mismatch, Policy, decide_draws
+from kinematics.equivalence.decision import EXACT
+from kinematics.equivalence.diagnosis import mismatches_of
+from kinematics.equivalence.reference import prepared
+from kinematics.equivalence.results import Certificate
+
+IMPRECISE = Decision(certificate=None, mismatches=(Mismatch(kind=Kind.PRECISION),), same_robot=False)
+
+
+def policy_of(comparison: Comparison, policy: Policy) -> Policy:
+    """What an answer is held to as it was meant: names, where nothing was rounded, are exact."""
+    if not comparison.exact:
+        return policy
+    lengths, angles = policy.tolerance.length, policy.tolerance.angle
+    tolerance = replace(EXACT, length=min(EXACT.length, lengths), angle=min(EXACT.angle, angles))
+    return replace(policy, tolerance=tolerance)
+
+
+def share_of(comparison: Comparison) -> float:
+    """By which part of itself a length may be off, whatever its digits; none where names say it."""
+    return PER_CENT if comparison.by_value and not comparison.in_names else 0.0
+
+
+def judged(comparison: Comparison, policy: Policy) -> Decision:
+    """Whether an answer is right: as it was typed, and, where entries were rounded, as it was meant.
+
+    What is wrong is looked for in the answer as it was meant; so no 1.57 is taken for a mistake.
+    """
+    strict = policy_of(comparison, policy)
+    typed_exactly = comparison.meant is comparison.submissions
+    if strict is not policy:
+        meant = decide_draws(comparison.references, comparison.meant, strict)
+        if typed_exactly or not meant.accepted:
+            return meant
+        return _or_imprecise(decide_draws(comparison.references, comparison.submissions, policy))
+    typed = decide_draws(comparison.references, comparison.submissions, policy)
+    if typed.certificate is not None:
+        return _held_to_digits(comparison, typed, typed.certificate, policy)
+    if typed_exactly:
+        return typed
+    meant = decide_draws(comparison.references, comparison.meant, policy)
+    return IMPRECISE if meant.accepted else meant
+
+
+def _or_imprecise(decision: Decision) -> Decision:
+    return decision if decision.accepted else IMPRECISE
+
+
+def _held_to_digits(
+    comparison: Comparison, decision: Decision, certificate: Certificate, policy: Policy
+) -> Decision:
+    """The decision, unless a length or an angle is off by more than its digits explain, at any draw."""
+    if certificate.residual <= EXACT.length:
+        return decision
+    share = share_of(comparison)
+    for key, answer in zip(comparison.references, comparison.meant, strict=True):
+        chain = chain_of_table(answer)
+        reference = prepared(key).beside(chain)
+        far = beyond_digits(reference, answer, comparison.steps, policy, share)
+        if far:
+            found = mismatches_of(far, reference, answer, chain, policy)
+            return Decision(certificate=None, mismatches=found, same_robot=False)
+    return decision

@@ -1,0 +1,157 @@
+"""How exactly an entry was typed, and what a rounded one stands for.
+
+A decimal is right within half a unit of its last place. A name, a fraction, a multiple of π and a multiple of
+15° are exact. A decimal that is, within its digits, a multiple of π/12 or a value of the key stands for that.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from kinematics.angles import TWELFTH
+from kinematics.cells import AngleUnit
+from kinematics.expressions import (
+    ZERO,
+    Expression,
+    Number,
+    evaluate,
+    negate,
+    parameters_in,
+    pi_fraction,
+    pi_times,
+)
+from kinematics.table import CELLS, DHTable, JointType, SymbolicTable
+
+# An angle typed with fewer than two decimals [rad], or less than one [deg], stands for itself.
+COARSEST_ANGLE = 0.01
+ANGLES = ("alpha", "theta")
+_MOST_DECIMALS = 40
+
+Place = tuple[int, str]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Typed:
+    """A table as it was meant, and how far its entries may be from what was meant.
+
+    Attributes:
+        table: the table with rounded entries replaced by what they stand for.
+        steps: half a unit of the last place of those that stand for themselves, by row and cell; exact ones
+            are left out [rad or length].
+    """
+
+    table: SymbolicTable
+    steps: Mapping[Place, float]
+
+    @property
+    def exact(self) -> bool:
+        """Whether every entry is known exactly."""
+        return not self.steps
+
+
+def meant(
+    table: SymbolicTable, unit: AngleUnit, angles: Iterable[Expression], lengths: Iterable[Expression] = ()
+) -> Typed:
+    """What a table was meant to say.
+
+    Args:
+        table: the table as read.
+        unit: in which its angles were typed.
+        angles: exact values that a rounded angle may stand for, beside multiples of π/12.
+        lengths: exact values that a rounded length may stand for.
+    """
+    steps = half_steps(table, unit)
+    known_angles, known_lengths = _with_signs(angles), _with_signs(lengths)
+    rows = list(table.rows)
+    left: dict[Place, float] = {}
+    for (i, cell), step in steps.items():
+        entry = getattr(rows[i], cell)
+        exact = _angle(entry, step, known_angles) if cell in ANGLES else _nearest(entry, step, known_lengths)
+        if exact is None:
+            left[i, cell] = step
+        elif exact != entry:
+            rows[i] = replace(rows[i], **{cell: exact})  # type: ignore[arg-type]
+    changed = any(new is not old for new, old in zip(rows, table.rows, strict=True))
+    return Typed(DHTable(convention=table.convention, rows=tuple(rows)) if changed else table, left)
+
+
+def half_steps(table: SymbolicTable, unit: AngleUnit) -> dict[Place, float]:
+    """Half a unit of the last place, for every entry that is a decimal and matters.
+
+    A zero is as exact as the most exact entry of its kind in the table; where there is none, it is exact. The
+    offset of a joint's own variable is left out: no answer depends on it, unless the figure fixes it.
+    """
+    found: dict[Place, float] = {}
+    zeros: list[Place] = []
+    for i, row in enumerate(table.rows):
+        for cell in CELLS:
+            if _is_variable(row.joint, cell):
+                continue
+            step = _half_step(getattr(row, cell), cell, unit)
+            if step is None:
+                zeros.append((i, cell))
+            elif step:
+                found[i, cell] = step
+    for angular in (True, False):
+        finest = [step for (_, cell), step in found.items() if (cell in ANGLES) is angular]
+        if finest:
+            found |= {place: min(finest) for place in zeros if (place[1] in ANGLES) is angular}
+    return found
+
+
+def _is_variable(joint: JointType, cell: str) -> bool:
+    return (joint is JointType.REVOLUTE and cell == "theta") or (joint is JointType.PRISMATIC and cell == "d")
+
+
+def _half_step(entry: Expression, cell: str, unit: AngleUnit) -> float | None:
+    """Half a unit of the last place; 0 for what is exact, None for a zero."""
+    if entry == ZERO:
+        return None
+    if cell not in ANGLES:
+        return _of_decimal(entry.value) if isinstance(entry, Number) else 0.0
+    if unit is AngleUnit.RAD:
+        return _of_decimal(entry.value) if isinstance(entry, Number) else 0.0
+    turns = pi_fraction(entry)
+    if turns is None or not (turns * 12) % 1:
+        return 0.0
+    return math.radians(_of_decimal(turns * 180))
+
+
+def _of_decimal(value: Fraction) -> float:
+    """Half a unit of the last decimal; 0 if the number is no decimal."""
+    rest, decimals = value.denominator, 0
+    for prime in (2, 5):
+        power = 0
+        while rest % prime == 0:
+            rest //= prime
+            power += 1
+        decimals = max(decimals, power)
+    return 0.5 * 10.0**-decimals if rest == 1 and decimals <= _MOST_DECIMALS else 0.0
+
+
+def _with_signs(values: Iterable[Expression]) -> list[tuple[float, Expression]]:
+    """Values without parameters, with either sign, as numbers and exactly."""
+    plain = dict.fromkeys(value for value in values if not parameters_in(value))
+    signed = dict.fromkeys(entry for value in plain for entry in (value, negate(value)))
+    return [(evaluate(entry), entry) for entry in signed]
+
+
+def _angle(entry: Expression, step: float, known: list[tuple[float, Expression]]) -> Expression | None:
+    if step > COARSEST_ANGLE:
+        return None
+    here = evaluate(entry)
+    twelfths = round(here / TWELFTH)
+    if abs(here - twelfths * TWELFTH) <= step:
+        return pi_times(Fraction(twelfths, 12))
+    return _nearest(entry, step, known)
+
+
+def _nearest(entry: Expression, step: float, known: list[tuple[float, Expression]]) -> Expression | None:
+    if not known:
+        return None
+    here = evaluate(entry)
+    value, exact = min(known, key=lambda one: abs(one[0] - here))
+    return exact if abs(value - here) <= step * (1.0 + 1e-9) else None
