@@ -24,6 +24,8 @@ from kinematics.table import CELLS, DHTable, NumericTable, SymbolicTable, bind
 DRAWS = 3
 ATTEMPTS = 60
 FREE_ATTEMPTS = 20
+NAMED = 0.02
+"""How far a number may be from the value of the name that it stands for, as a share, whatever its digits."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -223,8 +225,8 @@ def _named(submission: ReadTable, values: Values) -> ReadTable:
             entry = getattr(row, cell)
             if not isinstance(entry, Number) or not entry.value:
                 continue
-            here, near = float(entry.value), steps.get((i, cell), 0.0) * (1.0 + 1e-9)
-            fits = [name for name, value in lengths.items() if abs(abs(here) - abs(value)) <= near]
+            here, step = float(entry.value), steps.get((i, cell), 0.0)
+            fits = [name for name, value in lengths.items() if _is_meant(abs(here), abs(value), step)]
             if len(fits) == 1:
                 name = Parameter(fits[0])
                 signed = name if (here > 0) == (lengths[fits[0]] > 0) else negate(name)
@@ -234,6 +236,10 @@ def _named(submission: ReadTable, values: Values) -> ReadTable:
         return submission
     table = DHTable(convention=submission.table.convention, rows=tuple(rows))
     return replace(submission, table=table, parameters={**submission.parameters, **found})
+
+
+def _is_meant(typed: float, value: float, step: float) -> bool:
+    return abs(typed - value) <= min(step, NAMED * value) + 1e-9 * value
 
 
 def _comparison(

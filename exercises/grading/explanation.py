@@ -95,7 +95,10 @@ def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy:
         policy=strict,
         tables=comparison.meant,
         references=references,
-        invariants=tuple(tightened(reference, comparison.steps, strict, share) for reference in references),
+        invariants=tuple(
+            tightened(reference, answer, comparison.steps, strict, share)
+            for reference, answer in zip(references, comparison.meant, strict=True)
+        ),
         meter=Meter(MOST_WORK),
     )
 

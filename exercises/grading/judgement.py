@@ -8,8 +8,8 @@ from exercises.grading.comparison import Comparison
 from exercises.grading.digits import PER_CENT, beyond_digits
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Decision, Kind, Mismatch, Policy, decide_draws
-from kinematics.equivalence.decision import EXACT
-from kinematics.equivalence.diagnosis import mismatches_of
+from kinematics.equivalence.decision import EXACT, convention_fits, mechanism_only
+from kinematics.equivalence.diagnosis import diagnose, mismatches_of
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.results import Certificate
 
@@ -42,6 +42,9 @@ def judged(comparison: Comparison, policy: Policy) -> Decision:
         if typed_exactly or not meant.accepted:
             return meant
         return _or_imprecise(decide_draws(comparison.references, comparison.submissions, policy))
+    refuted = _refuted(comparison, policy)
+    if refuted is not None:
+        return refuted
     typed = decide_draws(comparison.references, comparison.submissions, policy)
     if typed.certificate is not None:
         return _held_to_digits(comparison, typed, typed.certificate, policy)
@@ -49,6 +52,26 @@ def judged(comparison: Comparison, policy: Policy) -> Decision:
         return typed
     meant = decide_draws(comparison.references, comparison.meant, policy)
     return IMPRECISE if meant.accepted else meant
+
+
+def _refuted(comparison: Comparison, policy: Policy) -> Decision | None:
+    """The decision on an answer of which a length or an angle is wrong, whatever frames were chosen.
+
+    Nothing is searched for then: no certificate stands, and none of the mirror image.
+    """
+    key, answer = comparison.references[0], comparison.meant[0]
+    if key.joint_types != answer.joint_types or not convention_fits(answer.convention, policy.convention):
+        return None
+    chain = chain_of_table(answer)
+    reference = prepared(key).beside(chain)
+    free = mechanism_only(policy)
+    far = beyond_digits(reference, answer, comparison.steps, free, share_of(comparison))
+    if not far:
+        return None
+    found = diagnose(reference, answer, chain, policy)
+    if all(mismatch.kind is Kind.PRECISION for mismatch in found):
+        found = mismatches_of(far, reference, answer, chain, free)
+    return Decision(certificate=None, mismatches=found, same_robot=False)
 
 
 def _or_imprecise(decision: Decision) -> Decision:

@@ -71,9 +71,10 @@ def _found(work: Work) -> Iterator[Repaired]:
             yield Repaired((change,))
         if found:
             return
-    for change in _fitted(work):
-        found = True
-        yield Repaired((change,))
+    if work.one_edit_might_mend(work.tables[0]):
+        for change in _fitted(work):
+            found = True
+            yield Repaired((change,))
     if not found:
         yield from _pairs(work, trials)
 
@@ -132,6 +133,8 @@ def _pairs(work: Work, trials: list[Trial]) -> Iterator[Repaired]:
     first.sort(key=lambda trial: (trial.failing, trial.change.rank))
     told: set[frozenset[tuple[str, int | None, str | None]]] = set()
     for trial in first[:MOST_FIRST_EDITS]:
+        if not work.one_edit_might_mend(trial.table):
+            continue
         half = replace(work, tables=(trial.table, *work.tables[1:]))
         rest = [
             other

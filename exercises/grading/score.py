@@ -81,6 +81,6 @@ def _of_nothing(reference: Reference, policy: Policy, weights: Weights) -> float
     """The weight of the facts that a table of zeros has wrong, the types of its joints being right."""
     ours = axes_of(reference.chain, policy)
     zeros = [Axis(axis.prismatic, Z_AXIS, ORIGIN) for axis in ours]
-    slack = tightened(reference, {}, policy, 0.0)
+    slack = tightened(reference, None, {}, policy, 0.0)
     wrong = _facts(reference, slack, policy, weights).wrong(zeros) if zeros else 0.0
     return wrong + weights.rule * _unconfirmed(policy)

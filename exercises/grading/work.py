@@ -19,6 +19,10 @@ from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.search import Effort
 from kinematics.table import DHTable, NumericRow, NumericTable
 
+WORK_OF_ONE_EDIT = 30_000
+"""What deciding whether one edit mends the table may cost: no single one uses up the search."""
+REACH_OF_A_ROW = 1
+"""Two rows exchanged, the widest of the edits in a row, change the links before, between and after them."""
 Apply: TypeAlias = Callable[[NumericTable, int], Iterable[NumericTable]]
 """From a table and the number of the parameter draw to the tables that the edit may lead to; mostly one."""
 
@@ -87,13 +91,29 @@ class Work:
         self.meter.charge(PER_INVARIANT * len(self.invariants[draw]))
         return sum(not invariant.fits(axes) for invariant in self.invariants[draw])
 
+    def one_edit_might_mend(self, table: NumericTable, draw: int = 0) -> bool:
+        """Whether all invariants that a table does not share with the key meet at one place of the chain.
+
+        An edit in a row changes how the axes before it lie to those after it; what it leaves alone, it cannot
+        mend.
+        """
+        if table.joint_types != self.references[draw].table.joint_types:
+            return True
+        axes = self.axes(table)
+        self.meter.charge(PER_INVARIANT * len(self.invariants[draw]))
+        failing = [invariant.axes for invariant in self.invariants[draw] if not invariant.fits(axes)]
+        first, last = max(map(min, failing), default=0), min(map(max, failing), default=0)
+        return first - last <= REACH_OF_A_ROW
+
     def accepts(self, table: NumericTable, draw: int, effort: Effort) -> bool:
         """Whether a table is right, at one draw."""
         if not convention_fits(table.convention, self.policy.convention):
             return False
         self.meter.charge(PER_ROW * len(table.rows))
         chain = chain_of_table(table)
-        return certify((self.references[draw],), (chain,), self.policy, effort, self.meter) is not None
+        with self.meter.at_most(WORK_OF_ONE_EDIT):
+            return certify((self.references[draw],), (chain,), self.policy, effort, self.meter) is not None
+        return False
 
 
 def change(

@@ -16,7 +16,7 @@ from dataclasses import replace
 
 from kinematics.chain import Chain, chain_of_table
 from kinematics.equivalence.diagnosis import diagnose
-from kinematics.equivalence.meter import Meter
+from kinematics.equivalence.meter import Meter, WorkExhaustedError
 from kinematics.equivalence.policy import (
     BaseRule,
     ConventionRule,
@@ -34,6 +34,11 @@ from kinematics.table import Convention, DHTable, NumericTable
 
 EXACT = Tolerance(length=1e-8, angle=1e-8)
 """Where two tables are the same but for the errors of the arithmetic, which are below 1e-9 of a robot."""
+
+# Some ten certificates at the very limit of the tolerance are refined with this, each ten times; valid tables
+# that need more are not known (see the campaigns). What a wrong one is told may cost as much again.
+WORK_OF_ACCEPTANCE = 150_000
+WORK_OF_EXPLANATION = 100_000
 
 
 def decide(reference: NumericTable, submission: NumericTable, policy: Policy) -> Decision:
@@ -62,10 +67,20 @@ def decide_draws(
     prepared_references = [prepared(table) for table in references]
     chains = [chain_of_table(table) for table in submissions]
     if convention_fits(submissions[0].convention, policy.convention):
-        certificate = certify(prepared_references, chains, policy)
+        certificate = _certified(prepared_references, chains, policy, Meter(WORK_OF_ACCEPTANCE))
         if certificate is not None:
             return Decision(certificate=certificate, mismatches=(), same_robot=True)
     return _explained(prepared_references, submissions[0], chains, policy)
+
+
+def _certified(
+    references: Sequence[Reference], submissions: Sequence[Chain], policy: Policy, meter: Meter
+) -> Certificate | None:
+    """The certificate of a submission, if it is found with the work that is granted."""
+    try:
+        return certify(references, submissions, policy, meter=meter)
+    except WorkExhaustedError:
+        return None
 
 
 def convention_fits(convention: Convention, rule: ConventionRule) -> bool:
@@ -138,9 +153,12 @@ def _explained(
     wrong_convention = not convention_fits(table.convention, policy.convention)
     named = (Mismatch(kind=Kind.CONVENTION),) if wrong_convention else ()
     tried = not wrong_convention and policy == replace(mechanism_only(policy), convention=policy.convention)
-    if not tried and certify(references, chains, mechanism_only(policy)) is not None:
+    meter = Meter(WORK_OF_EXPLANATION)
+    if not tried and _certified(references, chains, mechanism_only(policy), meter) is not None:
         return Decision(
-            certificate=None, mismatches=(*named, *_broken_rules(references, chains, policy)), same_robot=True
+            certificate=None,
+            mismatches=(*named, *_broken_rules(references, chains, policy, meter)),
+            same_robot=True,
         )
     expected, got = len(references[0].chain.axes), len(chains[0].axes)
     if expected != got:
@@ -148,13 +166,14 @@ def _explained(
             certificate=None, mismatches=(*named, Mismatch(kind=Kind.JOINT_COUNT)), same_robot=False
         )
     found = diagnose(references[0].beside(chains[0]), table, chains[0], policy)
-    if certify([prepared(mirrored(r.table)) for r in references], chains, mechanism_only(policy)) is not None:
+    mirror = [prepared(mirrored(r.table)) for r in references]
+    if _certified(mirror, chains, mechanism_only(policy), meter) is not None:
         found = (Mismatch(kind=Kind.HANDEDNESS), *found)
     return Decision(certificate=None, mismatches=(*named, *found), same_robot=False)
 
 
 def _broken_rules(
-    references: Sequence[Reference], chains: Sequence[Chain], policy: Policy
+    references: Sequence[Reference], chains: Sequence[Chain], policy: Policy, meter: Meter
 ) -> tuple[Mismatch, ...]:
     """The rules that a submission of the right robot does not keep, each judged with the others left free."""
     free = mechanism_only(policy)
@@ -162,20 +181,25 @@ def _broken_rules(
     broken = [
         kind
         for kind, name in asked
-        if certify(references, chains, replace(free, **{name: getattr(policy, name)})) is None
+        if _certified(references, chains, replace(free, **{name: getattr(policy, name)}), meter) is None
     ]
-    if not broken and certify(references, chains, policy) is None:
-        broken = _not_together(references, chains, policy, asked)
+    if not broken and _certified(references, chains, policy, meter) is None:
+        broken = _not_together(references, chains, policy, asked, meter)
     return tuple(Mismatch(kind=kind) for kind in broken)
 
 
 def _not_together(
-    references: Sequence[Reference], chains: Sequence[Chain], policy: Policy, asked: list[tuple[Kind, str]]
+    references: Sequence[Reference],
+    chains: Sequence[Chain],
+    policy: Policy,
+    asked: list[tuple[Kind, str]],
+    meter: Meter,
 ) -> list[Kind]:
     """Of rules that can be kept singly but not together, the last one without which the others can."""
     free = mechanism_only(policy)
     for kind, name in reversed(asked):
-        if certify(references, chains, replace(policy, **{name: getattr(free, name)})) is not None:
+        without = replace(policy, **{name: getattr(free, name)})
+        if _certified(references, chains, without, meter) is not None:
             return [kind]
     return [kind for kind, _ in asked]
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from kinematics.chain import Chain, joint_motions
 from kinematics.equivalence.certificates import Candidate
-from kinematics.equivalence.meter import PER_ROUND, Meter
+from kinematics.equivalence.meter import PER_DESCENT, PER_ROUND, Meter
 from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.verification import Residual, joint_values, largest
@@ -104,6 +104,8 @@ def _brought_down(problem: Problem, candidate: Candidate) -> tuple[Candidate, Re
     """
     best, lowest = candidate, math.inf
     for _ in range(ROUNDS):
+        if problem.meter is not None:
+            problem.meter.charge(PER_DESCENT)
         worst = worst_case(problem.reference, problem.submission, candidate)
         excess = worst.residual.excess(problem.tolerance)
         if excess <= 1.0:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from random import Random
 
 from exercises.grading import Policy, Repair, ToolRule, grade
 from kinematics.equivalence.reference import prepared
-from kinematics.table import NumericTable
+from kinematics.table import DHRow, DHTable, JointType, NumericTable
 from tests.exercises.grading.written import written
 from tests.kinematics.equivalence.campaign import TABLES_PER_BLOCK, Outcome, references
 from tests.kinematics.equivalence.generators import random_valid_table
@@ -64,3 +65,67 @@ def is_mended(mutation: Mutation, repairs: tuple[Repair, ...]) -> bool:
     single = [repair.edits[0] for repair in repairs if len(repair.edits) == 1]
     rows = {edit.row for edit in single} | {edit.params.get("other") for edit in single}
     return bool(single) and (not mutation.rows or bool(rows & set(mutation.rows)))
+
+
+MOST_WRONG = 5
+PADDING = DHRow(joint=JointType.FIXED, theta=0.0, d=0.0, a=0.0, alpha=0.0)
+
+
+def score_chains(block: int) -> Outcome:
+    """Tables with one more cell wrong every time, each drawn in other frames: the score never rises.
+
+    The cells are changed in the key's own frames, each once and by a random amount, so that no change undoes
+    another; then the robot that results is drawn as a person would. Failures are scores that rise or that
+    depend on rows of zeros, and tables of zeros that earn anything.
+    """
+    rng = Random(f"chains {block}")
+    known = references()
+    outcome = Outcome()
+    while outcome.tables < TABLES_PER_BLOCK:
+        name, reference = rng.choice(known)
+        key, policy = written(reference), Policy(tool=ToolRule.FREE)
+        outcome.tables += 1
+        zeros = DHTable(
+            convention=reference.convention,
+            rows=tuple(replace(row, theta=0.0, d=0.0, a=0.0, alpha=0.0) for row in reference.rows),
+        )
+        verdict = grade(key, written(zeros), policy)
+        if not verdict.correct and verdict.score != 0.0:
+            outcome.failures.append(f"zeros earn {verdict.score}: {name}")
+        before, wrong = 1.0, reference
+        for cell in _some_cells(reference, rng):
+            wrong = _spoiled(wrong, cell, rng)
+            answer = drawn_by_hand(wrong, rng)
+            if answer is None:
+                break
+            padded = DHTable(convention=answer.convention, rows=(*answer.rows, PADDING, PADDING))
+            score, with_rows = (grade(key, written(table), policy).score for table in (answer, padded))
+            place = f"{name}, block {block}, {cell}"
+            if score > before:
+                outcome.failures.append(f"rises from {before} to {score}: {place}")
+            if score != with_rows:
+                outcome.failures.append(f"{score} but {with_rows} with rows of zeros: {place}")
+            before = score
+            outcome.accepted += score == 1.0
+            outcome.kinds[f"{round(score, 1):.1f}"] += 1
+    return outcome
+
+
+def _some_cells(table: NumericTable, rng: Random) -> list[tuple[int, str]]:
+    """Cells of which a robot's facts depend, in random order."""
+    cells = [
+        (i, cell)
+        for i, row in enumerate(table.rows)
+        for cell in ("alpha", "a", "d")
+        if cell != "d" or row.joint is JointType.REVOLUTE
+    ]
+    return rng.sample(cells, min(MOST_WRONG, len(cells)))
+
+
+def _spoiled(table: NumericTable, cell: tuple[int, str], rng: Random) -> NumericTable:
+    row, name = cell
+    scale = 1.0 if name == "alpha" else prepared(table).size
+    value = getattr(table.rows[row], name) + scale * rng.choice((-1, 1)) * rng.uniform(0.2, 0.7)
+    rows = list(table.rows)
+    rows[row] = replace(rows[row], **{name: value})
+    return DHTable(convention=table.convention, rows=tuple(rows))

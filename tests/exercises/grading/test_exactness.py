@@ -1,0 +1,168 @@
+"""Names are exact, and numbers are as exact as they were typed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+
+from exercises.grading import Policy, ToolRule, grade
+from exercises.grading.typed import COARSEST_ANGLE, half_steps, meant
+from exercises.instance import generate
+from exercises.selftest.typed import typed
+from kinematics.cells import AngleUnit, read_table
+from kinematics.expressions import pi_times
+from kinematics.table import JointType
+from tests.exercises.grading.test_grade import KEY, PUMA, USUAL, VALUES, Rows, codes, numbers, with_cells
+from tests.exercises.grading.written import Cell, read
+from tests.exercises.packaged import exercise
+
+SEEDS = range(20)
+WRONG_NAMES: list[tuple[int, int, Cell]] = [
+    (2, 1, "1.01*a2"),
+    (2, 1, "a2 + 0.004"),
+    (2, 1, "a2*1.0001"),
+    (2, 1, "d4"),
+    (3, 1, "-a3"),
+    (3, 2, "d3 + a3 - a3*1.001"),
+    (4, 2, "(a2 + d4)/2"),
+]
+
+
+@pytest.mark.parametrize("change", WRONG_NAMES, ids=[str(change[2]) for change in WRONG_NAMES])
+@pytest.mark.parametrize("angles", ["exact", "rounded"])
+def test_a_wrong_name_is_wrong_whatever_was_drawn(change: tuple[int, int, Cell], angles: str) -> None:
+    """The rounding of a right angle is no reason to let a length pass, and no drawn value is."""
+    twist: dict[Cell, Cell] = {"pi/2": 1.57, "-pi/2": -1.57} if angles == "rounded" else {}
+    right: Rows = [(twist.get(row[0], row[0]), *row[1:]) for row in PUMA]
+    wrong = read("standard", with_cells(right, change))
+    verdicts = []
+    for seed in SEEDS:
+        # d4 = a2, and a3 = a2 / 2, are drawn as well
+        values = {**VALUES, "a2": 0.4 + 0.01 * seed, "d4": 0.4 if seed % 2 else 0.5, "a3": 0.2}
+        assert grade(KEY, read("standard", right), USUAL, values).correct
+        verdicts.append(grade(KEY, wrong, USUAL, values))
+    assert not any(verdict.correct for verdict in verdicts)
+    assert len({(verdict.score, tuple(codes(verdict))) for verdict in verdicts}) == 1
+
+
+def test_two_names_exchanged_throughout_are_wrong_for_every_student() -> None:
+    ssrms = exercise("ssrms")
+    raw = typed(ssrms.reference)
+    exchanged = str.maketrans({"3": "4", "4": "3"})
+    rows = tuple(
+        replace(row, d=row.d.translate(exchanged) if "d" in str(row.d) else row.d) for row in raw.rows
+    )
+    assert rows != raw.rows
+    answer = read_table(replace(raw, rows=rows))
+    verdicts = [
+        grade(ssrms.reference, answer, ssrms.policy, generate(ssrms, seed).parameters) for seed in SEEDS
+    ]
+    assert {verdict.correct for verdict in verdicts} == {False}
+    assert len({verdict.score for verdict in verdicts}) == 1
+
+
+def test_a_difference_of_names_is_not_the_name_that_has_its_value() -> None:
+    key = read("standard", [("pi/2", "L1", 0, "q1"), ("pi/2", "L2", "L2", "q2"), (0, 0, 0, "q3")])
+    values = {"L1": 0.4, "L2": 0.2}
+    for cell in ("L1 - L2", "L1/2", 0.2):
+        rows: Rows = [("pi/2", "L1", 0, "q1"), ("pi/2", cell, "L2", "q2"), (0, 0, 0, "q3")]
+        assert grade(key, read("standard", rows), USUAL, values).correct is (cell == 0.2)
+
+
+def test_a_name_and_its_value_may_both_stand_in_an_answer() -> None:
+    key = read("standard", [("pi/2", "L1", 0, "q1"), ("pi/2", "L1", "L2", "q2"), (0, 0, 0, "q3")])
+    for first, second in (("L1", 0.4), (0.4, "L1"), (0.4, 0.4)):
+        rows: Rows = [("pi/2", first, 0, "q1"), ("pi/2", second, "L2", "q2"), (0, 0, 0, "q3")]
+        assert grade(key, read("standard", rows), USUAL, {"L1": 0.4, "L2": 0.2}).correct
+        assert not grade(key, read("standard", rows), USUAL, {"L1": 0.46, "L2": 0.2}).correct
+
+
+def test_a_name_left_out_is_wrong_although_its_value_is_zero() -> None:
+    key = read("standard", [("pi/2", "L1", 0, "q1"), ("pi/2", "L2", "L3", "q2"), (0, 0, 0, "q3")])
+    without: Rows = [("pi/2", "L1", 0, "q1"), ("pi/2", "L2", 0, "q2"), (0, 0, 0, "q3")]
+    assert not grade(key, read("standard", without), USUAL, {"L1": 0.3, "L2": 0.2, "L3": 0.0}).correct
+
+
+@pytest.mark.parametrize(
+    ("row", "column", "value", "right"),
+    [
+        (3, 1, 0.0203, True),
+        (3, 1, 0.02, True),  # rounded to its two decimals
+        (3, 1, 0.0202, True),  # within one per cent
+        (3, 1, 0.0148, False),  # 5.5 mm of 20: less than the tolerance of the whole arm
+        (3, 1, 0.021, False),
+        (3, 1, 0, False),
+        (3, 2, 0.15, True),
+        (3, 2, 0.1514, True),
+        (3, 2, 0.154, False),
+        (2, 1, 0.43, True),
+        (2, 1, 0.44, False),
+    ],
+)
+def test_a_small_length_of_a_large_arm_is_held_to_its_digits(
+    row: int, column: int, value: float, *, right: bool
+) -> None:
+    verdict = grade(KEY, read("standard", with_cells(numbers(PUMA, 4), (row, column, value))), USUAL, VALUES)
+    assert verdict.correct is right
+    assert ("rounded" in codes(verdict)) is right
+
+
+def test_a_zero_is_as_exact_as_the_entries_beside_it() -> None:
+    """0.0004 rounds to 0 beside entries of three decimals; beside one of five it does not."""
+    key = read("standard", [("pi/2", 0.4, 0.0004, "q1"), ("pi/2", 0.3, 0.0004, "q2"), (0, 0, 0.2, "q3")])
+    three: Rows = [("pi/2", 0.4, 0, "q1"), ("pi/2", 0.3, 0, "q2"), (0, 0, 0.2, "q3")]
+    assert grade(key, read("standard", with_cells(three, (1, 1, "0.401"))), USUAL).correct
+    assert not grade(key, read("standard", with_cells(three, (1, 1, "0.40001"))), USUAL).correct
+
+
+def test_half_a_unit_of_the_last_place() -> None:
+    table = read(
+        "standard", [(1.57, 0.25, "1/3", "q1 + 0.3"), ("pi/2", "2*L", "4.5", "q2"), (0.5, 0, "q3", 0.25)]
+    ).table
+    found = half_steps(table, AngleUnit.RAD)
+    assert {place: pytest.approx(step) for place, step in found.items()} == {
+        (0, "alpha"): 0.005,
+        (0, "a"): 0.005,
+        (1, "d"): 0.05,
+        (2, "alpha"): 0.05,
+        (2, "theta"): 0.005,
+        (2, "a"): 0.005,
+    }
+    degrees = read("standard", [(44.5, 0, 0, "q1"), (90, 0, 0, "q2"), ("45/7", 0, 0, "q3")], "deg").table
+    assert half_steps(degrees, AngleUnit.DEG) == {(0, "alpha"): pytest.approx(math.radians(0.05))}
+
+
+def test_what_a_rounded_angle_stands_for() -> None:
+    key = pi_times(Fraction(35, 180))
+    table = read(
+        "standard", [(1.57, 0, 0, "q1"), (0.61, 0, 0, "q2"), (0.7, 0, 0, "q3"), (2, 0, 0, "q4")]
+    ).table
+    found = meant(table, AngleUnit.RAD, (key,))
+    assert [row.alpha for row in found.table.rows][:2] == [pi_times(Fraction(1, 2)), key]
+    assert found.table.rows[2:] == table.rows[2:]
+    assert set(found.steps) == {(2, "alpha"), (3, "alpha")}
+    assert found.steps[3, "alpha"] > COARSEST_ANGLE
+    exact = read("standard", [("pi/2", "L", 0, "q1")]).table
+    assert meant(exact, AngleUnit.RAD, ()).table is exact
+    assert meant(exact, AngleUnit.RAD, ()).exact
+
+
+def test_an_angle_too_coarse_for_the_tolerance_is_said_to_be_that() -> None:
+    strict = replace(USUAL, tolerance=replace(USUAL.tolerance, angle=1e-4, length=1e-4))
+    coarse: Rows = [(1.57 if row[0] == "pi/2" else row[0], *row[1:]) for row in PUMA]
+    verdict = grade(KEY, read("standard", coarse), strict, VALUES)
+    assert codes(verdict) == ["not_equivalent", "entries_imprecise"]
+    assert verdict.repairs == ()
+
+
+def test_a_prismatic_joint_and_its_tool_point_are_held_to_their_digits() -> None:
+    key = read("standard", [(0, 0, 0.5, "q1"), ("pi/2", 0.04, 0, "q2"), (0, 0, "q3", 0)])
+    policy = Policy(tool=ToolRule.POINT)
+    assert key.table.joint_types[-1] is JointType.PRISMATIC
+    good = read("standard", [(0, 0, 0.5, "q1"), ("pi/2", 0.04, 0, "q2"), (0, 0, "q3", 0)])
+    bad = read("standard", [(0, 0, 0.5, "q1"), ("pi/2", 0.0385, 0, "q2"), (0, 0, "q3", 0)])
+    assert grade(key, good, policy).correct
+    assert not grade(key, bad, policy).correct
