@@ -13,7 +13,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from kinematics.chain import Axis
+from kinematics.equivalence.groups import outside
 from kinematics.equivalence.invariants import Invariant, Measure
+from kinematics.se3 import Vector, cross, norm, unit
+
+# Axes less than this apart [rad] count as parallel: rounded entries turn them by less, mistakes by more.
+NEARLY = 0.01
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -144,7 +149,7 @@ class _Aligned:
     def _measured(self, k: int, invariant: Invariant, shift: int) -> tuple[float, float] | None:
         ours, theirs = self._facts.axes, self._axes
         alike = all(ours[i].prismatic is theirs[i + shift].prismatic for i in invariant.axes)
-        if invariant.measure is not Measure.ANGLE and not alike:
+        if invariant.measure is not Measure.ANGLE and not (alike and self._is_defined(invariant, shift)):
             return None
         weight = self._facts.weights.of(invariant.measure)
         moved = Invariant(
@@ -154,3 +159,29 @@ class _Aligned:
         sign = self._facts.weights.sign * weight
         costs = [0.0 if fits[s] else sign if fits[1 - s] else weight for s in (0, 1)]
         return costs[0], costs[1]
+
+    def _is_defined(self, invariant: Invariant, shift: int) -> bool:
+        """Whether a length means in the answer what it means in the key, whatever frames were chosen.
+
+        An offset runs along parallel axes between axes that are not; a distance beside sliders disregards the
+        directions of all axes in between.
+        """
+        ours, theirs = self._facts.axes, self._axes
+        span = range(min(invariant.axes), max(invariant.axes) + 1)
+        if invariant.measure is Measure.OFFSET:
+            pairs = {(i, i + 1) for i in span[:-1]} | {(invariant.axes[2], invariant.axes[3])}
+            return all(
+                _are_parallel(theirs[i + shift], theirs[j + shift]) is _are_parallel(ours[i], ours[j])
+                for i, j in pairs
+            )
+        if invariant.measure is Measure.DISTANCE:
+            basis: tuple[Vector, ...] = ()
+            for i in invariant.axes[2:]:
+                rest = outside(theirs[i + shift].direction, basis)
+                basis = (*basis, unit(rest)) if norm(rest) > NEARLY else basis
+            return all(norm(outside(theirs[i + shift].direction, basis)) <= NEARLY for i in span)
+        return True
+
+
+def _are_parallel(one: Axis, other: Axis) -> bool:
+    return norm(cross(one.direction, other.direction)) <= NEARLY
