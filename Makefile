@@ -72,6 +72,9 @@ campaign: $(VENV)/.dev ## the checker against two million tables, valid and wron
 explore: $(VENV)/.dev vendor ## the property tests with fresh seeds; what fails becomes an example (ARGS="tests/kinematics": some)
 	FRAMEWISE_EXPLORE=1 $(PY) -m pytest -n 2 --dist loadgroup $(or $(ARGS),tests/kinematics tests/exercises tests/service)
 
+campaign-inverse: $(VENV)/.dev ## inverse kinematics at singularities against brute force (hours; ARGS="--poses 100 --tried 10": some)
+	OMP_NUM_THREADS=1 $(PY) -m tests.kinematics.inverse $(ARGS)
+
 browser: ## Chromium for the end-to-end tests (Debian; needs root)
 	apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium wrk
 

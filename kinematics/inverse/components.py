@@ -31,6 +31,13 @@ CHORD = 0.05
 """Distance from the chords of a path within which a solution may be on it: the chords are LONGEST_STEP
 long and turn by three times STRAIGHT at most."""
 
+SURFACE_STEP = 0.2
+"""Steps over surfaces of solutions [rad, or parts of the size]."""
+
+ROUNDING = 1e-9
+"""Singular values below this are zero: at exact singularities rounding leaves some 1e-16, and of solutions
+as exact as a double root has them its square root times a part of the size."""
+
 MOST_FOLLOWED = 8
 """Families that are followed for one target; what is left over is returned as members of continua."""
 
@@ -43,11 +50,13 @@ class Component:
         joints: (n,) its most exact member.
         paths: one path for each direction of a family that was followed; empty of an isolated solution.
         dimension: 0 of an isolated solution.
+        pivots: of a surface the joints that tell its members apart.
     """
 
     joints: Array
     paths: tuple[Path, ...] = ()
     dimension: int = 0
+    pivots: tuple[int, ...] = ()
 
 
 def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> list[Component]:
@@ -74,7 +83,7 @@ def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> l
     order = [i for i in np.argsort(errors, kind="stable").tolist() if delicate[i]]
     if order:
         sorter = _Sorter(arm, Follower(arm, target, tolerance), tolerance)
-        found += sorter.sorted(joints[order], J[order], smallest)
+        found += sorter.sorted(joints[order], J[order])
     return found
 
 
@@ -93,16 +102,17 @@ class _Sorter:
     def __init__(self, arm: Arm, follower: Follower, tolerance: float) -> None:
         self.arm, self.follower = arm, follower
         self.long = max(LONG, ACROSS_A_FOLD * float(np.sqrt(tolerance)))
+        self.blind = max(tolerance / LONG * 2.0, ROUNDING)
         self.beside = max(BESIDE, 20.0 * tolerance)
 
-    def sorted(self, joints: Array, J: Array, smallest: float) -> list[Component]:
+    def sorted(self, joints: Array, J: Array) -> list[Component]:
         left = list(range(len(joints)))
         found: list[Component] = []
         followed = 0
         while left:
             i, *left = left
             if followed < MOST_FOLLOWED:
-                new = self._components(joints[i], blind_directions(J[i], smallest))
+                new = self._components(joints[i], blind_directions(J[i], self.blind))
             else:
                 new = [Component(joints[i], dimension=max(self.arm.spare, 1))]
             followed += sum(bool(one.paths) for one in new)
@@ -125,10 +135,19 @@ class _Sorter:
             for sign in (1.0, -1.0)
         ]
         if len(moving) > 1 and all(self._moves(x, d) for d in pairs):
-            return [Component(q, self._paths_of_surface(x, np.array(moving)), len(moving))]
-        paths = [self.follower.path(x, d, np.empty((0, len(x)))) for d in moving]
-        members = [q, *(path.points[len(path.points) // 4] for path in paths[1:])]
-        return [Component(member, (path,), 1) for member, path in zip(members, paths, strict=True)]
+            directions = np.array(moving)
+            paths = self._paths_of_surface(x, directions)
+            return [Component(q, paths, len(moving), tuple(pivots_of(directions)))]
+        curves = [self.follower.path(x, d, np.empty((0, len(x)))) for d in moving]
+        curves = [path for path in curves if self._is_long(path)]
+        members = [q, *(path.points[len(path.points) // 4] for path in curves[1:])]
+        found = [Component(member, (path,), 1) for member, path in zip(members, curves, strict=False)]
+        return found or [Component(q)]
+
+    def _is_long(self, path: Path) -> bool:
+        """Whether a path leads farther than across a fold."""
+        x = path.points / self.arm.units
+        return path.closed or float(np.abs(x - x[0]).max()) > 0.5 * self.long
 
     def _moves(self, x: Array, direction: Array) -> bool:
         return any(self.follower.moves(x, direction, step) is not None for step in (self.long, -self.long))
@@ -149,9 +168,21 @@ class _Sorter:
             return True
         x = component.joints / self.arm.units
         if component.dimension > 1:
-            return self.follower.joined(x, x + apart)
+            return self._on_surface(component, q) or self.follower.joined(x, x + apart)
         near = float(np.abs(apart).max()) <= self.long
         return near and self.follower.joined(x, x + apart)
+
+    def _on_surface(self, component: Component, q: Array) -> bool:
+        """Whether a solution is reached over a surface, its parameters turned to the solution's."""
+        held = np.eye(len(q))[list(component.pivots)]
+        x = component.joints / self.arm.units
+        way = held.T @ (held @ differences(q, component.joints, self.arm))
+        steps = int(np.ceil(float(np.abs(way).max(initial=0.0)) / SURFACE_STEP))
+        for _ in range(steps):
+            x, e, _ = self.follower.corrected(x + way / steps, held)
+            if not self.follower.reached(e):
+                return False
+        return float(np.abs(differences(q, x * self.arm.units, self.arm)).max()) <= self.beside
 
     def _on(self, path: Path, q: Array) -> bool:
         """Whether a solution is on a path: its nearest chord, corrected, leads to it."""

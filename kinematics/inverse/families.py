@@ -20,8 +20,9 @@ import numpy as np
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.residuals import are_solutions, error_vectors
 
-FIRST_STEP = 1e-3
-"""First step along a component [rad, or parts of the size]; later ones grow while the path stays straight."""
+FIRST_STEP = 0.02
+"""First step along a component [rad, or parts of the size]; it is halved where it loses the target, and
+doubled while the path stays straight. A path that noise bends is followed by steps longer than the bends."""
 
 LONGEST_STEP = 0.4
 """Straight families (a wrist in line) are followed in steps of this length; bent ones in shorter steps."""
@@ -167,7 +168,7 @@ class Follower:
             turned = self._direction(J, t, held)
             bend = float(np.arccos(np.clip(turned @ t, -1.0, 1.0)))
             off = float(np.linalg.norm(new - x - h * t))
-            if not self.reached(e) or off > 0.5 * h or (bend > 3.0 * STRAIGHT and h > FIRST_STEP):
+            if not self.reached(e) or off > h or (bend > 3.0 * STRAIGHT and h > FIRST_STEP):
                 h *= 0.5
                 if h < SHORTEST_STEP:
                     return found, False

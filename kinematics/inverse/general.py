@@ -22,6 +22,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.se3 import cross_arrays, inverse_transform
@@ -33,6 +34,13 @@ together."""
 WELL_CONDITIONED = 1e9
 """Largest condition of the leading matrix with which an eigenproblem is worth its digits: Newton steps
 take over from five."""
+
+INDEPENDENT = 1e-9
+"""Singular values below this part of the largest are those of dependent equations."""
+
+TRUSTED = 1e-3
+"""What a real eigenvalue's solution may be off. Where eigenvalues coincide, eigenvectors mix their
+solutions and are off by more; another cut of the loop parts them."""
 
 _SHIFTS = ((0.4, 1.1, -0.7), (2.3, -0.9, 1.9), (-1.6, 0.3, 0.8), (1.2, 2.6, -2.1))
 """Half turns of (q_3, q_4, q_5), where tangents of half angles are infinite, are put at these angles plus
@@ -60,67 +68,92 @@ class GeneralArm:
 
     @cached_property
     def _left(self) -> Array:
-        """(14, 3, 9): coefficients of the left side in (1, cos, sin) of q_3, and of q_4 times q_5."""
         z, p, _ = self._axes
-        turns = [np.array([_displacement(z[i], p[i], q) for q in _GRID]) for i in (2, 3, 4)]
-        E = np.einsum("aij,bjk,ckl->abcil", *turns).reshape(27, 4, 4)
-        values = _functions(E[:, :3, :3] @ p[5] + E[:, :3, 3] - p[2], E[:, :3, :3] @ z[5])
-        waves = np.einsum("ai,bj,ck,ijkf->fabc", *[_TO_WAVES] * 3, values.reshape(3, 3, 3, 14))
-        return np.asarray(waves.reshape(14, 3, 9))
-
-    @cached_property
-    def _back(self) -> Array:
-        """(9, 4, 4): E_2⁻¹ E_1⁻¹ at the grid of q_1 and q_2."""
-        z, p, _ = self._axes
-        first, second = (np.array([_displacement(z[i], p[i], -q) for q in _GRID]) for i in (0, 1))
-        return np.asarray(np.einsum("bij,ajk->abik", second, first).reshape(9, 4, 4))
-
-    def _right(self, moved: Array) -> Array:
-        """(14, 9): coefficients of the right side in (1, cos, sin) of q_1 times that of q_2."""
-        z, p, _ = self._axes
-        R, B = moved[:3, :3], self._back
-        points = B[:, :3, :3] @ (R @ p[5] + moved[:3, 3]) + B[:, :3, 3] - p[2]
-        values = _functions(points, B[:, :3, :3] @ (R @ z[5])).reshape(3, 3, 14)
-        return np.asarray(np.einsum("ai,bj,ijf->fab", _TO_WAVES, _TO_WAVES, values).reshape(14, 9))
+        return _left_side(z, p)
 
     def candidates(self, target: Array) -> Array | None:
-        """See `ClosedForm`."""
-        moved = target @ self._axes[2]
-        moved[:3, 3] /= self.arm.size
-        right = self._right(moved)
-        U, scales, Vt = np.linalg.svd(right[:, 1:])
-        if scales[-1] <= 1e-9 * scales[0]:
-            return None
-        N = U[:, 8:].T
-        waves = np.einsum("nf,fak->ank", N, self._left)
-        waves[0, :, 0] -= N @ right[:, 0]
-        thirds = _middle_turns(waves)
-        if thirds is None:
-            return None
-        return self._completed(thirds, right, (U[:, :8] / scales) @ Vt, moved[:3, :3])
+        """See `ClosedForm`.
 
-    def _completed(self, found: Array, right: Array, inverse: Array, R: Array) -> Array:
-        """q_1, q_2 from the products that were eliminated, q_6 from the rotation that is left."""
-        z = self._axes[0]
-        c3, c45 = _waves(found[:, 0]), np.einsum("mi,mj->mij", _waves(found[:, 1]), _waves(found[:, 2]))
-        left = np.einsum("fak,ma,mk->mf", self._left, c3, c45.reshape(-1, 9))
-        products = (left - right[:, 0]) @ inverse
-        q = np.empty((len(found), 6))
-        q[:, 1] = np.arctan2(products[:, 1], products[:, 0])
-        q[:, 0] = np.arctan2(products[:, 5], products[:, 2])
-        q[:, 2:5] = found
-        rest = np.broadcast_to(R, (len(q), 3, 3))
-        for i in range(5):
-            rest = _rotations(z[i], -q[:, i]) @ rest
-        across = np.linalg.svd(z[5][None])[2][1]
-        turned = rest @ across
-        q[:, 5] = np.arctan2(turned @ cross_arrays(z[5], across), turned @ across)
-        return q
+        The joints and the target form a loop, which may be cut open before any joint: where axes meet or are
+        parallel, cuts differ in whether the equations are independent.
+        """
+        z, p, end = self._axes
+        moved = target @ end
+        moved[:3, 3] /= self.arm.size
+        found = _solutions(z, p, moved, self._left)
+        back = inverse_transform(moved)
+        for cut in range(6):
+            if found is not None:
+                return np.roll(found, cut, axis=1)
+            z = np.vstack((z[1:], z[0] @ back[:3, :3].T))
+            p = np.vstack((p[1:], p[0] @ back[:3, :3].T + back[:3, 3]))
+            found = _solutions(z, p, moved, _left_side(z, p))
+        return None
 
 
 def general_arm_of(arm: Arm) -> GeneralArm | None:
     """The eigenproblem of an arm, or None if it is not one of six turning joints."""
     return GeneralArm(arm) if arm.n_joints == 6 and bool(arm.revolute.all()) else None
+
+
+def _left_side(z: Array, p: Array) -> Array:
+    """(14, 3, 9): coefficients of the left side in (1, cos, sin) of q_3, and of q_4 times q_5."""
+    turns = [np.array([_displacement(z[i], p[i], q) for q in _GRID]) for i in (2, 3, 4)]
+    E = np.einsum("aij,bjk,ckl->abcil", *turns, optimize=True).reshape(27, 4, 4)
+    values = _functions(E[:, :3, :3] @ p[5] + E[:, :3, 3] - p[2], E[:, :3, :3] @ z[5])
+    waves = np.einsum("ai,bj,ck,ijkf->fabc", *[_TO_WAVES] * 3, values.reshape(3, 3, 3, 14), optimize=True)
+    return np.asarray(waves.reshape(14, 3, 9))
+
+
+def _right_side(z: Array, p: Array, moved: Array) -> Array:
+    """(14, 9): coefficients of the right side in (1, cos, sin) of q_1 times that of q_2."""
+    first, second = (np.array([_displacement(z[i], p[i], -q) for q in _GRID]) for i in (0, 1))
+    back = (second[None] @ first[:, None]).reshape(9, 4, 4)
+    R = moved[:3, :3]
+    points = back[:, :3, :3] @ (R @ p[5] + moved[:3, 3]) + back[:, :3, 3] - p[2]
+    values = _functions(points, back[:, :3, :3] @ (R @ z[5])).reshape(3, 3, 14)
+    return np.asarray(np.einsum("ai,bj,ijf->fab", _TO_WAVES, _TO_WAVES, values).reshape(14, 9))
+
+
+def _solutions(z: Array, p: Array, moved: Array, left: Array) -> Array | None:
+    """Candidates for a chain of axes that is to move by `moved`; None where equations are dependent."""
+    right = _right_side(z, p, moved)
+    U, scales, Vt = np.linalg.svd(right[:, 1:])
+    if scales[-1] <= INDEPENDENT * scales[0]:
+        return None
+    N = U[:, 8:].T
+    waves = np.einsum("nf,fak->ank", N, left)
+    waves[0, :, 0] -= N @ right[:, 0]
+    found = _middle_turns(waves)
+    if found is None:
+        return None
+    middle, real = found
+    # q_1 and q_2 from the products that were eliminated, q_6 from the rotation that is left.
+    products45 = np.einsum("mi,mj->mij", _waves(middle[:, 1]), _waves(middle[:, 2])).reshape(-1, 9)
+    known = np.einsum("fak,ma,mk->mf", left, _waves(middle[:, 0]), products45, optimize=True)
+    products = (known - right[:, 0]) @ ((U[:, :8] / scales) @ Vt)
+    q = np.empty((len(middle), 6))
+    q[:, 1] = np.arctan2(products[:, 1], products[:, 0])
+    q[:, 0] = np.arctan2(products[:, 5], products[:, 2])
+    q[:, 2:5] = middle
+    rest = np.broadcast_to(moved[:3, :3], (len(q), 3, 3))
+    for i in range(5):
+        rest = _rotations(z[i], -q[:, i]) @ rest
+    across = np.linalg.svd(z[5][None])[2][1]
+    turned = rest @ across
+    q[:, 5] = np.arctan2(turned @ cross_arrays(z[5], across), turned @ across)
+    return q if bool((_off(z, p, q[real], moved) <= TRUSTED).all()) else None
+
+
+def _off(z: Array, p: Array, q: Array, moved: Array) -> Array:
+    """(m,): largest entry by which E_1 ⋯ E_6 is off."""
+    E = np.broadcast_to(np.eye(4), (len(q), 4, 4))
+    for i in range(6):
+        step = np.zeros((len(q), 4, 4))
+        step[:, :3, :3], step[:, 3, 3] = _rotations(z[i], q[:, i]), 1.0
+        step[:, :3, 3] = p[i] - step[:, :3, :3] @ p[i]
+        E = E @ step
+    return np.asarray(np.abs(E - moved).max(axis=(1, 2)))
 
 
 def _functions(p: Array, l: Array) -> Array:  # noqa: E741
@@ -129,8 +162,8 @@ def _functions(p: Array, l: Array) -> Array:  # noqa: E741
     return np.concatenate((p, l, pp, pl, cross_arrays(p, l), pp * l - 2.0 * pl * p), axis=1)
 
 
-def _middle_turns(waves: Array) -> Array | None:
-    """(m, 3): q_3, q_4, q_5 at which six equations hold, given their coefficients (3, 6, 9).
+def _middle_turns(waves: Array) -> tuple[Array, NDArray[np.bool_]] | None:
+    """Return q_3, q_4, q_5, (m, 3), at which six equations hold, and which are real, (m,).
 
     None where the equations hold for every q_3, or no eigenproblem is well conditioned.
     """
@@ -161,7 +194,7 @@ def _middle_turns(waves: Array) -> Array | None:
         x4 = _ratio(v[:-1], v[1:])
         x5 = _ratio(v[:, :-1], v[:, 1:])
         found[i, 1:] = 2.0 * np.arctan(x4) + shift[1], 2.0 * np.arctan(x5) + shift[2]
-    return found
+    return found, x.imag == 0.0
 
 
 def _ratio(lower: Array, upper: Array) -> float:

@@ -190,7 +190,7 @@ def _first_turns(
     seen_level: tuple[float, float, float],
     end: tuple[float, float, float],
     level: tuple[float, float, float],
-) -> list[float] | tuple[float, float] | None:
+) -> list[float] | tuple[float, ...] | None:
     """q_1 with seen_end(q_1) = end(q_5) and seen_level(q_1) = level(q_5), each c·cos + s·sin + k."""
     (a, b, e), (c, d, f) = (end[0], end[1], end[2]), (level[0], level[1], level[2])
     A, B, E = seen_end
@@ -238,7 +238,7 @@ def _foot(z: Array, p: Array, other: Array, q: Array) -> Array:
     return np.asarray(p + (float(cross_arrays(q - p, other) @ normal) / square) * z)
 
 
-def _turns_to(h: Array, z5: Array, z6: Array, v: Array) -> tuple[float, float] | None:
+def _turns_to(h: Array, z5: Array, z6: Array, v: Array) -> tuple[float, ...] | None:
     """Return q_5 with h·Rot(z_5, q_5) z_6 = v·z_6, for right angles by v across z_6; None if all do."""
     c, s, k = _wave(h, z5, z6)
     if math.hypot(c, s) <= SAME_HEIGHT:

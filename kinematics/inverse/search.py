@@ -40,6 +40,10 @@ Mech. Mach. Theory 21 (1986) 509.
 """
 
 FIRST_ROUND = 32
+SPARE_STARTS = 128
+"""Starts for arms with joints to spare: each of their families, sixteen at most of seven joints, draws
+many."""
+
 ENOUGH_STARTS = 512
 MOST_STARTS = 2048
 BY_OWN_SIZE = 256
@@ -50,6 +54,9 @@ IDLE_STEPS = 4
 
 EXACT = 1e-16
 """Size of the error vector below which another Newton step would only move rounding."""
+
+LEAST_DAMPING = 1e-28
+"""Square of the singular values that are rounding: some ten roundings of a Jacobian."""
 
 LONGEST_STEP = 0.3
 """Longest Newton step [rad, or parts of the size]: from candidates it is a correction."""
@@ -197,7 +204,7 @@ def search(arm: Arm, target: Array, box: Box, bounds: Bounds, tolerance: float =
             )
         done, count = done + count, done + count
         enough = len(found) == before or len(found) > MOST_ISOLATED or done >= ENOUGH_STARTS
-        if len(found) and (arm.spare or enough):
+        if len(found) and (done >= SPARE_STARTS if arm.spare else enough):
             break
     if len(found):
         return SearchResult(found, found[0])
@@ -238,10 +245,12 @@ def _starts(arm: Arm, target: Array, box: Box, count: int, skip: int) -> Array:
 
 
 def polish(arm: Arm, targets: Array, joints: Array, steps: int = 20) -> Array:
-    """Newton steps of least norm from configurations that are nearly right; the best on the way is returned.
+    """Newton steps from configurations that are nearly right; the best on the way is returned.
 
-    Beside a singularity the way to the solution is long and bent: the first step along it loses what the next
-    one brings back. So a step is not refused for being worse.
+    Steps are damped by the error: δ = (JᵀJ + |e|²)⁻¹ Jᵀ e, of least norm where solutions are not isolated,
+    and quadratically convergent to them as well (N. Yamashita, M. Fukushima, 2001). Beside a singularity
+    the way to the solution is long and bent: the first step along it loses what the next one brings back.
+    So a step is not refused for being worse.
 
     Args:
         arm: the arm.
@@ -262,7 +271,9 @@ def polish(arm: Arm, targets: Array, joints: Array, steps: int = 20) -> Array:
         if (idle >= IDLE_STEPS).all() or cost.max(initial=0.0) <= EXACT**2:
             break
         J = arm.jacobians(frames) * arm.units
-        step = (np.linalg.pinv(J, rcond=1e-12) @ e[:, :, None])[:, :, 0]
+        U, values, Vt = np.linalg.svd(J, full_matrices=False)
+        filtered = values / (values * values + np.maximum(cost, LEAST_DAMPING)[:, None])
+        step = np.einsum("mkn,mk,mik,mi->mn", Vt, filtered, U, e)
         length = np.linalg.norm(step, axis=1)
         x = x + step * np.minimum(1.0, LONGEST_STEP / np.maximum(length, 1e-300))[:, None]
     return np.asarray(best * arm.units)

@@ -30,6 +30,7 @@ from kinematics.inverse.results import (
     UnreachableReason,
 )
 from kinematics.inverse.search import MOST_ISOLATED, Bounds, Box, search
+from kinematics.inverse.search import TOLERANCE as SEARCHED
 from kinematics.se3 import Transform, check_transform
 from kinematics.table import NumericTable
 
@@ -140,6 +141,7 @@ class Solver:
 
     def _searched(self, goal: Goal) -> InverseKinematics:
         """The result of a search: solutions within the limits, outside them, or the nearest pose."""
+        goal = goal._replace(tolerance=max(goal.tolerance, SEARCHED))
         known = self._by_closed_form(goal)
         method = Method.SEARCH if known is None else Method.CLOSED_FORM
         outside = 0 if known is None else len(components_of(self.arm, goal.pose, known, goal.tolerance))

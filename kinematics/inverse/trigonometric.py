@@ -12,12 +12,17 @@ NEARLY_REAL = 3e-2
 """Roots e^{iq} whose modulus is this near to 1 are tried: rounding of 1e-15 moves a double root by its square
 root, and of a quadruple one by its fourth root, 2e-4; the rest is for coefficients that have lost digits."""
 
+ONE_ROOT = 1e-6
+"""Half the distance of two roots [rad] that rounding of some 1e-13 in k may have parted."""
+
 NOTHING = 1e-13
 """Coefficients this small beside the largest are what rounding leaves of zero."""
 
 
-def linear_roots(c: float, s: float, k: float) -> tuple[float, float] | None:
-    """Return both q with c·cos q + s·sin q = k: the middle twice where |k| is too large; None if c = s = 0.
+def linear_roots(c: float, s: float, k: float) -> tuple[float, ...] | None:
+    """Return both q with c·cos q + s·sin q = k, only the middle where |k| is too large; None if c = s = 0.
+
+    Where both are so near to the middle that rounding may have parted them, the middle is there as well.
 
     Source: C. C. Paden, Kinematics and control of robot manipulators (1986), as R. P. Paul's a cos + b sin
     = d.
@@ -28,6 +33,12 @@ def linear_roots(c: float, s: float, k: float) -> tuple[float, float] | None:
     middle = math.atan2(s, c)
     across = (length - k) * (length + k)
     half = math.atan2(math.sqrt(across), k) if across > 0.0 else (0.0 if k > 0.0 else math.pi)
+    if half == 0.0 or half == math.pi:
+        return (middle - half,)
+    if half < ONE_ROOT:
+        return middle - half, middle + half, middle
+    if half > math.pi - ONE_ROOT:
+        return middle - half, middle + half, middle + math.pi
     return middle - half, middle + half
 
 

@@ -157,7 +157,7 @@ def head_turns(h: Head, x: float, y: float, z: float) -> list[Turns] | None:
     return found
 
 
-def _third_turns(h: Head, square_far: float, z: float) -> tuple[float, float] | list[float] | None:
+def _third_turns(h: Head, square_far: float, z: float) -> tuple[float, ...] | list[float] | None:
     """θ_3, from |p|² = |f|² + a_1² + 2 a_1 g_1 and p_z = sin α_1 g_2 + cos α_1 f_3, g = Rot_z(θ_2) f.
 
     f = (a_2 + ρ c_3, cos α_2 ρ s_3 - sin α_2 ζ, d_2 + sin α_2 ρ s_3 + cos α_2 ζ).

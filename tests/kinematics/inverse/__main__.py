@@ -1,0 +1,32 @@
+"""Inverse kinematics near singularities, of every model: python -m tests.kinematics.inverse --poses 10000."""
+
+import argparse
+
+from tests.kinematics.inverse.campaign import run
+from tests.kinematics.inverse.models import MODELS
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--poses", type=int, default=10_000, help="of every model")
+    parser.add_argument(
+        "--tried", type=int, default=1_000, help="complete answers tried by brute force, of every model"
+    )
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", nargs="*", help="names of models")
+    arguments = parser.parse_args()
+    faults = 0
+    for name, table in MODELS.items():
+        if arguments.only and name not in arguments.only:
+            continue
+        tally = run(name, table, arguments.poses, arguments.tried, arguments.seed)
+        faults += len(tally.faults)
+        counts = (
+            f"{tally.poses} poses, {tally.complete} complete, {tally.tried} tried, {tally.rough} too rough"
+        )
+        print(f"{name}: {counts}, {len(tally.faults)} faults {tally.faults[:6]}", flush=True)
+    raise SystemExit(faults > 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,177 @@
+"""Inverse kinematics at and near singularities, against brute force.
+
+Poses are drawn at chosen distances from singular configurations and written with few or many decimals. Of
+every answer it is asked whether the configuration that made the pose is in it, whether it has more isolated
+solutions than such an arm can have, and of complete ones whether descents from 500 random starts find
+another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from kinematics.forward import end_pose
+from kinematics.inverse.components import components_of
+from kinematics.inverse.distinct import differences
+from kinematics.inverse.families import Follower, nearest_on
+from kinematics.inverse.goals import Goal, read_goal
+from kinematics.inverse.residuals import are_solutions, error_vectors
+from kinematics.inverse.search import descend, polish, unbounded
+from kinematics.inverse.solve import Solver, solver_of
+from kinematics.table import DHTable
+
+DISTANCES = (0.0, *(10.0**-k for k in range(12, 1, -1)))
+DECIMALS = range(4, 18)
+ROUGH = 6
+"""With as many decimals or fewer a tolerance of one unit of the last is asked for."""
+
+STARTS = 500
+AWAY = 1e-3
+"""What brute force found counts as another solution if it is farther than this from all and not joined to
+one."""
+
+
+@dataclass
+class Tally:
+    """What a campaign found.
+
+    Attributes:
+        poses: how many were asked.
+        complete: how many answers claimed to be complete, and how many of these were tried by brute force.
+        rough: poses whose own configuration is off by more than the tolerance: rounding was unlucky.
+        faults: what should not have been: kind, arm, seed.
+    """
+
+    poses: int = 0
+    complete: int = 0
+    tried: int = 0
+    rough: int = 0
+    faults: list[tuple[str, str, int]] = field(default_factory=list)
+
+
+def singular_configuration(rng: np.random.Generator, solver: Solver) -> np.ndarray:
+    """One where the Jacobian has lost rank: by bisection of its determinant, or at right angles."""
+    arm = solver.arm
+    n = arm.n_joints
+    spans = np.where(arm.revolute, np.pi, 0.5 * arm.size)
+    q = rng.uniform(-spans, spans)
+    if n == 6 and arm.generic_rank == 6 and rng.random() < 0.5:
+        other = q + 0.5 * rng.normal(size=n) * np.where(arm.revolute, 1.0, arm.size)
+
+        def determinant(part: float) -> float:
+            J = arm.jacobians(arm.frames((q + part * (other - q))[None])) * arm.units
+            return float(np.linalg.det(J[0]))
+
+        low, high = 0.0, 1.0
+        if determinant(low) * determinant(high) < 0.0:
+            for _ in range(80):
+                middle = 0.5 * (low + high)
+                low, high = (middle, high) if determinant(middle) * determinant(low) > 0.0 else (low, middle)
+            return q + low * (other - q)
+    right = rng.random(n) < rng.choice([0.3, 0.6, 1.0])
+    return np.where(arm.revolute & right, np.round(q / (np.pi / 2)) * np.pi / 2, q)
+
+
+def questions(
+    table: DHTable, solver: Solver, seed: int
+) -> Iterator[tuple[np.ndarray, np.ndarray, float | None]]:
+    """Configurations, their poses as written, and the tolerance asked for; without end."""
+    rng = np.random.default_rng(seed)
+    while True:
+        q = singular_configuration(rng, solver)
+        away = rng.normal(size=len(q))
+        q = q + rng.choice(DISTANCES) * away / np.linalg.norm(away) * solver.arm.units
+        decimals = int(rng.choice(DECIMALS))
+        pose = end_pose(table, q)
+        yield (
+            q,
+            pose if decimals == 17 else np.round(pose, decimals),
+            10.0**-decimals if decimals <= ROUGH else None,
+        )
+
+
+def most_isolated(solver: Solver) -> int:
+    """The most isolated solutions of such an arm: 16 in general, 8 with a wrist or three parallel axes."""
+    return 16 if "General" in type(solver.closed_form).__name__ or solver.closed_form is None else 8
+
+
+def run(name: str, table: DHTable, poses: int, tried: int, seed: int = 1) -> Tally:
+    """Ask so many poses of an arm; try so many of the complete answers by brute force."""
+    solver = solver_of(table)
+    tally = Tally()
+    for k, (q, pose, tolerance) in enumerate(questions(table, solver, seed)):
+        if k == poses:
+            break
+        tally.poses += 1
+        goal = read_goal(pose, tolerance, where=())
+        answer = solver.solve(pose, tolerance)
+        isolated = [s.joints for s in answer.solutions if s.family is None]
+        if len(isolated) > most_isolated(solver):
+            tally.faults.append(("too many", name, k))
+        if not _reaches(solver, goal, q):
+            tally.rough += 1
+        elif not _is_among(solver, goal, q, np.array([s.joints for s in answer.solutions])):
+            tally.faults.append(("own lost", name, k))
+        if answer.complete:
+            tally.complete += 1
+            if tally.tried < tried:
+                tally.tried += 1
+                if _another(solver, goal, np.array(isolated), k):
+                    tally.faults.append(("not complete", name, k))
+    return tally
+
+
+def _reaches(solver: Solver, goal: Goal, q: np.ndarray) -> bool:
+    e = error_vectors(solver.arm.frames(q[None])[-1], goal.pose, solver.arm.size)
+    return bool(are_solutions(e, solver.arm, goal.tolerance)[0])
+
+
+def _is_among(solver: Solver, goal: Goal, q: np.ndarray, known: np.ndarray) -> bool:
+    """Whether a configuration is one of the solutions, joined to one, or on the path of a family of one."""
+    if not len(known):
+        return False
+    arm, follower = solver.arm, Follower(solver.arm, goal.pose, 2.0 * goal.tolerance)
+    x = q / arm.units
+    for s in known:
+        apart = differences(s, q, arm)
+        if np.abs(apart).max() <= 1e-6 or _straight(solver, goal, q, apart):
+            return True
+        if np.abs(apart).max() <= 0.5 and follower.joined(x, x + apart):
+            return True
+    for component in components_of(arm, goal.pose, known, goal.tolerance):
+        for path in component.paths:
+            off, chord = nearest_on(arm, path, q)
+            length = np.linalg.norm(chord)
+            if np.linalg.norm(off) <= 0.1:
+                corrected, e, _ = follower.corrected(x - off, (chord / max(length, 1e-300))[None])
+                if follower.reached(e) and np.linalg.norm(corrected - x) <= max(2e-3, 40 * goal.tolerance):
+                    return True
+                if follower.joined(x, corrected):
+                    return True
+        if component.dimension > 1 and follower.joined(x, x + differences(component.joints, q, arm)):
+            return True
+    return False
+
+
+def _straight(solver: Solver, goal: Goal, q: np.ndarray, apart: np.ndarray) -> bool:
+    """Whether the straight way to a solution reaches the target within twice the tolerance."""
+    way = q + np.linspace(0.0, 1.0, 9)[:, None] * apart * solver.arm.units
+    e = error_vectors(solver.arm.frames(way)[-1], goal.pose, solver.arm.size)
+    return bool(are_solutions(e, solver.arm, 2.0 * goal.tolerance).all())
+
+
+def _another(solver: Solver, goal: Goal, known: np.ndarray, seed: int) -> bool:
+    """Whether descents from random starts find a solution that is not among the known ones."""
+    arm = solver.arm
+    rng = np.random.default_rng(seed)
+    spans = np.where(arm.revolute, np.pi, arm.size + np.linalg.norm(goal.pose[:3, 3]))
+    starts = rng.uniform(-spans, spans, (STARTS, arm.n_joints))
+    descent = descend(arm, goal.pose, starts, unbounded(arm.n_joints))
+    found = polish(arm, goal.pose, descent.joints[descent.errors < 1e-4])
+    e = error_vectors(arm.frames(found)[-1], goal.pose, arm.size)
+    found = found[are_solutions(e, arm, goal.tolerance)]
+    far = [q for q in found if np.abs(differences(q, known, arm)).max(axis=1).min() > AWAY]
+    return any(not _is_among(solver, goal, q, known) for q in far)

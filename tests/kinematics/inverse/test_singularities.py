@@ -1,0 +1,159 @@
+"""Poses at and near singularities: nothing lost, nothing invented, families told as what they are."""
+
+import math
+
+import numpy as np
+import pytest
+
+from kinematics.catalogue import robots
+from kinematics.forward import end_pose
+from kinematics.inverse import IKStatus, UnreachableReason, inverse_kinematics, solver_of
+from kinematics.inverse.closed_form import closed_form_of
+from kinematics.inverse.general import GeneralArm
+from kinematics.inverse.results import Isolation, Method
+from kinematics.inverse.search import Bounds, search
+from kinematics.inverse.wrist import WristArm
+from tests.kinematics.inverse.arms import GENERAL, UR5, apart, random_joints, random_table
+from tests.kinematics.inverse.campaign import run
+from tests.kinematics.inverse.models import MODELS
+from tests.kinematics.robots import PLANAR4, PUMA560, RX90
+
+WRIST_IN_LINE = np.radians([30, -40, 70, 20, 0, -80])
+SMALL = ["puma", "ur5", "irb140", "kr5", "stanford", "three links", "five joints"]
+
+
+@pytest.mark.parametrize("name", SMALL)
+def test_a_small_campaign(name):
+    tally = run(name, MODELS[name], poses=12, tried=1)
+    assert tally.faults == []
+    assert tally.poses == 12
+
+
+@pytest.mark.parametrize("decimals", [17, 12, 9, 8, 7, 6])
+def test_a_wrist_in_line_is_six_solutions_and_a_family(decimals):
+    target = np.round(end_pose(PUMA560, WRIST_IN_LINE), decimals)
+    answer = inverse_kinematics(PUMA560, target)
+    assert answer.status is IKStatus.SINGULAR
+    assert not answer.complete
+    families = [s for s in answer.solutions if s.isolation is Isolation.CONTINUUM]
+    assert (len(families), len(answer.solutions) - len(families)) == (1, 6)
+    family = families[0].family
+    assert family.dimension == 1
+    (parameter,) = family.parameters
+    assert parameter.joint in (4, 6)
+    assert parameter.full_turn
+    total = sum(WRIST_IN_LINE[3:])
+    for member in family.members:
+        assert math.remainder(member[3] + member[5] - total, math.tau) == pytest.approx(0.0, abs=1e-4)
+        assert np.abs(end_pose(PUMA560, member) - target).max() <= 3 * answer.tolerance
+    if decimals >= 7:
+        assert np.allclose(np.abs(family.direction), (0, 0, 0, 1, 0, 1), atol=1e-6)
+
+
+@pytest.mark.parametrize("decimals", [3, 4, 5])
+def test_roughly_written_poses_are_read_with_a_tolerance(decimals):
+    target = np.round(end_pose(PUMA560, WRIST_IN_LINE), decimals)
+    answer = inverse_kinematics(PUMA560, target, tolerance=10.0**-decimals)
+    assert answer.status is IKStatus.SINGULAR
+    assert sum(s.isolation is Isolation.CONTINUUM for s in answer.solutions) == 1
+    assert len(answer.solutions) == 7
+
+
+@pytest.mark.parametrize("q5", [3e-8, 1e-7, 1e-6, 1e-4])
+@pytest.mark.parametrize("table", [UR5, PUMA560, RX90], ids=["ur5", "puma", "rx90"])
+def test_beside_a_wrist_in_line_no_solution_is_lost(table, q5):
+    q = np.array([0.3, -0.7, 1.2, 0.5, q5, -1.4])
+    answer = inverse_kinematics(table, end_pose(table, q))
+    assert min(apart(table, q, s.joints) for s in answer.solutions if s.joints) < 0.05
+    assert len(answer.solutions) <= 8
+    if q5 >= 1e-6:
+        assert answer.complete
+        assert len(answer.solutions) == 8
+
+
+def test_the_wrist_beside_the_first_axis():
+    """The wrist's centre 1e-8 from axis 1: a family of turns about it at most, never dozens of solutions."""
+    table = MODELS["no offsets"]
+    for away in (0.0, 1e-12, 1e-10, 1e-8, 1e-6):
+        q = np.array([0.4, 0.6, -0.1 + away, 0.7, 0.8, 0.9])
+        reach = end_pose(table, q)
+        isolated = [s for s in inverse_kinematics(table, reach).solutions if s.family is None]
+        assert len(isolated) <= 8
+
+
+def test_regular_poses_of_arms_with_joints_to_spare_are_not_singular():
+    answer = inverse_kinematics(PLANAR4, end_pose(PLANAR4, [0.1, 0.5, 0.4, 0.2]))
+    assert answer.status is IKStatus.SOLVED
+    assert {s.isolation for s in answer.solutions} == {Isolation.CONTINUUM}
+    panda = MODELS["panda"]
+    answer = inverse_kinematics(panda, end_pose(panda, [0.1, 0.5, 0.4, -1.2, 0.3, 1.1, 0.2]))
+    assert answer.status is IKStatus.SOLVED
+    assert {s.isolation for s in answer.solutions} == {Isolation.CONTINUUM}
+    assert len(answer.solutions) <= 16
+    target = end_pose(panda, answer.solutions[0].joints)
+    for solution in answer.solutions:
+        for member in solution.family.members:
+            assert np.abs(end_pose(panda, member) - target).max() <= 1e-7
+
+
+def test_families_end_at_the_limits():
+    target = end_pose(PUMA560, WRIST_IN_LINE)
+    limits = [None, None, None, (-1.0, 1.5), None, (-2.0, 2.0)]
+    answer = inverse_kinematics(PUMA560, target, limits=limits)
+    families = [s for s in answer.solutions if s.family]
+    assert families
+    for solution in families:
+        for member in solution.family.members:
+            assert -1.0 <= member[3] <= 1.5
+            assert -2.0 <= member[5] <= 2.0
+            assert np.abs(end_pose(PUMA560, member) - target).max() <= 1e-8
+    # q_4 + q_6 = -60°: q_4 from -1 (q_6 = -0.05) to 0.95 (q_6 = -2).
+    (parameter,) = families[0].family.parameters
+    ends = sorted(member[3] for member in families[0].family.members)
+    assert not parameter.full_turn
+    assert ends[0] == pytest.approx(-1.0, abs=1e-6)
+    assert ends[-1] == pytest.approx(2.0 + sum(WRIST_IN_LINE[3:]), abs=1e-6)
+
+
+def test_outside_the_limits_of_an_arm_with_a_spare_joint_says_so():
+    panda = MODELS["panda"]
+    target = end_pose(panda, [0.1, 0.5, 0.4, -1.2, 0.3, 1.1, 0.2])
+    limits = [(2.9, 2.95), (1.7, 1.75), (2.8, 2.85), (-0.1, -0.07), (2.8, 2.85), (3.7, 3.75), (2.8, 2.85)]
+    answer = inverse_kinematics(panda, target, limits=limits)
+    assert answer.status is IKStatus.UNREACHABLE
+    assert answer.reason is UnreachableReason.JOINT_LIMITS
+    assert answer.outside_limits > 0
+
+
+def test_general_arms_have_what_a_search_finds():
+    rng = np.random.default_rng(9)
+    for i in range(12):
+        table = GENERAL if i == 0 else random_table(rng, 6, sliding=0.0, aligned=bool(i % 3 == 1))
+        solver = solver_of(table)
+        if solver.arm.spare:
+            continue
+        target = end_pose(table, random_joints(rng, table))
+        answer = solver.solve(target)
+        if not answer.complete:
+            continue
+        known = np.array([s.joints for s in answer.solutions])
+        for found in search(solver.arm, target, solver.box, Bounds.IGNORED).solutions:
+            assert apart(table, found, known).min() < 1e-3
+
+
+def test_which_arm_has_which_closed_form():
+    assert isinstance(solver_of(PUMA560).closed_form, WristArm)
+    assert isinstance(solver_of(GENERAL).closed_form, GeneralArm)
+    assert closed_form_of(solver_of(PLANAR4).arm) is None
+    jaco = MODELS["jaco"]
+    q = [0.3, -0.7, 1.2, 0.5, 0.9, -1.4]
+    answer = inverse_kinematics(jaco, end_pose(jaco, q))
+    assert answer.method is Method.CLOSED_FORM
+    assert answer.complete
+    assert min(apart(jaco, q, s.joints) for s in answer.solutions) < 1e-6
+
+
+def test_every_arm_of_six_turning_joints_in_the_catalogue_is_closed():
+    for robot in robots():
+        solver = solver_of(MODELS[f"catalogue {robot.id}"])
+        assert (solver.closed_form is None) == (solver.arm.spare > 0)
