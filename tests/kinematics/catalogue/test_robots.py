@@ -36,6 +36,7 @@ IDS = [
     "twolink",
     "uw",
 ]
+KNOWN = ["gen3", "iiwa14", "irb140", "lrmate200id", "panda", "ur10", "ur5"]
 ROBOTS = pytest.mark.parametrize("robot", catalogue.robots(), ids=lambda robot: robot.id)
 PRINTED_AS_CHAINS = [
     "onelink",
@@ -71,8 +72,8 @@ def lengths_of_chain(robot):
     return {name: robot.parameters[known] for name, known in robot.chain.parameters.items()}
 
 
-def test_the_sixteen_robots_of_the_documents_are_there():
-    assert list(catalogue.robot_ids()) == sorted(IDS)
+def test_the_robots_of_the_documents_and_those_that_people_know_are_there():
+    assert list(catalogue.robot_ids()) == sorted(IDS + KNOWN)
 
 
 def test_an_unknown_robot_is_a_key_error():
@@ -96,7 +97,8 @@ def test_reference_joints_show_every_joint_and_lie_within_limits(robot):
 
 @ROBOTS
 def test_configurations_put_the_end_frame_where_the_figure_does(robot):
-    assert "zero" in robot.configurations
+    within = all(low <= 0 <= high for low, high in robot.limits or ())
+    assert ("zero" in robot.configurations) is within
     for configuration in robot.configurations.values():
         assert configuration.position is not None
         expected = [evaluate(cell, robot.parameters) for cell in configuration.position]
@@ -174,10 +176,34 @@ def test_the_chain_document_is_cited_with_its_equation(robot_id):
         ("dmra", {"a1": 45, "a2": 115, "a3": 20, "d1": 75, "d4": 130, "d6": 50}),
         ("puma560", {"a2": 0.4318, "a3": 0.0203, "d3": 0.15005, "d4": 0.4318}),
         ("rx90", {"D3": 0.45, "RL4": 0.45}),
+        ("ur5", {"d1": 0.089159, "a2": -0.425, "a3": -0.39225, "d4": 0.10915, "d5": 0.09465, "d6": 0.0823}),
+        ("ur10", {"d1": 0.1273, "a2": -0.612, "a3": -0.5723, "d4": 0.163941, "d5": 0.1157, "d6": 0.0922}),
+        ("panda", {"d1": 0.333, "d3": 0.316, "a4": 0.0825, "d5": 0.384, "a7": 0.088, "df": 0.107}),
+        ("iiwa14", {"d1": 0.36, "d3": 0.42, "d5": 0.4, "d7": 0.126}),
+        ("irb140", {"d1": 0.352, "a1": 0.07, "a2": 0.36, "d4": 0.38, "d6": 0.065}),
+        ("lrmate200id", {"a1": 0.05, "a2": 0.33, "a3": 0.035, "d4": 0.335, "d6": 0.08}),
     ],
 )
 def test_figures_are_those_of_the_source(robot_id, printed):
     assert catalogue.robot(robot_id).parameters == printed
+
+
+@pytest.mark.parametrize(
+    ("robot_id", "joints", "position"),
+    [
+        # what the makers print of poses and heights [m]
+        ("ur5", [0, -90, 0, -90, 0, 0], (0, -0.19145, 1.001059)),
+        ("ur10", [0, -90, 0, -90, 0, 0], (0, -0.256141, 1.4273)),
+        ("iiwa14", [0] * 7, (0, 0, 1.306)),
+        ("irb140", [0] * 6, (0.515, 0, 0.712)),
+        ("gen3", [0] * 7, (0, -0.0246, 1.1873)),
+        ("lrmate200id", [0] * 6, (0.465, 0, 0.365)),
+    ],
+)
+def test_poses_that_the_makers_print(robot_id, joints, position):
+    robot = catalogue.robot(robot_id)
+    found = pose(robot, in_radians(robot, joints))[:3, 3]
+    np.testing.assert_allclose(found, position, atol=1e-9)
 
 
 SSRMS_AXES = [
