@@ -4,10 +4,11 @@ PYTHON ?= python3
 PORT ?= 8000
 VENV := .venv
 PEERS := .venv-peers
+DESCRIPTIONS := .venv-descriptions
 PY := $(VENV)/bin/python
 PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
-.PHONY: help serve test test-clone campaign explore lint bench lock browser clean vendor picture exercise check-exercises
+.PHONY: help serve test test-clone campaign explore lint descriptions bench lock browser clean vendor picture exercise check-exercises
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -48,6 +49,9 @@ lock: $(VENV)/.dev ## renew the hash locks from pyproject.toml
 	    --python-version 3.11 --quiet -o requirements-node.lock
 	$(PY) -m uv pip compile bench/requirements-peers.txt pyproject.toml --constraint requirements.lock --universal \
 	    --generate-hashes --no-header --no-annotate --python-version 3.11 --quiet -o bench/requirements-peers.lock
+	$(PY) -m uv pip compile tests/kinematics/urdf/requirements-descriptions.txt --constraint requirements-dev.lock \
+	    --universal --generate-hashes --no-header --no-annotate --python-version 3.11 --quiet \
+	    -o tests/kinematics/urdf/requirements-descriptions.lock
 
 bench: $(PEERS)/.peers ## measure beside the peers, write docs/performance.md (ONLY="forward jacobian": some)
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=1 $(PEERS)/bin/python -m bench $(ONLY)
@@ -65,6 +69,16 @@ exercise: $(VENV)/.runtime ## start an exercise: NEW=id and ROBOT=id, TABLE=, AX
 
 check-exercises: $(VENV)/.runtime ## let exercises test themselves: SEEDS=50 students each (ONLY="puma560 my/folder": some)
 	$(PY) -m service exercises check $(ONLY) --seeds $(or $(SEEDS),50)
+
+$(DESCRIPTIONS)/bin/python:
+	$(PYTHON) -m venv $(DESCRIPTIONS)
+
+$(DESCRIPTIONS)/.installed: tests/kinematics/urdf/requirements-descriptions.lock | $(DESCRIPTIONS)/bin/python
+	$(DESCRIPTIONS)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes -r $<
+	@touch $@
+
+descriptions: $(DESCRIPTIONS)/.installed ## every chain of the published robot descriptions against Pinocchio (a minute)
+	$(DESCRIPTIONS)/bin/python -m tests.kinematics.urdf.descriptions $(ARGS)
 
 campaign: $(VENV)/.dev ## the checker against two million tables, valid and wrong (half an hour; ARGS="--valid 100000": some)
 	$(PY) -m tests.kinematics.equivalence $(ARGS)
@@ -87,4 +101,4 @@ static/vendor/.complete: package.json package-lock.json tools/vendor.py | $(VENV
 	$(PY) tools/vendor.py
 
 clean: ## remove everything that make built
-	rm -rf $(VENV) .venv-peers node_modules static/vendor build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis
+	rm -rf $(VENV) .venv-peers .venv-descriptions node_modules static/vendor build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis

@@ -11,6 +11,7 @@ import pytest
 from fluent.syntax import FluentParser
 from fluent.syntax import ast as fluent
 
+from kinematics import catalogue
 from tests.architecture.sources import ROOT, modules, shown, tracked
 
 LOCALES = ROOT / "service" / "locales"
@@ -95,7 +96,20 @@ def test_languages_have_the_same_messages_with_the_same_parameters(language: str
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_no_language_has_a_file_of_its_own(language: str) -> None:
-    assert sorted(path.name for path in (LOCALES / language).iterdir()) == ROOMS
+    catalogue_texts = set() if language == "en" else {"robots.ftl"}
+    assert {path.name for path in (LOCALES / language).iterdir()} == {*ROOMS, *catalogue_texts}
+
+
+@pytest.mark.parametrize("language", LANGUAGES[1:])
+def test_the_catalogue_is_told_in_every_language(language: str) -> None:
+    """Its English, and the names that are the same everywhere, stand in the robots' own files alone."""
+    told = {name: _text(entry) for name, entry in entries(language, "robots.ftl").items()}
+    robots = catalogue.robots()
+    names = {f"robot-{robot.id}": robot.name for robot in robots}
+    meanings = {f"configuration-{robot.id}-{name}" for robot in robots for name in robot.configurations}
+    assert {name for name in told if not name.startswith("robot-")} == meanings
+    assert not [name for name, text in told.items() if names.get(name, "") == text]
+    assert {name for name in told if name.startswith("robot-")} <= set(names)
 
 
 def test_every_refusal_has_a_message() -> None:
