@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from exercises.grading.repairs import Repaired
 from exercises.grading.verdict import Edit, Feedback, Finding, HelpLevel, LinkFinding, ParamValue, Repair
-from exercises.grading.work import Change
+from exercises.grading.work import Change, Extent
 from kinematics.equivalence import Decision, Kind, Mismatch, Policy
 from kinematics.table import JointType, NumericTable
 
@@ -22,13 +22,16 @@ _FACT_OF_KIND = {
 }
 _ROW_EDITS = {
     "row_missing": "row_missing",
+    "fixed_row_missing": "row_missing",
     "row_extra": "row_not_needed",
     "rows_swapped": "rows_out_of_order",
 }
+MISSING_ROWS = frozenset({"row_missing", "fixed_row_missing"})
 _THROUGHOUT = {
     "convention": "columns_throughout",
     "columns_late": "columns_throughout",
     "columns_early": "columns_throughout",
+    "columns_exchanged": "columns_in_disorder",
     "angles_in_degrees": "angles_throughout",
     "angles_in_radians": "angles_throughout",
     "length_unit": "lengths_throughout",
@@ -55,11 +58,10 @@ def wrong_facts(
 ) -> frozenset[tuple[int, str]]:
     """The wrong facts as (row counted from 0, fact): of the likeliest repair, else of the diagnosis.
 
-    Where another sign in the same row would mend the table as well, nobody can say which one is wrong, and
-    all of them count.
+    Where other cells would mend the table as well, nobody can say which one is wrong, and all of them count.
     """
     if repairs:
-        changes = signs_in_one_row(repairs) or repairs[0].changes
+        changes = equally_good(repairs) or repairs[0].changes
         cells = {place for change in changes for place in change.touched}
         return frozenset((row, _fact(table, row, cell)) for row, cell in cells)
     return frozenset(
@@ -69,17 +71,23 @@ def wrong_facts(
     )
 
 
-def signs_in_one_row(repairs: Sequence[Repaired]) -> tuple[Change, ...]:
-    """The signs of one row, each of which mends the table alone, if the likeliest repair is one of several.
+def equally_good(repairs: Sequence[Repaired]) -> tuple[Change, ...]:
+    """The edits of single cells that explain an answer as well as the likeliest one does, and that one.
 
-    A mirrored arm has one handedness that is wrong, and as many signs that set it right.
+    A mirrored arm has one handedness that is wrong, and as many signs that set it right, in one row or in
+    several; an offset along parallel axes may be wrong in any of their rows.
     """
     singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
-    if not singles or singles[0] is not repairs[0].changes[0] or singles[0].edit.code not in _SIGNS:
+    if not singles or singles[0] is not repairs[0].changes[0] or singles[0].extent is not Extent.CELL:
         return ()
-    row = singles[0].edit.row
-    found = tuple(change for change in singles if change.edit.row == row and change.edit.code in _SIGNS)
-    return found if len(found) > 1 else ()
+    first = singles[0].edit
+    if first.row is None:
+        return ()
+    if first.code in _SIGNS:
+        return tuple(change for change in singles if change.edit.code in _SIGNS)
+    return tuple(
+        change for change in singles if (change.edit.code, change.edit.cell) == (first.code, first.cell)
+    )
 
 
 def _fact(table: NumericTable, row: int, cell: str) -> str:
@@ -104,7 +112,7 @@ def link_findings(
     if not told_from(level, HelpLevel.ROW):
         return ()
     missing = {
-        change.touched[0][0] for r in repairs[:1] for change in r.changes if change.edit.code == "row_missing"
+        change.touched[0][0] for r in repairs[:1] for change in r.changes if change.edit.code in MISSING_ROWS
     }
     judged = (
         bool(repairs)
@@ -163,10 +171,12 @@ def _in_place(
     if not repairs:
         yield from _facts(wrong, table, level)
         return
-    if (signs := signs_in_one_row(repairs)) and told_from(level, HelpLevel.KIND):
-        row = signs[0].edit.row
-        cells = ", ".join(_SIGNS[change.edit.code] for change in signs)
-        yield Feedback(code="sign_wrong", row=row, params={"row": row or 0, "cells": cells})
+    alike = equally_good(repairs)
+    if len(alike) > 1:
+        if alike[0].edit.code in _SIGNS and told_from(level, HelpLevel.KIND):
+            yield from _signs(alike)
+        else:
+            yield from _facts(wrong, table, level)
         return
     for change in repairs[0].changes:
         edit = change.edit
@@ -179,6 +189,13 @@ def _in_place(
             yield Feedback(code=_THROUGHOUT[edit.code])
         else:
             yield Feedback(code="whole_table")
+
+
+def _signs(changes: Sequence[Change]) -> Iterator[Feedback]:
+    """Row by row, the cells of which one has the wrong sign."""
+    for row in sorted({change.edit.row or 0 for change in changes}):
+        cells = ", ".join(_SIGNS[change.edit.code] for change in changes if change.edit.row == row)
+        yield Feedback(code="sign_wrong", row=row, params={"row": row, "cells": cells})
 
 
 def _facts(wrong: frozenset[tuple[int, str]], table: NumericTable, level: HelpLevel) -> Iterator[Feedback]:

@@ -24,6 +24,7 @@ from exercises.grading.cell_edits import (
 )
 from exercises.grading.row_edits import (
     cells_swapped,
+    fixed_row_left_out,
     joint_left_out,
     joint_of_other_type,
     row_left_out,
@@ -37,6 +38,7 @@ from exercises.grading.table_edits import (
     all_twists_turned_round,
     columns_a_row_early,
     columns_a_row_late,
+    columns_exchanged,
     other_convention,
     parameter_misnamed,
     parameters_swapped,
@@ -90,6 +92,11 @@ CATALOGUE: tuple[Misconception, ...] = (
         code="columns_early",
         story="wrote a and α one row too high: read a modified table as a standard one",
         changes=columns_a_row_early,
+    ),
+    Misconception(
+        code="columns_exchanged",
+        story="wrote two columns in each other's place: a table in another order of columns",
+        changes=columns_exchanged,
     ),
     Misconception(
         code="parameter_misnamed", story="used a name that is not in the figure", changes=parameter_misnamed
@@ -154,6 +161,11 @@ CATALOGUE: tuple[Misconception, ...] = (
     ),
     Misconception(code="rows_swapped", story="wrote two rows in the wrong order", changes=rows_swapped),
     Misconception(code="row_missing", story="left a row out", changes=row_left_out),
+    Misconception(
+        code="fixed_row_missing",
+        story="left out the last row, without a variable, that leads to the marked point",
+        changes=fixed_row_left_out,
+    ),
     Misconception(code="row_extra", story="wrote a row that is not needed", changes=row_too_many),
 )
 

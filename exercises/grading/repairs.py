@@ -10,7 +10,7 @@ from itertools import chain, islice
 from exercises.grading.cell_edits import any_cell
 from exercises.grading.misconceptions import changes_of
 from exercises.grading.row_edits import any_row_left_out
-from exercises.grading.work import Change, Work, after
+from exercises.grading.work import Change, Extent, Work, after
 from kinematics.equivalence.meter import WorkExhaustedError
 from kinematics.equivalence.search import Effort
 from kinematics.table import NumericTable
@@ -63,7 +63,13 @@ def _found(work: Work) -> Iterator[Repaired]:
     with work.meter.at_most(WORK_OF_FIRST_EDITS):
         for trial in _tried(work, changes_of(work)):
             trials.append(trial)  # noqa: PERF402 - those made before the work runs out count
-    trials.sort(key=lambda trial: (trial.change.extent.value, trial.change.rank))
+    trials.sort(
+        key=lambda trial: (
+            trial.change.extent.value,
+            _fills_a_zero(trial.change, work.tables[0]),
+            trial.change.rank,
+        )
+    )
     found = False
     for effort in Effort:
         for change in _helping(work, trials, effort):
@@ -84,6 +90,14 @@ def _fitted(work: Work) -> Iterator[Change]:
     with work.meter.at_most(WORK_OF_FITTING):
         fitted = _tried(work, chain(any_cell(work), any_row_left_out(work)))
         yield from _helping(work, fitted, Effort.REFINED)
+
+
+def _fills_a_zero(change: Change, table: NumericTable) -> bool:
+    """Whether a change of one cell puts a length where none was typed; a typed one is likelier wrong."""
+    if change.extent is not Extent.CELL or len(change.touched) != 1:
+        return False
+    row, cell = change.touched[0]
+    return cell in ("a", "d") and row < len(table.rows) and getattr(table.rows[row], cell) == 0.0
 
 
 def _tried(work: Work, changes: Iterable[Change]) -> Iterator[Trial]:

@@ -9,6 +9,7 @@ from itertools import combinations
 from exercises.grading.cell_edits import RIGHT_ANGLES
 from exercises.grading.fitting import fitted_tables, fitting_values
 from exercises.grading.work import Apply, Change, Extent, Work, change, with_cell, with_row, with_rows
+from kinematics.equivalence import ToolRule
 from kinematics.table import DHRow, JointType, NumericRow, NumericTable
 
 MOST_ROWS_FOR_ALL_PAIRS = 8
@@ -123,6 +124,30 @@ def row_left_out(work: Work) -> Iterator[Change]:
         for alpha in RIGHT_ANGLES:
             apply = _filled(work, place, DHRow(joint=joint, theta=0.0, d=0.0, a=0.0, alpha=alpha))
             yield change("row_missing", apply, extent=Extent.ROW, row=place, touched=touched, params=params)
+
+
+def fixed_row_left_out(work: Work) -> Iterator[Change]:
+    """A last row without a variable put in, which the marked point or the frame of the tool needs."""
+    if work.policy.tool not in (ToolRule.POINT, ToolRule.FRAME):
+        return
+    if work.references[0].table.joint_types != work.tables[0].joint_types:
+        return
+    place = len(work.tables[0].rows)
+    touched = tuple((place, cell) for cell in ("alpha", "a", "d", "joint"))
+    params = {"place": place + 1, "after": place}
+    for alpha in RIGHT_ANGLES if work.policy.tool is ToolRule.FRAME else RIGHT_ANGLES[:1]:
+        blank = DHRow(joint=JointType.FIXED, theta=0.0, d=0.0, a=0.0, alpha=alpha)
+        apply = _appended(work, blank)
+        yield change("fixed_row_missing", apply, extent=Extent.ROW, row=place, touched=touched, params=params)
+
+
+def _appended(work: Work, blank: NumericRow) -> Apply:
+    def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
+        first = with_rows(table, (*table.rows, blank))
+        for cells in (("a", "d"), ("d", "a")):
+            yield from _solved(work, first, draw, len(table.rows), cells)
+
+    return apply
 
 
 def any_row_left_out(work: Work) -> Iterator[Change]:

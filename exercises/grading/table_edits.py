@@ -12,7 +12,7 @@ from exercises.grading.work import Apply, Change, Extent, Work, change, with_row
 from kinematics.cells import AngleUnit
 from kinematics.errors import ParameterError
 from kinematics.expressions import Parameter
-from kinematics.table import Convention, DHTable, NumericRow, NumericTable, bind
+from kinematics.table import Convention, DHTable, JointType, NumericRow, NumericTable, bind
 
 LENGTH_RATIOS = (1000.0, 0.001, 100.0, 0.01, 10.0, 0.1)
 SMALLEST_EXTENT, LARGEST_EXTENT = 0.05, 300.0
@@ -118,6 +118,34 @@ def columns_a_row_early(work: Work) -> Iterator[Change]:
         )
 
     yield _whole(work, "columns_early", apply, ("alpha", "a"))
+
+
+EXCHANGES = (("a", "alpha"), ("a", "d"), ("alpha", "d"))
+SYMBOLS = {"alpha": "α", "a": "a", "d": "d"}
+
+
+def columns_exchanged(work: Work) -> Iterator[Change]:
+    """Two columns exchanged throughout: the table in another order of columns.
+
+    A number keeps what was typed: 90 under a, in a table in degrees, was a right angle.
+    """
+    unit = 180.0 / math.pi if work.answer.angle_unit is AngleUnit.DEG else 1.0
+
+    def exchanged(one: str, other: str) -> Callable[[NumericRow], NumericRow]:
+        def edit(row: NumericRow) -> NumericRow:
+            if row.joint is JointType.PRISMATIC and "d" in (one, other):
+                return row
+            typed = {cell: getattr(row, cell) * (unit if cell == "alpha" else 1.0) for cell in (one, other)}
+            changed = {one: typed[other], other: typed[one]}
+            if "alpha" in changed:
+                changed["alpha"] /= unit
+            return replace(row, **changed)
+
+        return edit
+
+    for one, other in EXCHANGES:
+        params = {"one": SYMBOLS[one], "other": SYMBOLS[other]}
+        yield _whole(work, "columns_exchanged", _every_row(exchanged(one, other)), (one, other), **params)
 
 
 def parameter_misnamed(work: Work) -> Iterator[Change]:

@@ -146,7 +146,7 @@ def after(first: Change, second: Change) -> Change:
 
     def origin(row: int) -> int:
         place = first.touched[0][0] if first.touched else 0
-        if first.edit.code == "row_missing":
+        if first.edit.code in ("row_missing", "fixed_row_missing"):
             return row - 1 if row > place else row
         if first.edit.code == "row_extra":
             return row + 1 if row >= place else row

@@ -46,6 +46,7 @@ feedback-zero_missed = In the configuration of the figure all joint variables sh
 feedback-direction_missed = The joint variables should count the way the arrows of the figure point; not all of yours do.
 feedback-whole_table = One mistake runs through your whole table.
 feedback-columns_throughout = The columns a and α do not go with the convention that your table declares.
+feedback-columns_in_disorder = Two columns of your table are exchanged.
 feedback-angles_throughout = The angles of your table are not in the unit that it declares.
 feedback-lengths_throughout = The lengths of your table are not in the unit that it declares.
 feedback-twists_throughout = The twists α of your table have the wrong sign throughout.
@@ -83,6 +84,7 @@ repair-angles_in_radians = The angles are in radians, but the table declares deg
 repair-length_unit = The lengths are in another unit than the table declares: millimetres for metres, for example.
 repair-columns_late = The columns a and α stand one row too low, as in the other convention. Which link does each row belong to?
 repair-columns_early = The columns a and α stand one row too high, as in the other convention. Which link does each row belong to?
+repair-columns_exchanged = The columns { $one } and { $other } are exchanged. Compare the order of the columns with that of your notes.
 repair-parameter_misnamed = { $name } is not a dimension of this robot. Which one of the figure do you mean?
 repair-parameters_swapped = { $name } and { $other } stand for one another. Compare them with the figure.
 repair-alpha_sign = Row { $row }: α has the wrong sign. Turn one z axis onto the next about x, by the right-hand rule.
@@ -111,6 +113,7 @@ repair-joint_type = Row { $row }: this joint { $joint_type ->
 repair-joint_fixed = Row { $row }: this joint moves; its variable is missing.
 repair-joint_moving = Row { $row }: nothing moves here; the row holds constants only.
 repair-rows_swapped = Rows { $row } and { $other } have changed places.
+repair-fixed_row_missing = A last row without a variable is missing: it leads from the last joint to the marked point.
 repair-row_missing = A row is missing { $after ->
     [0] before row 1
    *[other] after row { $after }

@@ -46,6 +46,7 @@ feedback-zero_missed = En la postura de la figura todas las variables articulare
 feedback-direction_missed = Las variables articulares deberían crecer en el sentido de las flechas de la figura; no todas las suyas lo hacen.
 feedback-whole_table = Un mismo error recorre toda la tabla.
 feedback-columns_throughout = Las columnas a y α no corresponden a la convención que declara su tabla.
+feedback-columns_in_disorder = Dos columnas de su tabla están intercambiadas.
 feedback-angles_throughout = Los ángulos de su tabla no están en la unidad que declara.
 feedback-lengths_throughout = Las longitudes de su tabla no están en la unidad que declara.
 feedback-twists_throughout = Los ángulos α de su tabla tienen en todas partes el signo equivocado.
@@ -83,6 +84,7 @@ repair-angles_in_radians = Los ángulos están en radianes, pero la tabla declar
 repair-length_unit = Las longitudes están en otra unidad que la declarada: milímetros en vez de metros, por ejemplo.
 repair-columns_late = Las columnas a y α están una fila más abajo, como en la otra convención. ¿A qué eslabón pertenece cada fila?
 repair-columns_early = Las columnas a y α están una fila más arriba, como en la otra convención. ¿A qué eslabón pertenece cada fila?
+repair-columns_exchanged = Las columnas { $one } y { $other } están intercambiadas. Compare el orden de las columnas con el de sus apuntes.
 repair-parameter_misnamed = { $name } no es una dimensión de este robot. ¿A cuál de la figura se refiere?
 repair-parameters_swapped = { $name } y { $other } están la una en lugar de la otra. Compárelas con la figura.
 repair-alpha_sign = Fila { $row }: α tiene el signo equivocado. Gire un eje z hasta el siguiente alrededor de x, según la regla de la mano derecha.
@@ -111,6 +113,7 @@ repair-joint_type = Fila { $row }: esta articulación { $joint_type ->
 repair-joint_fixed = Fila { $row }: esta articulación se mueve; falta su variable.
 repair-joint_moving = Fila { $row }: aquí no se mueve nada; la fila solo tiene constantes.
 repair-rows_swapped = Las filas { $row } y { $other } se han intercambiado.
+repair-fixed_row_missing = Falta una última fila sin variable: la que lleva de la última articulación al punto marcado.
 repair-row_missing = Falta una fila { $after ->
     [0] antes de la fila 1
    *[other] después de la fila { $after }

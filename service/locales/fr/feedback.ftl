@@ -46,6 +46,7 @@ feedback-zero_missed = Dans la position représentée, toutes les variables arti
 feedback-direction_missed = Les variables articulaires devraient croître dans le sens des flèches de la figure ; ce n’est pas le cas de toutes les vôtres.
 feedback-whole_table = Une même erreur traverse tout votre tableau.
 feedback-columns_throughout = Les colonnes a et α ne vont pas avec la convention que votre tableau déclare.
+feedback-columns_in_disorder = Deux colonnes de votre tableau sont interverties.
 feedback-angles_throughout = Les angles de votre tableau ne sont pas dans l’unité qu’il déclare.
 feedback-lengths_throughout = Les longueurs de votre tableau ne sont pas dans l’unité qu’il déclare.
 feedback-twists_throughout = Les angles α de votre tableau ont partout le mauvais signe.
@@ -83,6 +84,7 @@ repair-angles_in_radians = Les angles sont en radians, mais le tableau déclare 
 repair-length_unit = Les longueurs sont dans une autre unité que celle déclarée : des millimètres au lieu de mètres, par exemple.
 repair-columns_late = Les colonnes a et α sont une ligne trop bas, comme dans l’autre convention. À quel segment chaque ligne appartient-elle ?
 repair-columns_early = Les colonnes a et α sont une ligne trop haut, comme dans l’autre convention. À quel segment chaque ligne appartient-elle ?
+repair-columns_exchanged = Les colonnes { $one } et { $other } sont interverties. Comparez l’ordre des colonnes avec celui de votre cours.
 repair-parameter_misnamed = { $name } n’est pas une cote de ce robot. De laquelle de la figure s’agit-il ?
 repair-parameters_swapped = { $name } et { $other } sont mises l’une pour l’autre. Comparez-les à la figure.
 repair-alpha_sign = Ligne { $row } : α a le mauvais signe. Tournez un axe z vers le suivant autour de x, selon la règle de la main droite.
@@ -111,6 +113,7 @@ repair-joint_type = Ligne { $row } : cette articulation { $joint_type ->
 repair-joint_fixed = Ligne { $row } : cette articulation bouge ; sa variable manque.
 repair-joint_moving = Ligne { $row } : rien ne bouge ici ; la ligne ne contient que des constantes.
 repair-rows_swapped = Les lignes { $row } et { $other } ont changé de place.
+repair-fixed_row_missing = Il manque une dernière ligne sans variable : celle qui mène de la dernière articulation au point marqué.
 repair-row_missing = Il manque une ligne { $after ->
     [0] avant la ligne 1
    *[other] après la ligne { $after }

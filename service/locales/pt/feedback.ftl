@@ -46,6 +46,7 @@ feedback-zero_missed = Na posição mostrada na figura, todas as variáveis de j
 feedback-direction_missed = As variáveis de junta deveriam crescer no sentido das setas da figura; nem todas as suas o fazem.
 feedback-whole_table = Um mesmo erro percorre toda a tabela.
 feedback-columns_throughout = As colunas a e α não condizem com a convenção que a tabela declara.
+feedback-columns_in_disorder = Duas colunas da tabela estão trocadas.
 feedback-angles_throughout = Os ângulos da tabela não estão na unidade declarada.
 feedback-lengths_throughout = Os comprimentos da tabela não estão na unidade declarada.
 feedback-twists_throughout = Os ângulos de torção α têm o sinal errado em toda a tabela.
@@ -83,6 +84,7 @@ repair-angles_in_radians = Os ângulos estão em radianos, mas a tabela declara 
 repair-length_unit = Os comprimentos estão em outra unidade que a declarada: milímetros em vez de metros, por exemplo.
 repair-columns_late = As colunas a e α estão uma linha abaixo, como na outra convenção. A que elo pertence cada linha?
 repair-columns_early = As colunas a e α estão uma linha acima, como na outra convenção. A que elo pertence cada linha?
+repair-columns_exchanged = As colunas { $one } e { $other } estão trocadas. Compare a ordem das colunas com a dos seus apontamentos.
 repair-parameter_misnamed = { $name } não é uma dimensão deste robô. A qual da figura se refere?
 repair-parameters_swapped = { $name } e { $other } estão uma no lugar da outra. Compare-as com a figura.
 repair-alpha_sign = Linha { $row }: α tem o sinal errado. Rode um eixo z até o seguinte em torno de x, pela regra da mão direita.
@@ -111,6 +113,7 @@ repair-joint_type = Linha { $row }: esta junta { $joint_type ->
 repair-joint_fixed = Linha { $row }: esta junta move-se; falta a sua variável.
 repair-joint_moving = Linha { $row }: aqui nada se move; a linha só tem constantes.
 repair-rows_swapped = As linhas { $row } e { $other } trocaram de lugar.
+repair-fixed_row_missing = Falta uma última linha sem variável: a que leva da última junta ao ponto marcado.
 repair-row_missing = Falta uma linha { $after ->
     [0] antes da linha 1
    *[other] depois da linha { $after }

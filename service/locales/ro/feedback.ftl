@@ -47,6 +47,7 @@ feedback-zero_missed = În poziția din figură toate variabilele cuplelor ar tr
 feedback-direction_missed = Variabilele cuplelor ar trebui să crească în sensul săgeților din figură; nu toate ale dumneavoastră fac așa.
 feedback-whole_table = O singură greșeală se repetă în tot tabelul.
 feedback-columns_throughout = Coloanele a și α nu se potrivesc cu convenția pe care o declară tabelul.
+feedback-columns_in_disorder = Două coloane din tabel sunt schimbate între ele.
 feedback-angles_throughout = Unghiurile din tabel nu sunt în unitatea declarată.
 feedback-lengths_throughout = Lungimile din tabel nu sunt în unitatea declarată.
 feedback-twists_throughout = Unghiurile α au peste tot semnul greșit.
@@ -84,6 +85,7 @@ repair-angles_in_radians = Unghiurile sunt în radiani, dar tabelul declară gra
 repair-length_unit = Lungimile sunt în altă unitate decât cea declarată: de exemplu, milimetri în loc de metri.
 repair-columns_late = Coloanele a și α sunt cu un rând prea jos, ca în cealaltă convenție. Cărei legături îi corespunde fiecare rând?
 repair-columns_early = Coloanele a și α sunt cu un rând prea sus, ca în cealaltă convenție. Cărei legături îi corespunde fiecare rând?
+repair-columns_exchanged = Coloanele { $one } și { $other } sunt schimbate între ele. Comparați ordinea coloanelor cu cea din notițe.
 repair-parameter_misnamed = { $name } nu este o dimensiune a acestui robot. La care dimensiune din figură vă referiți?
 repair-parameters_swapped = { $name } și { $other } sunt puse una în locul celeilalte. Comparați-le cu figura.
 repair-alpha_sign = Rândul { $row }: α are semnul greșit. Rotiți o axă z peste următoarea în jurul lui x, după regula mâinii drepte.
@@ -112,6 +114,7 @@ repair-joint_type = Rândul { $row }: această cuplă { $joint_type ->
 repair-joint_fixed = Rândul { $row }: această cuplă se mișcă; variabila ei lipsește.
 repair-joint_moving = Rândul { $row }: aici nu se mișcă nimic; rândul are numai constante.
 repair-rows_swapped = Rândurile { $row } și { $other } și-au schimbat locurile.
+repair-fixed_row_missing = Lipsește un ultim rând fără variabilă: cel care duce de la ultima cuplă la punctul marcat.
 repair-row_missing = Lipsește un rând { $after ->
     [0] înaintea rândului 1
    *[other] după rândul { $after }

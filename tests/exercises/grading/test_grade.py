@@ -324,11 +324,56 @@ def test_a_mirror_image_is_said_to_be_one() -> None:
 
 def test_of_several_signs_none_is_accused_alone() -> None:
     verdict = grade(KEY, read("standard", with_cells(PUMA, (3, 2, "-d3"))), USUAL, VALUES)
-    told = verdict.feedback[-1]
-    assert (told.code, told.row, told.params["cells"]) == ("sign_wrong", 3, "α, a, d")
+    told = {entry.row: entry.params["cells"] for entry in verdict.feedback if entry.code == "sign_wrong"}
+    assert told[3] == "α, a, d"
+    assert set(told) == {edit.row for repair in verdict.repairs for edit in repair.edits if edit.row}
     assert verdict.links[2] == LinkFinding(
         row=3, length=Finding.WRONG, twist=Finding.WRONG, offset=Finding.WRONG, joint=Finding.OK
     )
+
+
+def test_the_length_that_was_typed_is_accused_before_a_zero() -> None:
+    """Along parallel axes an offset may stand in any row; it is wrong where it was typed."""
+    key = read("standard", with_cells(PUMA, (3, 2, "d3")))
+    for level in (HelpLevel.ROW, HelpLevel.REPAIR):
+        answer = read("standard", with_cells(PUMA, (3, 2, "d4")))
+        verdict = grade(key, answer, USUAL, VALUES, level)
+        accused = {entry.row for entry in verdict.feedback if entry.row}
+        assert accused == {3}
+
+
+def test_a_wrong_sign_accuses_every_row_that_may_hold_it() -> None:
+    verdict = grade(KEY, read("standard", with_cells(PUMA, (4, 2, "-d4"))), USUAL, VALUES, HelpLevel.ROW)
+    accused = {entry.row for entry in verdict.feedback if entry.code == "row_wrong"}
+    assert 4 in accused
+
+
+def test_two_columns_exchanged_throughout() -> None:
+    lengths: Rows = [(row[0], row[2], row[1], row[3]) for row in PUMA]
+    verdict = grade(KEY, read("standard", lengths), USUAL, VALUES)
+    assert [(edit.code, edit.params["one"], edit.params["other"]) for edit in verdict.repairs[0].edits] == [
+        ("columns_exchanged", "a", "d")
+    ]
+    assert "columns_in_disorder" in codes(verdict)
+    degrees: Rows = [
+        (90, 0, 0, "q1"),
+        (0, 0.4, 0, "q2"),
+        (-90, 0.02, 0.15, "q3"),
+        (90, 0, 0.4, "q4"),
+        (0, 0, 0, "q5"),
+    ]
+    exchanged: Rows = [(row[1], row[0], *row[2:]) for row in degrees]
+    verdict = grade(read("standard", degrees, "deg"), read("standard", exchanged, "deg"), USUAL)
+    assert verdict.repairs[0].edits[0].params["other"] == "α"
+    assert verdict.score > 0.0
+
+
+def test_a_last_row_that_the_marked_point_needs() -> None:
+    rows: Rows = [(0, 0, 0, "q1"), (0, 0.4, 0, "q2"), (0, 0.3, 0, 0)]
+    verdict = grade(read("modified", rows), read("modified", rows[:2]), Policy(tool=ToolRule.POINT))
+    assert [edit.code for edit in verdict.repairs[0].edits] == ["fixed_row_missing"]
+    assert verdict.links[-1].row == 3
+    assert verdict.links[-1].length is Finding.MISSING
 
 
 def test_the_right_robot_with_the_wrong_tool() -> None:

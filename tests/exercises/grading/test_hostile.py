@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from random import Random
 
 import pytest
 
-from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule, grade
+from exercises.grading import BaseRule, DirectionRule, Policy, Tolerance, ToolRule, ZeroRule, grade
 from exercises.grading.comparison import comparisons
 from exercises.grading.explanation import work_on
 from exercises.grading.repairs import MOST_WORK, find_repairs
@@ -71,6 +72,22 @@ def test_the_work_of_a_search_is_bounded() -> None:
     work = work_on(way, (KEY, answer), USUAL)
     find_repairs(work)
     assert -PER_ROUND <= work.meter.left < MOST_WORK / 2
+
+
+@pytest.mark.logs_errors
+@pytest.mark.parametrize("step", ["find_repairs", "score_of", "wrong_facts"])
+def test_where_an_explanation_fails_the_verdict_stands(step: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The failure is logged, and the student is told less."""
+
+    def fails(*_: object) -> None:
+        raise ZeroDivisionError
+
+    monkeypatch.setattr(f"exercises.grading.explanation.{step}", fails)
+    answer = read("standard", with_cells(PUMA, (2, 1, f"a3*1.23{len(step)}")))
+    verdict = grade(KEY, answer, replace(USUAL, tolerance=Tolerance(length=0.004)), VALUES)
+    assert not verdict.correct
+    assert verdict.feedback[0].code == "not_equivalent"
+    assert (verdict.score == 0.0) is (step == "score_of")
 
 
 def test_a_meter_refuses_when_it_is_empty() -> None:

@@ -1,4 +1,4 @@
-"""`python -m tests.kinematics.equivalence [--valid N] [--rounded N] [--wrong N] [--mended N] [--jobs J]`.
+"""`python -m tests.kinematics.equivalence [--valid N] [--rounded N] [--wrong N] [--mended N] … [--jobs J]`.
 
 Runs the campaigns at length and prints what came of them; the exit code is 1 if one missed its bar.
 """
@@ -15,7 +15,13 @@ from concurrent.futures import ProcessPoolExecutor
 for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ.setdefault(variable, "1")
 
-from tests.exercises.grading.campaign import mended_tables  # noqa: E402
+from tests.exercises.grading.answers_campaign import (  # noqa: E402
+    accused_rows,
+    hostile_answers,
+    rounded_answers,
+    wrong_names,
+)
+from tests.exercises.grading.campaign import mended_tables, score_chains  # noqa: E402
 from tests.kinematics.equivalence.campaign import (  # noqa: E402
     TABLES_PER_BLOCK,
     Outcome,
@@ -29,9 +35,15 @@ CAMPAIGNS: dict[str, tuple[Callable[[int], Outcome], int]] = {
     "rounded": (rounded_tables, 100_000),
     "wrong": (wrong_tables, 1_000_000),
     "mended": (mended_tables, 5_000),
+    "answers": (rounded_answers, 100_000),
+    "names": (wrong_names, 50_000),
+    "hostile": (hostile_answers, 20_000),
+    "chains": (score_chains, 10_000),
+    "accused": (accused_rows, 5_000),
 }
 LARGEST_RESIDUAL = 1e-9
 LEAST_SHARE = 0.99
+LEAST_ACCUSED = 0.98
 SHOWN = 20
 SECONDS_BETWEEN_LINES = 60.0
 
@@ -74,6 +86,8 @@ def keeps_its_bar(name: str, total: Outcome) -> bool:
         return False
     if name == "mended":
         return min(total.mended, total.right_row) >= LEAST_SHARE * total.tables
+    if name == "accused":
+        return total.right_row >= LEAST_ACCUSED * total.tables
     return not total.failures and (name != "valid" or total.residual <= LARGEST_RESIDUAL)
 
 
@@ -89,6 +103,10 @@ def summary(name: str, total: Outcome) -> str:
             f"({total.mended / tried:.2%}), {total.right_row} in the right row "
             f"({total.right_row / tried:.2%}); {total.accepted} more were right in spite of it"
         )
+    if name in ("names", "chains", "accused"):
+        return f"{total.tables} tables, {total.right_row} in the right row, {len(total.failures)} failures"
+    if name == "hostile":
+        return f"{total.tables} tables, at most {total.residual:.2f} s, {len(total.failures)} failures"
     told = f"{total.tables} tables, {total.accepted} accepted"
     if name != "wrong":
         told += f", {rejected} rejected"

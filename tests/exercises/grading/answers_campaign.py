@@ -1,0 +1,251 @@
+"""Answers as students type them: rounded, in names, wrong in several places, padded; see `campaign`."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from fractions import Fraction
+from functools import cache
+from random import Random
+
+from exercises.grading import (
+    BaseRule,
+    DirectionRule,
+    HelpLevel,
+    Policy,
+    ToolRule,
+    ZeroRule,
+    accept,
+    grade,
+)
+from exercises.selftest.variants import some_lengths, variant
+from kinematics.catalogue import robots
+from kinematics.cells import RawRow, RawTable, ReadTable, read_table
+from kinematics.equivalence import decide, rounding_tolerance
+from kinematics.expressions import ZERO, Expression, Number, Parameter, multiply, pi_times
+from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable, SymbolicTable, bind
+from tests.exercises.grading.written import written
+from tests.kinematics.equivalence.campaign import EXACT, TABLES_PER_BLOCK, Outcome, catalogue, references
+from tests.kinematics.equivalence.generators import random_valid_table
+from tests.kinematics.equivalence.mutations import mutations
+
+SEEDS = 20
+LONGEST = 10.0
+MOST_SECONDS = 0.5
+"""Of processor time, on the machine of the campaign."""
+JUNK = 58
+SIX_JOINTS = 6
+
+
+@cache
+def symbolic_robots() -> list[tuple[str, ReadTable, dict[str, float]]]:
+    """The robots of the catalogue with their names, and the values of these."""
+    return [(robot.id, robot.table, dict(robot.parameters)) for robot in robots()]
+
+
+def random_policy(rng: Random) -> Policy:
+    """Any rules together."""
+    return Policy(
+        base=rng.choice(list(BaseRule)),
+        tool=rng.choice(list(ToolRule)),
+        zero=rng.choice(list(ZeroRule)),
+        direction=rng.choice(list(DirectionRule)),
+    )
+
+
+def slanted_robot(rng: Random) -> SymbolicTable:
+    """A robot with twists of 30°, 45° and 60° among right ones, and lengths of three digits."""
+
+    def length() -> Expression:
+        return Number(Fraction(rng.choice((0, 0, rng.randint(50, 900))), 1000))
+
+    rows = tuple(
+        DHRow(
+            joint=JointType.PRISMATIC if rng.random() < 0.15 else JointType.REVOLUTE,
+            theta=ZERO,
+            d=length(),
+            a=length(),
+            alpha=pi_times(Fraction(rng.choice((0, 6, -6, 3, -3, 4, 2, 8)), 12)),
+        )
+        for _ in range(rng.randint(2, 6))
+    )
+    return DHTable(convention=rng.choice(list(Convention)), rows=rows)
+
+
+def as_typed(table: NumericTable, decimals: int) -> ReadTable:
+    """The table with every entry rounded to some decimals, as text."""
+    rows, joint = [], 0
+    for row in table.rows:
+        theta, d = f"{row.theta:.{decimals}f}", f"{row.d:.{decimals}f}"
+        if row.joint is not JointType.FIXED:
+            joint += 1
+            variable = f"{'-' if row.sign < 0 else ''}q{joint}"
+            theta = f"{variable} + ({theta})" if row.joint is JointType.REVOLUTE else theta
+            d = f"{variable} + ({d})" if row.joint is JointType.PRISMATIC else d
+        a, alpha = f"{row.a:.{decimals}f}", f"{row.alpha:.{decimals}f}"
+        rows.append(RawRow(joint=row.joint, alpha=alpha, a=a, d=d, theta=theta))
+    return read_table(RawTable(convention=table.convention, rows=tuple(rows)))
+
+
+def rounded_answers(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
+    """Valid answers rounded to three, four or five decimals, under any rules, are accepted.
+
+    Left out are those whose rounding may do more than the tolerance, by the bound of `rounding_tolerance`.
+    """
+    rng = Random(f"rounded answers {block}")
+    outcome = Outcome()
+    while outcome.tables < tables:
+        name, read, values = rng.choice(symbolic_robots())
+        key = read.table if rng.random() < 0.4 else slanted_robot(rng)
+        policy, decimals = random_policy(rng), rng.choice((3, 4, 5))
+        reference = bind(key, values)
+        table = bind(variant(key, policy, some_lengths(key, 0.3), rng), values)
+        if max(abs(x) for row in (*table.rows, *reference.rows) for x in (row.a, row.d)) > LONGEST:
+            continue
+        step = 10.0**-decimals
+        bound = rounding_tolerance(reference, table, length_step=step, angle_step=step)
+        if bound.length > policy.tolerance.length or bound.angle > policy.tolerance.angle:
+            outcome.left_out += 1
+            continue
+        outcome.tables += 1
+        outcome.kinds[f"{policy.tool.value}, {decimals} decimals"] += 1
+        if accept(written(reference), as_typed(table, decimals), policy) is None:
+            outcome.failures.append(f"rejected: {name}, block {block}, {policy}, {decimals} decimals")
+        else:
+            outcome.accepted += 1
+    return outcome
+
+
+def wrong_names(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
+    """One entry in names made wrong: one verdict for every student, and none accepts it.
+
+    Answers that are right in spite of it (a height of the base) are right for everybody, and at fresh values.
+    """
+    rng = Random(f"names {block}")
+    outcome = Outcome()
+    named = [robot for robot in symbolic_robots() if robot[1].parameters]
+    while outcome.tables < tables:
+        name, key, values = rng.choice(named)
+        answer = _misnamed(key, rng)
+        if answer is None:
+            continue
+        outcome.tables += 1
+        verdicts = []
+        for _ in range(SEEDS):
+            drawn = {n: v * rng.choice((0.5, 1.0, 1.0, 2.0)) for n, v in values.items()}
+            verdict = grade(key, answer, Policy(), drawn)
+            verdicts.append((verdict.correct, verdict.score))
+        place = f"{name}, block {block}, table {outcome.tables}"
+        if len(set(verdicts)) > 1:
+            outcome.failures.append(f"verdicts differ: {place}: {Counter(verdicts)}")
+        outcome.accepted += verdicts[0][0]
+        fresh = {n: rng.uniform(0.3, 1.7) for n in key.parameters}
+        right = decide(bind(key.table, fresh), bind(answer.table, fresh), Policy(tolerance=EXACT)).accepted
+        if verdicts[0][0] is not right:
+            outcome.failures.append(f"accepted is {verdicts[0][0]}: {place}")
+    return outcome
+
+
+def _misnamed(key: ReadTable, rng: Random) -> ReadTable | None:
+    """The key with one length replaced by another name, a multiple, or a sum with a number."""
+    places = [
+        (i, cell)
+        for i, row in enumerate(key.table.rows)
+        for cell in ("a", "d")
+        if isinstance(getattr(row, cell), Parameter)
+    ]
+    if not places:
+        return None
+    i, cell = rng.choice(places)
+    entry = getattr(key.table.rows[i], cell)
+    others = [Parameter(name) for name in key.parameters if Parameter(name) != entry]
+    factor = Number(Fraction(rng.choice((101, 99, 110, 1001, -100)), 100 if rng.random() < 0.9 else 99))
+    wrong = rng.choice([*others, multiply((factor, entry))])
+    rows = list(key.table.rows)
+    rows[i] = DHRow(
+        joint=rows[i].joint,
+        sign=rows[i].sign,
+        theta=rows[i].theta,
+        alpha=rows[i].alpha,
+        **{"a": rows[i].a, "d": rows[i].d, cell: wrong},
+    )
+    table = DHTable(convention=key.table.convention, rows=tuple(rows))
+    return ReadTable(
+        table=table, angle_unit=key.angle_unit, length_unit=key.length_unit, parameters=key.parameters
+    )
+
+
+def hostile_answers(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
+    """Two or three mistakes, rows missing, strict rules, junk: no answer raises, and none is expensive."""
+    rng = Random(f"hostile {block}")
+    known = references()
+    outcome = Outcome()
+    while outcome.tables < tables:
+        name, reference = rng.choice(known)
+        table = reference
+        for _ in range(rng.choice((2, 3))):
+            made = mutations(table, rng)
+            table = rng.choice(made).table if made else table
+        if rng.random() < 0.3:
+            table = DHTable(convention=table.convention, rows=(*table.rows, *_junk(len(table.rows), rng)))
+        policy = random_policy(rng) if rng.random() < 0.5 else Policy()
+        key, answer = written(reference), written(table)
+        outcome.tables += 1
+        place = f"{name}, block {block}, table {outcome.tables}"
+        start = time.process_time()
+        try:
+            outcome.accepted += grade(key, answer, policy).correct
+        except Exception as error:
+            outcome.failures.append(f"raises {error!r}: {place}")
+        seconds = time.process_time() - start
+        outcome.residual = max(outcome.residual, seconds)
+        outcome.kinds["up to 0.05 s" if seconds <= 0.05 else "up to 0.2 s" if seconds <= 0.2 else "more"] += 1
+        if seconds > MOST_SECONDS:
+            outcome.failures.append(f"takes {seconds:.2f} s: {place}")
+    return outcome
+
+
+def _junk(rows: int, rng: Random) -> list[DHRow[float]]:
+    return [
+        DHRow(
+            joint=JointType.FIXED,
+            theta=rng.choice((0.0, 0.3)),
+            d=rng.uniform(0.0, 0.1),
+            a=rng.uniform(0.0, 0.1),
+            alpha=rng.choice((0.0, 0.2)),
+        )
+        for _ in range(max(JUNK - rows, 0))
+    ]
+
+
+def accused_rows(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
+    """One mistake in a six-joint robot, at the help level `row`: the rows that are accused hold it.
+
+    Failures are mistakes for which no accused row holds it.
+    """
+    rng = Random(f"accused {block}")
+    known = [(name, table) for name, table in catalogue() if table.n_joints == SIX_JOINTS]
+    outcome = Outcome()
+    while outcome.tables < tables:
+        name, reference = rng.choice(known)
+        table = random_valid_table(reference, rng, dummies=0.0, signed_rows=False, textbook_ends=True)
+        made = [mutation for mutation in mutations(table, rng) if mutation.rows]
+        mutation = rng.choice(made)
+        verdict = grade(
+            written(reference), written(mutation.table), Policy(tool=ToolRule.FREE), None, HelpLevel.ROW
+        )
+        if verdict.correct:
+            outcome.accepted += 1
+            continue
+        outcome.tables += 1
+        outcome.kinds[mutation.kind] += 1
+        accused = {entry.row for entry in verdict.feedback if entry.row}
+        accused |= {entry.params.get("other") for entry in verdict.feedback}
+        if accused & set(mutation.rows):
+            outcome.right_row += 1
+        else:
+            rows = sorted(row for row in accused if isinstance(row, int))
+            outcome.failures.append(
+                f"{mutation.kind} in {mutation.rows} told as {rows}: {name}, block {block}"
+            )
+    return outcome

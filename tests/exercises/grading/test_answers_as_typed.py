@@ -1,0 +1,70 @@
+"""Some of the campaigns on answers as students type them; `make campaign` runs many more."""
+
+from __future__ import annotations
+
+from exercises.grading import HelpLevel, Policy, grade
+from exercises.grading import grade as grading
+from kinematics.equivalence.reference import prepared
+from tests.exercises.grading.answers_campaign import (
+    accused_rows,
+    hostile_answers,
+    rounded_answers,
+    wrong_names,
+)
+from tests.exercises.grading.campaign import score_chains
+from tests.exercises.grading.test_grade import KEY, PUMA, USUAL, VALUES, Rows, with_cells
+from tests.exercises.grading.written import read
+
+
+def test_rounded_answers_are_accepted_under_any_rules() -> None:
+    outcome = rounded_answers(0, 60)
+    assert (outcome.accepted, outcome.failures) == (60, [])
+
+
+def test_a_wrong_name_gets_one_verdict() -> None:
+    outcome = wrong_names(0, 5)
+    assert outcome.failures == []
+
+
+def test_no_answer_raises() -> None:
+    outcome = hostile_answers(0, 12)
+    assert [failure for failure in outcome.failures if failure.startswith("raises")] == []
+
+
+def test_the_score_never_rises_with_one_more_mistake() -> None:
+    outcome = score_chains(0, 3)
+    assert outcome.failures == []
+
+
+def test_the_row_of_a_mistake_is_accused() -> None:
+    outcome = accused_rows(0, 20)
+    assert outcome.right_row >= 19, outcome.failures
+
+
+def test_a_score_owes_nothing_to_caches_help_or_rows_of_zeros() -> None:
+    zeros: Rows = [(0, 0, 0, 0)] * 20
+    rows = with_cells(PUMA, (2, 1, "a3"), (5, 0, 0))
+    scores = set()
+    for level in HelpLevel:
+        for table in (rows, [*rows, *zeros], [*zeros, *rows]):
+            grading.__globals__["_grade"].cache_clear()
+            grading.__globals__["_decided"].cache_clear()
+            prepared.cache_clear()
+            scores.add(grade(KEY, read("standard", table), USUAL, VALUES, level).score)
+    assert len(scores) == 1
+
+
+def test_what_mistakes_cost() -> None:
+    """A slipped sign costs least, a missing joint most; every further fact costs more."""
+
+    def score(rows: Rows) -> float:
+        return grade(KEY, read("standard", rows), Policy(), VALUES).score
+
+    sign = score(with_cells(PUMA, (3, 2, "-d3")))
+    length = score(with_cells(PUMA, (2, 1, "d4")))
+    two = score(with_cells(PUMA, (2, 1, "d4"), (3, 1, 0)))
+    three = score(with_cells(PUMA, (2, 1, "d4"), (3, 1, 0), (4, 2, 0)))
+    missing = score([PUMA[0], *[(*row[:3], f"q{k}") for k, row in enumerate(PUMA[2:], 2)]])
+    assert 1.0 > sign > length > two > three > 0.0
+    assert sign > missing
+    assert score([(0, 0, 0, f"q{k}") for k in range(1, 7)]) == 0.0
