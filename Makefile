@@ -8,7 +8,7 @@ DESCRIPTIONS := .venv-descriptions
 PY := $(VENV)/bin/python
 PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
-.PHONY: help serve test test-clone campaign explore lint descriptions bench lock browser clean vendor picture exercise check-exercises
+.PHONY: help serve test test-clone campaign explore lint descriptions bench lock browser proxy clean vendor picture exercise check-exercises
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -91,6 +91,9 @@ campaign-inverse: $(VENV)/.dev ## inverse kinematics at singularities against br
 
 browser: ## Chromium for the end-to-end tests (Debian; needs root)
 	apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium wrk
+
+proxy: ## nginx for the test of the documented reverse proxy (Debian; needs root)
+	apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq nginx-light
 
 picture: $(VENV)/.dev vendor ## renew the README's pictures from the live page (needs Chromium)
 	$(PY) -m tools.picture

@@ -8,6 +8,7 @@ import logging
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
+from anyio import to_thread
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.routing import APIRoute
@@ -40,6 +41,10 @@ from service.work.thread_switching import switch_threads_often
 from service.work.workers import Workers
 
 _log = logging.getLogger("uvicorn.error")
+THREADS = 4
+"""Threads for what has no limiter of its own, such as compressing: more of them would only wait for each
+other."""
+
 DESCRIPTION = """\
 Denavit–Hartenberg kinematics over HTTP: a table and joint values in; poses, Jacobians, closed forms and other
 descriptions of the same robot out. Angles and lengths come and go in the units that the table names. Every
@@ -100,6 +105,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     """Start the workers with the application, and end them with it."""
     switch_threads_often()
+    to_thread.current_default_thread_limiter().total_tokens = THREADS
     workers: Workers = app.state.resources.workers
     workers.warm()
     courses = app.state.resources.courses

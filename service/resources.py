@@ -14,13 +14,17 @@ from exercises.loader import Library
 from kinematics.errors import Fault
 from service.course_resources import CourseResources
 from service.http.problems import NotFoundError, RequestPart
+from service.http.uploads import UploadBudget
 from service.receipts.keys import receipt_keys
 from service.settings import Settings
 from service.wire.answer_cache import AnswerCache
 from service.wire.prepared_robots import RobotCache
 from service.work.callbacks import Callbacks
-from service.work.limiters import limiters
+from service.work.limiters import Limiter, WorkKind, limiters
 from service.work.workers import Workers
+
+UPLOADS = 4
+"""So many bodies of the largest size may be in memory at a time."""
 
 
 class Resources:
@@ -36,6 +40,7 @@ class Resources:
         receipt_keys: the keys that sign receipts.
         callbacks: sends feedback that is asked for later.
         courses: the database and what comes with it; None where storage is switched off.
+        uploads: the bytes of large bodies that are being received.
     """
 
     def __init__(self, settings: Settings) -> None:
@@ -49,6 +54,7 @@ class Resources:
         self.receipt_keys = receipt_keys(settings)
         self.callbacks = Callbacks(settings.callback_hosts, self.receipt_keys.sign)
         self.courses = CourseResources(settings) if settings.storage == "on" else None
+        self.uploads = UploadBudget(UPLOADS * settings.batch_body_limit)
 
     def with_courses(self) -> CourseResources:
         """Return the resources of courses.
@@ -65,6 +71,11 @@ class Resources:
         self.workers.close()
         if self.courses is not None:
             self.courses.close()
+
+    @property
+    def reading(self) -> Limiter:
+        """What lets large bodies be read in a thread, one at a time."""
+        return self.limiters[WorkKind.READING]
 
 
 def resources_of(request: Request) -> Resources:

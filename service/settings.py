@@ -2,16 +2,35 @@
 
 from __future__ import annotations
 
+import re
+from ipaddress import ip_network
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import Field, NonNegativeInt, PositiveFloat, PositiveInt, SecretStr, field_validator
+from pydantic import (
+    Field,
+    NonNegativeInt,
+    PositiveFloat,
+    PositiveInt,
+    SecretStr,
+    field_validator,
+    model_validator,
+)
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from kinematics.cells import Limits
+from service.logs import LogFormat
 
 KIB = 1024
 MIB = 1024 * KIB
+
+_HOST = r"(\*\.)?[A-Za-z0-9-]+(\.[A-Za-z0-9-]+)*"
+_ORIGIN = re.compile(rf"\*|null|https?://({_HOST}|\[[0-9A-Fa-f:.]+\])(:\d{{1,5}})?")
+_ANCESTOR = re.compile(
+    rf"'self'|'none'|\*|https?:|(https?://)?({_HOST}|\[[0-9A-Fa-f:.]+\])(:(\d{{1,5}}|\*))?/?"
+)
+PREFIX = re.compile(r"(/[A-Za-z0-9._~-]+)+")
+"""A path under which a proxy may serve: nothing in it needs an escape."""
 
 Names = Annotated[tuple[str, ...], NoDecode]
 
@@ -28,9 +47,15 @@ class Settings(BaseSettings):
     port: int = Field(8000, ge=0, le=65535, description="port that the server listens on; 0 takes a free one")
     workers: PositiveInt = Field(1, description="server processes")
     access_log: bool = Field(False, description="log a line for each request")
+    log_format: LogFormat = Field(LogFormat.TEXT, description="how the log is written: text, or json")
+    shutdown_seconds: PositiveInt = Field(
+        10, description="time that requests have to end when the server is told to stop [s]"
+    )
     prefix: str = Field("", description="path under which a reverse proxy serves this, such as /dh")
     trusted_proxies: Names = Field(
-        ("127.0.0.1",), description="addresses whose X-Forwarded-Proto, -For and -Prefix headers are believed"
+        ("127.0.0.1",),
+        description="addresses and networks (CIDR) whose X-Forwarded-Proto, -For and -Prefix headers are "
+        "believed; * for all",
     )
     frame_ancestors: Names = Field(
         ("'self'",), description="origins that may show the pages in a frame (CSP frame-ancestors)"
@@ -42,10 +67,13 @@ class Settings(BaseSettings):
     batch_body_limit: PositiveInt = Field(
         32 * MIB, description="largest request body of a call that takes batches [byte]"
     )
+    read_seconds: PositiveFloat = Field(
+        10.0, description="time that a body may take to arrive, and a second more for each 16 KiB of it [s]"
+    )
     batch_limit: PositiveInt = Field(200_000, description="most configurations in one request")
     batch_threads: PositiveInt = Field(2, description="batches that are computed at the same time")
     batch_queue: NonNegativeInt = Field(64, description="batches that may wait for their turn")
-    row_limit: PositiveInt = Field(64, description="most rows of a DH table")
+    row_limit: int = Field(64, ge=1, le=256, description="most rows of a DH table, at most 256")
     parameter_limit: PositiveInt = Field(64, description="most different parameters of a DH table")
     cell_characters: PositiveInt = Field(200, description="longest expression in a cell [character]")
     table_characters: PositiveInt = Field(
@@ -135,9 +163,54 @@ class Settings(BaseSettings):
 
     @field_validator("prefix")
     @classmethod
-    def _one_leading_slash(cls, value: str) -> str:
+    def _a_path(cls, value: str) -> str:
         trimmed = value.strip("/")
-        return f"/{trimmed}" if trimmed else ""
+        if not trimmed:
+            return ""
+        return _matching(PREFIX, f"/{trimmed}", "a path of letters, digits and . _ ~ -, such as /dh")
+
+    @field_validator("trusted_proxies")
+    @classmethod
+    def _addresses(cls, value: tuple[str, ...]) -> tuple[str, ...]:
+        if "*" in value:
+            if len(value) > 1:
+                raise ValueError("* stands for every address, so it stands alone")
+            return value
+        for entry in value:
+            ip_network(entry)  # says what is wrong, such as bits outside the mask
+        return value
+
+    @field_validator("frame_ancestors")
+    @classmethod
+    def _sources(cls, value: tuple[str, ...]) -> tuple[str, ...]:
+        if "'none'" in value and len(value) > 1:
+            raise ValueError("'none' stands alone")
+        return tuple(
+            _matching(_ANCESTOR, one, "'self', 'none' or an origin such as https://a.example")
+            for one in value
+        )
+
+    @field_validator("cors_origins")
+    @classmethod
+    def _origins(cls, value: tuple[str, ...]) -> tuple[str, ...]:
+        return tuple(
+            _matching(_ORIGIN, one, "*, null, or an origin such as https://a.example") for one in value
+        )
+
+    @field_validator("static_directory")
+    @classmethod
+    def _a_folder(cls, value: Path | None) -> Path | None:
+        if value is not None and not (value / "js").is_dir():
+            raise ValueError(f"{value} is no folder of the web form: it has no folder js")
+        return value
+
+    @model_validator(mode="after")
+    def _limits_agree(self) -> Self:
+        if self.batch_body_limit < self.body_limit:
+            raise ValueError("FRAMEWISE_BATCH_BODY_LIMIT is below FRAMEWISE_BODY_LIMIT")
+        if self.number_smallest >= self.number_largest:
+            raise ValueError("FRAMEWISE_NUMBER_SMALLEST is not below FRAMEWISE_NUMBER_LARGEST")
+        return self
 
     @property
     def cell_limits(self) -> Limits:
@@ -154,3 +227,9 @@ class Settings(BaseSettings):
             smallest=self.number_smallest,
             largest=self.number_largest,
         )
+
+
+def _matching(pattern: re.Pattern[str], value: str, wanted: str) -> str:
+    if not pattern.fullmatch(value):
+        raise ValueError(f"{value!r} is not {wanted}")
+    return value

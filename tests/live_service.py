@@ -11,6 +11,7 @@ from collections.abc import Iterator
 import uvicorn
 
 from service.app import create_app
+from service.http.connections import server_options
 from service.settings import Settings
 
 
@@ -18,7 +19,12 @@ from service.settings import Settings
 def running(settings: Settings) -> Iterator[str]:
     """Serve on a free port in a thread; yields the base URL."""
     listener = socket.create_server(("127.0.0.1", 0))
-    config = uvicorn.Config(create_app(settings), log_level="warning", access_log=False, lifespan="on")
+    config = uvicorn.Config(
+        create_app(settings),
+        log_level="warning",
+        lifespan="on",
+        **server_options(settings.shutdown_seconds),
+    )
     server = uvicorn.Server(config)
     thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)
     thread.start()

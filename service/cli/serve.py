@@ -10,6 +10,8 @@ import uvicorn
 from pydantic import ValidationError
 
 from service.app import create_app
+from service.http.connections import server_options
+from service.logs import log_configuration
 from service.secret import share_secret
 from service.settings import Settings
 
@@ -30,10 +32,8 @@ def _serve(options: argparse.Namespace) -> int:
     chosen: dict[str, object] = {
         "host": settings.host if options.host is None else options.host,
         "port": settings.port if options.port is None else options.port,
-        "access_log": settings.access_log,
-        "proxy_headers": True,
-        "forwarded_allow_ips": list(settings.trusted_proxies),
-        "server_header": False,
+        "log_config": log_configuration(settings),
+        **server_options(settings.shutdown_seconds),
     }
     workers = settings.workers if options.workers is None else options.workers
     if workers > 1:
@@ -65,7 +65,10 @@ def settings_of_environment() -> Settings:
     try:
         settings = Settings()
     except ValidationError as error:
-        faults += [f"  FRAMEWISE_{str(fault['loc'][0]).upper()}: {fault['msg']}" for fault in error.errors()]
+        faults += [
+            "  " + ": ".join((*(f"FRAMEWISE_{str(step).upper()}" for step in fault["loc"][:1]), fault["msg"]))
+            for fault in error.errors()
+        ]
     if faults:
         sys.exit("\n".join(("These settings cannot be understood:", *faults)))
     return settings

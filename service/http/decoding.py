@@ -4,59 +4,146 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any
 
 import orjson
 
 from kinematics.errors import Fault
-from service.http.problems import BodyError
+from service.http.problems import BodyError, BodySizeError
 
+_ESCAPE = re.compile(rb"\\.", re.DOTALL)
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _NOT_FINITE = ("NaN", "Infinity", "-Infinity", "inf", "nan", "-inf")
 _MOST_FAULTS = 50
+DEEPEST = 1024
+"""How deeply orjson nests lists and objects."""
+LONGEST_SEARCHED = 256 * 1024
+"""In a longer body [byte] the place of such a fault is not looked for: Python's reader takes 30 ms for so
+much."""
 _DEPTH_MESSAGE = "depth limit"
 _INFINITE_MESSAGE = "infinity"
 _UTF8_MESSAGE = "UTF-8"
 
 
-def decode_json(body: bytes) -> Any:
-    """The value of a JSON document.
+@dataclass(frozen=True, kw_only=True)
+class JsonLimits:
+    """How much a document may hold, whatever it means.
+
+    Attributes:
+        objects: most objects.
+        lists: most lists.
+        values: most values that stand behind a comma.
+        fields: most fields of one object.
+        long: names of the fields at the top that may hold long lists of numbers.
+    """
+
+    objects: int = 40_000
+    lists: int = 40_000
+    values: int = 200_000
+    fields: int = 512
+    long: frozenset[str] = frozenset()
+
+
+def decode_json(body: bytes, limits: JsonLimits = JsonLimits()) -> Any:
+    """Return the value of a JSON document.
 
     A byte order mark is ignored, as RFC 8259 §8.1 allows.
 
     Raises:
+        BodySizeError: it holds more than the limits allow; found before any of it is looked at.
         BodyError: the document is empty, not UTF-8, not JSON, too deep, holds NaN or an infinite number, or
             names a key twice in one object.
     """
+    _refuse_many(body, limits)
     try:
         value = orjson.loads(body)
     except orjson.JSONDecodeError as error:
         if body.startswith(_BYTE_ORDER_MARK):
-            return decode_json(body[len(_BYTE_ORDER_MARK) :])
+            return decode_json(body[len(_BYTE_ORDER_MARK) :], limits)
         raise BodyError(_syntax_faults(body, error)) from None
     try:
-        quotes = _quotes_written(value, body)
+        quotes = _quotes_written(value, limits)
     except (RecursionError, orjson.JSONEncodeError):  # what can be read may be too deep to be walked again
         raise BodyError(_too_deep()) from None
-    if body.count(b'"') != quotes:
-        raise BodyError(
-            Fault(
-                code="json_duplicate_key",
-                where=where,
-                params={"key": str(where[-1])},
-            )
-            for where in _duplicates(body)
-        )
+    if _delimiters(body) != quotes:
+        raise BodyError(_duplicate_faults(body))
+    _refuse_wide(value, limits)
     return value
 
 
-def _quotes_written(value: Any, body: bytes) -> int:
+def _quotes_written(value: Any, limits: JsonLimits) -> int:
     """How many quotation marks the value needs: fewer than the body has when a key was overwritten."""
-    written = orjson.dumps(value)
-    if b"\\" in body:
-        return body.count(b'"') if next(_duplicates(body), None) is None else -1
-    return written.count(b'"')
+    if type(value) is not dict or limits.long.isdisjoint(value):
+        return _delimiters(orjson.dumps(value))
+    short = {name: None if name in limits.long else item for name, item in value.items()}
+    long = [value[name] for name in limits.long if name in value]
+    return _delimiters(orjson.dumps(short)) + 2 * sum(map(_texts, long))
+
+
+def _texts(value: Any) -> int:
+    """How many texts and keys a list of numbers holds after all."""
+    found = 0
+    stack = [value]
+    while stack:
+        node = stack.pop()
+        if type(node) is list:
+            kinds = set(map(type, node))
+            if not kinds.isdisjoint((str, list, dict)):
+                stack.extend(item for item in node if type(item) in (str, list, dict))
+        elif type(node) is dict:
+            found += len(node)
+            stack.extend(node.values())
+        elif type(node) is str:
+            found += 1
+    return found
+
+
+def _delimiters(document: bytes) -> int:
+    """How many quotation marks begin or end a string: all but the escaped ones."""
+    return (_ESCAPE.sub(b"", document) if b"\\" in document else document).count(b'"')
+
+
+def _refuse_many(body: bytes, limits: JsonLimits) -> None:
+    """Count what begins an object, a list or a further value, within strings too, before it is read."""
+    for sign, limit in ((b"{", limits.objects), (b"[", limits.lists), (b",", limits.values)):
+        if len(body) > limit and body.count(sign) > limit:
+            if _is_deep(body):
+                raise BodyError(_too_deep())
+            raise BodySizeError(Fault(code="json_too_many_values", params={"limit": limit}))
+
+
+def _is_deep(body: bytes) -> bool:
+    """Whether more is begun than the parser nests, before anything is ended."""
+    ends = [body.find(sign) for sign in (b"]", b"}")]
+    begun = body[: min((end for end in ends if end >= 0), default=len(body))]
+    return begun.count(b"[") + begun.count(b"{") > DEEPEST
+
+
+def _refuse_wide(value: Any, limits: JsonLimits) -> None:
+    """Find an object of more fields than any call knows, without looking into the long lists."""
+    stack = [value]
+    while stack:
+        node = stack.pop()
+        if type(node) is dict:
+            if len(node) > limits.fields:
+                params = {"given": len(node), "limit": limits.fields}
+                raise BodySizeError(Fault(code="json_too_many_fields", params=params))
+            skipped = limits.long if node is value else ()
+            inner = (item for name, item in node.items() if name not in skipped)
+            stack.extend(item for item in inner if type(item) is dict or type(item) is list)
+        elif type(node) is list:
+            stack.extend(item for item in node if type(item) is dict or type(item) is list)
+
+
+def _duplicate_faults(body: bytes) -> Iterator[Fault]:
+    if len(body) > LONGEST_SEARCHED:
+        yield Fault(code="json_duplicate_key", params={"key": "…"})
+        return
+    for where in _duplicates(body):
+        yield Fault(code="json_duplicate_key", where=where, params={"key": str(where[-1])})
 
 
 def _duplicates(body: bytes) -> Iterator[tuple[str | int, ...]]:
@@ -99,6 +186,8 @@ def _syntax_faults(body: bytes, error: orjson.JSONDecodeError) -> Iterator[Fault
 
 def _not_finite(body: bytes) -> list[tuple[str | int, ...]]:
     """Where NaN and infinite numbers stand, as far as Python's lenient reader can tell."""
+    if len(body) > LONGEST_SEARCHED:
+        return []
     try:
         stack: list[tuple[tuple[str | int, ...], Any]] = [((), json.loads(body))]
     except (ValueError, RecursionError):

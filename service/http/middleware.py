@@ -1,4 +1,4 @@
-"""The outermost layer: request ids, security headers, HEAD, the proxy's prefix, and no unhandled error.
+"""The outermost layer: proxies, request ids, security headers, HEAD, the access log, and no unhandled error.
 
 Pure ASGI and thin, because every request passes through it.
 """
@@ -9,22 +9,27 @@ import itertools
 import logging
 import re
 import secrets
+import time
 from collections.abc import Callable, Mapping
+from typing import Any
 
 from starlette.requests import ClientDisconnect
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
 from kinematics.errors import Fault
 from service.http.compression import accepts_gzip, compressing
 from service.http.languages import language_for
 from service.http.problems import INTERNAL, PROBLEM_JSON, Problem
-from service.http.uploads import Upload, may_be_under_way
-from service.settings import Settings
+from service.http.uploads import HELD, Upload, may_be_under_way
+from service.logs import log_access
+from service.settings import PREFIX, Settings
 from service.work.fair_queue import current_client
 
 REQUEST_ID = "request_id"
+PEER = "peer"
+"""Where a request's scope says which address the connection comes from: the client's, or a proxy's."""
 _SANE_REQUEST_ID = re.compile(rb"[A-Za-z0-9._:-]{1,64}")
-_SANE_PREFIX = re.compile(r"(/[A-Za-z0-9._~-]+)+")
 _REQUEST_ID = b"x-request-id"
 _POLICY = b"content-security-policy"
 _REFUSED = 400
@@ -43,6 +48,7 @@ class OuterMiddleware:
         self._app = app
         self._settings = settings
         self._next_id = _request_ids()
+        self._behind_proxies = ProxyHeadersMiddleware(self._serve, list(settings.trusted_proxies))
         ancestors = " ".join(settings.frame_ancestors)
         self._policy = (
             _POLICY,
@@ -50,26 +56,32 @@ class OuterMiddleware:
         )
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Serve one connection."""
+        """Serve one connection: note who asks, before a trusted proxy tells for whom."""
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return
+        scope[PEER] = scope["client"][0] if scope.get("client") else ""
+        await self._behind_proxies(scope, receive, send)  # type: ignore[arg-type]
+
+    async def _serve(self, scope: Any, receive: Any, send: Any) -> None:
+        begun = time.perf_counter()
         fields = dict(scope["headers"])
         current_client.set(tuple(scope.get("client") or ("", 0)))
         request_id = self._open(scope, fields)
+        original = scope
         is_head = scope["method"] == "HEAD"
         if is_head:
             scope = {**scope, "method": "GET"}
         elif accepts_gzip(fields.get(b"accept-encoding", b"")):
             send = compressing(send)
         upload = Upload(receive, 2 * self._settings.batch_body_limit) if may_be_under_way(fields) else None
-        started = False
+        status = 0
 
         async def send_with_headers(message: Message) -> None:
-            nonlocal started
+            nonlocal status
             if message["type"] == "http.response.start":
-                started = True
-                if upload and message["status"] >= _REFUSED:
+                status = message["status"]
+                if upload and status >= _REFUSED:
                     await upload.drain()
                 headers = message["headers"] = [
                     *message.get("headers", ()),
@@ -88,9 +100,14 @@ class OuterMiddleware:
             _log.info("request %s: the caller went away", request_id.decode())
         except Exception:
             _log.exception("request %s: unhandled error", request_id.decode())
-            if started:
+            if status:
                 raise
             await self._send_internal_error(scope, send_with_headers, request_id.decode())
+        finally:
+            if HELD in scope:
+                scope["app"].state.resources.uploads.release(scope)
+            if self._settings.access_log:
+                log_access(original, status, time.perf_counter() - begun, request_id.decode())
 
     def _open(self, scope: Scope, fields: Mapping[bytes, bytes]) -> bytes:
         """Read what a proxy says about the request; name the request."""
@@ -105,13 +122,10 @@ class OuterMiddleware:
         return request_id
 
     def _believed_prefix(self, scope: Scope, forwarded: bytes | None) -> str:
-        if not forwarded or not scope.get("client"):
-            return ""
-        trusted = self._settings.trusted_proxies
-        if "*" not in trusted and scope["client"][0] not in trusted:
+        if not forwarded or scope[PEER] not in self._behind_proxies.trusted_hosts:
             return ""
         prefix = forwarded.decode("latin-1").split(",")[0].strip().rstrip("/")
-        return prefix if _SANE_PREFIX.fullmatch(prefix) else ""
+        return prefix if PREFIX.fullmatch(prefix) else ""
 
     async def _send_internal_error(self, scope: Scope, send: Send, request_id: str) -> None:
         fault = Fault(

@@ -5,6 +5,7 @@
     ├── NotFoundError        nothing is at this address
     ├── MethodError          this address knows no such method
     ├── NotAcceptableError   no representation that the caller accepts
+    ├── BodyTimeoutError     the body comes too slowly
     ├── BodySizeError        the body, or what it asks for, is larger than a limit
     ├── MediaTypeError       the body comes in a form that is not read
     ├── RequestError         the body is well formed and does not say what is needed
@@ -95,6 +96,13 @@ class BodySizeError(ServiceError):
     """The body, or what it asks for, is larger than a limit."""
 
 
+class BodyTimeoutError(ServiceError):
+    """The body comes too slowly."""
+
+    def __init__(self, faults: Fault | Iterable[Fault]) -> None:
+        super().__init__(faults, headers={"Connection": "close"})
+
+
 class MediaTypeError(ServiceError):
     """The body comes in a form that is not read here."""
 
@@ -129,6 +137,7 @@ STATUS: dict[type[Exception], int] = {
     NotFoundError: 404,
     MethodError: 405,
     NotAcceptableError: 406,
+    BodyTimeoutError: 408,
     BodySizeError: 413,
     MediaTypeError: 415,
     RequestError: 422,

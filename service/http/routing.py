@@ -2,21 +2,31 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import AsyncGenerator, Awaitable, Callable, Coroutine, Sequence
 from enum import Enum
-from typing import Any
+from functools import partial
+from typing import TYPE_CHECKING, Any, TypeVar
 
-from anyio.to_thread import run_sync
 from fastapi import APIRouter, Response
 from fastapi.routing import APIRoute
 from starlette.requests import ClientDisconnect, Request
 from starlette.types import Receive, Scope, Send
 
 from kinematics.errors import Fault
-from service.http.decoding import decode_json
+from service.http.decoding import JsonLimits, decode_json
 from service.http.negotiation import preferred_media_type
-from service.http.problems import BodySizeError, MediaTypeError, NotAcceptableError, RequestPart
+from service.http.problems import (
+    BodySizeError,
+    BodyTimeoutError,
+    MediaTypeError,
+    NotAcceptableError,
+    RequestPart,
+)
 from service.settings import Settings
+
+if TYPE_CHECKING:
+    from service.resources import Resources
 
 API_PREFIX = "/api/v1"
 JSON = "application/json"
@@ -24,6 +34,15 @@ NPY = "application/x-npy"
 LARGE_BODY = 256 * 1024
 """A body of this size [byte] is read in a thread, so that others are served meanwhile."""
 
+SMALL_BODY = 3 * 1024
+"""Length of a body [byte] whose table is read and computed with in a few milliseconds, whatever it holds: the
+event loop does that itself. A question about an arm of six joints has half of it."""
+SLOWEST_UPLOAD = 16 * 1024
+"""Bytes a second that a caller must send on average, after the time that every body has."""
+VALUES_A_CONFIGURATION = 16
+"""Joint values for which a batch has room; arms of more joints come in smaller batches."""
+
+_Result = TypeVar("_Result")
 _JSON = JSON.encode()
 _NPY = NPY.encode()
 _ANYTHING = b"*/*"
@@ -34,12 +53,42 @@ class ApiRequest(Request):
     """A request whose body is bounded and whose JSON is read strictly."""
 
     body_limit: int = 0
+    json_limits = JsonLimits()
+
+    @property
+    def resources(self) -> Resources:
+        """The resources of the application that serves this request."""
+        resources: Resources = self.scope["app"].state.resources
+        return resources
 
     @property
     def settings(self) -> Settings:
         """The settings of the application that serves this request."""
-        settings: Settings = self.scope["app"].state.resources.settings
-        return settings
+        return self.resources.settings
+
+    def expect_batch(self) -> None:
+        """Allow a body that holds a batch of joint values."""
+        count = self.settings.batch_limit
+        self.body_limit = self.settings.batch_body_limit
+        self.json_limits = JsonLimits(
+            lists=JsonLimits.lists + count,
+            values=JsonLimits.values + VALUES_A_CONFIGURATION * count,
+            long=frozenset({"joints"}),
+        )
+
+    async def in_thread(self, work: Callable[[], _Result]) -> _Result:
+        """Do work in a thread: one request at a time, and clients in turn."""
+        return await self.resources.reading.run(work)
+
+    async def in_turn(self, work: Callable[[], _Result], *, heavy: bool = False) -> _Result:
+        """Do the work that follows from the body: that of a small one at once, of any other in a thread.
+
+        Args:
+            work: what is to be done.
+            heavy: whether it may take long although the body is small.
+        """
+        small = len(await self.body()) <= SMALL_BODY and not heavy
+        return work() if small else await self.in_thread(work)
 
     @property
     def fields(self) -> dict[bytes, bytes]:
@@ -55,6 +104,8 @@ class ApiRequest(Request):
 
         Raises:
             BodySizeError: it is, or says that it is, longer than this route's limit.
+            BodyTimeoutError: it comes too slowly.
+            BusyError: as much is being received as may be.
         """
         if not hasattr(self, "_body"):
             self._body = await self._bounded(self.body_limit or self.settings.body_limit)
@@ -68,17 +119,26 @@ class ApiRequest(Request):
         announced = self.fields.get(b"content-length", b"")
         if len(announced) > len(str(limit)) or (announced.isdigit() and int(announced) > limit):
             raise _too_large(limit)
+        loop = asyncio.get_running_loop()
+        patience = self.settings.read_seconds
+        start = loop.time()
         pieces: list[bytes] = []
         received = 0
         more = True
         while more:
-            message = await self._receive()
+            try:
+                async with asyncio.timeout_at(start + patience + received / SLOWEST_UPLOAD):
+                    message = await self._receive()
+            except TimeoutError:
+                raise BodyTimeoutError(Fault(code="body_timed_out", params={"seconds": patience})) from None
             if message["type"] == "http.disconnect":
                 raise ClientDisconnect
             piece = message.get("body", b"")
             received += len(piece)
             if received > limit:
                 raise _too_large(limit)
+            if received >= LARGE_BODY:
+                self.resources.uploads.hold(self.scope, received)
             pieces.append(piece)
             more = message.get("more_body", False)
         return pieces[0] if len(pieces) == 1 else b"".join(pieces)
@@ -131,7 +191,8 @@ class ApiRequest(Request):
             if self.fields.get(b"content-type") != _JSON or b"content-encoding" in self.fields:
                 self._require_json(others)
             body = await self.body()
-            self._json = decode_json(body) if len(body) < LARGE_BODY else await run_sync(decode_json, body)
+            decode = partial(decode_json, body, self.json_limits)
+            self._json = decode() if len(body) < LARGE_BODY else await self.in_thread(decode)
         return self._json
 
     def accepts(self, *offers: str) -> str:

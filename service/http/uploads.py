@@ -9,11 +9,40 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import anyio
-from starlette.types import Message, Receive
+from starlette.types import Message, Receive, Scope
 
+from service.http.problems import busy
+
+HELD = "held_bytes"
+"""Where a request's scope says how much of it is in memory."""
 SECONDS = 5.0
+"""How long a refused caller is listened to: enough for what is on its way over any usual line."""
 _SMALL = 5
 """A body whose length has no more digits than this fits into the buffers of a connection."""
+
+
+class UploadBudget:
+    """How many bytes of large bodies are in memory, over all requests."""
+
+    def __init__(self, limit: int) -> None:
+        self._limit = limit
+        self._held = 0
+
+    def hold(self, scope: Scope, size: int) -> None:
+        """Note that a request holds so many bytes by now.
+
+        Raises:
+            BusyError: all requests together would hold more than may be held.
+        """
+        more = size - scope.get(HELD, 0)
+        if self._held + more > self._limit:
+            raise busy()
+        scope[HELD] = size
+        self._held += more
+
+    def release(self, scope: Scope) -> None:
+        """Note that the request is over."""
+        self._held -= scope.pop(HELD, 0)
 
 
 class Upload:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated
 
-from fastapi import Body, Request
+from fastapi import Body
 from fastapi.openapi.models import Example
 
 from service.http.languages import language_of
 from service.http.openapi import problems
-from service.http.routing import api_router
+from service.http.routing import ApiRequest, api_router
 from service.messages import sentence
 from service.schemas.frames import (
     AssignFramesAnswer,
@@ -55,14 +56,14 @@ _CHECK: dict[str, Example] = {
     "/assign-frames", summary="Joint axes in, a DH table out", responses=problems(400, 413, 415, 422)
 )
 async def assign(
-    request: Request, body: Annotated[AssignFramesRequest, Body(openapi_examples=_ASSIGN)]
+    request: ApiRequest, body: Annotated[AssignFramesRequest, Body(openapi_examples=_ASSIGN)]
 ) -> AssignFramesAnswer:
     """Frames by the procedure of the lecture documents, each with its rule and what was free at it.
 
     What is free is chosen so that most parameters vanish: d = 0 along parallel runs, frame 0 on frame 1 at
     zero, the last x along the one before. base · table · tool reproduces every axis and the tool.
     """
-    return assigned(body, _speaker(language_of(request)))
+    return await request.in_turn(partial(assigned, body, _speaker(language_of(request))))
 
 
 @router.post(
@@ -71,10 +72,10 @@ async def assign(
     responses=problems(400, 413, 415, 422),
 )
 async def check(
-    request: Request, body: Annotated[CheckFramesRequest, Body(openapi_examples=_CHECK)]
+    request: ApiRequest, body: Annotated[CheckFramesRequest, Body(openapi_examples=_CHECK)]
 ) -> CheckFramesAnswer:
     """Which rules the chosen frames break, what there is to choose from, and the rows that follow."""
-    return checked(body, _speaker(language_of(request)))
+    return await request.in_turn(partial(checked, body, _speaker(language_of(request))))
 
 
 def _speaker(language: str) -> Say:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated
 
 from fastapi import Body
 
 from service.http.openapi import problems
-from service.http.routing import api_router
-from service.resources import AppResources
+from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.conversion import ConvertAnswer, ConvertRequest
 from service.wire.conversion import converted
@@ -21,7 +21,7 @@ router = api_router("kinematics")
 )
 async def convert(
     body: Annotated[ConvertRequest, Body(openapi_examples=examples.named(examples.CONVERT))],
-    resources: AppResources,
+    request: ApiRequest,
 ) -> ConvertAnswer:
     """The same robot, described otherwise, with nothing lost.
 
@@ -29,4 +29,4 @@ async def convert(
     are moved, not computed, so parameters and spellings stay. To a product of exponentials: every parameter
     needs a value.
     """
-    return converted(body, resources.settings)
+    return await request.in_turn(partial(converted, body, request.settings))

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated
 
 from fastapi import Body
 
 from service.http.openapi import problems
-from service.http.routing import api_router
-from service.resources import AppResources
+from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.inverse_kinematics import InverseKinematicsAnswer, InverseKinematicsRequest
 from service.wire.inverse_solutions import solved
@@ -39,7 +39,7 @@ _EXAMPLES = {
 )
 async def inverse_kinematics(
     body: Annotated[InverseKinematicsRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
-    resources: AppResources,
+    request: ApiRequest,
 ) -> InverseKinematicsAnswer:
     """All distinct solutions of arms that have a closed form, and of other arms those that a search finds.
 
@@ -48,4 +48,6 @@ async def inverse_kinematics(
     searched from many starts. Every residual is that of the forward kinematics. Unreachable and singular are
     results.
     """
-    return await solved(body, resources.robots.prepare(body), resources.workers)
+    resources = request.resources
+    robot = await request.in_turn(partial(resources.robots.prepare, body))
+    return await solved(body, robot, resources.workers)

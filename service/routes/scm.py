@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Annotated, Any
 
 import numpy as np
 from anyio.to_thread import run_sync
-from fastapi import Body, Request
+from fastapi import Body
 from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError, PoseError
@@ -28,12 +29,10 @@ from kinematics.scm import (
 )
 from kinematics.se3 import inverse_transform
 from service.http.openapi import problems
-from service.http.routing import BytesResponse, api_router
-from service.resources import resources_of
+from service.http.routing import ApiRequest, BytesResponse, api_router
 from service.schemas import scm as wire
 from service.schemas import scm_examples as examples
 from service.schemas.forward_kinematics import AxisAngle, Orientation
-from service.settings import Settings
 from service.wire.chain_forms import ChainTask, Wanted, is_quick, written_chain
 from service.wire.fault_pointers import traced
 from service.wire.prepared_chains import PreparedChain, prepared_chain, written_structure
@@ -53,7 +52,7 @@ _REFUSALS = problems(400, 413, 415, 422, 503)
 )
 async def forward_kinematics(
     body: Annotated[wire.ScmForwardKinematicsRequest, Body(openapi_examples=examples.FORWARD_KINEMATICS)],
-    request: Request,
+    request: ApiRequest,
 ) -> wire.ScmForwardKinematicsAnswer | BytesResponse:
     """⁰H_FT, every H_i and every frame: scm(manipulator, 0) of the toolbox.
 
@@ -61,7 +60,7 @@ async def forward_kinematics(
     """
     if body.joints is None:
         return await _closed(body, Wanted.FORWARD_KINEMATICS, request)
-    prepared = prepared_chain(body, _settings(request).cell_limits)
+    prepared = await request.in_turn(partial(prepared_chain, body, request.settings.cell_limits))
     motion = forward_kinematics_scm(prepared.chain, prepared.joints(body.joints), prepared.values)
     return wire.ScmForwardKinematicsAnswer(
         **prepared.units,
@@ -82,7 +81,7 @@ async def forward_kinematics(
 )
 async def inverse_of_transform(
     body: Annotated[wire.ScmInverseTransformRequest, Body(openapi_examples=examples.INVERSE_TRANSFORM)],
-    request: Request,
+    request: ApiRequest,
 ) -> wire.ScmInverseTransformAnswer | BytesResponse:
     """Pose of frame 0 in the tool: scm(manipulator, -1) of the toolbox.
 
@@ -90,7 +89,7 @@ async def inverse_of_transform(
     """
     if body.joints is None:
         return await _closed(body, Wanted.INVERSE_TRANSFORM, request)
-    prepared = prepared_chain(body, _settings(request).cell_limits)
+    prepared = await request.in_turn(partial(prepared_chain, body, request.settings.cell_limits))
     motion = forward_kinematics_scm(prepared.chain, prepared.joints(body.joints), prepared.values)
     inverse = inverse_transform(motion.transform)
     return wire.ScmInverseTransformAnswer(**prepared.units, transform=_listed(inverse))
@@ -104,7 +103,7 @@ async def inverse_of_transform(
     summary="J0 and Jn of an SCM chain",
 )
 async def jacobian(
-    body: Annotated[wire.ScmJacobianRequest, Body(openapi_examples=examples.JACOBIAN)], request: Request
+    body: Annotated[wire.ScmJacobianRequest, Body(openapi_examples=examples.JACOBIAN)], request: ApiRequest
 ) -> wire.ScmJacobianAnswer | BytesResponse:
     """J0 and Jn, by inspection (scm(manipulator, 1) and 2) or by differentiating the matrix (h2j).
 
@@ -114,7 +113,7 @@ async def jacobian(
     wanted = Wanted.INSPECTED_JACOBIANS if inspected else Wanted.DIFFERENTIATED_JACOBIANS
     if body.joints is None:
         return await _closed(body, wanted, request)
-    prepared = prepared_chain(body, _settings(request).cell_limits)
+    prepared = await request.in_turn(partial(prepared_chain, body, request.settings.cell_limits))
     joints = prepared.joints(body.joints)
     if inspected:
         base = jacobian_base_by_inspection(prepared.chain, joints, prepared.values)
@@ -135,20 +134,20 @@ async def jacobian(
 )
 async def inverse_kinematics(
     body: Annotated[wire.ScmInverseKinematicsRequest, Body(openapi_examples=examples.INVERSE_KINEMATICS)],
-    request: Request,
+    request: ApiRequest,
 ) -> wire.ScmInverseKinematicsAnswer:
     """The joint values at which the tool reaches a pose: scm(manipulator, target, origin) and ik2q.
 
     All solutions where there is a closed form; joint values in the chain's angle unit.
     """
-    prepared = prepared_chain(body, _settings(request).cell_limits)
+    prepared = await request.in_turn(partial(prepared_chain, body, request.settings.cell_limits))
     start = None if body.start is None else prepared.joints(body.start, "start")
     limits = None if body.limits is None else _scaled(body.limits, prepared)
     question = (prepared.chain, _pose(body.target, prepared.angle), prepared.values, limits)
     with traced(body):
         found = await run_sync(_directly, *question)
     if found is None:
-        found = await resources_of(request).workers.run(Lane.SLOW, _search, *question)
+        found = await request.resources.workers.run(Lane.SLOW, _search, *question)
     found = nearest_first(prepared.chain, found, start)
     return wire.ScmInverseKinematicsAnswer(
         **prepared.units,
@@ -160,12 +159,12 @@ async def inverse_kinematics(
 
 
 @router.post("/scm/random-configuration", responses=_REFUSALS, summary="Random joint values for an SCM chain")
-def random_configuration(
+async def random_configuration(
     body: Annotated[wire.RandomConfigurationRequest, Body(openapi_examples=examples.RANDOM_CONFIGURATION)],
-    request: Request,
+    request: ApiRequest,
 ) -> wire.RandomConfigurationAnswer:
     """Joint values drawn evenly within limits: qrand of the toolbox."""
-    prepared = prepared_chain(body, _settings(request).cell_limits)
+    prepared = await request.in_turn(partial(prepared_chain, body, request.settings.cell_limits))
     default = default_limits(prepared.chain, prepared.values)
     low, high = (prepared.answered([pair[end] for pair in default]) for end in (0, 1))
     given = [None] * len(default) if body.limits is None else body.limits
@@ -181,16 +180,12 @@ def random_configuration(
     )
 
 
-async def _closed(body: wire.ClosedFormQuestion, wanted: Wanted, request: Request) -> BytesResponse:
+async def _closed(body: wire.ClosedFormQuestion, wanted: Wanted, request: ApiRequest) -> BytesResponse:
     """The answer in closed form, from a worker process."""
-    read = written_structure(body, _settings(request).cell_limits)
+    read = await request.in_turn(partial(written_structure, body, request.settings.cell_limits))
     task = ChainTask.of(read, wanted, body.formats, body.notation)
     lane = Lane.QUICK if is_quick(read.chain) else Lane.SLOW
-    return BytesResponse(await resources_of(request).workers.run(lane, written_chain, task))
-
-
-def _settings(request: Request) -> Settings:
-    return resources_of(request).settings
+    return BytesResponse(await request.resources.workers.run(lane, written_chain, task))
 
 
 def _listed(array: NDArray[np.float64]) -> list[Any]:

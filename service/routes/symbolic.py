@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from fastapi import Response
 from pydantic import TypeAdapter
 
 from service.http.openapi import problems, request_body
 from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.http.validation import validated
-from service.resources import resources_of
 from service.schemas.symbolic_request import SYMBOLIC, SymbolicAnswer, SymbolicRequest
 from service.wire.symbolic_tasks import answered, task_of
 
@@ -37,11 +38,9 @@ async def symbolic(request: ApiRequest) -> Response:
     request.accepts(JSON)
     body = await request.json()
     question = b"symbolic" + await request.body()
-    resources = resources_of(request)
-    known = resources.symbolic_answers.get(question)
+    known = request.resources.symbolic_answers.get(question)
     if known is not None:
         return BytesResponse(known)
-    async with resources.workers.preparation:
-        wire = validated(_REQUEST, body)
-        task = task_of(wire, request.settings, parts=wire.wanted())
+    wire = validated(_REQUEST, body)
+    task = await request.in_turn(partial(task_of, wire, request.settings, parts=wire.wanted()))
     return await answered(request, task, question)

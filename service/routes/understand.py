@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Annotated, Any
 
-from fastapi import Body, Request, Response
+from fastapi import Body, Response
 from fastapi.openapi.models import Example
 
 from kinematics.cells import Limits, RawTable, ReadTable, canonical_name, parameter_values, read_table
@@ -21,8 +22,7 @@ from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
 from service.http.languages import language_for
 from service.http.openapi import problems
 from service.http.problems import Problem
-from service.http.routing import api_router
-from service.resources import AppResources
+from service.http.routing import ApiRequest, api_router
 from service.schemas.base import FaultEntry
 from service.schemas.understanding import (
     Meaning,
@@ -31,6 +31,7 @@ from service.schemas.understanding import (
     UnderstoodParameter,
     UnderstoodRow,
 )
+from service.settings import Settings
 
 router = api_router("kinematics")
 
@@ -60,20 +61,21 @@ MATHML = "http://www.w3.org/1998/Math/MathML"
 )
 async def understand(
     body: Annotated[UnderstandRequest, Body(openapi_examples=EXAMPLES)],
-    resources: AppResources,
-    request: Request,
+    request: ApiRequest,
     response: Response,
 ) -> UnderstandAnswer:
     """The meaning of every cell that can be read, the link matrix of every row with numbers, and the faults.
 
     Unlike the other calls this one does not refuse a table with faults: it says what it can of the rest.
     """
-    settings = resources.settings
-    raw = body.table.raw()
-    read, faults, unread = _read_what_can_be(raw, settings.cell_limits)
     language = language_for(request.headers.get("accept-language"))
     response.headers["Content-Language"] = language
     response.headers["Vary"] = "Accept-Language"
+    return await request.in_turn(partial(_understood, body, request.settings, language))
+
+
+def _understood(body: UnderstandRequest, settings: Settings, language: str) -> UnderstandAnswer:
+    read, faults, unread = _read_what_can_be(body.table.raw(), settings.cell_limits)
     return UnderstandAnswer(
         readable=not faults,
         rows=_rows(read, unread, _known_values(read, body.parameters)) if read else [],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated, Any
 
 from fastapi import Body
@@ -9,8 +10,7 @@ from fastapi import Body
 from kinematics.inverse.limits import JointLimits
 from kinematics.workspace import Radius, Workspace, check_reach, joint_spans, workspace
 from service.http.openapi import problems
-from service.http.routing import api_router
-from service.resources import AppResources
+from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas import workspace_request as wire
 from service.schemas.joint_limits import domain_limits
@@ -40,7 +40,7 @@ _EXAMPLES: dict[str, Any] = {
 )
 async def reach(
     body: Annotated[wire.WorkspaceRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
-    resources: AppResources,
+    request: ApiRequest,
 ) -> wire.WorkspaceAnswer:
     """How near and how far the joints bring the origin of the end frame, and in which box.
 
@@ -48,7 +48,8 @@ async def reach(
     of a configuration within the limits, exact to rounding; that nothing lies beyond is found by climbing
     from many starts, not proved.
     """
-    robot = resources.robots.prepare(body)
+    resources = request.resources
+    robot = await request.in_turn(partial(resources.robots.prepare, body))
     limits = _limits(body, robot)
     with traced(body):
         check_reach(robot.table, body.base, body.tool)

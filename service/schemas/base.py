@@ -17,12 +17,17 @@ class Wire(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
 
 
+LONGEST_LIST = 256
+"""Most items of a list in a request, and most names of an object: far above any robot, and few enough to be
+validated in a millisecond whatever they are. What a list means usually sets a narrower limit."""
+
 Real: TypeAlias = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 Vector3: TypeAlias = Annotated[list[Real], Field(min_length=3, max_length=3)]
 
 _FOUR = {"minItems": 4, "maxItems": 4}
 Matrix4: TypeAlias = Annotated[
-    list[list[Real]],
+    list[Annotated[list[Real], Field(max_length=LONGEST_LIST)]],
+    Field(max_length=LONGEST_LIST),
     WithJsonSchema(
         {
             "type": "array",

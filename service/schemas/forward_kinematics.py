@@ -7,7 +7,7 @@ from typing import Annotated, TypeAlias
 
 from pydantic import Field
 
-from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.base import LONGEST_LIST, Matrix4, Real, Vector3, Wire
 from service.schemas.joints import Joints
 from service.schemas.robots import RobotQuestion
 from service.schemas.tables import Units
@@ -35,6 +35,7 @@ class ForwardKinematicsQuestion(RobotQuestion):
     inverse: bool = Field(False, description="whether the inverse of the transform is wanted as well")
     parts: list[Annotated[Part, Field(strict=False)]] | None = Field(
         None,
+        max_length=LONGEST_LIST,
         min_length=1,
         description="the parts of the answer that are wanted; all but the inverse if left out",
     )

@@ -15,7 +15,7 @@ from kinematics.frames.rules import Part, RuleCode, Severity
 from kinematics.frames.trainer import ChosenFrame
 from kinematics.table import Convention, JointType
 from service.http.validation import CHOICE
-from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.base import LONGEST_LIST, Matrix4, Real, Vector3, Wire
 from service.schemas.tables import Table, Units
 
 
@@ -122,7 +122,9 @@ class Chosen(Wire):
     rule: Annotated[Rule, Field(strict=False)] | None = Field(
         None, description="as /assign-frames tells it; frames are judged without it"
     )
-    free: list[Annotated[Freedom, Field(strict=False)]] | None = Field(None, description="likewise")
+    free: list[Annotated[Freedom, Field(strict=False)]] | None = Field(
+        None, max_length=LONGEST_LIST, description="likewise"
+    )
 
     def frame(self) -> ChosenFrame:
         """The frame as the domain knows it."""

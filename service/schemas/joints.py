@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import Annotated, Any, TypeAlias
 
-from pydantic import Discriminator, Tag, WithJsonSchema
+from pydantic import Discriminator, Field, Tag, WithJsonSchema
 
 from service.http.validation import CHOICE
-from service.schemas.base import Real
+from service.schemas.base import LONGEST_LIST, Real
+
+_ONE = {"type": "array", "items": {"type": "number"}, "maxItems": LONGEST_LIST}
 
 
 def _shape_of(joints: Any) -> str:
@@ -15,14 +17,21 @@ def _shape_of(joints: Any) -> str:
     return CHOICE + ("batch" if batch else "one")
 
 
+LONGEST_CONFIGURATION = 1024
+"""Most values of a single configuration, each of which is told what is wrong with it."""
+
+Configuration: TypeAlias = Annotated[list[Real], Field(max_length=LONGEST_LIST, fail_fast=True)]
+"""One value a joint. A batch may have millions: the first that is no number is named, and no more."""
+
 Joints: TypeAlias = Annotated[
-    Annotated[list[Real], Tag(CHOICE + "one")] | Annotated[list[list[Real]], Tag(CHOICE + "batch")],
+    Annotated[list[Real], Field(max_length=LONGEST_CONFIGURATION), Tag(CHOICE + "one")]
+    | Annotated[list[Configuration], Field(fail_fast=True), Tag(CHOICE + "batch")],
     Discriminator(_shape_of),
     WithJsonSchema(
         {
             "anyOf": [
-                {"type": "array", "items": {"type": "number"}},
-                {"type": "array", "minItems": 1, "items": {"type": "array", "items": {"type": "number"}}},
+                _ONE,
+                {"type": "array", "minItems": 1, "items": _ONE},
             ],
             "description": "q_1 … q_n in joint order (fixed rows not counted), or a list of such lists",
         }

@@ -12,7 +12,7 @@ from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.printing import Format, Notation
 from kinematics.scm import RawChain
 from service.http.validation import CHOICE
-from service.schemas.base import Matrix4, Real, Wire
+from service.schemas.base import LONGEST_LIST, Matrix4, Real, Wire
 from service.schemas.forward_kinematics import Orientation
 from service.schemas.tables import Cell, Parameters, Units
 
@@ -72,6 +72,7 @@ class Chain(Wire):
 
     joints: list[SixEntries] = Field(
         min_length=1,
+        max_length=LONGEST_LIST,
         description="one row a joint; one entry of row i holds its variable, qi (or ai, di), with its sign",
     )
     final: SixEntries = Field(default_factory=Placement, description="the Final Transformation")
@@ -150,7 +151,9 @@ class ChainQuestion(Wire):
         return self
 
 
-ScmJoints: TypeAlias = Annotated[list[Real], Field(description="q_1 … q_n, in the chain's units")]
+ScmJoints: TypeAlias = Annotated[
+    list[Real], Field(max_length=LONGEST_LIST, description="q_1 … q_n, in the chain's units")
+]
 
 
 class ClosedFormQuestion(ChainQuestion):
@@ -161,7 +164,10 @@ class ClosedFormQuestion(ChainQuestion):
 
     joints: ScmJoints | None = Field(None, description="q_1 … q_n; left out, the answer is in closed form")
     formats: list[Annotated[Format, Field(strict=False)]] | None = Field(
-        None, min_length=1, description="of the closed form; text and latex if left out"
+        None,
+        max_length=LONGEST_LIST,
+        min_length=1,
+        description="of the closed form; text and latex if left out",
     )
     notation: Annotated[Notation, Field(strict=False)] = Field(
         Notation.SHORT, description="of the closed form: short writes c23 (SCZIP), full cos(q2 + q3)"
@@ -216,7 +222,7 @@ class ScmInverseKinematicsRequest(ChainQuestion):
 
     target: Target
     limits: list[LimitPair | None] | None = Field(
-        None, description="[low, high] of every joint, null where there is none"
+        None, max_length=LONGEST_LIST, description="[low, high] of every joint, null where there is none"
     )
     start: ScmJoints | None = Field(
         None, description="joint values; the solution nearest to them comes first"
@@ -228,6 +234,7 @@ class RandomConfigurationRequest(ChainQuestion):
 
     limits: list[Annotated[list[Real], Field(min_length=2, max_length=2)] | None] | None = Field(
         None,
+        max_length=LONGEST_LIST,
         description="[low, high] of every joint; null or left out: a full turn, and 0 to the sum of lengths",
     )
     count: int = Field(1, ge=1, le=10_000, description="how many configurations")

@@ -8,7 +8,7 @@ from pydantic import ConfigDict, Field, RootModel
 
 from kinematics.jacobian import JacobianFrame
 from kinematics.printing import SOURCES, Format, Notation
-from service.schemas.base import Matrix4, Real, Wire
+from service.schemas.base import LONGEST_LIST, Matrix4, Real, Wire
 from service.schemas.examples import PUMA_560, TWO_LINKS
 from service.schemas.jacobian_request import JacobianAnswer, JacobianRequest
 from service.schemas.robots import RobotQuestion
@@ -20,11 +20,18 @@ STANDARD_PARTS = (Part.LINKS, Part.FRAMES, Part.TRANSFORM)
 
 Formats: TypeAlias = Annotated[
     list[Annotated[Format, Field(strict=False)]],
-    Field(min_length=1, description="how matrices are written; latex and text if left out"),
+    Field(
+        min_length=1,
+        max_length=LONGEST_LIST,
+        description="how matrices are written; latex and text if left out",
+    ),
 ]
 SomeParameters: TypeAlias = Annotated[
     dict[str, Real],
-    Field(description="values for some of the table's parameters, in its units; the others stay symbols"),
+    Field(
+        max_length=LONGEST_LIST,
+        description="values for some of the table's parameters, in its units; the others stay symbols",
+    ),
 ]
 
 
@@ -44,7 +51,10 @@ class SymbolicRequest(WritingQuestion):
     """A robot whose closed form is wanted."""
 
     parts: list[Annotated[Part, Field(strict=False)]] | None = Field(
-        None, min_length=1, description="what is wanted; links, frames and transform if left out"
+        None,
+        max_length=LONGEST_LIST,
+        min_length=1,
+        description="what is wanted; links, frames and transform if left out",
     )
     inverse: bool = Field(False, description="whether the inverse of the transform is wanted as well")
     jacobian: bool = Field(False, description="whether the Jacobians J0 and Jn are wanted as well")

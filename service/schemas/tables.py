@@ -8,7 +8,7 @@ from pydantic import Field, WithJsonSchema
 
 from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable
 from kinematics.table import Convention, JointType
-from service.schemas.base import Real, Wire
+from service.schemas.base import LONGEST_LIST, Real, Wire
 
 Cell: TypeAlias = Annotated[
     Any,
@@ -48,7 +48,10 @@ class Table(Wire):
         LengthUnit.M,
         description="unit of every length: table, joints, parameters and answer",
     )
-    rows: list[Row] = Field(description="the rows, base first; at least one")
+    rows: list[Row] = Field(
+        max_length=LONGEST_LIST,
+        description="the rows, base first; at least one, and 64 where nothing else is set",
+    )
 
     def raw(self) -> RawTable:
         """The table as the cell grammar reads it."""
@@ -72,5 +75,5 @@ class Units(Wire):
 
 Parameters: TypeAlias = Annotated[
     dict[str, Real],
-    Field(description="the value of every parameter in the table, in its units"),
+    Field(max_length=LONGEST_LIST, description="the value of every parameter in the table, in its units"),
 ]

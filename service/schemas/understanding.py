@@ -8,7 +8,7 @@ from pydantic import Field
 
 from kinematics.cells import ParameterKind
 from kinematics.table import JointType
-from service.schemas.base import FaultEntry, Matrix4, Real, Wire
+from service.schemas.base import LONGEST_LIST, FaultEntry, Matrix4, Real, Wire
 from service.schemas.tables import Table
 
 
@@ -18,6 +18,7 @@ class UnderstandRequest(Wire):
     table: Table
     parameters: dict[str, Real] = Field(
         default_factory=dict,
+        max_length=LONGEST_LIST,
         description="values of parameters, in the table's units; "
         "names that the table does not hold are ignored",
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -14,6 +16,8 @@ from service.wire.prepared_robots import Robot
 Floats = NDArray[np.float64]
 
 _NUMBERS = {float, int}
+MOST_FAULTS = 1000
+"""Of more configurations than this nobody wants to be told singly that their length is wrong."""
 
 
 def plain_configuration(joints: Any, robot: Robot) -> list[float] | None:
@@ -35,7 +39,7 @@ def read_joints(joints: list[Any], robot: Robot, batch_limit: int) -> list[float
         _refuse_lengths([(len(joints), ("joints",))], robot)
         return [value * unit for value, unit in zip(joints, robot.joint_units, strict=True)]
     refuse_large_batch(len(joints), batch_limit)
-    _refuse_lengths([(len(one), ("joints", i)) for i, one in enumerate(joints)], robot)
+    _refuse_lengths(((len(one), ("joints", i)) for i, one in enumerate(joints)), robot)
     batch: Floats = np.array(joints, dtype=np.float64).reshape(len(joints), -1) * np.array(robot.joint_units)
     return batch
 
@@ -79,16 +83,12 @@ def refuse_large_batch(given: int, limit: int) -> None:
         )
 
 
-def _refuse_lengths(found: list[tuple[int, tuple[str | int, ...]]], robot: Robot) -> None:
+def _refuse_lengths(found: Iterable[tuple[int, tuple[str | int, ...]]], robot: Robot) -> None:
     expected = len(robot.joint_units)
+    wrong = ((given, where) for given, where in found if given != expected)
     faults = [
-        Fault(
-            code="joints_wrong_length",
-            where=where,
-            params={"expected": expected, "given": given},
-        )
-        for given, where in found
-        if given != expected
+        Fault(code="joints_wrong_length", where=where, params={"expected": expected, "given": given})
+        for given, where in islice(wrong, MOST_FAULTS)
     ]
     if faults:
         raise JointValueError(faults)

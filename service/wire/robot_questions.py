@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Generic, TypeVar
 
 import numpy as np
-from anyio.to_thread import run_sync
 from numpy.typing import NDArray
 from pydantic import TypeAdapter
 from starlette.responses import Response
@@ -16,9 +16,8 @@ from kinematics.errors import Fault
 from service.http.decoding import decode_json
 from service.http.npy import read_npy
 from service.http.problems import BodyError, RequestError, RequestPart
-from service.http.routing import LARGE_BODY, NPY, ApiRequest, BytesResponse
+from service.http.routing import NPY, ApiRequest, BytesResponse
 from service.http.validation import validated
-from service.resources import resources_of
 from service.schemas.robots import RobotQuestion
 from service.wire.joint_values import plain_configuration, read_array, read_joints
 from service.wire.prepared_robots import Robot, RobotCache
@@ -66,14 +65,15 @@ class QuestionReader(Generic[Question]):
             ServiceError: the request cannot be read, or is not of the call's shape.
             KinematicsError: what it says cannot be meant.
         """
-        request.body_limit = request.settings.batch_body_limit
-        robots = resources_of(request).robots
+        request.expect_batch()
+        robots = request.resources.robots
         if request.brings_npy:
             return await self._from_npy(request, robots)
         body = await request.json(NPY)
-        if len(await request.body()) >= LARGE_BODY:
-            return await run_sync(self._from_json, body, request, robots)
-        return _recalled(body, robots) or self._from_json(body, request, robots)
+        known = _recalled(body, robots)
+        if known is not None:
+            return known
+        return await request.in_turn(partial(self._from_json, body, request, robots))
 
     def _from_json(self, body: Any, request: ApiRequest, robots: RobotCache) -> ReadQuestion[Question]:
         wire = validated(self._request, body)
@@ -141,7 +141,7 @@ async def batch_response(
         if check:
             check()
         return BytesResponse(b"".join(blocks()), media_type)
-    slot = await resources_of(request).limiters[WorkKind.BATCH].acquire()
+    slot = await request.resources.limiters[WorkKind.BATCH].acquire()
     try:
         if check:
             await slot.run(check)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from pydantic import TypeAdapter
@@ -94,7 +95,7 @@ async def symbolic_body(request: ApiRequest) -> Mapping[str, Any] | None:
     """The body of a request that says "form": "symbolic"; None of any other."""
     if request.brings_npy:
         return None
-    request.body_limit = request.settings.batch_body_limit
+    request.expect_batch()
     body = await request.json(NPY)
     return body if isinstance(body, dict) and body.get("form") == "symbolic" else None
 
@@ -111,10 +112,11 @@ async def symbolic_jacobian(request: ApiRequest, body: Mapping[str, Any]) -> Byt
     known = resources.symbolic_answers.get(question)
     if known is not None:
         return BytesResponse(known)
-    async with resources.workers.preparation:
-        wire = validated(_JACOBIAN, body)
-        frames = (wire.frame,) if wire.frame else tuple(JacobianFrame)
-        task = task_of(wire, request.settings, parts=(Part.JACOBIAN,), frames=frames)
+    wire = validated(_JACOBIAN, body)
+    frames = (wire.frame,) if wire.frame else tuple(JacobianFrame)
+    task = await request.in_turn(
+        partial(task_of, wire, request.settings, parts=(Part.JACOBIAN,), frames=frames)
+    )
     return await answered(request, task, question, written_jacobians)
 
 

@@ -48,15 +48,9 @@ class Lane(StrEnum):
 
 
 class Workers:
-    """The worker processes of one server process. They start with the first task of their lane.
-
-    Attributes:
-        preparation: held while a request is made a task. A table of 64 rows takes some milliseconds to read;
-            with one at a time, what else has arrived is answered between two of them.
-    """
+    """The worker processes of one server process. They start with the first task of their lane."""
 
     def __init__(self, settings: Settings) -> None:
-        self.preparation = asyncio.Lock()
         self.lanes = {
             Lane.QUICK: LaneProcesses(
                 settings, processes=1, places=QUICK_PLACES * settings.symbolic_queue, niceness=0
@@ -109,6 +103,7 @@ class LaneProcesses:
         self._idle: list[WorkerProcess] = []
         self._busy: set[WorkerProcess] = set()
         self._threads = ThreadPoolExecutor(processes, thread_name_prefix="worker-process")
+        self._closed = False
         self._answering: dict[tuple[int, bytes], _Shared] = {}
 
     async def run(self, function: Callable[..., Any], *arguments: Any) -> Any:
@@ -128,6 +123,8 @@ class LaneProcesses:
 
     def heal(self) -> bool:
         """Replace the idle processes that have died; return whether none had, and all are there."""
+        if self._closed:
+            return False
         alive = [process for process in self._idle if process.is_alive]
         for process in set(self._idle) - set(alive):
             process.close()
@@ -136,14 +133,15 @@ class LaneProcesses:
         return missing <= 0
 
     def close(self) -> None:
-        """End the processes, whatever they are doing."""
-        for process in (*self._idle, *self._busy):
+        """End the processes, whatever they are doing; there will be no others."""
+        self._closed = True
+        processes = {*self._idle, *self._busy}
+        for process in processes:
             process.kill()
         self._threads.shutdown()
-        for process in (*self._idle, *self._busy):
+        for process in processes:
             process.close()
-        self._idle, self._busy = [], set()
-        self._threads = ThreadPoolExecutor(self._count, thread_name_prefix="worker-process")
+        self._idle.clear()
 
     async def _performed(self, task: bytes) -> bytes:
         slot = await self.queue.acquire()
@@ -162,6 +160,8 @@ class LaneProcesses:
 
     async def _performed_once(self, task: bytes) -> bytes:
         self.heal()
+        if not self._idle:
+            raise _aborted()  # the server is ending
         process = self._idle.pop()
         self._busy.add(process)
         patience = OVERLOAD * self._seconds + START_SECONDS
@@ -171,7 +171,7 @@ class LaneProcesses:
         except BaseException:
             self._busy.discard(process)
             process.close()
-            self._idle.append(WorkerProcess(self._confinement))
+            self.heal()
             raise
         self._busy.discard(process)
         self._idle.append(process)

@@ -232,12 +232,15 @@ def test_one_request_at_a_time_is_read_and_others_are_answered_meanwhile() -> No
         app = create_app()
         transport = httpx.ASGITransport(app=app)
         async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
-            async with app.state.resources.workers.preparation:
+            slot = await app.state.resources.reading.acquire()
+            try:
                 table = {"convention": "standard", "rows": hostile_rows(3)}
-                body = {"table": table, "formats": ["text"]}
+                body = {"table": table, "formats": ["text"] * 250}  # too long to be read at once
                 asked = asyncio.create_task(client.post("/api/v1/symbolic", json=body))
                 assert (await client.get("/healthz")).status_code == 200
                 assert not asked.done()
+            finally:
+                slot.release()
             assert (await asked).status_code == 200
         app.state.resources.workers.close()
 

@@ -1,0 +1,147 @@
+"""The connections of the server: uvicorn's, with limits on what a caller may leave undone.
+
+A caller who sends a request's head too slowly, or one that is too long, who doesn't read its answer, or
+who holds a connection open for nothing costs a descriptor and some memory. Each is given up after a time;
+and before the descriptors run out, the connection that has been idle longest makes room for a new one.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import resource
+from typing import Any
+
+import httptools
+from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
+
+HEAD_BYTES = 64 * 1024
+"""Longest head of a request: enough for an npy question in the address and every cookie of a portal."""
+HEAD_FIELDS = 128
+"""Most header fields: browsers send twenty, chains of proxies add as many."""
+HEAD_SECONDS = 10.0
+"""How long a head may take to arrive, from the first byte or from the opening of the connection."""
+UNREAD_SECONDS = 30.0
+"""How long a caller may leave its answer unread once the buffers are full."""
+RESERVED_DESCRIPTORS = 96
+"""Descriptors that are left to files, worker processes and the database."""
+
+_REFUSAL = b"HTTP/1.1 431 Request Header Fields Too Large\r\nconnection: close\r\ncontent-length: 0\r\n\r\n"
+
+
+def connection_limit() -> int:
+    """Return how many connections may be open, from the descriptors that this process may have."""
+    descriptors, _ = resource.getrlimit(resource.RLIMIT_NOFILE)
+    if descriptors == resource.RLIM_INFINITY:
+        return 1 << 16
+    return max(descriptors // 2, descriptors - RESERVED_DESCRIPTORS)
+
+
+class BoundedConnection(HttpToolsProtocol):
+    """One connection."""
+
+    _in_head = False
+    _idle_since = 0.0
+    _head_bytes = 0
+    _head_fields = 0
+    _head_timer: asyncio.TimerHandle | None = None
+    _unread_timer: asyncio.TimerHandle | None = None
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+        """Accept, and let the longest idle connection go if there are too many."""
+        super().connection_made(transport)
+        if len(self.connections) > connection_limit():
+            self._longest_idle().transport.abort()
+        self._await_head()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Forget the connection."""
+        self._stop_timers()
+        super().connection_lost(exc)
+
+    def data_received(self, data: bytes) -> None:
+        """Take bytes in, as long as the head of a request is not too long."""
+        if self._in_head:
+            self._head_bytes += len(data)
+        super().data_received(data)
+        if self._in_head and self._head_bytes > HEAD_BYTES:
+            self._refuse_head()
+
+    def on_header(self, name: bytes, value: bytes) -> None:
+        """Take a header field in, as long as there are not too many."""
+        self._head_fields += 1
+        if self._head_fields > HEAD_FIELDS or len(name) + len(value) > HEAD_BYTES:
+            self._refuse_head()
+            raise httptools.HttpParserError("header fields too large")
+        super().on_header(name, value)
+
+    def on_headers_complete(self) -> None:
+        """Begin with the request."""
+        self._in_head = False
+        self._stop_timers()
+        super().on_headers_complete()
+
+    def on_message_complete(self) -> None:
+        """Wait for the next request, if this one is answered already."""
+        super().on_message_complete()
+        if self.cycle.response_complete:
+            self._await_head()
+
+    def on_response_complete(self) -> None:
+        """Wait for the next request."""
+        super().on_response_complete()
+        if self.transport.is_closing() or not self.cycle.response_complete:
+            return
+        if self.cycle.more_body:  # a rest that nobody reads may come, but not for ever
+            self._head_timer = self.loop.call_later(HEAD_SECONDS, self.transport.close)
+        else:
+            self._await_head()
+
+    def pause_writing(self) -> None:
+        """Give the caller so long to read."""
+        super().pause_writing()
+        if self._unread_timer is None:
+            self._unread_timer = self.loop.call_later(UNREAD_SECONDS, self.transport.abort)
+
+    def resume_writing(self) -> None:
+        """Go on: the caller reads."""
+        super().resume_writing()
+        self._stop_timers()
+
+    def _await_head(self) -> None:
+        self._stop_timers()
+        self._in_head = True
+        self._head_bytes = self._head_fields = 0
+        self._idle_since = self.loop.time()
+        self._head_timer = self.loop.call_later(HEAD_SECONDS, self.transport.close)
+
+    def _stop_timers(self) -> None:
+        for timer in (self._head_timer, self._unread_timer):
+            if timer is not None:
+                timer.cancel()
+        self._head_timer = self._unread_timer = None
+
+    def _longest_idle(self) -> BoundedConnection:
+        idle = [one for one in self.connections if isinstance(one, BoundedConnection) and one._in_head]
+        return min(idle, key=lambda one: one._idle_since, default=self)
+
+    def _refuse_head(self) -> None:
+        if not self.transport.is_closing():
+            self.transport.write(_REFUSAL)
+            self.transport.close()
+
+    def send_400_response(self, msg: str) -> None:
+        """Refuse what is no HTTP, unless the refusal is sent already."""
+        if not self.transport.is_closing():
+            super().send_400_response(msg)
+
+
+def server_options(shutdown_seconds: int) -> dict[str, Any]:
+    """Return what uvicorn is told besides address and processes."""
+    return {
+        "http": BoundedConnection,
+        "ws": "none",
+        "proxy_headers": False,  # the outermost layer reads them, with the proxy's own address still at hand
+        "server_header": False,
+        "access_log": False,  # ours knows times and request ids
+        "timeout_graceful_shutdown": shutdown_seconds,
+    }

@@ -1,0 +1,90 @@
+"""What is logged, and how: lines for people, or one JSON object a line for programs.
+
+No line holds personal data: the access log has neither addresses nor queries, in which seeds name students.
+"""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections.abc import Mapping
+from enum import StrEnum
+from typing import TYPE_CHECKING, Any
+
+import orjson
+
+if TYPE_CHECKING:
+    from service.settings import Settings
+
+_access = logging.getLogger("framewise.access")
+_STANDARD = frozenset(vars(logging.makeLogRecord({}))) | {"message", "asctime", "color_message"}
+
+
+class LogFormat(StrEnum):
+    """How a line of the log is written."""
+
+    TEXT = "text"
+    JSON = "json"
+
+
+class TextFormatter(logging.Formatter):
+    """Time in UTC, level, logger and message."""
+
+    def __init__(self) -> None:
+        super().__init__("{asctime}.{msecs:03.0f}Z {levelname} {name}: {message}", "%Y-%m-%dT%H:%M:%S", "{")
+        self.converter = time.gmtime
+
+
+class JsonFormatter(logging.Formatter):
+    """One object a line; what a message is made with are members of its own."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        """Write a record."""
+        moment = time.strftime("%Y-%m-%dT%H:%M:%S", time.gmtime(record.created))
+        entry: dict[str, object] = {
+            "time": f"{moment}.{record.msecs:03.0f}Z",
+            "level": record.levelname.lower(),
+            "logger": record.name,
+            "message": record.getMessage(),
+            **{name: value for name, value in vars(record).items() if name not in _STANDARD},
+        }
+        if record.exc_info:
+            entry["exception"] = self.formatException(record.exc_info)
+        return orjson.dumps(entry, default=str).decode()
+
+
+def log_configuration(settings: Settings) -> dict[str, Any]:
+    """Return the configuration of Python's logging, as `logging.config.dictConfig` takes it."""
+    formatter = {LogFormat.TEXT: TextFormatter, LogFormat.JSON: JsonFormatter}[settings.log_format]
+    return {
+        "version": 1,
+        "disable_existing_loggers": False,
+        "formatters": {"line": {"()": formatter}},
+        "handlers": {"error": {"class": "logging.StreamHandler", "formatter": "line"}},
+        "loggers": {
+            name: {"handlers": ["error"], "level": "INFO", "propagate": False}
+            for name in ("uvicorn", "framewise", "service")
+        },
+    }
+
+
+def log_access(scope: Mapping[str, Any], status: int, seconds: float, request_id: str) -> None:
+    """Log a request that is over; status 0 says that the caller went away before its answer."""
+    path = scope.get("raw_path") or scope["path"].encode()
+    milliseconds = round(1000 * seconds, 2)
+    method, path = scope["method"], path.decode("latin-1")
+    _access.info(
+        "%s %s %d %.2f ms, request %s",
+        method,
+        path,
+        status,
+        milliseconds,
+        request_id,
+        extra={
+            "method": method,
+            "path": path,
+            "status": status,
+            "milliseconds": milliseconds,
+            "request_id": request_id,
+        },
+    )

@@ -1,0 +1,1 @@
+"""Requests that were seen to cost too much, and their neighbours."""

@@ -1,0 +1,102 @@
+"""The corpus: each attack by name, as an address and a body, at a limit and ten times beyond."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+API = "/api/v1"
+JOINT = {"alpha": 0, "a": 0, "d": 0, "theta": "q1"}
+MIB = 1024 * 1024
+
+
+@dataclass(frozen=True)
+class Attack:
+    """A request that means little and asks for much."""
+
+    name: str
+    path: str
+    body: bytes
+
+
+def attacks() -> Iterator[Attack]:
+    """The corpus."""
+    for path in CALLS:
+        for count in (256, 10_000, 100_000):
+            for name, table in tables(count):
+                body = {"submission": table, "reference": table} if path == "/grade" else {"table": table}
+                yield Attack(f"{path} {name} x{count}", API + path, _written(body))
+        yield from bodies(path)
+    for count in (256, 10_000, 100_000):
+        for name, chain in chains(count):
+            yield Attack(f"scm {name} x{count}", f"{API}/scm/forward-kinematics", _written({"chain": chain}))
+            yield Attack(
+                f"convert scm {name} x{count}", f"{API}/convert", _written({"scm": chain, "to": "poe"})
+            )
+    for count in (1_000, 100_000, 1_000_000):
+        for name, joints in batches(count):
+            body = b'{"robot":"puma560","joints":%b}' % joints
+            yield Attack(f"joints {name} x{count}", f"{API}/forward-kinematics", body)
+            yield Attack(f"joints {name} x{count}, Jacobian", f"{API}/jacobian", body)
+    for length in (1_000, MIB - 1_000):
+        yield Attack(f"urdf of {length}", f"{API}/convert", _written({"urdf": "<" * length, "to": "poe"}))
+        yield Attack(f"robot of {length}", f"{API}/workspace", _written({"robot": "x" * length}))
+    for count in (64, 640, 6_400):
+        matrices = [[["cos(q1)*sin(q2)+L1"] * 4] * 4] * count
+        answer = {"table": {"convention": "standard", "rows": []}, "link_matrices": matrices}
+        yield Attack(f"link matrices x{count}", f"{API}/exercises/puma560/grade", _written(answer))
+
+
+CALLS = ("/understand", "/forward-kinematics", "/symbolic", "/workspace", "/grade")
+
+
+def tables(count: int) -> Iterator[tuple[str, object]]:
+    """Tables of so many rows, cells or terms."""
+    yield "rows of nothing", {"convention": "standard", "rows": [{}] * count}
+    yield "rows of null", {"convention": "standard", "rows": [None] * count}
+    yield "rows of lists", {"convention": "standard", "rows": [[]] * count}
+    yield "rows", {"convention": "standard", "rows": [JOINT] * count}
+    yield "terms", {"convention": "standard", "rows": [JOINT | {"a": "+".join(["L1"] * count)}]}
+    names = "+".join(f"L{i}" for i in range(count))
+    yield "names", {"convention": "standard", "rows": [JOINT | {"a": names}]}
+    yield "long name", {"convention": "standard", "rows": [JOINT | {"a": "L" * count}]}
+    yield "brackets", {"convention": "standard", "rows": [JOINT | {"a": "(" * count + "1" + ")" * count}]}
+    yield "fields", {"convention": "standard", "rows": [dict.fromkeys(map(str, range(count)), 0)]}
+    yield "cell of lists", {"convention": "standard", "rows": [JOINT | {"a": [[]] * count}]}
+
+
+def bodies(path: str) -> Iterator[Attack]:
+    """Bodies that are not what any call takes."""
+    for count in (1_000, 100_000):
+        keys = {f"k{i}": i for i in range(count)}
+        yield Attack(f"{path} unknown fields x{count}", API + path, _written(keys))
+        yield Attack(
+            f"{path} parameters x{count}", API + path, _written({"robot": "puma560", "parameters": keys})
+        )
+        yield Attack(f"{path} objects x{count}", API + path, b"[" + b"{}," * count + b"{}]")
+        yield Attack(f"{path} deep x{count}", API + path, b"[" * count)
+        yield Attack(f"{path} escapes x{count}", API + path, b'{"robot":"' + b"\\n" * count + b'"}')
+        yield Attack(f"{path} repeated key x{count}", API + path, b"{" + b'"a":1,' * count + b'"a":1}')
+
+
+def chains(count: int) -> Iterator[tuple[str, object]]:
+    """SCM chains of so many joints."""
+    yield "joints", {"joints": [[0, 0, 1, 0, 0, "q1"]] * count}
+    yield "joints of nothing", {"joints": [{}] * count}
+    yield "joints of lists", {"joints": [[]] * count}
+    yield "long joint", {"joints": [[0] * count]}
+
+
+def batches(count: int) -> Iterator[tuple[str, bytes]]:
+    """Joint values that are none."""
+    yield "texts", b"[" + b'"",' * count + b'""]'
+    yield "objects", b"[" + b"{}," * count + b"{}]"
+    yield "empty", b"[" + b"[]," * count + b"[]]"
+    yield "rows of texts", b"[" + b'["x"],' * count + b'["x"]]'
+    yield "one long row", b"[[" + b"0," * count + b"0]]"
+    yield "one long configuration", b"[" + b"0," * count + b"0]"
+
+
+def _written(body: object) -> bytes:
+    return json.dumps(body).encode()

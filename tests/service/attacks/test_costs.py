@@ -1,0 +1,113 @@
+"""No request of the corpus costs the event loop much work or memory: counted, not timed."""
+
+from __future__ import annotations
+
+import asyncio
+import gc
+import json
+import sys
+import threading
+import tracemalloc
+from collections.abc import Iterator
+from typing import Any
+
+import httpx
+import pytest
+
+from service.app import create_app
+from service.settings import Settings
+from tests.service.attacks.corpus import Attack, attacks
+
+CALLS = 60_000
+"""Python calls that answering may take in the event loop: about 20 ms."""
+MEMORY = 50 * 1024 * 1024
+SHORT, LARGE = 50_000, 1_100_000
+"""Shorter bodies cannot take as much; longer ones are batches, of which a limit says how many there are."""
+CORPUS = [attack for attack in attacks() if len(attack.body) < 4 * 1024 * 1024]
+
+
+@pytest.fixture(scope="module")
+def app() -> Iterator[Any]:
+    made = create_app(Settings(symbolic_seconds=0.5, queue_seconds=120))
+    answered(made, Attack("to read the message files", "/api/v1/understand", b"{}"))
+    yield made
+    made.state.resources.workers.close()
+
+
+def answered(app: Any, attack: Attack) -> httpx.Response:
+    async def ask() -> httpx.Response:
+        transport = httpx.ASGITransport(app=app)
+        async with httpx.AsyncClient(transport=transport, base_url="http://test", timeout=300) as client:
+            headers = {"Content-Type": "application/json"}
+            return await client.post(attack.path, content=attack.body, headers=headers)
+
+    return asyncio.run(ask())
+
+
+def counted(app: Any, attack: Attack) -> tuple[httpx.Response, int]:
+    """The answer, and how many Python functions were called for it in the thread of the event loop."""
+    calls = 0
+    loop_thread = threading.get_ident()
+
+    def count(_frame: Any, event: str, _argument: Any) -> None:
+        nonlocal calls
+        if event == "call" and threading.get_ident() == loop_thread:
+            calls += 1
+
+    sys.setprofile(count)
+    try:
+        return answered(app, attack), calls
+    finally:
+        sys.setprofile(None)
+
+
+def test_the_corpus_reaches_every_kind_of_call() -> None:
+    assert len(CORPUS) > 200
+    assert len({attack.path for attack in CORPUS}) >= 8
+
+
+def test_no_attack_takes_much_work_of_the_event_loop(app: Any) -> None:
+    expensive = []
+    for attack in CORPUS:
+        response, calls = counted(app, attack)
+        assert response.status_code in (200, 400, 413, 415, 422), (attack.name, response.text[:200])
+        if calls > CALLS:
+            expensive.append(f"{attack.name}: {calls} calls")
+    assert not expensive
+
+
+def test_no_attack_takes_much_memory(app: Any) -> None:
+    for attack in CORPUS[:3]:
+        answered(app, attack)
+    greedy = []
+    for attack in CORPUS:
+        if not SHORT < len(attack.body) <= LARGE:
+            continue
+        gc.collect()
+        tracemalloc.start()
+        try:
+            answered(app, attack)
+            _, peak = tracemalloc.get_traced_memory()
+        finally:
+            tracemalloc.stop()
+        if peak > MEMORY:
+            greedy.append(f"{attack.name}: {peak} bytes")
+    assert not greedy
+
+
+def test_names_that_callers_choose_are_not_hoarded(app: Any) -> None:
+    """Refused sentences hold what the caller sent: a thousand long ones must not stay."""
+    tracemalloc.start()
+    try:
+        for number in range(200):
+            body = json.dumps({"table": f"{number}" * 100_000}).encode()
+            answered(app, Attack("long value", "/api/v1/jacobian", body[:900_000]))
+            body = json.dumps(
+                {"robot": "puma560", "joints": [0] * 6, f"{number}" + "x" * 500_000: 1}
+            ).encode()
+            answered(app, Attack("long name", "/api/v1/jacobian", body))
+        gc.collect()
+        held, _ = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert held < 20 * 1024 * 1024

@@ -1,0 +1,103 @@
+"""What a caller may leave undone: heads, bodies, answers and connections."""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+import threading
+from collections.abc import Iterator
+
+import httpx
+import pytest
+
+from service.settings import Settings
+from tests.live_service import running
+
+
+@contextlib.contextmanager
+def connected(url: str) -> Iterator[socket.socket]:
+    host, _, port = url.removeprefix("http://").partition(":")
+    with socket.create_connection((host, int(port)), timeout=60) as connection:
+        yield connection
+
+
+def received(connection: socket.socket) -> bytes:
+    """All that comes until the server closes."""
+    found = b""
+    with contextlib.suppress(ConnectionError):
+        while piece := connection.recv(65536):
+            found += piece
+    return found
+
+
+@pytest.mark.parametrize(
+    "field", [b"X-Long: " + b"a" * 70_000, b"\r\n".join(b"X-%d: 1" % i for i in range(200))]
+)
+def test_a_long_head_is_refused(base_url: str, field: bytes) -> None:
+    with connected(base_url) as connection:
+        connection.sendall(b"GET /healthz HTTP/1.1\r\nHost: here\r\n" + field + b"\r\n\r\n")
+        assert received(connection).startswith(b"HTTP/1.1 431 ")
+
+
+def test_an_endless_head_costs_no_more_than_the_limit(base_url: str) -> None:
+    sent = 0
+    with connected(base_url) as connection, contextlib.suppress(ConnectionError):
+        connection.sendall(b"GET /healthz HTTP/1.1\r\nX-Long: ")
+        while sent < 100 * 1024 * 1024:
+            connection.sendall(b"a" * 65536)
+            sent += 65536
+    assert sent < 50 * 1024 * 1024
+
+
+def test_a_large_ordinary_head_is_served(client: httpx.Client) -> None:
+    headers = {f"X-{number}": "a" * 400 for number in range(80)}
+    assert client.get("/healthz", headers=headers).status_code == 200
+
+
+def test_a_slow_head_is_given_up(base_url: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("service.http.connections.HEAD_SECONDS", 0.2)
+    with connected(base_url) as silent, connected(base_url) as slow:
+        slow.sendall(b"GET /healthz HTTP/1.1\r\n")
+        assert received(silent) == b""
+        assert received(slow) == b""
+
+
+def test_a_slow_body_is_refused_with_the_time_it_had() -> None:
+    with running(Settings(read_seconds=0.2)) as url, connected(url) as slow:
+        slow.sendall(b"POST /api/v1/jacobian HTTP/1.1\r\nHost: here\r\nContent-Length: 90\r\n"
+                     b"Content-Type: application/json\r\n\r\n{")  # fmt: skip
+        answer = received(slow)
+    assert answer.startswith(b"HTTP/1.1 408 ")
+    assert b'"body_timed_out"' in answer
+
+
+def test_who_does_not_read_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("service.http.connections.UNREAD_SECONDS", 0.2)
+    with running(Settings(batch_threads=1, batch_queue=0)) as url:
+        body = b'{"robot":"puma560","joints":[' + b",".join([b"[0,0,0,0,0,0]"] * 20_000) + b"]}"
+        head = b"POST /api/v1/forward-kinematics HTTP/1.1\r\nHost: here\r\nContent-Type: application/json\r\n"
+        with connected(url) as deaf:
+            deaf.sendall(head + b"Content-Length: %d\r\n\r\n" % len(body) + body)
+            with httpx.Client(base_url=url, timeout=60) as client:
+                for _ in range(
+                    100
+                ):  # the one slot for batches is free again, once the deaf caller is given up
+                    batch = {"robot": "puma560", "joints": [[0] * 6] * 100}
+                    if client.post("/api/v1/forward-kinematics", json=batch).status_code == 200:
+                        return
+                    threading.Event().wait(0.1)
+    raise AssertionError("the slot is still held")
+
+
+def test_idle_connections_make_room_for_new_ones(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("service.http.connections.connection_limit", lambda: 20)
+    with running(Settings()) as url, contextlib.ExitStack() as stack:
+        idle = [stack.enter_context(connected(url)) for _ in range(30)]
+        for _ in range(5):
+            assert httpx.get(f"{url}/healthz").status_code == 200
+        closed = 0
+        for connection in idle:
+            connection.settimeout(0.05)
+            with contextlib.suppress(TimeoutError):
+                closed += received(connection) == b""
+        assert closed >= 10
