@@ -18,6 +18,9 @@ import pytest
 
 from tests.architecture.sources import ROOT
 
+patient = httpx.Client(timeout=120, headers={"Connection": "close"})
+"""Machines that run tests may be busy."""
+
 COMMAND = [sys.executable, "-m", "service", "--port", "0"]
 
 
@@ -55,7 +58,7 @@ def _wait_for(address: str) -> None:
     """With several processes the address is printed before one of them listens."""
     for _ in range(3000):
         try:
-            httpx.get(f"{address}/healthz", timeout=60)
+            patient.get(f"{address}/healthz")
         except httpx.ConnectError:
             time.sleep(0.02)
         else:
@@ -72,10 +75,10 @@ def connected(address: str) -> socket.socket:
 def test_half_a_body_does_not_keep_it_alive(workers: str) -> None:
     environment = {"FRAMEWISE_SHUTDOWN_SECONDS": "1", "FRAMEWISE_READ_SECONDS": "600"}
     with server(**environment, FRAMEWISE_WORKERS=workers) as (process, address), connected(address) as half:
-        httpx.get(f"{address}/healthz")
+        patient.get(f"{address}/healthz")
         half.sendall(b"POST /api/v1/jacobian HTTP/1.1\r\nHost: here\r\nContent-Length: 900\r\n"
                      b"Content-Type: application/json\r\n\r\n{")  # fmt: skip
-        httpx.get(f"{address}/healthz")
+        patient.get(f"{address}/healthz")
         process.send_signal(signal.SIGTERM)
         assert process.wait(timeout=60) in (0, -signal.SIGTERM)
 
@@ -85,7 +88,7 @@ def test_what_has_begun_is_answered() -> None:
         body = b'{"robot":"puma560","joints":[0,0,0,0,0,0]}'
         head = b"POST /api/v1/jacobian HTTP/1.1\r\nHost: here\r\nContent-Type: application/json\r\n"
         begun.sendall(head + b"Content-Length: %d\r\n\r\n" % len(body) + body[:10])
-        httpx.get(f"{address}/healthz")
+        patient.get(f"{address}/healthz")
         process.send_signal(signal.SIGTERM)
         begun.sendall(body[10:])
         assert begun.recv(64).startswith(b"HTTP/1.1 200 ")
@@ -96,7 +99,7 @@ def test_nothing_is_left_in_the_folder_for_temporary_files(tmp_path_factory: pyt
     folder = tmp_path_factory.mktemp("temporary")
     with server(TMPDIR=str(folder)) as (process, address):
         table = {"convention": "standard", "rows": [{"alpha": 0, "a": "L1", "d": 0, "theta": "q1"}]}
-        assert httpx.post(f"{address}/api/v1/symbolic", json={"table": table}, timeout=60).status_code == 200
+        assert patient.post(f"{address}/api/v1/symbolic", json={"table": table}).status_code == 200
         process.send_signal(signal.SIGTERM)
         process.wait(timeout=60)
     assert list(folder.iterdir()) == []

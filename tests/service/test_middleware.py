@@ -16,6 +16,9 @@ from service.settings import Settings
 from tests.live_service import running
 from tests.service.test_bad_input import check_problem
 
+patient = httpx.Client(timeout=120, headers={"Connection": "close"})
+"""Machines that run tests may be busy."""
+
 
 def test_alive(client: httpx.Client) -> None:
     response = client.get("/healthz")
@@ -89,7 +92,7 @@ def test_an_unforeseen_error_is_a_problem_with_an_id_and_stays_in_the_log(
 
     monkeypatch.setattr(service.app, "routers", lambda: [*service.routes.routers(), router])
     with running(Settings()) as url, caplog.at_level(logging.ERROR, "framewise"):
-        response = httpx.get(f"{url}/broken")
+        response = patient.get(f"{url}/broken")
     problem = check_problem(response, 500, "internal_error")
     assert "secret" not in response.text
     assert problem["request_id"] in problem["detail"]
@@ -101,12 +104,12 @@ def test_an_unforeseen_error_is_a_problem_with_an_id_and_stays_in_the_log(
 @pytest.mark.parametrize("path", ["/healthz", "/dh/healthz"])
 def test_a_prefix_from_the_settings(path: str) -> None:
     with running(Settings(prefix="/dh")) as url:
-        assert httpx.get(url + path).status_code == 200
-        document = httpx.get(f"{url}/dh/api/v1/openapi.json").json()
+        assert patient.get(url + path).status_code == 200
+        document = patient.get(f"{url}/dh/api/v1/openapi.json").json()
         assert document["servers"] == [{"url": "/dh"}]
-        problem = httpx.post(f"{url}/api/v1/jacobian", json={}).json()
+        problem = patient.post(f"{url}/api/v1/jacobian", json={}).json()
         assert problem["type"].startswith("/dh/api/v1/problems/")
-        assert httpx.get(url + problem["type"]).status_code == 200
+        assert patient.get(url + problem["type"]).status_code == 200
 
 
 def test_a_prefix_from_a_trusted_proxy(client: httpx.Client) -> None:
@@ -120,7 +123,9 @@ def test_a_prefix_from_a_trusted_proxy(client: httpx.Client) -> None:
 
 def test_a_prefix_from_a_stranger_is_not_believed() -> None:
     with running(Settings(trusted_proxies=("192.0.2.1",))) as url:
-        problem = httpx.post(f"{url}/api/v1/jacobian", json={}, headers={"X-Forwarded-Prefix": "/dh"}).json()
+        problem = patient.post(
+            f"{url}/api/v1/jacobian", json={}, headers={"X-Forwarded-Prefix": "/dh"}
+        ).json()
         assert problem["type"].startswith("/api/v1/problems/")
 
 
@@ -128,12 +133,14 @@ def test_other_origins_may_call_only_where_that_is_set(client: httpx.Client) -> 
     wish = {"Origin": "https://lms.example", "Access-Control-Request-Method": "POST"}
     assert "access-control-allow-origin" not in client.options("/api/v1/jacobian", headers=wish).headers
     with running(Settings(cors_origins=("https://lms.example",))) as url:
-        allowed = httpx.options(f"{url}/api/v1/jacobian", headers=wish)
+        allowed = patient.options(f"{url}/api/v1/jacobian", headers=wish)
         assert allowed.status_code == 200
         assert allowed.headers["access-control-allow-origin"] == "https://lms.example"
-        refused = httpx.post(f"{url}/api/v1/jacobian", json={}, headers={"Origin": "https://lms.example"})
+        refused = patient.post(f"{url}/api/v1/jacobian", json={}, headers={"Origin": "https://lms.example"})
         assert refused.headers["access-control-allow-origin"] == "https://lms.example"
-        stranger = httpx.options(f"{url}/api/v1/jacobian", headers={**wish, "Origin": "https://evil.example"})
+        stranger = patient.options(
+            f"{url}/api/v1/jacobian", headers={**wish, "Origin": "https://evil.example"}
+        )
         assert "access-control-allow-origin" not in stranger.headers
 
 
