@@ -35,11 +35,12 @@ test: $(VENV)/.dev vendor lint ## every check and test
 test-clone: $(VENV)/.dev ## clone into a folder with a space in its name, serve and test there, twice (slow)
 	TEST_CLONE=1 $(PY) -m pytest tests/architecture/test_clone.py
 
-lint: $(VENV)/.dev ## style, types and import arrows
+lint: $(VENV)/.dev vendor ## style, types and import arrows, of Python and of the pages' scripts
 	$(PY) -m ruff check .
 	$(PY) -m ruff format --check .
 	$(PY) -m mypy
 	$(PY) -c "from importlinter.cli import lint_imports_command as main; main()"
+	$(PY) tools/lint_web.py
 
 lock: $(VENV)/.dev ## renew the hash locks from pyproject.toml
 	for lock in "requirements.lock" "requirements-dev.lock --group dev" ; do \

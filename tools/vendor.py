@@ -37,6 +37,15 @@ WRAPPED = {
     "katex/dist/katex.min.js": "katex/katex.js",
     "@fluent/bundle/index.js": "fluent/bundle.js",
 }
+# What the type checker reads beside them; a browser never asks for these.
+DECLARED = {
+    "three/three.module.min.d.ts": 'export * from "three";\n',
+    "katex/katex.d.ts": 'export { default } from "katex";\n',
+    "fluent/bundle.d.ts": """import * as fluent from "@fluent/bundle";
+
+export default fluent;
+""",
+}
 COMPRESSED = {".js", ".css"}
 BROTLI = """
 const fs = require("fs"), zlib = require("zlib");
@@ -60,7 +69,8 @@ def is_up_to_date(*, omit_dev: bool) -> bool:
     """Whether the folder was made from this lock, and the tests' tools are there if they are wanted."""
     if not COMPLETE.is_file() or COMPLETE.read_text() != fingerprint():
         return False
-    return omit_dev or (MODULES / "axe-core" / "axe.min.js").is_file()
+    tools = ("axe-core/axe.min.js", "eslint/bin/eslint.js", "prettier/package.json", "typescript/bin/tsc")
+    return omit_dev or all((MODULES / tool).is_file() for tool in tools)
 
 
 def system_node() -> str | None:
@@ -138,6 +148,8 @@ def copy_into(folder: Path) -> None:
     (folder / "katex" / "fonts").mkdir()
     for font in sorted((MODULES / "katex" / "dist" / "fonts").glob("*.woff2")):
         shutil.copyfile(font, folder / "katex" / "fonts" / font.name)
+    for target, text in DECLARED.items():
+        write(target, text)
     write("NOTICE", notice())
 
 

@@ -15,7 +15,9 @@ export class Problem extends Error {
     this.code = body.code || "";
     this.body = body;
     /** @type {Fault[]} */
-    this.faults = body.errors?.length ? body.errors : [{ code: this.code, pointer: "", detail: this.message, params: {} }];
+    this.faults = body.errors?.length
+      ? body.errors
+      : [{ code: this.code, pointer: "", detail: this.message, params: {} }];
   }
 }
 
@@ -37,12 +39,12 @@ export class Api {
     this.token = "";
   }
 
-  /** @param {string} path @param {{signal?: AbortSignal}} [options] */
+  /** @param {string} path @param {{signal?: AbortSignal}} [options] @returns {Promise<any>} */
   get(path, options) {
     return this.#send("GET", path, undefined, options);
   }
 
-  /** @param {string} path @param {unknown} body @param {{signal?: AbortSignal}} [options] */
+  /** @param {string} path @param {unknown} body @param {{signal?: AbortSignal}} [options] @returns {Promise<any>} */
   post(path, body, options) {
     return this.#send("POST", path, body, options);
   }
@@ -62,7 +64,12 @@ export class Api {
     return `${this.base}${path}`;
   }
 
+  /**
+   * @param {string} method @param {string} path @param {unknown} body @param {{signal?: AbortSignal}} [options]
+   * @returns {Promise<any>}
+   */
   async #send(method, path, body, { signal } = {}) {
+    /** @type {Record<string, string>} */
     const headers = { Accept: "application/json", "Accept-Language": this.language };
     if (body !== undefined) headers["Content-Type"] = "application/json";
     if (this.token) headers.Authorization = `Bearer ${this.token}`;
@@ -77,7 +84,7 @@ export class Api {
       });
       text = await answer.text();
     } catch (error) {
-      if (error?.name === "AbortError") throw error;
+      if (error instanceof Error && error.name === "AbortError") throw error;
       throw new Unreachable(error);
     }
     let json = {};

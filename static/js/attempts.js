@@ -18,6 +18,7 @@ export const browserAttempts = {
     return recall(`attempts:${exercise}`, []);
   },
   async add(exercise, attempt) {
+    /** @type {Attempt[]} */
     const attempts = recall(`attempts:${exercise}`, []);
     keep(`attempts:${exercise}`, [...attempts, attempt].slice(-MOST));
   },

@@ -21,14 +21,12 @@ function copyBySelection(text) {
   const focused = document.activeElement;
   document.body.append(area);
   area.select();
-  let done = false;
   try {
-    done = document.execCommand("copy");
+    return document.execCommand("copy");
   } finally {
     area.remove();
     if (focused instanceof HTMLElement) focused.focus({ preventScroll: true });
   }
-  return done;
 }
 
 /** A matrix of numbers in a notation. @param {number[][]} values @param {"latex" | "python" | "c" | "matlab"} format @param {string} [name] */
@@ -46,6 +44,9 @@ export function matrixSource(values, format, name = "T") {
   }
 }
 
+/** @typedef {"latex" | "python" | "c" | "matlab"} Format */
+
+/** @type {[Format, string][]} */
 const FORMATS = [
   ["latex", "LaTeX"],
   ["python", "Python"],
@@ -59,6 +60,7 @@ const FORMATS = [
  * @param {(format: "latex" | "python" | "c" | "matlab") => string | Promise<string>} source
  */
 export function copyButtons(what, source) {
+  /** @param {any} event @param {Format} format @param {string} label */
   const copy = async (event, format, label) => {
     const button = event.currentTarget;
     const done = await copyText(await source(format));

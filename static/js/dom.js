@@ -1,9 +1,10 @@
 /** Elements in one expression; nothing here knows what they are for. */
 
 /**
- * @typedef {Record<string, unknown>} Properties attributes by name; `onclick` and the like are listeners,
- *   `class`, `text`, `hidden` and `dataset` mean what they say; null, undefined and false leave an attribute out.
- * @typedef {Node | string | number | null | undefined | false | Child[]} Child
+ * @typedef {import("../../types/dom").Properties} Properties attributes by name; `onclick` and the like are
+ *   listeners, `class`, `text`, `hidden` and `dataset` mean what they say; null, undefined and false leave an
+ *   attribute out.
+ * @typedef {import("../../types/dom").Child} Child
  */
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -11,16 +12,17 @@ const MATHML = "http://www.w3.org/1998/Math/MathML";
 
 /**
  * An HTML element with its properties and children.
- * @param {string} tag
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag
  * @param {Properties} [properties]
  * @param {...Child} children
- * @returns {HTMLElement}
+ * @returns {HTMLElementTagNameMap[Tag]}
  */
 export function el(tag, properties = {}, ...children) {
   return build(document.createElement(tag), properties, children);
 }
 
-/** The same for SVG. @param {string} tag @param {Properties} [properties] @param {...Child} children */
+/** The same for SVG. @param {keyof SVGElementTagNameMap} tag @param {Properties} [properties] @param {...Child} children */
 export function svg(tag, properties = {}, ...children) {
   return build(document.createElementNS(SVG, tag), properties, children);
 }
@@ -30,16 +32,21 @@ export function math(tag, properties = {}, ...children) {
   return build(document.createElementNS(MATHML, tag), properties, children);
 }
 
+/**
+ * @template {Element} Built
+ * @param {Built} element @param {Properties} properties @param {Child[]} children @returns {Built}
+ */
 function build(element, properties, children) {
   for (const [name, value] of Object.entries(properties)) set(element, name, value);
   append(element, children);
   return element;
 }
 
+/** @param {Element} element @param {string} name @param {unknown} value */
 function set(element, name, value) {
   if (value === null || value === undefined || value === false) return;
-  if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
-  else if (name === "dataset") Object.assign(element.dataset, value);
+  if (name.startsWith("on")) element.addEventListener(name.slice(2), /** @type {EventListener} */ (value));
+  else if (name === "dataset") Object.assign(/** @type {HTMLElement} */ (element).dataset, value);
   else if (name === "text") element.textContent = String(value);
   else if (name === "value" && "value" in element) element.value = value;
   else element.setAttribute(name, value === true ? "" : String(value));
@@ -75,6 +82,13 @@ const STROKES = {
   pause: "M8 5v14M16 5v14",
   check: "m5 13 4.500 4.500L19 7",
   cross: "M7 7l10 10M17 7 7 17",
+  less: "M5 12h14",
+  turn: "M5 14a7 7 0 0 1 14 0m-3.5-2.5L19 14.500l3-3.500",
+  tilt: "M10 5a7 7 0 0 1 0 14m2.500-3.500L9.500 19l3.500 3",
+  enlarge: "M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5",
+  picture: "M4 7h4l2-2h4l2 2h4v12H4zM12 16a3 3 0 1 0 0-6 3 3 0 0 0 0 6",
+  back: "M16 5v14L7 12zM5 5v14",
+  forth: "M8 5v14l9-7zM19 5v14",
 };
 
 /** A small line drawing, hidden from screen readers. @param {keyof typeof STROKES} name */

@@ -31,7 +31,7 @@ export function useMessages(text, locale) {
  */
 export function t(id, parameters) {
   const message = bundle?.getMessage(id);
-  if (!message?.value) return id;
+  if (!bundle || !message?.value) return id;
   return bundle.formatPattern(message.value, parameters, []);
 }
 

@@ -29,7 +29,8 @@ export class JointSliders extends HTMLElement {
   }
 
   set joints(joints) {
-    const same = joints.length === this.#joints.length && joints.every((joint, i) => joint.type === this.#joints[i].type);
+    const same =
+      joints.length === this.#joints.length && joints.every((joint, i) => joint.type === this.#joints[i].type);
     const called = same && joints.every((joint, i) => joint.name === this.#joints[i].name);
     this.#values = joints.map((joint, i) => clamped(joint, same ? this.#values[i] : (joint.value ?? 0)));
     this.#joints = joints;
@@ -82,15 +83,18 @@ export class JointSliders extends HTMLElement {
     this.#show();
   }
 
+  /** @param {any} joint @param {number} i */
   #line(joint, i) {
     const id = uniqueId("joint");
     const label = t(joint.type === "prismatic" ? "form-joint-slide" : "form-joint-turn", { name: joint.name });
+    /** @type {HTMLInputElement} */
     const range = el("input", {
       id,
       type: "range",
       "aria-label": `${label} [${this.#unit(joint)}]`,
       oninput: () => this.#take(i, Number(range.value), range),
     });
+    /** @type {HTMLInputElement} */
     const number = el("input", {
       type: "number",
       step: "any",
@@ -99,7 +103,7 @@ export class JointSliders extends HTMLElement {
       oninput: () => number.value !== "" && this.#take(i, Number(number.value), number),
       onchange: () => this.#show(),
     });
-    this.#inputs.push(/** @type {any} */ ({ range, number }));
+    this.#inputs.push({ range, number });
     return el(
       "div",
       { class: "joint-line" },
@@ -109,6 +113,7 @@ export class JointSliders extends HTMLElement {
     );
   }
 
+  /** @param {number} i @param {any} shown @param {any} source */
   #take(i, shown, source) {
     if (!Number.isFinite(shown)) return;
     this.#values[i] = this.#inward(this.#joints[i], shown);
@@ -116,6 +121,7 @@ export class JointSliders extends HTMLElement {
     this.#tell();
   }
 
+  /** @param {HTMLInputElement} [except] the field that is being used */
   #show(except) {
     this.#inputs.forEach(({ range, number }, i) => {
       const value = this.#outward(this.#joints[i], this.#values[i]);
@@ -131,14 +137,17 @@ export class JointSliders extends HTMLElement {
     this.dispatchEvent(new CustomEvent("joints-change", { detail: { values: this.values }, bubbles: true }));
   }
 
+  /** @param {any} joint @param {any} value */
   #outward(joint, value) {
     return joint.type === "revolute" && this.#units.angle === "deg" ? degrees(value) : value;
   }
 
+  /** @param {any} joint @param {any} value */
   #inward(joint, value) {
     return joint.type === "revolute" && this.#units.angle === "deg" ? radians(value) : value;
   }
 
+  /** @param {any} joint */
   #unit(joint) {
     if (joint.type === "prismatic") return this.#units.length;
     return this.#units.angle === "deg" ? "°" : "rad";
@@ -151,6 +160,7 @@ function nameOf(name) {
   return match ? [el("i", { text: match[1] }), el("sub", { text: match[2] })] : name;
 }
 
+/** @param {any} step */
 function niceStep(step) {
   const power = 10 ** Math.floor(Math.log10(step || 1));
   const lead = step / power;

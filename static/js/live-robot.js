@@ -1,43 +1,51 @@
 /**
- * The robot of a table that is being typed: reads the table, asks for its link matrices, follows the sliders.
+ * The robot of a table that is being typed: asks what the table means, draws what can be drawn, follows the sliders.
+ *
+ * One call to the service makes a keystroke's picture: it reads the table and brings the link matrices of the rows
+ * that have numbers. The robot is drawn as far as these go, from the first row on. Matrices at the joints' present
+ * values are asked for only while somebody looks at them (`watched`).
  *
  * What is looked at is one state, replaced as a whole; what is drawn is one `Subject`, made of one state and the
- * service's reading of its table. Every call is built from one of them, so that no call ever mixes the table of
- * one robot with the values or the joints of another.
+ * service's answer to it. Every call is built from one of them, so that no call ever mixes the table of one robot
+ * with the values or the joints of another.
  *
- * Events: `typed` (a new table is being looked at), `reading` (what was understood, or the faults), `parameters`
+ * Events: `typed` (a new table is being looked at), `reading` (what was understood, and the faults), `parameters`
  * (the names that the table uses, and which of them have no value), `robot` (a scene model and joints to move),
  * `poses` (matrices at the joints' present values), `failure` (the service could not be reached).
  */
 
-import { Latest, Problem, Throttled } from "./api.js";
+import { Problem, Throttled } from "./api.js";
 import { debounced } from "./dom.js";
 import { clamped, usualRanges } from "./joint-ranges.js";
 import { degrees, radians } from "./numbers.js";
 import { reach, tableRobot } from "./scene/robots.js";
 import { Understanding } from "./understanding.js";
 
-const TYPING_PAUSE = 220;
+const TYPING_PAUSE = 60;
 const DRAGGING_PAUSE = 60;
 
 /**
  * @typedef {import("./joint-ranges.js").JointRange} JointRange
+ * @typedef {import("./understanding.js").Reading} Reading
+ * @typedef {import("./understanding.js").ReadRow} ReadRow
  * @typedef {{table: any, parameters: Record<string, number>, joints: number[] | null}} State
  *   what is looked at: the table as it goes to the API, values of parameters in its units, and the joint values
  *   [rad or length] that it is to be shown at, or null to leave the joints where they are
  * @typedef {{table: any, parameters: Record<string, number>, types: string[], ranges: JointRange[], joints: number[]}} Subject
  *   what is drawn: a table that could be read, values of just its parameters, joint types and ranges, joint values
- * @typedef {{model: import("./scene/model.js").Model, joints: JointRange[], values: number[], size: number}} Robot
+ * @typedef {{model: import("./scene/robots.js").TableModel, joints: JointRange[], values: number[], size: number,
+ *   rows: ReadRow[], whole: boolean}} Robot
+ *   `rows` are those that are drawn; `whole` if these are all
  */
 
 export class LiveRobot extends EventTarget {
   /** @type {State} */
   #state = { table: null, parameters: {}, joints: null };
-  /** @type {{table: any, reading: import("./understanding.js").Reading} | null} */
-  #read = null;
+  /** The state that the service has answered about. @type {State | null} */
+  #answered = null;
   /** @type {{subject: Subject, robot: Robot, state: State} | null} */
   #drawn = null;
-  #drawing = new Latest();
+  #watched = false;
 
   /** @param {import("./api.js").Api} api @param {{size?: number, prime?: string}} [options] */
   constructor(api, options = {}) {
@@ -76,7 +84,7 @@ export class LiveRobot extends EventTarget {
   set joints(joints) {
     if (!this.#drawn) return;
     this.#drawn = { ...this.#drawn, subject: { ...this.#drawn.subject, joints } };
-    this.dragging.run(() => this.#pose()).catch((error) => this.#fail(error));
+    this.#pose();
   }
 
   /** Joint values that were asked for [rad or length], or those of the robot that is drawn. */
@@ -84,9 +92,24 @@ export class LiveRobot extends EventTarget {
     return this.#pending ?? this.#drawn?.subject.joints ?? [];
   }
 
-  /** What is drawn, if it is what is looked at. @returns {Subject | null} */
+  /** Whether the matrices at the joints' present values are wanted. */
+  set watched(watched) {
+    this.#watched = watched;
+    if (watched) this.#pose();
+  }
+
+  get watched() {
+    return this.#watched;
+  }
+
+  /** What is drawn, if it is what is looked at, and whole. @returns {Subject | null} */
   get subject() {
-    return this.#drawn?.state === this.#state ? this.#drawn.subject : null;
+    return this.#drawn?.state === this.#state && this.#drawn.robot.whole ? this.#drawn.subject : null;
+  }
+
+  /** What is drawn, whole or not. @returns {Robot | null} */
+  get robot() {
+    return this.#drawn?.robot ?? null;
   }
 
   /** Joint values that were asked for and not yet shown. */
@@ -94,47 +117,52 @@ export class LiveRobot extends EventTarget {
     return this.#drawn?.state === this.#state ? null : this.#state.joints;
   }
 
-  /** Reads the table unless that was done, and draws it. */
+  /** Asks about the table unless that was done, and draws what has numbers. */
   async #look() {
-    const { table } = this.#state;
-    if (this.subject) return;
+    const state = this.#state;
+    if (this.#answered === state) return;
     try {
-      if (this.#read?.table !== table) {
-        this.#drawing.cancel();
-        const answer = await this.understanding.ask(table);
-        if (!answer || table !== this.#state.table) return;
-        this.#read = answer.reading && { table, reading: answer.reading };
-        this.#tell("reading", answer);
-      }
-      if (this.#read) await this.#draw(this.#state, this.#read.reading);
+      const answer = await this.understanding.ask(state.table, state.parameters);
+      if (!answer || state !== this.#state) return;
+      this.#answered = state;
+      this.#tell("reading", answer);
+      const { parameters } = answer.reading;
+      const missing = parameters.filter(({ name }) => !Number.isFinite(state.parameters[name]));
+      if (answer.rows.length) this.#tell("parameters", { missing, parameters });
+      this.#draw(state, answer.reading);
     } catch (error) {
-      if (table === this.#state.table) this.#fail(error);
+      if (state === this.#state) this.#fail(error);
     }
   }
 
-  /** @param {State} state @param {import("./understanding.js").Reading} reading of its table */
-  async #draw(state, reading) {
-    const missing = reading.parameters.filter(({ name }) => !Number.isFinite(state.parameters[name]));
-    this.#tell("parameters", { missing, parameters: reading.parameters });
-    if (missing.length) return this.#drawing.cancel();
-    const answer = await this.#drawing.run((signal) => modelled(this.api, state, reading, { ...this.options, signal }));
-    if (!answer || state !== this.#state) return;
-    const { subject, model, joints, size } = answer.value;
-    const values = this.#values(state, joints);
-    this.#drawn = { subject: { ...subject, joints: values }, robot: { model, joints, values, size }, state };
+  /** @param {State} state @param {Reading} reading of its table */
+  #draw(state, reading) {
+    if (reading.rows.length === 0) return;
+    const { subject, ...robot } = modelled(state, reading, this.options);
+    const values = this.#values(state, robot.joints);
+    this.#drawn = { subject: { ...subject, joints: values }, robot: { ...robot, values }, state };
     this.#tell("robot", this.#drawn.robot);
-    await this.dragging.run(() => this.#pose());
+    this.#pose();
   }
 
-  /** Where the joints of a robot stand at first: as asked for, else where they stood, as far as they may. */
+  /**
+   * Where the joints of a robot stand at first: as asked for, else where they stood, as far as they may.
+   * @param {State} state @param {JointRange[]} joints
+   */
   #values(state, joints) {
     if (state.joints) return joints.map((_, i) => (state.joints?.length === joints.length ? state.joints[i] : 0));
     const before = this.#drawn?.subject;
-    const same = before && before.types.join() === joints.map(({ type }) => type).join();
-    return joints.map((joint, i) => clamped(joint, same ? before.joints[i] : 0));
+    return joints.map((joint, i) => clamped(joint, before?.types[i] === joint.type ? before.joints[i] : 0));
   }
 
-  async #pose() {
+  /** The matrices at the joints' present values, if somebody looks. */
+  #pose() {
+    if (!this.#watched || !this.subject) return;
+    this.dragging.run(() => this.#askPose()).catch((error) => this.#fail(error));
+  }
+
+  async #askPose() {
+    if (!this.#drawn?.robot.whole) return;
     const { subject, robot } = this.#drawn;
     const { table, parameters } = subject;
     try {
@@ -145,44 +173,51 @@ export class LiveRobot extends EventTarget {
     }
   }
 
+  /** @param {unknown} error */
   #fail(error) {
-    if (error?.name === "AbortError") return;
-    if (error instanceof Problem) this.#tell("reading", { reading: null, rows: [], faults: error.faults });
+    if (error instanceof Error && error.name === "AbortError") return;
+    if (error instanceof Problem) this.#tell("reading", { whole: false, rows: [], faults: error.faults });
     else this.#tell("failure", error);
   }
 
+  /** @param {string} name @param {unknown} detail */
   #tell(name, detail) {
     this.dispatchEvent(new CustomEvent(name, { detail }));
   }
 }
 
 /**
- * The robot of a table at given values, for once; null if it cannot be read or a value is missing.
+ * The robot of a table at given values, for once; null if not every row can be drawn.
  * @param {import("./api.js").Api} api @param {any} table @param {Record<string, number>} parameters in its units
+ * @param {{size?: number, prime?: string}} [options]
  * @returns {Promise<Omit<Robot, "values"> | null>}
  */
-export async function robotOf(api, table, parameters) {
-  const answer = await new Understanding(api).ask(table);
-  const reading = answer?.reading;
-  if (!reading || reading.parameters.some(({ name }) => !Number.isFinite(parameters[name]))) return null;
-  return modelled(api, { table, parameters }, reading);
+export async function robotOf(api, table, parameters, options = {}) {
+  const answer = await new Understanding(api).ask(table, parameters);
+  const found = answer?.whole ? modelled({ table, parameters }, answer.reading, options) : null;
+  return found?.whole ? found : null;
 }
 
 /**
- * A scene model from the service's link matrices, all joints at zero.
- * @param {import("./api.js").Api} api @param {{table: any, parameters: Record<string, number>}} state
- * @param {import("./understanding.js").Reading} reading of its table
- * @param {{size?: number, prime?: string, signal?: AbortSignal}} [options]
+ * A scene model from the service's link matrices, all joints at zero, as far as rows have one: frame 0 alone, if not
+ * even the first has.
+ * @param {{table: any, parameters: Record<string, number>}} state @param {Reading} reading of its table
+ * @param {{size?: number, prime?: string}} options
  */
-async function modelled(api, { table, parameters: values }, { rows, variables, parameters: names }, { signal, size: given, prime } = {}) {
+function modelled({ table, parameters: values }, { rows: all, variables, parameters: names }, { size: given, prime }) {
+  const end = all.findIndex(({ link }) => link === null);
+  const rows = end < 0 ? all : all.slice(0, end);
   const parameters = Object.fromEntries(names.map(({ name }) => [name, values[name]]));
   const types = rows.map((row) => row.joint).filter((joint) => joint !== "fixed");
-  const request = { table, parameters, joints: types.map(() => 0), parts: ["links"] };
-  const { links } = await api.post("forward-kinematics", request, { signal });
+  const links = rows.map(({ link }) => /** @type {number[][]} */ (link));
   const size = given ?? reach(links);
   const model = tableRobot({ convention: table.convention, rows, links, size, prime });
-  const joints = usualRanges(types.map((type, i) => ({ type, name: variables[i] ?? `q${i + 1}` })), size);
-  return { subject: { table, parameters, types, ranges: joints }, model, joints, size };
+  const joints = usualRanges(
+    types.map((type, i) => ({ type, name: variables[i] ?? `q${i + 1}` })),
+    size,
+  );
+  const subject = { table, parameters, types, ranges: joints };
+  return { subject, model, joints, size, rows, whole: rows.length === table.rows.length };
 }
 
 /** A subject's joint values in its table's units. @param {Subject} subject */

@@ -94,13 +94,17 @@ export class MatrixPanel extends HTMLElement {
   }
 
   #showNumbers() {
-    const { links, transform } = this.#numbers;
+    const numbers = this.#numbers;
+    if (!numbers) return;
+    const { links, transform } = numbers;
     const blocks = [transform, ...links].map((values, i) => {
       const matrix = numericMatrix(values);
       this.#shown.push(matrix);
       const ends = i === 0 ? [0, links.length] : [i - 1, i];
+      /** @param {import("./clipboard.js").Format} format */
       const source = (format) => {
-        const current = i === 0 ? this.#numbers.transform : this.#numbers.links[i - 1];
+        const present = this.#numbers ?? numbers;
+        const current = i === 0 ? present.transform : present.links[i - 1];
         return matrixSource(current, format, i === 0 ? "T" : `A${i}`);
       };
       return block(ends, matrix.element, source);
@@ -110,13 +114,14 @@ export class MatrixPanel extends HTMLElement {
 
   async #askSymbols() {
     this.#latest.cancel();
-    if (!this.#table || !this.api) return;
+    const { api } = this;
+    if (!this.#table || !api) return;
     const asked = JSON.stringify([this.#table, this.#notation]);
     if (this.#symbolic?.asked !== asked) {
       this.#wait(true);
       try {
         const request = { table: this.#table, formats: SOURCES, notation: this.#notation };
-        const answer = await this.#latest.run((signal) => this.api.post("symbolic", request, { signal }));
+        const answer = await this.#latest.run((signal) => api.post("symbolic", request, { signal }));
         if (!answer) return;
         this.#symbolic = { asked, ...answer.value };
       } catch (error) {
@@ -130,6 +135,7 @@ export class MatrixPanel extends HTMLElement {
     if (this.#mode === "symbols") this.#showSymbols();
   }
 
+  /** @param {any} waiting */
   #wait(waiting) {
     this.#body.classList.toggle("busy", waiting);
     if (waiting) this.#body.setAttribute("aria-busy", "true");
@@ -142,18 +148,24 @@ export class MatrixPanel extends HTMLElement {
       const ends = i === 0 ? [0, links.length] : [i - 1, i];
       const formula = el("div", { class: "formula" });
       typeset(formula, formats.latex, { display: true }).catch(() => (formula.textContent = formats.latex));
-      return block(ends, formula, (format) => formats[format]);
+      return block(ends, formula, (/** @type {string} */ format) => formats[format]);
     });
     fill(this.#body, blocks);
   }
 }
 
+/** @param {any} options @param {any} content @param {any} source */
 function block([from, to], content, source) {
   const name = t("form-matrix-name", { from, to });
   return el(
     "div",
     { class: "matrix-block" },
-    el("div", { class: "matrix-head" }, el("h3", { "aria-label": name }, transformName(from, to)), copyButtons(name, source)),
+    el(
+      "div",
+      { class: "matrix-head" },
+      el("h3", { "aria-label": name }, transformName(from, to)),
+      copyButtons(name, source),
+    ),
     el("div", { class: "scroller", tabindex: "0", role: "group", "aria-label": name }, content),
   );
 }

@@ -29,7 +29,7 @@ export function pageAddress(path) {
 export async function startPage(run) {
   takeCarried();
   if (window.self !== window.top) document.documentElement.classList.add("embedded");
-  for (const link of document.querySelectorAll("[data-nav]")) {
+  for (const link of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-nav]"))) {
     if (link.dataset.nav === pageName) link.setAttribute("aria-current", "page");
   }
   prepareLanguages();
@@ -41,8 +41,15 @@ export async function startPage(run) {
 
 /** Above the page, and read out: storage is blocked or full. */
 function sayThatNothingLasts() {
+  /** @type {HTMLElement} */
   const close = el("button", { type: "button", class: "quiet", text: t("form-close"), onclick: () => notice.remove() });
-  const notice = el("div", { class: "notice notice-warn row no-print" }, el("span", { class: "grow", text: t("form-storage-blocked") }), close);
+  /** @type {HTMLElement} */
+  const notice = el(
+    "div",
+    { class: "notice notice-warn row no-print" },
+    el("span", { class: "grow", text: t("form-storage-blocked") }),
+    close,
+  );
   document.querySelector("main")?.prepend(notice);
   announce(t("form-storage-blocked"));
 }
@@ -65,7 +72,7 @@ function prepareLanguages() {
   });
 }
 
-let sheets = new Map();
+const sheets = new Map();
 
 /** Loads a style sheet once. @param {string} path below the assets' folder @returns {Promise<void>} */
 export function loadStyle(path) {
@@ -76,7 +83,7 @@ export function loadStyle(path) {
         const link = document.createElement("link");
         link.rel = "stylesheet";
         link.href = `${assets}/${path}`;
-        link.addEventListener("load", () => resolve());
+        link.addEventListener("load", () => resolve(undefined));
         link.addEventListener("error", () => reject(new Error(path)));
         document.head.append(link);
       }),

@@ -18,7 +18,11 @@ export function problemNotice(error, { retry } = {}) {
     { class: "notice notice-problem", role: "alert" },
     sentences.length === 1
       ? el("p", { text: sentences[0] })
-      : el("ul", {}, sentences.map((sentence) => el("li", { text: sentence }))),
+      : el(
+          "ul",
+          {},
+          sentences.map((sentence) => el("li", { text: sentence })),
+        ),
     retry ? el("button", { type: "button", onclick: retry, text: t("form-retry") }) : null,
   );
 }

@@ -54,7 +54,13 @@ export function numericMatrix(values) {
   const table = math(
     "mtable",
     {},
-    cells.map((row) => math("mtr", {}, row.map((cell) => math("mtd", {}, cell)))),
+    cells.map((row) =>
+      math(
+        "mtr",
+        {},
+        row.map((cell) => math("mtd", {}, cell)),
+      ),
+    ),
   );
   const element = el("span", { class: "bracketed" }, math("math", { display: "block" }, table));
   return {

@@ -26,8 +26,11 @@ export function convertedTurn(value, from, to) {
  * @param {Units} from @param {Units} to
  */
 export function convertedValues(values, kindOf, from, to) {
+  /** @param {string} name @param {any} value */
   const change = (name, value) =>
-    kindOf(name) === "angle" ? convertedTurn(value, from.angle, to.angle) : convertedLength(value, from.length, to.length);
+    kindOf(name) === "angle"
+      ? convertedTurn(value, from.angle, to.angle)
+      : convertedLength(value, from.length, to.length);
   return Object.fromEntries(Object.entries(values).map(([name, value]) => [name, change(name, value)]));
 }
 

@@ -1,174 +1,171 @@
-"""The frame trainer in a real browser: by clicking, by keyboard, rule by rule, to the finished table."""
+"""The frame trainer in a real browser: the walk of the lecture, walks of habit, and each step by itself."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from typing import Any
 
 import pytest
 from playwright.sync_api import Page, expect
 
+from exercises.loader import packaged
 from tests.web.conftest import LANGUAGES, OpenPage
 from tests.web.driving import Held
+from tests.web.walking import assigned, at_random, by_lecture, first, frame_button, go_to, last, ready, walk
 
-TWO_LINKS = [
-    # twolink, modified: frame 0 and 1 on axis 1, frame 2 on axis 2
-    {"z": "along axis 1", "origin": "axis 1", "x": "normal of axes 1 and 2"},
-    {"z": "along axis 1", "origin": "axis 1", "x": "normal of axes 1 and 2"},
-    {"z": "along axis 2", "origin": "axis 2", "x": "frame 1"},
-]
+EXERCISES = sorted(packaged().ids)
 
 
-def ready(page: Page) -> None:
-    expect(page.locator("fieldset.choices")).to_have_count(3)
+def exercise_of(page: Page, web: str, name: str) -> dict[str, Any]:
+    return page.request.get(f"{web}/api/v1/exercises/{name}").json()  # type: ignore[no-any-return]
 
 
-def candidate(page: Page, part: int, text: str) -> None:
-    option = page.locator("fieldset.choices").nth(part).locator("label.choice", has_text=text).first
-    option.locator("input").check()
-    expect(option.locator("input")).to_be_checked()
+def option(page: Page, text: str) -> None:
+    """Choose by what an option says."""
+    found = page.locator("fieldset.choices label.choice", has_text=re.compile(rf"^{text}\(")).first
+    found.locator("input").check()
 
 
-def goto(page: Page, frame: int) -> None:
-    page.get_by_role("button", name=re.compile(f"^Frame {frame}:")).click()
-    expect(page.locator("fieldset.choices legend").first).to_contain_text(f"frame {frame}")
+@pytest.mark.parametrize("name", EXERCISES)
+def test_the_walk_of_the_lecture_makes_a_right_table(open_page: OpenPage, web: str, name: str) -> None:
+    """What the trainer calls complete the exercise calls right, in its own convention, names and units."""
+    page = open_page(f"/trainer/{name}")
+    ready(page)
+    exercise = exercise_of(page, web, name)
+    assert walk(page, len(exercise["joints"]) + 1, by_lecture(assigned(page, web, exercise)))
+    assert not re.search(r"\d\.\d{7}", page.locator("#table").inner_text())
+    page.locator("#frame button.primary").click()
+    expect(page.locator("#own")).to_contain_text("Drawn from your table")
+    table = page.evaluate("document.querySelector('dh-table-editor').table")
+    assert table["convention"] == exercise["conventions"][0]
+    verdict = page.request.post(f"{web}/api/v1/exercises/{name}/grade", data={"table": table}).json()
+    assert verdict["parts"]["table"]["correct"], verdict["feedback"]
+
+
+def test_habits_lead_nowhere(open_page: OpenPage, web: str) -> None:
+    """Always the first option, always the last, any: at most one walk in twenty reaches the table."""
+    page = open_page("/trainer/onelink")
+    done = 0
+    walks = 0
+    for name in EXERCISES:
+        joints = len(exercise_of(page, web, name)["joints"])
+        for pick in (first, last, at_random(len(name)), at_random(len(name) + 100)):
+            page.evaluate("localStorage.clear()")
+            page.goto(f"{web}/trainer/{name}?lang=en")
+            ready(page)
+            done += walk(page, joints + 1, pick)
+            walks += 1
+    assert done <= 0.05 * walks
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_speaks_every_language(open_page: OpenPage, language: str) -> None:
     page = open_page("/trainer/scara", lang=language)
     ready(page)
-    page.locator("fieldset.choices").nth(2).locator("input").last.check()
+    page.locator("fieldset.choices input").last.check()
     text = page.locator("main").inner_text()
     assert not re.search(r"\b(trainer|form|rule)-[a-z]", text)
 
 
-def test_right_frames_make_the_table(open_page: OpenPage) -> None:
+def test_a_broken_rule_is_named_at_the_end_of_the_step_and_not_before(open_page: OpenPage) -> None:
     page = open_page("/trainer/twolink")
     ready(page)
-    for frame, parts in enumerate(TWO_LINKS):
-        goto(page, frame)
-        for part, name in enumerate(("z", "origin", "x")):
-            candidate(page, part, parts[name])
-    expect(page.locator("#table .notice-good")).to_be_visible()
-    rows = page.locator("#table tbody tr")
-    expect(rows).to_have_count(2)
-    expect(rows.nth(1).locator("td").nth(1)).to_have_text("1")
-    page.get_by_role("link", name="Open the table").click()
-    expect(page.locator("dh-table-editor tbody tr").nth(1)).to_be_visible()
+    for frame, text in enumerate(("along x of the coordinates", "along axis 1", "along axis 2")):
+        go_to(page, frame)
+        option(page, text)
+        expect(frame_button(page, frame)).to_have_class(re.compile("step-whole"))
+    expect(page.locator(".notice-problem")).to_have_count(0)
+    page.locator("#frame button.primary").click()
+    expect(page.locator("fieldset.choices .notice-problem")).to_have_text("z must lie along axis 1.")
+    expect(page.get_by_role("button", name="Frame 0: breaks a rule")).to_be_visible()
+    option(page, "along axis 1")
+    expect(page.locator(".notice-problem")).to_have_count(0)
+    page.locator("#frame button.primary").click()
+    expect(page.locator("#steps [aria-current]")).to_have_text("Common normals")
 
 
-def test_a_broken_rule_is_named_and_mended(open_page: OpenPage) -> None:
+def test_an_open_choice_is_pointed_out(open_page: OpenPage) -> None:
+    page = open_page("/trainer/twolink")
+    ready(page)
+    page.locator("#frame button.primary").click()
+    expect(page.locator("#announcer")).to_have_text("Frame 0 has no choice yet.")
+    expect(page.locator("#steps [aria-current]")).to_have_text("z axes")
+
+
+def test_options_are_not_numbered_and_have_another_order_for_each_frame(
+    open_page: OpenPage, web: str
+) -> None:
     page = open_page("/trainer/puma560")
     ready(page)
-    goto(page, 1)
-    candidate(page, 0, "along axis 2")
-    broken = page.locator("fieldset.choices").first.locator(".notice-problem")
-    expect(broken).to_have_text("z must lie along axis 1.")
-    expect(page.get_by_role("button", name="Frame 1: breaks a rule")).to_be_visible()
-    candidate(page, 0, "along axis 1")
-    expect(broken).to_have_count(0)
-
-
-def test_the_convention_changes_the_rules_not_the_frames(open_page: OpenPage) -> None:
-    page = open_page("/trainer/puma560")
-    ready(page)
-    goto(page, 1)
-    candidate(page, 0, "along axis 1")
-    page.get_by_label("standard").check()
-    expect(page.locator("fieldset.choices").first.locator(".notice-problem")).to_have_text(
-        "z must lie along axis 2."
-    )
-    expect(page.locator("fieldset.choices").first.locator("input").first).to_be_checked()
+    orders = set()
+    for frame in range(3):
+        go_to(page, frame)
+        texts = page.locator("label.choice").all_inner_texts()
+        assert not any(re.match(r"\d", text) for text in texts)
+        orders.add(next(i for i, text in enumerate(texts) if "of the coordinates" in text))
+    numbers = page.locator(".scene-label.tone-pick")
+    expect(numbers.filter(has_text=re.compile(r"^\d+$"))).to_have_count(0)
+    assert len(orders) > 1
 
 
 def test_an_arrow_can_be_clicked(open_page: OpenPage) -> None:
     page = open_page("/trainer/scara")
     ready(page)
-    scene = page.locator("robot-scene")
-    expect(scene).to_have_attribute("data-drawn", re.compile(r"\d"))
-    label = scene.locator(".scene-label.tone-pick", has_text=re.compile("^3$")).bounding_box()
-    assert label is not None
-    page.mouse.click(label["x"] + label["width"] / 2, label["y"] + label["height"] / 2)
-    expect(page.locator("fieldset.choices").first.locator("input").nth(2)).to_be_checked()
+    expect(page.locator("robot-scene")).to_have_attribute("data-drawn", re.compile(r"\d"))
+    place = page.evaluate(
+        """() => {
+          const scene = document.querySelector("robot-scene");
+          const box = scene.viewport.getBoundingClientRect();
+          for (let y = 4; y < box.height; y += 4) for (let x = 4; x < box.width; x += 4) {
+            const id = scene.pickedAt(x, y);
+            if (id === "2") return [box.x + x, box.y + y];
+          }
+          return null;
+        }"""
+    )
+    assert place is not None
+    page.mouse.click(*place)
+    expect(frame_button(page, 0)).to_have_class(re.compile("step-whole"))
+    go_to(page, 0)
+    expect(page.locator("fieldset.choices input").nth(2)).to_be_checked()
 
 
-def test_a_choice_goes_on_to_what_is_to_be_chosen_next(open_page: OpenPage) -> None:
-    page = open_page("/trainer/scara")
-    ready(page)
-    groups = page.locator("fieldset.choices")
-    for part in range(2):
-        expect(groups.nth(part)).to_have_class(re.compile("current"))
-        groups.nth(part).locator("label.choice").first.click()
-    expect(groups.nth(2)).to_have_class(re.compile("current"))
-    expect(groups.nth(1).locator("input").first).to_be_focused()
-    groups.nth(0).locator("input").first.focus()
-    expect(groups.nth(0)).to_have_class(re.compile("current"))
-
-
-def test_a_point_can_be_clicked(open_page: OpenPage) -> None:
-    page = open_page("/trainer/scara")
-    ready(page)
-    candidate(page, 0, "along axis 1")
-    scene = page.locator("robot-scene")
-    label = scene.locator(".scene-label.tone-pick", has_text=re.compile("^2$"))
-    expect(label).to_be_visible()
-    box = label.bounding_box()
-    assert box is not None
-    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-    expect(page.locator("fieldset.choices").nth(1).locator("input").nth(1)).to_be_checked()
-
-
-def test_a_choice_is_for_the_frame_whose_lists_are_shown(open_page: OpenPage) -> None:
-    """While another frame's lists are on their way, a choice in those still there counts for neither."""
+def test_a_choice_is_for_the_frame_whose_list_is_shown(open_page: OpenPage) -> None:
+    """While another frame's list is on its way, a choice in the one still there counts for neither."""
     page = open_page("/trainer/scara")
     ready(page)
     held = Held(page, "**/check-frames")
-    page.get_by_role("button", name=re.compile("^Frame 2:")).click()
+    frame_button(page, 2).click()
     held.until(1)
-    page.locator("fieldset.choices").first.locator("label.choice").nth(1).click()
+    page.locator("fieldset.choices label.choice").nth(1).click()
     held.stop()
-    expect(page.locator("fieldset.choices legend").first).to_contain_text("frame 2")
-    expect(page.locator("fieldset.choices input:checked")).to_have_count(0)
-    goto(page, 0)
-    expect(page.locator("fieldset.choices input:checked")).to_have_count(0)
+    expect(page.locator("fieldset.choices legend")).to_contain_text("frame 2")
+    expect(page.locator("#frames .step-whole")).to_have_count(0)
 
 
-def test_the_focus_stays_on_the_buttons_that_go_on(open_page: OpenPage) -> None:
-    page = open_page("/trainer/twolink")
-    ready(page)
-    onward = page.get_by_role("button", name="Next frame")
-    onward.focus()
-    page.keyboard.press("Enter")
-    expect(page.locator("fieldset.choices legend").first).to_contain_text("frame 1")
-    expect(onward).to_be_focused()
-    page.keyboard.press("Enter")
-    expect(page.locator("fieldset.choices legend").first).to_contain_text("frame 2")
-    expect(page.get_by_role("button", name=re.compile("^Frame 2:"))).to_be_focused()
-    expect(onward).to_be_hidden()
-
-
-def test_everything_by_keyboard(open_page: OpenPage) -> None:
+def test_the_focus_stays_on_the_option_that_was_chosen(open_page: OpenPage) -> None:
     page = open_page("/trainer/onelink")
     ready(page)
-    page.get_by_role("button", name=re.compile("^Frame 1:")).focus()
-    page.keyboard.press("Enter")
-    expect(page.locator("fieldset.choices legend").first).to_contain_text("frame 1")
-    expect(page.get_by_role("button", name=re.compile("^Frame 1:"))).to_be_focused()
+    go_to(page, 1)
     page.keyboard.press("Tab")
+    page.locator("fieldset.choices input").first.focus()
     page.keyboard.press("Space")
-    expect(page.locator("fieldset.choices").first.locator("input").first).to_be_checked()
-    page.keyboard.press("ArrowDown")
-    expect(page.locator("fieldset.choices").first.locator("input").nth(1)).to_be_checked()
+    expect(frame_button(page, 1)).to_have_class(re.compile("step-whole"))
+    assert page.evaluate("document.activeElement.matches('fieldset.choices input')")
 
 
-def test_choices_survive_a_reload(open_page: OpenPage) -> None:
+def test_choices_survive_a_reload_and_another_convention_starts_again(open_page: OpenPage) -> None:
     page = open_page("/trainer/rx90")
     ready(page)
-    candidate(page, 0, "along axis 1")
+    go_to(page, 1)
+    option(page, "along axis 2")
+    expect(frame_button(page, 1)).to_have_class(re.compile("step-whole"))
     page.reload()
     ready(page)
-    expect(page.locator("fieldset.choices").first.locator("input").first).to_be_checked()
+    expect(frame_button(page, 1)).to_have_class(re.compile("step-whole"))
+    page.get_by_label("modified").check()
+    expect(page.locator("#frames .step-whole")).to_have_count(0)
 
 
 def test_without_webgl_the_drawing_is_there(open_page: OpenPage) -> None:
@@ -185,10 +182,12 @@ def test_without_webgl_the_drawing_is_there(open_page: OpenPage) -> None:
 def test_accessible_with_a_broken_rule(
     open_page: OpenPage, assert_accessible: Callable[[Page], None], width: int, dark: bool
 ) -> None:
-    page = open_page("/trainer/puma560", width=width, height=600 if width == 320 else 900, dark=dark)
+    page = open_page("/trainer/twolink", width=width, height=600 if width == 320 else 900, dark=dark)
     ready(page)
-    goto(page, 1)
-    candidate(page, 0, "along axis 2")
+    for frame in range(3):
+        go_to(page, frame)
+        option(page, "along x of the coordinates")
+    page.locator("#frame button.primary").click()
     expect(page.locator(".notice-problem").first).to_be_visible()
     assert_accessible(page)
     assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")

@@ -179,7 +179,7 @@ form-relation-skew-oblique = skew, oblique
 
 form-own-heading = Your robot
 form-own-scene = Your robot, as your table describes it
-form-own-empty = Your robot appears here as soon as every row can be read.
+form-own-empty = Your robot grows here with every row that can be read.
 form-own-missing =
     { $count ->
         [one] One cell is still empty.
@@ -235,7 +235,6 @@ form-pause = Pause
 
 form-history-heading = Your attempts
 form-history-restore = Take back into the form
-form-history-restore-label = Take attempt { $number } back into the form
 form-history-restored = The attempt is in the form again
 form-history-kept = Kept in this browser only.
 form-history-clear = Forget all
@@ -244,3 +243,42 @@ form-missing-title = Not found
 form-missing-text = There is no such page here. The exercises are all on the first page.
 form-missing-home = To the exercises
 form-storage-blocked = The browser keeps nothing here: what you type is lost when you close or reload this page.
+
+form-row-play = Play row { $row } in the picture
+form-film = The row as a film
+form-film-hint = Put the cursor into a cell, or press a row's number: the film shows how its four numbers carry frame i−1 into frame i.
+form-film-none = Row { $row } cannot be shown yet: fill it and the rows before it.
+form-film-play = Play the row
+form-film-back = One step back
+form-film-forth = One step on
+form-film-row-before = The row before
+form-film-row-after = The next row
+form-film-start = Row { $row }: it starts from frame { $frame }.
+form-film-turn = Row { $row }, { $number } of 4: turn about { $axis } by { $letter } = { $value }.
+form-film-slide = Row { $row }, { $number } of 4: move along { $axis } by { $letter } = { $value }.
+form-scene-enlarge = Full screen
+form-scene-record = Save as a picture
+form-scene-recorded = Picture saved
+form-own-rows =
+    { $rows ->
+        [one] Drawn so far: one row.
+       *[other] Drawn so far: { $rows } rows.
+    }
+
+form-matrix-text = As text
+form-matrix-text-label = { $name } as text: LaTeX, MATLAB, Python or cells of a spreadsheet
+form-matrix-text-unread = No 4×4 matrix is recognised in this text.
+form-name-unknown =
+    { $known ->
+        [none] { $name } is not a dimension of this robot; it has none with a name.
+       *[other] { $name } is not a dimension of this robot. Its dimensions: { $names }.
+    }
+
+form-nav-lesson = First lesson
+form-term = What is that? { $term }
+form-convention-what = What are these?
+form-exercise-write = Attach a frame to every link and write the DH table of this robot.
+
+form-why = Why each row is right
+form-why-row = Row { $row }: z{ $before } and z{ $row } are { $relation }, so α = { $alpha } and a = { $a }; along z the frames are d = { $d } apart.
+form-second-table = A second valid table: the same robot in the { $convention } convention

@@ -2,14 +2,12 @@
 
 trainer-title = Frame trainer
 trainer-heading = Attach the frames
-trainer-lead = For each frame choose the direction of z, the origin and the direction of x. Each rule is checked as you go, and the DH table follows from your frames.
+trainer-lead = Frame by frame, in the order of the lecture: all z axes, the common normals, the origins, all x axes. Each step is checked at its end; then the DH table is read off.
 trainer-back = Back to the exercise
 trainer-frames = Frames
 trainer-table = The table that follows
 trainer-scene = Axes and frames
 trainer-click = Click a point or an arrow to choose it; the lists do the same.
-trainer-clear = Clear this frame
-trainer-next = Next frame
 trainer-complete = Every frame obeys the convention: the table is complete.
 trainer-unfinished = A row appears as soon as both of its frames are complete and break no rule.
 trainer-status =
@@ -18,7 +16,6 @@ trainer-status =
         [one] One rule is broken.
        *[other] { $broken } rules are broken.
     }
-trainer-open = Open the table in the playground
 trainer-step = Frame { $frame }: { $state }
 trainer-state-open = not finished
 trainer-state-whole = complete
@@ -44,3 +41,24 @@ trainer-candidate-axis = along axis { $axis }
 trainer-candidate-normal = along the normal of axes { $axis } and { $other }
 trainer-candidate-frame_x = along x of frame { $frame }
 trainer-candidate-across = across axis { $axis }
+
+trainer-step-z = z axes
+trainer-step-normals = Common normals
+trainer-step-origin = Origins
+trainer-step-x = x axes
+trainer-step-read = Read off
+trainer-task-z = For every frame choose the direction of z. It lies along the axis of a joint: which one depends on the convention.
+trainer-task-normals = The common normals of neighbouring axes are drawn. Origins and x axes follow from them.
+trainer-task-origin = For every frame choose the origin. The common normals are drawn.
+trainer-task-x = For every frame choose the direction of x. It lies along the common normal to the next z axis, or at right angles to both z axes where they meet.
+trainer-normal-skew = Axes { $axis } and { $other } are skew: they have one common normal, and it is drawn.
+trainer-normal-meet = Axes { $axis } and { $other } intersect: x is at right angles to both, and the origin belongs at the point of intersection.
+trainer-normal-parallel = Axes { $axis } and { $other } are parallel or on one line: every common normal will do; choose the one that makes d vanish.
+trainer-check = Check this step
+trainer-onward = Go on
+trainer-restart = Start again
+trainer-step-done = This step is right.
+trainer-open-choice = Frame { $frame } has no choice yet.
+trainer-point-missed = The origin of frame { $frame } belongs at the marked point { $point }.
+trainer-read = Press a row’s number: the picture shows how its four numbers carry one frame into the next.
+trainer-take = Take the table into the exercise

@@ -179,7 +179,7 @@ form-relation-skew-oblique = cruzados, oblicuos
 
 form-own-heading = Su robot
 form-own-scene = Su robot, tal como lo describe su tabla
-form-own-empty = Su robot aparece aquí en cuanto se puedan leer todas las filas.
+form-own-empty = Su robot crece aquí con cada fila que se puede leer.
 form-own-missing =
     { $count ->
         [one] Aún queda una celda vacía.
@@ -235,7 +235,6 @@ form-pause = Pausa
 
 form-history-heading = Sus intentos
 form-history-restore = Recuperar en el formulario
-form-history-restore-label = Recuperar el intento { $number } en el formulario
 form-history-restored = El intento está de nuevo en el formulario
 form-history-kept = Se guardan solo en este navegador.
 form-history-clear = Olvidar todo
@@ -244,3 +243,42 @@ form-missing-title = No encontrado
 form-missing-text = Aquí no hay tal página. Todos los ejercicios están en la primera página.
 form-missing-home = A los ejercicios
 form-storage-blocked = El navegador no guarda nada aquí: lo que escriba se pierde al cerrar o recargar esta página.
+
+form-row-play = Reproducir la fila { $row } en la imagen
+form-film = La fila paso a paso
+form-film-hint = Sitúe el cursor en una celda o pulse el número de una fila: se muestra cómo sus cuatro números llevan el sistema i−1 al sistema i.
+form-film-none = La fila { $row } aún no se puede mostrar: complétela, y también las anteriores.
+form-film-play = Reproducir la fila
+form-film-back = Un paso atrás
+form-film-forth = Un paso adelante
+form-film-row-before = Fila anterior
+form-film-row-after = Fila siguiente
+form-film-start = Fila { $row }: parte del sistema { $frame }.
+form-film-turn = Fila { $row }, { $number } de 4: giro alrededor de { $axis } de { $letter } = { $value }.
+form-film-slide = Fila { $row }, { $number } de 4: traslación a lo largo de { $axis } de { $letter } = { $value }.
+form-scene-enlarge = Pantalla completa
+form-scene-record = Guardar como imagen
+form-scene-recorded = Imagen guardada
+form-own-rows =
+    { $rows ->
+        [one] Dibujado hasta ahora: una fila.
+       *[other] Dibujado hasta ahora: { $rows } filas.
+    }
+
+form-matrix-text = Como texto
+form-matrix-text-label = { $name } como texto: LaTeX, MATLAB, Python o celdas de una hoja de cálculo
+form-matrix-text-unread = No se reconoce ninguna matriz 4×4 en este texto.
+form-name-unknown =
+    { $known ->
+        [none] { $name } no es una dimensión de este robot; ninguna tiene nombre.
+       *[other] { $name } no es una dimensión de este robot. Sus dimensiones: { $names }.
+    }
+
+form-nav-lesson = Primera lección
+form-term = ¿Qué es? { $term }
+form-convention-what = ¿Qué son?
+form-exercise-write = Fije un sistema de referencia a cada eslabón y escriba la tabla DH de este robot.
+
+form-why = Por qué es correcta cada fila
+form-why-row = Fila { $row }: posición de los ejes z{ $before } y z{ $row }: { $relation }; por eso α = { $alpha } y a = { $a }; a lo largo de z, los sistemas distan d = { $d }.
+form-second-table = Otra tabla válida: el mismo robot en la convención { $convention }

@@ -2,14 +2,12 @@
 
 trainer-title = Entrenador de sistemas
 trainer-heading = Asigne los sistemas de referencia
-trainer-lead = Para cada sistema elija la dirección de z, el origen y la dirección de x. Cada regla se comprueba sobre la marcha, y la tabla DH se deduce de sus sistemas.
+trainer-lead = Sistema a sistema, en el orden de la clase: todos los ejes z, las normales comunes, los orígenes, todos los ejes x. Cada paso se comprueba al final; después se lee la tabla DH.
 trainer-back = Volver al ejercicio
 trainer-frames = Sistemas de referencia
 trainer-table = La tabla que resulta
 trainer-scene = Ejes y sistemas
 trainer-click = Pulse un punto o una flecha para elegir; las listas hacen lo mismo.
-trainer-clear = Vaciar este sistema
-trainer-next = Sistema siguiente
 trainer-complete = Todos los sistemas cumplen la convención: la tabla está completa.
 trainer-unfinished = Una fila aparece en cuanto sus dos sistemas están completos y no incumplen ninguna regla.
 trainer-status =
@@ -18,7 +16,6 @@ trainer-status =
         [one] Se incumple una regla.
        *[other] Se incumplen { $broken } reglas.
     }
-trainer-open = Abrir la tabla en el taller
 trainer-step = Sistema { $frame }: { $state }
 trainer-state-open = sin terminar
 trainer-state-whole = completo
@@ -44,3 +41,24 @@ trainer-candidate-axis = a lo largo del eje { $axis }
 trainer-candidate-normal = a lo largo de la normal de los ejes { $axis } y { $other }
 trainer-candidate-frame_x = a lo largo de x del sistema { $frame }
 trainer-candidate-across = perpendicular al eje { $axis }
+
+trainer-step-z = Ejes z
+trainer-step-normals = Normales comunes
+trainer-step-origin = Orígenes
+trainer-step-x = Ejes x
+trainer-step-read = Lectura
+trainer-task-z = Elija para cada sistema la dirección de z. Está sobre el eje de una articulación; cuál, depende de la convención.
+trainer-task-normals = Las normales comunes de los ejes vecinos están dibujadas. De ellas se deducen los orígenes y los ejes x.
+trainer-task-origin = Elija el origen de cada sistema. Las normales comunes están dibujadas.
+trainer-task-x = Elija para cada sistema la dirección de x. Sigue la normal común hacia el siguiente eje z o, donde se cortan, es perpendicular a los dos ejes z.
+trainer-normal-skew = Los ejes { $axis } y { $other } se cruzan: tienen una sola normal común, que está dibujada.
+trainer-normal-meet = Los ejes { $axis } y { $other } se cortan: x es perpendicular a ambos y el origen está en el punto de corte.
+trainer-normal-parallel = Los ejes { $axis } y { $other } son paralelos o coinciden: sirve cualquier normal común; elija la que anula d.
+trainer-check = Comprobar este paso
+trainer-onward = Continuar
+trainer-restart = Empezar de nuevo
+trainer-step-done = Este paso es correcto.
+trainer-open-choice = El sistema { $frame } aún no tiene elección.
+trainer-point-missed = El origen del sistema { $frame } debe estar en el punto marcado { $point }.
+trainer-read = Pulse el número de una fila: la imagen muestra cómo sus cuatro números llevan un sistema al siguiente.
+trainer-take = Llevar la tabla al ejercicio

@@ -179,7 +179,7 @@ form-relation-skew-oblique = non coplanaires, obliques
 
 form-own-heading = Votre robot
 form-own-scene = Votre robot, tel que le décrit votre tableau
-form-own-empty = Votre robot apparaît ici dès que chaque ligne peut être lue.
+form-own-empty = Votre robot grandit ici avec chaque ligne lisible.
 form-own-missing =
     { $count ->
         [one] Une cellule est encore vide.
@@ -235,7 +235,6 @@ form-pause = Pause
 
 form-history-heading = Vos essais
 form-history-restore = Reprendre dans le formulaire
-form-history-restore-label = Reprendre l’essai { $number } dans le formulaire
 form-history-restored = L’essai est de nouveau dans le formulaire
 form-history-kept = Conservés dans ce navigateur seulement.
 form-history-clear = Tout oublier
@@ -244,3 +243,42 @@ form-missing-title = Introuvable
 form-missing-text = Il n’y a pas de telle page ici. Tous les exercices sont sur la première page.
 form-missing-home = Aux exercices
 form-storage-blocked = Le navigateur ne conserve rien ici : votre saisie est perdue si vous fermez ou rechargez cette page.
+
+form-row-play = Montrer la ligne { $row } dans l’image
+form-film = La ligne pas à pas
+form-film-hint = Placez le curseur dans une cellule ou appuyez sur le numéro d’une ligne : on voit comment ses quatre nombres mènent du repère i−1 au repère i.
+form-film-none = La ligne { $row } ne peut pas encore être montrée : complétez-la, ainsi que les précédentes.
+form-film-play = Jouer la ligne
+form-film-back = Un pas en arrière
+form-film-forth = Un pas en avant
+form-film-row-before = Ligne précédente
+form-film-row-after = Ligne suivante
+form-film-start = Ligne { $row } : on part du repère { $frame }.
+form-film-turn = Ligne { $row }, { $number } sur 4 : rotation autour de { $axis } de { $letter } = { $value }.
+form-film-slide = Ligne { $row }, { $number } sur 4 : translation le long de { $axis } de { $letter } = { $value }.
+form-scene-enlarge = Plein écran
+form-scene-record = Enregistrer comme image
+form-scene-recorded = Image enregistrée
+form-own-rows =
+    { $rows ->
+        [one] Tracé jusqu’ici : une ligne.
+       *[other] Tracé jusqu’ici : { $rows } lignes.
+    }
+
+form-matrix-text = Sous forme de texte
+form-matrix-text-label = { $name } sous forme de texte : LaTeX, MATLAB, Python ou cellules d’un tableur
+form-matrix-text-unread = Aucune matrice 4×4 n’est reconnue dans ce texte.
+form-name-unknown =
+    { $known ->
+        [none] { $name } n’est pas une dimension de ce robot ; aucune n’a de nom.
+       *[other] { $name } n’est pas une dimension de ce robot. Ses dimensions : { $names }.
+    }
+
+form-nav-lesson = Première leçon
+form-term = Qu’est-ce ? { $term }
+form-convention-what = De quoi s’agit-il ?
+form-exercise-write = Attachez un repère à chaque corps et écrivez la table DH de ce robot.
+
+form-why = Pourquoi chaque ligne est juste
+form-why-row = Ligne { $row } : position des axes z{ $before } et z{ $row } : { $relation } ; donc α = { $alpha } et a = { $a } ; le long de z, les repères sont distants de d = { $d }.
+form-second-table = Une deuxième table valide : le même robot dans la convention { $convention }

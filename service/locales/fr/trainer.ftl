@@ -2,14 +2,12 @@
 
 trainer-title = Entraînement aux repères
 trainer-heading = Placez les repères
-trainer-lead = Pour chaque repère, choisissez la direction de z, l’origine et la direction de x. Chaque règle est vérifiée au fur et à mesure, et le tableau DH découle de vos repères.
+trainer-lead = Repère après repère, dans l’ordre du cours : tous les axes z, les perpendiculaires communes, les origines, tous les axes x. Chaque étape est vérifiée à la fin ; on lit ensuite la table DH.
 trainer-back = Retour à l’exercice
 trainer-frames = Repères
 trainer-table = Le tableau qui en découle
 trainer-scene = Axes et repères
 trainer-click = Cliquez un point ou une flèche pour choisir ; les listes font de même.
-trainer-clear = Effacer ce repère
-trainer-next = Repère suivant
 trainer-complete = Tous les repères respectent la convention : le tableau est complet.
 trainer-unfinished = Une ligne apparaît dès que ses deux repères sont complets et n’enfreignent aucune règle.
 trainer-status =
@@ -18,7 +16,6 @@ trainer-status =
         [one] Une règle est enfreinte.
        *[other] { $broken } règles sont enfreintes.
     }
-trainer-open = Ouvrir le tableau dans l’atelier
 trainer-step = Repère { $frame } : { $state }
 trainer-state-open = inachevé
 trainer-state-whole = complet
@@ -44,3 +41,24 @@ trainer-candidate-axis = le long de l’axe { $axis }
 trainer-candidate-normal = le long de la normale aux axes { $axis } et { $other }
 trainer-candidate-frame_x = le long de x du repère { $frame }
 trainer-candidate-across = perpendiculaire à l’axe { $axis }
+
+trainer-step-z = Axes z
+trainer-step-normals = Perpendiculaires communes
+trainer-step-origin = Origines
+trainer-step-x = Axes x
+trainer-step-read = Lecture
+trainer-task-z = Choisissez pour chaque repère la direction de z. Elle suit l’axe d’une articulation ; laquelle, cela dépend de la convention.
+trainer-task-normals = Les perpendiculaires communes aux axes voisins sont tracées. Les origines et les axes x en découlent.
+trainer-task-origin = Choisissez l’origine de chaque repère. Les perpendiculaires communes sont tracées.
+trainer-task-x = Choisissez pour chaque repère la direction de x. Elle suit la perpendiculaire commune vers l’axe z suivant ou, si les axes se coupent, elle est perpendiculaire aux deux axes z.
+trainer-normal-skew = Les axes { $axis } et { $other } ne sont pas coplanaires : ils ont une seule perpendiculaire commune, qui est tracée.
+trainer-normal-meet = Les axes { $axis } et { $other } se coupent : x est perpendiculaire aux deux, et l’origine est au point d’intersection.
+trainer-normal-parallel = Les axes { $axis } et { $other } sont parallèles ou confondus : toute perpendiculaire commune convient ; choisissez celle qui annule d.
+trainer-check = Vérifier cette étape
+trainer-onward = Continuer
+trainer-restart = Recommencer
+trainer-step-done = Cette étape est juste.
+trainer-open-choice = Le repère { $frame } n’a pas encore de choix.
+trainer-point-missed = L’origine du repère { $frame } doit être au point marqué { $point }.
+trainer-read = Appuyez sur le numéro d’une ligne : l’image montre comment ses quatre nombres mènent d’un repère au suivant.
+trainer-take = Reporter la table dans l’exercice

@@ -179,7 +179,7 @@ form-relation-skew-oblique = enviesados, oblíquos
 
 form-own-heading = O seu robô
 form-own-scene = O seu robô, tal como a sua tabela o descreve
-form-own-empty = O seu robô aparece aqui assim que todas as linhas possam ser lidas.
+form-own-empty = O seu robô cresce aqui com cada linha que pode ser lida.
 form-own-missing =
     { $count ->
         [one] Uma célula ainda está vazia.
@@ -235,7 +235,6 @@ form-pause = Pausa
 
 form-history-heading = As suas tentativas
 form-history-restore = Repor no formulário
-form-history-restore-label = Repor a tentativa { $number } no formulário
 form-history-restored = A tentativa está de novo no formulário
 form-history-kept = Guardadas apenas neste navegador.
 form-history-clear = Esquecer tudo
@@ -244,3 +243,42 @@ form-missing-title = Não encontrado
 form-missing-text = Não há aqui tal página. Todos os exercícios estão na primeira página.
 form-missing-home = Para os exercícios
 form-storage-blocked = O navegador não guarda nada aqui: o que escreve perde-se ao fechar ou recarregar esta página.
+
+form-row-play = Mostrar a linha { $row } na imagem
+form-film = A linha passo a passo
+form-film-hint = Coloque o cursor numa célula ou prima o número de uma linha: vê-se como os seus quatro números levam o referencial i−1 ao referencial i.
+form-film-none = A linha { $row } ainda não pode ser mostrada: preencha-a, bem como as anteriores.
+form-film-play = Reproduzir a linha
+form-film-back = Um passo atrás
+form-film-forth = Um passo à frente
+form-film-row-before = Linha anterior
+form-film-row-after = Linha seguinte
+form-film-start = Linha { $row }: parte do referencial { $frame }.
+form-film-turn = Linha { $row }, { $number } de 4: rotação em torno de { $axis } de { $letter } = { $value }.
+form-film-slide = Linha { $row }, { $number } de 4: translação ao longo de { $axis } de { $letter } = { $value }.
+form-scene-enlarge = Ecrã inteiro
+form-scene-record = Guardar como imagem
+form-scene-recorded = Imagem guardada
+form-own-rows =
+    { $rows ->
+        [one] Desenhada até agora: uma linha.
+       *[other] Desenhadas até agora: { $rows } linhas.
+    }
+
+form-matrix-text = Como texto
+form-matrix-text-label = { $name } como texto: LaTeX, MATLAB, Python ou células de uma folha de cálculo
+form-matrix-text-unread = Não se reconhece nenhuma matriz 4×4 neste texto.
+form-name-unknown =
+    { $known ->
+        [none] { $name } não é uma dimensão deste robô; nenhuma tem nome.
+       *[other] { $name } não é uma dimensão deste robô. As suas dimensões: { $names }.
+    }
+
+form-nav-lesson = Primeira lição
+form-term = O que é? { $term }
+form-convention-what = O que são?
+form-exercise-write = Fixe um referencial a cada elo e escreva a tabela DH deste robô.
+
+form-why = Porque está certa cada linha
+form-why-row = Linha { $row }: posição dos eixos z{ $before } e z{ $row }: { $relation }; por isso α = { $alpha } e a = { $a }; ao longo de z, os referenciais distam d = { $d }.
+form-second-table = Outra tabela válida: o mesmo robô na convenção { $convention }

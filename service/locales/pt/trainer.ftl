@@ -2,14 +2,12 @@
 
 trainer-title = Treino de referenciais
 trainer-heading = Atribua os referenciais
-trainer-lead = Para cada referencial escolha a direção de z, a origem e a direção de x. Cada regra é verificada pelo caminho, e a tabela DH resulta dos seus referenciais.
+trainer-lead = Referencial a referencial, pela ordem da aula: todos os eixos z, as normais comuns, as origens, todos os eixos x. Cada passo é verificado no fim; depois lê-se a tabela DH.
 trainer-back = Voltar ao exercício
 trainer-frames = Referenciais
 trainer-table = A tabela que resulta
 trainer-scene = Eixos e referenciais
 trainer-click = Clique num ponto ou numa seta para escolher; as listas fazem o mesmo.
-trainer-clear = Limpar este referencial
-trainer-next = Próximo referencial
 trainer-complete = Todos os referenciais obedecem à convenção: a tabela está completa.
 trainer-unfinished = Uma linha aparece assim que ambos os seus referenciais estão completos e não violam nenhuma regra.
 trainer-status =
@@ -18,7 +16,6 @@ trainer-status =
         [one] Uma regra violada.
        *[other] { $broken } regras violadas.
     }
-trainer-open = Abrir a tabela na oficina
 trainer-step = Referencial { $frame }: { $state }
 trainer-state-open = por terminar
 trainer-state-whole = completo
@@ -44,3 +41,24 @@ trainer-candidate-axis = ao longo do eixo { $axis }
 trainer-candidate-normal = ao longo da normal dos eixos { $axis } e { $other }
 trainer-candidate-frame_x = ao longo de x do referencial { $frame }
 trainer-candidate-across = perpendicular ao eixo { $axis }
+
+trainer-step-z = Eixos z
+trainer-step-normals = Normais comuns
+trainer-step-origin = Origens
+trainer-step-x = Eixos x
+trainer-step-read = Leitura
+trainer-task-z = Escolha para cada referencial a direção de z. Fica sobre o eixo de uma junta; qual, depende da convenção.
+trainer-task-normals = As normais comuns dos eixos vizinhos estão desenhadas. Delas resultam as origens e os eixos x.
+trainer-task-origin = Escolha a origem de cada referencial. As normais comuns estão desenhadas.
+trainer-task-x = Escolha para cada referencial a direção de x. Segue a normal comum até ao eixo z seguinte ou, onde os eixos se intersetam, é perpendicular aos dois eixos z.
+trainer-normal-skew = Os eixos { $axis } e { $other } são enviesados: têm uma única normal comum, que está desenhada.
+trainer-normal-meet = Os eixos { $axis } e { $other } intersetam-se: x é perpendicular a ambos e a origem fica no ponto de interseção.
+trainer-normal-parallel = Os eixos { $axis } e { $other } são paralelos ou coincidentes: qualquer normal comum serve; escolha a que anula d.
+trainer-check = Verificar este passo
+trainer-onward = Continuar
+trainer-restart = Recomeçar
+trainer-step-done = Este passo está certo.
+trainer-open-choice = O referencial { $frame } ainda não tem escolha.
+trainer-point-missed = A origem do referencial { $frame } deve ficar no ponto marcado { $point }.
+trainer-read = Prima o número de uma linha: a imagem mostra como os seus quatro números levam um referencial ao seguinte.
+trainer-take = Levar a tabela para o exercício

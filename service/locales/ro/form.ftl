@@ -184,7 +184,7 @@ form-relation-skew-oblique = necoplanare, oblice
 
 form-own-heading = Robotul dumneavoastră
 form-own-scene = Robotul dumneavoastră, așa cum îl descrie tabelul
-form-own-empty = Robotul apare aici de îndată ce fiecare rând poate fi citit.
+form-own-empty = Robotul dumneavoastră crește aici cu fiecare rând care poate fi citit.
 form-own-missing =
     { $count ->
         [one] O celulă este încă goală.
@@ -243,7 +243,6 @@ form-pause = Oprește
 
 form-history-heading = Încercările dumneavoastră
 form-history-restore = Readu în formular
-form-history-restore-label = Readu încercarea { $number } în formular
 form-history-restored = Încercarea este din nou în formular
 form-history-kept = Se păstrează numai în acest navigator.
 form-history-clear = Uită tot
@@ -252,3 +251,43 @@ form-missing-title = Nu există
 form-missing-text = Aici nu există o asemenea pagină. Toate exercițiile sunt pe prima pagină.
 form-missing-home = La exerciții
 form-storage-blocked = Navigatorul nu păstrează nimic aici: ce scrieți se pierde când închideți sau reîncărcați pagina.
+
+form-row-play = Arată rândul { $row } în imagine
+form-film = Rândul pas cu pas
+form-film-hint = Puneți cursorul într-o celulă sau apăsați numărul unui rând: se vede cum cele patru numere duc reperul i−1 în reperul i.
+form-film-none = Rândul { $row } nu poate fi arătat încă: completați-l, împreună cu rândurile dinaintea lui.
+form-film-play = Redă rândul
+form-film-back = Un pas înapoi
+form-film-forth = Un pas înainte
+form-film-row-before = Rândul anterior
+form-film-row-after = Rândul următor
+form-film-start = Rândul { $row }: se pornește din reperul { $frame }.
+form-film-turn = Rândul { $row }, { $number } din 4: rotație în jurul axei { $axis } cu { $letter } = { $value }.
+form-film-slide = Rândul { $row }, { $number } din 4: translație de-a lungul axei { $axis } cu { $letter } = { $value }.
+form-scene-enlarge = Ecran complet
+form-scene-record = Salvează ca imagine
+form-scene-recorded = Imagine salvată
+form-own-rows =
+    { $rows ->
+        [one] Desenat până acum: un rând.
+        [few] Desenate până acum: { $rows } rânduri.
+       *[other] Desenate până acum: { $rows } de rânduri.
+    }
+
+form-matrix-text = Ca text
+form-matrix-text-label = { $name } ca text: LaTeX, MATLAB, Python sau celule dintr-o foaie de calcul
+form-matrix-text-unread = În acest text nu se recunoaște nicio matrice 4×4.
+form-name-unknown =
+    { $known ->
+        [none] { $name } nu este o dimensiune a acestui robot; niciuna nu are nume.
+       *[other] { $name } nu este o dimensiune a acestui robot. Dimensiunile lui: { $names }.
+    }
+
+form-nav-lesson = Prima lecție
+form-term = Ce este? { $term }
+form-convention-what = Ce sunt acestea?
+form-exercise-write = Legați un reper de fiecare element și scrieți tabelul DH al acestui robot.
+
+form-why = De ce este corect fiecare rând
+form-why-row = Rândul { $row }: poziția axelor z{ $before } și z{ $row }: { $relation }; de aceea α = { $alpha } și a = { $a }; de-a lungul lui z, reperele sunt la distanța d = { $d }.
+form-second-table = Un al doilea tabel valid: același robot în convenția { $convention }

@@ -2,14 +2,12 @@
 
 trainer-title = Antrenor de sisteme
 trainer-heading = Atașați sistemele de coordonate
-trainer-lead = Pentru fiecare sistem alegeți direcția lui z, originea și direcția lui x. Regulile se verifică pe parcurs, iar tabelul DH rezultă din sistemele alese.
+trainer-lead = Reper cu reper, în ordinea cursului: toate axele z, perpendicularele comune, originile, toate axele x. Fiecare pas se verifică la sfârșit; apoi se citește tabelul DH.
 trainer-back = Înapoi la exercițiu
 trainer-frames = Sisteme de coordonate
 trainer-table = Tabelul care rezultă
 trainer-scene = Axe și sisteme
 trainer-click = Faceți clic pe un punct sau pe o săgeată pentru a alege; listele fac același lucru.
-trainer-clear = Golește acest sistem
-trainer-next = Sistemul următor
 trainer-complete = Toate sistemele respectă convenția: tabelul este complet.
 trainer-unfinished = Un rând apare de îndată ce ambele sale sisteme sunt complete și nu încalcă nicio regulă.
 trainer-status =
@@ -19,7 +17,6 @@ trainer-status =
         [few] { $broken } reguli sunt încălcate.
        *[other] { $broken } de reguli sunt încălcate.
     }
-trainer-open = Deschide tabelul în atelier
 trainer-step = Sistemul { $frame }: { $state }
 trainer-state-open = neterminat
 trainer-state-whole = complet
@@ -45,3 +42,24 @@ trainer-candidate-axis = de-a lungul axei { $axis }
 trainer-candidate-normal = de-a lungul perpendicularei axelor { $axis } și { $other }
 trainer-candidate-frame_x = de-a lungul lui x din sistemul { $frame }
 trainer-candidate-across = perpendicular pe axa { $axis }
+
+trainer-step-z = Axe z
+trainer-step-normals = Perpendiculare comune
+trainer-step-origin = Origini
+trainer-step-x = Axe x
+trainer-step-read = Citire
+trainer-task-z = Alegeți pentru fiecare reper direcția lui z. Ea este de-a lungul axei unei cuple; a căreia, depinde de convenție.
+trainer-task-normals = Perpendicularele comune ale axelor vecine sunt desenate. Din ele rezultă originile și axele x.
+trainer-task-origin = Alegeți originea fiecărui reper. Perpendicularele comune sunt desenate.
+trainer-task-x = Alegeți pentru fiecare reper direcția lui x. Ea este de-a lungul perpendicularei comune spre următoarea axă z sau, unde axele se intersectează, perpendiculară pe ambele axe z.
+trainer-normal-skew = Axele { $axis } și { $other } sunt necoplanare: au o singură perpendiculară comună, care este desenată.
+trainer-normal-meet = Axele { $axis } și { $other } se intersectează: x este perpendiculară pe amândouă, iar originea este în punctul de intersecție.
+trainer-normal-parallel = Axele { $axis } și { $other } sunt paralele sau coincid: orice perpendiculară comună este bună; alegeți-o pe cea care anulează d.
+trainer-check = Verifică acest pas
+trainer-onward = Continuă
+trainer-restart = Începe din nou
+trainer-step-done = Acest pas este corect.
+trainer-open-choice = Reperul { $frame } nu are încă o alegere.
+trainer-point-missed = Originea reperului { $frame } trebuie să fie în punctul marcat { $point }.
+trainer-read = Apăsați numărul unui rând: imaginea arată cum cele patru numere duc un reper în următorul.
+trainer-take = Preia tabelul în exercițiu

@@ -189,7 +189,7 @@ form-relation-skew-oblique = мимобіжні під іншим кутом
 
 form-own-heading = Ваш робот
 form-own-scene = Ваш робот, як його описує ваша таблиця
-form-own-empty = Ваш робот з’явиться тут, щойно кожен рядок можна буде прочитати.
+form-own-empty = Ваш робот росте тут із кожним рядком, який можна прочитати.
 form-own-missing =
     { $count ->
         [one] Ще порожня { $count } клітинка.
@@ -251,7 +251,6 @@ form-pause = Зупинити
 
 form-history-heading = Ваші спроби
 form-history-restore = Повернути у форму
-form-history-restore-label = Повернути спробу { $number } у форму
 form-history-restored = Спроба знову у формі
 form-history-kept = Зберігаються лише в цьому браузері.
 form-history-clear = Забути все
@@ -260,3 +259,43 @@ form-missing-title = Не знайдено
 form-missing-text = Такої сторінки тут немає. Усі вправи — на першій сторінці.
 form-missing-home = До вправ
 form-storage-blocked = Браузер тут нічого не зберігає: уведене зникне, якщо закрити або перезавантажити сторінку.
+
+form-row-play = Показати рядок { $row } на рисунку
+form-film = Рядок крок за кроком
+form-film-hint = Поставте курсор у комірку або натисніть номер рядка: видно, як чотири числа переводять систему координат i−1 у систему i.
+form-film-none = Рядок { $row } ще не можна показати: заповніть його та попередні рядки.
+form-film-play = Відтворити рядок
+form-film-back = Крок назад
+form-film-forth = Крок уперед
+form-film-row-before = Попередній рядок
+form-film-row-after = Наступний рядок
+form-film-start = Рядок { $row }: початок у системі { $frame }.
+form-film-turn = Рядок { $row }, { $number } з 4: поворот навколо { $axis } на { $letter } = { $value }.
+form-film-slide = Рядок { $row }, { $number } з 4: переміщення вздовж { $axis } на { $letter } = { $value }.
+form-scene-enlarge = На весь екран
+form-scene-record = Зберегти як зображення
+form-scene-recorded = Зображення збережено
+form-own-rows =
+    { $rows ->
+        [one] Поки що накреслено { $rows } рядок.
+        [few] Поки що накреслено { $rows } рядки.
+       *[other] Поки що накреслено { $rows } рядків.
+    }
+
+form-matrix-text = Як текст
+form-matrix-text-label = { $name } як текст: LaTeX, MATLAB, Python або комірки електронної таблиці
+form-matrix-text-unread = У цьому тексті не розпізнано матриці 4×4.
+form-name-unknown =
+    { $known ->
+        [none] { $name } не є розміром цього робота; розмірів із назвами в нього немає.
+       *[other] { $name } не є розміром цього робота. Його розміри: { $names }.
+    }
+
+form-nav-lesson = Перший урок
+form-term = Що це? { $term }
+form-convention-what = Що це таке?
+form-exercise-write = Зв’яжіть із кожною ланкою систему координат і запишіть таблицю DH цього робота.
+
+form-why = Чому кожен рядок правильний
+form-why-row = Рядок { $row }: осі z{ $before } і z{ $row }: { $relation }; тому α = { $alpha } і a = { $a }; уздовж z системи розділяє d = { $d }.
+form-second-table = Друга правильна таблиця: той самий робот, угода { $convention }

@@ -2,6 +2,7 @@
 
 import { el, fill, iconButton, segmented } from "../dom.js";
 import { t } from "../i18n.js";
+import { pageAddress } from "../page.js";
 
 const SYMBOLS = ["θ", "π", "√", "°", "−", "/"];
 const LENGTHS = ["m", "cm", "mm", "in"];
@@ -10,6 +11,9 @@ export class Bar {
   /** @param {string} id of the editor @param {{undo: () => void, redo: () => void, paste: () => void}} actions */
   constructor(id, actions) {
     this.id = id;
+    this.offered = "";
+    /** @type {HTMLSelectElement} */
+    this.length = el("select");
     this.undo = iconButton("undo", t("form-undo"), actions.undo);
     this.redo = iconButton("redo", t("form-redo"), actions.redo);
     const paste = iconButton("paste", t("form-paste-title"), actions.paste);
@@ -30,8 +34,13 @@ export class Bar {
     const offered = allowed.join();
     if (offered !== this.offered) this.#build(allowed, set);
     this.offered = offered;
-    for (const [stem, value] of [["convention", table.convention], ["angle-unit", table.angleUnit]]) {
-      const choice = /** @type {HTMLInputElement | null} */ (this.choices.querySelector(`[name="${this.id}-${stem}"][value="${value}"]`));
+    for (const [stem, value] of [
+      ["convention", table.convention],
+      ["angle-unit", table.angleUnit],
+    ]) {
+      const choice = /** @type {HTMLInputElement | null} */ (
+        this.choices.querySelector(`[name="${this.id}-${stem}"][value="${value}"]`)
+      );
       if (choice) choice.checked = true;
     }
     this.length.value = table.lengthUnit;
@@ -39,13 +48,16 @@ export class Bar {
 
   /** @param {boolean} undo @param {boolean} redo whether there is something to take back or do again */
   enable(undo, redo) {
-    const set = (button, able) => (able ? button.removeAttribute("aria-disabled") : button.setAttribute("aria-disabled", "true"));
+    /** @param {any} button @param {any} able */
+    const set = (button, able) =>
+      able ? button.removeAttribute("aria-disabled") : button.setAttribute("aria-disabled", "true");
     set(this.undo, undo);
     set(this.redo, redo);
   }
 
+  /** @param {any} allowed @param {any} set */
   #build(allowed, set) {
-    const conventions = allowed.map((value) => ({ value, label: t(`form-convention-${value}`) }));
+    const conventions = allowed.map((/** @type {any} */ value) => ({ value, label: t(`form-convention-${value}`) }));
     const angles = [
       { value: "deg", label: t("form-degrees") },
       { value: "rad", label: t("form-radians") },
@@ -62,17 +74,24 @@ export class Bar {
         LENGTHS.map((unit) => el("option", { value: unit, text: unit })),
       )
     );
-    fill(this.choices, this.#choice("convention", t("form-convention"), conventions, set.convention), this.#choice("angle-unit", t("form-angle-unit"), angles, set.angleUnit), this.length);
+    fill(
+      this.choices,
+      this.#choice("convention", t("form-convention"), conventions, set.convention),
+      el("a", { class: "term small", href: `${pageAddress("lesson")}#conventions`, text: t("form-convention-what") }),
+      this.#choice("angle-unit", t("form-angle-unit"), angles, set.angleUnit),
+      this.length,
+    );
   }
 
+  /** @param {string} stem @param {string} label @param {any} options @param {any} onchange */
   #choice(stem, label, options, onchange) {
     return segmented({ name: `${this.id}-${stem}`, label, value: "", options, onchange });
   }
 }
 
-/** @param {() => void} add @param {() => HTMLInputElement | null} lastInput the field that symbols go into */
-export function editorFoot(add, lastInput) {
-  const insert = (symbol) => {
+/** The row of symbols for fields. @param {() => HTMLInputElement | null} lastInput the field that symbols go into */
+export function symbolBar(lastInput) {
+  const insert = (/** @type {string} */ symbol) => {
     const input = lastInput();
     if (!input?.isConnected) return;
     input.focus();
@@ -82,7 +101,7 @@ export function editorFoot(add, lastInput) {
     if (symbol === "√") input.setSelectionRange(inside, inside);
     input.dispatchEvent(new Event("input", { bubbles: true }));
   };
-  const button = (symbol) =>
+  const button = (/** @type {string} */ symbol) =>
     el("button", {
       type: "button",
       class: "quiet symbol",
@@ -92,11 +111,15 @@ export function editorFoot(add, lastInput) {
       onclick: () => insert(symbol),
       text: symbol,
     });
+  return el("div", { class: "symbols no-print", role: "group", "aria-label": t("form-symbols") }, SYMBOLS.map(button));
+}
+
+/** @param {() => void} add */
+export function editorFoot(add) {
   return el(
     "div",
     { class: "editor-foot no-print" },
     el("button", { type: "button", class: "add-row", onclick: add }, "+ ", t("form-row-add")),
-    el("div", { class: "symbols", role: "group", "aria-label": t("form-symbols") }, SYMBOLS.map(button)),
     el("p", { class: "hint editor-keys", text: t("form-keys") }),
   );
 }

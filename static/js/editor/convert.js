@@ -22,6 +22,7 @@ export function convertedAngles(table, to) {
 
 /** @param {Table} table @param {Table["lengthUnit"]} from @param {Table["lengthUnit"]} to @returns {Converted} */
 export function convertedLengths(table, from, to) {
+  /** @param {string} term */
   const change = (term) => (NUMBER.test(term) ? written(convertedLength(Number(term), from, to)) : null);
   return converted({ ...table, lengthUnit: to }, ["a", "d"], change);
 }
@@ -29,18 +30,24 @@ export function convertedLengths(table, from, to) {
 /** Whether there is a number in these columns that would be written otherwise in another unit. @param {Table} table @param {string[]} columns */
 export function holdsNumbers(table, columns) {
   const cells = CELLS.filter((cell) => columns.includes(cell));
+  /** @param {any} options */
   const counts = ({ term }) => !isSymbol(term) && Number(term) !== 0;
   return table.rows.some((row) => cells.some((cell) => termsOf(row[cell])?.some(counts) ?? true));
 }
 
+/** @param {Table} table @param {("alpha" | "a" | "d" | "theta")[]} columns @param {(term: string) => string | null} change */
 function converted(table, columns, change) {
   let left = 0;
+  /** @param {string} text */
   const cell = (text) => {
     const changed = convertedSum(text, change);
     if (changed === null) left += 1;
     return changed ?? text;
   };
-  const rows = table.rows.map((row) => ({ ...row, ...Object.fromEntries(columns.map((name) => [name, cell(row[name])])) }));
+  const rows = table.rows.map((/** @type {any} */ row) => ({
+    ...row,
+    ...Object.fromEntries(columns.map((/** @type {string} */ name) => [name, cell(row[name])])),
+  }));
   return { table: { ...table, rows }, left };
 }
 
@@ -76,11 +83,13 @@ function isSymbol(term) {
   return /[A-Za-zΑ-ω]/u.test(term.replace(new RegExp(OWN_UNIT, "giu"), ""));
 }
 
+/** @param {string} term */
 function angleInRadians(term) {
   if (OWN_UNIT.test(term)) return term;
   return NUMBER.test(term) ? fractionOfPi(Number(term)) : null;
 }
 
+/** @param {string} term */
 function angleInDegrees(term) {
   const match = PI_FRACTION.exec(term);
   if (match) return written((Number(match[1] ?? 1) * 180) / Number(match[2] ?? 1));
@@ -88,14 +97,28 @@ function angleInDegrees(term) {
   return NUMBER.test(term) ? written((Number(term) * 180) / Math.PI) : null;
 }
 
+/** @param {number} degrees */
 function fractionOfPi(degrees) {
   if (degrees === 0) return "0";
-  for (const [numerator, denominator] of [[1, 1], [1, 2], [1, 3], [2, 3], [1, 4], [3, 4], [1, 6], [5, 6], [1, 12], [2, 1]]) {
-    if (degrees === (180 * numerator) / denominator) return `${numerator === 1 ? "" : `${numerator}*`}pi${denominator === 1 ? "" : `/${denominator}`}`;
+  for (const [numerator, denominator] of [
+    [1, 1],
+    [1, 2],
+    [1, 3],
+    [2, 3],
+    [1, 4],
+    [3, 4],
+    [1, 6],
+    [5, 6],
+    [1, 12],
+    [2, 1],
+  ]) {
+    if (degrees === (180 * numerator) / denominator)
+      return `${numerator === 1 ? "" : `${numerator}*`}pi${denominator === 1 ? "" : `/${denominator}`}`;
   }
   return written((degrees * Math.PI) / 180);
 }
 
+/** @param {number} value */
 function written(value) {
   return String(Number(value.toPrecision(12)));
 }

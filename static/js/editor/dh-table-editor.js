@@ -3,12 +3,13 @@
  *
  * Properties: `table` (as it goes to the API), `state` (as it is typed; JSON), `allowed` (conventions).
  * Methods: `load(table)`, `showMeaning(rows)`, `showFaults(faults)`, `showRefusal(faults, table)`, `focusCell(row, cell)`.
- * Event: `table-change` with `detail: {table, complete}` whenever something was typed.
+ * Events: `table-change` with `detail: {table, complete}` whenever something was typed; `cell-focus` with `{row, cell}`;
+ * `row-play` with `{row}` where the film of a row is wanted.
  */
 
 import { announce, el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
-import { Bar, editorFoot } from "./bar.js";
+import { Bar, editorFoot, symbolBar } from "./bar.js";
 import { convertedAngles, convertedLengths, holdsNumbers } from "./convert.js";
 import { Faults, placedFaults } from "./faults.js";
 import { Grid } from "./grid.js";
@@ -43,6 +44,8 @@ export class DhTableEditor extends HTMLElement {
   /** @type {("standard" | "modified")[]} */
   #allowed = ["standard", "modified"];
 
+  notice = el("div", { class: "editor-notice", role: "status" });
+
   connectedCallback() {
     if (this.#grid) return;
     this.id ||= uniqueId("table");
@@ -51,22 +54,27 @@ export class DhTableEditor extends HTMLElement {
       redo: () => this.#step("redo"),
       paste: () => this.#openPaste(),
     });
-    this.notice = el("div", { class: "editor-notice", role: "status" });
     this.#faults = new Faults(this.id, (row, cell) => this.focusCell(row, cell));
     this.#grid = new Grid(this.id, {
       edit: (row, cell, text) => this.#edit(row, cell, text),
-      joint: (row, joint) => this.#change(setJoint(this.#table, row, /** @type {any} */ (joint)), { focus: [row, "joint"] }),
-      move: (row, to) => this.#move(row, to, null),
+      joint: (row, joint) =>
+        this.#change(setJoint(this.#table, row, /** @type {any} */ (joint)), { focus: [row, "joint"] }),
+      move: (row, to) => this.#move(row, to),
       remove: (row) => this.#remove(row),
       settle: () => this.#settle(),
       paste: (event, row, cell) => this.#paste(event, row, cell),
       key: (event, row, cell) => this.#key(event, row, cell),
-      focus: (input) => (this.#lastInput = input),
+      focus: (input, row, cell) => {
+        this.#lastInput = input;
+        this.#announceCell("cell-focus", { row, cell });
+      },
+      play: (row) => this.#announceCell("row-play", { row }),
     });
     this.addEventListener("keydown", (event) => this.#undoKeys(event));
     const frame = el("div", { class: "dh-frame" }, this.#grid.element);
-    const foot = editorFoot(() => this.#add(this.#table.rows.length), () => this.#lastInput);
-    fill(this, this.#bar.element, this.notice, this.#faults.summary, this.#faults.general, frame, foot);
+    const symbols = symbolBar(() => this.#lastInput);
+    const foot = editorFoot(() => this.#add(this.#table.rows.length));
+    fill(this, this.#bar.element, this.notice, this.#faults.summary, this.#faults.general, symbols, frame, foot);
     this.#show();
   }
 
@@ -114,7 +122,8 @@ export class DhTableEditor extends HTMLElement {
 
   set allowed(allowed) {
     this.#allowed = allowed;
-    if (!allowed.includes(this.#table.convention)) this.#history = new History({ ...this.#table, convention: allowed[0] });
+    if (!allowed.includes(this.#table.convention))
+      this.#history = new History({ ...this.#table, convention: allowed[0] });
     if (this.#grid) this.#show();
   }
 
@@ -158,8 +167,12 @@ export class DhTableEditor extends HTMLElement {
    */
   showRefusal(faults, table = this.table) {
     const present = this.table;
-    const sameRows = JSON.stringify({ ...table, rows: table.rows.length }) === JSON.stringify({ ...present, rows: present.rows.length });
-    const stands = ({ row, cell }) => sameRows && (row < 0 || table.rows[row]?.[cell] === present.rows[row]?.[cell]);
+    const sameRows =
+      JSON.stringify({ ...table, rows: table.rows.length }) ===
+      JSON.stringify({ ...present, rows: present.rows.length });
+    const at = (/** @type {any} */ rows, /** @type {number} */ row, /** @type {string} */ cell) => rows[row]?.[cell];
+    const stands = (/** @type {import("./faults.js").PlacedFault} */ { row, cell }) =>
+      sameRows && (row < 0 || at(table.rows, row, cell) === at(present.rows, row, cell));
     const placed = placedFaults(faults).filter(stands);
     this.#faults.refuse(placed, this.#table.convention);
     this.#placeFaults();
@@ -176,11 +189,13 @@ export class DhTableEditor extends HTMLElement {
     if (input instanceof HTMLInputElement) input.select();
   }
 
-  #show(focus) {
-    const kept = focus ?? this.#focused();
+  /** @param {[number, any] | null} [focus] where the focus goes; otherwise it stays where it is, or in its place */
+  #show(focus = null) {
+    const before = this.#focused();
     this.#grid.show(this.#table);
     this.#showBar();
     this.#placeFaults();
+    const kept = focus ?? (this.#grid.element.contains(document.activeElement) ? null : before);
     if (kept) this.#grid.at(kept[0], kept[1])?.input.focus({ preventScroll: false });
   }
 
@@ -192,6 +207,7 @@ export class DhTableEditor extends HTMLElement {
     return null;
   }
 
+  /** @param {Table} table @param {{focus?: [number, any] | null}} [options] */
   #change(table, { focus = null } = {}) {
     if (table === this.#table) return;
     this.#history.change(table);
@@ -208,6 +224,7 @@ export class DhTableEditor extends HTMLElement {
     if (inside) this.focusCell(0, COLUMNS[this.#table.convention][0]);
   }
 
+  /** @param {number} row @param {CellName} cell @param {string} text */
   #edit(row, cell, text) {
     this.#history.change(setCell(this.#table, row, cell, text), `${row}/${cell}`);
     this.#faults.forget(row, cell);
@@ -216,8 +233,20 @@ export class DhTableEditor extends HTMLElement {
     this.#tell();
   }
 
+  /** @param {string} name @param {{row: number, cell?: CellName}} detail */
+  #announceCell(name, detail) {
+    this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true }));
+  }
+
+  /** Marks the cell that the picture shows; none, if there is no row. @param {number} row @param {string} [cell] */
+  light(row, cell = "") {
+    this.#grid.light(row, cell);
+  }
+
   #tell() {
-    this.dispatchEvent(new CustomEvent("table-change", { detail: { table: this.table, complete: this.complete }, bubbles: true }));
+    this.dispatchEvent(
+      new CustomEvent("table-change", { detail: { table: this.table, complete: this.complete }, bubbles: true }),
+    );
   }
 
   #settle() {
@@ -240,13 +269,19 @@ export class DhTableEditor extends HTMLElement {
 
   /** Says that cells are empty, with links to them. */
   showMissing() {
-    const fault = ({ row, cell }) => ({ code: "cell_empty", pointer: `/rows/${row}/${cell}`, detail: t("form-cell-empty"), params: {} });
+    /** @param {any} options */
+    const fault = ({ row, cell }) => ({
+      code: "cell_empty",
+      pointer: `/rows/${row}/${cell}`,
+      detail: t("form-cell-empty"),
+      params: {},
+    });
     this.showRefusal(this.missing.map(fault));
   }
 
   #showBar() {
     this.#bar.show(this.#table, this.#allowed, {
-      convention: (value) => this.#setConvention(value),
+      convention: (value) => this.#setConvention(/** @type {any} */ (value)),
       angleUnit: (value) => this.#setAngleUnit(/** @type {any} */ (value)),
       lengthUnit: (value) => this.#setLengthUnit(/** @type {any} */ (value)),
     });
@@ -257,11 +292,13 @@ export class DhTableEditor extends HTMLElement {
     this.#bar.enable(this.#history.past.length > 0, this.#history.future.length > 0);
   }
 
+  /** @param {number} at */
   #add(at) {
     this.#change(insertRow(this.#table, at), { focus: [at, COLUMNS[this.#table.convention][0]] });
     announce(t("form-row-added", { row: at + 1 }));
   }
 
+  /** @param {number} row */
   #remove(row) {
     if (this.#table.rows.length <= 1) return;
     const next = Math.min(row, this.#table.rows.length - 2);
@@ -269,7 +306,8 @@ export class DhTableEditor extends HTMLElement {
     announce(t("form-row-removed", { row: row + 1 }));
   }
 
-  #move(row, to, cell) {
+  /** @param {number} row @param {number} to @param {CellName | null} [cell] */
+  #move(row, to, cell = null) {
     if (to < 0 || to >= this.#table.rows.length) return;
     this.#change(moveRow(this.#table, row, to), cell ? { focus: [to, cell] } : {});
     if (!cell) {
@@ -279,6 +317,7 @@ export class DhTableEditor extends HTMLElement {
     announce(t("form-row-moved", { row: row + 1, to: to + 1 }));
   }
 
+  /** @param {"undo" | "redo"} direction */
   #step(direction) {
     if (!this.#history[direction]()) return;
     this.#forgetFaults();
@@ -288,20 +327,25 @@ export class DhTableEditor extends HTMLElement {
     this.#tell();
   }
 
+  /** @param {Table["convention"]} convention */
   #setConvention(convention) {
     if (convention === this.#table.convention) return;
     this.#change({ ...this.#table, convention });
     this.#say(t(`form-convention-now-${convention}`));
   }
 
+  /** @param {any} unit */
   #setAngleUnit(unit) {
     const before = this.#table;
     if (unit === before.angleUnit) return;
     this.#change({ ...before, angleUnit: unit });
     if (!holdsNumbers(before, ["alpha", "theta"])) return;
-    this.#offer(t(unit === "deg" ? "form-unit-now-deg" : "form-unit-now-rad"), () => convertedAngles(this.#table, unit));
+    this.#offer(t(unit === "deg" ? "form-unit-now-deg" : "form-unit-now-rad"), () =>
+      convertedAngles(this.#table, unit),
+    );
   }
 
+  /** @param {any} unit */
   #setLengthUnit(unit) {
     const before = this.#table;
     if (unit === before.lengthUnit) return;
@@ -310,7 +354,7 @@ export class DhTableEditor extends HTMLElement {
     this.#offer(t("form-unit-now-length", { unit }), () => convertedLengths(this.#table, before.lengthUnit, unit));
   }
 
-  /** Says that numbers mean something else now, and offers to write them in the new unit. */
+  /** Says that numbers mean something else now, and offers to write them in the new unit. @param {string} text @param {any} converted */
   #offer(text, converted) {
     const convert = () => {
       const { table, left } = converted();
@@ -320,14 +364,23 @@ export class DhTableEditor extends HTMLElement {
     this.#say(text, [el("button", { type: "button", text: t("form-unit-convert"), onclick: convert })]);
   }
 
-  /** Says what became of the table, with a way back; nothing, if there is no text. */
+  /** Says what became of the table, with a way back; nothing, if there is no text. @param {string} text @param {any} [actions] */
   #say(text, actions = []) {
     const inside = this.notice.contains(document.activeElement);
-    const undo = el("button", { type: "button", class: "quiet", text: t("form-undo"), onclick: () => this.#step("undo") });
-    fill(this.notice, text ? el("div", { class: "notice row" }, el("span", { class: "grow", text }), actions, undo) : null);
+    const undo = el("button", {
+      type: "button",
+      class: "quiet",
+      text: t("form-undo"),
+      onclick: () => this.#step("undo"),
+    });
+    fill(
+      this.notice,
+      text ? el("div", { class: "notice row" }, el("span", { class: "grow", text }), actions, undo) : null,
+    );
     if (inside) (text ? undo : this.#bar.undo).focus();
   }
 
+  /** @param {any} event */
   #undoKeys(event) {
     if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
     const key = event.key.toLowerCase();
@@ -337,9 +390,11 @@ export class DhTableEditor extends HTMLElement {
     this.#step(direction);
   }
 
+  /** @param {any} event @param {number} row @param {CellName} cell */
   #key(event, row, cell) {
     if (event.isComposing) return;
     const last = this.#table.rows.length - 1;
+    /** @param {number} to */
     const go = (to) => {
       event.preventDefault();
       this.focusCell(to, cell);
@@ -365,6 +420,7 @@ export class DhTableEditor extends HTMLElement {
     askForTable(this, order, this.#table.convention, (pasted) => this.#take(pasted, 0, true));
   }
 
+  /** @param {any} event @param {number} row @param {CellName} cell */
   #paste(event, row, cell) {
     const text = event.clipboardData?.getData("text/plain") ?? "";
     if (!isTable(text)) return;
@@ -373,9 +429,10 @@ export class DhTableEditor extends HTMLElement {
     if (!pasted && !table) return;
     event.preventDefault();
     if (table) this.#change(table, { focus: [row, cell] });
-    else this.#take(pasted, row, row === 0 && pasted.rows.length >= this.#table.rows.length);
+    else if (pasted) this.#take(pasted, row, row === 0 && pasted.rows.length >= this.#table.rows.length);
   }
 
+  /** @param {import("./paste.js").Pasted} pasted @param {number} at @param {any} replace */
   #take(pasted, at, replace) {
     const before = this.#table;
     const next = withPasted(before, pasted, at, replace, this.#allowed);

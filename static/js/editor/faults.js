@@ -34,7 +34,13 @@ export class Faults {
     this.list = el("ul");
     this.summary = el(
       "div",
-      { class: "editor-summary notice notice-problem", role: "group", tabindex: "-1", "aria-labelledby": this.title.id, hidden: true },
+      {
+        class: "editor-summary notice notice-problem",
+        role: "group",
+        tabindex: "-1",
+        "aria-labelledby": this.title.id,
+        hidden: true,
+      },
       el("p", {}, this.title),
       this.list,
     );
@@ -56,6 +62,7 @@ export class Faults {
 
   /** A cell was typed into. @param {number} row @param {string} cell */
   forget(row, cell) {
+    /** @param {any} fault */
     const elsewhere = (fault) => fault.row !== row || fault.cell !== cell;
     this.#read = this.#read.filter(elsewhere);
     for (const fault of this.#refused) if (!elsewhere(fault)) this.#lines.get(fault)?.remove();
@@ -82,11 +89,16 @@ export class Faults {
   /** Shows what belongs to no cell. @param {(row: number, cell: string) => boolean} isCell */
   showGeneral(isCell) {
     const listed = new Set(this.#refused.map(({ text }) => text));
-    const texts = this.#read.filter(({ row, cell, text }) => !isCell(row, cell) && !listed.has(text)).map(({ text }) => text);
+    const texts = this.#read
+      .filter(({ row, cell, text }) => !isCell(row, cell) && !listed.has(text))
+      .map(({ text }) => text);
     if (texts.join("\n") === this.generalText) return;
     this.generalText = texts.join("\n");
     this.general.hidden = texts.length === 0;
-    fill(this.general, texts.map((text) => el("p", { text })));
+    fill(
+      this.general,
+      texts.map((text) => el("p", { text })),
+    );
   }
 
   #count() {
@@ -94,9 +106,11 @@ export class Faults {
     if (this.#refused.length) this.title.textContent = t("form-faults", { count: this.#refused.length });
   }
 
+  /** @param {any} options @param {string} convention */
   #line({ row, cell, text }, convention) {
     if (row < 0) return el("li", { text });
     const name = cell === "joint" ? t("form-joint") : columnText(/** @type {any} */ (cell), convention);
+    /** @param {any} event */
     const follow = (event) => {
       event.preventDefault();
       this.go(row, cell);

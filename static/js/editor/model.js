@@ -64,6 +64,7 @@ export function isBareVariable(text) {
   return match.length === 1 && match[0][0] === text.trim();
 }
 
+/** @param {Row} row @param {number} number */
 function withVariable(row, number) {
   const cell = variableCell(row.joint);
   return cell && row[cell].trim() === "" ? { ...row, [cell]: variableName(row.joint, number) } : row;
@@ -71,7 +72,7 @@ function withVariable(row, number) {
 
 /** @param {Table} table @param {number} index @param {CellName} cell @param {string} text @returns {Table} */
 export function setCell(table, index, cell, text) {
-  return withRow(table, index, (row) => ({ ...row, [cell]: text }));
+  return withRow(table, index, (/** @type {Row} */ row) => ({ ...row, [cell]: text }));
 }
 
 /**
@@ -81,7 +82,7 @@ export function setCell(table, index, cell, text) {
 export function setJoint(table, index, joint) {
   const before = table.rows[index];
   const left = variableCell(before.joint);
-  const changed = withRow(table, index, (row) => {
+  const changed = withRow(table, index, (/** @type {Row} */ row) => {
     const cleared = left && isBareVariable(row[left]) ? { ...row, [left]: "" } : row;
     return { ...cleared, joint };
   });
@@ -102,7 +103,13 @@ export function insertRow(table, at) {
 /** @param {Table} table @param {number} index @returns {Table} */
 export function removeRow(table, index) {
   if (table.rows.length <= 1) return table;
-  return { ...table, rows: renumber(table.rows, table.rows.filter((_, i) => i !== index)) };
+  return {
+    ...table,
+    rows: renumber(
+      table.rows,
+      table.rows.filter((_, i) => i !== index),
+    ),
+  };
 }
 
 /** @param {Table} table @param {number} index @param {number} to @returns {Table} */
@@ -138,24 +145,39 @@ function renumber(before, after) {
 
 const DIGITS = "₀₁₂₃₄₅₆₇₈₉";
 
+/** @param {string} digits */
 function numberOf(digits) {
   return Number([...digits].map((digit) => (DIGITS.includes(digit) ? DIGITS.indexOf(digit) : digit)).join(""));
 }
 
+/** @param {string} text */
 function numbersIn(text) {
   return [...text.matchAll(VARIABLE)].map((match) => numberOf(match[3]));
 }
 
+/** @param {string} text @param {number} from @param {number} to */
 function withNumber(text, from, to) {
-  return text.replace(VARIABLE, (whole, name, joiner, digits) => {
-    if (numberOf(digits) !== from) return whole;
-    const written = DIGITS.includes(digits[0]) ? String(to).replace(/\d/g, (digit) => DIGITS[Number(digit)]) : to;
-    return `${name}${joiner}${written}`;
-  });
+  return text.replace(
+    VARIABLE,
+    (
+      /** @type {string} */ whole,
+      /** @type {string} */ name,
+      /** @type {string} */ joiner,
+      /** @type {string} */ digits,
+    ) => {
+      if (numberOf(digits) !== from) return whole;
+      const written = DIGITS.includes(digits[0]) ? String(to).replace(/\d/g, (digit) => DIGITS[Number(digit)]) : to;
+      return `${name}${joiner}${written}`;
+    },
+  );
 }
 
+/** @param {Table} table @param {number} index @param {(row: Row) => Row} change */
 function withRow(table, index, change) {
-  return { ...table, rows: table.rows.map((row, i) => (i === index ? change(row) : row)) };
+  return {
+    ...table,
+    rows: table.rows.map((/** @type {Row} */ row, /** @type {number} */ i) => (i === index ? change(row) : row)),
+  };
 }
 
 /** Cells in which nothing stands yet. @param {Table} table @returns {{row: number, cell: CellName}[]} */
@@ -181,8 +203,9 @@ export function fromWire(wire) {
     convention: wire.convention,
     angleUnit: wire.angle_unit ?? "rad",
     lengthUnit: wire.length_unit ?? "m",
-    rows: wire.rows.map((row) => {
+    rows: wire.rows.map((/** @type {Row} */ row) => {
       lastKey += 1;
+      /** @param {CellName} cell */
       const text = (cell) => (row[cell] === undefined || row[cell] === null ? "" : String(row[cell]));
       const cells = { alpha: text("alpha"), a: text("a"), d: text("d"), theta: text("theta") };
       return { key: lastKey, joint: row.joint ?? inferredJoint(cells), ...cells };

@@ -17,6 +17,7 @@ export function askForTable(parent, order, convention, take) {
   const text = /** @type {HTMLTextAreaElement} */ (
     el("textarea", { id: area, rows: 8, spellcheck: "false", autocapitalize: "off", oninput: () => show() })
   );
+  /** @param {any} event */
   const use = (event) => {
     event.preventDefault();
     dialog.close();
@@ -28,7 +29,14 @@ export function askForTable(parent, order, convention, take) {
   const show = () => {
     pasted = text.value.trim() ? readPasted(text.value, order) : null;
     apply.disabled = !pasted;
-    fill(preview, pasted ? previewOf(pasted, order, pasted.convention ?? convention) : text.value.trim() ? el("p", { class: "fault", text: t("form-paste-nothing") }) : null);
+    fill(
+      preview,
+      pasted
+        ? previewOf(pasted, order, pasted.convention ?? convention)
+        : text.value.trim()
+          ? el("p", { class: "fault", text: t("form-paste-nothing") })
+          : null,
+    );
   };
   const dialog = /** @type {HTMLDialogElement} */ (
     el(
@@ -39,7 +47,10 @@ export function askForTable(parent, order, convention, take) {
         { method: "dialog", class: "stack" },
         el("h2", { id: title, text: t("form-paste-title") }),
         el("div", { class: "field" }, el("label", { for: area, text: t("form-paste-label") }), text),
-        el("p", { class: "hint", text: t("form-paste-order", { order: order.map((cell) => columnText(cell, convention)).join("  ") }) }),
+        el("p", {
+          class: "hint",
+          text: t("form-paste-order", { order: order.map((cell) => columnText(cell, convention)).join("  ") }),
+        }),
         preview,
         el(
           "div",
@@ -56,6 +67,7 @@ export function askForTable(parent, order, convention, take) {
   text.focus();
 }
 
+/** @param {any} pasted @param {any} order @param {string} convention */
 function previewOf(pasted, order, convention) {
   return [
     el("p", { class: "hint", text: t("form-paste-found", { rows: pasted.rows.length }) }),
@@ -65,11 +77,25 @@ function previewOf(pasted, order, convention) {
       el(
         "table",
         { class: "data" },
-        el("thead", {}, el("tr", {}, order.map((cell) => el("th", { scope: "col", text: columnText(cell, convention) })))),
+        el(
+          "thead",
+          {},
+          el(
+            "tr",
+            {},
+            order.map((/** @type {any} */ cell) => el("th", { scope: "col", text: columnText(cell, convention) })),
+          ),
+        ),
         el(
           "tbody",
           {},
-          pasted.rows.map((row) => el("tr", {}, order.map((cell) => el("td", { class: "mono", text: row.cells[cell] ?? "" })))),
+          pasted.rows.map((/** @type {any} */ row) =>
+            el(
+              "tr",
+              {},
+              order.map((/** @type {any} */ cell) => el("td", { class: "mono", text: row.cells[cell] ?? "" })),
+            ),
+          ),
         ),
       ),
     ),

@@ -13,7 +13,13 @@ import { CELLS, COLUMNS, inferredJoint, insertRow, MOST_ROWS, newRow, setCell } 
 /** Whether a text is more than one cell. @param {string} text */
 export function isTable(text) {
   const trimmed = text.trim();
-  return /\t/.test(trimmed) || /\n/.test(trimmed) || /\\\\/.test(trimmed) || (trimmed.match(/\|/g) ?? []).length > 1 || /&/.test(trimmed);
+  return (
+    /\t/.test(trimmed) ||
+    /\n/.test(trimmed) ||
+    /\\\\/.test(trimmed) ||
+    (trimmed.match(/\|/g) ?? []).length > 1 ||
+    /&/.test(trimmed)
+  );
 }
 
 /**
@@ -22,21 +28,30 @@ export function isTable(text) {
  * @returns {{format: "latex" | "markdown" | "tabs" | "csv" | "text", grid: string[][]}}
  */
 export function gridOf(text) {
-  const clean = text.replace(/\r\n?/g, "\n").replace(/\u00a0/g, " ").replace(/[\u200b\ufeff]/g, "");
+  const clean = text
+    .replace(/\r\n?/g, "\n")
+    .replace(/\u00a0/g, " ")
+    .replace(/[\u200b\ufeff]/g, "");
   if (/&/.test(clean)) return { format: "latex", grid: latexGrid(clean) };
   const lines = clean.split("\n").filter((line) => line.trim() !== "");
   if (lines.filter((line) => (line.match(/\|/g) ?? []).length > 1).length >= Math.max(1, lines.length / 2)) {
     return { format: "markdown", grid: markdownGrid(lines) };
   }
-  if (lines.some((line) => line.includes("\t"))) return { format: "tabs", grid: lines.map((line) => line.split("\t").map(cleaned)) };
-  if (lines.every((line) => line.includes(";"))) return { format: "csv", grid: lines.map((line) => separated(line, ";")) };
-  if (lines.every((line) => (line.match(/,/g) ?? []).length >= 3)) return { format: "csv", grid: lines.map((line) => separated(line, ",")) };
+  if (lines.some((line) => line.includes("\t")))
+    return { format: "tabs", grid: lines.map((line) => line.split("\t").map(cleaned)) };
+  if (lines.every((line) => line.includes(";")))
+    return { format: "csv", grid: lines.map((line) => separated(line, ";")) };
+  if (lines.every((line) => (line.match(/,/g) ?? []).length >= 3))
+    return { format: "csv", grid: lines.map((line) => separated(line, ",")) };
   return { format: "text", grid: wideGrid(lines) ?? lines.map(textCells) };
 }
 
 /** @param {string} text */
 function latexGrid(text) {
-  const inner = /\\begin\{(?:tabular|array|matrix|[bp]matrix|tabularx|longtable)\*?\}(?:\[[^\]]*\])?(?:\{(?:[^{}]|\{[^{}]*\})*\})*([\s\S]*?)\\end\{/.exec(text);
+  const inner =
+    /\\begin\{(?:tabular|array|matrix|[bp]matrix|tabularx|longtable)\*?\}(?:\[[^\]]*\])?(?:\{(?:[^{}]|\{[^{}]*\})*\})*([\s\S]*?)\\end\{/.exec(
+      text,
+    );
   return (inner ? inner[1] : text)
     .replace(/(?<!\\)%.*$/gm, "")
     .replace(/\\(?:hline|toprule|midrule|bottomrule|centering|cline\{[^}]*\}|rule\{[^}]*\}\{[^}]*\})/g, "")
@@ -49,7 +64,14 @@ function latexGrid(text) {
 function markdownGrid(lines) {
   return lines
     .filter((line) => line.includes("|") && !/^[\s|:+-]+$/.test(line.replace(/[–—]/g, "-")))
-    .map((line) => line.trim().replace(/^\|/, "").replace(/\|$/, "").split("|").map((cell) => cleaned(fromLatex(cell))));
+    .map((line) =>
+      line
+        .trim()
+        .replace(/^\|/, "")
+        .replace(/\|$/, "")
+        .split("|")
+        .map((cell) => cleaned(fromLatex(cell))),
+    );
 }
 
 /** @param {string} line @param {string} separator */
@@ -74,7 +96,12 @@ function separated(line, separator) {
 
 /** Cells parted by several blanks each, if every line has as many; blanks inside a cell are single. @param {string[]} lines */
 function wideGrid(lines) {
-  const grid = lines.map((line) => line.trim().split(/\s{2,}/).map((cell) => cleaned(cell.replace(/^([+\-−–])\s+/, "$1"))));
+  const grid = lines.map((line) =>
+    line
+      .trim()
+      .split(/\s{2,}/)
+      .map((cell) => cleaned(cell.replace(/^([+\-−–])\s+/, "$1"))),
+  );
   return grid[0].length >= 4 && grid.every((row) => row.length === grid[0].length) ? grid : null;
 }
 
@@ -104,18 +131,25 @@ export function fromLatex(cell) {
     .replace(/\\(?:var)?theta(?![A-Za-z])/g, "θ")
     .replace(/\\alpha(?![A-Za-z])/g, "α")
     .replace(/\\pi(?![A-Za-z])/g, "π");
-  for (let previous = ""; previous !== text; ) {
+  for (let previous = ""; previous !== text;) {
     previous = text;
     text = text
-      .replace(/\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}/g, (_, top, bottom) => `${bracketed(top)}/${bracketed(bottom)}`)
+      .replace(
+        /\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}/g,
+        (_, top, bottom) => `${bracketed(top)}/${bracketed(bottom)}`,
+      )
       .replace(/\\[dt]?frac\s*(\d)\s*(\d)/g, "$1/$2")
       .replace(/\\sqrt\s*\{([^{}]*)\}/g, "sqrt($1)")
       .replace(/_\s*\{\s*([^{}]*?)\s*\}/g, (_, index) => `_${index.replace(/\s+/g, "")}`)
       .replace(/\^\s*\{\s*([^{}]*?)\s*\}/g, "^($1)");
   }
-  return text.replace(new RegExp(`\\\\(${FUNCTIONS})`, "g"), "$1").replace(/[{}]/g, " ").replace(/\\ /g, " ");
+  return text
+    .replace(new RegExp(`\\\\(${FUNCTIONS})`, "g"), "$1")
+    .replace(/[{}]/g, " ")
+    .replace(/\\ /g, " ");
 }
 
+/** @param {string} text */
 function bracketed(text) {
   const inner = text.trim();
   return /^[\w.πθα°]+$/u.test(inner) ? inner : `(${inner})`;
@@ -148,8 +182,14 @@ function meaningOf(heading) {
 }
 
 const TYPES = /** @type {[JointType, RegExp][]} */ ([
-  ["revolute", /^(r|rev|revolute|rotational|rotary|rotoid[eă]?|rotați[ae]|rotativ[aăo]?|rota(ç|c)i?[ãa]?o?|rotaci[oó]n|revoluta|обертальн\S*|0)$/i],
-  ["prismatic", /^(p|t|pris|prismatic|prismati[cq]\S*|sliding|translați[ae]|transla\S*|prismática|призматичн\S*|поступальн\S*|1)$/i],
+  [
+    "revolute",
+    /^(r|rev|revolute|rotational|rotary|rotoid[eă]?|rotați[ae]|rotativ[aăo]?|rota(ç|c)i?[ãa]?o?|rotaci[oó]n|revoluta|обертальн\S*|0)$/i,
+  ],
+  [
+    "prismatic",
+    /^(p|t|pris|prismatic|prismati[cq]\S*|sliding|translați[ae]|transla\S*|prismática|призматичн\S*|поступальн\S*|1)$/i,
+  ],
   ["fixed", /^(f|fix|fixed|fix[eăoа]\S*|fij[oa]|нерухом\S*|-|–|—|2)$/i],
 ]);
 
@@ -177,39 +217,56 @@ export function readPasted(text, order) {
   return { format, convention: heading?.convention ?? null, rows: read };
 }
 
-/** A column of joints that only counts them says nothing of their types. */
+/** A column of joints that only counts them says nothing of their types. @param {any[] | null} columns @param {string[][]} body */
 function numbered(columns, body) {
-  const counts = (i) => body.every((row, k) => (row[i] ?? "").replace(/\.$/, "") === String(k + 1));
-  return columns?.map((name, i) => (name === "joint" && counts(i) ? "index" : name));
+  /** @param {number} i */
+  const counts = (i) =>
+    body.every(
+      (/** @type {string[]} */ row, /** @type {number} */ k) => (row[i] ?? "").replace(/\.$/, "") === String(k + 1),
+    );
+  return columns?.map((/** @type {string} */ name, /** @type {number} */ i) =>
+    name === "joint" && counts(i) ? "index" : name,
+  );
 }
 
+/**
+ * @param {string[]} row
+ * @returns {{columns: (CellName | "joint" | "index" | null)[], convention: "standard" | "modified" | null} | null}
+ */
 function headingOf(row) {
   const columns = row.map(meaningOf);
-  const found = columns.filter((name) => ["alpha", "a", "d", "theta"].includes(name));
+  const found = columns.filter((name) => name !== null && /** @type {string[]} */ (CELLS).includes(name));
   if (new Set(found).size < 3 || found.length !== new Set(found).size) return null;
-  if (row.some((cell, i) => columns[i] && /^[θq][_ ]?\d/.test(cell))) return null;
-  const lengths = row.filter((_, i) => columns[i] === "alpha" || columns[i] === "a").join(" ");
+  if (row.some((/** @type {string} */ cell, /** @type {number} */ i) => columns[i] && /^[θq][_ ]?\d/.test(cell)))
+    return null;
+  const lengths = row
+    .filter((/** @type {any} */ _, /** @type {number} */ i) => columns[i] === "alpha" || columns[i] === "a")
+    .join(" ");
   const before = /[ijn]\s*[-−–]\s*1|[ijn]₋₁/i.test(lengths);
   const same = /[_\s]*[ijn]\b|[ᵢⱼₙ]/i.test(lengths.replace(/alpha|alfa|α/gi, ""));
   return { columns, convention: before ? "modified" : same ? "standard" : null };
 }
 
-/** Whether rows without headings may be a table at all: most of their cells hold a number, a Greek letter or one letter. */
+/** Whether rows without headings may be a table at all: most of their cells hold a number, a Greek letter or one letter. @param {string[][]} body */
 function looksLikeValues(body) {
   const cells = body.flat();
-  const values = cells.filter((cell) => /[\dα-ωΑ-Ω°]|^-?[A-Za-z]$|pi/u.test(cell));
+  const values = cells.filter((/** @type {string} */ cell) => /[\dα-ωΑ-Ω°]|^-?[A-Za-z]$|pi/u.test(cell));
   return values.length * 2 > cells.length;
 }
 
 /**
  * What columns without headings are: as the form shows them, unless the joint variables say that they stand the
  * other way round, as the other convention's textbooks print them.
+ * @param {string[][]} body @param {any} shown
  */
 function guessedColumns(body, shown) {
-  const width = Math.max(...body.map((row) => row.length));
+  const width = Math.max(...body.map((/** @type {string[]} */ row) => row.length));
   const order = [...shown];
-  const last = body.map((row) => row.filter((_, i) => i >= width - 4));
-  const holds = (k) => last.some((cells) => /(θ|ϑ|theta|q)_?[{]?[\d₀-₉]/iu.test(cells[k] ?? ""));
+  const last = body.map((/** @type {string[]} */ row) =>
+    row.filter((/** @type {any} */ _, /** @type {number} */ i) => i >= width - 4),
+  );
+  /** @param {number} k */
+  const holds = (k) => last.some((/** @type {any} */ cells) => /(θ|ϑ|theta|q)_?[{]?[\d₀-₉]/iu.test(cells[k] ?? ""));
   const turns = order.indexOf("theta");
   if (!holds(turns) && holds(3 - turns)) order.reverse();
   if (width === 4) return order;
@@ -217,26 +274,33 @@ function guessedColumns(body, shown) {
   const extra = width - 4;
   const lead = [];
   for (let i = 0; i < extra; i += 1) {
-    const column = body.map((row) => row[i] ?? "");
-    if (column.every((cell, k) => cell === String(k + 1) || cell === `${k + 1}.`)) lead.push("index");
-    else if (column.every((cell) => jointOf(cell))) lead.push("joint");
+    const column = body.map((/** @type {string[]} */ row) => row[i] ?? "");
+    if (
+      column.every(
+        (/** @type {string} */ cell, /** @type {number} */ k) => cell === String(k + 1) || cell === `${k + 1}.`,
+      )
+    )
+      lead.push("index");
+    else if (column.every((/** @type {string} */ cell) => jointOf(cell))) lead.push("joint");
     else break;
   }
   if (lead.length === extra) return [...lead, ...order];
-  const tail = body.map((row) => row[width - 1] ?? "");
-  if (lead.length === extra - 1 && tail.every((cell) => jointOf(cell))) return [...lead, ...order, "joint"];
+  const tail = body.map((/** @type {string[]} */ row) => row[width - 1] ?? "");
+  if (lead.length === extra - 1 && tail.every((/** @type {string} */ cell) => jointOf(cell)))
+    return [...lead, ...order, "joint"];
   return null;
 }
 
+/** @param {string[]} row @param {any[]} columns */
 function readRow(row, columns) {
   /** @type {Partial<Record<CellName, string>>} */
   const cells = {};
   /** @type {JointType | null} */
   let joint = null;
-  columns.forEach((name, i) => {
+  columns.forEach((/** @type {string} */ name, /** @type {number} */ i) => {
     const text = row[i] ?? "";
     if (name === "joint") joint = jointOf(text);
-    else if (name && name !== "index") cells[name] = text;
+    else if (name && name !== "index") cells[/** @type {CellName} */ (name)] = text;
   });
   if (!joint) {
     const inferred = inferredJoint({ d: cells.d ?? "", theta: cells.theta ?? "" });
@@ -272,7 +336,11 @@ export function withPasted(table, pasted, at, whole, allowed) {
  * @returns {import("./model.js").Table | null} null if the text is one cell
  */
 export function withBlock(table, text, row, cell) {
-  const lines = text.replace(/\r/g, "").replace(/\n$/, "").split("\n").map((line) => line.split("\t"));
+  const lines = text
+    .replace(/\r/g, "")
+    .replace(/\n$/, "")
+    .split("\n")
+    .map((line) => line.split("\t"));
   if (lines.length < 2 && lines[0].length < 2) return null;
   const order = COLUMNS[table.convention];
   let changed = table;

@@ -23,13 +23,18 @@ export class AnswerCard {
     const joints = exercise.joints.length;
     this.editor.state = newTable(this.editor.allowed[0], joints, { angleUnit, lengthUnit });
     this.editor.addEventListener("table-change", () => this.#edited());
-    this.parts = exercise.parts.filter(({ kind }) => kind !== "table").map((part) => ({ part, field: fieldFor(part, exercise) }));
+    this.parts = exercise.parts
+      .filter((/** @type {any} */ { kind }) => kind !== "table")
+      .map((/** @type {any} */ part) => ({ part, field: fieldFor(part, exercise) }));
     // Enter in a field presses the button too; a frame that allows no forms lets no form be submitted.
+    /** @param {any} event */
     const press = (event) => (event.preventDefault(), submit());
     this.button = el("button", { type: "submit", class: "primary", onclick: press, text: t("form-submit") });
     this.problem = el("div", { id: "submit-problem" });
-    const table = exercise.parts.find(({ kind }) => kind === "table");
-    this.sections = this.parts.map(({ part, field }) => section(part.kind, part, exercise, field.element, true));
+    const table = exercise.parts.find((/** @type {any} */ { kind }) => kind === "table");
+    this.sections = this.parts.map((/** @type {any} */ { part, field }) =>
+      section(part.kind, part, exercise, field.element, true),
+    );
     const form = el(
       "form",
       {
@@ -44,7 +49,13 @@ export class AnswerCard {
       },
       section("table", table, exercise, this.editor, this.parts.length > 0),
       this.sections,
-      el("div", { class: "row submit-row no-print" }, this.button, el("span", { class: "hint", text: t("form-submit-hint") }), helpChoice(exercise)),
+      el(
+        "div",
+        { class: "row submit-row no-print" },
+        this.button,
+        el("span", { class: "hint", text: t("form-submit-hint") }),
+        helpChoice(exercise),
+      ),
       this.problem,
     );
     for (const { field } of this.parts) field.onchange = () => this.changed("part");
@@ -61,13 +72,16 @@ export class AnswerCard {
   }
 
   get state() {
-    return { table: this.editor.state, parts: Object.fromEntries(this.parts.map(({ part, field }) => [part.kind, field.state])) };
+    return {
+      table: this.editor.state,
+      parts: Object.fromEntries(this.parts.map((/** @type {any} */ { part, field }) => [part.kind, field.state])),
+    };
   }
 
   set state({ table, parts }) {
     this.editor.state = table;
     this.#resize();
-    this.parts.forEach(({ part, field }, i) => {
+    this.parts.forEach((/** @type {any} */ { part, field }, /** @type {number} */ i) => {
       if (parts?.[part.kind]) field.state = parts[part.kind];
       if (field.touched) /** @type {HTMLDetailsElement} */ (this.sections[i]).open = true;
     });
@@ -84,16 +98,21 @@ export class AnswerCard {
   /**
    * What is sent: the table, and whatever else was typed, and how much help is wanted. A table that nobody touched is left out where there
    * is something else; null if the table has empty cells, which are then pointed out.
+   * @returns {Record<string, any> | null}
    */
   request() {
     if (this.button.getAttribute("aria-disabled") === "true") return null;
-    const open = this.parts.find(({ field }) => field instanceof SchematicField && field.missing.length);
+    const open = this.parts.find(
+      (/** @type {any} */ { field }) => field instanceof SchematicField && field.missing.length,
+    );
     if (open) {
       open.field.showFaults(open.field.missing);
       this.focusPart(open.part.kind, open.field.missing[0].where);
       return null;
     }
-    const typed = this.parts.map(({ part, field }) => [part.kind, field.value]).filter(([, value]) => value !== null);
+    const typed = this.parts
+      .map((/** @type {any} */ { part, field }) => [part.kind, field.value])
+      .filter((/** @type {any} */ [, value]) => value !== null);
     const others = { ...Object.fromEntries(typed), ...helpWanted(this.exercise) };
     const needsTable = "link_matrices" in others || !typed.length || !this.editor.untouched;
     if (!needsTable) return others;
@@ -105,7 +124,7 @@ export class AnswerCard {
   /** What the service understood. @param {import("../understanding.js").Answer} answer */
   showReading({ rows, faults }) {
     this.editor.showMeaning(rows);
-    const empty = new Set(this.editor.missing.map(({ row, cell }) => `/rows/${row}/${cell}`));
+    const empty = new Set(this.editor.missing.map((/** @type {any} */ { row, cell }) => `/rows/${row}/${cell}`));
     this.editor.showFaults(faults.filter((fault) => !empty.has(fault.pointer.replace(/^\/table/, ""))));
   }
 
@@ -117,20 +136,20 @@ export class AnswerCard {
    */
   showRefusal(faults, table) {
     const ofTable = [];
-    const ofParts = new Map(this.parts.map(({ part }) => [part.kind, []]));
+    const ofParts = new Map(this.parts.map((/** @type {any} */ { part }) => [part.kind, []]));
     for (const fault of faults) {
       const [, kind, ...rest] = fault.pointer.split("/");
       const where = rest.map((step) => (/^\d+$/.test(step) ? Number(step) : step));
       if (ofParts.has(kind)) ofParts.get(kind).push({ where, text: fault.detail });
       else ofTable.push(fault);
     }
-    this.parts.forEach(({ part, field }, i) => {
+    this.parts.forEach((/** @type {any} */ { part, field }, /** @type {number} */ i) => {
       const own = ofParts.get(part.kind);
       field.showFaults(own);
       if (own.length) /** @type {HTMLDetailsElement} */ (this.sections[i]).open = true;
     });
     if (this.editor.showRefusal(ofTable, table)) return true;
-    const first = this.parts.find(({ part }) => ofParts.get(part.kind).length);
+    const first = this.parts.find((/** @type {any} */ { part }) => ofParts.get(part.kind).length);
     first?.field.focus(ofParts.get(first.part.kind)[0].where);
     return Boolean(first);
   }
@@ -146,7 +165,7 @@ export class AnswerCard {
 
   /** Leads to a place in a part. @param {string} kind @param {(string | number)[]} where */
   focusPart(kind, where) {
-    const i = this.parts.findIndex(({ part }) => part.kind === kind);
+    const i = this.parts.findIndex((/** @type {any} */ { part }) => part.kind === kind);
     if (i < 0) return;
     /** @type {HTMLDetailsElement} */ (this.sections[i]).open = true;
     this.parts[i].field.focus(where);
@@ -159,14 +178,18 @@ export class AnswerCard {
 
   #resize() {
     const rows = this.editor.state.rows.length;
-    for (const { field } of this.parts) if (field instanceof MatrixListField && field.count !== rows) field.resize(rows);
+    for (const { field } of this.parts)
+      if (field instanceof MatrixListField && field.count !== rows) field.resize(rows);
   }
 }
 
-/** One thing that is asked. What comes besides the table is folded, so that a phone's page stays short. */
+/** One thing that is asked. What comes besides the table is folded, so that a phone's page stays short. @param {string} kind @param {any} part @param {Wire.Exercise} exercise @param {any} content @param {any} several */
 function section(kind, part, exercise, content, several) {
   const name = t(`form-part-${kind.replaceAll("_", "-")}`);
-  const share = several && part ? el("span", { class: "badge", text: t("form-points", { points: part.points, total: exercise.points }) }) : null;
+  const share =
+    several && part
+      ? el("span", { class: "badge", text: t("form-points", { points: part.points, total: exercise.points }) })
+      : null;
   if (kind === "table") {
     const title = several ? el("h3", { class: "row" }, name, share) : null;
     return el("section", { class: "part", id: "part-table", "aria-label": name }, title, content);
@@ -182,27 +205,35 @@ function section(kind, part, exercise, content, several) {
 
 const LEVELS = ["verdict", "row", "kind", "repair"];
 
-/** Levels of help that an exercise allows, from the least. */
+/** Levels of help that an exercise allows, from the least. @param {Wire.Exercise} exercise */
 function levelsOf(exercise) {
   return LEVELS.slice(0, LEVELS.indexOf(exercise.help) + 1);
 }
 
-/** Less help than the exercise allows, if the student wants less; kept for every exercise in this browser. */
+/** Less help than the exercise allows, if the student wants less; kept for every exercise in this browser. @param {Wire.Exercise} exercise */
 function helpWanted(exercise) {
   const wanted = recall("help", exercise.help);
   return wanted !== exercise.help && levelsOf(exercise).includes(wanted) ? { help: wanted } : {};
 }
 
+/** @param {Wire.Exercise} exercise */
 function helpChoice(exercise) {
   const levels = levelsOf(exercise);
   if (levels.length < 2) return null;
   const id = uniqueId("help");
   const { help = exercise.help } = helpWanted(exercise);
-  const options = levels.map((value) => el("option", { value, selected: value === help, text: t(`form-help-${value}`) }));
-  const select = el("select", { id, onchange: (event) => keep("help", event.target.value === exercise.help ? null : event.target.value) }, options);
+  const options = levels.map((value) =>
+    el("option", { value, selected: value === help, text: t(`form-help-${value}`) }),
+  );
+  const select = el(
+    "select",
+    { id, onchange: (event) => keep("help", event.target.value === exercise.help ? null : event.target.value) },
+    options,
+  );
   return el("div", { class: "row help-choice" }, el("label", { for: id, text: t("form-help") }), select);
 }
 
+/** @param {any} part @param {Wire.Exercise} exercise */
 function fieldFor(part, exercise) {
   const joints = exercise.joints.length;
   switch (part.kind) {
@@ -230,7 +261,9 @@ export function placeName(kind, where) {
   }
   if (kind === "schematic" && where.length > 1) {
     const number = Number(where[1]) + 1;
-    return where[0] === "joints" ? t("form-schematic-joint", { joint: number }) : t("form-schematic-relation", { joint: number, next: number + 1 });
+    return where[0] === "joints"
+      ? t("form-schematic-joint", { joint: number })
+      : t("form-schematic-relation", { joint: number, next: number + 1 });
   }
   if (where.length === 2) return `(${Number(where[0]) + 1}, ${Number(where[1]) + 1})`;
   return t(`form-radius-${where[0]}`);

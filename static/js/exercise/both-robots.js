@@ -20,15 +20,23 @@ import { METRES } from "../units.js";
 export function bothModel({ figure, own, certificate, units, key }) {
   const metres = METRES[units.length];
   const radians = units.angle === "deg" ? Math.PI / 180 : 1;
-  const types = figure.axes.map((axis) => axis.type);
+  const types = figure.axes.map((/** @type {any} */ axis) => axis.type);
   const base = multiply(key.base, inverse(scaledPose(certificate.base, metres)));
-  const offsets = certificate.joint_offsets.map((value, i) => value * (types[i] === "prismatic" ? metres : radians));
-  const senses = figure.axes.map((axis, i) => Math.sign(dot(axis.direction, key.directions[i])));
+  const offsets = certificate.joint_offsets.map(
+    (/** @type {any} */ value, /** @type {number} */ i) => value * (types[i] === "prismatic" ? metres : radians),
+  );
+  const senses = figure.axes.map((/** @type {any} */ axis, /** @type {number} */ i) =>
+    Math.sign(dot(axis.direction, /** @type {any} */ (key.directions[i]))),
+  );
   const reference = figureRobot(figure, { dimensions: false });
   const model = together([reference, placed(scaled(own, metres), base)]);
+  /** @param {any} change */
   const joints = (change) => [
-    ...change.slice(0, reference.joints).map((value, i) => senses[i] * value),
-    ...change.map((value, i) => certificate.joint_signs[i] * (key.posture[i] + value) + offsets[i]),
+    ...change.slice(0, reference.joints).map((/** @type {any} */ value, /** @type {number} */ i) => senses[i] * value),
+    ...change.map(
+      (/** @type {any} */ value, /** @type {number} */ i) =>
+        certificate.joint_signs[i] * (key.posture[i] + value) + offsets[i],
+    ),
   ];
   return { model, joints, types };
 }
@@ -38,16 +46,33 @@ export function bothRobots(given) {
   const { model, joints, types } = bothModel(given);
   const scene = /** @type {any} */ (el("robot-scene", { label: t("form-both-label") }));
   const reach = given.figure.size;
+  /** @param {number} phase */
   const pose = (phase) => {
-    scene.joints = joints(types.map((type, i) => wave(phase, i) * (type === "prismatic" ? reach * 0.12 : 0.9)));
+    scene.joints = joints(
+      types.map(
+        (/** @type {any} */ type, /** @type {number} */ i) =>
+          wave(phase, i) * (type === "prismatic" ? reach * 0.12 : 0.9),
+      ),
+    );
   };
   scene.model = model;
   pose(0);
   const player = new Player(pose);
   const slider = /** @type {HTMLInputElement} */ (
-    el("input", { type: "range", min: 0, max: 1, step: 0.002, value: "0", "aria-label": t("form-both-position"), oninput: () => (player.pause(), pose(Number(slider.value)), show()) })
+    el("input", {
+      type: "range",
+      min: 0,
+      max: 1,
+      step: 0.002,
+      value: "0",
+      "aria-label": t("form-both-position"),
+      oninput: () => (player.pause(), pose(Number(slider.value)), show()),
+    })
   );
-  const button = el("button", { type: "button", onclick: () => (player.playing ? player.pause() : player.play(), show()) });
+  const button = el("button", {
+    type: "button",
+    onclick: () => (player.playing ? player.pause() : player.play(), show()),
+  });
   const show = () => {
     button.replaceChildren(icon(player.playing ? "pause" : "play"), t(player.playing ? "form-pause" : "form-play"));
   };
@@ -57,7 +82,13 @@ export function bothRobots(given) {
     show();
   }
   return {
-    element: el("div", { class: "both" }, el("p", { class: "hint", text: t("form-both-text") }), scene, el("div", { class: "row no-print" }, button, slider)),
+    element: el(
+      "div",
+      { class: "both" },
+      el("p", { class: "hint", text: t("form-both-text") }),
+      scene,
+      el("div", { class: "row no-print" }, button, slider),
+    ),
     describe: () => scene.describe(t("form-both-description")),
     stop: () => player.pause(),
   };

@@ -17,6 +17,7 @@ export function showFigure({ figure, title }, { mode, body, drawing, description
   const model = figureRobot(figure);
   /** @type {HTMLElement | null} */
   let space = null;
+  /** @param {any} which */
   const show = (which) => {
     keep("figure-mode", which);
     drawing.hidden = which !== "drawing";
@@ -43,18 +44,25 @@ export function showFigure({ figure, title }, { mode, body, drawing, description
   show(chosen);
 }
 
-/** The robot in space, with a slider for each of its joints, counted from the posture of the drawing. */
+/** The robot in space, with a slider for each of its joints, counted from the posture of the drawing. @param {import("../scene/model.js").Model} model @param {Wire.Figure} figure @param {string} title */
 function inSpace(model, figure, title) {
-  const scene = /** @type {any} */ (el("robot-scene", { label: t("form-figure-label", { title }) }));
+  const scene = el("robot-scene", { label: t("form-figure-label", { title }) });
   const element = el("div", {}, scene);
   if (model.joints) {
     const sliders = /** @type {any} */ (el("joint-sliders"));
-    const joints = figure.axes.map(({ joint, type }) => ({ name: String(joint), type }));
+    const joints = figure.axes.map((/** @type {any} */ { joint, type }) => ({ name: String(joint), type }));
     sliders.joints = usualRanges(joints, figure.size);
-    sliders.addEventListener("joints-change", (event) => (scene.joints = event.detail.values));
+    sliders.addEventListener("joints-change", (/** @type {any} */ event) => (scene.joints = event.detail.values));
     sliders.addEventListener("change", () => scene.settle());
-    const head = el("div", { class: "card-head" }, el("span", { class: "hint", text: t("form-figure-posture") }), resetButton(sliders));
-    element.append(el("details", { class: "figure-text" }, el("summary", { text: t("form-figure-move") }), head, sliders));
+    const head = el(
+      "div",
+      { class: "card-head" },
+      el("span", { class: "hint", text: t("form-figure-posture") }),
+      resetButton(sliders),
+    );
+    element.append(
+      el("details", { class: "figure-text" }, el("summary", { text: t("form-figure-move") }), head, sliders),
+    );
   }
   scene.describe(`${figure.description} ${t("form-scene-keys")}`);
   scene.model = model;

@@ -28,10 +28,21 @@ export function showHistory(place, attempts, restore, clear) {
           { class: "row", value: number },
           el("span", { class: `badge ${attempt.correct ? "good" : "warn"}`, text: pointsOf(attempt) }),
           el("time", { datetime: attempt.at, text: when.format(new Date(attempt.at)) }),
-          el("button", { type: "button", class: "quiet small", "aria-label": t("form-history-restore-label", { number }), onclick: () => restore(attempt), text: t("form-history-restore") }),
+          el("button", {
+            type: "button",
+            class: "quiet small",
+            "aria-label": `${t("form-history-restore")} (${number})`,
+            onclick: () => restore(attempt),
+            text: t("form-history-restore"),
+          }),
         );
       }),
     ),
-    el("p", { class: "hint row" }, el("span", { text: t("form-history-kept") }), el("button", { type: "button", class: "quiet small", onclick: clear, text: t("form-history-clear") })),
+    el(
+      "p",
+      { class: "hint row" },
+      el("span", { text: t("form-history-kept") }),
+      el("button", { type: "button", class: "quiet small", onclick: clear, text: t("form-history-clear") }),
+    ),
   );
 }

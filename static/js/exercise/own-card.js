@@ -4,35 +4,58 @@ import { el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { resetButton } from "../joint-sliders.js";
 import { plain } from "../numbers.js";
+import { FilmBar } from "./film-bar.js";
 import { problemNotice } from "../problem.js";
 import { convertedValues } from "../units.js";
 
+/** @typedef {{name: string, kind: "length" | "angle"}} Named */
+
 export class OwnCard {
+  empty = 0;
+  waiting = "";
+  shownNames = "";
+
   /**
    * @param {HTMLElement} place @param {import("../live-robot.js").LiveRobot} robot
    * @param {{api: import("../api.js").Api, given?: {parameters: Record<string, number>, kinds: [string, "angle" | "length"][],
-   *   units: import("../units.js").Units}}} options `given` are the values that the exercise names
+   *   units: import("../units.js").Units}, light?: (row: number, cell: string) => void}} options `given` are the values that the
+   *   exercise names; `light` lights the cell that the film shows
    */
-  constructor(place, robot, { api, given = { parameters: {}, kinds: [], units: { angle: "deg", length: "m" } } }) {
+  constructor(
+    place,
+    robot,
+    { api, given = { parameters: {}, kinds: [], units: { angle: "deg", length: "m" } }, light = () => {} },
+  ) {
     this.robot = robot;
     robot.parameters = given.parameters;
     this.units = given.units;
     this.kinds = new Map(given.kinds);
-    this.scene = /** @type {any} */ (el("robot-scene", { label: t("form-own-scene"), hidden: true }));
-    this.sliders = /** @type {any} */ (el("joint-sliders"));
-    this.matrices = /** @type {any} */ (el("matrix-panel"));
+    this.scene = el("robot-scene", { label: t("form-own-scene") });
+    this.film = new FilmBar(this.scene, { units: () => this.units, light });
+    this.sliders = el("joint-sliders");
+    this.matrices = el("matrix-panel");
     this.matrices.api = api;
     this.status = el("p", { class: "hint own-status", role: "status", text: t("form-own-empty") });
     this.fields = el("div", { class: "parameter-fields" });
-    this.parameters = el("div", { class: "own-parameters", hidden: true }, el("h3", { text: t("form-own-parameters") }), this.fields);
+    this.parameters = el(
+      "div",
+      { class: "own-parameters", hidden: true },
+      el("h3", { text: t("form-own-parameters") }),
+      this.fields,
+    );
     this.jointCard = el(
       "div",
       { class: "own-joints", hidden: true },
       el("div", { class: "card-head" }, el("h3", { text: t("form-joints") }), resetButton(this.sliders)),
       this.sliders,
     );
-    const matrices = el("details", { class: "own-matrices" }, el("summary", {}, el("h3", { text: t("form-matrices") })), this.matrices);
-    fill(place, this.scene, this.status, this.jointCard, this.parameters, matrices);
+    const matrices = el(
+      "details",
+      { class: "own-matrices", ontoggle: (event) => (robot.watched = event.target.open) },
+      el("summary", {}, el("h3", { text: t("form-matrices") })),
+      this.matrices,
+    );
+    fill(place, this.scene, this.film.element, this.status, this.jointCard, this.parameters, matrices);
     this.#listen();
   }
 
@@ -43,13 +66,13 @@ export class OwnCard {
    */
   take(table, { parameters, ...options } = {}) {
     const units = { angle: table.angle_unit, length: table.length_unit };
+    /** @param {string} name */
     const kindOf = (name) => (this.kinds.get(name) === "angle" ? "angle" : "length");
     const values = parameters ?? convertedValues(this.robot.parameters, kindOf, this.units, units);
     this.units = units;
     this.sliders.units = units;
     this.robot.take(table, { ...options, parameters: values });
     this.empty = emptyCells(table);
-    if (this.empty) this.#wait(t("form-own-missing", { count: this.empty }));
   }
 
   #listen() {
@@ -61,7 +84,7 @@ export class OwnCard {
     robot.addEventListener("poses", (event) => this.matrices.showNumbers(/** @type {CustomEvent} */ (event).detail));
     robot.addEventListener("failure", (event) => this.#fail(/** @type {CustomEvent} */ (event).detail));
     this.sliders.addEventListener("change", () => this.scene.settle());
-    this.sliders.addEventListener("joints-change", (event) => this.#turn(event.detail.values));
+    this.sliders.addEventListener("joints-change", (/** @type {any} */ event) => this.#turn(event.detail.values));
   }
 
   /** Brings the robot to joint values. @param {number[]} values [rad or length] */
@@ -70,59 +93,70 @@ export class OwnCard {
     this.#turn(this.sliders.values);
   }
 
+  /** @param {number[]} values */
   #turn(values) {
     this.scene.joints = values;
+    this.film.joints = values;
     this.robot.joints = values;
   }
 
-  #read({ reading, faults }) {
-    if (!reading) this.#wait(this.empty ? t("form-own-missing", { count: this.empty }) : t("form-own-unread", { count: faults.length }));
-  }
-
-  /** Says what the picture waits for; until then it is the last one, if there is one. */
-  #wait(text) {
-    this.status.textContent = this.matrices.table ? `${text} ${t("form-own-last")}` : `${t("form-own-empty")} ${text}`;
+  /** @param {import("../understanding.js").Answer} answer */
+  #read({ whole, rows, faults }) {
+    this.waiting = "";
+    if (whole) return;
+    this.waiting = this.empty
+      ? t("form-own-missing", { count: this.empty })
+      : t("form-own-unread", { count: faults.length });
+    if (rows.length) return;
+    this.status.textContent = `${this.waiting} ${t("form-own-last")}`;
     this.#dim(true);
   }
 
-  #draw({ model, joints, values }) {
+  /** @param {import("../live-robot.js").Robot} robot */
+  #draw(robot) {
+    const { model, joints, values, rows, whole } = robot;
     this.sliders.joints = joints;
     this.sliders.values = values;
-    this.scene.hidden = false;
     this.scene.joints = values;
     this.scene.model = model;
     this.scene.describe(this.#description(joints));
+    this.film.take(robot);
     this.jointCard.hidden = joints.length === 0;
-    this.matrices.table = this.robot.subject?.table;
-    this.status.textContent = t("form-own-shown", { joints: joints.length });
+    this.matrices.table = whole ? this.robot.subject?.table : null;
+    const shown = rows.length ? t("form-own-rows", { rows: rows.length }) : t("form-own-empty");
+    this.status.textContent = whole ? t("form-own-shown", { joints: joints.length }) : `${shown} ${this.waiting}`;
     this.#dim(false);
   }
 
+  /** @param {import("../joint-ranges.js").JointRange[]} joints */
   #description(joints) {
     const kinds = joints.map((joint) => `${joint.name}: ${t(`form-joint-${joint.type}`)}`).join(", ");
     return `${t("form-own-description", { joints: kinds })} ${t("form-scene-keys")}`;
   }
 
+  /** @param {boolean} dimmed */
   #dim(dimmed) {
     this.scene.classList.toggle("stale", dimmed);
     this.scene.removeAttribute("aria-busy");
   }
 
+  /** @param {unknown} error */
   #fail(error) {
     fill(this.status, problemNotice(error));
     this.#dim(true);
   }
 
-  /** Fields for what the student's table names; those that the exercise does not give have to be filled in. */
+  /** Fields for what the student's table names; those that the exercise does not give have to be filled in. @param {{parameters: Named[], missing: Named[]}} used */
   #showParameters({ parameters, missing }) {
     this.parameters.hidden = parameters.length === 0;
     for (const { name, kind } of parameters) this.kinds.set(name, kind);
     const names = JSON.stringify([parameters.map(({ name, kind }) => [name, kind]), this.units]);
-    if (names !== this.shownNames) fill(this.fields, parameters.map((parameter) => this.#field(parameter)));
+    const fields = names === this.shownNames ? null : parameters.map((parameter) => this.#field(parameter));
+    if (fields) fill(this.fields, fields);
     this.shownNames = names;
     this.#showValues();
-    if (!missing.length) return;
-    this.#wait(t("form-own-values", { names: missing.map(({ name }) => name).join(", ") }));
+    const open = missing.map(({ name }) => name).join(", ");
+    if (open && !this.empty) this.waiting = t("form-own-values", { names: open });
   }
 
   /** Fields show the robot's values, except the one that is being typed into. */
@@ -134,10 +168,12 @@ export class OwnCard {
     }
   }
 
+  /** @param {Named} parameter */
   #field({ name, kind }) {
     const id = uniqueId("parameter");
     const { angle, length } = this.units;
     const unit = kind === "angle" ? (angle === "deg" ? "°" : "rad") : length;
+    /** @param {string} text */
     const take = (text) => {
       const { [name]: _, ...others } = this.robot.parameters;
       const value = numberIn(text);
@@ -150,7 +186,14 @@ export class OwnCard {
       el(
         "span",
         { class: "joint-number" },
-        el("input", { id, name, type: "text", inputmode: "decimal", oninput: (event) => take(event.target.value), onblur: () => this.#showValues() }),
+        el("input", {
+          id,
+          name,
+          type: "text",
+          inputmode: "decimal",
+          oninput: (event) => take(event.target.value),
+          onblur: () => this.#showValues(),
+        }),
         el("span", { class: "hint", text: unit }),
       ),
     );
@@ -159,7 +202,9 @@ export class OwnCard {
 
 /** Number of cells in which nothing stands. @param {any} table */
 function emptyCells({ rows }) {
-  return rows.flatMap(({ alpha, a, d, theta }) => [alpha, a, d, theta]).filter((text) => String(text).trim() === "").length;
+  return rows
+    .flatMap((/** @type {any} */ { alpha, a, d, theta }) => [alpha, a, d, theta])
+    .filter((/** @type {string} */ text) => String(text).trim() === "").length;
 }
 
 /** @param {string} text as people write numbers */

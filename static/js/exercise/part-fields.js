@@ -7,14 +7,23 @@
 import { el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { transformName } from "../typeset.js";
+import { blockOf, readMatrix } from "./matrix-text.js";
 
-const RELATIONS = ["coincident", "parallel", "intersecting_perpendicular", "intersecting_oblique", "skew_perpendicular", "skew_oblique"];
+const RELATIONS = [
+  "coincident",
+  "parallel",
+  "intersecting_perpendicular",
+  "intersecting_oblique",
+  "skew_perpendicular",
+  "skew_oblique",
+];
 
 /** A fault's message below a field. @param {string} id */
 function faultLine(id) {
   return el("div", { class: "fault", id, hidden: true });
 }
 
+/** @param {HTMLElement} input @param {HTMLElement} line @param {string} text */
 function setFault(input, line, text) {
   line.textContent = text;
   line.hidden = !text;
@@ -25,6 +34,8 @@ function setFault(input, line, text) {
 /** A 4×4 of cells. */
 export class MatrixField {
   onchange = () => {};
+  /** What stood here before a matrix was put in as a whole. @type {string[][] | null} */
+  #undo = null;
 
   /** @param {{from: number, to: number}} ends */
   constructor({ from, to }) {
@@ -50,6 +61,13 @@ export class MatrixField {
         return { input, line };
       }),
     );
+    this.undo = el("button", {
+      type: "button",
+      class: "quiet small",
+      hidden: true,
+      text: t("form-undo"),
+      onclick: () => this.#takeBack(),
+    });
     this.element = el(
       "fieldset",
       { class: "matrix-field" },
@@ -57,8 +75,23 @@ export class MatrixField {
       el(
         "div",
         { class: "scroller", tabindex: "0", role: "group", "aria-label": name },
-        el("table", { class: "matrix-cells", role: "presentation" }, el("tbody", {}, this.cells.map((row) => el("tr", {}, row.map(({ input, line }) => el("td", {}, input, line)))))),
+        el(
+          "table",
+          { class: "matrix-cells", role: "presentation" },
+          el(
+            "tbody",
+            {},
+            this.cells.map((row) =>
+              el(
+                "tr",
+                {},
+                row.map(({ input, line }) => el("td", {}, input, line)),
+              ),
+            ),
+          ),
+        ),
       ),
+      el("div", { class: "row" }, this.#asText(name), this.undo),
     );
   }
 
@@ -93,16 +126,55 @@ export class MatrixField {
     this.cells[row]?.[column]?.input.focus();
   }
 
+  /** @param {ClipboardEvent} event @param {number} row @param {number} column */
   #paste(event, row, column) {
     const text = event.clipboardData?.getData("text/plain") ?? "";
-    const lines = text.replace(/\r/g, "").trim().split(/\n|;\s*/).map((line) => line.trim().replace(/^[[{(]+|[\]})]+,?$/g, "").split(/\t|,(?![^()]*\))\s*|\s+(?![^()]*\))/));
-    if (lines.length < 2 && lines[0].length < 2) return;
+    const whole = readMatrix(text);
+    const block = whole ?? blockOf(text);
+    if (!block) return;
     event.preventDefault();
-    lines.forEach((line, i) => line.forEach((piece, k) => {
-      const cell = this.cells[row + i]?.[column + k];
-      if (cell) cell.input.value = piece.trim();
-    }));
+    this.#put(block, whole ? 0 : row, whole ? 0 : column);
+  }
+
+  /** Writes cells into the matrix; one step takes it back. @param {string[][]} block @param {number} row @param {number} column */
+  #put(block, row, column) {
+    const before = this.state;
+    block.forEach((line, i) =>
+      line.forEach((piece, k) => {
+        const cell = this.cells[row + i]?.[column + k];
+        if (cell) cell.input.value = piece;
+      }),
+    );
+    this.#undo = before;
+    this.undo.hidden = false;
     this.onchange();
+  }
+
+  #takeBack() {
+    if (this.#undo) this.state = this.#undo;
+    this.#undo = null;
+    this.undo.hidden = true;
+    this.cells[0][0].input.focus();
+    this.onchange();
+  }
+
+  /** A field that takes the whole matrix as text. @param {string} name */
+  #asText(name) {
+    const line = faultLine(uniqueId("fault"));
+    /** @type {HTMLTextAreaElement} */
+    const area = el("textarea", {
+      rows: 4,
+      spellcheck: "false",
+      autocapitalize: "off",
+      "aria-label": t("form-matrix-text-label", { name }),
+      "aria-describedby": line.id,
+      oninput: () => {
+        const matrix = area.value.trim() ? readMatrix(area.value) : null;
+        setFault(area, line, area.value.trim() && !matrix ? t("form-matrix-text-unread") : "");
+        if (matrix) this.#put(matrix, 0, 0);
+      },
+    });
+    return el("details", { class: "matrix-text" }, el("summary", { text: t("form-matrix-text") }), area, line);
   }
 }
 
@@ -123,7 +195,10 @@ export class MatrixListField {
       field.onchange = () => this.onchange();
       this.fields.push(field);
     }
-    fill(this.element, this.fields.slice(0, count).map((field) => field.element));
+    fill(
+      this.element,
+      this.fields.slice(0, count).map((field) => field.element),
+    );
     this.count = count;
   }
 
@@ -144,8 +219,15 @@ export class MatrixListField {
     states.forEach((state, i) => (this.fields[i].state = state));
   }
 
+  /** @param {any} faults */
   showFaults(faults) {
-    this.fields.forEach((field, i) => field.showFaults(faults.filter(({ where }) => where[0] === i).map(({ where, text }) => ({ where: where.slice(1), text }))));
+    this.fields.forEach((field, i) =>
+      field.showFaults(
+        faults
+          .filter((/** @type {any} */ { where }) => where[0] === i)
+          .map((/** @type {any} */ { where, text }) => ({ where: where.slice(1), text })),
+      ),
+    );
   }
 
   focus([index = 0, ...where] = []) {
@@ -166,7 +248,14 @@ export class NumbersField {
       numbers.map(({ name, label, unit }) => {
         const line = faultLine(uniqueId("fault"));
         const input = /** @type {HTMLInputElement} */ (
-          el("input", { id: uniqueId("number"), type: "text", autocomplete: "off", size: 10, "aria-describedby": line.id, oninput: () => (setFault(input, line, ""), this.onchange()) })
+          el("input", {
+            id: uniqueId("number"),
+            type: "text",
+            autocomplete: "off",
+            size: 10,
+            "aria-describedby": line.id,
+            oninput: () => (setFault(input, line, ""), this.onchange()),
+          })
         );
         this.inputs.set(name, { input, line });
         return el("div", { class: "field" }, el("label", { for: input.id, text: `${label} [${unit}]` }), input, line);
@@ -194,6 +283,7 @@ export class NumbersField {
     }
   }
 
+  /** @param {any} faults */
   showFaults(faults) {
     for (const { input, line } of this.inputs.values()) setFault(input, line, "");
     for (const { where, text } of faults) {
@@ -202,6 +292,7 @@ export class NumbersField {
     }
   }
 
+  /** @param {any} [options] */
   focus([name] = []) {
     (this.inputs.get(name) ?? [...this.inputs.values()][0]).input.focus();
   }
@@ -213,14 +304,19 @@ export class SchematicField {
 
   /** @param {number} joints */
   constructor(joints) {
+    /** @param {string} label @param {any} options */
     const select = (label, options) => {
       const line = faultLine(uniqueId("fault"));
       const input = /** @type {HTMLSelectElement} */ (
         el(
           "select",
-          { "aria-label": label, "aria-describedby": line.id, onchange: () => (setFault(input, line, ""), this.onchange()) },
+          {
+            "aria-label": label,
+            "aria-describedby": line.id,
+            onchange: () => (setFault(input, line, ""), this.onchange()),
+          },
           el("option", { value: "", text: t("form-choose") }),
-          options.map(([value, text]) => el("option", { value, text })),
+          options.map((/** @type {any} */ [value, text]) => el("option", { value, text })),
         )
       );
       return { input, line };
@@ -238,9 +334,21 @@ export class SchematicField {
         el(
           "li",
           {},
-          el("span", { class: "schematic-line" }, el("span", { text: t("form-schematic-joint", { joint: i + 1 }) }), joint.input, joint.line),
+          el(
+            "span",
+            { class: "schematic-line" },
+            el("span", { text: t("form-schematic-joint", { joint: i + 1 }) }),
+            joint.input,
+            joint.line,
+          ),
           this.relations[i]
-            ? el("span", { class: "schematic-line" }, el("span", { class: "hint", text: t("form-schematic-relation", { joint: i + 1, next: i + 2 }) }), this.relations[i].input, this.relations[i].line)
+            ? el(
+                "span",
+                { class: "schematic-line" },
+                el("span", { class: "hint", text: t("form-schematic-relation", { joint: i + 1, next: i + 2 }) }),
+                this.relations[i].input,
+                this.relations[i].line,
+              )
             : null,
         ),
       ),
@@ -253,13 +361,19 @@ export class SchematicField {
 
   get value() {
     if (!this.touched) return null;
-    return { joints: this.joints.map(({ input }) => input.value), relations: this.relations.map(({ input }) => input.value) };
+    return {
+      joints: this.joints.map(({ input }) => input.value),
+      relations: this.relations.map(({ input }) => input.value),
+    };
   }
 
   /** Choices that are still open, as faults. */
   get missing() {
+    /** @param {any} fields @param {any} list */
     const open = (fields, list) =>
-      fields.flatMap(({ input }, i) => (input.value ? [] : [{ where: [list, i], text: t("form-choose-missing") }]));
+      fields.flatMap((/** @type {any} */ { input }, /** @type {number} */ i) =>
+        input.value ? [] : [{ where: [list, i], text: t("form-choose-missing") }],
+      );
     return this.touched ? [...open(this.joints, "joints"), ...open(this.relations, "relations")] : [];
   }
 
@@ -272,6 +386,7 @@ export class SchematicField {
     relations.forEach((value, i) => this.relations[i] && (this.relations[i].input.value = value));
   }
 
+  /** @param {any} faults */
   showFaults(faults) {
     for (const { input, line } of [...this.joints, ...this.relations]) setFault(input, line, "");
     for (const { where, text } of faults) {
@@ -281,6 +396,7 @@ export class SchematicField {
     }
   }
 
+  /** @param {any} [options] */
   focus([list, index = 0] = []) {
     (list === "relations" ? this.relations : this.joints)[index]?.input.focus();
   }

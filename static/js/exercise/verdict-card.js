@@ -2,7 +2,9 @@
 
 import { announce, el, fill } from "../dom.js";
 import { t } from "../i18n.js";
+import { api } from "../page.js";
 import { placeName } from "./answer-card.js";
+import { reasonsList, secondTable } from "./reasons.js";
 import { bothRobots } from "./both-robots.js";
 import { partView, shareOf, verdictView, verdictWord } from "./verdict-view.js";
 
@@ -26,20 +28,23 @@ export class VerdictCard {
   /**
    * @param {any} graded
    * @param {{exercise: any, answer: import("./answer-card.js").AnswerCard, convention: string,
-   *   drawn: Pick<import("../live-robot.js").Robot, "model"> | null, changed: boolean}} given
+   *   table: any, drawn: Omit<import("../live-robot.js").Robot, "values"> | null, changed: boolean}} given
    *   convention and robot of the table that was handed in; whether something was typed since
    */
-  show(graded, { exercise, answer, convention, drawn, changed }) {
+  show(graded, { exercise, answer, convention, table, drawn, changed }) {
     this.#both?.stop();
     this.card.classList.remove("outdated");
     this.card.hidden = false;
-    const { table, ...others } = graded.parts;
+    const { table: _table, ...others } = graded.parts;
+    /** @param {any} row @param {any} cell */
     const focusRow = (row, cell) => answer.focusRow(row, cell);
     this.#both = graded.certificate && graded.figure && drawn ? together(graded, exercise, drawn) : null;
     fill(
       this.place,
       verdictView(graded, { convention, focusRow }),
       this.#both?.element,
+      drawn && this.#both ? reasonsList(drawn.rows, table, drawn.size) : null,
+      drawn && this.#both && exercise.conventions.length > 1 ? secondTable(api, table) : null,
       Object.values(others).map((report) =>
         partView(report, partName(report.kind), {
           nameOf: (where) => placeName(report.kind, where),
@@ -57,6 +62,7 @@ export class VerdictCard {
   }
 }
 
+/** @param {Wire.Graded} graded @param {Wire.Exercise} exercise @param {any} drawn */
 function together(graded, exercise, drawn) {
   return bothRobots({
     figure: exercise.figure,

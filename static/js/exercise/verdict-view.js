@@ -6,6 +6,7 @@ import { columnText } from "../editor/grid.js";
 import { plain } from "../numbers.js";
 
 const FACTS = ["twist", "length", "offset", "joint"];
+/** @type {Record<string, "check" | "cross">} */
 const MARKS = { ok: "check", wrong: "cross", missing: "cross" };
 
 /**
@@ -51,9 +52,9 @@ export function verdictWord(graded) {
   return t(graded.correct ? "form-verdict-all" : "form-verdict-some");
 }
 
-/** What was earned: of what was handed in, which the ring shows, and of all there is. */
+/** What was earned: of what was handed in, which the ring shows, and of all there is. @param {any} options */
 function totalLine({ parts, total: { points, max_points: total, missing } }) {
-  const names = missing.map((kind) => t(`form-part-${kind.replaceAll("_", "-")}`));
+  const names = missing.map((/** @type {string} */ kind) => t(`form-part-${kind.replaceAll("_", "-")}`));
   const most = Object.values(parts).reduce((sum, part) => sum + part.max_points, 0);
   const counted = { points: plain(points, 1), most: plain(most, 1), total: plain(total, 1) };
   return el(
@@ -64,6 +65,7 @@ function totalLine({ parts, total: { points, max_points: total, missing } }) {
   );
 }
 
+/** @param {any} link */
 function hasNews(link) {
   return FACTS.some((fact) => link[fact] && link[fact] !== "hidden");
 }
@@ -71,12 +73,17 @@ function hasNews(link) {
 /** @param {number} score 0 … 1 */
 function scoreRing(score) {
   const percent = Math.round(score * 100);
-  const ring = el("div", { class: "score-ring", role: "img", "aria-label": t("form-score", { score: percent }) }, el("span", { text: `${percent} %` }));
+  const ring = el(
+    "div",
+    { class: "score-ring", role: "img", "aria-label": t("form-score", { score: percent }) },
+    el("span", { text: `${percent} %` }),
+  );
   ring.style.setProperty("--score", `${percent}%`);
   return ring;
 }
 
-function rowLink(row, text, focusRow, cell) {
+/** @param {any} row @param {string} text @param {any} focusRow @param {any} cell */
+function rowLink(row, text, focusRow, cell = undefined) {
   return el("a", {
     class: "row-link",
     href: `#row-${row}`,
@@ -88,12 +95,13 @@ function rowLink(row, text, focusRow, cell) {
   });
 }
 
+/** @param {any} feedback @param {any} focusRow */
 function feedbackList(feedback, focusRow) {
   if (!feedback.length) return null;
   return el(
     "ul",
     { class: "feedback" },
-    feedback.map(({ row, message, code }) =>
+    feedback.map((/** @type {any} */ { row, message, code }) =>
       el(
         "li",
         { dataset: { code } },
@@ -104,6 +112,7 @@ function feedbackList(feedback, focusRow) {
   );
 }
 
+/** @param {any} links @param {any} focusRow */
 function linkTable(links, focusRow) {
   return el(
     "div",
@@ -112,12 +121,26 @@ function linkTable(links, focusRow) {
       "table",
       { class: "data links-table" },
       el("caption", { class: "visually-hidden", text: t("form-links-caption") }),
-      el("thead", {}, el("tr", {}, el("th", { scope: "col", text: t("form-row-heading") }), FACTS.map((fact) => el("th", { scope: "col", text: t(`form-fact-${fact}`) })))),
+      el(
+        "thead",
+        {},
+        el(
+          "tr",
+          {},
+          el("th", { scope: "col", text: t("form-row-heading") }),
+          FACTS.map((fact) => el("th", { scope: "col", text: t(`form-fact-${fact}`) })),
+        ),
+      ),
       el(
         "tbody",
         {},
-        links.map((link) =>
-          el("tr", {}, el("th", { scope: "row" }, rowLink(link.row, String(link.row), focusRow)), FACTS.map((fact) => el("td", {}, finding(link[fact])))),
+        links.map((/** @type {any} */ link) =>
+          el(
+            "tr",
+            {},
+            el("th", { scope: "row" }, rowLink(link.row, String(link.row), focusRow)),
+            FACTS.map((fact) => el("td", {}, finding(link[fact]))),
+          ),
         ),
       ),
     ),
@@ -127,11 +150,18 @@ function linkTable(links, focusRow) {
 /** @param {string} found */
 function finding(found) {
   const tone = found === "ok" ? "good" : found === "wrong" || found === "missing" ? "bad" : "";
-  return el("span", { class: `badge ${tone}` }, MARKS[found] ? icon(MARKS[found]) : null, el("span", { text: t(`form-finding-${found}`) }));
+  return el(
+    "span",
+    { class: `badge ${tone}` },
+    MARKS[found] ? icon(MARKS[found]) : null,
+    el("span", { text: t(`form-finding-${found}`) }),
+  );
 }
 
+/** @param {any} repairs @param {string} convention @param {any} focusRow */
 function repairList(repairs, convention, focusRow) {
   if (!repairs.length) return null;
+  /** @param {any} options */
   const edit = ({ row, cell, message, code }) => {
     const name = cell && cell !== "joint" ? `, ${columnText(cell, convention)}` : "";
     return el(
@@ -145,7 +175,7 @@ function repairList(repairs, convention, focusRow) {
     "div",
     {},
     el("h3", { text: t("form-repairs") }),
-    repairs.map((repair, i) => [
+    repairs.map((/** @type {any} */ repair, /** @type {number} */ i) => [
       i > 0 ? el("p", { class: "hint", text: t("form-repair-or") }) : null,
       el("ul", { class: "feedback repairs" }, repair.edits.map(edit)),
     ]),
@@ -159,9 +189,13 @@ function repairList(repairs, convention, focusRow) {
  */
 export function partView(report, name, { nameOf, goTo }) {
   const percent = Math.round(report.score * 100);
-  const wrong = report.facts.filter(({ finding: found }) => found === "wrong" || found === "missing");
+  const wrong = report.facts.filter(
+    (/** @type {any} */ { finding: found }) => found === "wrong" || found === "missing",
+  );
   const tone = percent === 100 ? "good" : percent ? "warn" : "bad";
+  /** @param {any} options */
   const link = ({ where }) => {
+    /** @param {any} event */
     const follow = (event) => {
       event.preventDefault();
       goTo(where);

@@ -8,6 +8,7 @@ import { AnswerCard } from "../exercise/answer-card.js";
 import { isPackaged, PackageFrame } from "../exercise/embedding.js";
 import { showFigure } from "../exercise/figure-card.js";
 import { showHistory } from "../exercise/history.js";
+import { arrangePictures, connect } from "../exercise/pictures.js";
 import { OwnCard } from "../exercise/own-card.js";
 import { VerdictCard } from "../exercise/verdict-card.js";
 import { t } from "../i18n.js";
@@ -22,14 +23,16 @@ import { keep, recall } from "../storage.js";
 import { CourseSession, openSession, receiptView } from "../session/course-session.js";
 import { convertedValues } from "../units.js";
 
+/** @param {string} id */
 const $ = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
-const id = $("exercise").dataset.id;
+const id = $("exercise").dataset.id ?? "";
 const seed = new URLSearchParams(location.search).get("seed");
 const query = seed ? `?seed=${encodeURIComponent(seed)}` : "";
 let draftKey = `draft:${id}${seed ? `:${seed}` : ""}`;
 let attempts = browserAttempts;
 
 async function run() {
+  /** @type {Wire.Exercise} */
   let exercise;
   /** @type {CourseSession | null} */
   let course = null;
@@ -48,7 +51,7 @@ async function run() {
     const asked = course.told.parts;
     if (asked.length) exercise.parts = exercise.parts.filter(({ kind }) => asked.includes(kind));
   }
-  arrange();
+  arrangePictures();
   showFigure(exercise, {
     mode: $("figure-mode"),
     body: $("figure-body"),
@@ -57,7 +60,11 @@ async function run() {
   });
   const robot = new LiveRobot(api);
   showRules(exercise);
-  const own = new OwnCard($("own"), robot, { api, given: givenBy(exercise) });
+  const own = new OwnCard($("own"), robot, {
+    api,
+    given: givenBy(exercise),
+    light: (row, cell) => answer.editor.light(row, cell),
+  });
   const verdict = new VerdictCard($("verdict-card"), $("verdict"));
   const answer = new AnswerCard($("answer"), exercise, {
     changed: (what) => {
@@ -69,6 +76,7 @@ async function run() {
     },
     submit: () => submit(),
   });
+  connect(answer.editor, own);
   robot.addEventListener("reading", (event) => answer.showReading(/** @type {CustomEvent} */ (event).detail));
 
   restore(recall(draftKey, null) ?? course?.told.draft?.state);
@@ -92,7 +100,10 @@ async function run() {
     follow({ now: true });
   }
 
-  /** Tells the package around this page what an answer earned, with a receipt that the browser cannot forge. */
+  /**
+   * Tells the package around this page what an answer earned, with a receipt that the browser cannot forge.
+   * @param {Record<string, any>} request @param {Wire.Graded} graded @param {any} state
+   */
   async function report(request, graded, state) {
     const { points, max_points: most, missing } = graded.total;
     const body = { ...request, ...(seed ? { seed } : {}), name: seed ?? "-" };
@@ -100,7 +111,8 @@ async function run() {
     frame?.verdict({ points, max_points: most, complete: !missing.length, receipt: issued?.receipt ?? null, state });
   }
 
-  function follow(options) {
+  /** @param {{now?: boolean}} [options] */
+  function follow(options = {}) {
     own.take(answer.table, options);
   }
 
@@ -128,8 +140,14 @@ async function run() {
         submission: handed,
         verdict: graded,
       });
-      const drawn = graded.certificate && graded.figure ? await robotOf(api, request.table, valuesFor(request.table)).catch(() => null) : null;
-      verdict.show(graded, { exercise, answer, convention: handed.table.convention, drawn, changed: changed() });
+      const drawn =
+        graded.certificate && graded.figure
+          ? await robotOf(api, request.table, valuesFor(request.table)).catch(() => null)
+          : null;
+      const { table } = request;
+      verdict.show(graded, { exercise, answer, convention: handed.table.convention, table, drawn, changed: changed() });
+      const wrong = firstWrong(graded);
+      if (wrong !== null && !changed()) own.film.show(wrong.row - 1, wrong.cell);
       await listAttempts();
     } catch (error) {
       const shown = error instanceof Problem && error.status < 500 && answer.showRefusal(error.faults, request.table);
@@ -139,9 +157,10 @@ async function run() {
     }
   }
 
-  /** The exercise's own values, and what the student gave a value to, in a table's units. */
+  /** The exercise's own values, and what the student gave a value to, in a table's units. @param {any} options */
   function valuesFor({ angle_unit: angle, length_unit: length }) {
     const { parameters, kinds, units } = givenBy(exercise);
+    /** @param {string} name */
     const kindOf = (name) => new Map(kinds).get(name) ?? "length";
     return { ...robot.parameters, ...convertedValues(parameters, kindOf, units, { angle, length }) };
   }
@@ -167,19 +186,47 @@ async function run() {
   }
 }
 
-/** The exercise's values, and the units that they are in. */
+/**
+ * Where the student's robot departs from the exercise's, as far as the help tells: the picture shows that row.
+ * @param {Wire.Graded} graded
+ */
+function firstWrong({ correct, links }) {
+  const cells = { twist: "alpha", length: "a", offset: "d" };
+  if (correct) return null;
+  for (const link of links) {
+    for (const [fact, cell] of Object.entries(cells)) {
+      if (link[/** @type {"twist" | "length" | "offset"} */ (fact)] === "wrong") return { row: link.row, cell };
+    }
+  }
+  return null;
+}
+
+/** The exercise's values, and the units that they are in. @param {any} options */
 function givenBy({ parameters, dimensions, angle_unit: angle, length_unit: length }) {
-  const kinds = dimensions.map(({ name, unit }) => [name, unit === length ? "length" : "angle"]);
+  const kinds = dimensions.map((/** @type {any} */ { name, unit }) => [name, unit === length ? "length" : "angle"]);
   return { parameters, kinds, units: { angle, length } };
 }
 
-/** Below the statement: what is given, and what is free to choose. */
+/** Below the statement: what is given, and what is free to choose. @param {any} options */
 function showRules({ dimensions, rules }) {
-  const given = dimensions.map(({ name, value, unit }) => el("li", {}, variable(name), ` = ${plain(value, 6)} ${unit}`));
+  const given = dimensions.map((/** @type {any} */ { name, value, unit }) =>
+    el("li", {}, variable(name), ` = ${plain(value, 6)} ${unit}`),
+  );
   fill(
     $("givens"),
     given.length ? [el("h3", { text: t("form-exercise-givens") }), el("ul", { class: "givens" }, given)] : null,
-    rules.length ? el("details", {}, el("summary", { text: t("form-exercise-rules") }), el("ul", {}, rules.map((rule) => el("li", { text: rule })))) : null,
+    rules.length
+      ? el(
+          "details",
+          {},
+          el("summary", { text: t("form-exercise-rules") }),
+          el(
+            "ul",
+            {},
+            rules.map((/** @type {any} */ rule) => el("li", { text: rule })),
+          ),
+        )
+      : null,
   );
 }
 
@@ -187,20 +234,6 @@ function showRules({ dimensions, rules }) {
 function variable(name) {
   const match = /^([A-Za-z]+)_?(\d*)$/.exec(name);
   return el("var", {}, match ? match[1] : name, match?.[2] ? el("sub", { text: match[2] }) : null);
-}
-
-/** On wide screens figure and robot stand beside the answer; in the document, always where they are read. */
-function arrange() {
-  const wide = matchMedia("(min-width: 64rem)");
-  const place = () => {
-    if (wide.matches) $("own-side").append($("figure-card"), $("own-card"));
-    else {
-      $("statement-card").after($("figure-card"));
-      $("answer-card").after($("own-card"));
-    }
-  };
-  wide.addEventListener("change", place);
-  place();
 }
 
 startPage(run);

@@ -7,18 +7,22 @@ import { api, pageAddress, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 
 async function run() {
-  const list = document.getElementById("exercises");
+  const list = /** @type {HTMLElement} */ (document.getElementById("exercises"));
   try {
     const { exercises } = await api.get("exercises");
-    exercises.sort((one, other) => one.joints - other.joints || one.title.localeCompare(other.title, language));
+    exercises.sort(
+      (/** @type {any} */ one, /** @type {any} */ other) =>
+        one.joints - other.joints || one.title.localeCompare(other.title, language),
+    );
     fill(list, await Promise.all(exercises.map(entry)));
   } catch (error) {
-    fill(document.getElementById("exercises-problem"), problemNotice(error));
+    fill(/** @type {HTMLElement} */ (document.getElementById("exercises-problem")), problemNotice(error));
   } finally {
     list.removeAttribute("aria-busy");
   }
 }
 
+/** @param {any} options */
 async function entry({ id, title, summary, joints }) {
   const attempts = await browserAttempts.list(id);
   const best = attempts.reduce((most, attempt) => Math.max(most, attempt.score), 0);

@@ -8,6 +8,7 @@ import { Latest } from "../api.js";
 import { announce, el, fill } from "../dom.js";
 import { copyText } from "../clipboard.js";
 import { OwnCard } from "../exercise/own-card.js";
+import { connect } from "../exercise/pictures.js";
 import { t } from "../i18n.js";
 import { inward, LiveRobot, outward } from "../live-robot.js";
 import { api, startPage } from "../page.js";
@@ -26,37 +27,51 @@ const DRAFT = "playground";
 
 class Playground {
   constructor() {
-    this.editor = /** @type {any} */ (el("dh-table-editor"));
+    this.editor = el("dh-table-editor");
     this.robot = new LiveRobot(api);
     /** @type {Found | null} */
     this.found = null;
     /** @type {Found | null} */
     this.offered = null;
-    this.pose = /** @type {number[][] | null} */ (null);
+    /** The table of what was found, as the editor has it: what is known goes with it. */
+    this.foundTable = "";
     this.bringing = new Latest();
-    this.configurations = el("div", { class: "configurations", role: "group", "aria-label": t("playground-configurations"), hidden: true });
-    this.card = new OwnCard(place("robot"), this.robot, { api });
+    this.configurations = el("div", {
+      class: "configurations",
+      role: "group",
+      "aria-label": t("playground-configurations"),
+      hidden: true,
+    });
+    this.card = new OwnCard(place("robot"), this.robot, {
+      api,
+      light: (row, cell) => this.editor.light(row, cell),
+    });
     this.tools = [
       poseTool(api),
       jacobianTool(api),
-      inverseTool(api, { pose: () => this.pose, show: (joints) => this.show(joints) }),
+      inverseTool(api, { pose: () => this.#pose(), show: (joints) => this.show(joints) }),
       convertTool(api, { use: (table) => this.use({ table, parameters: this.robot.parameters }, this.robot.joints) }),
       workspaceTool(api),
     ];
   }
 
   build() {
+    /** @param {any} found */
     const use = (found) => this.use(found);
     this.catalogue = catalogueChoice(api, (call) => this.bring(call));
     fill(place("table-body"), this.catalogue.element, this.configurations, this.editor);
     const share = el("button", { type: "button", class: "small", onclick: () => this.share() }, t("playground-share"));
     fill(place("table-tools"), share);
     fill(place("sources"), axesSource(api, use), scmSource(api, use), urdfSource(api, use));
-    fill(place("tools"), this.tools.map((tool) => tool.element));
+    fill(
+      place("tools"),
+      this.tools.map((tool) => tool.element),
+    );
     this.listen();
   }
 
   listen() {
+    connect(this.editor, this.card);
     this.editor.addEventListener("table-change", () => {
       this.bringing.cancel();
       this.#tell(null);
@@ -68,13 +83,11 @@ class Playground {
       this.editor.showMeaning(rows);
       this.editor.showFaults(faults);
     });
-    this.robot.addEventListener("robot", () => this.#showConfigurations());
-    this.robot.addEventListener("poses", (event) => {
-      const subject = this.#subject();
-      if (!subject) return;
-      this.pose = /** @type {CustomEvent} */ (event).detail.transform;
-      this.#tell(subject);
+    this.robot.addEventListener("robot", () => {
+      this.#showConfigurations();
+      this.#tell(this.#subject());
     });
+    place("robot").addEventListener("joints-change", () => this.#tell(this.#subject()));
     for (const name of ["input", "joints-change"]) place("robot").addEventListener(name, () => this.#keep());
     window.addEventListener("hashchange", () => this.restore());
   }
@@ -104,8 +117,9 @@ class Playground {
   use(found, joints = []) {
     this.bringing.cancel();
     this.found = found;
-    this.catalogue.show(found.id ?? "");
+    this.catalogue?.show(found.id ?? "");
     this.editor.load(found.table);
+    this.foundTable = JSON.stringify(this.editor.table);
     this.#tell(null);
     this.configurations.hidden = true;
     this.card.take(this.editor.table, { now: true, parameters: { ...found.parameters }, joints });
@@ -117,6 +131,7 @@ class Playground {
     const subject = this.robot.subject;
     if (!subject || subject.types.length !== joints.length) return;
     this.card.show(inward({ ...subject, joints }));
+    this.#tell(this.#subject());
     this.#keep();
     announce(t("playground-moved"));
   }
@@ -127,14 +142,14 @@ class Playground {
     announce(t((await copyText(address)) ? "playground-shared" : "form-copy-failed"));
   }
 
-  /** What the catalogue knows of the robot goes with its joints: with other ones it is not that robot any more. */
-  #known(subject) {
-    const types = this.found?.table.rows.map((row) => row.joint).filter((joint) => joint !== "fixed");
-    return subject && types?.join() === subject.types.join() ? this.found : null;
+  /** What the catalogue knows of a robot goes with its table: with another one it is not that robot any more. */
+  #known() {
+    return this.found && JSON.stringify(this.editor.table) === this.foundTable ? this.found : null;
   }
 
   #showConfigurations() {
-    const known = this.#known(this.robot.subject);
+    const known = this.robot.subject && this.#known();
+    if (!known) this.catalogue?.show("");
     const configurations = known?.configurations ?? {};
     this.configurations.hidden = Object.keys(configurations).length === 0;
     if (known === this.offered) return;
@@ -150,7 +165,16 @@ class Playground {
     const { subject } = this.robot;
     if (!subject) return null;
     const units = { angle: subject.table.angle_unit, length: subject.table.length_unit };
-    return { ...subject, joints: outward(subject), units, limits: this.#known(subject)?.limits ?? null };
+    return { ...subject, joints: outward(subject), units, limits: this.#known()?.limits ?? null };
+  }
+
+  /** The pose of the last frame where the joints stand now. @returns {Promise<number[][] | null>} */
+  async #pose() {
+    const subject = this.#subject();
+    if (!subject) return null;
+    const { table, parameters, joints } = subject;
+    const request = { table, ...(Object.keys(parameters).length ? { parameters } : {}), joints, parts: ["transform"] };
+    return (await api.post("forward-kinematics", request)).transform;
   }
 
   #shared() {
@@ -163,11 +187,11 @@ class Playground {
 
   /** @param {import("../playground/tool.js").Subject | null} subject */
   #tell(subject) {
-    if (!subject) this.pose = null;
     for (const tool of this.tools) tool.take(subject);
   }
 }
 
+/** @param {string} id */
 function place(id) {
   return /** @type {HTMLElement} */ (document.getElementById(id));
 }

@@ -1,150 +1,380 @@
-/** The trainer: attach frames to a robot's axes, one choice at a time, and see the table follow. */
+/** The trainer: frames attached to a robot's axes in the steps of the lecture, and the table read off from them. */
 
 import "../scene/robot-scene.js";
 import { Latest } from "../api.js";
 import { announce, el, fill, segmented } from "../dom.js";
+import { fromWire } from "../editor/model.js";
+import { poseOf, ROWS_SECONDS, stillOf } from "../trainer/reading.js";
 import { t } from "../i18n.js";
 import { api, pageAddress, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
+import { emptyModel } from "../scene/model.js";
+import { across, cross, dot, minus, norm, plus, times, unit } from "../scene/matrix.js";
 import { keep, recall } from "../storage.js";
-import { permalink } from "../playground/permalink.js";
-import { showChooser, candidateText } from "../trainer/chooser.js";
-import { choose, clear, goTo, start, wire } from "../trainer/choices.js";
+import { candidateText, findingNotice, showChooser } from "../trainer/chooser.js";
 import { picture } from "../trainer/picture.js";
-import { tableView } from "../trainer/table.js";
+import { backTo, choose, isFull, onward, partOf, same, shuffled, start, STEPS, wire } from "../trainer/steps.js";
+import { middlesOf, namedRow, rowToPoint, tableView } from "../trainer/table.js";
+import { METRES } from "../units.js";
 
-const $ = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
-const id = $("trainer").dataset.id;
-const draft = `trainer:${id}`;
+/** @typedef {import("../trainer/steps.js").State} State */
+/** @typedef {{frames: Wire.JudgedFrame[], rows: any[], table: any, tool?: number[][]}} Judged */
+
+const $ = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
+const id = $("trainer").dataset.id ?? "";
+const draft = `trainer:2:${id}`;
 
 class Trainer {
   #latest = new Latest();
+  #running = 0;
+  /** The frame whose list is shown: a choice is for that one. */
+  shown = -1;
+  /** @type {Judged | null} */
+  judged = null;
+  /** @type {Wire.Candidate[]} */
+  candidates = [];
 
-  /** @param {any} exercise */
+  /** @param {Wire.Exercise} exercise */
   constructor(exercise) {
+    this.exercise = exercise;
     this.figure = exercise.figure;
     this.axes = exercise.figure.axes.map(({ type, point, direction }) => ({ joint: type, point, direction }));
-    const fresh = start(this.axes.length, "modified");
+    this.point =
+      exercise.policy.tool === "axis" || exercise.policy.tool === "free" ? null : (exercise.figure.points?.[0] ?? null);
+    const fresh = start(this.axes.length, exercise.conventions[0]);
     const kept = recall(draft, fresh);
-    this.state = kept.frames?.length === fresh.frames.length ? kept : fresh;
-    this.scene = /** @type {any} */ (el("robot-scene", { label: t("trainer-scene") }));
+    /** @type {State} */
+    this.state =
+      kept.frames?.length === fresh.frames.length && exercise.conventions.includes(kept.convention) ? kept : fresh;
+    this.scene = el("robot-scene", { label: t("trainer-scene") });
     fill($("scene"), this.scene, el("p", { class: "hint", text: t("trainer-click") }));
     this.scene.describe(`${this.figure.description} ${t("form-scene-keys")}`);
-    this.shown = -1;
-    this.chooser = el("div", { class: "stack" });
-    this.next = el("button", { type: "button", class: "small", onclick: () => this.#go(this.state.current + 1) }, t("trainer-next"));
-    const clearing = el("button", { type: "button", class: "small", onclick: () => this.become(clear(this.state)) }, t("trainer-clear"));
-    this.navigation = el("div", { class: "row" }, clearing, this.next);
-    this.scene.addEventListener("scene-pick", (event) => this.#picked(/** @type {CustomEvent} */ (event).detail.id));
+    this.scene.addEventListener("scene-pick", (event) =>
+      this.#picked(Number(/** @type {CustomEvent} */ (event).detail.id)),
+    );
+    this.body = el("div", { class: "stack" });
+    fill($("frame"), this.body);
     this.#convention();
   }
 
   #convention() {
+    const options = this.exercise.conventions.map((value) => ({ value, label: t(`form-convention-${value}`) }));
+    const onchange = (/** @type {any} */ convention) => this.become(start(this.axes.length, convention));
     fill(
       $("convention"),
-      segmented({
-        name: "convention",
-        label: t("form-convention"),
-        value: this.state.convention,
-        options: ["standard", "modified"].map((value) => ({ value, label: t(`form-convention-${value}`) })),
-        onchange: (convention) => this.become({ ...this.state, convention }),
-      }),
+      segmented({ name: "convention", label: t("form-convention"), value: this.state.convention, options, onchange }),
     );
   }
 
-  /** Takes a new state, asks the service about it and shows both. */
+  /** Takes a new state, asks the service about it and shows both. @param {State} state */
   async become(state) {
+    cancelAnimationFrame(this.#running);
     this.state = state;
     keep(draft, state);
     try {
-      const request = { axes: this.axes, convention: state.convention, frames: wire(state) };
+      const tool = this.point ? toolPose(this.figure, this.point.at) : null;
+      const request = { axes: this.axes, convention: state.convention, frames: wire(state), ...(tool ? { tool } : {}) };
       const answer = await this.#latest.run((signal) => api.post("check-frames", request, { signal }));
       if (answer) this.#show(answer.value);
     } catch (error) {
-      fill($("frame"), problemNotice(error, { retry: () => this.become(this.state) }));
+      fill(this.body, problemNotice(error, { retry: () => this.become(this.state) }));
     }
   }
 
+  /** @param {Judged} judged */
   #show(judged) {
     this.judged = judged;
-    this.shown = this.state.current;
-    const frame = judged.frames[this.shown];
-    this.#steps(judged.frames);
-    if (!this.chooser.isConnected) fill($("frame"), this.chooser, this.navigation);
-    showChooser(this.chooser, {
-      state: this.state,
-      judged: frame,
-      choose: (part, vector) => this.#choose(part, vector),
-      part: (part) => this.#part(part),
+    const { state } = this;
+    this.shown = state.frame;
+    const part = partOf(state.step);
+    this.candidates = part ? shuffled(judged.frames[state.frame].candidates[part], `${id}:${state.frame}`, part) : [];
+    const normals = state.step === "normals" || state.step === "origin" ? normalsOf(judged) : [];
+    this.scene.overlay = emptyModel();
+    this.scene.model = picture(
+      this.figure,
+      state,
+      this.candidates,
+      part,
+      normals.map(({ ends }) => ends),
+    );
+    this.#steps();
+    this.#frames(part);
+    if (part) this.#choices(part);
+    else if (state.step === "normals") fill(this.body, normalsList(this.axes.length, normals), this.#buttons(null));
+    else fill(this.body, this.#result(), this.#buttons(null));
+    const read = state.step === "read" ? this.#rows() : state.frames.slice(1).map(() => null);
+    fill($("table"), tableView(read, state.convention, { play: (row) => this.#film(row) }));
+  }
+
+  /** @param {"z" | "origin" | "x"} part */
+  #choices(part) {
+    const { state } = this;
+    const findings = state.checked ? this.#faults(state.frame, part) : [];
+    const focused = this.body.contains(document.activeElement);
+    if (!this.list?.isConnected) {
+      this.list = el("div", { class: "stack" });
+      this.buttons = el("div");
+      fill(this.body, el("p", { class: "lead-small", text: t(`trainer-task-${part}`) }), this.list, this.buttons);
+    } else if (this.body.firstElementChild) this.body.firstElementChild.textContent = t(`trainer-task-${part}`);
+    showChooser(this.list, {
+      state,
+      part,
+      candidates: this.candidates,
+      findings,
+      choose: (vector) => this.#choose(vector),
     });
-    this.#navigate();
-    this.scene.model = picture(this.figure, this.state, frame.candidates);
-    fill($("table"), tableView(judged, this.state.convention), this.#finish(judged));
-    const broken = judged.frames.flatMap((each) => each.findings).filter((finding) => finding.severity === "broken").length;
-    announce(judged.table ? t("trainer-complete") : t("trainer-status", { broken }));
+    if (this.buttons && (!this.buttons.contains(document.activeElement) || !focused))
+      fill(this.buttons, this.#buttons(part));
   }
 
-  #finish(judged) {
-    if (!judged.table) return el("p", { class: "hint", text: t("trainer-unfinished") });
-    const address = permalink(pageAddress("playground"), { table: judged.table, parameters: {}, joints: [] });
-    return el("div", { class: "row" }, el("p", { class: "notice notice-good", text: t("trainer-complete") }), el("a", { class: "button", href: address }, t("trainer-open")));
+  /** What is wrong with a frame's part: the rules of the convention, and where the exercise wants the last frame. @param {number} frame @param {string} part @returns {Wire.Finding[]} */
+  #faults(frame, part) {
+    const found = (this.judged?.frames[frame].findings ?? []).filter(
+      (finding) => finding.part === part && finding.severity === "broken",
+    );
+    return [...found, ...this.#pointFault(frame, part)];
   }
 
-  /** The buttons stay the same elements, so that the focus stays on them. */
-  #steps(frames) {
-    const place = $("steps");
-    if (place.children.length !== frames.length) {
-      fill(place, frames.map((_, i) => el("button", { type: "button", onclick: () => this.#go(i) }, `{${i}}`)));
+  /** @param {number} frame @param {string} part @returns {Wire.Finding[]} */
+  #pointFault(frame, part) {
+    const origin = this.state.frames[frame].origin;
+    if (!this.point || part !== "origin" || frame < this.axes.length || !origin) return [];
+    const reachable = this.state.convention === "standard" || isOnAxis(this.figure, this.point.at);
+    if (!reachable || same(origin, this.point.at)) return [];
+    const message = t("trainer-point-missed", { frame, point: this.point.name });
+    return [{ rule: "point_missed", part: "origin", severity: "broken", params: {}, message }];
+  }
+
+  /** The steps; those before the present one can be gone back to. */
+  #steps() {
+    const now = STEPS.indexOf(this.state.step);
+    const item = (/** @type {import("../trainer/steps.js").Step} */ step, /** @type {number} */ i) =>
+      el(
+        "li",
+        { "aria-current": i === now ? "step" : null, dataset: { step }, class: i < now ? "step-whole" : "" },
+        i < now
+          ? el("button", {
+              type: "button",
+              class: "small",
+              onclick: () => this.become(backTo(this.state, step)),
+              text: t(`trainer-step-${step}`),
+            })
+          : el("span", { text: t(`trainer-step-${step}`) }),
+      );
+    fill($("steps"), STEPS.map(item));
+  }
+
+  /** The frames of the step, to be gone to in any order; they stay the same elements. @param {string | null} part */
+  #frames(part) {
+    const place = $("frames");
+    place.hidden = part === null;
+    if (place.children.length !== this.state.frames.length) {
+      const go = (/** @type {number} */ frame) => () => this.become({ ...this.state, frame });
+      fill(
+        place,
+        this.state.frames.map((_, i) => el("button", { type: "button", onclick: go(i), text: `{${i}}` })),
+      );
     }
-    frames.forEach((frame, i) => {
-      const broken = frame.findings.some((finding) => finding.severity === "broken");
-      const state = broken ? "broken" : frame.complete ? "whole" : "open";
+    this.state.frames.forEach((frame, i) => {
+      const broken = this.state.checked && part !== null && this.#faults(i, part).length > 0;
+      const whole = part !== null && /** @type {any} */ (frame)[part] !== undefined;
+      const state = broken ? "broken" : whole ? "whole" : "open";
       const button = place.children[i];
       button.className = `small step step-${state}`;
-      button.setAttribute("aria-pressed", String(i === this.state.current));
+      button.setAttribute("aria-pressed", String(i === this.state.frame));
       button.setAttribute("aria-label", t("trainer-step", { frame: i, state: t(`trainer-state-${state}`) }));
     });
   }
 
-  /** The buttons below the lists stay too; with the last frame the focus leaves the one that goes on. */
-  #navigate() {
-    const last = this.shown + 1 === this.state.frames.length;
-    const focused = this.next === document.activeElement;
-    this.next.hidden = last;
-    if (last && focused) /** @type {HTMLElement} */ ($("steps").children[this.shown]).focus();
+  /** @param {"z" | "origin" | "x" | null} part */
+  #buttons(part) {
+    const on =
+      this.state.step === "read"
+        ? null
+        : el("button", {
+            type: "button",
+            class: "primary",
+            onclick: () => this.#check(part),
+            text: t(part ? "trainer-check" : "trainer-onward"),
+          });
+    const again = el("button", {
+      type: "button",
+      class: "small",
+      onclick: () => this.become(start(this.axes.length, this.state.convention)),
+      text: t("trainer-restart"),
+    });
+    return el("div", { class: "row" }, on, again);
   }
 
-  /** Takes a choice for the frame whose lists are shown; while those of another one are on their way, none. */
-  #choose(part, vector) {
-    if (this.shown === this.state.current) this.become(choose(this.state, part, vector));
-  }
-
-  #go(frame) {
-    this.become(goTo(this.state, frame));
-  }
-
-  #part(part) {
-    if (part === this.state.part || this.shown !== this.state.current) return;
-    this.state = { ...this.state, part };
-    this.scene.model = picture(this.figure, this.state, this.judged.frames[this.state.current].candidates);
-    for (const group of document.querySelectorAll(".choices")) {
-      group.classList.toggle("current", Boolean(group.querySelector(`[data-choice^="${part}:"]`)));
+  /** The end of a step: what is wrong is said now, and the next one comes when nothing is. @param {"z" | "origin" | "x" | null} part */
+  #check(part) {
+    if (!isFull(this.state)) {
+      const frame = this.state.frames.findIndex((each) => part && each[part] === undefined);
+      announce(t("trainer-open-choice", { frame }));
+      return this.become({ ...this.state, frame });
     }
+    const broken = part ? this.state.frames.findIndex((_, i) => this.#faults(i, part).length > 0) : -1;
+    if (broken >= 0) {
+      announce(
+        t("trainer-status", {
+          broken: this.state.frames.filter((_, i) => part && this.#faults(i, part).length).length,
+        }),
+      );
+      return this.become({ ...this.state, checked: true, frame: broken });
+    }
+    announce(t("trainer-step-done"));
+    return this.become(onward(this.state));
   }
 
-  #picked(pick) {
-    const [part, index] = pick.split(":");
-    const candidate = this.judged.frames[this.shown].candidates[part][Number(index)];
-    if (this.shown !== this.state.current) return;
-    announce(candidateText(candidate));
-    this.#choose(/** @type {any} */ (part), candidate.vector);
+  /** Rows in the exercise's names; in a modified table a fixed row leads to a point off the last axis. */
+  #rows() {
+    const { exercise, judged } = this;
+    if (!judged?.table) return this.state.frames.slice(1).map(() => null);
+    const metres = METRES[exercise.length_unit];
+    const marks = new Map(
+      (this.figure.dimensions ?? []).map(({ name, from, to }) => [name, times(plus(from, to), 0.5)]),
+    );
+    const dimensions = exercise.dimensions
+      .filter(({ unit: each }) => each === exercise.length_unit)
+      .map(({ name, value }) => ({ name, value, at: marks.get(name) }));
+    const names = {
+      dimensions,
+      angle: exercise.angle_unit,
+      size: this.figure.size / metres,
+      zeroIsFree: exercise.policy.zero === "free",
+    };
+    const rows = [...judged.rows];
+    const end = judged.tool?.slice(0, 3).map((line) => line[3]);
+    if (this.point && end && norm(/** @type {any} */ (end)) > 1e-6 * this.figure.size) rows.push(rowToPoint(end));
+    const poses = this.state.frames.map(poseOf);
+    return rows.map((row, i) => {
+      const inUnits = { ...row, a: scaled(row.a, metres), d: scaled(row.d, metres) };
+      return namedRow(inUnits, names, poses[i + 1] ? middlesOf(this.state.convention, poses[i], poses[i + 1]) : {});
+    });
   }
+
+  #result() {
+    const rows = this.#rows();
+    if (rows.some((row) => row === null))
+      return el("p", { class: "notice notice-problem", text: t("trainer-unfinished") });
+    const take = () => {
+      const { angle_unit, length_unit } = this.exercise;
+      const table = fromWire({ convention: this.state.convention, angle_unit, length_unit, rows });
+      keep(`draft:${id}`, { ...recall(`draft:${id}`, { parts: {} }), table });
+      location.href = pageAddress(`exercises/${id}`);
+    };
+    const advice = (this.judged?.frames ?? []).flatMap(({ findings }) =>
+      findings.filter(({ severity }) => severity !== "broken"),
+    );
+    return el(
+      "div",
+      { class: "stack" },
+      el("p", { class: "notice notice-good", text: t("trainer-complete") }),
+      el("p", { text: t("trainer-read") }),
+      advice.map(findingNotice),
+      el(
+        "div",
+        { class: "row" },
+        el("button", { type: "button", class: "primary", onclick: take, text: t("trainer-take") }),
+      ),
+    );
+  }
+
+  /** How the four numbers of a row carry one frame into the next; in stills where motion is unwelcome. @param {number} row */
+  #film(row) {
+    cancelAnimationFrame(this.#running);
+    const found = this.judged?.rows[row];
+    const before = this.state.frames[row];
+    if (!found || !before) return;
+    const show = (/** @type {number} */ phase) =>
+      (this.scene.overlay = stillOf(this.state.convention, found, before, phase, row, this.figure.size));
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) return void show(4);
+    const begin = performance.now();
+    const tick = (/** @type {number} */ now) => {
+      const phase = Math.min(4, ((now - begin) / 1000 / ROWS_SECONDS) * 4);
+      show(phase);
+      if (phase < 4) this.#running = requestAnimationFrame(tick);
+    };
+    this.#running = requestAnimationFrame(tick);
+    return undefined;
+  }
+
+  /** @param {Wire.Vector} vector */
+  #choose(vector) {
+    if (this.shown !== this.state.frame) return;
+    this.become({ ...choose(this.state, vector), checked: false });
+  }
+
+  /** @param {number} index of what was clicked */
+  #picked(index) {
+    const candidate = this.candidates[index];
+    if (!candidate) return;
+    announce(candidateText(candidate));
+    this.#choose(candidate.vector);
+  }
+}
+
+/** A length in another unit; the offset of a variable too. @param {string | number} value @param {number} metres */
+function scaled(value, metres) {
+  if (typeof value === "number") return value / metres;
+  return value.replace(/(?<=[+-] )\S+$/, (text) => String(Number(text) / metres));
+}
+
+/** The pose of a frame at the marked point whose x leads there from the last axis. @param {Wire.Figure} figure @param {Wire.Vector} point */
+function toolPose(figure, point) {
+  const axis = figure.axes[figure.axes.length - 1];
+  const z = unit(axis.direction);
+  const foot = plus(axis.point, times(z, dot(minus(point, axis.point), z)));
+  const away = minus(point, foot);
+  const x = norm(away) > 1e-9 * figure.size ? unit(away) : across(z);
+  const y = cross(z, x);
+  return [...[0, 1, 2].map((k) => [x[k], y[k], z[k], point[k]]), [0, 0, 0, 1]];
+}
+
+/** Whether a point is on the last axis. @param {Wire.Figure} figure @param {Wire.Vector} point */
+function isOnAxis(figure, point) {
+  const axis = figure.axes[figure.axes.length - 1];
+  return norm(cross(unit(axis.direction), minus(point, axis.point))) < 1e-6 * figure.size;
+}
+
+/**
+ * The common normal of each pair of neighbouring axes, as the service's candidates tell it.
+ * @param {Judged} judged
+ * @returns {{axis: number, ends: Wire.Vector[]}[]} two ends of skew axes' normal, one point where axes meet
+ */
+function normalsOf(judged) {
+  const all = judged.frames.flatMap(({ candidates }) => candidates.origin);
+  const found = new Map();
+  for (const { kind, vector, params } of all) {
+    const axis = Math.min(params.axis, params.other);
+    if (kind === "intersection") found.set(axis, [vector]);
+    if (kind !== "foot") continue;
+    const ends = found.get(axis) ?? [];
+    if (!ends.some((/** @type {Wire.Vector} */ end) => same(end, vector))) found.set(axis, [...ends, vector]);
+  }
+  return [...found].map(([axis, ends]) => ({ axis, ends })).sort((a, b) => a.axis - b.axis);
+}
+
+/** What the common normals are, in words. @param {number} joints @param {{axis: number, ends: Wire.Vector[]}[]} normals */
+function normalsList(joints, normals) {
+  const items = Array.from({ length: Math.max(0, joints - 1) }, (_, i) => {
+    const found = normals.find(({ axis }) => axis === i + 1);
+    const kind = !found ? "parallel" : found.ends.length === 1 ? "meet" : "skew";
+    return el("li", { text: t(`trainer-normal-${kind}`, { axis: i + 1, other: i + 2 }) });
+  });
+  return el(
+    "div",
+    { class: "stack" },
+    el("p", { class: "lead-small", text: t("trainer-task-normals") }),
+    el("ul", {}, items),
+  );
 }
 
 /** On wide screens the picture stands beside the lists; on others above them, and so in the document. */
 function arrange() {
   const wide = matchMedia("(min-width: 64rem)");
-  const place = () => (wide.matches ? $("scene-side").append($("scene-card")) : $("frames-card").before($("scene-card")));
+  const place = () =>
+    wide.matches ? $("scene-side").append($("scene-card")) : $("frames-card").before($("scene-card"));
   wide.addEventListener("change", place);
   place();
 }

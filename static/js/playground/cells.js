@@ -28,7 +28,13 @@ export class Cells {
       columns.map((column) => el("th", { scope: "col", text: column.label })),
       fixed ? null : el("td"),
     );
-    const table = el("table", { class: "cells" }, el("caption", { class: "visually-hidden", text: caption }), el("thead", {}, head), this.#body);
+    const table = el(
+      "table",
+      { class: "cells" },
+      el("caption", { class: "visually-hidden", text: caption }),
+      el("thead", {}, head),
+      this.#body,
+    );
     const scroller = el("div", { class: "scroller", tabindex: "0", role: "region", "aria-label": caption }, table);
     const add = el("button", { type: "button", class: "small", onclick: () => this.add() }, t("form-row-add"));
     this.element = el("div", { class: "stack" }, scroller, fixed ? null : el("div", {}, add));
@@ -38,18 +44,28 @@ export class Cells {
   /** What stands in the grid, row by row. */
   get rows() {
     return Array.from(this.#body.rows, (row) =>
-      Object.fromEntries(Array.from(row.querySelectorAll("[data-name]"), (field) => [field.dataset.name, field.value.trim()])),
+      Object.fromEntries(
+        Array.from(/** @type {NodeListOf<HTMLInputElement>} */ (row.querySelectorAll("[data-name]")), (field) => [
+          field.dataset.name ?? "",
+          field.value.trim(),
+        ]),
+      ),
     );
   }
 
   set rows(rows) {
-    fill(this.#body, rows.map((row, i) => this.#row(row, i)));
+    fill(
+      this.#body,
+      rows.map((row, i) => this.#row(row, i)),
+    );
   }
 
   /** One more row, with the focus in it. */
   add() {
     this.rows = [...this.rows, Object.fromEntries(this.columns.map((column) => [column.name, column.otherwise]))];
-    this.#body.lastElementChild?.querySelector("input, select")?.focus();
+    /** @type {HTMLElement | null | undefined} */ (
+      this.#body.lastElementChild?.querySelector("input, select")
+    )?.focus();
     this.onchange();
   }
 
@@ -61,6 +77,7 @@ export class Cells {
     }
   }
 
+  /** @param {any} values @param {number} i */
   #row(values, i) {
     const remove = () => {
       this.rows = this.rows.filter((_, k) => k !== i);
@@ -75,6 +92,7 @@ export class Cells {
     );
   }
 
+  /** @param {Column} column @param {string} value @param {number} i */
   #field(column, value, i) {
     const shared = {
       "aria-label": t("form-row-cell", { row: i + 1, name: column.label }),
@@ -85,11 +103,20 @@ export class Cells {
       const select = el(
         "select",
         shared,
-        column.options.map((option) => el("option", { value: option.value, selected: option.value === value, text: option.label })),
+        column.options.map((/** @type {any} */ option) =>
+          el("option", { value: option.value, selected: option.value === value, text: option.label }),
+        ),
       );
       return select;
     }
-    return el("input", { ...shared, type: "text", value, spellcheck: "false", autocapitalize: "off", autocomplete: "off" });
+    return el("input", {
+      ...shared,
+      type: "text",
+      value,
+      spellcheck: "false",
+      autocapitalize: "off",
+      autocomplete: "off",
+    });
   }
 }
 

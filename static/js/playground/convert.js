@@ -19,6 +19,7 @@ export function convertTool(api, { use }) {
   let of = null;
   const answer = el("div", { class: "tool-answer", role: "status" });
   const latest = new Latest();
+  /** @param {any} to */
   const run = async (to) => {
     if (!subject) return;
     try {
@@ -30,7 +31,9 @@ export function convertTool(api, { use }) {
       fill(answer, problemNotice(error));
     }
   };
-  const buttons = TARGETS.map((to) => el("button", { type: "button", onclick: () => run(to) }, t(`playground-to-${to}`)));
+  const buttons = TARGETS.map((to) =>
+    el("button", { type: "button", onclick: () => run(to) }, t(`playground-to-${to}`)),
+  );
   const element = el(
     "details",
     { class: "tool" },
@@ -51,10 +54,16 @@ export function convertTool(api, { use }) {
   };
 }
 
+/** @param {any} found @param {any} to @param {any} use */
 function report(found, to, use) {
   if (to === "urdf") return [sourceText(found.urdf, "URDF")];
   if (to === "poe") return [screwTable(found), matrix(t("playground-home-pose"), found.home, "M")];
-  const moved = (pose) => pose && pose.some((row, i) => row.some((value, k) => value !== (i === k ? 1 : 0)));
+  /** @param {any} pose */
+  const moved = (pose) =>
+    pose &&
+    pose.some((/** @type {any} */ row, /** @type {number} */ i) =>
+      row.some((/** @type {any} */ value, /** @type {number} */ k) => value !== (i === k ? 1 : 0)),
+    );
   return [
     tableView(found.table),
     moved(found.base) ? matrix(t("playground-base"), found.base, "B") : null,
@@ -63,6 +72,7 @@ function report(found, to, use) {
   ].filter(Boolean);
 }
 
+/** @param {any} table */
 function tableView(table) {
   const columns = table.convention === "modified" ? ["alpha", "a", "d", "theta"] : ["theta", "d", "a", "alpha"];
   return el(
@@ -71,17 +81,41 @@ function tableView(table) {
     el(
       "table",
       { class: "solutions" },
-      el("caption", { class: "visually-hidden", text: t("form-table-caption", { convention: t(`form-convention-${table.convention}`) }) }),
-      el("thead", {}, el("tr", {}, columns.map((name) => el("th", { scope: "col", text: SIGNS[name] })))),
-      el("tbody", {}, table.rows.map((row) => el("tr", {}, columns.map((name) => el("td", { text: cellText(row[name]) }))))),
+      el("caption", {
+        class: "visually-hidden",
+        text: t("form-table-caption", { convention: t(`form-convention-${table.convention}`) }),
+      }),
+      el(
+        "thead",
+        {},
+        el(
+          "tr",
+          {},
+          columns.map((name) => el("th", { scope: "col", text: SIGNS[name] })),
+        ),
+      ),
+      el(
+        "tbody",
+        {},
+        table.rows.map((/** @type {any} */ row) =>
+          el(
+            "tr",
+            {},
+            columns.map((name) => el("td", { text: cellText(row[name]) })),
+          ),
+        ),
+      ),
     ),
   );
 }
 
+/** @type {Record<string, string>} */
 const SIGNS = { alpha: "α", a: "a", d: "d", theta: "θ" };
 
+/** @param {any} cell */
 const cellText = (cell) => (typeof cell === "number" ? shown(cell, 6) : String(cell));
 
+/** @param {any} found */
 function screwTable(found) {
   return el(
     "div",
@@ -90,18 +124,33 @@ function screwTable(found) {
       "table",
       { class: "solutions" },
       el("caption", { class: "visually-hidden", text: t("playground-screws") }),
-      el("thead", {}, el("tr", {}, el("td"), ["ωx", "ωy", "ωz", "vx", "vy", "vz"].map((name) => el("th", { scope: "col", text: name })))),
+      el(
+        "thead",
+        {},
+        el(
+          "tr",
+          {},
+          el("td"),
+          ["ωx", "ωy", "ωz", "vx", "vy", "vz"].map((name) => el("th", { scope: "col", text: name })),
+        ),
+      ),
       el(
         "tbody",
         {},
-        found.screws.map((screw, i) =>
-          el("tr", {}, el("th", { scope: "row", text: `S${i + 1}` }), [...screw.angular, ...screw.linear].map((value) => el("td", { text: shown(value) }))),
+        found.screws.map((/** @type {any} */ screw, /** @type {number} */ i) =>
+          el(
+            "tr",
+            {},
+            el("th", { scope: "row", text: `S${i + 1}` }),
+            [...screw.angular, ...screw.linear].map((value) => el("td", { text: shown(value) })),
+          ),
         ),
       ),
     ),
   );
 }
 
+/** @param {string} text @param {string} name */
 function sourceText(text, name) {
   const copy = async () => announce(t((await copyText(text)) ? "form-copied" : "form-copy-failed", { format: name }));
   return el(

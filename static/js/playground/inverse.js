@@ -12,7 +12,7 @@ const ROWS = [0, 1, 2];
 
 /**
  * @param {import("../api.js").Api} api
- * @param {{pose: () => number[][] | null, show: (joints: number[]) => void}} options
+ * @param {{pose: () => Promise<number[][] | null>, show: (joints: number[]) => void}} options
  *   the robot's present pose, and how to bring it to joint values (in the table's units)
  */
 export function inverseTool(api, { pose, show }) {
@@ -22,7 +22,11 @@ export function inverseTool(api, { pose, show }) {
   let of = null;
   const columns = ["x", "y", "z", "p"].map((name) => ({ name, label: t(`playground-target-${name}`), otherwise: "0" }));
   let edited = false;
-  const target = new Cells(t("playground-target"), columns, { rows: poseRows(identity()), fixed: true, onchange: () => (edited = true) });
+  const target = new Cells(t("playground-target"), columns, {
+    rows: poseRows(identity()),
+    fixed: true,
+    onchange: () => (edited = true),
+  });
   const answer = el("div", { class: "tool-answer", role: "status" });
   const take = el("button", { type: "button", onclick: () => takePose() }, t("playground-target-present"));
   const solve = el("button", { type: "button", class: "primary", onclick: () => run() }, t("playground-solve"));
@@ -32,8 +36,8 @@ export function inverseTool(api, { pose, show }) {
     el("summary", {}, t("playground-inverse")),
     el("div", { class: "stack" }, target.element, el("div", { class: "row" }, take, solve), answer),
   );
-  const takePose = () => {
-    const present = pose();
+  const takePose = async () => {
+    const present = await pose().catch(() => null);
     if (!present) return;
     target.rows = poseRows(present);
     edited = false;
@@ -69,31 +73,51 @@ export function inverseTool(api, { pose, show }) {
   };
 }
 
+/** @param {any} found @param {any} show */
 function report(found, show) {
   const count = found.solutions.length;
   const status = t(`playground-status-${found.status}`, { count });
   const complete = t(found.complete ? "playground-complete" : "playground-incomplete");
   if (!count) return [el("p", { text: status })];
-  const names = found.solutions[0].joints.map((_, i) => `q${i + 1}`);
+  const names = found.solutions[0].joints.map((/** @type {any} */ _, /** @type {number} */ i) => `q${i + 1}`);
   const table = el(
     "table",
     { class: "solutions" },
     el("caption", { class: "visually-hidden", text: t("playground-solutions") }),
-    el("thead", {}, el("tr", {}, names.map((name) => el("th", { scope: "col", text: name })), el("th", { scope: "col", text: t("playground-residual") }), el("td"))),
+    el(
+      "thead",
+      {},
+      el(
+        "tr",
+        {},
+        el("td"),
+        names.map((/** @type {string} */ name) => el("th", { scope: "col", text: name })),
+        el("th", { scope: "col", text: t("playground-residual") }),
+      ),
+    ),
     el(
       "tbody",
       {},
-      found.solutions.map((solution, i) =>
+      found.solutions.map((/** @type {any} */ solution, /** @type {number} */ i) =>
         el(
           "tr",
           {},
-          solution.joints.map((q) => el("td", { text: shown(q, 4) })),
-          el("td", { text: solution.residual.toExponential(1) }),
           el(
             "td",
             {},
-            el("button", { type: "button", class: "small", "aria-label": t("playground-show-solution", { number: i + 1 }), onclick: () => show(solution.joints) }, t("playground-show")),
+            el(
+              "button",
+              {
+                type: "button",
+                class: "small",
+                "aria-label": t("playground-show-solution", { number: i + 1 }),
+                onclick: () => show(solution.joints),
+              },
+              t("playground-show"),
+            ),
           ),
+          solution.joints.map((/** @type {number} */ q) => el("td", { text: shown(q, 4) })),
+          el("td", { text: solution.residual.toExponential(1) }),
         ),
       ),
     ),
@@ -111,10 +135,12 @@ const identity = () => [
   [0, 0, 0, 1],
 ];
 
+/** @param {any} pose */
 function poseRows(pose) {
   return ROWS.map((i) => Object.fromEntries(["x", "y", "z", "p"].map((name, k) => [name, plain(pose[i][k], 10)])));
 }
 
+/** @param {any} rows */
 function matrixOf(rows) {
-  return [...rows.map(({ x, y, z, p }) => [x, y, z, p].map(cellValue)), [0, 0, 0, 1]];
+  return [...rows.map((/** @type {any} */ { x, y, z, p }) => [x, y, z, p].map(cellValue)), [0, 0, 0, 1]];
 }

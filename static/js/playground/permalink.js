@@ -26,6 +26,7 @@ export function decode(fragment) {
   }
 }
 
+/** @type {Record<string, string[]>} */
 const CHOICES = {
   convention: ["standard", "modified"],
   angle_unit: ["rad", "deg"],
@@ -40,6 +41,7 @@ const JOINTS = ["revolute", "prismatic", "fixed"];
 export function sharedOf(data) {
   const rows = data?.table?.rows;
   if (!Array.isArray(rows) || rows.length < 1 || rows.length > MOST_ROWS || !rows.every(isRow)) return null;
+  /** @param {string} name */
   const chosen = (name) => data.table[name] ?? CHOICES[name][0];
   const names = Object.keys(CHOICES);
   if (!names.every((name) => CHOICES[name].includes(chosen(name)))) return null;
@@ -49,7 +51,9 @@ export function sharedOf(data) {
   return { table, parameters: Object.fromEntries(values), joints };
 }
 
+/** @param {any} row */
 function isRow(row) {
+  /** @param {any} cell */
   const isCell = (cell) => ["string", "number", "undefined"].includes(typeof cell);
   if (typeof row !== "object" || row === null) return false;
   return (row.joint === undefined || JOINTS.includes(row.joint)) && [row.alpha, row.a, row.d, row.theta].every(isCell);

@@ -20,7 +20,10 @@ export function poseTool(api) {
         [t("playground-quaternion"), numbers(quaternion)],
         [t("playground-rpy"), numbers(rpy, degrees)],
         [t("playground-axis-angle"), `${numbers(turn.axis)} · ${numbers([turn.angle], degrees)}`],
-        [t("playground-xyzabc"), `${numbers(xyzabc.slice(0, 3), answer.length_unit)} · ${numbers(xyzabc.slice(3), degrees)}`],
+        [
+          t("playground-xyzabc"),
+          `${numbers(xyzabc.slice(0, 3), answer.length_unit)} · ${numbers(xyzabc.slice(3), degrees)}`,
+        ],
       ]),
     ];
   });

@@ -14,7 +14,7 @@ const PAUSE = 120;
 /**
  * @typedef {{table: any, parameters: Record<string, number>, types: string[], joints: number[],
  *   ranges: import("../joint-ranges.js").JointRange[], units: {angle: string, length: string},
- *   limits: [number, number][] | null}} Subject
+ *   limits: ([number, number] | null)[] | null}} Subject
  *   the robot in question as it goes to the API, its joint values and limits in the table's units, and its sliders' ranges
  */
 
@@ -62,6 +62,7 @@ export class Tool {
 
 /** Whether two subjects are the same robot, wherever its joints stand. @param {Subject | null} one @param {Subject | null} other */
 export function sameRobot(one, other) {
+  /** @param {any} subject */
   const robot = (subject) => subject && JSON.stringify([subject.table, subject.parameters]);
   return robot(one) === robot(other);
 }

@@ -7,7 +7,11 @@ import { numericMatrix } from "../typeset.js";
 
 /** @param {[string, string | Node][]} pairs names and values */
 export function named(pairs) {
-  return el("dl", { class: "named" }, pairs.map(([name, value]) => [el("dt", { text: name }), el("dd", {}, value)]));
+  return el(
+    "dl",
+    { class: "named" },
+    pairs.map(([name, value]) => [el("dt", { text: name }), el("dd", {}, value)]),
+  );
 }
 
 /** Numbers in a row. @param {number[]} values @param {string} [unit] */
@@ -20,7 +24,12 @@ export function matrix(name, values, variable = "M") {
   return el(
     "div",
     { class: "matrix-block" },
-    el("div", { class: "matrix-head" }, el("h3", { text: name }), copyButtons(name, (format) => matrixSource(values, format, variable))),
+    el(
+      "div",
+      { class: "matrix-head" },
+      el("h3", { text: name }),
+      copyButtons(name, (format) => matrixSource(values, format, variable)),
+    ),
     el("div", { class: "scroller", tabindex: "0", role: "region", "aria-label": name }, numericMatrix(values).element),
   );
 }

@@ -44,6 +44,8 @@ class Slides {
   /** @type {Map<number, {least: HTMLInputElement, greatest: HTMLInputElement}>} */
   #fields = new Map();
 
+  shown = "";
+
   /** @param {() => void} changed */
   constructor(changed) {
     this.changed = changed;
@@ -51,31 +53,56 @@ class Slides {
 
   /** @param {import("./tool.js").Subject} subject */
   show({ ranges, limits, units }) {
-    const open = ranges.map((range, i) => ({ ...range, i })).filter(({ type, i }) => type === "prismatic" && !limits?.[i]);
+    const open = ranges
+      .map((range, i) => ({ ...range, i }))
+      .filter(({ type, i }) => type === "prismatic" && !limits?.[i]);
     const shown = JSON.stringify([open, units.length]);
     if (shown === this.shown) return;
     this.shown = shown;
     this.#fields.clear();
     this.element.hidden = open.length === 0;
-    fill(this.element, open.map((joint) => this.#line(joint, units.length)));
+    fill(
+      this.element,
+      open.map((joint) => this.#line(joint, units.length)),
+    );
   }
 
   /** The limits of every joint; null if a field holds no number. @param {import("./tool.js").Subject} subject */
   limits({ types, limits }) {
     const all = types.map((_, i) => {
       const field = this.#fields.get(i);
-      return field ? [cellValue(field.least.value.trim()), cellValue(field.greatest.value.trim())] : (limits?.[i] ?? null);
+      return field
+        ? [cellValue(field.least.value.trim()), cellValue(field.greatest.value.trim())]
+        : (limits?.[i] ?? null);
     });
     return all.flat().every((value) => value === null || typeof value === "number") ? all : null;
   }
 
+  /** @param {any} options @param {string} unit */
   #line({ name, min, max, i }, unit) {
+    /** @param {string} id @param {string} label @param {any} value */
     const field = (id, label, value) =>
-      el("input", { id, type: "text", inputmode: "decimal", autocomplete: "off", value: plain(value, 3), "aria-label": t(label, { name, unit }), oninput: () => this.changed() });
+      el("input", {
+        id,
+        type: "text",
+        inputmode: "decimal",
+        autocomplete: "off",
+        value: plain(value, 3),
+        "aria-label": t(label, { name, unit }),
+        oninput: () => this.changed(),
+      });
     const id = uniqueId("slide");
     const least = /** @type {HTMLInputElement} */ (field(id, "playground-slide-least", min));
     const greatest = /** @type {HTMLInputElement} */ (field(`${id}-greatest`, "playground-slide-greatest", max));
     this.#fields.set(i, { least, greatest });
-    return el("div", { class: "row" }, el("label", { for: id, text: t("playground-slide", { name }) }), least, "–", greatest, el("span", { class: "hint", text: unit }));
+    return el(
+      "div",
+      { class: "row" },
+      el("label", { for: id, text: t("playground-slide", { name }) }),
+      least,
+      "–",
+      greatest,
+      el("span", { class: "hint", text: unit }),
+    );
   }
 }

@@ -39,6 +39,7 @@ export function piecesOf(links, axes, size) {
 /**
  * The body that a chain starts with: the base for the first, else that of the piece on which it starts. A rod
  * that starts in the open slides through the first joint that it meets, and belongs to it on both sides.
+ * @param {Vector[]} chain @param {any[]} pieces @param {any[]} axes @param {number} size
  */
 function bodyAt(chain, pieces, axes, size) {
   if (pieces.length === 0) return 0;
@@ -51,15 +52,16 @@ function bodyAt(chain, pieces, axes, size) {
   return 0;
 }
 
-/** Joints on a stretch, in the order in which they are met. */
+/** Joints on a stretch, in the order in which they are met. @param {Vector} from @param {Vector} to @param {any[]} axes @param {Set<number>} met @param {number} size */
 function passed(from, to, axes, met, size) {
   return axes
-    .filter(({ joint }) => !met.has(joint))
-    .map((axis) => ({ ...axis, ...distance(axis.point, from, to) }))
-    .filter(({ away }) => away < CLOSE * size)
-    .sort((a, b) => a.along - b.along || a.joint - b.joint);
+    .filter((/** @type {any} */ { joint }) => !met.has(joint))
+    .map((/** @type {any} */ axis) => ({ ...axis, ...distance(axis.point, from, to) }))
+    .filter((/** @type {any} */ { away }) => away < CLOSE * size)
+    .sort((/** @type {any} */ a, /** @type {any} */ b) => a.along - b.along || a.joint - b.joint);
 }
 
+/** @param {Vector} point @param {Vector} from @param {Vector} to */
 function distance(point, from, to) {
   const way = minus(to, from);
   const length = dot(way, way);

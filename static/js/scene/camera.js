@@ -51,12 +51,19 @@ export function fitted(camera, points) {
     const [low, high] = [Math.min(...along), Math.max(...along)];
     return { middle: (low + high) / 2, span: high - low };
   });
-  const target = [x, y, z].reduce((sum, { middle }, k) => plus(sum, times([right, up, eye][k], middle)), /** @type {Vector} */ ([0, 0, 0]));
+  const target = [x, y, z].reduce(
+    (sum, { middle }, k) => plus(sum, times([right, up, eye][k], middle)),
+    /** @type {Vector} */ ([0, 0, 0]),
+  );
+  /** @param {number} pixels @param {number} span */
   const room = (pixels, span) => Math.max(1, pixels - 2 * Math.min(EDGE, pixels / 8)) / span;
   // A part of the depth counts too, so that what turns into view later stays inside.
   const depth = z.span * DEPTH;
   const most = Math.max(x.span, y.span, z.span) || 1;
-  const scale = Math.min(room(camera.width, Math.max(x.span, depth, most / 4)), room(camera.height, Math.max(y.span, depth, most / 4)));
+  const scale = Math.min(
+    room(camera.width, Math.max(x.span, depth, most / 4)),
+    room(camera.height, Math.max(y.span, depth, most / 4)),
+  );
   return { ...camera, target, scale };
 }
 

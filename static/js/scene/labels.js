@@ -21,7 +21,9 @@ export function placeLabels(labels, found, camera) {
   const placed = [];
   for (const { element, item } of labels) {
     const { x, y } = project(camera, position(found, item.at));
-    const same = "xyz".includes(item.tone) && placed.find((other) => other.text === item.text && Math.hypot(other.x - x, other.y - y) < CLOSE);
+    const same =
+      "xyz".includes(item.tone) &&
+      placed.find((other) => other.text === item.text && Math.hypot(other.x - x, other.y - y) < CLOSE);
     element.hidden = Boolean(same);
     if (same) same.subs.push(item.sub);
     else placed.push({ x, y, text: item.text, subs: item.sub ? [item.sub] : [], element });

@@ -24,10 +24,7 @@ export function multiply(a, b) {
 /** Inverse of a rigid motion. @param {Matrix} m @returns {Matrix} */
 export function inverse(m) {
   const turned = [0, 1, 2].map((i) => [m[0][i], m[1][i], m[2][i]]);
-  return [
-    ...turned.map((row) => [...row, -(row[0] * m[0][3] + row[1] * m[1][3] + row[2] * m[2][3])]),
-    [0, 0, 0, 1],
-  ];
+  return [...turned.map((row) => [...row, -(row[0] * m[0][3] + row[1] * m[1][3] + row[2] * m[2][3])]), [0, 0, 0, 1]];
 }
 
 /** @param {Matrix} m @param {Vector} p @returns {Vector} */

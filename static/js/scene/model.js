@@ -11,7 +11,8 @@
  *   pose in the parent is constant · motion(q); parent -1 is the scene itself
  *
  * @typedef {{node: number, at: Vector}} Place a point that moves with a node
- * @typedef {"body" | "joint" | "own" | "own-joint" | "line" | "x" | "y" | "z" | "pick" | "plate" | "muted"} Tone
+ * @typedef {"body" | "joint" | "own" | "own-joint" | "line" | "x" | "y" | "z" | "pick" | "plate" | "muted"
+ *   | "lit" | "ghost" | "ghost-joint"} Tone
  *   the colours of the design; the style sheet says what they look like
  *
  * @typedef {{kind: "tube", from: Place, to: Place, radius: number, tone: Tone, pick?: string}
@@ -76,23 +77,26 @@ export function drawnPoints(model, joints) {
 export function placed(model, by) {
   return {
     ...model,
-    nodes: [
-      { parent: -1, constant: by },
-      ...model.nodes.map((node) => ({ ...node, parent: node.parent + 1 })),
-    ],
+    nodes: [{ parent: -1, constant: by }, ...model.nodes.map((node) => ({ ...node, parent: node.parent + 1 }))],
     items: model.items.map((item) => shifted(item, 1, 0)),
   };
 }
 
+const SIZES = ["radius", "length", "width"];
+
 /** A model in another unit of length. @param {Model} model @param {number} factor @returns {Model} */
 export function scaled(model, factor) {
+  /** @param {any} value */
   const length = (value) => value * factor;
+  /** @param {any} place */
   const point = (place) => ({ ...place, at: /** @type {Vector} */ (place.at.map(length)) });
   return {
     ...model,
     nodes: model.nodes.map((node) => ({ ...node, constant: scaledPose(node.constant, factor) })),
     items: model.items.map((item) => {
-      const sizes = Object.fromEntries(["radius", "length", "width"].filter((name) => name in item).map((name) => [name, length(item[name])]));
+      const sizes = Object.fromEntries(
+        Object.entries(item).flatMap(([name, value]) => (SIZES.includes(name) ? [[name, length(value)]] : [])),
+      );
       const places = "from" in item ? { from: point(item.from), to: point(item.to) } : { at: point(item.at) };
       return /** @type {Item} */ ({ ...item, ...sizes, ...places });
     }),
@@ -124,6 +128,7 @@ export function together(models) {
 
 /** @param {Item} item @param {number} offset @param {number} root @returns {Item} */
 function shifted(item, offset, root) {
+  /** @param {any} place */
   const move = (place) => ({ ...place, node: place.node < 0 ? root : place.node + offset });
   return "from" in item ? { ...item, from: move(item.from), to: move(item.to) } : { ...item, at: move(item.at) };
 }
@@ -135,9 +140,10 @@ function shifted(item, offset, root) {
  * @returns {Item[]}
  */
 export function triad(node, size, index, { axes = "xyz", prime = "" } = {}) {
+  /** @type {Record<string, Vector>} */
   const ends = { x: [size, 0, 0], y: [0, size, 0], z: [0, 0, size] };
   return [...axes].flatMap((axis) => {
-    const end = /** @type {Vector} */ (ends[axis]);
+    const end = ends[axis];
     const tone = /** @type {Tone} */ (axis);
     const beyond = /** @type {Vector} */ (end.map((value) => value * 1.18));
     return /** @type {Item[]} */ ([

@@ -13,7 +13,7 @@ const REACH = 14;
 export function pickAt(model, found, camera, x, y) {
   let best = null;
   for (const item of model.items) {
-    if (!item.pick) continue;
+    if (item.kind === "label" || !item.pick) continue;
     const ends = placesOf(item).map((place) => project(camera, position(found, place)));
     const from = ends[0];
     const to = ends[ends.length - 1];
@@ -28,6 +28,7 @@ export function pickAt(model, found, camera, x, y) {
   return best?.pick ?? null;
 }
 
+/** @param {number} x @param {number} y @param {{x: number, y: number}} from @param {{x: number, y: number}} to */
 function distanceToSegment(x, y, from, to) {
   const dx = to.x - from.x;
   const dy = to.y - from.y;

@@ -17,6 +17,7 @@ export class Player {
   play() {
     if (this.playing) return;
     this.#last = performance.now();
+    /** @param {any} now */
     const tick = (now) => {
       this.#phase = (this.#phase + (now - this.#last) / 1000 / this.period) % 1;
       this.#last = now;

@@ -2,12 +2,16 @@
 
 import { svg } from "../dom.js";
 import { project } from "./camera.js";
-import { direction, placesOf, position } from "./model.js";
+import { direction, emptyModel, placesOf, position } from "./model.js";
 import { plus, times, unit } from "./matrix.js";
 
 /** @typedef {import("./model.js").Item} Item */
+/** @typedef {import("./matrix.js").Matrix} Matrix */
+/** @typedef {import("./matrix.js").Vector} Vector */
 
 export class SvgRenderer {
+  model = emptyModel();
+
   constructor() {
     this.element = svg("svg", { class: "scene-svg", "aria-hidden": "true", focusable: "false" });
   }
@@ -33,13 +37,14 @@ export class SvgRenderer {
   }
 }
 
+/** @param {any} item @param {Matrix[]} found @param {import("./camera.js").Camera} camera */
 function nearness(item, found, camera) {
   const depths = placesOf(item).map((place) => project(camera, position(found, place)).near);
   const lift = item.kind === "arrow" ? 0.001 / camera.scale : 0;
   return depths.reduce((sum, depth) => sum + depth, 0) / depths.length + lift;
 }
 
-/** @param {Item} item @returns {Element[]} */
+/** @param {Item} item @returns {Element[]} @param {Matrix[]} found @param {import("./camera.js").Camera} camera */
 function shapesOf(item, found, camera) {
   const ends = placesOf(item).map((place) => position(found, place));
   switch (item.kind) {
@@ -54,18 +59,18 @@ function shapesOf(item, found, camera) {
       const r = Math.max(2, item.radius * camera.scale);
       return [svg("circle", { cx: x.toFixed(1), cy: y.toFixed(1), r: r.toFixed(1), class: `fill-${item.tone}` })];
     }
+    case "label":
+      return [];
     default: {
       const half = times(unit(direction(found, item.at.node, item.axis)), item.length / 2);
       const wide = item.kind === "block" ? item.width : item.radius * 2;
       const [a, b] = [plus(ends[0], times(half, -1)), plus(ends[0], half)];
-      return [
-        stroke(camera, a, b, wide * 1.12, "edge", item.kind),
-        stroke(camera, a, b, wide, item.tone, item.kind),
-      ];
+      return [stroke(camera, a, b, wide * 1.12, "edge", item.kind), stroke(camera, a, b, wide, item.tone, item.kind)];
     }
   }
 }
 
+/** @param {import("./camera.js").Camera} camera @param {Vector} from @param {Vector} to @param {number} width @param {string} tone */
 function stroke(camera, from, to, width, tone, more = "") {
   const a = project(camera, from);
   const b = project(camera, to);
@@ -81,6 +86,7 @@ function stroke(camera, from, to, width, tone, more = "") {
   });
 }
 
+/** @param {import("./camera.js").Camera} camera @param {Vector} from @param {Vector} to @param {any} item */
 function arrow(camera, from, to, item) {
   const a = project(camera, from);
   const b = project(camera, to);
@@ -97,6 +103,7 @@ function arrow(camera, from, to, item) {
   const head = Math.min(length * 0.5, Math.max(6, item.radius * 6 * camera.scale));
   const ux = (b.x - a.x) / length;
   const uy = (b.y - a.y) / length;
+  /** @param {number} side */
   const corner = (side) => `${b.x - ux * head - uy * side * head * 0.4},${b.y - uy * head + ux * side * head * 0.4}`;
   const tip = `${b.x + ux * 2},${b.y + uy * 2}`;
   return [shaft, svg("polygon", { points: `${tip} ${corner(1)} ${corner(-1)}`, class: `fill-${item.tone}` })];

@@ -26,8 +26,9 @@ import { direction, position } from "./model.js";
 const UP = new Vector3(0, 1, 0);
 const LINE_PIXELS = 1.4;
 /** Joints of the student's robot are glass: the frames are inside them. */
-const GLASS = { "own-joint": 0.5 };
-const FLAT = new Set(["line", "muted", "x", "y", "z", "pick"]);
+/** @type {Record<string, number>} */
+const GLASS = { "own-joint": 0.5, ghost: 0.45, "ghost-joint": 0.35 };
+const FLAT = new Set(["line", "muted", "x", "y", "z", "pick", "lit"]);
 
 /** Shared shapes of size one, along y. */
 const SHAPES = {
@@ -87,15 +88,18 @@ export class ThreeRenderer {
     this.element.remove();
   }
 
+  /** @param {import("./model.js").Tone} tone */
   material(tone) {
-    if (!this.materials.has(tone)) {
-      const Material = FLAT.has(tone) ? MeshBasicMaterial : MeshLambertMaterial;
-      const glass = tone in GLASS ? { transparent: true, opacity: GLASS[tone], depthWrite: false } : {};
-      this.materials.set(tone, new Material({ color: colourOf(getComputedStyle(this.element), tone), ...glass }));
-    }
-    return this.materials.get(tone);
+    const known = this.materials.get(tone);
+    if (known) return known;
+    const Material = FLAT.has(tone) ? MeshBasicMaterial : MeshLambertMaterial;
+    const glass = tone in GLASS ? { transparent: true, opacity: GLASS[tone], depthWrite: false } : {};
+    const made = new Material({ color: colourOf(getComputedStyle(this.element), tone), ...glass });
+    this.materials.set(tone, made);
+    return made;
   }
 
+  /** @param {import("./camera.js").Camera} camera */
   aim(camera) {
     const size = `${camera.width}x${camera.height}@${window.devicePixelRatio}`;
     if (size !== this.size) {
@@ -122,6 +126,7 @@ export class ThreeRenderer {
   }
 }
 
+/** @param {any} item */
 function shapesFor(item) {
   switch (item.kind) {
     case "arrow":
@@ -144,6 +149,7 @@ const end = new Vector3();
 const along = new Vector3();
 const turn = new Quaternion();
 
+/** @param {any} item @param {any} parts @param {import("./matrix.js").Matrix[]} found @param {import("./camera.js").Camera} camera */
 function place(item, parts, found, camera) {
   if (!("from" in item)) {
     start.set(...position(found, item.at));
@@ -178,6 +184,7 @@ function place(item, parts, found, camera) {
   set(parts[0], start.add(end).multiplyScalar(0.5), turn, radius, Math.max(length, 1e-9));
 }
 
+/** @param {any} mesh @param {any} centre @param {any} rotation @param {number} wide @param {any} length */
 function set(mesh, centre, rotation, wide, length) {
   mesh.position.copy(centre);
   mesh.quaternion.copy(rotation);
@@ -199,7 +206,7 @@ function dashes() {
     const offset = positions.length / 3;
     positions.push(...piece.attributes.position.array);
     normals.push(...piece.attributes.normal.array);
-    indices.push(...Array.from(piece.index.array, (index) => index + offset));
+    indices.push(...Array.from(piece.index?.array ?? [], (index) => index + offset));
     piece.dispose();
   }
   const whole = new BufferGeometry();
@@ -209,8 +216,10 @@ function dashes() {
   return whole;
 }
 
+/** @type {Record<string, string>} */
 const NAMES = { x: "--axis-x", y: "--axis-y", z: "--axis-z" };
 
+/** @param {CSSStyleDeclaration} style @param {string} tone */
 function colourOf(style, tone) {
   return new Color(style.getPropertyValue(NAMES[tone] ?? `--scene-${tone}`).trim() || "#888888");
 }

@@ -1,65 +1,64 @@
-/** One frame's parts as lists to choose from, with what the rules say of each choice. */
+/** One frame's part as a list to choose from, in an order that says nothing; what is wrong is said once it was checked. */
 
 import { el, fill, uniqueId } from "../dom.js";
-import { knows, t } from "../i18n.js";
+import { t } from "../i18n.js";
 import { shown } from "../numbers.js";
-import { PARTS, same } from "./choices.js";
-
-/** The focus goes back to where it was: that is nobody's choice of a part. */
-let restoring = false;
+import { same } from "./steps.js";
 
 /**
  * @param {HTMLElement} place
- * @param {{state: import("./choices.js").State, judged: any, choose: (part: any, vector: any) => void, part: (part: any) => void}} view
- *   `judged` is what the service says of the current frame
+ * @param {{state: import("./steps.js").State, part: "z" | "origin" | "x", candidates: Wire.Candidate[],
+ *   findings: Wire.Finding[], choose: (vector: Wire.Vector) => void}} view
  */
-export function showChooser(place, { state, judged, choose, part }) {
-  const focused = document.activeElement instanceof HTMLInputElement ? document.activeElement.dataset.choice : "";
-  const chosen = state.frames[state.current];
-  fill(
-    place,
-    PARTS.map((name) => {
-      const candidates = judged.candidates[name];
-      const findings = judged.findings.filter((finding) => finding.part === name);
-      const group = uniqueId("choice");
-      return el(
-        "fieldset",
-        { class: `choices${state.part === name ? " current" : ""}`, onfocusin: () => restoring || part(name) },
-        el("legend", { text: t(`trainer-part-${name}`, { frame: state.current }) }),
-        candidates.map((candidate, i) =>
-          el(
-            "label",
-            { class: "choice" },
-            el("input", {
-              type: "radio",
-              name: group,
-              dataset: { choice: `${name}:${i}` },
-              checked: same(chosen[name], candidate.vector),
-              onchange: () => choose(name, candidate.vector),
-            }),
-            el("span", { class: "choice-number", text: String(i + 1) }),
-            el("span", { text: candidateText(candidate) }),
-            el("span", { class: "hint", text: `(${candidate.vector.map((value) => shown(value, 3)).join(", ")})` }),
-          ),
-        ),
-        el("div", { role: "status" }, findings.map(findingNotice)),
-      );
-    }),
-  );
-  restoring = true;
-  if (focused) place.querySelector(`[data-choice="${focused}"]`)?.focus({ preventScroll: true });
-  restoring = false;
+export function showChooser(place, { state, part, candidates, findings, choose }) {
+  const shownNow = JSON.stringify([state.frame, part, candidates]);
+  if (place.dataset.shown !== shownNow) {
+    const focused = document.activeElement instanceof HTMLInputElement ? document.activeElement.dataset.choice : "";
+    fill(place, optionsOf(state.frame, part, candidates, choose));
+    place.dataset.shown = shownNow;
+    if (focused)
+      /** @type {HTMLElement | null} */ (place.querySelector(`[data-choice="${focused}"]`))?.focus({
+        preventScroll: true,
+      });
+  }
+  const chosen = state.frames[state.frame][part];
+  place.querySelectorAll("input").forEach((input, i) => (input.checked = same(chosen, candidates[i].vector)));
+  const status = place.querySelector("[role=status]");
+  if (status) fill(status, findings.map(findingNotice));
 }
 
-/** What a candidate is, in words. @param {{kind: string, params: Record<string, number>}} candidate */
+/** @param {number} frame @param {"z" | "origin" | "x"} part @param {Wire.Candidate[]} candidates @param {(vector: Wire.Vector) => void} choose */
+function optionsOf(frame, part, candidates, choose) {
+  const group = uniqueId("choice");
+  return el(
+    "fieldset",
+    { class: "choices current" },
+    el("legend", { text: t(`trainer-part-${part}`, { frame }) }),
+    candidates.map((candidate, i) =>
+      el(
+        "label",
+        { class: "choice" },
+        el("input", {
+          type: "radio",
+          name: group,
+          dataset: { choice: String(i) },
+          onchange: () => choose(candidate.vector),
+        }),
+        el("span", { text: candidateText(candidate) }),
+        el("span", { class: "hint", text: `(${candidate.vector.map((value) => shown(value, 3)).join("; ")})` }),
+      ),
+    ),
+    el("div", { role: "status" }),
+  );
+}
+
+/** What a candidate is, in words. @param {Wire.Candidate} candidate */
 export function candidateText({ kind, params }) {
   const text = t(`trainer-candidate-${kind}`, params);
   return params.sign === -1 ? `${t("trainer-opposite")} ${text}` : text;
 }
 
-function findingNotice(finding) {
-  const broken = finding.severity === "broken";
-  const id = `trainer-rule-${finding.rule}`;
-  const sentence = finding.message ?? (knows(id) ? t(id, finding.params) : finding.rule);
-  return el("p", { class: broken ? "notice notice-problem" : "notice", text: sentence });
+/** @param {Wire.Finding} finding */
+export function findingNotice({ severity, message }) {
+  return el("p", { class: severity === "broken" ? "notice notice-problem" : "notice", text: message });
 }

@@ -1,62 +1,112 @@
-/** The robot's axes in space, the frames as far as chosen, and what can be clicked. */
+/** The robot's axes in space with the coordinate system, the frames as far as chosen, and what can be clicked. */
 
 import { together, triad } from "../scene/model.js";
 import { figureRobot } from "../scene/robots.js";
 import { cross, identity, plus, times, unit } from "../scene/matrix.js";
-import { same } from "./choices.js";
+import { same } from "./steps.js";
 
-const SIZE = { triad: 0.16, pick: 0.03, direction: 0.22 };
+/** @typedef {import("../scene/model.js").Model} Model */
+/** @typedef {import("../scene/model.js").Item} Item */
+
+const SIZE = { triad: 0.16, pick: 0.018, direction: 0.24, coordinates: 0.12, z: 0.2 };
 
 /**
- * @param {any} figure the exercise's geometry
- * @param {import("./choices.js").State} state
- * @param {{z: any[], origin: any[], x: any[]}} candidates of the current frame
- * @returns {import("../scene/model.js").Model}
+ * @param {Wire.Figure} figure
+ * @param {import("./steps.js").State} state
+ * @param {Wire.Candidate[]} candidates of the current frame's part, to be clicked by their index
+ * @param {import("./steps.js").Part | null} part @param {Wire.Vector[][]} normals ends of each common normal
+ * @returns {Model}
  */
-export function picture(figure, state, candidates) {
-  const robot = figureRobot({ ...figure, bodies: undefined }, { dimensions: false });
-  const frames = state.frames.map((frame, i) => frameModel(frame, i, figure.size)).filter(Boolean);
-  return together([robot, ...frames, choicesModel(state, candidates, figure.size)]);
+export function picture(figure, state, candidates, part, normals) {
+  const robot = figureRobot(figure, { dimensions: false });
+  const frames = state.frames.map((frame, i) => frameModel(figure, frame, i)).filter((model) => model !== null);
+  return together([
+    robot,
+    coordinates(figure),
+    ...frames,
+    normalsModel(normals, figure.size),
+    choicesModel(figure, state, candidates, part),
+  ]);
 }
 
-/** A frame as far as it is chosen. */
-function frameModel(frame, index, size) {
-  const { origin, z, x } = frame;
+/** Where the frames' coordinates are counted from. @param {Wire.Figure} figure @returns {Model} */
+function coordinates({ size, ground }) {
+  const items = triad(0, size * SIZE.coordinates, "").map((item) =>
+    item.kind === "arrow" ? { ...item, radius: item.radius * 0.6 } : item,
+  );
+  const at = ground?.at ?? [0, 0, 0];
+  return { nodes: [{ parent: -1, constant: poseAt(at, [1, 0, 0], [0, 1, 0], [0, 0, 1]) }], items, joints: 0 };
+}
+
+/** @param {number[]} o @param {number[]} x @param {number[]} y @param {number[]} z */
+function poseAt(o, x, y, z) {
+  return [...[0, 1, 2].map((k) => [x[k], y[k], z[k], o[k]]), [0, 0, 0, 1]];
+}
+
+/** A frame as far as it is chosen; a z without an origin stands on the joint's axis. @param {Wire.Figure} figure @param {import("./steps.js").Chosen} frame @param {number} index @returns {Model | null} */
+function frameModel(figure, frame, index) {
+  const { z, x } = frame;
+  const origin = frame.origin ?? (z ? placeOf(figure, index) : null);
   if (!origin) return null;
   const y = z && x ? cross(z, x) : null;
   const axes = [x && "x", y && "y", z && "z"].filter(Boolean).join("");
-  const column = (v) => v ?? [0, 0, 0];
-  const constant = [0, 1, 2].map((k) => [column(x)[k], column(y)[k], column(z)[k], origin[k]]);
-  return {
-    nodes: [{ parent: -1, constant: [...constant, [0, 0, 0, 1]] }],
-    items: [
-      { kind: "ball", at: { node: 0, at: [0, 0, 0] }, radius: size * 0.012, tone: "own-joint" },
-      ...triad(0, size * SIZE.triad, String(index), { axes }),
-    ],
-    joints: 0,
-  };
+  const none = [0, 0, 0];
+  /** @type {Item[]} */
+  const ball = frame.origin
+    ? [{ kind: "ball", at: { node: 0, at: [0, 0, 0] }, radius: figure.size * 0.012, tone: "own-joint" }]
+    : [];
+  const items = [...ball, ...triad(0, figure.size * (x ? SIZE.triad : SIZE.z), String(index), { axes })];
+  return { nodes: [{ parent: -1, constant: poseAt(origin, x ?? none, y ?? none, z ?? none) }], items, joints: 0 };
 }
 
-/** What can be clicked for the part that is to be chosen. */
-function choicesModel(state, candidates, size) {
-  const { part, current, frames } = state;
-  const chosen = frames[current][part];
-  const root = frames[current].origin ?? candidates.origin[0]?.vector ?? [0, 0, 0];
-  const items = candidates[part].flatMap((candidate, i) => {
-    const pick = `${part}:${i}`;
-    const tone = same(chosen, candidate.vector) ? "own-joint" : "pick";
-    if (part === "origin") {
-      const at = { node: 0, at: candidate.vector };
-      return [
-        { kind: "ball", at, radius: size * SIZE.pick * 0.6, tone, pick },
-        { kind: "label", at, text: String(i + 1), tone, pick },
-      ];
-    }
-    const end = plus(root, times(unit(candidate.vector), size * SIZE.direction));
-    return [
-      { kind: "arrow", from: { node: 0, at: root }, to: { node: 0, at: end }, radius: size * 0.008, tone, pick },
-      { kind: "label", at: { node: 0, at: plus(root, times(unit(candidate.vector), size * SIZE.direction * 1.12)) }, text: String(i + 1), tone, pick },
-    ];
-  });
+/** Where a frame's arrows stand while its origin is open. @param {Wire.Figure} figure @param {number} frame @returns {Wire.Vector} */
+export function placeOf(figure, frame) {
+  const axis = figure.axes[Math.min(frame, figure.axes.length - 1)];
+  return frame < figure.axes.length ? axis.point : plus(axis.point, times(unit(axis.direction), figure.size * 0.18));
+}
+
+/** @param {Wire.Vector[][]} normals @param {number} size @returns {Model} */
+function normalsModel(normals, size) {
+  const items = normals.map(
+    ([from, to]) =>
+      /** @type {Item} */ (
+        to
+          ? { kind: "tube", from: { node: 0, at: from }, to: { node: 0, at: to }, radius: size * 0.007, tone: "lit" }
+          : { kind: "ball", at: { node: 0, at: from }, radius: size * 0.02, tone: "lit" }
+      ),
+  );
+  return { nodes: [{ parent: -1, constant: identity() }], items, joints: 0 };
+}
+
+/** @param {Wire.Figure} figure @param {import("./steps.js").State} state @param {Wire.Candidate[]} candidates @param {import("./steps.js").Part | null} part @returns {Model} */
+function choicesModel(figure, state, candidates, part) {
+  /** @type {Item[]} */
+  const items = [];
+  if (part) {
+    const chosen = state.frames[state.frame];
+    const root = chosen.origin ?? placeOf(figure, state.frame);
+    const { size } = figure;
+    candidates.forEach((candidate, i) => {
+      const tone = same(chosen[part], candidate.vector) ? "own-joint" : "pick";
+      const pick = String(i);
+      if (part === "origin")
+        return items.push({
+          kind: "ball",
+          at: { node: 0, at: candidate.vector },
+          radius: size * SIZE.pick,
+          tone,
+          pick,
+        });
+      const end = plus(root, times(unit(candidate.vector), size * SIZE.direction));
+      return items.push({
+        kind: "arrow",
+        from: { node: 0, at: root },
+        to: { node: 0, at: end },
+        radius: size * 0.008,
+        tone,
+        pick,
+      });
+    });
+  }
   return { nodes: [{ parent: -1, constant: identity() }], items, joints: 0 };
 }

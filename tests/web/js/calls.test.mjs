@@ -15,7 +15,10 @@ test("a call under way is aborted by the next one, and its failure is nobody's b
   const latest = new Latest();
   let aborted = false;
   const first = latest.run(
-    (signal) => new Promise((_, reject) => signal.addEventListener("abort", () => ((aborted = true), reject(new Error("aborted"))))),
+    (signal) =>
+      new Promise((_, reject) =>
+        signal.addEventListener("abort", () => ((aborted = true), reject(new Error("aborted")))),
+      ),
   );
   await latest.run(async () => 1);
   assert.equal(await first, null);
@@ -23,7 +26,10 @@ test("a call under way is aborted by the next one, and its failure is nobody's b
 });
 
 test("the newest call's failure is told", async () => {
-  await assert.rejects(new Latest().run(async () => Promise.reject(new Error("no"))), /no/);
+  await assert.rejects(
+    new Latest().run(async () => Promise.reject(new Error("no"))),
+    /no/,
+  );
 });
 
 test("of calls that come while one is under way only the last is made", async () => {
@@ -42,7 +48,10 @@ test("of calls that come while one is under way only the last is made", async ()
 
 test("a failing call does not stop the next one", async () => {
   const throttled = new Throttled(0);
-  await assert.rejects(throttled.run(async () => Promise.reject(new Error("no"))), /no/);
+  await assert.rejects(
+    throttled.run(async () => Promise.reject(new Error("no"))),
+    /no/,
+  );
   let ran = false;
   await throttled.run(async () => void (ran = true));
   assert.ok(ran);

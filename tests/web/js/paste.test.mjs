@@ -9,16 +9,29 @@ test("a spreadsheet's rows, in the order of the form", () => {
   const text = "0\t0\t0\tθ1\n-90\t0\t0\tθ2\n0\t0,4318\t0,15005\tθ3\n";
   const pasted = readPasted(text, COLUMNS.modified);
   assert.equal(pasted.format, "tabs");
-  assert.deepEqual(rowsOf(pasted), [["0", "0", "0", "θ1"], ["-90", "0", "0", "θ2"], ["0", "0.4318", "0.15005", "θ3"]]);
-  assert.deepEqual(pasted.rows.map((row) => row.joint), ["revolute", "revolute", "revolute"]);
+  assert.deepEqual(rowsOf(pasted), [
+    ["0", "0", "0", "θ1"],
+    ["-90", "0", "0", "θ2"],
+    ["0", "0.4318", "0.15005", "θ3"],
+  ]);
+  assert.deepEqual(
+    pasted.rows.map((row) => row.joint),
+    ["revolute", "revolute", "revolute"],
+  );
 });
 
 test("headings decide the columns and the convention", () => {
   const text = "i\tθ_i\td_i\ta_{i}\tα_i\n1\tq1\t0\t0\t90\n2\tq2\t0\tL2\t0\n";
   const pasted = readPasted(text, COLUMNS.modified);
   assert.equal(pasted.convention, "standard");
-  assert.deepEqual(rowsOf(pasted), [["90", "0", "0", "q1"], ["0", "L2", "0", "q2"]]);
-  const modified = readPasted("Link & $\\alpha_{i-1}$ & $a_{i-1}$ & $d_i$ & $\\theta_i$ \\\\ \\hline\n1 & 0 & 0 & 0 & $\\theta_1$ \\\\", COLUMNS.standard);
+  assert.deepEqual(rowsOf(pasted), [
+    ["90", "0", "0", "q1"],
+    ["0", "L2", "0", "q2"],
+  ]);
+  const modified = readPasted(
+    "Link & $\\alpha_{i-1}$ & $a_{i-1}$ & $d_i$ & $\\theta_i$ \\\\ \\hline\n1 & 0 & 0 & 0 & $\\theta_1$ \\\\",
+    COLUMNS.standard,
+  );
   assert.equal(modified.convention, "modified");
   assert.deepEqual(rowsOf(modified), [["0", "0", "0", "θ_1"]]);
 });
@@ -39,14 +52,20 @@ test("LaTeX tabular, with rules, environments and fractions", () => {
     ["-π/2", "0", "d_2", "θ_2+π/2"],
     ["-90°", "L_1* 2", "q_3", "0"],
   ]);
-  assert.deepEqual(pasted.rows.map((row) => row.joint), ["revolute", "revolute", "prismatic"]);
+  assert.deepEqual(
+    pasted.rows.map((row) => row.joint),
+    ["revolute", "revolute", "prismatic"],
+  );
 });
 
 test("Markdown", () => {
   const text = "| i | α | a | d | θ |\n|---|:-:|---|---|---|\n| 1 | 0 | 0 | 0 | θ₁ |\n| 2 | `-π/2` | 0 | 0 | θ₂ |";
   const pasted = readPasted(text, COLUMNS.standard);
   assert.equal(pasted.format, "markdown");
-  assert.deepEqual(rowsOf(pasted), [["0", "0", "0", "θ₁"], ["-π/2", "0", "0", "θ₂"]]);
+  assert.deepEqual(rowsOf(pasted), [
+    ["0", "0", "0", "θ₁"],
+    ["-π/2", "0", "0", "θ₂"],
+  ]);
 });
 
 test("the text of a PDF: blanks part cells, signs with blanks around them do not", () => {
@@ -62,12 +81,25 @@ test("the text of a PDF: blanks part cells, signs with blanks around them do not
 });
 
 test("CSV with semicolons and decimal commas, and with commas", () => {
-  assert.deepEqual(rowsOf(readPasted("0;0,5;0;q1\n90;0;0,1;q2", COLUMNS.modified)), [["0", "0.5", "0", "q1"], ["90", "0", "0.1", "q2"]]);
-  assert.deepEqual(rowsOf(readPasted('0,0.5,0,"q1"\natan2(1,2),0,0.1,q2', COLUMNS.modified)), [["0", "0.5", "0", "q1"], ["atan2(1,2)", "0", "0.1", "q2"]]);
+  assert.deepEqual(rowsOf(readPasted("0;0,5;0;q1\n90;0;0,1;q2", COLUMNS.modified)), [
+    ["0", "0.5", "0", "q1"],
+    ["90", "0", "0.1", "q2"],
+  ]);
+  assert.deepEqual(rowsOf(readPasted('0,0.5,0,"q1"\natan2(1,2),0,0.1,q2', COLUMNS.modified)), [
+    ["0", "0.5", "0", "q1"],
+    ["atan2(1,2)", "0", "0.1", "q2"],
+  ]);
 });
 
 test("joint types in words, in the form's languages", () => {
-  for (const [word, joint] of [["R", "revolute"], ["prismatique", "prismatic"], ["rotație", "revolute"], ["обертальний", "revolute"], ["prismática", "prismatic"], ["fixo", "fixed"]]) {
+  for (const [word, joint] of [
+    ["R", "revolute"],
+    ["prismatique", "prismatic"],
+    ["rotație", "revolute"],
+    ["обертальний", "revolute"],
+    ["prismática", "prismatic"],
+    ["fixo", "fixed"],
+  ]) {
     const pasted = readPasted(`1\t${word}\t0\t0\t1\t2`, COLUMNS.modified);
     assert.equal(pasted.rows[0].joint, joint, word);
   }
@@ -86,13 +118,23 @@ test("pasted rows replace rows; numbers alone keep the joint types of the form",
   const table = newTable("modified", 3);
   const pasted = readPasted("0\t1\t2\t3\n4\t5\t6\t7", COLUMNS.modified);
   const next = withPasted(table, pasted, 0, false, ["modified"]);
-  assert.deepEqual(next.rows.map((row) => [row.joint, row.theta]), [["revolute", "3"], ["revolute", "7"], ["revolute", "θ3"]]);
+  assert.deepEqual(
+    next.rows.map((row) => [row.joint, row.theta]),
+    [
+      ["revolute", "3"],
+      ["revolute", "7"],
+      ["revolute", "θ3"],
+    ],
+  );
   assert.equal(withPasted(table, pasted, 0, true, ["modified"]).rows.length, 2);
 });
 
 test("where some rows hold a variable, the others are fixed", () => {
   const pasted = readPasted("0\t0\t0\tq1\n0\t0\t0.2\t0", COLUMNS.modified);
-  assert.deepEqual(withPasted(newTable("modified", 2), pasted, 0, true, []).rows.map((row) => row.joint), ["revolute", "fixed"]);
+  assert.deepEqual(
+    withPasted(newTable("modified", 2), pasted, 0, true, []).rows.map((row) => row.joint),
+    ["revolute", "fixed"],
+  );
 });
 
 test("headings choose the convention only where it may be chosen", () => {
@@ -103,7 +145,15 @@ test("headings choose the convention only where it may be chosen", () => {
 
 test("a block goes right and down from its cell, adding rows", () => {
   const next = withBlock(newTable("modified", 2), "1\t2\n3\t4\n5\t6", 1, "a");
-  assert.deepEqual(next.rows.map((row) => [row.a, row.d]), [["", ""], ["1", "2"], ["3", "4"], ["5", "6"]]);
+  assert.deepEqual(
+    next.rows.map((row) => [row.a, row.d]),
+    [
+      ["", ""],
+      ["1", "2"],
+      ["3", "4"],
+      ["5", "6"],
+    ],
+  );
   assert.equal(withBlock(newTable("modified", 2), "1", 0, "a"), null);
 });
 
@@ -133,9 +183,16 @@ test("what the text of a PDF does to a table is undone", () => {
 });
 
 test("a column that numbers the joints is not read as their types", () => {
-  const text = "Joint & $\\theta$ & $d$ & $a$ & $\\alpha$\\\\ 1 & $\\theta_1$ & 0 & $l_1$ & 0\\\\ 2 & $\\theta_2$ & 0 & $l_2$ & 0\\\\";
+  const text =
+    "Joint & $\\theta$ & $d$ & $a$ & $\\alpha$\\\\ 1 & $\\theta_1$ & 0 & $l_1$ & 0\\\\ 2 & $\\theta_2$ & 0 & $l_2$ & 0\\\\";
   const pasted = readPasted(text, ["theta", "d", "a", "alpha"]);
-  assert.deepEqual(pasted.rows.map((row) => row.joint), ["revolute", "revolute"]);
+  assert.deepEqual(
+    pasted.rows.map((row) => row.joint),
+    ["revolute", "revolute"],
+  );
   const typed = readPasted("type\tθ\td\ta\tα\n0\tq1\t0\t0\t90\n1\t0\tq2\t0\t0", ["theta", "d", "a", "alpha"]);
-  assert.deepEqual(typed.rows.map((row) => row.joint), ["revolute", "prismatic"]);
+  assert.deepEqual(
+    typed.rows.map((row) => row.joint),
+    ["revolute", "prismatic"],
+  );
 });

@@ -9,8 +9,18 @@ import { figureRobot, tableRobot } from "../../../static/js/scene/robots.js";
 
 const near = (actual, expected, tolerance = 1e-9) =>
   actual.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) < tolerance, `${actual} ≠ ${expected}`));
-const lift = (x, y, z) => [[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z], [0, 0, 0, 1]];
-const quarter = [[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]]; // a turn by 90° about x
+const lift = (x, y, z) => [
+  [1, 0, 0, x],
+  [0, 1, 0, y],
+  [0, 0, 1, z],
+  [0, 0, 0, 1],
+];
+const quarter = [
+  [1, 0, 0, 0],
+  [0, 0, -1, 0],
+  [0, 1, 0, 0],
+  [0, 0, 0, 1],
+]; // a turn by 90° about x
 const origin = (pose) => matrix.column(pose, 3);
 
 test("a rigid motion and its inverse cancel", () => {
@@ -20,7 +30,10 @@ test("a rigid motion and its inverse cancel", () => {
 
 test("a standard table's joint turns before its constant transform, a modified one's after", () => {
   const links = [lift(1, 0, 0), lift(1, 0, 0)];
-  const rows = [{ joint: "revolute", sign: 1 }, { joint: "revolute", sign: 1 }];
+  const rows = [
+    { joint: "revolute", sign: 1 },
+    { joint: "revolute", sign: 1 },
+  ];
   const q = [Math.PI / 2, 0];
   const standard = tableRobot({ convention: "standard", rows, links });
   near(origin(poses(standard, q).at(-1)), [0, 2, 0]);
@@ -29,7 +42,10 @@ test("a standard table's joint turns before its constant transform, a modified o
 });
 
 test("signs, slides and fixed rows", () => {
-  const rows = [{ joint: "fixed", sign: 1 }, { joint: "prismatic", sign: -1 }];
+  const rows = [
+    { joint: "fixed", sign: 1 },
+    { joint: "prismatic", sign: -1 },
+  ];
   const model = tableRobot({ convention: "standard", rows, links: [quarter, lift(0, 0, 1)] });
   assert.equal(model.joints, 1);
   near(origin(poses(model, [3]).at(-1)), [0, 2, 0]);
@@ -39,10 +55,19 @@ test("tubes follow the common normals: along the joint's axis first, then across
   const model = tableRobot({ convention: "standard", rows: [{ joint: "revolute", sign: 1 }], links: [lift(2, 0, 5)] });
   const tubes = model.items.filter((item) => item.kind === "tube");
   const found = poses(model, [0]);
-  assert.deepEqual(tubes.map((tube) => [position(found, tube.from), position(found, tube.to)]), [
-    [[0, 0, 0], [0, 0, 5]],
-    [[0, 0, 5], [2, 0, 5]],
-  ]);
+  assert.deepEqual(
+    tubes.map((tube) => [position(found, tube.from), position(found, tube.to)]),
+    [
+      [
+        [0, 0, 0],
+        [0, 0, 5],
+      ],
+      [
+        [0, 0, 5],
+        [2, 0, 5],
+      ],
+    ],
+  );
 });
 
 test("the figure's robot moves about its axes, bodies and all", () => {
@@ -51,7 +76,14 @@ test("the figure's robot moves about its axes, bodies and all", () => {
       { joint: 1, type: "revolute", point: [0, 0, 0], direction: [0, 0, 1] },
       { joint: 2, type: "prismatic", point: [1, 0, 0], direction: [0, 1, 0] },
     ],
-    links: [[[0, 0, -1], [0, 0, 0], [1, 0, 0], [1, 1, 0]]],
+    links: [
+      [
+        [0, 0, -1],
+        [0, 0, 0],
+        [1, 0, 0],
+        [1, 1, 0],
+      ],
+    ],
   };
   const model = figureRobot(figure);
   const found = poses(model, [Math.PI / 2, 1]);
@@ -63,23 +95,78 @@ test("the figure's robot moves about its axes, bodies and all", () => {
 });
 
 test("pieces follow the last joint before them, also where joints stand inside a stretch or side by side", () => {
-  const axes = [[0, 0, 1], [0, 0, 3], [0, 0, 3]].map((point, i) => ({ joint: i + 1, point }));
-  const pieces = piecesOf([[[0, 0, 0], [0, 0, 2], [0, 0, 4]], [[0, 0, 2], [1, 0, 2]]], axes, 4);
-  assert.deepEqual(pieces.map(({ from, to, body }) => [from[2], to[2], body]), [[0, 1, 0], [1, 2, 1], [2, 3, 1], [3, 4, 3], [2, 2, 1]]);
+  const axes = [
+    [0, 0, 1],
+    [0, 0, 3],
+    [0, 0, 3],
+  ].map((point, i) => ({ joint: i + 1, point }));
+  const pieces = piecesOf(
+    [
+      [
+        [0, 0, 0],
+        [0, 0, 2],
+        [0, 0, 4],
+      ],
+      [
+        [0, 0, 2],
+        [1, 0, 2],
+      ],
+    ],
+    axes,
+    4,
+  );
+  assert.deepEqual(
+    pieces.map(({ from, to, body }) => [from[2], to[2], body]),
+    [
+      [0, 1, 0],
+      [1, 2, 1],
+      [2, 3, 1],
+      [3, 4, 3],
+      [2, 2, 1],
+    ],
+  );
 });
 
 test("a rod slides through the first joint that it meets, whole", () => {
-  const axes = [[0, 0, 1], [1, 0, 1], [1, 0, 0.5]].map((point, i) => ({ joint: i + 1, point }));
-  const arm = [[0, 0, 0], [0, 0, 1], [1, 0, 1]];
-  const rod = [[1, 0, 2], [1, 0, 0]];
+  const axes = [
+    [0, 0, 1],
+    [1, 0, 1],
+    [1, 0, 0.5],
+  ].map((point, i) => ({ joint: i + 1, point }));
+  const arm = [
+    [0, 0, 0],
+    [0, 0, 1],
+    [1, 0, 1],
+  ];
+  const rod = [
+    [1, 0, 2],
+    [1, 0, 0],
+  ];
   const bodies = (links) => piecesOf(links, axes, 2).map(({ from, to, body }) => [from[2], to[2], body]);
-  assert.deepEqual(bodies([arm, rod]), [[0, 1, 0], [1, 1, 1], [2, 0.5, 2], [0.5, 0, 3]]);
-  assert.deepEqual(bodies([arm.slice(0, 2), rod]), [[0, 1, 0], [2, 0.5, 2], [0.5, 0, 3]]);
+  assert.deepEqual(bodies([arm, rod]), [
+    [0, 1, 0],
+    [1, 1, 1],
+    [2, 0.5, 2],
+    [0.5, 0, 3],
+  ]);
+  assert.deepEqual(bodies([arm.slice(0, 2), rod]), [
+    [0, 1, 0],
+    [2, 0.5, 2],
+    [0.5, 0, 3],
+  ]);
 });
 
 test("a figure whose joints are off its links stands still", () => {
   const axes = [{ joint: 1, type: "revolute", point: [5, 0, 0], direction: [0, 0, 1] }];
-  const model = figureRobot({ axes, links: [[[0, 0, 0], [0, 0, 2]]] });
+  const model = figureRobot({
+    axes,
+    links: [
+      [
+        [0, 0, 0],
+        [0, 0, 2],
+      ],
+    ],
+  });
   assert.equal(model.joints, 0);
   assert.deepEqual(poses(model, [1]), poses(model, [0]));
 });
@@ -97,7 +184,10 @@ test("placed and together keep what they hold", () => {
 
 test("what is fitted is inside the picture, and nearer things are nearer", () => {
   const model = tableRobot({ convention: "standard", rows: [{ joint: "revolute", sign: 1 }], links: [lift(3, 1, 2)] });
-  const camera = fitted({ ...VIEWS.corner, scale: 1, target: [0, 0, 0], width: 400, height: 300 }, drawnPoints(model, []));
+  const camera = fitted(
+    { ...VIEWS.corner, scale: 1, target: [0, 0, 0], width: 400, height: 300 },
+    drawnPoints(model, []),
+  );
   for (const item of model.items) {
     const { x, y } = project(camera, position(poses(model, []), "from" in item ? item.to : item.at));
     assert.ok(x > 0 && x < 400 && y > 0 && y < 300);
@@ -110,15 +200,25 @@ test("what is fitted is inside the picture, and nearer things are nearer", () =>
 });
 
 test("a model in another unit has the same shape", () => {
-  const model = tableRobot({ convention: "modified", rows: [{ joint: "prismatic", sign: 1 }], links: [lift(10, 20, 30)] });
+  const model = tableRobot({
+    convention: "modified",
+    rows: [{ joint: "prismatic", sign: 1 }],
+    links: [lift(10, 20, 30)],
+  });
   const metres = scaled(model, 0.001);
-  near(drawnPoints(metres, [0.5]).flat(), drawnPoints(model, [500]).flat().map((value) => value / 1000));
+  near(
+    drawnPoints(metres, [0.5]).flat(),
+    drawnPoints(model, [500])
+      .flat()
+      .map((value) => value / 1000),
+  );
   assert.ok(Math.abs(metres.items[0].radius - model.items[0].radius / 1000) < 1e-12);
 });
 
 test("a click means the nearest thing that can be picked", () => {
   const model = {
-    nodes: [], joints: 0,
+    nodes: [],
+    joints: 0,
     items: [
       { kind: "line", from: { node: -1, at: [0, 0, 0] }, to: { node: -1, at: [1, 0, 0] }, tone: "line", pick: "along" },
       { kind: "ball", at: { node: -1, at: [0, 0, 1] }, radius: 0.01, tone: "pick", pick: "above" },

@@ -51,7 +51,12 @@ test("a fixed row does not count as a joint", () => {
 
 test("a table numbered by row goes on being numbered by row", () => {
   const rows = ["θ1", "0", "θ3"].map((theta, i) => ({
-    key: 900 + i, joint: i === 1 ? "fixed" : "revolute", alpha: "0", a: "0", d: "0", theta,
+    key: 900 + i,
+    joint: i === 1 ? "fixed" : "revolute",
+    alpha: "0",
+    a: "0",
+    d: "0",
+    theta,
   }));
   const table = model.moveRow({ ...model.newTable("modified", 1), rows }, 1, 0);
   assert.deepEqual(texts(table, "theta"), ["0", "θ2", "θ3"]);
@@ -67,13 +72,30 @@ test("the last row stays, and rows stay within the limit", () => {
 test("a table survives the way to the API and back", () => {
   const wire = model.toWire(model.setCell(model.newTable("standard", 2), 0, "a", "L1"));
   assert.deepEqual(model.toWire(model.fromWire(wire)), wire);
-  assert.equal(model.fromWire({ convention: "modified", rows: [{ alpha: 0, a: 0, d: "q1", theta: 0 }] }).rows[0].joint, "prismatic");
+  assert.equal(
+    model.fromWire({ convention: "modified", rows: [{ alpha: 0, a: 0, d: "q1", theta: 0 }] }).rows[0].joint,
+    "prismatic",
+  );
 });
 
 test("the numbers of a sum are converted exactly, what stands in anything else is counted", () => {
-  const cases = [["90", "rad", "pi/2"], ["-90", "rad", "-pi/2"], ["−45", "rad", "−pi/4"], ["0", "rad", "0"], ["120", "rad", "2*pi/3"],
-    ["θ1", "rad", "θ1"], ["θ1 + 90", "rad", "θ1 + pi/2"], ["90 - q1", "rad", "pi/2 - q1"], ["pi/2", "rad", "pi/2"], ["90°", "rad", "90°"],
-    ["pi/2", "deg", "90"], ["-π/2", "deg", "-90"], ["2*pi/3", "deg", "120"], ["q2 + pi/2", "deg", "q2 + 90"], ["2*(q1+90)", "rad", "2*(q1+90)"]];
+  const cases = [
+    ["90", "rad", "pi/2"],
+    ["-90", "rad", "-pi/2"],
+    ["−45", "rad", "−pi/4"],
+    ["0", "rad", "0"],
+    ["120", "rad", "2*pi/3"],
+    ["θ1", "rad", "θ1"],
+    ["θ1 + 90", "rad", "θ1 + pi/2"],
+    ["90 - q1", "rad", "pi/2 - q1"],
+    ["pi/2", "rad", "pi/2"],
+    ["90°", "rad", "90°"],
+    ["pi/2", "deg", "90"],
+    ["-π/2", "deg", "-90"],
+    ["2*pi/3", "deg", "120"],
+    ["q2 + pi/2", "deg", "q2 + 90"],
+    ["2*(q1+90)", "rad", "2*(q1+90)"],
+  ];
   for (const [text, unit, expected] of cases) {
     const table = model.setCell(model.newTable("modified", 1), 0, "alpha", text);
     assert.equal(convert.convertedAngles(table, unit).table.rows[0].alpha, expected);
@@ -91,7 +113,15 @@ test("lengths are written in another unit, parameters stay", () => {
   assert.deepEqual([found.lengthUnit, found.rows[0].a, found.rows[0].d, left], ["mm", "431.8", "L1 - 100 + d2", 0]);
   assert.ok(convert.holdsNumbers(table, ["a", "d"]));
   assert.ok(!convert.holdsNumbers(model.newTable("standard", 2), ["a", "d"]));
-  assert.deepEqual(convertedValues({ a2: 0.5, beta: 90 }, (name) => (name === "beta" ? "angle" : "length"), { angle: "deg", length: "m" }, { angle: "deg", length: "cm" }), { a2: 50, beta: 90 });
+  assert.deepEqual(
+    convertedValues(
+      { a2: 0.5, beta: 90 },
+      (name) => (name === "beta" ? "angle" : "length"),
+      { angle: "deg", length: "m" },
+      { angle: "deg", length: "cm" },
+    ),
+    { a2: 50, beta: 90 },
+  );
 });
 
 test("undo and redo step over runs of typing", () => {

@@ -1,0 +1,83 @@
+/** After a right answer: why each row is right, from how its two z axes lie, and a second valid table to compare. */
+
+import { el } from "../dom.js";
+import { columnName } from "../editor/grid.js";
+import { COLUMNS } from "../editor/model.js";
+import { t } from "../i18n.js";
+import { shown } from "../numbers.js";
+
+/** @typedef {import("../understanding.js").ReadRow} ReadRow */
+
+const CLOSE = 1e-9;
+
+/** How the z axes of frames i−1 and i lie to each other. @param {ReadRow} row @param {number} size of the robot */
+export function relationOf({ values }, size) {
+  const [s, c] = [Math.sin(values.alpha ?? 0), Math.cos(values.alpha ?? 0)];
+  const near = Math.abs(values.a ?? 0) < CLOSE * size;
+  if (Math.abs(s) < CLOSE) return near ? "coincident" : "parallel";
+  return `${near ? "intersecting" : "skew"}-${Math.abs(c) < CLOSE ? "perpendicular" : "oblique"}`;
+}
+
+/** @param {ReadRow[]} rows of the accepted table @param {any} table as it was handed in @param {number} size of the robot */
+export function reasonsList(rows, table, size) {
+  const item = (/** @type {ReadRow} */ row, /** @type {number} */ i) => {
+    const { alpha, a, d } = table.rows[i];
+    const relation = t(`form-relation-${relationOf(row, size)}`);
+    return el("li", {
+      text: t("form-why-row", { row: i + 1, before: i, relation, alpha: String(alpha), a: String(a), d: String(d) }),
+    });
+  };
+  return el("details", { class: "reasons" }, el("summary", { text: t("form-why") }), el("ul", {}, rows.map(item)));
+}
+
+/**
+ * The same robot in the other convention, fetched when it is looked at.
+ * @param {import("../api.js").Api} api @param {any} table that was accepted
+ */
+export function secondTable(api, table) {
+  const to = table.convention === "standard" ? "modified" : "standard";
+  const place = el("div");
+  const load = async (/** @type {any} */ event) => {
+    if (!event.target.open || place.hasChildNodes()) return;
+    const found = await api.post("convert", { table, to }).catch(() => null);
+    place.replaceChildren(found ? tableView(found.table) : el("p", { class: "hint", text: t("form-unreachable") }));
+  };
+  const title = t("form-second-table", { convention: t(`form-convention-${to}`) });
+  return el("details", { class: "reasons", ontoggle: load }, el("summary", { text: title }), place);
+}
+
+/** @param {any} table */
+function tableView({ convention, rows }) {
+  /** @type {("alpha" | "a" | "d" | "theta")[]} */
+  const columns = COLUMNS[/** @type {"standard" | "modified"} */ (convention)];
+  const caption = t("form-table-caption", { convention: t(`form-convention-${convention}`) });
+  const text = (/** @type {string | number} */ cell) => (typeof cell === "number" ? shown(cell, 6) : cell);
+  return el(
+    "div",
+    { class: "scroller", tabindex: "0", role: "group", "aria-label": caption },
+    el(
+      "table",
+      { class: "data" },
+      el(
+        "thead",
+        {},
+        el(
+          "tr",
+          {},
+          columns.map((name) => el("th", { scope: "col" }, columnName(name, convention))),
+        ),
+      ),
+      el(
+        "tbody",
+        {},
+        rows.map((/** @type {any} */ row) =>
+          el(
+            "tr",
+            {},
+            columns.map((name) => el("td", { text: text(row[name]) })),
+          ),
+        ),
+      ),
+    ),
+  );
+}

@@ -1,0 +1,192 @@
+"""The picture with the table: it grows row by row, stays in sight, plays a row, and lights its cells."""
+
+from __future__ import annotations
+
+import base64
+import json
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, Request, expect
+
+from tests.web.conftest import OpenPage
+from tests.web.driving import PUMA, SCARA, cell, editor, put_table
+
+FRAMES = "count => document.querySelector('#own robot-scene').model.frames.length === count"
+
+
+def frames_drawn(page: Page) -> int:
+    """Triads in the student's scene, frame 0 included."""
+    count: int = page.evaluate("document.querySelector('#own robot-scene').model.frames.length")
+    return count
+
+
+def test_the_robot_grows_row_by_row(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    order = ("theta", "d", "a", "alpha")
+    assert frames_drawn(page) == 1
+    for i, row in enumerate(
+        [{"alpha": "0", "a": "a2", "d": "0"}, {"alpha": "0", "a": "a3", "d": "0"}, {"alpha": "0", "a": "0"}]
+    ):
+        for name in order:
+            if name in row:
+                cell(page, i, name).fill(row[name])
+        if i < 2:
+            page.wait_for_function(
+                f"document.querySelector('#own robot-scene').model.frames.length === {i + 2}"
+            )
+    cell(page, 0, "a").fill("(")
+    page.wait_for_function(FRAMES, arg=1)
+
+
+def test_a_keystroke_costs_one_call(open_page: OpenPage) -> None:
+    calls: list[str] = []
+    page = open_page("/exercises/puma560")
+    put_table(page, PUMA)
+    expect(page.locator("#own")).to_contain_text("Drawn from your table")
+
+    def note(request: Request) -> None:
+        if "/api/" in request.url:
+            calls.append(request.url.rsplit("/", 1)[1])
+
+    page.on("request", note)
+    cell(page, 2, "a").fill("0.5")
+    page.wait_for_function(
+        "() => document.querySelector('#own robot-scene').model.nodes[3].constant[0][3] === 0.5"
+    )
+    assert calls == ["understand"]
+
+
+SIGHT = """() => {
+  const seen = (element) => {
+    const { x, y, width, height } = element.getBoundingClientRect();
+    const inside = x >= -1 && y >= -1 && x + width <= innerWidth + 1 && y + height <= innerHeight + 1;
+    const top = document.elementFromPoint(x + width / 2, y + height / 2);
+    const shown = top !== null && (element.contains(top) || top.contains(element));
+    return inside && shown && width > 40 && height > 20;
+  };
+  return {
+    figure: seen(document.querySelector("#figure-drawing")),
+    cell: seen(document.activeElement),
+    robot: seen(document.querySelector("#own .scene-view")),
+  };
+}"""
+
+
+@pytest.mark.parametrize(("width", "height"), [(1280, 800), (390, 844), (768, 1024)])
+def test_figure_row_and_robot_are_in_sight_while_typing(open_page: OpenPage, width: int, height: int) -> None:
+    page = open_page("/exercises/puma560", width=width, height=height)
+    put_table(page, PUMA)
+    expect(page.locator("#own")).to_contain_text("Drawn from your table")
+    for row in (0, 3, 5):
+        cell(page, row, "a").click()
+        cell(page, row, "a").press("End")
+        page.wait_for_function("() => new Promise((done) => requestAnimationFrame(() => done(true)))")
+        assert page.evaluate(SIGHT) == {"figure": True, "cell": True, "robot": True}, row
+    page.evaluate("document.activeElement.blur()")
+    expect(page.locator("html.typing")).to_have_count(0)
+
+
+def test_a_cell_and_what_it_is_drawn_as_light_each_other(open_page: OpenPage) -> None:
+    page = open_page("/exercises/puma560")
+    put_table(page, PUMA)
+    expect(page.locator("#own")).to_contain_text("Drawn from your table")
+    cell(page, 2, "a").focus()
+    expect(cell(page, 2, "a")).to_have_class("lit")
+    expect(page.locator(".film-text")).to_have_text("Row 3, 2 of 4: move along x₂ by a = 0.4318 m.")
+    items = "document.querySelector('#own robot-scene').overlay.items"
+    assert page.evaluate(f"{items}.filter((item) => item.tone === 'lit').length") > 0
+    page.evaluate(
+        """() => document.querySelector("#own robot-scene")
+          .dispatchEvent(new CustomEvent("scene-pick", { detail: { id: "3/d" }, bubbles: true }))"""
+    )
+    expect(cell(page, 3, "d")).to_be_focused()
+
+
+def test_a_row_is_gone_through_step_by_step_and_back(open_page: OpenPage) -> None:
+    """Without motion the film goes on in stills; its last one is where the service has the frame."""
+    page = open_page("/exercises/scara")
+    put_table(page, SCARA)
+    expect(page.locator("#own")).to_contain_text("Drawn from your table")
+    page.get_by_role("button", name="Play row 2 in the picture").click()
+    text = page.locator(".film-text")
+    expect(text).to_contain_text("Row 2, 1 of 4: turn about x₁ by α = 0°.")
+    for wanted in ("2 of 4: move along x₁ by a = 0.4 m.", "3 of 4: turn about z₂", "4 of 4: move along z₂"):
+        page.get_by_role("button", name="One step on").click()
+        expect(text).to_contain_text(wanted)
+    ends = page.evaluate(
+        """async () => {
+          const base = new URL(document.documentElement.dataset.assets, location.href).href;
+          const { poses } = await import(`${base}/js/scene/model.js`);
+          const scene = document.querySelector("#own robot-scene");
+          return [scene.overlay.nodes[0].constant, poses(scene.model, scene.joints)[scene.model.frames[2]]];
+        }"""
+    )
+    for one, other in zip(ends[0], ends[1], strict=True):
+        assert one == pytest.approx(other, abs=1e-12)
+    page.get_by_role("button", name="One step back").click()
+    expect(text).to_contain_text("3 of 4")
+
+
+def test_rows_stay_the_same_elements(open_page: OpenPage) -> None:
+    page = open_page("/exercises/puma560")
+    put_table(page, PUMA)
+    cell(page, 3, "a").focus()
+    page.evaluate("document.activeElement.dataset.mark = 'mine'")
+    page.keyboard.press("Alt+ArrowUp")
+    expect(cell(page, 2, "a")).to_be_focused()
+    assert cell(page, 2, "a").get_attribute("data-mark") == "mine"
+    editor(page).locator(".add-row").click()
+    assert cell(page, 2, "a").get_attribute("data-mark") == "mine"
+
+
+def test_a_scene_is_kept_as_a_picture_and_fills_the_screen(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    put_table(page, SCARA)
+    expect(page.locator("#own")).to_contain_text("Drawn from your table")
+    data: str = page.evaluate(
+        """async () => {
+          const blob = await document.querySelector("#own robot-scene").picture();
+          const bytes = new Uint8Array(await blob.arrayBuffer());
+          return btoa(String.fromCharCode(...bytes));
+        }"""
+    )
+    png = base64.b64decode(data)
+    assert png.startswith(b"\x89PNG")
+    assert len(png) > 3000
+    page.locator("#own .scene-enlarge").click()
+    expect(page.locator("#own robot-scene")).to_have_class("enlarged")
+    box: dict[str, Any] = page.locator("#own robot-scene").bounding_box() or {}
+    assert json.dumps([box["width"], box["height"]]) == json.dumps([1280, 900])
+    page.keyboard.press("Escape")
+    expect(page.locator("#own robot-scene.enlarged")).to_have_count(0)
+
+
+@pytest.mark.parametrize("language", ["en", "uk"])
+def test_the_lesson_moves_its_frames_and_is_reached_from_the_terms(
+    open_page: OpenPage, language: str
+) -> None:
+    page = open_page("/exercises/twolink", lang=language)
+    for place in ("theta", "d", "a", "alpha", "variable", "conventions"):
+        assert page.locator(f'a[href*="/lesson?lang={language}#{place}"]').count() > 0, place
+    page.locator('a.term[href$="#alpha"]').click()
+    expect(page.locator("#four-numbers robot-scene")).to_have_count(2)
+    scenes = "[...document.querySelectorAll('#four-numbers robot-scene')]"
+    pose = f"{scenes}.map((scene) => scene.overlay.nodes[0].constant)"
+    before = page.evaluate(pose)
+    page.locator("#four-numbers input[type=range]").nth(2).fill("0")
+    after = page.evaluate(pose)
+    assert before[0] != after[0]
+    assert before[1] != after[1]
+    assert "lesson-" not in page.locator("main").inner_text()
+
+
+@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
+@pytest.mark.parametrize("width", [320, 1280])
+def test_the_lesson_is_accessible(
+    open_page: OpenPage, assert_accessible: Any, width: int, dark: bool
+) -> None:
+    page = open_page("/lesson", width=width, dark=dark)
+    expect(page.locator("#two-axes robot-scene")).to_be_visible()
+    assert_accessible(page)
+    assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
