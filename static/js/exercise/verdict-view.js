@@ -12,7 +12,7 @@ const MARKS = { ok: "check", wrong: "cross", missing: "cross" };
 /**
  * What is said of the table, and of the answer as a whole.
  * @param {any} graded as the API gave it
- * @param {{convention: string, focusRow: (row: number, cell?: string) => void}} answer
+ * @param {{convention: string, focusRow: ((row: number, cell?: string) => void) | null}} answer
  * @returns {HTMLElement}
  */
 export function verdictView(graded, { convention, focusRow }) {

@@ -15,28 +15,54 @@ export async function showAttempt(api, card, place, attempt) {
   const { answer, report, person } = attempt;
   const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "medium" });
   const { table, ...others } = report.parts;
-  const rows = (answer.table?.rows ?? []).map((/** @type {any} */ row, /** @type {number} */ i) => [i + 1, ...CELLS.map((cell) => String(row[cell] ?? ""))]);
+  const rows = (answer.table?.rows ?? []).map((/** @type {any} */ row, /** @type {number} */ i) => [
+    i + 1,
+    ...CELLS.map((cell) => String(row[cell] ?? "")),
+  ]);
   card.hidden = false;
   fill(
     place,
-    el("p", { class: "row" }, el("span", { text: person.slice(0, 8) }), el("time", { datetime: attempt.at, text: when.format(new Date(attempt.at)) }), el("span", { text: `${attempt.exercise} (${attempt.version})` })),
+    el(
+      "p",
+      { class: "row" },
+      el("span", { text: person.slice(0, 8) }),
+      el("time", { datetime: attempt.at, text: when.format(new Date(attempt.at)) }),
+      el("span", { text: `${attempt.exercise} (${attempt.version})` }),
+    ),
     answer.table ? dataTable(t("form-part-table"), [t("form-row-heading"), "", "θ", "d", "a", "α"], rows) : null,
     verdictView(report, { convention: answer.table?.convention ?? "standard", focusRow: null }),
-    Object.values(others).map((/** @type {any} */ part) => partView(part, t(`form-part-${part.kind.replaceAll("_", "-")}`), { nameOf: (where) => where.join(", "), goTo: () => undefined })),
-    el("details", {}, el("summary", { text: t("lecturer-as-sent") }), el("pre", { text: JSON.stringify(answer, null, 2) })),
+    Object.values(others).map((/** @type {any} */ part) =>
+      partView(part, t(`form-part-${part.kind.replaceAll("_", "-")}`), {
+        nameOf: (where) => where.join(", "),
+        goTo: () => undefined,
+      }),
+    ),
+    el(
+      "details",
+      {},
+      el("summary", { text: t("lecturer-as-sent") }),
+      el("pre", { text: JSON.stringify(answer, null, 2) }),
+    ),
   );
   card.focus({ preventScroll: true });
   card.scrollIntoView({ block: "start" });
   if (answer.table) await draw(api, place, attempt).catch((error) => console.warn(error));
 }
 
+/** @param {any} api @param {any} place @param {any} options */
 async function draw(api, place, { answer, report, exercise: id, seed }) {
   const exercise = await api.get(`exercises/${id}${seed ? `?seed=${encodeURIComponent(seed)}` : ""}`);
   const { angle_unit: angle, length_unit: length } = answer.table;
   const units = { angle: exercise.angle_unit, length: exercise.length_unit };
-  const kinds = new Map(exercise.dimensions.map(({ name, unit }) => [name, unit === exercise.length_unit ? "length" : "angle"]));
+  const kinds = new Map(
+    exercise.dimensions.map((/** @type {any} */ { name, unit }) => [
+      name,
+      unit === exercise.length_unit ? "length" : "angle",
+    ]),
+  );
   const values = convertedValues(exercise.parameters, (name) => kinds.get(name) ?? "length", units, { angle, length });
   const drawn = await robotOf(api, answer.table, values);
+  if (!drawn) return;
   if (report.certificate && report.figure) {
     const both = bothRobots({
       figure: exercise.figure,
@@ -51,6 +77,12 @@ async function draw(api, place, { answer, report, exercise: id, seed }) {
   }
   const scene = /** @type {any} */ (document.createElement("robot-scene"));
   scene.model = drawn.model;
-  const figure = el("img", { class: "figure-paper", src: api.address(`exercises/${id}/figure.svg?lang=${language}`), alt: exercise.figure.description, width: 480, height: 330 });
+  const figure = el("img", {
+    class: "figure-paper",
+    src: api.address(`exercises/${id}/figure.svg?lang=${language}`),
+    alt: exercise.figure.description,
+    width: 480,
+    height: 330,
+  });
   place.append(el("div", { class: "row" }, scene, figure));
 }

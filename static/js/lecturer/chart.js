@@ -22,9 +22,15 @@ export function barChart(bars, title) {
       return svg(
         "g",
         {},
-        svg("text", { x: LABEL - 8, y: y + 16, "text-anchor": "end" }, label.length > 28 ? `${label.slice(0, 27)}…` : label),
+        svg(
+          "text",
+          { x: LABEL - 8, y: y + 16, "text-anchor": "end" },
+          label.length > 28 ? `${label.slice(0, 27)}…` : label,
+        ),
         svg("rect", { class: "bar-all", x: LABEL, y: y + 4, width: length(all), height: ROW - 8, rx: 2 }),
-        part === undefined ? null : svg("rect", { class: "bar-part", x: LABEL, y: y + 4, width: length(part), height: ROW - 8, rx: 2 }),
+        part === undefined
+          ? null
+          : svg("rect", { class: "bar-part", x: LABEL, y: y + 4, width: length(part), height: ROW - 8, rx: 2 }),
         svg("text", { x: LABEL + length(all) + 6, y: y + 16 }, part === undefined ? String(all) : `${part} / ${all}`),
       );
     }),
@@ -43,11 +49,26 @@ export function dataTable(caption, headings, rows) {
       "table",
       { class: "data" },
       el("caption", { class: "visually-hidden", text: caption }),
-      el("thead", {}, el("tr", {}, headings.map((text) => el("th", { scope: "col", text })))),
+      el(
+        "thead",
+        {},
+        el(
+          "tr",
+          {},
+          headings.map((text) => el("th", { scope: "col", text })),
+        ),
+      ),
       el(
         "tbody",
         {},
-        rows.map(([first, ...others]) => el("tr", {}, el("th", { scope: "row" }, first), others.map((cell) => el("td", {}, cell)))),
+        rows.map(([first, ...others]) =>
+          el(
+            "tr",
+            {},
+            el("th", { scope: "row" }, first),
+            others.map((cell) => el("td", {}, cell)),
+          ),
+        ),
       ),
     ),
   );

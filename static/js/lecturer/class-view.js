@@ -4,9 +4,10 @@ import { el, fill } from "../dom.js";
 import { t } from "../i18n.js";
 import { dataTable } from "./chart.js";
 
+/** @type {Record<string, string>} */
 const TONES = { solved: "good", stuck: "bad", begun: "warn", opened: "", absent: "" };
 
-/** What a student is called: a name where the platform shares it, else the beginning of the pseudonym. */
+/** What a student is called: a name where the platform shares it, else the beginning of the pseudonym. @param {any} options */
 export function studentName({ name, key }) {
   return name ?? key.slice(0, 8);
 }
@@ -21,22 +22,36 @@ export function showClass(place, { links, students }, { openLink, openStudent })
     t("lecturer-links"),
     [t("lecturer-link"), t("lecturer-exercise"), ...counts.map((name) => t(`lecturer-state-${name}`))],
     links.map((/** @type {any} */ link) => [
-      el("button", { type: "button", class: "quiet", onclick: () => openLink(link), text: link.title || link.exercise || t("lecturer-no-exercise") }),
+      el("button", {
+        type: "button",
+        class: "quiet",
+        onclick: () => openLink(link),
+        text: link.title || link.exercise || t("lecturer-no-exercise"),
+      }),
       link.exercise ?? t("lecturer-no-exercise"),
       ...counts.map((name) => link[name]),
     ]),
   );
+  /** @param {any} student @param {any} link */
   const cell = (student, link) => {
     const found = student.links[link.id];
     const state = found?.state ?? "absent";
     if (!found?.attempts) return el("span", { class: "badge", text: t(`lecturer-state-${state}`) });
     const share = found.score === null ? "" : ` ${Math.round(found.score * 100)} %`;
-    return el("button", { type: "button", class: `badge ${TONES[state]}`, onclick: () => openStudent(link, student), text: `${t(`lecturer-state-${state}`)}${share} (${found.attempts})` });
+    return el("button", {
+      type: "button",
+      class: `badge ${TONES[state]}`,
+      onclick: () => openStudent(link, student),
+      text: `${t(`lecturer-state-${state}`)}${share} (${found.attempts})`,
+    });
   };
   const people = dataTable(
     t("lecturer-students"),
     [t("lecturer-student"), ...links.map((/** @type {any} */ { title, exercise }) => title || exercise || "–")],
-    students.map((/** @type {any} */ student) => [studentName(student), ...links.map((/** @type {any} */ link) => cell(student, link))]),
+    students.map((/** @type {any} */ student) => [
+      studentName(student),
+      ...links.map((/** @type {any} */ link) => cell(student, link)),
+    ]),
   );
   fill(place, summary, students.length ? people : el("p", { class: "hint", text: t("lecturer-nobody") }));
 }
@@ -54,8 +69,18 @@ export function showUndelivered(card, place, lost, resend) {
         studentName(entry),
         entry.title,
         `${Math.round(entry.score * 100)} %`,
-        el("span", { dataset: { code: entry.problem }, text: `${t(`lecturer-problem-${adviceFor(entry.problem)}`)} (${entry.problem})` }),
-        entry.dead ? el("button", { type: "button", class: "quiet small", onclick: () => resend(entry.link), text: t("lecturer-resend") }) : t("lecturer-waiting"),
+        el("span", {
+          dataset: { code: entry.problem },
+          text: `${t(`lecturer-problem-${adviceFor(entry.problem)}`)} (${entry.problem})`,
+        }),
+        entry.dead
+          ? el("button", {
+              type: "button",
+              class: "quiet small",
+              onclick: () => resend(entry.link),
+              text: t("lecturer-resend"),
+            })
+          : t("lecturer-waiting"),
       ]),
     ),
   );

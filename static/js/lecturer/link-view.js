@@ -48,10 +48,12 @@ export class LinkView {
     this.behind.scrollIntoView({ block: "nearest" });
   }
 
+  /** @param {any} rest */
   #path(rest) {
     return `course/links/${this.link.id}/${rest}`;
   }
 
+  /** @param {any} options */
   #numbers({ attempts, students, solved, first_attempt_rate: first, days, sequence }) {
     const percent = first === null ? "–" : `${Math.round(first * 100)} %`;
     const facts = [
@@ -60,33 +62,59 @@ export class LinkView {
       [t("lecturer-solved"), solved],
       [t("lecturer-first-rate"), percent],
     ];
-    const dayBars = days.map(({ day, attempts: all, correct: part }) => ({ label: day, all, part }));
+    const dayBars = days.map((/** @type {any} */ { day, attempts: all, correct: part }) => ({ label: day, all, part }));
     return [
-      el("dl", { class: "row" }, facts.map(([name, value]) => el("div", {}, el("dt", { text: name }), el("dd", { text: value })))),
+      el(
+        "dl",
+        { class: "row" },
+        facts.map(([name, value]) => el("div", {}, el("dt", { text: name }), el("dd", { text: value }))),
+      ),
       el("h3", { text: t("lecturer-by-day") }),
       barChart(dayBars, t("lecturer-by-day")),
-      dataTable(t("lecturer-by-day"), [t("lecturer-day"), t("lecturer-attempts-made"), t("lecturer-right")], days.map(({ day, attempts: all, correct }) => [day, all, correct])),
+      dataTable(
+        t("lecturer-by-day"),
+        [t("lecturer-day"), t("lecturer-attempts-made"), t("lecturer-right")],
+        days.map((/** @type {any} */ { day, attempts: all, correct }) => [day, all, correct]),
+      ),
       el("h3", { text: t("lecturer-sequence") }),
-      barChart(sequence.map(({ attempt, reached, solved: part }) => ({ label: t("lecturer-attempt-number", { attempt }), all: reached, part })), t("lecturer-sequence")),
+      barChart(
+        sequence.map((/** @type {any} */ { attempt, reached, solved: part }) => ({
+          label: t("lecturer-attempt-number", { attempt }),
+          all: reached,
+          part,
+        })),
+        t("lecturer-sequence"),
+      ),
       dataTable(
         t("lecturer-sequence"),
         [t("lecturer-attempt"), t("lecturer-reached"), t("lecturer-solved"), t("lecturer-left")],
-        sequence.map((step) => [step.attempt, step.reached, step.solved, step.dropped_out]),
+        sequence.map((/** @type {any} */ step) => [step.attempt, step.reached, step.solved, step.dropped_out]),
       ),
     ];
   }
 
+  /** @param {any} options */
   #mistakes({ misconceptions }) {
+    /** @param {any} entry */
     const open = (entry) => this.#open({ kind: entry.kind, code: entry.code });
     return [
       el("h3", { text: t("lecturer-mistakes") }),
-      barChart(misconceptions.map(({ code, attempts }) => ({ label: code, all: attempts })), t("lecturer-mistakes")),
+      barChart(
+        misconceptions.map((/** @type {any} */ { code, attempts }) => ({ label: code, all: attempts })),
+        t("lecturer-mistakes"),
+      ),
       dataTable(
         t("lecturer-mistakes"),
         [t("lecturer-mistake"), t("lecturer-attempts-made"), t("lecturer-students"), t("lecturer-example")],
-        misconceptions.map((entry) => [
+        misconceptions.map((/** @type {any} */ entry) => [
           el("code", { text: entry.code }),
-          el("button", { type: "button", class: "quiet small", "aria-label": t("lecturer-open-attempts", { count: entry.attempts }), onclick: () => open(entry), text: String(entry.attempts) }),
+          el("button", {
+            type: "button",
+            class: "quiet small",
+            "aria-label": t("lecturer-open-attempts", { count: entry.attempts }),
+            onclick: () => open(entry),
+            text: String(entry.attempts),
+          }),
           entry.students,
           entry.example ?? "–",
         ]),
@@ -94,6 +122,7 @@ export class LinkView {
     ];
   }
 
+  /** @param {any} options */
   #unexplained({ unexplained }) {
     if (!unexplained.length) return null;
     return [
@@ -101,9 +130,15 @@ export class LinkView {
       dataTable(
         t("lecturer-unexplained"),
         [t("lecturer-does-not-fit"), t("lecturer-attempts-made")],
-        unexplained.map(({ facts, attempts }) => [
+        unexplained.map((/** @type {any} */ { facts, attempts }) => [
           facts.length ? facts.map(factName).join(", ") : "–",
-          el("button", { type: "button", class: "quiet small", "aria-label": t("lecturer-open-attempts", { count: attempts.length }), onclick: () => this.#open({ ids: attempts.slice(0, 200).join(",") }), text: String(attempts.length) }),
+          el("button", {
+            type: "button",
+            class: "quiet small",
+            "aria-label": t("lecturer-open-attempts", { count: attempts.length }),
+            onclick: () => this.#open({ ids: attempts.slice(0, 200).join(",") }),
+            text: String(attempts.length),
+          }),
         ]),
       ),
     ];
@@ -124,7 +159,12 @@ export class LinkView {
           attempt.number,
           when.format(new Date(attempt.at)),
           `${Math.round(attempt.score * 100)} %`,
-          el("button", { type: "button", class: "quiet small", onclick: () => this.act.openAttempt(attempt.id), text: t("lecturer-open") }),
+          el("button", {
+            type: "button",
+            class: "quiet small",
+            onclick: () => this.act.openAttempt(attempt.id),
+            text: t("lecturer-open"),
+          }),
         ]),
       ),
     );
@@ -137,7 +177,11 @@ export class LinkView {
     const attempts = el("input", { type: "number", min: 0, max: 1000, value: 0 });
     const give = async () => {
       const value = (/** @type {any} */ field) => Number(field.value);
-      await this.api.post(this.#path("allowances"), { person: student.key, extra_minutes: value(minutes), extra_attempts: value(attempts) });
+      await this.api.post(this.#path("allowances"), {
+        person: student.key,
+        extra_minutes: value(minutes),
+        extra_attempts: value(attempts),
+      });
       announce(t("lecturer-saved"));
       await this.act.changed();
     };
@@ -150,6 +194,7 @@ export class LinkView {
     );
   }
 
+  /** @param {any} settings */
   #rules(settings) {
     const said = el("div", { role: "status" });
     const save = async (/** @type {any} */ chosen) => {
@@ -163,7 +208,13 @@ export class LinkView {
       }
     };
     const open = !settings.exercise;
-    return el("details", { open }, el("summary", {}, el("h3", { text: t("lecturer-rules") })), settingsForm(this.exercises, settings, save, t("lecturer-save")), said);
+    return el(
+      "details",
+      { open },
+      el("summary", {}, el("h3", { text: t("lecturer-rules") })),
+      settingsForm(this.exercises, settings, save, t("lecturer-save")),
+      said,
+    );
   }
 
   #work() {
@@ -180,14 +231,22 @@ export class LinkView {
         await this.act.changed();
         fill(said, el("p", { text: t("lecturer-applied") }));
       };
-      const rows = changes.map((/** @type {any} */ entry) => [studentName(entry), entry.number, `${Math.round(entry.before * 100)} %`, `${Math.round(entry.after * 100)} %`]);
+      const rows = changes.map((/** @type {any} */ entry) => [
+        studentName(entry),
+        entry.number,
+        `${Math.round(entry.before * 100)} %`,
+        `${Math.round(entry.after * 100)} %`,
+      ]);
       const headings = [t("lecturer-student"), t("lecturer-attempt"), t("lecturer-before"), t("lecturer-after")];
       fill(
         said,
         changes.length ? dataTable(t("lecturer-changes"), headings, rows) : el("p", { text: t("lecturer-no-changes") }),
-        changes.length ? el("button", { type: "button", class: "primary", onclick: apply, text: t("lecturer-apply") }) : null,
+        changes.length
+          ? el("button", { type: "button", class: "primary", onclick: apply, text: t("lecturer-apply") })
+          : null,
       );
     };
+    /** @param {string} text @param {any} onclick */
     const button = (text, onclick) => el("button", { type: "button", onclick, text });
     return el(
       "section",
@@ -195,7 +254,13 @@ export class LinkView {
       el(
         "p",
         { class: "row" },
-        el("a", { class: "button", href: pageAddress(`exercises/${this.link.exercise}`), target: "_blank", rel: "noopener", text: t("lecturer-preview") }),
+        el("a", {
+          class: "button",
+          href: pageAddress(`exercises/${this.link.exercise}`),
+          target: "_blank",
+          rel: "noopener",
+          text: t("lecturer-preview"),
+        }),
         button(t("lecturer-release"), release),
         button(t("lecturer-regrade-counted"), () => regrade("counted")),
         button(t("lecturer-regrade-all"), () => regrade("all")),
@@ -208,7 +273,10 @@ export class LinkView {
 
   /** A file with every attempt; the token goes in a header, so that no address holds it. @param {string} form */
   async #download(form) {
-    const answer = await fetch(this.api.address(this.#path(`export.${form}`)), { headers: { Authorization: `Bearer ${this.api.token}` }, credentials: "omit" });
+    const answer = await fetch(this.api.address(this.#path(`export.${form}`)), {
+      headers: { Authorization: `Bearer ${this.api.token}` },
+      credentials: "omit",
+    });
     const address = URL.createObjectURL(await answer.blob());
     const anchor = /** @type {HTMLAnchorElement} */ (el("a", { href: address, download: `attempts.${form}` }));
     anchor.click();

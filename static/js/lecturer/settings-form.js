@@ -3,6 +3,7 @@
 import { el } from "../dom.js";
 import { t } from "../i18n.js";
 
+/** @type {Record<string, string[]>} */
 const CHOICES = {
   counting: ["best", "last", "first"],
   feedback: ["at_once", "after_attempts", "after_deadline", "verdict_only", "on_release"],
@@ -24,19 +25,28 @@ function local(text) {
  * @param {string} action what the button says
  */
 export function settingsForm(exercises, settings, save, action) {
+  /** @param {string} name @param {any} control */
   const field = (name, control) => el("label", {}, t(`lecturer-${name.replaceAll("_", "-")}`), control);
+  /** @param {string} name */
   const select = (name) =>
     field(
       name,
       el(
         "select",
         { name },
-        CHOICES[name].map((value) =>
-          el("option", { value, selected: (settings[name] ?? "") === value, text: t(`lecturer-${name}-${(value || "exercise").replaceAll("_", "-")}`) }),
+        CHOICES[name].map((/** @type {any} */ value) =>
+          el("option", {
+            value,
+            selected: (settings[name] ?? "") === value,
+            text: t(`lecturer-${name}-${(value || "exercise").replaceAll("_", "-")}`),
+          }),
         ),
       ),
     );
-  const number = (name, attributes) => field(name, el("input", { type: "number", name, ...attributes, value: settings[name] ?? "" }));
+  /** @param {string} name @param {any} attributes */
+  const number = (name, attributes) =>
+    field(name, el("input", { type: "number", name, ...attributes, value: settings[name] ?? "" }));
+  /** @param {string} name */
   const time = (name) => field(name, el("input", { type: "datetime-local", name, value: local(settings[name]) }));
   const parts = el("fieldset", { class: "wide" });
   const exercise = /** @type {HTMLSelectElement} */ (
@@ -55,7 +65,12 @@ export function settingsForm(exercises, settings, save, action) {
         el(
           "label",
           { class: "row" },
-          el("input", { type: "checkbox", name: "parts", value: kind, checked: !settings.parts?.length || settings.parts.includes(kind) }),
+          el("input", {
+            type: "checkbox",
+            name: "parts",
+            value: kind,
+            checked: !settings.parts?.length || settings.parts.includes(kind),
+          }),
           t(`form-part-${kind.replaceAll("_", "-")}`),
         ),
       ),
@@ -83,7 +98,12 @@ export function settingsForm(exercises, settings, save, action) {
       select("feedback"),
       number("feedback_after", { min: 1, max: 1000 }),
       select("help"),
-      el("label", { class: "row" }, el("input", { type: "checkbox", name: "per_student", checked: settings.per_student }), t("lecturer-per-student")),
+      el(
+        "label",
+        { class: "row" },
+        el("input", { type: "checkbox", name: "per_student", checked: settings.per_student }),
+        t("lecturer-per-student"),
+      ),
       parts,
       el("p", { class: "wide" }, el("button", { type: "submit", class: "primary", text: action })),
     )
@@ -94,7 +114,9 @@ export function settingsForm(exercises, settings, save, action) {
 /** @param {HTMLFormElement} form */
 function settingsOf(form) {
   const data = new FormData(form);
+  /** @param {string} name */
   const number = (name) => (data.get(name) === "" ? null : Number(data.get(name)));
+  /** @param {string} name */
   const time = (name) => (data.get(name) ? new Date(String(data.get(name))).toISOString() : null);
   const boxes = /** @type {HTMLInputElement[]} */ ([...form.querySelectorAll("input[name=parts]")]);
   const chosen = boxes.filter(({ checked }) => checked).map(({ value }) => value);

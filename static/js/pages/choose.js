@@ -19,7 +19,9 @@ async function run() {
   async function send(settings) {
     try {
       const { address, jwt } = await api.post("deep-links", { ...settings, choice });
-      const answer = /** @type {HTMLFormElement} */ (el("form", { method: "post", action: address }, el("input", { type: "hidden", name: "JWT", value: jwt })));
+      const answer = /** @type {HTMLFormElement} */ (
+        el("form", { method: "post", action: address }, el("input", { type: "hidden", name: "JWT", value: jwt }))
+      );
       place.append(answer);
       answer.submit();
     } catch (error) {

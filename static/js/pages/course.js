@@ -20,7 +20,12 @@ async function run() {
       return;
     }
     const { exercises } = await api.get("exercises");
-    const link = new LinkView(api, exercises, { card: $("link-card"), heading: $("link-heading"), body: $("link") }, { openAttempt, changed: refresh });
+    const link = new LinkView(
+      api,
+      exercises,
+      { card: $("link-card"), heading: $("link-heading"), body: $("link") },
+      { openAttempt, changed: refresh },
+    );
     const { link: current, links } = await refresh();
     const own = links.find((/** @type {any} */ { id }) => id === current);
     if (own) await link.show(own);
@@ -28,7 +33,10 @@ async function run() {
     async function refresh() {
       const found = await api.get("course");
       $("course-title").textContent = found.course.title || t("lecturer-title");
-      showClass($("class"), found, { openLink: (chosen) => link.show(chosen), openStudent: (chosen, student) => link.showStudent(chosen, student) });
+      showClass($("class"), found, {
+        openLink: (chosen) => link.show(chosen),
+        openStudent: (chosen, student) => link.showStudent(chosen, student),
+      });
       showUndelivered($("undelivered-card"), $("undelivered"), found.undelivered, async (id) => {
         await api.post(`course/links/${id}/resend`, {});
         await refresh();

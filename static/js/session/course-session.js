@@ -102,13 +102,28 @@ export class CourseSession {
   }
 
   #show() {
-    const { person, course, attempts_allowed: allowed, attempts_made: made, closes, grade, refusal, return_url: back } = this.told;
+    const {
+      person,
+      course,
+      attempts_allowed: allowed,
+      attempts_made: made,
+      closes,
+      grade,
+      refusal,
+      return_url: back,
+    } = this.told;
     const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
     const facts = [
-      el("span", { text: t("session-signed-in", { name: person.name ?? person.key.slice(0, 8), course: course.title }) }),
-      el("span", { text: allowed === null ? t("session-attempts", { made }) : t("session-attempts-of", { made, allowed }) }),
+      el("span", {
+        text: t("session-signed-in", { name: person.name ?? person.key.slice(0, 8), course: course.title }),
+      }),
+      el("span", {
+        text: allowed === null ? t("session-attempts", { made }) : t("session-attempts-of", { made, allowed }),
+      }),
       closes ? el("span", { text: t("session-closes", { when: when.format(new Date(closes)) }) }) : null,
-      grade ? el("span", { class: "badge good", text: t("session-grade", { score: Math.round(grade.score * 100) }) }) : null,
+      grade
+        ? el("span", { class: "badge good", text: t("session-grade", { score: Math.round(grade.score * 100) }) })
+        : null,
       refusal ? el("span", { class: "badge warn", text: t("session-no-more") }) : null,
       back ? el("a", { href: back, target: "_top", text: t("session-back") }) : null,
     ];
@@ -116,7 +131,7 @@ export class CourseSession {
   }
 }
 
-/** What is said where nothing may be shown yet. */
+/** What is said where nothing may be shown yet. @param {any} options */
 export function receiptView({ attempt }) {
   return el("p", { role: "status", text: t("session-received", { attempt }) });
 }
