@@ -12,7 +12,11 @@ from playwright.sync_api import Page, Request, expect
 from tests.web.conftest import OpenPage
 from tests.web.driving import PUMA, SCARA, cell, editor, put_table
 
-FRAMES = "count => document.querySelector('#own robot-scene').model.frames.length === count"
+
+def until_drawn(page: Page, frames: int) -> None:
+    """Wait until so many frames are drawn."""
+    drawn = "document.querySelector('#own robot-scene').model.frames.length"
+    page.wait_for_function(f"() => {drawn} === {frames}")
 
 
 def frames_drawn(page: Page) -> int:
@@ -36,7 +40,7 @@ def test_the_robot_grows_row_by_row(open_page: OpenPage) -> None:
                 f"document.querySelector('#own robot-scene').model.frames.length === {i + 2}"
             )
     cell(page, 0, "a").fill("(")
-    page.wait_for_function(FRAMES, arg=1)
+    until_drawn(page, 1)
 
 
 def test_a_keystroke_costs_one_call(open_page: OpenPage) -> None:

@@ -84,6 +84,7 @@ function scoreRing(score) {
 
 /** @param {any} row @param {string} text @param {any} focusRow @param {any} cell */
 function rowLink(row, text, focusRow, cell = undefined) {
+  if (!focusRow) return el("span", { text });
   return el("a", {
     class: "row-link",
     href: `#row-${row}`,
