@@ -9,6 +9,7 @@ import sqlalchemy as sa
 
 from courses import records
 from courses.refusals import unknown_record
+from courses.statements import record_of
 from courses.storage import Store
 
 _OF_A_PERSON = (
@@ -112,6 +113,6 @@ def purge(store: Store, now: datetime, *, people: timedelta, log: timedelta) -> 
 def _plain(row: Any, hidden: tuple[str, ...] = ()) -> dict[str, Any]:
     return {
         name: value.isoformat() if isinstance(value, datetime) else value
-        for name, value in row._mapping.items()
+        for name, value in record_of(row).items()
         if name not in hidden
     }

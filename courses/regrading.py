@@ -20,6 +20,7 @@ from courses.attempts import attempt_of, insert_findings
 from courses.links import regrade_people
 from courses.model import Attempt
 from courses.refusals import unknown_record
+from courses.statements import record_of
 from courses.storage import Store
 
 _RUN, _DONE, _ATTEMPT = records.regrading, records.regraded, records.attempt
@@ -128,7 +129,7 @@ def changes(store: Store, run: int) -> list[dict[str, Any]]:
         .order_by(sa.func.abs(_DONE.c.score - _ATTEMPT.c.score).desc(), _ATTEMPT.c.id)
     )
     with store.reading() as connection:
-        return [dict(row._mapping) for row in connection.execute(wanted)]
+        return [record_of(row) for row in connection.execute(wanted)]
 
 
 def apply(store: Store, link_id: int, run: int, now: datetime) -> None:

@@ -42,3 +42,8 @@ def upsert(
 def _insert(connection: sa.Connection, table: sa.Table) -> Any:
     maker = postgresql.insert if connection.dialect.name == "postgresql" else sqlite.insert
     return maker(table)
+
+
+def record_of(row: sa.Row[Any]) -> dict[str, Any]:
+    """A row by the names of its columns, which are plain text and no kind of it."""
+    return {str(name): value for name, value in row._mapping.items()}

@@ -10,6 +10,7 @@ from typing import Any
 import sqlalchemy as sa
 
 from courses import records
+from courses.statements import record_of
 from courses.storage import Store
 
 _ATTEMPT, _FINDING, _PART = records.attempt, records.finding, records.participation
@@ -49,7 +50,7 @@ def class_overview(store: Store, course_id: int) -> dict[str, Any]:
     students: dict[str, dict[str, Any]] = {}
     for row in tries:
         student = students.setdefault(row.key, {"key": row.key, "name": row.name, "links": {}})
-        student["links"][row.link_id] = {
+        student["links"][str(row.link_id)] = {
             "attempts": row.made,
             "score": row.score,
             "state": _state(row.made, (row.link_id, row.key) in solved, row.draft_at),
@@ -90,7 +91,7 @@ def _state(made: int, solved: bool, draft_at: datetime | None) -> str:
 
 
 def _counts(link_id: int, students: Iterable[dict[str, Any]]) -> dict[str, int]:
-    states = Counter(student["links"].get(link_id, {}).get("state", "absent") for student in students)
+    states = Counter(student["links"].get(str(link_id), {}).get("state", "absent") for student in students)
     return {name: states.get(name, 0) for name in ("absent", "opened", "begun", "stuck", "solved")}
 
 
@@ -165,7 +166,7 @@ def misconceptions(store: Store, link_id: int) -> list[dict[str, Any]]:
         .order_by(attempts.desc(), _FINDING.c.code)
     )
     with store.reading() as connection:
-        return [dict(row._mapping) for row in connection.execute(wanted)]
+        return [record_of(row) for row in connection.execute(wanted)]
 
 
 def unexplained(store: Store, link_id: int) -> list[dict[str, Any]]:
@@ -228,7 +229,7 @@ def attempts_behind(
     if person is not None:
         wanted = wanted.where(records.person.c.key == person)
     with store.reading() as connection:
-        return [{**row._mapping, "at": row.at.isoformat()} for row in connection.execute(wanted)]
+        return [{**record_of(row), "at": row.at.isoformat()} for row in connection.execute(wanted)]
 
 
 def undelivered(store: Store, course_id: int) -> list[dict[str, Any]]:
@@ -252,4 +253,4 @@ def undelivered(store: Store, course_id: int) -> list[dict[str, Any]]:
         .limit(LISTED)
     )
     with store.reading() as connection:
-        return [dict(row._mapping) for row in connection.execute(wanted)]
+        return [record_of(row) for row in connection.execute(wanted)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from courses.refusals import CourseError
 from exercises.errors import ExerciseError, UnknownExerciseError
 from kinematics.errors import KinematicsError
 from service.http.problems import MessageId, NotFoundError, RequestError, RequestPart, ServiceError
@@ -20,6 +21,8 @@ def answer_refused() -> Iterator[None]:
             yield
     except ServiceError as error:
         error.members |= MEMBERS
+        raise
+    except CourseError:  # what a policy refuses is told by its own status
         raise
     except (KinematicsError, ExerciseError) as error:
         raise RequestError(error.faults, members=MEMBERS) from error

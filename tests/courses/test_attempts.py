@@ -164,10 +164,10 @@ def test_extra_time_lets_a_late_attempt_count(store: Store) -> None:
     change_settings(store, session.link.id, LinkSettings(policy=policy), NOW)
     session = joined(store)
     submitted(store, session, 0.9, minutes=15)
-    state = class_overview(store, session.course.id)["students"][0]["links"][session.link.id]
+    state = class_overview(store, session.course.id)["students"][0]["links"][str(session.link.id)]
     assert state["score"] is None
     allow(store, session.link.id, session.person.key, Allowance(extra_time=minutes(10)), NOW)
-    state = class_overview(store, session.course.id)["students"][0]["links"][session.link.id]
+    state = class_overview(store, session.course.id)["students"][0]["links"][str(session.link.id)]
     assert (state["score"], state["extra_seconds"]) == (0.9, 600)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -68,3 +68,17 @@ def browser(lms: Lms, service: str) -> Iterator[Browser]:
     opened = Browser(lms, service)
     yield opened
     opened.client.close()
+
+
+@pytest.fixture
+def another_browser(lms: Lms, service: str) -> Iterator[Callable[[], Browser]]:
+    """Makes further browsers."""
+    opened: list[Browser] = []
+
+    def open_() -> Browser:
+        opened.append(Browser(lms, service))
+        return opened[-1]
+
+    yield open_
+    for browser in opened:
+        browser.client.close()

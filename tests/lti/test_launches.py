@@ -3,10 +3,17 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 
 import pytest
 
-from tests.lti.classes import Browser, Lms, eventually, hint
+from courses.model import PlatformStatus
+from courses.platforms import invite, platforms, set_status
+from courses.storage import open_store
+from service.course_resources import CourseResources, now
+from service.lti.memberships import members
+from service.settings import Settings
+from tests.lti.classes import ADMINISTRATOR, TEACHER, Browser, Lms, eventually, hint
 from tests.web.driving import PUMA
 
 CUSTOM = {"exercise": "puma560", "settings": json.dumps({"points": 10, "attempts": 3, "parts": ["table"]})}
@@ -23,3 +30,147 @@ def test_a_mark_arrives_in_the_gradebook(browser: Browser, lms: Lms) -> None:
     assert (graded["attempt"], graded["correct"]) == (1, True)
     assert eventually(lambda: lms.result("ann", "mark")) == pytest.approx(graded["total"]["score"])
     assert lms.state()["refused"] == []
+
+
+WRONG = {"table": {**RIGHT["table"], "rows": [{**row, "alpha": "0"} for row in PUMA["rows"]]}}
+
+
+def test_a_teacher_chooses_the_exercise_of_a_course_link_at_the_first_launch(
+    browser: Browser, lms: Lms, another_browser: Callable[[], Browser]
+) -> None:
+    link = hint(resource="plain", context="course-2")
+    early = browser.launch("ann", link)
+    assert (early.status_code, early.json()["code"]) == (404, "link_without_exercise")
+    teacher = another_browser()
+    teacher.launch("tina", hint([ADMINISTRATOR], resource="plain", context="course-2"))
+    assert teacher.landed.endswith("/course")
+    found = teacher.api("GET", "course").json()
+    path = f"course/links/{found['link']}"
+    refused = teacher.api("PUT", f"{path}/settings", {"exercise": "puma560", "attempts": 0})
+    assert refused.json()["code"] == "setting_invalid"
+    chosen = {"exercise": "puma560", "points": 5, "parts": ["table"], "counting": "last"}
+    assert teacher.api("PUT", f"{path}/settings", chosen).status_code == 200
+    assert browser.launch("ann", link).status_code == 303
+    browser.api("POST", "session/attempts", RIGHT)
+    browser.api("POST", "session/attempts", WRONG)
+    wrong = browser.api("GET", "session").json()["attempts"][1]["score"]
+    assert wrong < 1
+    assert eventually(lambda: lms.result("ann", "plain") == pytest.approx(wrong))
+    numbers = teacher.api("GET", f"{path}/statistics").json()
+    assert (numbers["attempts"], numbers["first_attempt_rate"]) == (2, 1.0)
+    assert numbers["misconceptions"] or numbers["unexplained"]
+    csv = teacher.api("GET", f"{path}/export.csv").text
+    assert len(csv.splitlines()) == 3
+    opened = teacher.api("GET", f"{path}/attempts").json()["attempts"][0]["id"]
+    assert teacher.api("GET", f"course/attempts/{opened}").json()["answer"] == WRONG
+    student = browser.api("GET", "course")
+    assert (student.status_code, student.json()["code"]) == (403, "staff_only")
+
+
+def test_a_deep_link_brings_its_exercise_and_rules(browser: Browser, lms: Lms) -> None:
+    learner = browser.launch("ann", hint(deep=True))
+    assert (learner.status_code, learner.json()["code"]) == (403, "staff_only")
+    answer = browser.launch("tina", hint([TEACHER], deep=True))
+    choice = answer.headers["location"].partition("#choice=")[2]
+    asked = {"choice": choice, "exercise": "puma560", "points": 7, "parts": ["table"], "per_student": True}
+    made = browser.api("POST", "deep-links", asked)
+    assert browser.api("POST", "deep-links", asked).json()["code"] == "code_used"
+    found = made.json()
+    assert lms.client.post(found["address"], data={"JWT": found["jwt"]}).status_code == 200
+    returned = lms.state()["returned"][-1]
+    (item,) = returned["items"]
+    assert item["lineItem"]["scoreMaximum"] == 7
+    assert returned["claims"]["https://purl.imsglobal.org/spec/lti-dl/claim/data"]
+    browser.launch("ann", hint(resource="deep", custom=item["custom"]))
+    session = browser.api("GET", "session").json()
+    assert (session["exercise"], session["points"], session["parts"]) == ("puma560", 7, ["table"])
+    assert session["seed"] == session["person"]["key"][:16]
+
+
+def test_a_platform_without_a_coupled_line_item_gets_one(browser: Browser, lms: Lms) -> None:
+    link = hint(resource="uncoupled", coupled=False, custom=CUSTOM)
+    for user in ("ann", "bob"):
+        browser.launch(user, link)
+        browser.api("POST", "session/attempts", RIGHT)
+    assert eventually(lambda: lms.result("ann", "uncoupled") and lms.result("bob", "uncoupled"))
+    assert lms.state()["refused"] == []
+
+
+def test_a_platform_registers_itself_with_an_invitation(
+    browser: Browser, lms: Lms, service: str, settings: Settings
+) -> None:
+    store = open_store(settings.database_url, settings.data_folder)
+    secret = invite(store, "for a test", now())
+    asked = {"openid_configuration": f"{lms.root}/openid", "registration_token": "once"}
+    stranger = browser.client.get(f"{service}/lti/register/guess", params=asked)
+    assert (stranger.status_code, stranger.json()["code"]) == (401, "invitation_used")
+    answer = browser.client.get(f"{service}/lti/register/{secret}", params=asked)
+    assert 'data-step="close"' in answer.text
+    again = browser.client.get(f"{service}/lti/register/{secret}", params=asked)
+    assert (again.status_code, again.json()["code"]) == (401, "invitation_used")
+    told = lms.state()["registered"][-1]
+    assert told["https://purl.imsglobal.org/spec/lti-tool-configuration"]["claims"] == ["iss", "sub"]
+    platform = next(each for each in platforms(store) if each.issuer == lms.root)
+    assert platform.status is PlatformStatus.PENDING
+    pending = browser.login()
+    assert (pending.status_code, pending.json()["code"]) == (400, "lti_platform_inactive")
+    set_status(store, platform.id, PlatformStatus.ACTIVE)
+    assert browser.launch().status_code in (303, 404)
+    store.close()
+
+
+def test_names_and_roles_come_from_every_page(lms: Lms, settings: Settings, service: str) -> None:
+    courses = CourseResources(settings)
+    platform = next(each for each in platforms(courses.store) if each.issuer == lms.root)
+    found = members(courses.services, platform, f"{lms.root}/members")
+    assert [(member.user, member.is_staff) for member in found] == [
+        ("teacher", True),
+        ("student", False),
+        ("late", False),
+    ]
+    courses.close()
+
+
+def test_what_a_student_saw_is_what_is_reopened(browser: Browser) -> None:
+    browser.launch("eve", hint(resource="reopened", custom=CUSTOM))
+    for answer in (WRONG, RIGHT):
+        seen = browser.api("POST", "session/attempts", answer, **{"Accept-Language": "uk"}).json()
+        number, shown = seen.pop("attempt"), seen.pop("shown")
+        again = browser.api("GET", f"session/attempts/{number}", **{"Accept-Language": "uk"}).json()
+        assert again["report"] == seen
+        assert (again["answer"], again["shown"]) == (answer, shown)
+
+
+def test_rules_hold_over_http(browser: Browser) -> None:
+    rules = {"attempts": 1, "feedback": "on_release", "parts": ["table"]}
+    custom = {"exercise": "puma560", "settings": json.dumps(rules)}
+    browser.launch("max", hint(resource="rules", custom=custom))
+    malformed = {"table": {**RIGHT["table"], "rows": [{**PUMA["rows"][0], "alpha": "2*+"}]}}
+    refused = browser.api("POST", "session/attempts", malformed)
+    assert (refused.status_code, refused.json()["attempt_counted"]) == (422, False)
+    taken = browser.api("POST", "session/attempts", RIGHT).json()
+    assert taken == {"attempt": 1, "shown": "receipt"}
+    more = browser.api("POST", "session/attempts", RIGHT)
+    assert (more.status_code, more.json()["code"]) == (409, "attempts_used")
+    session = browser.api("GET", "session").json()
+    assert (session["grade"], session["attempts"][0]["score"]) == (None, None)
+    assert browser.api("GET", "session/attempts/1").json()["report"] is None
+
+
+def test_a_draft_is_there_after_a_relaunch(browser: Browser, another_browser: Callable[[], Browser]) -> None:
+    link = hint(resource="draft", custom=CUSTOM)
+    browser.launch("dora", link)
+    typed = {"table": {"rows": [{"theta": "θ₁"}]}, "parts": {}}
+    assert browser.api("PUT", "session/draft", typed).status_code == 204
+    other = another_browser()
+    other.launch("dora", link)
+    assert other.api("GET", "session").json()["draft"]["state"] == typed
+
+
+def test_nobody_is_signed_in_without_a_token(browser: Browser) -> None:
+    for token in ("", "made-up"):
+        browser.token = token
+        answer = browser.api("GET", "session")
+        assert (answer.status_code, answer.json()["code"]) == (401, "session_expired")
+    anonymous = browser.api("POST", "exercises/puma560/grade", RIGHT)
+    assert anonymous.json()["correct"]
