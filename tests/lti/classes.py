@@ -47,6 +47,8 @@ class Lms:
 
     def __init__(self, root: str) -> None:
         self.root = root
+        self.elsewhere = root.replace("127.0.0.1", "localhost")
+        """The same pages on another site than the service's."""
         self.client = httpx.Client(trust_env=False, timeout=20)
 
     def control(self, **told: Any) -> None:
@@ -70,6 +72,7 @@ class Lms:
             authorization_endpoint=f"{self.root}/auth",
             token_endpoint=f"{self.root}/token",
             jwks_uri=f"{self.root}/jwks",
+            origins=(self.elsewhere,),
             status=PlatformStatus.ACTIVE,
         )
         return add_platform(store, asked, (DEPLOYMENT,), now())

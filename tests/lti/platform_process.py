@@ -131,7 +131,7 @@ class Handler(BaseHTTPRequestHandler):
         segments = parts.path.strip("/").split("/")
         query = {name: values[-1] for name, values in parse_qs(parts.query).items()}
         try:
-            getattr(self, f"{verb}_{segments[0]}")(segments[1:], query, body)
+            getattr(self, f"{verb}_{segments[0]}", self._nothing)(segments[1:], query, body)
         except Refusal as error:
             self.lms.refused.append(str(error))
             self._send(400, {"refused": str(error)})
@@ -146,6 +146,9 @@ class Handler(BaseHTTPRequestHandler):
         self.send_header("Content-Length", str(len(data)))
         self.end_headers()
         self.wfile.write(data)
+
+    def _nothing(self, *_: Any) -> None:
+        self._send(204, {})
 
     def post_control(self, _: list[str], query: dict[str, str], body: bytes) -> None:
         told = json.loads(body or b"{}")

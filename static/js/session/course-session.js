@@ -13,17 +13,20 @@ const RENEWED_EVERY = 20 * 60 * 1000;
 
 /** @typedef {import("../attempts.js").AttemptStore} AttemptStore */
 
+let held = "";
+
 /** The token, where a reload of this tab finds it; a blocked storage only costs the reload. */
 const tab = {
   get() {
     try {
-      return sessionStorage.getItem(KEPT) ?? "";
+      return held || (sessionStorage.getItem(KEPT) ?? "");
     } catch {
-      return "";
+      return held;
     }
   },
   /** @param {string} token */
   set(token) {
+    held = token;
     try {
       if (token) sessionStorage.setItem(KEPT, token);
       else sessionStorage.removeItem(KEPT);

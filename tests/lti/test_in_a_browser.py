@@ -1,0 +1,108 @@
+"""In Chromium: the tool in a frame of another site whose third-party cookies are blocked."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator
+from urllib.parse import urlencode, urlsplit
+
+import pytest
+from playwright.sync_api import Browser as Chromium
+from playwright.sync_api import Frame, Page, expect, sync_playwright
+
+from tests.lti.classes import TEACHER, Browser, Lms, eventually, hint
+from tests.lti.test_launches import CUSTOM, RIGHT
+from tests.web.conftest import ARGUMENTS, CHROMIUM
+from tests.web.driving import PUMA
+
+BLOCKED = "--test-third-party-cookie-phaseout"
+PATIENCE = 30_000
+
+
+@pytest.fixture(scope="module")
+def chromium() -> Iterator[Chromium]:
+    """Chromium without third-party cookies."""
+    if CHROMIUM is None:
+        if os.environ.get("CI"):
+            pytest.fail("Chromium is not installed")
+        pytest.skip("Chromium is not installed (`make browser` installs it)")
+    with sync_playwright() as playwright:
+        started = playwright.chromium.launch(executable_path=CHROMIUM, args=[*ARGUMENTS, BLOCKED])
+        yield started
+        started.close()
+
+
+@pytest.fixture
+def page(chromium: Chromium) -> Iterator[Page]:
+    """A page whose complaints fail the test."""
+    context = chromium.new_context(viewport={"width": 1280, "height": 1000}, locale="en")
+    context.set_default_timeout(PATIENCE)
+    opened = context.new_page()
+    said: list[str] = []
+    opened.on("console", lambda message: said.append(message.text) if message.type == "error" else None)
+    opened.on("pageerror", lambda error: said.append(str(error)))
+    yield opened
+    context.close()
+    assert [text for text in said if "GL Driver" not in text] == []
+
+
+def framed(page: Page, lms: Lms, user: str, link: str) -> Frame:
+    """The tool's page in a frame of the platform's."""
+    page.goto(f"{lms.elsewhere}/course?{urlencode({'user': user, 'hint': link})}")
+    frame = page.wait_for_event("framenavigated", predicate=_is_ready) if not _ready(page) else _ready(page)
+    assert frame is not None
+    frame.wait_for_selector("html[data-ready=true]", timeout=PATIENCE)
+    return frame
+
+
+def _is_ready(frame: Frame) -> bool:
+    path = urlsplit(frame.url).path
+    return "/exercises/" in path or path.endswith(("/course", "/lti/choose"))
+
+
+def _ready(page: Page) -> Frame | None:
+    return next((frame for frame in page.frames[1:] if _is_ready(frame)), None)
+
+
+@pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+def test_launch_submit_verdict_score_in_a_frame(page: Page, lms: Lms, service: str) -> None:
+    frame = framed(page, lms, "frida", hint(resource="framed", custom=CUSTOM))
+    expect(frame.locator(".session-banner")).to_contain_text("Robotics 1")
+    assert "session" not in frame.url
+    state = {"table": {**PUMA, "angleUnit": "deg", "lengthUnit": "m"}, "parts": {}}
+    frame.evaluate("(state) => { document.querySelector('dh-table-editor').state = state.table }", state)
+    frame.locator("form button[type=submit]").first.click()
+    expect(frame.locator("#verdict")).to_be_visible()
+    assert eventually(lambda: lms.result("frida", "framed")) == 1.0
+    expect(frame.locator(".session-banner")).to_contain_text("1")
+    page.reload()
+
+
+@pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+def test_a_lecturer_sees_the_class_and_opens_an_attempt(page: Page, lms: Lms, browser: Browser) -> None:
+    link = hint(resource="seen", context="course-9", custom=CUSTOM)
+    wrong = {"table": {**RIGHT["table"], "rows": [{**row, "alpha": "0"} for row in PUMA["rows"]]}}
+    browser.launch("gus", link)
+    browser.api("POST", "session/attempts", wrong)
+    browser.api("POST", "session/attempts", RIGHT)
+    frame = framed(page, lms, "tina", hint([TEACHER], resource="seen", context="course-9", custom=CUSTOM))
+    expect(frame.locator("#class")).to_contain_text("puma560")
+    expect(frame.locator("#link-card svg.bars").first).to_be_visible()
+    frame.locator("#class table").nth(1).locator("button").first.click()
+    frame.locator("#link button", has_text="Open").first.click()
+    expect(frame.locator("#attempt-card table").first).to_be_visible()
+    expect(frame.locator("#attempt robot-scene, #attempt canvas, #attempt svg").first).to_be_visible()
+
+
+@pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+def test_a_teacher_chooses_in_a_frame(page: Page, lms: Lms, service: str) -> None:
+    before = len(lms.state()["returned"])
+    frame = framed(page, lms, "tina", hint([TEACHER], deep=True))
+    frame.select_option("select[name=exercise]", "scara")
+    frame.fill("input[name=points]", "12")
+    frame.locator("form button[type=submit]").click()
+    returned = eventually(lambda: lms.state()["returned"][before:])
+    (item,) = returned[0]["items"]
+    assert (item["custom"]["exercise"], item["lineItem"]["scoreMaximum"]) == ("scara", 12)
+    assert json.loads(item["custom"]["settings"])["points"] == 12
