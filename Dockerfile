@@ -39,6 +39,9 @@ ENV PATH=/opt/framewise/bin:$PATH \
     PYTHONDONTWRITEBYTECODE=1 \
     FRAMEWISE_HOST=0.0.0.0 \
     FRAMEWISE_PORT=8000
+RUN install --directory --owner=10001 --group=10001 --mode=700 /data
+ENV FRAMEWISE_DATA_FOLDER=/data
+VOLUME /data
 USER 10001:10001
 EXPOSE 8000
 HEALTHCHECK --interval=30s --timeout=5s --start-period=10s --retries=3 CMD ["python", "-m", "service.probe"]

@@ -44,6 +44,6 @@ def _insert(connection: sa.Connection, table: sa.Table) -> Any:
     return maker(table)
 
 
-def record_of(row: sa.Row[Any]) -> dict[str, Any]:
+def record_of(row: Any) -> dict[str, Any]:
     """A row by the names of its columns, which are plain text and no kind of it."""
     return {str(name): value for name, value in row._mapping.items()}
