@@ -23,6 +23,7 @@ batch          many targets
 judging        what is asked of all their candidates, in one pass
 """
 
+from kinematics.inverse.arm import Reach
 from kinematics.inverse.batch import InverseKinematicsBatch, solve_many
 from kinematics.inverse.limits import JointLimits
 from kinematics.inverse.results import IKSolution, IKStatus, InverseKinematics, NearestPose, UnreachableReason
@@ -35,6 +36,7 @@ __all__ = [
     "InverseKinematicsBatch",
     "JointLimits",
     "NearestPose",
+    "Reach",
     "Solver",
     "UnreachableReason",
     "inverse_kinematics",

@@ -7,6 +7,7 @@ rows, is such a product, so nothing behind this file knows about conventions.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import StrEnum
 from functools import cached_property
 
 import numpy as np
@@ -28,6 +29,18 @@ RANK_SAMPLES = 8
 """Configurations at which the rank is looked at; one would do but for chance."""
 
 
+class Reach(StrEnum):
+    """What of the tool has to reach the target.
+
+    POSE: position and orientation. POSITION: its origin alone. AXIS: its origin and the direction of its z
+    axis, as of a drill or a torch that may turn about itself.
+    """
+
+    POSE = "pose"
+    POSITION = "position"
+    AXIS = "axis"
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Arm:
     """Constants of a serial chain.
@@ -38,12 +51,14 @@ class Arm:
         size: sum of the arm's offsets [m], or where they are as good as none, 1 (or the distance of the base,
             if that is more). Positions are divided by it where they are weighed against angles.
         rounding: what rounding leaves of a position [m].
+        reach: what of the tool has to reach a target; errors and Jacobians leave out the rest.
     """
 
     constants: Array
     revolute: NDArray[np.bool_]
     size: float
     rounding: float
+    reach: Reach = Reach.POSE
 
     @property
     def n_joints(self) -> int:
@@ -107,6 +122,11 @@ class Arm:
         turns = self.revolute[:, None, None]
         J[:, :3] = (np.where(turns, cross_arrays(axes, arms), axes) / self.size).transpose(1, 2, 0)
         J[:, 3:] = np.where(turns, axes, 0.0).transpose(1, 2, 0)
+        if self.reach is Reach.POSITION:
+            J[:, 3:] = 0.0
+        elif self.reach is Reach.AXIS:
+            z = frames[-1, :, :3, 2]
+            J[:, 3:] -= z[:, :, None] * np.einsum("mi,mij->mj", z, J[:, 3:])[:, None]
         return J
 
     @cached_property

@@ -15,10 +15,10 @@ from typing import Protocol
 
 import numpy as np
 
-from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.arm import Arm, Array, Reach
 from kinematics.inverse.general import general_arm_of
 from kinematics.inverse.parallel import parallel_arm_of
-from kinematics.inverse.partition import partition_of
+from kinematics.inverse.partition import partition_of, placement_of
 from kinematics.inverse.wrist import wrist_arm_of
 from kinematics.se3 import inverse_transform
 
@@ -77,6 +77,8 @@ def closed_form_of(arm: Arm) -> ClosedForm | None:
     """The closed form of an arm, or None if there is none."""
     if arm.n_joints > 6 or arm.spare:
         return None
+    if arm.reach is not Reach.POSE:
+        return placement_of(arm) if arm.reach is Reach.POSITION else None
     if arm.n_joints <= 4:
         return partition_of(arm)
     methods: list[Callable[[Arm], ClosedForm | None]] = [wrist_arm_of, partition_of, parallel_arm_of]

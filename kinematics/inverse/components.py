@@ -10,7 +10,7 @@ import numpy as np
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.distinct import SAME, differences
 from kinematics.inverse.families import Follower, Path, blind_directions, nearest_on, pivots_of
-from kinematics.inverse.residuals import error_vectors
+from kinematics.inverse.residuals import errors_of
 
 LONG = 0.02
 """A solution that can be moved by this [rad, or parts of the size] belongs to a family."""
@@ -30,6 +30,9 @@ BESIDE = 1e-3
 CHORD = 0.05
 """Distance from the chords of a path within which a solution may be on it: the chords are LONGEST_STEP
 long and turn by three times STRAIGHT at most."""
+
+MOST_MEMBERS = 16
+"""Solutions that are looked at of an arm with two or more joints to spare; all pairs of them are."""
 
 SURFACE_STEP = 0.2
 """Steps over surfaces of solutions [rad, or parts of the size]."""
@@ -71,7 +74,7 @@ def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> l
     if not len(joints):
         return []
     frames = arm.frames(joints)
-    errors = np.linalg.norm(error_vectors(frames[-1], target, arm.size), axis=1)
+    errors = np.linalg.norm(errors_of(arm, frames[-1], target), axis=1)
     J = arm.jacobians(frames) * arm.units
     least = np.linalg.svd(J, compute_uv=False)[:, arm.generic_rank - 1]
     smallest = merging_value(tolerance)
@@ -106,7 +109,7 @@ class _Sorter:
         self.beside = max(BESIDE, 20.0 * tolerance)
 
     def sorted(self, joints: Array, J: Array) -> list[Component]:
-        left = list(range(len(joints)))
+        left = list(range(len(joints) if self.arm.spare < 2 else min(len(joints), MOST_MEMBERS)))
         found: list[Component] = []
         followed = 0
         while left:

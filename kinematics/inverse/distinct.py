@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.residuals import error_vectors
+from kinematics.inverse.residuals import errors_of
 
 SAME = 1e-6
 """Joint values this near [rad, or parts of the size] are the same."""
@@ -52,5 +52,5 @@ def distinct(arm: Arm, target: Array, joints: Array) -> Array:
 def _between(arm: Arm, target: Array, q: Array, others: Array) -> NDArray[np.bool_]:
     scale = arm.units
     middle = others + 0.5 * differences(np.broadcast_to(q, others.shape), others, arm) * scale
-    e = error_vectors(arm.frames(middle)[-1], target, arm.size)
+    e = errors_of(arm, arm.frames(middle)[-1], target)
     return np.asarray(np.linalg.norm(e, axis=1) <= UNMOVED)

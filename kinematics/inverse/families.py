@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.residuals import are_solutions, error_vectors
+from kinematics.inverse.residuals import are_solutions, errors_of
 
 FIRST_STEP = 0.02
 """First step along a component [rad, or parts of the size]; it is halved where it loses the target, and
@@ -96,7 +96,7 @@ class Follower:
     def _seen(self, x: Array) -> tuple[Array, Array]:
         """Error vector and Jacobian in units."""
         frames = self.arm.frames((x * self.arm.units)[None])
-        e = error_vectors(frames[-1], self.target, self.arm.size)[0]
+        e = errors_of(self.arm, frames[-1], self.target)[0]
         return e, self.arm.jacobians(frames)[0] * self.arm.units
 
     def reached(self, e: Array) -> bool:

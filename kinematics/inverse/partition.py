@@ -75,6 +75,18 @@ def partition_of(arm: Arm) -> PartitionedArm | None:
     return _partition(joints, end, arm.size)
 
 
+def placement_of(arm: Arm) -> PartitionedArm | None:
+    """The way to bring the tool's origin to a place, or None of more than three joints."""
+    directions, points, end = arm.screws
+    if arm.n_joints > LONGEST_HEAD:
+        return None
+    joints = [
+        Joint(bool(turns), axis, point)
+        for turns, axis, point in zip(arm.revolute, directions, points, strict=True)
+    ]
+    return PartitionedArm(joints, [], end[None, :3, 3], end, arm.size)
+
+
 def _partition(joints: Sequence[Joint], end: Array, size: float) -> PartitionedArm | None:
     shortest = max(len(joints) - LONGEST_HEAD, 1)
     for length in range(LONGEST_TAIL, shortest - 1, -1):

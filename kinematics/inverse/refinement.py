@@ -6,7 +6,7 @@ import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.closed_form import NEARLY
-from kinematics.inverse.residuals import are_solutions, error_vectors
+from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.search import polish
 from kinematics.se3 import Transform
 
@@ -27,12 +27,12 @@ def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: floa
     q = candidates[np.isfinite(candidates).all(axis=1)]
     if not len(q):
         return q
-    vectors = error_vectors(arm.frames(q)[-1], target, arm.size)
+    vectors = errors_of(arm, arm.frames(q)[-1], target)
     errors = np.linalg.norm(vectors, axis=1)
     q, vectors, errors = q[errors < NEARLY], vectors[errors < NEARLY], errors[errors < NEARLY]
     rough = errors > AS_IT_IS
     if rough.any():
         q = q.copy()
         q[rough] = polish(arm, target, q[rough])
-        vectors = error_vectors(arm.frames(q)[-1], target, arm.size)
+        vectors = errors_of(arm, arm.frames(q)[-1], target)
     return np.asarray(q[are_solutions(vectors, arm, tolerance)])

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.arm import Arm, Array, Reach
+from kinematics.se3 import cross_arrays
 
 _TINY = 1e-8
 """Up to here asin x = x to the last bit: the next term, x³/6, is less than half of it."""
@@ -60,6 +61,36 @@ def are_solutions(errors: Array, arm: Arm, tolerance: float) -> NDArray[np.bool_
     distance = arm.size * np.linalg.norm(errors[:, :3], axis=1)
     angle = np.linalg.norm(errors[:, 3:], axis=1)
     return np.asarray((distance <= max(tolerance, arm.rounding)) & (angle <= tolerance))
+
+
+def errors_of(arm: Arm, poses: Array, target: Array) -> Array:
+    """Error vectors of an arm's poses, without what its `reach` leaves free.
+
+    Of an axis the rotation vector is the shortest one that turns the tool's z axis to the target's.
+
+    Args:
+        arm: the arm.
+        poses: (m, 4, 4).
+        target: (4, 4), or (m, 4, 4) one each.
+
+    Returns:
+        (m, 6).
+    """
+    if arm.reach is Reach.POSE:
+        return error_vectors(poses, target, arm.size)
+    errors = np.zeros((len(poses), 6))
+    errors[:, :3] = (target[..., :3, 3] - poses[:, :3, 3]) / arm.size
+    if arm.reach is Reach.AXIS:
+        z, wanted = poses[:, :3, 2], np.broadcast_to(target[..., :3, 2], (len(poses), 3))
+        across = cross_arrays(z, wanted)
+        sine = np.linalg.norm(across, axis=1)
+        angle = np.arctan2(sine, (z * wanted).sum(axis=1))
+        aside = cross_arrays(z, np.where(np.abs(z[:, :1]) < 0.9, (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
+        lost = (sine < 1e-12) & (angle > 1.0)  # opposite axes: any turn by π about what is across
+        across = np.where(lost[:, None], aside, across)
+        length = np.where(lost, np.linalg.norm(aside, axis=1), sine)
+        errors[:, 3:] = across * (angle / np.maximum(length, 1e-300))[:, None]
+    return errors
 
 
 def error_vectors(poses: Array, target: Array, size: float) -> Array:

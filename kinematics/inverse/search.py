@@ -18,7 +18,7 @@ import numpy as np
 
 from kinematics.inverse.arm import Arm, Array, low_discrepancy
 from kinematics.inverse.distinct import distinct
-from kinematics.inverse.residuals import are_solutions, error_vectors
+from kinematics.inverse.residuals import are_solutions, errors_of
 
 CONVERGED = 1e-11
 """Size of the error vector at which a start has arrived."""
@@ -141,7 +141,7 @@ def descend(
     ended = np.empty(len(q))
     alive = np.arange(len(q))
     frames = arm.frames(q)
-    e = error_vectors(frames[-1], target, arm.size)
+    e = errors_of(arm, frames[-1], target)
     cost = (e * e).sum(axis=1)
     ended[:] = cost
     damping = np.full(len(q), 1e-2)
@@ -153,7 +153,7 @@ def descend(
         if box.limited:
             np.clip(tried, box.low, box.high, out=tried)
         new_frames = arm.frames(tried)
-        new_e = error_vectors(new_frames[-1], target, arm.size)
+        new_e = errors_of(arm, new_frames[-1], target)
         new_cost = (new_e * new_e).sum(axis=1)
         better = new_cost < cost
         gained = (cost - new_cost) > least_gain * cost
@@ -228,7 +228,7 @@ def _measured(arm: Arm, target: Array) -> Arm:
 def _exact(arm: Arm, target: Array, joints: Array, box: Box, tolerance: float) -> Array:
     """Those configurations that, refined and put back into the box, are solutions; the best first."""
     q = np.clip(polish(arm, target, joints), box.low, box.high)
-    vectors = error_vectors(arm.frames(q)[-1], target, arm.size)
+    vectors = errors_of(arm, arm.frames(q)[-1], target)
     exact = are_solutions(vectors, arm, max(tolerance, TOLERANCE))
     return np.asarray(q[exact][np.argsort(np.linalg.norm(vectors[exact], axis=1), kind="stable")])
 
@@ -263,7 +263,7 @@ def polish(arm: Arm, targets: Array, joints: Array, steps: int = 20) -> Array:
     idle = np.zeros(len(x), dtype=int)
     for _ in range(steps):
         frames = arm.frames(x * arm.units)
-        e = error_vectors(frames[-1], targets, arm.size)
+        e = errors_of(arm, frames[-1], targets)
         cost = (e * e).sum(axis=1)
         better = cost < least
         idle = np.where(cost < 0.25 * least, 0, idle + 1)

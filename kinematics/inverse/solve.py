@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from kinematics.errors import Fault, PoseError, TableError
-from kinematics.inverse.arm import Arm, Array, arm_of
+from kinematics.inverse.arm import Arm, Array, Reach, arm_of
 from kinematics.inverse.closed_form import ClosedForm, closed_form_of
 from kinematics.inverse.components import components_of
 from kinematics.inverse.families import Follower
@@ -18,7 +18,7 @@ from kinematics.inverse.lengths import check_lengths, is_far, too_long
 from kinematics.inverse.limits import JointLimits, read_limits, within_limits
 from kinematics.inverse.ranges import families_within
 from kinematics.inverse.refinement import solutions_of
-from kinematics.inverse.residuals import pose_errors
+from kinematics.inverse.residuals import errors_of, pose_errors
 from kinematics.inverse.results import (
     Family,
     IKSolution,
@@ -125,7 +125,7 @@ class Solver:
     def _told(self, found: list[tuple[Array, Family | None]], pose: Transform) -> tuple[IKSolution, ...]:
         """Solutions with their errors, the one with the smallest joint values first."""
         joints = np.array([q for q, _ in found])
-        position, angle = pose_errors(self.arm.frames(joints)[-1], pose)
+        position, angle = self._errors(self.arm.frames(joints)[-1], pose)
         order = np.argsort(np.abs(joints).sum(axis=1), kind="stable")[:MOST_SOLUTIONS]
         values, distances, angles = joints.tolist(), position.tolist(), angle.tolist()
         return tuple(
@@ -138,6 +138,13 @@ class Solver:
             )
             for i in order.tolist()
         )
+
+    def _errors(self, poses: Array, pose: Transform) -> tuple[Array, Array]:
+        """Distances [m] and angles [rad] from the target, of what has to reach it."""
+        if self.arm.reach is Reach.POSE:
+            return pose_errors(poses, pose)
+        errors = errors_of(self.arm, poses, pose)
+        return self.arm.size * np.linalg.norm(errors[:, :3], axis=1), np.linalg.norm(errors[:, 3:], axis=1)
 
     def _searched(self, goal: Goal) -> InverseKinematics:
         """The result of a search: solutions within the limits, outside them, or the nearest pose."""
@@ -172,7 +179,7 @@ class Solver:
         """The result without solutions, but with the configuration that comes nearest."""
         wrapped, _ = within_limits(nearest[None], self.arm.revolute, self.box, self.arm.size)
         transform = self.arm.frames(wrapped)[-1, 0]
-        position, angle = pose_errors(transform[None], goal.pose)
+        position, angle = self._errors(transform[None], goal.pose)
         return InverseKinematics(
             status=IKStatus.UNREACHABLE,
             complete=method is Method.CLOSED_FORM,
@@ -198,6 +205,7 @@ def inverse_kinematics(
     tool: ArrayLike | None = None,
     limits: JointLimits | None = None,
     tolerance: float | None = None,
+    reach: Reach = Reach.POSE,
 ) -> InverseKinematics:
     """The joint variables at which the arm reaches a target: base · A_1(q) ⋯ A_N(q) · tool = target.
 
@@ -213,13 +221,14 @@ def inverse_kinematics(
         tool: (4, 4) pose of the tool in frame N; the identity if left out.
         limits: (least, greatest) of each joint [rad, or m], None where there is none.
         tolerance: distance [m] and angle [rad] within which the target counts as reached; see `Solver.solve`.
+        reach: what of the tool has to reach the target; what is left out of it does not matter.
 
     Raises:
         TableError: no joint, or more than 12.
         JointValueError: malformed limits.
         PoseError: target, base or tool is not a rigid motion.
     """
-    return solver_of(table, base=base, tool=tool, limits=limits).solve(target, tolerance)
+    return solver_of(table, base=base, tool=tool, limits=limits, reach=reach).solve(target, tolerance)
 
 
 def solver_of(
@@ -228,6 +237,7 @@ def solver_of(
     base: ArrayLike | None = None,
     tool: ArrayLike | None = None,
     limits: JointLimits | None = None,
+    reach: Reach = Reach.POSE,
 ) -> Solver:
     """The table made ready for many targets; arguments and refusals are those of `inverse_kinematics`."""
     T_w_0 = None if base is None else check_transform(base, where=("base",))
@@ -236,7 +246,7 @@ def solver_of(
         if pose is not None and is_far(pose):
             raise PoseError(too_long((name,)))
     arm, closed_form = _prepared(
-        table, None if T_w_0 is None else T_w_0.tobytes(), None if T_n_t is None else T_n_t.tobytes()
+        table, None if T_w_0 is None else T_w_0.tobytes(), None if T_n_t is None else T_n_t.tobytes(), reach
     )
     return Solver(
         table=table,
@@ -249,7 +259,9 @@ def solver_of(
 
 
 @lru_cache(maxsize=256)
-def _prepared(table: NumericTable, base: bytes | None, tool: bytes | None) -> tuple[Arm, ClosedForm | None]:
+def _prepared(
+    table: NumericTable, base: bytes | None, tool: bytes | None, reach: Reach
+) -> tuple[Arm, ClosedForm | None]:
     check_lengths(table)
     if not 1 <= table.n_joints <= MAX_JOINTS:
         raise TableError(
@@ -260,5 +272,5 @@ def _prepared(table: NumericTable, base: bytes | None, tool: bytes | None) -> tu
             )
         )
     ends = [None if T is None else np.frombuffer(T).reshape(4, 4) for T in (base, tool)]
-    arm = arm_of(table, *ends)
+    arm = replace(arm_of(table, *ends), reach=reach)
     return arm, closed_form_of(arm)

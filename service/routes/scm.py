@@ -11,10 +11,10 @@ from anyio.to_thread import run_sync
 from fastapi import Body
 from numpy.typing import NDArray
 
-from kinematics.errors import Fault, JointValueError, PoseError
+from kinematics.errors import Fault, JointValueError
 from kinematics.inverse import IKSolution, InverseKinematics, JointLimits, NearestPose
 from kinematics.jacobian import JacobianFrame
-from kinematics.poses import pose_notations, transform_from_xyzabc
+from kinematics.poses import pose_notations
 from kinematics.scm import (
     ScmChain,
     default_limits,
@@ -35,6 +35,7 @@ from service.schemas import scm_examples as examples
 from service.schemas.forward_kinematics import AxisAngle, Orientation
 from service.wire.chain_forms import ChainTask, Wanted, is_quick, written_chain
 from service.wire.fault_pointers import traced
+from service.wire.pose_matrices import pose_matrix
 from service.wire.prepared_chains import PreparedChain, prepared_chain, written_structure
 from service.work.workers import Lane
 
@@ -143,7 +144,7 @@ async def inverse_kinematics(
     prepared = await request.in_turn(partial(prepared_chain, body, request.settings.cell_limits))
     start = None if body.start is None else prepared.joints(body.start, "start")
     limits = None if body.limits is None else _scaled(body.limits, prepared)
-    question = (prepared.chain, _pose(body.target, prepared.angle), prepared.values, limits)
+    question = (prepared.chain, pose_matrix(body.target, prepared.angle, "target"), prepared.values, limits)
     with traced(body):
         found = await run_sync(_directly, *question)
     if found is None:
@@ -202,16 +203,6 @@ def _orientation(transform: Any, angle: float) -> Orientation:
         axis_angle=AxisAngle(axis=list(axis), angle=turn / angle),
         xyzabc=[*position, yaw, pitch, roll],
     )
-
-
-def _pose(target: Sequence[Any], angle: float) -> Any:
-    """The target as a 4×4 matrix, or as six numbers turned into one."""
-    if len(target) != 6:
-        return target
-    try:
-        return transform_from_xyzabc([*target[:3], *(value * angle for value in target[3:])])
-    except PoseError as error:
-        raise PoseError(fault.within("target") for fault in error.faults) from None
 
 
 def _directly(

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
+from pydantic_core import PydanticCustomError
 
 from kinematics.inverse.results import IKStatus, Isolation, Method, UnreachableReason
-from service.schemas.base import Matrix4, Real, Wire
+from service.schemas.base import Matrix4, Real, Vector3, Wire
 from service.schemas.joint_limits import JointRanges
+from service.schemas.pose_input import PoseInput
 from service.schemas.robots import RobotQuestion
 from service.schemas.tables import Units
 
@@ -16,15 +18,36 @@ from service.schemas.tables import Units
 class InverseKinematicsRequest(RobotQuestion):
     """A robot, and a pose for its tool to reach."""
 
-    target: Matrix4 = Field(description="the wanted pose of the tool in the world")
+    target: PoseInput | None = Field(None, description="the wanted pose of the tool in the world")
+    position: Vector3 | None = Field(
+        None,
+        description="or where its origin has to be; with neither quaternion nor axis its orientation is free",
+    )
+    quaternion: Annotated[list[Real], Field(min_length=4, max_length=4)] | None = Field(
+        None, description="with a position: the wanted orientation, [w, x, y, z] of any length"
+    )
+    axis: Vector3 | None = Field(
+        None, description="with a position: where the tool's z axis has to point; turns about it are free"
+    )
+    start: list[Real] | None = Field(
+        None, max_length=12, description="joint values; the solution nearest to them comes first"
+    )
     limits: JointRanges | None = None
-    base: Matrix4 | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
-    tool: Matrix4 | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     tolerance: Real | None = Field(
         None,
         description="how far the target may be off, as a distance in the table's unit and as an angle "
         "in rad: of a pose rounded to five decimals 1e-5. Left out, what its rotation part shows of rounding",
     )
+
+    @model_validator(mode="after")
+    def _one_target(self) -> Self:
+        oriented = self.quaternion is not None or self.axis is not None
+        both = self.quaternion is not None and self.axis is not None
+        if (self.target is None) == (self.position is None) or (oriented and self.position is None) or both:
+            raise PydanticCustomError("target_or_position", "give either target or position")
+        return self
 
 
 class FamilyParameter(Wire):

@@ -5,15 +5,15 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import Annotated, Any, Self, TypeAlias
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema, model_validator
+from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
 from pydantic_core import PydanticCustomError
 
 from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.printing import Format, Notation
 from kinematics.scm import RawChain
-from service.http.validation import CHOICE
 from service.schemas.base import LONGEST_LIST, Matrix4, Real, Wire
 from service.schemas.forward_kinematics import Orientation
+from service.schemas.pose_input import PoseInput
 from service.schemas.tables import Cell, Parameters, Units
 
 ENTRIES = ("x", "y", "z", "a", "b", "c")
@@ -190,37 +190,13 @@ class ScmJacobianRequest(ClosedFormQuestion):
     )
 
 
-def _notation_of(target: Any) -> str:
-    numbers = isinstance(target, list) and target and not isinstance(target[0], list)
-    return CHOICE + ("xyzabc" if numbers else "matrix")
-
-
-Target: TypeAlias = Annotated[
-    Annotated[list[Real], Field(min_length=6, max_length=6), Tag(CHOICE + "xyzabc")]
-    | Annotated[Matrix4, Tag(CHOICE + "matrix")],
-    Discriminator(_notation_of),
-    WithJsonSchema(
-        {
-            "description": "pose of the tool in frame 0: 4×4, or [X, Y, Z, A, B, C]",
-            "anyOf": [
-                {"type": "array", "items": {"type": "number"}, "minItems": 6, "maxItems": 6},
-                {
-                    "type": "array",
-                    "items": {"type": "array", "items": {"type": "number"}, "minItems": 4, "maxItems": 4},
-                    "minItems": 4,
-                    "maxItems": 4,
-                },
-            ],
-        }
-    ),
-]
 LimitPair: TypeAlias = Annotated[list[Real | None], Field(min_length=2, max_length=2)]
 
 
 class ScmInverseKinematicsRequest(ChainQuestion):
     """A chain, and a pose to reach."""
 
-    target: Target
+    target: PoseInput
     limits: list[LimitPair | None] | None = Field(
         None, max_length=LONGEST_LIST, description="[low, high] of every joint, null where there is none"
     )

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
 import numpy as np
 from anyio.to_thread import run_sync
 
-from kinematics.inverse import IKSolution, InverseKinematics, NearestPose, inverse_kinematics, solver_of
+from kinematics.errors import Fault, JointValueError
+from kinematics.inverse import IKSolution, InverseKinematics, NearestPose, Reach, Solver, solver_of
 from kinematics.inverse.results import Family
-from kinematics.table import NumericTable
+from kinematics.table import JointType, NumericTable
 from service.schemas.inverse_kinematics import (
     FamilyParameter,
     InverseKinematicsAnswer,
@@ -21,10 +24,11 @@ from service.schemas.inverse_kinematics import (
 )
 from service.schemas.joint_limits import DomainLimits, domain_limits
 from service.wire.fault_pointers import traced
+from service.wire.pose_matrices import placed_matrix, pose_matrix
 from service.wire.prepared_robots import Robot
 from service.work.workers import Lane, Workers
 
-Matrix: TypeAlias = list[list[float]]
+Matrix: TypeAlias = Any
 
 
 async def solved(
@@ -36,37 +40,81 @@ async def solved(
         KinematicsError: malformed limits or poses, or a table that inverse kinematics does not take.
         ServiceError: no place for a search, or it took too long.
     """
-    ranges = domain_limits(request.limits, robot.joint_units)
-    question = (robot.table, request.target, request.base, request.tool, ranges, request.tolerance)
     with traced(request):
-        answer = await run_sync(_directly, *question)
+        question = _question(request, robot)
+        answer = await run_sync(_directly, question)
     if answer is None:
-        answer = await workers.run(Lane.SLOW, _search, *question)
-    return _answer(answer, robot)
+        answer = await workers.run(Lane.SLOW, _search, question)
+    return _answer(answer if question.start is None else nearest_first(answer, robot, question.start), robot)
 
 
-def _directly(
-    table: NumericTable,
-    target: Matrix,
-    base: Matrix | None,
-    tool: Matrix | None,
-    ranges: DomainLimits | None,
-    tolerance: float | None,
-) -> InverseKinematics | None:
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Question:
+    """What is asked, in domain units; it can go to another process."""
+
+    table: NumericTable
+    target: Matrix
+    reach: Reach
+    base: Matrix | None
+    tool: Matrix | None
+    limits: DomainLimits | None
+    tolerance: float | None
+    start: list[float] | None
+
+    def solver(self) -> Solver:
+        return solver_of(self.table, base=self.base, tool=self.tool, limits=self.limits, reach=self.reach)
+
+
+def _question(request: InverseKinematicsRequest, robot: Robot) -> _Question:
+    base, tool = (
+        None if pose is None else pose_matrix(pose, robot.angle, name)
+        for pose, name in ((request.base, "base"), (request.tool, "tool"))
+    )
+    if request.position is None:
+        target, reach = pose_matrix(request.target or [], robot.angle, "target"), Reach.POSE
+    else:
+        target = placed_matrix(request.position, request.quaternion, request.axis)
+        free = Reach.POSITION if request.axis is None else Reach.AXIS
+        reach = Reach.POSE if request.quaternion is not None else free
+    return _Question(
+        table=robot.table,
+        target=target,
+        reach=reach,
+        base=base,
+        tool=tool,
+        limits=domain_limits(request.limits, robot.joint_units),
+        tolerance=request.tolerance,
+        start=None if request.start is None else _start(request.start, robot),
+    )
+
+
+def _start(start: list[float], robot: Robot) -> list[float]:
+    if len(start) != len(robot.joint_units):
+        params = {"expected": len(robot.joint_units), "given": len(start)}
+        raise JointValueError(Fault(code="joints_wrong_length", where=("start",), params=params))
+    return [value * unit for value, unit in zip(start, robot.joint_units, strict=True)]
+
+
+def nearest_first(answer: InverseKinematics, robot: Robot, start: Sequence[float]) -> InverseKinematics:
+    """The same answer, its solutions sorted by their distance from a start."""
+
+    def distance(solution: IKSolution) -> float:
+        return sum(
+            abs(math.remainder(q - q0, math.tau)) if kind is JointType.REVOLUTE else abs(q - q0)
+            for kind, q, q0 in zip(robot.table.joint_types, solution.joints, start, strict=True)
+        )
+
+    return replace(answer, solutions=tuple(sorted(answer.solutions, key=distance)))
+
+
+def _directly(question: _Question) -> InverseKinematics | None:
     """What the closed form alone says, in a thread; every refusal is made here, none in a worker."""
-    return solver_of(table, base=base, tool=tool, limits=ranges).solve_directly(target, tolerance)
+    return question.solver().solve_directly(question.target, question.tolerance)
 
 
-def _search(
-    table: NumericTable,
-    target: Matrix,
-    base: Matrix | None,
-    tool: Matrix | None,
-    ranges: DomainLimits | None,
-    tolerance: float | None,
-) -> InverseKinematics:
+def _search(question: _Question) -> InverseKinematics:
     """What a worker process does."""
-    return inverse_kinematics(table, target, base=base, tool=tool, limits=ranges, tolerance=tolerance)
+    return question.solver().solve(question.target, question.tolerance)
 
 
 def _answer(answer: InverseKinematics, robot: Robot) -> InverseKinematicsAnswer:

@@ -147,6 +147,96 @@ def test_refusals(client: httpx.Client, change: dict[str, Any], code: str, point
     assert problem["pointer"] == pointer
 
 
+TWO_LINKS = {
+    "table": {
+        "convention": "standard",
+        "angle_unit": "deg",
+        "rows": [
+            {"alpha": 0, "a": 0.5, "d": 0, "theta": "q1"},
+            {"alpha": 0, "a": 0.3, "d": 0, "theta": "q2"},
+        ],
+    }
+}
+
+
+def test_a_position_is_reached_elbow_up_and_elbow_down(client: httpx.Client) -> None:
+    place = forward(client, **TWO_LINKS, joints=[20, 50])[:3, 3].tolist()
+    answer = asked(client, **TWO_LINKS, position=place)
+    assert answer["status"] == "solved"
+    assert answer["complete"] is True
+    elbows = sorted(solution["joints"][1] for solution in answer["solutions"])
+    assert np.allclose(elbows, [-50, 50], atol=1e-9)
+    first = asked(client, **TWO_LINKS, position=place, start=[20, 40])["solutions"][0]
+    assert np.allclose(first["joints"], [20, 50], atol=1e-9)
+    far = asked(client, **TWO_LINKS, position=[1, 0, 0])
+    assert far["status"] == "unreachable"
+    assert far["nearest"]["position_error"] == pytest.approx(0.2, abs=1e-9)
+
+
+def test_an_axis_leaves_the_turn_about_itself_free(client: httpx.Client) -> None:
+    target = forward(client, table=PUMA_560, joints=[20, -40, 70, 30, 50, -80])
+    answer = asked(client, table=PUMA_560, position=target[:3, 3].tolist(), axis=target[:3, 2].tolist())
+    assert answer["status"] == "solved"
+    for solution in answer["solutions"]:
+        reached = forward(client, table=PUMA_560, joints=solution["joints"])
+        assert np.allclose(reached[:3, 2:], target[:3, 2:], atol=1e-7)
+        assert solution["family"]["dimension"] == 1
+
+
+def test_a_pose_in_every_notation(client: httpx.Client) -> None:
+    joints = [20, -40, 70, 30, 50, -80]
+    body = {"table": PUMA_560, "joints": joints, "parts": ["transform", "position", "orientation"]}
+    found = client.post("/api/v1/forward-kinematics", json=body).json()
+    orientation = found["orientation"]
+    known = asked(client, table=PUMA_560, target=found["transform"])["solutions"]
+    for target in (
+        {"target": orientation["xyzabc"]},
+        {"position": found["position"], "quaternion": orientation["quaternion"]},
+    ):
+        solutions = asked(client, table=PUMA_560, **target)["solutions"]
+        assert np.allclose([s["joints"] for s in solutions], [s["joints"] for s in known], atol=1e-6)
+
+
+def test_a_family_over_http(client: httpx.Client) -> None:
+    target = np.round(forward(client, table=PUMA_560, joints=[30, -40, 70, 20, 0, -80]), 5).tolist()
+    refused = client.post(URL, json={"table": PUMA_560, "target": target})
+    assert refused.status_code == 422
+    assert refused.json()["code"] == "pose_not_orthonormal"
+    answer = asked(client, table=PUMA_560, target=target, tolerance=1e-5)
+    assert answer["tolerance"] == 1e-5
+    assert len(answer["solutions"]) == 7
+    (family,) = [solution["family"] for solution in answer["solutions"] if "family" in solution]
+    (parameter,) = family["parameters"]
+    assert parameter["full_turn"] is True
+    assert np.allclose(parameter["interval"], [-180, 180])
+    for member in family["members"]:
+        assert math.remainder(member[3] + member[5] + 60, 360) == pytest.approx(0, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("change", "code", "pointer"),
+    [
+        ({"target": None}, "target_or_position", ""),
+        ({"position": [0, 0, 1]}, "target_or_position", ""),
+        ({"target": None, "position": [0, 0, 1], "axis": [0, 0, 0]}, "axis_length", "/axis"),
+        (
+            {"target": None, "position": [0, 0, 1], "quaternion": [0, 0, 0, 0]},
+            "quaternion_length",
+            "/quaternion",
+        ),
+        ({"tolerance": 0}, "pose_tolerance_out_of_range", "/tolerance"),
+        ({"tolerance": 0.5}, "pose_tolerance_out_of_range", "/tolerance"),
+        ({"start": [0, 0]}, "joints_wrong_length", "/start"),
+    ],
+)
+def test_refusals_of_targets(client: httpx.Client, change: dict[str, Any], code: str, pointer: str) -> None:
+    body = {"table": PUMA_560, "target": np.eye(4).tolist(), **change}
+    body = {key: value for key, value in body.items() if value is not None}
+    response = client.post(URL, json=body)
+    assert response.status_code == 422
+    assert (response.json()["code"], response.json()["pointer"]) == (code, pointer)
+
+
 def test_too_many_joints(client: httpx.Client) -> None:
     row = {"joint": "revolute", "alpha": 0.3, "a": 0.1, "d": 0, "theta": 0}
     table = {"convention": "standard", "rows": [row] * 13}
