@@ -27,6 +27,7 @@ from kinematics.scm.motion import (
     forward_kinematics_scm,
     jacobian_base_by_inspection,
     jacobian_end_by_inspection,
+    unit_vectors,
 )
 from kinematics.scm.reading import RawChain, RawPlacement, ReadChain, read_chain
 from kinematics.scm.sampling import default_limits, random_configurations
@@ -65,6 +66,7 @@ __all__ = [
     "scm_from_table",
     "solver_of_chain",
     "table_of_chain",
+    "unit_vectors",
     "unrolled_dh_from_scm",
     "verify",
     "with_values",

@@ -160,6 +160,16 @@ def _unit_vector(row: ChainRow, values: Mapping[str, float]) -> NDArray[np.float
     return transform_from_xyzabc(turns)[:3, :3].T @ unit
 
 
+def unit_vectors(chain: ScmChain, parameters: Mapping[str, float] | None = None) -> NDArray[np.float64]:
+    """Return the unit vectors u_i of the joints, each in the frame of its own row, (n, 3).
+
+    In a strict chain they are coordinate axes, with the sign of the variable.
+
+    Source: seed 001 eq. 3.20 and 3.21.
+    """
+    return np.stack([_unit_vector(row, parameters or {}) for row in chain.rows])
+
+
 def _row_transform(row: ChainRow, q: float, values: Mapping[str, float], i: int) -> Transform:
     numbers = _numbers(row.constant, values, ("joints", i))
     numbers[_ENTRIES.index(row.variable)] += row.sign * q

@@ -1,0 +1,96 @@
+"""Velocities, their rate of change, and forces: what else a Jacobian says about one configuration.
+
+    (v, ω) = J(q) q̇        (v̇, ω̇) = J(q) q̈ + J̇(q, q̇) q̇        τ = J(q)ᵀ (f, m)
+
+All vectors are in the axes of the base, v and f at the origin of the end frame.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinematics.chain import Chain
+from kinematics.joint_values import one_configuration
+from kinematics.poses import GIMBAL_LOCK, rpy_from_transform
+from kinematics.se3 import Floats, cross_arrays
+
+
+def jacobian_rate(chain: Chain, joints: ArrayLike, rates: ArrayLike) -> Floats:
+    """Return J̇ = dJ0/dt at one configuration, (6, n).
+
+    An axis moves with the link that carries it: ż_i = ω_i × z_i and ṗ_i = the velocity of its point, both
+    from the joints before i.
+
+    Args:
+        chain: the chain.
+        joints: (n,) joint variables [rad, or m for a prismatic joint].
+        rates: (n,) their rates q̇ [rad/s, or m/s].
+
+    Raises:
+        JointValueError: not n finite values, or not n finite rates.
+    """
+    n = chain.n_joints
+    q, speeds = (np.array(one_configuration(values, n)) for values in (joints, rates))
+    z, p = chain.axes_at(q)
+    tip = chain.poses(q)[:3, 3]
+    slides = np.array([axis.prismatic for axis in chain.axes], dtype=bool)
+    turning = np.where(slides, 0.0, speeds)[:, None] * z
+    omega = np.vstack((np.zeros(3), np.cumsum(turning, axis=0)))[:-1]
+    before = np.tril(np.ones((n, n)), -1)
+    points_moved = _velocities(z, p, p, slides, speeds * before)
+    tip_moved = _velocities(z, p, np.broadcast_to(tip, (n, 3)), slides, np.broadcast_to(speeds, (n, n)))
+    z_rate = cross_arrays(omega, z)
+    linear = cross_arrays(z_rate, tip - p) + cross_arrays(z, tip_moved - points_moved)
+    columns = np.hstack((np.where(slides[:, None], z_rate, linear), np.where(slides[:, None], 0.0, z_rate)))
+    return np.asarray(columns.T + 0.0)
+
+
+def _velocities(z: Floats, p: Floats, of: Floats, slides: Floats, weights: Floats) -> Floats:
+    """Return for each point i of (n, 3) its velocity, joint j moving at the speed weights[i, j]."""
+    arms = of[:, None, :] - p[None, :, :]
+    unit = np.where(slides[None, :, None], z[None], cross_arrays(np.broadcast_to(z[None], arms.shape), arms))
+    return np.asarray(np.einsum("ij,ijk->ik", weights, unit))
+
+
+def analytic_jacobian(chain: Chain, joints: ArrayLike) -> Floats | None:
+    """Return the Jacobian of (x, y, z, roll, pitch, yaw), (6, n); None at pitch ±π/2.
+
+    With R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll), ω = B (roll, pitch, yaw)˙ and the angular rows are B⁻¹ J_ω.
+
+    Args:
+        chain: the chain.
+        joints: (n,) joint variables [rad, or m for a prismatic joint].
+
+    Raises:
+        JointValueError: not n finite values.
+
+    Source: B. Siciliano, L. Sciavicco, L. Villani, G. Oriolo, Robotics (2009), section 3.6.
+    """
+    q = np.array(one_configuration(joints, chain.n_joints))
+    _, pitch, yaw = rpy_from_transform(chain.poses(q))
+    if math.cos(pitch) < GIMBAL_LOCK:
+        return None
+    cp, sp, cy, sy = math.cos(pitch), math.sin(pitch), math.cos(yaw), math.sin(yaw)
+    B = np.array([[cy * cp, -sy, 0.0], [sy * cp, cy, 0.0], [-sp, 0.0, 1.0]])
+    J = chain.jacobian(q)
+    return np.vstack((J[:3], np.linalg.solve(B, J[3:]))) + 0.0
+
+
+def joint_forces(chain: Chain, joints: ArrayLike, wrench: ArrayLike) -> Floats:
+    """Return τ = J0ᵀ (f, m): the forces and torques at the joints that hold a wrench at the end frame, (n,).
+
+    Args:
+        chain: the chain.
+        joints: (n,) joint variables [rad, or m for a prismatic joint].
+        wrench: (6,) force f [N] at the origin of the end frame, and moment m [N m], in the axes of the base.
+
+    Raises:
+        JointValueError: not n finite values.
+
+    Source: B. Siciliano et al., Robotics (2009), eq. 3.111.
+    """
+    q = np.array(one_configuration(joints, chain.n_joints))
+    return np.asarray(chain.jacobian(q).T @ np.asarray(wrench, dtype=np.float64)) + 0.0

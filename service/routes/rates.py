@@ -1,0 +1,86 @@
+"""Velocities, accelerations and forces at one configuration."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Annotated, Any
+
+import numpy as np
+from fastapi import Body
+
+from kinematics.chain import chain_of_table
+from kinematics.errors import JointValueError
+from kinematics.inverse.lengths import check_lengths
+from kinematics.joint_values import one_configuration
+from kinematics.rates import analytic_jacobian, jacobian_rate, joint_forces
+from kinematics.se3 import check_transform
+from service.http.openapi import problems
+from service.http.routing import api_router
+from service.resources import AppResources
+from service.schemas import examples
+from service.schemas.rates_request import RatesAnswer, RatesRequest
+from service.wire.fault_pointers import traced
+
+router = api_router("kinematics")
+
+_EXAMPLES: dict[str, Any] = {
+    "a SCARA that turns both links, and a weight of 10 N in its hand": {
+        "robot": "scara",
+        "joints": [0.3, 0.6, 0.1, 0],
+        "rates": [1, -0.5, 0, 0],
+        "wrench": [0, 0, -10, 0, 0, 0],
+    }
+}
+
+
+@router.post(
+    "/rates",
+    summary="Velocities, accelerations and forces at one configuration",
+    responses=problems(400, 413, 415, 422),
+)
+async def rates(
+    body: Annotated[RatesRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    resources: AppResources,
+) -> RatesAnswer:
+    """(v, ω) = J0 q̇, its rate of change J0 q̈ + J̇0 q̇, the analytic Jacobian, and τ = J0ᵀ (f, m).
+
+    What is not asked for by `rates`, `accelerations` or `wrench` is null. Lengths are in the table's unit.
+    """
+    robot = resources.robots.prepare(body)
+    with traced(body):
+        check_lengths(robot.table)
+    poses = [
+        None if pose is None else check_transform(pose, where=(name,))
+        for pose, name in ((body.base, "base"), (body.tool, "tool"))
+    ]
+    chain = chain_of_table(robot.table, *poses)
+    q = _values(body.joints, robot.joint_units, "joints")
+    J = chain.jacobian(q)
+    found: dict[str, Any] = {"J0": _plain(J), "analytic": _plain(analytic_jacobian(chain, q))}
+    if body.rates is not None:
+        speeds = _values(body.rates, robot.joint_units, "rates")
+        rate = jacobian_rate(chain, q, speeds)
+        found |= {"velocity": _plain(J @ speeds), "J0_rate": _plain(rate)}
+    if body.accelerations is not None:
+        second = _values(body.accelerations, robot.joint_units, "accelerations")
+        at_speed = 0.0 if body.rates is None else rate @ speeds
+        found["acceleration"] = _plain(J @ second + at_speed)
+    if body.wrench is not None:
+        found["joint_forces"] = _plain(joint_forces(chain, q, body.wrench))
+    return RatesAnswer.model_validate({**found, **robot.units})
+
+
+def _values(given: Sequence[float], units: Sequence[float], field: str) -> list[float]:
+    """The values in [rad] and the table's length unit."""
+    try:
+        values = one_configuration(list(given), len(units))
+    except JointValueError as error:
+        raise JointValueError(
+            replace(fault, where=(field, *fault.where[1:])) for fault in error.faults
+        ) from error
+    return [value * unit for value, unit in zip(values, units, strict=True)]
+
+
+def _plain(values: Any) -> Any:
+    return None if values is None else np.where(values == 0.0, 0.0, values).tolist()

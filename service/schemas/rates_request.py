@@ -1,0 +1,48 @@
+"""POST /rates on the wire."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Field
+
+from service.schemas.base import Matrix4, Real
+from service.schemas.jacobian_request import Matrix6
+from service.schemas.robots import RobotQuestion
+from service.schemas.tables import Units
+
+Vector6 = Annotated[list[Real], Field(min_length=6, max_length=6)]
+
+
+class RatesRequest(RobotQuestion):
+    """A robot at one configuration, and what moves or pushes it."""
+
+    joints: list[Real] = Field(max_length=64, description="q_1 … q_n, in the table's units")
+    rates: list[Real] | None = Field(
+        None, max_length=64, description="q̇_1 … q̇_n, in the table's units per second"
+    )
+    accelerations: list[Real] | None = Field(
+        None,
+        max_length=64,
+        description="q̈_1 … q̈_n, in the table's units per second squared; from rest without rates",
+    )
+    wrench: Vector6 | None = Field(
+        None, description="force at the end frame's origin, then moment, in the axes of the world"
+    )
+    base: Matrix4 | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: Matrix4 | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+
+
+class RatesAnswer(Units):
+    """Jacobians, velocities and forces at one configuration, in the axes of the world, per radian."""
+
+    J0: Matrix6 = Field(description="(v, ω) = J0 q̇")
+    analytic: Matrix6 | None = Field(
+        description="rates of x, y, z, roll, pitch, yaw per rate of each joint; null where pitch is ±90°"
+    )
+    velocity: Vector6 | None = Field(None, description="(v, ω), ω in radians per second")
+    J0_rate: Matrix6 | None = Field(None, description="dJ0/dt at these rates")
+    acceleration: Vector6 | None = Field(None, description="J0 q̈ + dJ0/dt q̇")
+    joint_forces: list[Real] | None = Field(
+        None, description="J0ᵀ · wrench: torques of revolute joints, forces of prismatic ones"
+    )

@@ -1,0 +1,151 @@
+"""Equations of the source documents, written out as they are printed (docs/sources.md lists them)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from kinematics import catalogue
+from kinematics.cells import bind_parameters
+from kinematics.dh import link_transform
+from kinematics.forward import forward_kinematics
+from kinematics.poses import transform_from_xyzabc
+from kinematics.scm import forward_kinematics_scm, jacobian_base_by_inspection, unit_vectors
+from kinematics.se3 import from_matrix, inverse_transform, move
+from kinematics.table import Convention, DHRow, JointType
+
+LENGTH, ANGLE = 0.37, 0.83
+C, S = math.cos(ANGLE), math.sin(ANGLE)
+
+
+def only(**entries: float) -> np.ndarray:
+    """A frame with these of its six entries."""
+    return transform_from_xyzabc([entries.get(name, 0.0) for name in "xyzabc"])
+
+
+@pytest.mark.parametrize(
+    ("shift", "turn", "printed"),
+    [
+        ("x", "c", [[1, 0, 0, LENGTH], [0, C, -S, 0], [0, S, C, 0]]),
+        ("y", "b", [[C, 0, S, 0], [0, 1, 0, LENGTH], [-S, 0, C, 0]]),
+        ("z", "a", [[C, -S, 0, 0], [S, C, 0, 0], [0, 0, 1, LENGTH]]),
+    ],
+)
+def test_motions_about_one_axis_commute(shift: str, turn: str, printed: list[list[float]]) -> None:
+    """001 eq. 2.10, 2.11, 2.12."""
+    one, other = only(**{shift: LENGTH}), only(**{turn: ANGLE})
+    expected = np.array([*printed, [0, 0, 0, 1]])
+    np.testing.assert_allclose(one @ other, expected, atol=1e-15)
+    np.testing.assert_allclose(other @ one, expected, atol=1e-15)
+    np.testing.assert_allclose(only(**{shift: LENGTH, turn: ANGLE}), expected, atol=1e-15)
+
+
+def test_motions_about_different_axes_do_not() -> None:
+    """001 §2.3: the order matters else."""
+    assert np.abs(only(x=LENGTH) @ only(a=ANGLE) - only(a=ANGLE) @ only(x=LENGTH)).max() > 0.1
+    assert np.abs(only(b=ANGLE) @ only(a=ANGLE) - only(a=ANGLE) @ only(b=ANGLE)).max() > 0.1
+
+
+def test_the_inverse_is_the_product_backwards() -> None:
+    """001 eq. 2.5 to 2.9."""
+    entries = dict(zip("xyzabc", (0.1, -0.2, 0.3, 0.4, -0.5, 0.6), strict=True))
+    product, backwards = np.eye(4), np.eye(4)
+    for name in "xyzabc":
+        product = product @ only(**{name: entries[name]})
+        backwards = only(**{name: -entries[name]}) @ backwards
+    np.testing.assert_allclose(only(**entries), product, atol=1e-15)
+    np.testing.assert_allclose(inverse_transform(product), backwards, atol=1e-15)
+    np.testing.assert_array_equal(only(), np.eye(4))
+
+
+def test_the_link_of_the_modified_convention() -> None:
+    """000 eq. 3.1 and 3.2; 002, the modified matrix and the last column of its inverse."""
+    a, d, alpha = 0.3, -0.7, 1.1
+    ca, sa = math.cos(alpha), math.sin(alpha)
+    printed = np.array(
+        [[C, -S, 0, a], [S * ca, C * ca, -sa, -sa * d], [S * sa, C * sa, ca, ca * d], [0, 0, 0, 1]]
+    )
+    row = DHRow(joint=JointType.REVOLUTE, theta=0.0, d=d, a=a, alpha=alpha)
+    found = link_transform(row, Convention.MODIFIED, ANGLE)
+    np.testing.assert_allclose(found, printed, atol=1e-15)
+    motions = only(c=alpha) @ only(x=a) @ only(a=ANGLE) @ only(z=d)
+    np.testing.assert_allclose(found, motions, atol=1e-15)
+    np.testing.assert_allclose(inverse_transform(found)[:3, 3], [-a * C, a * S, -d], atol=1e-15)
+
+
+def test_the_link_of_the_standard_convention() -> None:
+    """003 eq. 2; 002, the original matrix and its inverse, with the corrections of docs/sources.md."""
+    a, d, alpha = 0.3, -0.7, 1.1
+    ca, sa = math.cos(alpha), math.sin(alpha)
+    printed = np.array(
+        [[C, -S * ca, S * sa, a * C], [S, C * ca, -C * sa, a * S], [0, sa, ca, d], [0, 0, 0, 1]]
+    )
+    row = DHRow(joint=JointType.REVOLUTE, theta=0.0, d=d, a=a, alpha=alpha)
+    found = link_transform(row, Convention.STANDARD, ANGLE)
+    np.testing.assert_allclose(found, printed, atol=1e-15)
+    np.testing.assert_allclose(inverse_transform(found)[:3, 3], [-a, -d * sa, -d * ca], atol=1e-15)
+
+
+def dmra(q: list[float]):
+    robot = catalogue.robot("dmra")
+    return robot.parameters, forward_kinematics(bind_parameters(robot.table, robot.parameters), q)
+
+
+def test_the_matrices_of_the_dmra() -> None:
+    """003 eq. 3 to 7, as corrected in docs/sources.md."""
+    q = [0.3, -0.4, 0.5, 0.6, -0.7, 0.8]
+    at, found = dmra(q)
+    (c1, s1), (c2, s2), (c3, s3), (c4, s4), (c5, s5), (c6, s6) = ((math.cos(x), math.sin(x)) for x in q)
+    bottom = [0, 0, 0, 1]
+    printed = [
+        [[c1, 0, -s1, at["a1"] * c1], [s1, 0, c1, at["a1"] * s1], [0, -1, 0, at["d1"]], bottom],
+        [[c2, -s2, 0, at["a2"] * c2], [s2, c2, 0, at["a2"] * s2], [0, 0, 1, 0], bottom],
+        [[c3, 0, -s3, at["a3"] * c3], [s3, 0, c3, at["a3"] * s3], [0, -1, 0, 0], bottom],
+        [[c4, 0, s4, 0], [s4, 0, -c4, 0], [0, 1, 0, at["d4"]], bottom],
+        [[c5, 0, -s5, 0], [s5, 0, c5, 0], [0, -1, 0, 0], bottom],
+        [[c6, -s6, 0, 0], [s6, c6, 0, 0], [0, 0, 1, at["d6"]], bottom],
+    ]
+    np.testing.assert_allclose(found.links, printed, atol=1e-12)
+
+
+def test_a_point_of_a_link_in_frame_0() -> None:
+    """003 eq. 1 and 8."""
+    _, found = dmra([0.3, -0.4, 0.5, 0.6, -0.7, 0.8])
+    point = (10.0, -20.0, 30.0)
+    here: tuple[float, float, float] = point
+    for link in found.links[3::-1]:
+        here = move(from_matrix(link), here)
+    np.testing.assert_allclose(here, move(from_matrix(found.frames[3]), point), atol=1e-10)
+    np.testing.assert_allclose(move(from_matrix(found.frames[3]), (0, 0, 0)), found.frames[3, :3, 3])
+
+
+def test_the_unit_vectors_of_the_stanford_arm() -> None:
+    """001 eq. 3.20 and 3.21: ω of a frame grows by R u q̇ from frame to frame."""
+    robot = catalogue.robot("stanford")
+    assert robot.chain is not None
+    chain = robot.chain.read.chain
+    lengths = {name: robot.parameters[known] for name, known in robot.chain.parameters.items()}
+    q, rates = np.random.default_rng(3).uniform(-1, 1, (2, chain.n_joints))
+    motion, units = forward_kinematics_scm(chain, q.tolist(), lengths), unit_vectors(chain, lengths)
+    assert all(sorted(np.abs(u)) == [0.0, 0.0, 1.0] for u in units)
+    turning = [row.joint is JointType.REVOLUTE for row in chain.rows]
+    omega = sum(motion.frames[i, :3, :3] @ units[i] * rates[i] for i in range(chain.n_joints) if turning[i])
+    J = jacobian_base_by_inspection(chain, q.tolist(), lengths)
+    np.testing.assert_allclose(J[3:] @ rates, omega, atol=1e-12)
+
+
+def test_the_jacobian_is_the_derivative() -> None:
+    """001 eq. 3.19: the linear rows are ∂p/∂q."""
+    robot = catalogue.robot("stanford")
+    assert robot.chain is not None
+    chain, step = robot.chain.read.chain, 1e-6
+    lengths = {name: robot.parameters[known] for name, known in robot.chain.parameters.items()}
+    q = np.random.default_rng(4).uniform(-1, 1, chain.n_joints)
+    J = jacobian_base_by_inspection(chain, q.tolist(), lengths)
+    for i, by in enumerate(step * np.eye(len(q))):
+        ahead, behind = (
+            forward_kinematics_scm(chain, at.tolist(), lengths).transform[:3, 3] for at in (q + by, q - by)
+        )
+        np.testing.assert_allclose(J[:3, i], (ahead - behind) / (2 * step), atol=1e-8)

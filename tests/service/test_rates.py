@@ -1,0 +1,74 @@
+"""POST /rates: velocities, accelerations, forces."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+
+from tests.service.test_bad_input import check_problem
+
+PATH = "/api/v1/rates"
+ARM: dict[str, Any] = {
+    "table": {
+        "convention": "standard",
+        "angle_unit": "deg",
+        "length_unit": "m",
+        "rows": [
+            {"alpha": 0, "a": 0.4, "d": 0, "theta": "q1"},
+            {"alpha": 0, "a": 0.3, "d": 0, "theta": "q2"},
+        ],
+    },
+    "joints": [0, 90],
+}
+
+
+def answered(client: httpx.Client, body: dict[str, Any]) -> Any:
+    response = client.post(PATH, json=body)
+    assert response.status_code == 200, response.text
+    return response.json()
+
+
+def test_two_links_by_hand(client: httpx.Client) -> None:
+    """Tip at (0.4, 0.3); joint 1 turns at 1 rad/s: v = (-0.3, 0.4), centripetal (-0.4, -0.3)."""
+    one = math.degrees(1.0)
+    found = answered(
+        client, {**ARM, "rates": [one, 0], "accelerations": [0, 0], "wrench": [0, -10, 0, 0, 0, 0]}
+    )
+    np.testing.assert_allclose(found["velocity"], [-0.3, 0.4, 0, 0, 0, 1], atol=1e-12)
+    np.testing.assert_allclose(found["acceleration"], [-0.4, -0.3, 0, 0, 0, 0], atol=1e-12)
+    np.testing.assert_allclose(found["joint_forces"], [-4, 0], atol=1e-12)
+    np.testing.assert_allclose(found["analytic"][5], [1, 1], atol=1e-12)
+
+
+def test_the_jacobian_is_that_of_its_own_call(client: httpx.Client) -> None:
+    body = {"robot": "puma560", "joints": [10, 20, -30, 40, 50, 60]}
+    found = answered(client, body)
+    own = client.post("/api/v1/jacobian", json=body).json()
+    np.testing.assert_allclose(found["J0"], own["J0"], atol=1e-12)
+    assert found["velocity"] is found["J0_rate"] is found["acceleration"] is found["joint_forces"] is None
+
+
+def test_at_gimbal_lock_there_is_no_analytic_jacobian(client: httpx.Client) -> None:
+    level = {
+        "robot": "onelink",
+        "joints": [10],
+        "tool": [[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]],
+    }
+    assert answered(client, level)["analytic"] is None
+
+
+@pytest.mark.parametrize(
+    ("more", "code", "pointer"),
+    [
+        ({"joints": [0]}, "joints_wrong_length", "/joints"),
+        ({"rates": [0]}, "joints_wrong_length", "/rates"),
+        ({"accelerations": [0, 0, 0]}, "joints_wrong_length", "/accelerations"),
+        ({"tool": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}, "pose_not_orthonormal", "/tool"),
+    ],
+)
+def test_what_is_refused(client: httpx.Client, more: dict[str, Any], code: str, pointer: str) -> None:
+    check_problem(client.post(PATH, json={**ARM, **more}), 422, code, pointer)
