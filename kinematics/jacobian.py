@@ -17,6 +17,7 @@ from kinematics.joint_values import configurations
 from kinematics.table import JointType, NumericTable
 
 RANK_TOLERANCE = 1e-9
+"""Singular values below this part of the largest are zero: no joint is known better than to 1e-9 rad."""
 
 Numbers: TypeAlias = NDArray[np.float64]
 

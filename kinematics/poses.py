@@ -229,7 +229,6 @@ def _finite(values: Sequence[float], what: str, names: tuple[str, ...]) -> list[
     except (TypeError, ValueError, OverflowError):
         numbers = []
     if len(numbers) != len(names):
-        f"{what} takes {len(names)} numbers: {', '.join(names)}"
         params: dict[str, ParamValue] = {"what": what, "expected": len(names), "names": ", ".join(names)}
         raise PoseError(Fault(code="notation_wrong_length", where=(what,), params=params))
     faults = [

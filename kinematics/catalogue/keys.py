@@ -10,21 +10,11 @@ from typing import Any, TypeVar
 from kinematics.errors import Fault, ParamValue
 
 Choice = TypeVar("Choice", bound=StrEnum)
-
-MESSAGES: Mapping[str, str] = {
-    "catalogue_not_toml": "this is not TOML: {reason}",
-    "catalogue_key_missing": "{key} is missing",
-    "catalogue_key_unknown": "{key} means nothing here; known keys are {known}",
-    "catalogue_value_type": "{key} must be {expected}",
-    "catalogue_limits_reversed": "joint {joint}: the lower limit must be below the upper one",
-    "catalogue_outside_limits": "joint {joint} of this configuration is outside its limits",
-}
-
 _MISSING = object()
 
 
 def fault(code: str, *where: str | int, **params: ParamValue) -> Fault:
-    """A fault of a catalogue file with its English sentence."""
+    """Return a fault of a catalogue file."""
     return Fault(code=code, where=where, params=params)
 
 

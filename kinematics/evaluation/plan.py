@@ -34,10 +34,16 @@ from kinematics.se3 import Scalar, check_transform
 from kinematics.table import JointType, NumericTable
 
 WARM = 8
+"""A recording costs as much as 17 evaluations without one (a PUMA, 1.6 ms beside 0.1 ms); who has asked eight
+times goes on asking."""
 KEPT_TABLES = 64
+"""Tables whose recordings are held at once: a class works on one exercise, a page on a handful."""
 KEPT_VARIANTS = 4
+"""Pairs of base and tool held for one table: callers change them rarely."""
 LARGEST_TAPE = 1000
+"""Longer computations are replayed from the tape: compiling grows faster than what it saves."""
 SAFE_LENGTH = 1e300
+"""Lengths that add up to less stay finite through every product of the recurrences."""
 
 Floats: TypeAlias = NDArray[np.float64]
 

@@ -29,6 +29,7 @@ Evaluator: TypeAlias = Callable[[Sequence[float]], NDArray[np.float64]]
 """Takes [q_1, …, q_n] [rad or m], gives the tape's outputs as an array."""
 
 DEEPEST_EXPRESSION = 12
+"""Deeper expressions get a name of their own: the compiler of Python recurses over them."""
 
 _NODES: dict[Operator, type[ast.operator]] = {
     Operator.ADD: ast.Add,

@@ -14,7 +14,9 @@ from kinematics.frames.normals import EXACT_ANGLE, CommonNormal, Relation
 from kinematics.se3 import Vector, cross, dot, norm, perpendicular, scale
 
 _HALF_TURN = 1e-3
+"""An x within this of pointing back [rad] counts as turned by a half turn: above rounding, below a choice."""
 _NEGATIVE_TWIST = 1e-6
+"""A twist below −1e-6 rad is negative; nearer to zero its sign is rounding."""
 
 
 def choose_directions(

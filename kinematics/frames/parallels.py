@@ -22,6 +22,7 @@ PARALLEL_TOLERANCE = 5e-3
 """Axes whose directions differ by less than this [rad] are near-parallel; 0.29°."""
 
 MAX_PARALLEL_TOLERANCE = 0.1
+"""Beyond 6° nobody calls axes near-parallel, and the straightened robot is another one."""
 
 _DECIDES = 1e-4
 """Mean square of the sine to a direction above which axes decide where their middle is along it."""

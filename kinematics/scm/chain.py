@@ -120,18 +120,6 @@ def verify(chain: ScmChain) -> tuple[Fault, ...]:
     )
 
 
-_REASONS = {
-    "scm_prismatic_turns": "joint {joint} is prismatic: its row may not turn the frame; "
-    "put constant turns into the Final Transformation",
-    "scm_prismatic_second_length": "joint {joint} is prismatic: its row holds the variable and no other "
-    "length; put this one into a row before or after",
-    "scm_revolute_offset": "joint {joint} is revolute: its angle may hold no offset; "
-    "put constant turns into the Final Transformation",
-    "scm_revolute_second_turn": "joint {joint} turns about one axis only; "
-    "put constant turns into the Final Transformation",
-}
-
-
 def _offence(row: ChainRow, entry: Entry) -> str | None:
     """Code of what is wrong with a constant in an entry of a joint's row."""
     if row.constant.entry(entry) == ZERO:

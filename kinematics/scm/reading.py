@@ -29,18 +29,6 @@ ENTRIES = ("x", "y", "z", "a", "b", "c")
 
 RawPlacement = Mapping[str, Cell]
 
-MESSAGES = {
-    "scm_chain_empty": "the chain has no joints; at least one row is needed",
-    "scm_too_many_joints": "the chain has {joints} joints; at most {limit} are read",
-    "scm_chain_too_long": "all entries together have {length} characters; at most {limit} are read",
-    "scm_no_variable": "row {joint} holds no joint variable; write q{joint} in the entry that moves",
-    "scm_two_variables": "row {joint} holds its variable in {first} and in {second}; a row has one",
-    "scm_variable_of_other_row": "{name} is not the variable of row {joint}; q{joint} is",
-    "scm_variable_form": "the variable must enter as +q{joint} or -q{joint}, plus a constant at most",
-    "scm_variable_outside_joints": "{name} is a joint variable; only the rows of joints may hold one",
-    "scm_parameter_two_kinds": "{name} measures a length in one entry and an angle in another",
-}
-
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class RawChain:

@@ -243,7 +243,6 @@ def _parse(text: str) -> Element:
         raise refused("urdf_unsafe") from None
     except ParseError as error:
         line, column = error.position
-        f"the text is not well-formed XML: line {line}, column {column + 1}"
         raise refused("urdf_not_xml", line=line, column=column + 1) from None
     except ValueError:  # a character that no encoding has
         raise refused("urdf_not_xml", line=1, column=1) from None

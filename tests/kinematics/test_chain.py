@@ -7,14 +7,19 @@ from random import Random
 import numpy as np
 import pytest
 
+from kinematics import catalogue
+from kinematics.cells import bind_parameters
 from kinematics.chain import chain_of_table, frames_at_zero, size_of
 from kinematics.equivalence import mirrored
 from kinematics.equivalence.reference import prepared, sample_joints
 from kinematics.forward import forward_kinematics
 from kinematics.jacobian import jacobian
 from kinematics.poses import transform_from_xyzabc
+from kinematics.scm import chain_of_scm, forward_kinematics_scm
+from kinematics.screws import chain_of_product, product_of_exponentials
 from kinematics.se3 import to_matrix
 from kinematics.table import DHTable
+from kinematics.urdf import chain_from_urdf, urdf_from_table
 from tests.kinematics.equivalence.generators import random_robot, random_valid_table
 from tests.kinematics.equivalence.tables import HALF, PUMA, SCARA, F, P, R, changed, standard, table
 
@@ -98,3 +103,24 @@ def test_frames_and_jacobian_are_those_of_the_table(seed: int) -> None:
     np.testing.assert_allclose(chain.jacobian(q), jacobian(drawn, q, base=base, tool=tool), atol=accuracy)
     np.testing.assert_allclose(chain.jacobian(q[0]), chain.jacobian(q)[0], atol=1e-15)
     np.testing.assert_allclose(chain.frames(q[0]), chain.frames(q)[0], atol=1e-15)
+
+
+@pytest.mark.parametrize("robot", catalogue.robots(), ids=lambda robot: robot.id)
+def test_every_description_of_a_robot_is_one_chain(robot: catalogue.Robot) -> None:
+    """From the table, its screws, the SCM chain and a URDF: the same poses and Jacobians."""
+    table = bind_parameters(robot.table, robot.parameters)
+    of_table = chain_of_table(table)
+    assert robot.chain is not None
+    lengths = {name: robot.parameters[known] for name, known in robot.chain.parameters.items()}
+    others = [
+        chain_of_product(product_of_exponentials(table)),
+        chain_of_scm(robot.chain.read.chain, lengths),
+        chain_from_urdf(urdf_from_table(table).text).chain,
+    ]
+    q = np.random.default_rng(6).uniform(-2, 2, (3, table.n_joints))
+    accuracy = 1e-12 * (1 + of_table.extent)
+    for chain in others:
+        np.testing.assert_allclose(chain.poses(q), of_table.poses(q), atol=accuracy)
+        np.testing.assert_allclose(chain.jacobian(q), of_table.jacobian(q), atol=accuracy)
+    by_scm = forward_kinematics_scm(robot.chain.read.chain, q[0].tolist(), lengths).frames
+    np.testing.assert_allclose(others[1].frames(q[0]), by_scm, atol=accuracy)
