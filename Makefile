@@ -8,7 +8,7 @@ DESCRIPTIONS := .venv-descriptions
 PY := $(VENV)/bin/python
 PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
-.PHONY: help serve test test-clone campaign explore lint descriptions bench lock browser proxy clean vendor picture exercise check-exercises
+.PHONY: help serve test test-clone campaign kill-campaign measure-courses explore lint descriptions bench lock browser proxy clean vendor picture exercise check-exercises
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -89,6 +89,12 @@ explore: $(VENV)/.dev vendor ## the property tests with fresh seeds; what fails 
 
 campaign-inverse: $(VENV)/.dev ## inverse kinematics at singularities against brute force (hours; ARGS="--poses 100 --tried 10": some)
 	OMP_NUM_THREADS=1 $(PY) -m tests.kinematics.inverse $(ARGS)
+
+kill-campaign: $(VENV)/.dev ## kill -9 the service 100 times under load, on SQLite and PostgreSQL (KILLS=100)
+	KILLS=$(or $(KILLS),100) $(PY) -m pytest tests/lti/test_killed.py --timeout 7200
+
+measure-courses: $(VENV)/.dev ## regrading and statistics of 2 000 students with 20 attempts each
+	$(PY) -m tests.lti.measuring
 
 browser: ## Chromium for the end-to-end tests (Debian; needs root)
 	apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium wrk

@@ -72,37 +72,21 @@ def regrade_student(
 
 def effective_outcomes(connection: sa.Connection, link_id: int, person_id: int) -> list[Outcome]:
     """Outcomes of a student's attempts, each with the score that its last regrading gave it."""
-    attempt = records.attempt
-    latest = _latest_regraded()
+    attempt, regraded, run = records.attempt, records.regraded, records.regrading
+    latest = (
+        sa.select(regraded.c.score)
+        .join(run, run.c.id == regraded.c.regrading_id)
+        .where(regraded.c.attempt_id == attempt.c.id, run.c.applied.is_not(None))
+        .order_by(regraded.c.regrading_id.desc())
+        .limit(1)
+        .scalar_subquery()
+    )
     wanted = (
-        sa.select(attempt.c.number, attempt.c.at, sa.func.coalesce(latest.c.score, attempt.c.score))
-        .outerjoin(latest, latest.c.attempt_id == attempt.c.id)
+        sa.select(attempt.c.number, attempt.c.at, sa.func.coalesce(latest, attempt.c.score))
         .where(attempt.c.link_id == link_id, attempt.c.person_id == person_id)
         .order_by(attempt.c.number)
     )
     return [Outcome(number=n, at=at, score=score) for n, at, score in connection.execute(wanted)]
-
-
-def _latest_regraded() -> sa.Subquery:
-    """The last applied regrading of each attempt."""
-    regraded, run = records.regraded, records.regrading
-    last = (
-        sa.select(regraded.c.attempt_id, sa.func.max(regraded.c.regrading_id).label("regrading_id"))
-        .join(run, run.c.id == regraded.c.regrading_id)
-        .where(run.c.applied.is_not(None))
-        .group_by(regraded.c.attempt_id)
-        .subquery()
-    )
-    return (
-        sa.select(regraded.c.attempt_id, regraded.c.score, regraded.c.correct, regraded.c.report)
-        .join(
-            last,
-            sa.and_(
-                last.c.attempt_id == regraded.c.attempt_id, last.c.regrading_id == regraded.c.regrading_id
-            ),
-        )
-        .subquery("latest_regraded")
-    )
 
 
 def _is_queued(connection: sa.Connection, grade: Grade) -> bool:

@@ -286,7 +286,7 @@ regraded = sa.Table(
     _to("attempt", primary_key=True, index=True),
     sa.Column("score", sa.Float, nullable=False),
     sa.Column("correct", sa.Boolean, nullable=False),
-    sa.Column("report", sa.JSON, nullable=False),
+    sa.Column("report", sa.JSON(none_as_null=True)),
 )
 
 access = sa.Table(

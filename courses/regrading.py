@@ -74,6 +74,7 @@ def rejudge(store: Store, run: int, judge: Judge) -> int:
     count = 0
     while batch := _waiting(store, run):
         found = judge(batch)
+        stored = {attempt.id: attempt for attempt in batch}
         with store.writing() as connection:
             connection.execute(
                 sa.insert(_DONE),
@@ -83,13 +84,20 @@ def rejudge(store: Store, run: int, judge: Judge) -> int:
                         "attempt_id": item.attempt_id,
                         "score": item.score,
                         "correct": item.correct,
-                        "report": {"report": dict(item.report), "analysis": dict(item.analysis)},
+                        "report": _changed(stored[item.attempt_id], item),
                     }
                     for item in found
                 ],
             )
         count += len(found)
     return count
+
+
+def _changed(attempt: Attempt, item: Rejudged) -> dict[str, Any] | None:
+    """What is stored of a judgement: nothing if it is the one that the attempt has."""
+    if item.score == attempt.score and item.report == attempt.report:
+        return None
+    return {"report": dict(item.report), "analysis": dict(item.analysis)}
 
 
 def _waiting(store: Store, run: int) -> list[Attempt]:
@@ -142,14 +150,20 @@ def apply(store: Store, link_id: int, run: int, now: datetime) -> None:
         own = sa.and_(_RUN.c.id == run, _RUN.c.link_id == link_id, _RUN.c.applied.is_(None))
         if connection.execute(sa.update(_RUN).where(own).values(applied=now)).rowcount != 1:
             raise unknown_record("regrading")
-        rows = connection.execute(
-            sa.select(_DONE.c.attempt_id, _DONE.c.report, _ATTEMPT.c.person_id)
-            .join(_ATTEMPT, _ATTEMPT.c.id == _DONE.c.attempt_id)
-            .where(_DONE.c.regrading_id == run)
-        ).all()
+        mine = _DONE.c.regrading_id == run
+        changed = sa.select(_DONE.c.attempt_id, _DONE.c.report).where(mine, _DONE.c.report.is_not(None))
         finding = records.finding
-        stale = sa.select(_DONE.c.attempt_id).where(_DONE.c.regrading_id == run)
-        connection.execute(sa.delete(finding).where(finding.c.attempt_id.in_(stale)))
-        for row in rows:
+        for row in connection.execute(changed).all():
+            connection.execute(sa.delete(finding).where(finding.c.attempt_id == row.attempt_id))
             insert_findings(connection, row.attempt_id, link_id, row.report["analysis"])
-        regrade_people(connection, link_id, sorted({row.person_id for row in rows}), now)
+        earlier = _DONE.alias()
+        before = sa.exists().where(
+            earlier.c.attempt_id == _DONE.c.attempt_id, earlier.c.regrading_id != _DONE.c.regrading_id
+        )
+        people = (
+            sa.select(_ATTEMPT.c.person_id)
+            .join(_DONE, _DONE.c.attempt_id == _ATTEMPT.c.id)
+            .where(mine, sa.or_(_DONE.c.score != _ATTEMPT.c.score, before))
+            .distinct()
+        )
+        regrade_people(connection, link_id, list(connection.scalars(people)), now)

@@ -7,6 +7,8 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
+import orjson
+
 from courses.attempts import by_key, check_open, store_attempt
 from courses.model import Attempt, CourseSession, LinkSettings
 from courses.refusals import NoExerciseError
@@ -69,8 +71,8 @@ class Grader:
         """Judge stored attempts by the exercise as it is now."""
         found = []
         for attempt in attempts:
-            wire: AnswerBase = ExerciseAnswer.model_validate(attempt.answer)
-            judged = self.judge(replace(settings, exercise_id=attempt.exercise_id), attempt.seed, wire)
+            own = replace(settings, exercise_id=attempt.exercise_id)
+            judged = _judged_again(self, own, attempt.seed, orjson.dumps(attempt.answer))
             found.append(
                 Rejudged(
                     attempt_id=attempt.id,
@@ -81,6 +83,13 @@ class Grader:
                 )
             )
         return found
+
+
+@lru_cache(maxsize=4096)
+def _judged_again(grader: Grader, settings: LinkSettings, seed: str | None, answer: bytes) -> Judged:
+    """Many students hand in the same answer: it is judged once."""
+    wire: AnswerBase = ExerciseAnswer.model_validate(orjson.loads(answer))
+    return grader.judge(settings, seed, wire)
 
 
 def asked_exercise(library: Library, settings: LinkSettings) -> Exercise:

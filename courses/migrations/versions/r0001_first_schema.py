@@ -385,7 +385,7 @@ def _regraded() -> None:
         sa.Column("attempt_id", sa.Integer(), nullable=False),
         sa.Column("score", sa.Float(), nullable=False),
         sa.Column("correct", sa.Boolean(), nullable=False),
-        sa.Column("report", sa.JSON(), nullable=False),
+        sa.Column("report", sa.JSON(none_as_null=True), nullable=True),
         sa.ForeignKeyConstraint(
             ["attempt_id"], ["attempt.id"], name=op.f("fk_regraded_attempt_id"), ondelete="CASCADE"
         ),

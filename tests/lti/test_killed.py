@@ -1,0 +1,131 @@
+"""`kill -9` under load: what was acknowledged is stored once, on both databases.
+
+`KILLS=100 python -m pytest tests/lti/test_killed.py` is the whole campaign; the suite kills a few times.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+import uuid
+from collections.abc import Iterator
+from pathlib import Path
+
+import httpx
+import pytest
+import sqlalchemy as sa
+
+from courses import records
+from courses.enrolment import Arrival, arrive
+from courses.model import Role
+from courses.storage import open_store
+from service.course_resources import now
+from tests.courses.classroom import platform
+from tests.databases import new_database
+from tests.lti.test_launches import RIGHT
+
+KILLS = int(os.environ.get("KILLS", "3"))
+STUDENTS = 4
+
+
+@pytest.fixture(params=["sqlite", "postgresql"])
+def database(request: pytest.FixtureRequest) -> Iterator[str]:
+    if request.param == "sqlite":
+        yield ""
+        return
+    with new_database(request.getfixturevalue("postgresql")) as url:
+        yield url
+
+
+def test_what_was_acknowledged_is_stored_once(database: str, tmp_path: Path) -> None:
+    store = open_store(database, tmp_path)
+    tokens = []
+    for n in range(STUDENTS):
+        told = Arrival(
+            platform=platform(store),
+            subject=f"s{n}",
+            role=Role.LEARNER,
+            deployment="1",
+            context="c",
+            resource="r",
+            exercise_id="puma560",
+        )
+        tokens.append(arrive(store, told, now())[0])
+    acknowledged: set[str] = set()
+    for _ in range(KILLS):
+        with _killed(database, tmp_path) as (origin, process):
+            stop = threading.Event()
+            threads = [
+                threading.Thread(target=_submit, args=(origin, token, acknowledged, stop)) for token in tokens
+            ]
+            for thread in threads:
+                thread.start()
+            known = len(acknowledged)
+            while len(acknowledged) < known + 2 * STUDENTS and process.poll() is None:
+                stop.wait(0.02)
+            process.send_signal(signal.SIGKILL)
+            stop.set()
+            for thread in threads:
+                thread.join()
+    with store.reading() as connection:
+        keys = list(connection.scalars(sa.select(records.attempt.c.key)))
+        made = connection.scalar(sa.select(sa.func.sum(records.participation.c.made)))
+    store.close()
+    assert acknowledged
+    assert acknowledged <= set(keys)
+    assert len(keys) == len(set(keys)) == made
+
+
+def _submit(origin: str, token: str, acknowledged: set[str], stop: threading.Event) -> None:
+    """Hand in until told to stop; what is not answered is sent again with its key, as the page does."""
+    key = uuid.uuid4().hex
+    with httpx.Client(trust_env=False, timeout=30) as client:
+        while not stop.is_set():
+            headers = {"Authorization": f"Bearer {token}", "Idempotency-Key": key}
+            try:
+                answer = client.post(f"{origin}/api/v1/session/attempts", json=RIGHT, headers=headers)
+            except httpx.HTTPError:
+                stop.wait(0.05)
+                continue
+            if answer.status_code == 200:
+                acknowledged.add(key)
+                key = uuid.uuid4().hex
+
+
+class _killed:
+    """A service in a process of its own, killed at the end."""
+
+    def __init__(self, database: str, folder: Path) -> None:
+        environment = {
+            **os.environ,
+            "FRAMEWISE_STORAGE": "on",
+            "FRAMEWISE_DATABASE_URL": database,
+            "FRAMEWISE_DATA_FOLDER": str(folder),
+        }
+        command = [sys.executable, "-m", "service", "serve", "--port", "0"]
+        pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE}
+        self.process = subprocess.Popen(command, env=environment, start_new_session=True, **pipes)
+
+    def __enter__(self) -> tuple[str, subprocess.Popen[bytes]]:
+        """Wait until it listens."""
+        assert self.process.stderr
+        said = []
+        for line in self.process.stderr:
+            said.append(line.decode())
+            found = re.search(r"running on (http://\S+)", said[-1])
+            if found:
+                return found[1], self.process
+        raise AssertionError("".join(said))
+
+    def __exit__(self, *_: object) -> None:
+        """End it with its workers."""
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self.process.pid, signal.SIGKILL)
+        self.process.wait()
+        assert self.process.stderr
+        self.process.stderr.close()
