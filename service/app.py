@@ -20,6 +20,7 @@ from kinematics.errors import Fault, KinematicsError
 from service import __version__
 from service.http import openapi
 from service.http.languages import language_for
+from service.http.metering import MeteringMiddleware
 from service.http.middleware import REQUEST_ID, OuterMiddleware
 from service.http.problems import (
     PROBLEM_JSON,
@@ -96,6 +97,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             allow_headers=["*"],
             expose_headers=["X-Request-Id", "Content-Language"],
         )
+    if settings.api_keys or settings.cost_per_minute:
+        app.add_middleware(MeteringMiddleware, settings=settings)
     app.add_middleware(OuterMiddleware, settings=settings)
     app.openapi = functools.cache(lambda: openapi.document(app, TAGS))  # type: ignore[method-assign]
     return app

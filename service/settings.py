@@ -134,6 +134,12 @@ class Settings(BaseSettings):
     receipt_keys: Path | None = Field(
         None, description="file of the keys that sign receipts (framewise receipts rotate), if not the secret"
     )
+    api_keys: Path | None = Field(
+        None, description="file of the keys that programs call with (framewise keys); with none, all may call"
+    )
+    cost_per_minute: NonNegativeInt = Field(
+        0, description="cost of the calls of one address or key in a minute, a pose being 1; 0: no limit"
+    )
     callback_hosts: Names = Field(
         (), description="hosts (host or host:port) to which feedback may be sent that is asked for later"
     )

@@ -115,6 +115,14 @@ class UnauthorizedError(ServiceError):
     """The caller is not believed to be who it says."""
 
 
+class ForbiddenError(ServiceError):
+    """The caller is known, and may not do this."""
+
+
+class RateError(ServiceError):
+    """The caller asks for more than its share; it may try again later."""
+
+
 class BusyError(ServiceError):
     """No slot is free; the caller may try again later."""
 
@@ -142,6 +150,8 @@ STATUS: dict[type[Exception], int] = {
     MediaTypeError: 415,
     RequestError: 422,
     UnauthorizedError: 401,
+    ForbiddenError: 403,
+    RateError: 429,
     KinematicsError: 422,
     BusyError: 503,
     SessionError: 401,

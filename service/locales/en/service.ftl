@@ -93,3 +93,10 @@ error-npy_object_refused = The npy file holds Python objects, which are never un
 error-npy_type_unsupported = The npy file holds { $type }. Send real numbers, such as float64 (<f8).
 error-npy_one_part = An npy file holds one array. Name one part: { $allowed }.
 error-one_source = Describe the robot in exactly one way: { $allowed }.
+
+error-api_key_missing = The request names no key. Send it as Authorization: Bearer fwk_….
+error-api_key_invalid = This key is not known here, has expired or was revoked.
+error-api_key_scope = This key is for { $scopes }; the call needs { $needed }.
+error-rate_exceeded = More was asked for than { $limit } a minute, counted by cost. Try again in { $seconds } s.
+error-setting_missing = The setting { $name } is missing.
+problem-title-429 = Too much at once

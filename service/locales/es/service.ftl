@@ -93,3 +93,10 @@ error-npy_object_refused = El archivo npy contiene objetos de Python, que nunca 
 error-npy_type_unsupported = El archivo npy contiene { $type }. Envíe números reales, como float64 (<f8).
 error-npy_one_part = Un archivo npy contiene una sola matriz. Nombre una parte: { $allowed }.
 error-one_source = Describa el robot de una sola manera: { $allowed }.
+
+error-api_key_missing = La petición no indica ninguna clave. Envíala como Authorization: Bearer fwk_….
+error-api_key_invalid = Esta clave no se conoce aquí, ha caducado o fue revocada.
+error-api_key_scope = Esta clave sirve para { $scopes }; la llamada necesita { $needed }.
+error-rate_exceeded = Se ha pedido más de { $limit } por minuto, según el coste. Inténtalo de nuevo en { $seconds } s.
+error-setting_missing = Falta el ajuste { $name }.
+problem-title-429 = Demasiado de una vez

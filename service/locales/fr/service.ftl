@@ -93,3 +93,10 @@ error-npy_object_refused = Le fichier npy contient des objets Python, qui ne son
 error-npy_type_unsupported = Le fichier npy contient { $type }. Envoyez des nombres réels, par exemple float64 (<f8).
 error-npy_one_part = Un fichier npy contient un seul tableau. Nommez une partie : { $allowed }.
 error-one_source = Décrivez le robot d’une seule manière : { $allowed }.
+
+error-api_key_missing = La requête n’indique aucune clé. Envoyez-la sous la forme Authorization: Bearer fwk_….
+error-api_key_invalid = Cette clé est inconnue ici, a expiré ou a été révoquée.
+error-api_key_scope = Cette clé sert à { $scopes } ; l’appel demande { $needed }.
+error-rate_exceeded = Il a été demandé plus de { $limit } par minute, compté selon le coût. Réessayez dans { $seconds } s.
+error-setting_missing = Le réglage { $name } manque.
+problem-title-429 = Trop à la fois

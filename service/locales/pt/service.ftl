@@ -93,3 +93,10 @@ error-npy_object_refused = O ficheiro npy contém objetos Python, que nunca são
 error-npy_type_unsupported = O ficheiro npy contém { $type }. Envie números reais, como float64 (<f8).
 error-npy_one_part = Um ficheiro npy contém uma só matriz. Indique uma parte: { $allowed }.
 error-one_source = Descreva o robô de uma só maneira: { $allowed }.
+
+error-api_key_missing = O pedido não indica nenhuma chave. Envie-a como Authorization: Bearer fwk_….
+error-api_key_invalid = Esta chave não é conhecida aqui, expirou ou foi revogada.
+error-api_key_scope = Esta chave serve para { $scopes }; a chamada precisa de { $needed }.
+error-rate_exceeded = Foi pedido mais do que { $limit } por minuto, contado pelo custo. Tente de novo daqui a { $seconds } s.
+error-setting_missing = Falta a definição { $name }.
+problem-title-429 = Demasiado de uma só vez

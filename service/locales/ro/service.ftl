@@ -97,3 +97,10 @@ error-npy_object_refused = Fișierul npy conține obiecte Python, care nu sunt n
 error-npy_type_unsupported = Fișierul npy conține { $type }. Trimiteți numere reale, de exemplu float64 (<f8).
 error-npy_one_part = Un fișier npy conține un singur tablou. Numiți o singură parte: { $allowed }.
 error-one_source = Descrieți robotul într-un singur fel: { $allowed }.
+
+error-api_key_missing = Cererea nu indică nicio cheie. Trimiteți-o ca Authorization: Bearer fwk_….
+error-api_key_invalid = Această cheie nu este cunoscută aici, a expirat sau a fost revocată.
+error-api_key_scope = Această cheie este pentru { $scopes }; apelul cere { $needed }.
+error-rate_exceeded = S-a cerut mai mult de { $limit } pe minut, socotit după cost. Încercați din nou peste { $seconds } s.
+error-setting_missing = Lipsește setarea { $name }.
+problem-title-429 = Prea mult deodată

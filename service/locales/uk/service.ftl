@@ -97,3 +97,10 @@ error-npy_object_refused = Файл npy містить об’єкти Python, �
 error-npy_type_unsupported = Файл npy містить { $type }. Надішліть дійсні числа, наприклад float64 (<f8).
 error-npy_one_part = Файл npy містить один масив. Назвіть одну частину: { $allowed }.
 error-one_source = Опишіть робота рівно одним способом: { $allowed }.
+
+error-api_key_missing = У запиті немає ключа. Надішліть його як Authorization: Bearer fwk_….
+error-api_key_invalid = Цей ключ тут невідомий, прострочений або відкликаний.
+error-api_key_scope = Цей ключ призначено для { $scopes }; виклик потребує { $needed }.
+error-rate_exceeded = Запитано більше, ніж { $limit } за хвилину, з урахуванням вартості. Спробуйте ще раз за { $seconds } с.
+error-setting_missing = Бракує налаштування { $name }.
+problem-title-429 = Забагато за один раз

@@ -1,0 +1,70 @@
+"""`framewise keys`: keys for programs that call the API."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from datetime import UTC, datetime, timedelta
+
+from kinematics.errors import Fault
+from service.cli.serve import settings_of_environment
+from service.http.api_keys import KeyFile, KeyScope
+from service.http.problems import RequestError
+
+_NOT_FOUND = 1
+
+
+def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare `keys` with what can be done with them."""
+    parser = subparsers.add_parser("keys", help="keys for programs that call the API (FRAMEWISE_API_KEYS)")
+    commands = parser.add_subparsers(required=True, metavar="what")
+
+    made = commands.add_parser("add", help="make a key; its text is shown this once")
+    made.add_argument("--scope", nargs="+", choices=tuple(KeyScope), default=list(KeyScope))
+    made.add_argument("--note", default="", help="whose it is")
+    made.add_argument("--days", type=int, help="days after which it is refused")
+    made.add_argument("--cost-per-minute", type=int, help="its own limit")
+    made.set_defaults(run=_add)
+
+    listed = commands.add_parser("list", help="all keys")
+    listed.set_defaults(run=_list)
+
+    revoked = commands.add_parser("revoke", help="refuse a key from now on")
+    revoked.add_argument("id", help="its id, as `list` shows it")
+    revoked.set_defaults(run=_revoke)
+
+
+def _file() -> KeyFile:
+    path = settings_of_environment().api_keys
+    if path is None:
+        raise RequestError(Fault(code="setting_missing", params={"name": "FRAMEWISE_API_KEYS"}))
+    return KeyFile(path)
+
+
+def _add(options: argparse.Namespace) -> int:
+    expires = None
+    if options.days is not None:
+        expires = (datetime.now(UTC) + timedelta(days=options.days)).isoformat(timespec="seconds")
+    _, text = _file().add(
+        tuple(map(KeyScope, options.scope)),
+        note=options.note,
+        expires=expires,
+        cost_per_minute=options.cost_per_minute,
+    )
+    sys.stdout.write(f"{text}\n")
+    return 0
+
+
+def _list(options: argparse.Namespace) -> int:
+    now = datetime.now(UTC)
+    for key in _file().all():
+        state = "valid" if key.is_valid(now) else "revoked" if key.revoked else "expired"
+        scopes = ",".join(key.scopes)
+        sys.stdout.write(
+            f"{key.id}  {state:8} {scopes:20} {key.created}  {key.expires or '-':25} {key.note}\n"
+        )
+    return 0
+
+
+def _revoke(options: argparse.Namespace) -> int:
+    return 0 if _file().revoke(options.id) else _NOT_FOUND

@@ -1,0 +1,157 @@
+"""Who calls, and how much: keys of programs, and limits that count what a call costs.
+
+Nothing here is on until the operator sets it: without `FRAMEWISE_API_KEYS` every call is open, and without
+`FRAMEWISE_COST_PER_MINUTE` none is counted. Each server process counts for itself.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from datetime import UTC, datetime
+
+from limits import RateLimitItemPerMinute
+from limits.storage import MemoryStorage
+from limits.strategies import SlidingWindowCounterRateLimiter
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from kinematics.errors import Fault
+from service.http.api_keys import PREFIX, ApiKey, KeyFile, KeyScope
+from service.http.languages import language_for
+from service.http.problems import (
+    PROBLEM_JSON,
+    ForbiddenError,
+    RateError,
+    RequestPart,
+    ServiceError,
+    UnauthorizedError,
+    problem_of,
+)
+from service.settings import Settings
+
+_COSTS = {
+    "symbolic": 20,
+    "inverse-kinematics": 10,
+    "workspace": 20,
+    "scm": 10,
+    "grade": 5,
+    "evaluate": 5,
+    "receipts": 5,
+    "assign-frames": 2,
+    "check-frames": 2,
+}
+"""What a call costs beside one of forward kinematics: the ratios of their times, rounded."""
+_BODY_UNIT = 64 * 1024
+"""Bytes of a body that cost as much as a call of forward kinematics."""
+_SCOPES = {"grade": KeyScope.GRADE, "evaluate": KeyScope.GRADE, "receipts": KeyScope.GRADE}
+_SAME_ORIGIN = b"same-origin"
+_READING = ("GET", "HEAD", "OPTIONS")
+
+
+class MeteringMiddleware:
+    """Refuse callers without a valid key, and callers that ask for too much."""
+
+    def __init__(self, app: ASGIApp, settings: Settings) -> None:
+        self._app = app
+        self._settings = settings
+        self._keys = KeyFile(settings.api_keys) if settings.api_keys else None
+        self._limiter = SlidingWindowCounterRateLimiter(MemoryStorage())
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Serve one connection."""
+        if scope["type"] != "http" or not _is_api(scope["path"]):
+            await self._app(scope, receive, send)
+            return
+        try:
+            key = self._key(scope)
+            told = self._count(scope, key)
+        except ServiceError as error:
+            await _refuse(error, scope, send)
+            return
+
+        async def send_with_limits(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                message["headers"] = [*message.get("headers", ()), *told]
+            await send(message)
+
+        await self._app(scope, receive, send_with_limits if told else send)
+
+    def _key(self, scope: Scope) -> ApiKey | None:
+        """Return the caller's key; None where none is needed.
+
+        The pages of this service call without one: their browser says so in Sec-Fetch-Site. A program could
+        say so, too; keys account for programs, they are no wall around what everybody may use in a page.
+        """
+        if self._keys is None or not self._keys.all():
+            return None
+        fields = dict(scope["headers"])
+        given = fields.get(b"authorization", b"").decode("latin-1").partition("Bearer ")[2].strip()
+        text = given if given.startswith(PREFIX) else fields.get(b"x-api-key", b"").decode("latin-1")
+        if not text:
+            if fields.get(b"sec-fetch-site") == _SAME_ORIGIN or scope["method"] in _READING:
+                return None
+            raise _unauthorized("api_key_missing")
+        key = self._keys.find(text)
+        if key is None or not key.is_valid(datetime.now(UTC)):
+            raise _unauthorized("api_key_invalid")
+        needed = _scope_of(scope["path"], scope["method"])
+        if needed not in key.scopes:
+            params = {"needed": needed.value, "scopes": tuple(found.value for found in key.scopes)}
+            fault = Fault(code="api_key_scope", where=("Authorization",), params=params)
+            raise ForbiddenError(fault, part=RequestPart.HEADER)
+        return key
+
+    def _count(self, scope: Scope, key: ApiKey | None) -> list[tuple[bytes, bytes]]:
+        """Count what a call costs; return the headers that say what is left."""
+        most = (key.cost_per_minute if key else None) or self._settings.cost_per_minute
+        if not most:
+            return []
+        limit = RateLimitItemPerMinute(most)
+        caller = key.id if key else (scope.get("client") or ("",))[0]
+        cost = min(_cost(scope), most)
+        allowed = self._limiter.hit(limit, caller, cost=cost)
+        window = self._limiter.get_window_stats(limit, caller)
+        wait = max(1, math.ceil(window.reset_time - time.time()))
+        headers = {
+            "RateLimit-Limit": most,
+            "RateLimit-Remaining": max(window.remaining, 0),
+            "RateLimit-Reset": wait,
+        }
+        if not allowed:
+            fault = Fault(code="rate_exceeded", params={"limit": most, "seconds": wait})
+            told = {name: str(value) for name, value in headers.items()}
+            raise RateError(fault, headers={**told, "Retry-After": str(wait)})
+        return [(name.lower().encode(), str(value).encode()) for name, value in headers.items()]
+
+
+def _is_api(path: str) -> bool:
+    return path.startswith("/api/") or path == "/evaluate"
+
+
+def _cost(scope: Scope) -> int:
+    cost = max((_COSTS.get(step, 1) for step in scope["path"].split("/")), default=1)
+    length = dict(scope["headers"]).get(b"content-length", b"0")
+    size = int(length) if length.isdigit() and len(length) < 16 else 0
+    return cost * (1 + size // _BODY_UNIT) if scope["method"] == "POST" else 1
+
+
+def _scope_of(path: str, method: str) -> KeyScope:
+    if method in _READING:
+        return KeyScope.READ
+    return next((_SCOPES[step] for step in path.split("/") if step in _SCOPES), KeyScope.COMPUTE)
+
+
+def _unauthorized(code: str) -> UnauthorizedError:
+    fault = Fault(code=code, where=("Authorization",))
+    return UnauthorizedError(fault, part=RequestPart.HEADER, headers={"WWW-Authenticate": "Bearer"})
+
+
+async def _refuse(error: ServiceError, scope: Scope, send: Send) -> None:
+    problem = problem_of(error, scope.get("request_id", ""))
+    accepted = dict(scope["headers"]).get(b"accept-language")
+    language = language_for(accepted.decode("latin-1") if accepted else None)
+    body = problem.encoded(language, prefix=scope.get("root_path", ""))
+    headers = {"content-type": PROBLEM_JSON, "content-language": language, **problem.headers}
+    written = [(name.lower().encode(), str(value).encode("latin-1")) for name, value in headers.items()]
+    await send({"type": "http.response.start", "status": problem.status, "headers": written})
+    await send({"type": "http.response.body", "body": body})

@@ -1,0 +1,125 @@
+"""Keys of programs and limits by cost; both are off until they are set."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import httpx
+import pytest
+
+from framewise import Client, ProblemError
+from service.cli.commands import main
+from service.http.api_keys import KeyFile, KeyScope
+from service.settings import Settings
+from tests.live_service import running
+
+TABLE = {"convention": "standard", "rows": [{"alpha": 0, "a": 1, "d": 0, "theta": "q1"}]}
+FORWARD = {"table": TABLE, "joints": [0], "parts": ["transform"]}
+
+
+@pytest.fixture
+def key_file(tmp_path: Path) -> Path:
+    return tmp_path / "keys.json"
+
+
+@pytest.fixture
+def keyed(key_file: Path) -> Iterator[tuple[str, KeyFile]]:
+    keys = KeyFile(key_file)
+    with running(Settings(api_keys=key_file)) as url:
+        yield url, keys
+
+
+def test_without_any_key_everything_stays_open(keyed: tuple[str, KeyFile]) -> None:
+    url, _ = keyed
+    assert httpx.post(f"{url}/api/v1/forward-kinematics", json=FORWARD).status_code == 200
+
+
+def test_with_a_key_programs_need_one_and_pages_do_not(keyed: tuple[str, KeyFile]) -> None:
+    url, keys = keyed
+    _, text = keys.add((KeyScope.COMPUTE,))
+    refused = httpx.post(f"{url}/api/v1/forward-kinematics", json=FORWARD)
+    assert refused.status_code == 401
+    assert refused.json()["code"] == "api_key_missing"
+    assert refused.headers["www-authenticate"] == "Bearer"
+    own_page = httpx.post(
+        f"{url}/api/v1/forward-kinematics", json=FORWARD, headers={"Sec-Fetch-Site": "same-origin"}
+    )
+    assert own_page.status_code == 200
+    with Client(url, api_key=text) as client:
+        assert client.forward_kinematics(TABLE, [0])["transform"]
+        with pytest.raises(ProblemError) as other:
+            client.grade(TABLE, TABLE)
+        assert (other.value.status, other.value.code) == (403, "api_key_scope")
+    with Client(url, api_key=text[:-1] + "~") as stranger, pytest.raises(ProblemError) as unknown:
+        stranger.forward_kinematics(TABLE, [0])
+    assert (unknown.value.status, unknown.value.code) == (401, "api_key_invalid")
+
+
+def test_keys_are_revoked_and_expire(keyed: tuple[str, KeyFile]) -> None:
+    url, keys = keyed
+    key, text = keys.add(tuple(KeyScope))
+    _, old = keys.add(tuple(KeyScope), expires="2020-01-01T00:00:00+00:00")
+    with Client(url, api_key=text) as client, Client(url, api_key=old) as late:
+        assert client.grade(TABLE, TABLE)["correct"]
+        with pytest.raises(ProblemError):
+            late.grade(TABLE, TABLE)
+        assert keys.revoke(key.id)
+        with pytest.raises(ProblemError):
+            client.grade(TABLE, TABLE)
+
+
+def test_no_key_stands_in_its_file(key_file: Path) -> None:
+    _, text = KeyFile(key_file).add((KeyScope.READ,))
+    assert text[10:] not in key_file.read_text()
+    assert key_file.stat().st_mode & 0o077 == 0
+
+
+def test_a_limit_counts_cost_and_says_when_to_come_back() -> None:
+    with running(Settings(cost_per_minute=30)) as url, httpx.Client(base_url=url) as client:
+        first = client.post("/api/v1/grade", json={"reference": TABLE, "submission": TABLE})
+        assert first.status_code == 200
+        assert first.headers["ratelimit-limit"] == "30"
+        left = int(first.headers["ratelimit-remaining"])
+        assert left == 25
+        second = client.post("/api/v1/forward-kinematics", json=FORWARD)
+        assert int(second.headers["ratelimit-remaining"]) == 24
+        answers = [client.post("/api/v1/symbolic", json={"table": TABLE}) for _ in range(2)]
+        assert [answer.status_code for answer in answers] == [200, 429]
+        refused = answers[1]
+        assert refused.json()["code"] == "rate_exceeded"
+        assert 1 <= int(refused.headers["retry-after"]) <= 60
+        assert client.get("/").status_code == 200  # pages are not counted
+
+
+def test_a_key_has_a_limit_of_its_own(key_file: Path) -> None:
+    keys = KeyFile(key_file)
+    _, small = keys.add(tuple(KeyScope), cost_per_minute=5)
+    _, large = keys.add(tuple(KeyScope))
+    with running(Settings(api_keys=key_file)) as url:
+        with Client(url, api_key=small) as client:
+            assert client.grade(TABLE, TABLE)["correct"]
+            with pytest.raises(ProblemError) as refused:
+                client.grade(TABLE, TABLE)
+            assert refused.value.status == 429
+            assert refused.value.retry_after
+        with Client(url, api_key=large) as client:
+            for _ in range(3):
+                assert client.grade(TABLE, TABLE)["correct"]
+
+
+def test_the_command(
+    key_file: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert main(["keys", "list"]) == 2
+    assert "setting_missing" in capsys.readouterr().err
+    monkeypatch.setenv("FRAMEWISE_API_KEYS", str(key_file))
+    assert main(["keys", "add", "--scope", "grade", "--note", "CI", "--days", "30"]) == 0
+    text = capsys.readouterr().out.strip()
+    (key,) = KeyFile(key_file).all()
+    assert KeyFile(key_file).find(text) == key
+    assert main(["keys", "revoke", key.id]) == 0
+    assert main(["keys", "revoke", "fwk_nobody"]) == 1
+    capsys.readouterr()
+    assert main(["keys", "list"]) == 0
+    assert "revoked" in capsys.readouterr().out
