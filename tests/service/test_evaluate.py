@@ -143,7 +143,7 @@ def receiver() -> Iterator[http.server.ThreadingHTTPServer]:
 def test_feedback_is_sent_to_an_allowed_host_and_signed(receiver: http.server.ThreadingHTTPServer) -> None:
     port = receiver.server_address[1]
     settings = Settings(callback_hosts=(f"127.0.0.1:{port}",))
-    with running(settings) as url, httpx.Client(base_url=url) as client:
+    with running(settings) as url, httpx.Client(base_url=url, timeout=120) as client:
         response = evaluate(client, request(callbackUrl=f"http://127.0.0.1:{port}/feedback"))
         assert response.status_code == 202
         assert response.json()["status"] == "ACCEPTED"

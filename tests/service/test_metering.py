@@ -32,18 +32,21 @@ def keyed(key_file: Path) -> Iterator[tuple[str, KeyFile]]:
 
 def test_without_any_key_everything_stays_open(keyed: tuple[str, KeyFile]) -> None:
     url, _ = keyed
-    assert httpx.post(f"{url}/api/v1/forward-kinematics", json=FORWARD).status_code == 200
+    assert httpx.post(f"{url}/api/v1/forward-kinematics", json=FORWARD, timeout=120).status_code == 200
 
 
 def test_with_a_key_programs_need_one_and_pages_do_not(keyed: tuple[str, KeyFile]) -> None:
     url, keys = keyed
     _, text = keys.add((KeyScope.COMPUTE,))
-    refused = httpx.post(f"{url}/api/v1/forward-kinematics", json=FORWARD)
+    refused = httpx.post(f"{url}/api/v1/forward-kinematics", json=FORWARD, timeout=120)
     assert refused.status_code == 401
     assert refused.json()["code"] == "api_key_missing"
     assert refused.headers["www-authenticate"] == "Bearer"
     own_page = httpx.post(
-        f"{url}/api/v1/forward-kinematics", json=FORWARD, headers={"Sec-Fetch-Site": "same-origin"}
+        f"{url}/api/v1/forward-kinematics",
+        json=FORWARD,
+        headers={"Sec-Fetch-Site": "same-origin"},
+        timeout=120,
     )
     assert own_page.status_code == 200
     with Client(url, api_key=text) as client:
@@ -76,7 +79,7 @@ def test_no_key_stands_in_its_file(key_file: Path) -> None:
 
 
 def test_a_limit_counts_cost_and_says_when_to_come_back() -> None:
-    with running(Settings(cost_per_minute=30)) as url, httpx.Client(base_url=url) as client:
+    with running(Settings(cost_per_minute=30)) as url, httpx.Client(base_url=url, timeout=120) as client:
         first = client.post("/api/v1/grade", json={"reference": TABLE, "submission": TABLE})
         assert first.status_code == 200
         assert first.headers["ratelimit-limit"] == "30"
