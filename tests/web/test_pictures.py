@@ -36,9 +36,7 @@ def test_the_robot_grows_row_by_row(open_page: OpenPage) -> None:
             if name in row:
                 cell(page, i, name).fill(row[name])
         if i < 2:
-            page.wait_for_function(
-                f"document.querySelector('#own robot-scene').model.frames.length === {i + 2}"
-            )
+            until_drawn(page, i + 2)
     cell(page, 0, "a").fill("(")
     until_drawn(page, 1)
 
