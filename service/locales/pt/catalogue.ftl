@@ -1,4 +1,4 @@
-# Arquivos do catálogo de robôs.
+# Ficheiros do catálogo de robôs.
 
 error-catalogue_not_toml = Isto não é TOML: { $reason }.
 error-catalogue_key_missing = Falta { $key }.

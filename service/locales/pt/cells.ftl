@@ -6,54 +6,54 @@ error-cell_too_long = Esta célula tem { $length } caracteres; são lidos no má
 error-cell_too_deep = Esta célula ultrapassa { $limit } níveis de aninhamento.
 error-cell_too_many_symbols = Esta célula contém mais de { $limit } nomes diferentes.
 
-error-character_not_allowed = No caractere { $column }: { $character } não tem significado numa célula.
-error-character_invisible = No caractere { $column }: há um caractere invisível ou de controle ({ $character }). Apague-o.
-error-character_lookalike = No caractere { $column }: { $character } apenas se parece com a letra latina { $latin }. Digite { $latin }.
-error-character_full_width = No caractere { $column }: { $character } é um caractere de largura dupla. Digite { $latin }.
-error-dollar_misplaced = No caractere { $column }: $ só pode delimitar a célula inteira.
-error-command_unknown = No caractere { $column }: o comando \{ $command } não é reconhecido.
-error-script_misplaced = No caractere { $column }: { $character } não segue nada a que possa pertencer.
+error-character_not_allowed = No carácter { $column }: { $character } não tem significado numa célula.
+error-character_invisible = No carácter { $column }: há um carácter invisível ou de controlo ({ $character }). Apague-o.
+error-character_lookalike = No carácter { $column }: { $character } apenas se parece com a letra latina { $latin }. Escreva { $latin }.
+error-character_full_width = No carácter { $column }: { $character } é um carácter de largura dupla. Escreva { $latin }.
+error-dollar_misplaced = No carácter { $column }: $ só pode delimitar a célula inteira.
+error-command_unknown = No carácter { $column }: o comando \{ $command } não é reconhecido.
+error-script_misplaced = No carácter { $column }: { $character } não segue nada a que possa pertencer.
 
-error-number_malformed = No caractere { $column }: { $text } não é um número decimal. Escreva algarismos e um só ponto, sem separadores.
-error-number_too_long = No caractere { $column }: um número pode ter no máximo { $limit } algarismos.
-error-number_out_of_range = No caractere { $column }: um número é 0 ou tem módulo entre { $smallest } e { $largest }.
+error-number_malformed = No carácter { $column }: { $text } não é um número decimal. Escreva algarismos e um só ponto, sem separadores.
+error-number_too_long = No carácter { $column }: um número pode ter no máximo { $limit } algarismos.
+error-number_out_of_range = No carácter { $column }: um número é 0 ou tem módulo entre { $smallest } e { $largest }.
 error-cell_not_finite = Uma célula contém apenas números finitos; NaN e infinito são recusados.
-error-decimal_comma = No caractere { $column }: escreva ponto decimal em vez de vírgula: { $suggestion }.
+error-decimal_comma = No carácter { $column }: escreva ponto decimal em vez de vírgula: { $suggestion }.
 
-error-names_run_together = No caractere { $column }: { $text } está colado ao que vem a seguir. Escreva o produto com *.
-error-name_malformed = No caractere { $column }: o sublinhado fica apenas entre a letra e o índice, como em L_1.
-error-name_too_long = No caractere { $column }: um nome pode ter no máximo { $limit } caracteres.
-error-name_is_not_a_number = No caractere { $column }: { $name } não é um valor. Uma célula contém apenas números finitos.
-error-unit_in_cell = No caractere { $column }: unidades não se escrevem nas células. Indique { $name } uma só vez, para toda a tabela.
-error-function_unknown = No caractere { $column }: { $name } não é uma função. As funções são { $functions }. Um produto se escreve { $name }*(…).
-error-function_without_parentheses = No caractere { $column }: escreva o argumento de { $name } entre parênteses: { $name }(x).
+error-names_run_together = No carácter { $column }: { $text } está colado ao que vem a seguir. Escreva o produto com *.
+error-name_malformed = No carácter { $column }: o sublinhado fica apenas entre a letra e o índice, como em L_1.
+error-name_too_long = No carácter { $column }: um nome pode ter no máximo { $limit } caracteres.
+error-name_is_not_a_number = No carácter { $column }: { $name } não é um valor. Uma célula contém apenas números finitos.
+error-unit_in_cell = No carácter { $column }: unidades não se escrevem nas células. Indique { $name } uma só vez, para toda a tabela.
+error-function_unknown = No carácter { $column }: { $name } não é uma função. As funções são { $functions }. Um produto se escreve { $name }*(…).
+error-function_without_parentheses = No carácter { $column }: escreva o argumento de { $name } entre parênteses: { $name }(x).
 error-function_arity =
     { $expected ->
-        [one] No caractere { $column }: { $name } recebe um argumento, não { $given }.
-       *[other] No caractere { $column }: { $name } recebe { $expected } argumentos, não { $given }.
+        [one] No carácter { $column }: { $name } recebe um argumento, não { $given }.
+       *[other] No carácter { $column }: { $name } recebe { $expected } argumentos, não { $given }.
     }
 
-error-value_missing = No caractere { $column }: falta um valor antes de { $symbol }.
-error-cell_incomplete = No caractere { $column }: a célula termina onde deveria vir um valor.
-error-symbol_misplaced = No caractere { $column }: { $symbol } não pode estar aqui.
-error-comma_misplaced = No caractere { $column }: a vírgula só separa os dois argumentos de atan2.
-error-parenthesis_not_closed = No caractere { $column }: este parêntese nunca é fechado.
-error-parenthesis_not_opened = No caractere { $column }: este parêntese não fecha nada.
-error-number_after_value = No caractere { $column }: um número não pode vir logo depois de um valor. Falta um operador?
-error-division_ambiguous = No caractere { $column }: não está claro por que se divide. Escreva a/(b*c) ou (a/b)*c.
+error-value_missing = No carácter { $column }: falta um valor antes de { $symbol }.
+error-cell_incomplete = No carácter { $column }: a célula termina onde deveria vir um valor.
+error-symbol_misplaced = No carácter { $column }: { $symbol } não pode estar aqui.
+error-comma_misplaced = No carácter { $column }: a vírgula só separa os dois argumentos de atan2.
+error-parenthesis_not_closed = No carácter { $column }: este parêntese nunca é fechado.
+error-parenthesis_not_opened = No carácter { $column }: este parêntese não fecha nada.
+error-number_after_value = No carácter { $column }: um número não pode vir logo depois de um valor. Falta um operador?
+error-division_ambiguous = No carácter { $column }: não está claro por que se divide. Escreva a/(b*c) ou (a/b)*c.
 
-error-exponent_not_constant = No caractere { $column }: um expoente é um número racional.
-error-exponent_out_of_range = No caractere { $column }: um expoente tem módulo de no máximo { $limit }, e o seu denominador também.
-error-division_by_zero = No caractere { $column }: aqui se divide por zero.
+error-exponent_not_constant = No carácter { $column }: um expoente é um número racional.
+error-exponent_out_of_range = No carácter { $column }: um expoente tem módulo de no máximo { $limit }, e o seu denominador também.
+error-division_by_zero = No carácter { $column }: aqui se divide por zero.
 error-value_not_real = Esta célula não tem valor real finito.
-error-degree_of_angle = No caractere { $column }: o sinal de grau segue um número; isto já é um ângulo.
-error-degree_in_length = No caractere { $column }: um comprimento não se exprime em graus.
-error-angle_in_length = No caractere { $column }: { $name } dá um ângulo em graus, que não é um comprimento.
-error-angle_product = No caractere { $column }: dois ângulos são multiplicados. Um ângulo só se multiplica por números.
-error-angle_in_denominator = No caractere { $column }: divide-se por um ângulo. Aqui só se divide por números.
-error-angle_power = No caractere { $column }: um ângulo não se eleva a uma potência.
+error-degree_of_angle = No carácter { $column }: o sinal de grau segue um número; isto já é um ângulo.
+error-degree_in_length = No carácter { $column }: um comprimento não se exprime em graus.
+error-angle_in_length = No carácter { $column }: { $name } dá um ângulo em graus, que não é um comprimento.
+error-angle_product = No carácter { $column }: dois ângulos são multiplicados. Um ângulo só se multiplica por números.
+error-angle_in_denominator = No carácter { $column }: divide-se por um ângulo. Aqui só se divide por números.
+error-angle_power = No carácter { $column }: um ângulo não se eleva a uma potência.
 error-parameter_two_kinds =
-    No caractere { $column }: { $name } representa aqui { $kind ->
+    No carácter { $column }: { $name } representa aqui { $kind ->
         [angle] um ângulo
        *[length] um comprimento
     } e noutro lugar { $other ->
@@ -61,23 +61,23 @@ error-parameter_two_kinds =
        *[length] um comprimento
     }. Use dois nomes.
 
-error-variable_without_number = No caractere { $column }: { $name } precisa do número da sua junta, como em { $suggestion }.
-error-variable_misspelled = No caractere { $column }: { $name } não é uma variável de junta. Escreva { $suggestion } ou θ com o número da junta.
-error-variable_scaled = No caractere { $column }: { $name } está multiplicada por { $factor }. Uma variável de junta entra como +{ $name } ou -{ $name }; de outro modo não seria o movimento da sua junta.
-error-variable_in_product = No caractere { $column }: { $name } está multiplicada por outra grandeza. Uma variável de junta entra como +{ $name } ou -{ $name } mais um offset.
-error-variable_in_denominator = No caractere { $column }: { $name } está num denominador. Uma variável de junta entra como +{ $name } ou -{ $name } mais um offset.
-error-variable_in_power = No caractere { $column }: { $name } está elevada a uma potência. Uma variável de junta entra como +{ $name } ou -{ $name } mais um offset.
-error-variable_in_function = No caractere { $column }: { $name } está dentro de uma função. A célula contém a própria variável de junta; senos e cossenos resultam da tabela.
-error-variable_in_constant_cell = No caractere { $column }: { $name } está em { $cell }. Comprimento e torção de um elo nunca variam; uma variável de junta fica em theta (rotativa) ou em d (prismática).
-error-variable_in_fixed_row = No caractere { $column }: { $name } está numa linha declarada fixa. Uma linha fixa não tem variável de junta.
+error-variable_without_number = No carácter { $column }: { $name } precisa do número da sua junta, como em { $suggestion }.
+error-variable_misspelled = No carácter { $column }: { $name } não é uma variável de junta. Escreva { $suggestion } ou θ com o número da junta.
+error-variable_scaled = No carácter { $column }: { $name } está multiplicada por { $factor }. Uma variável de junta entra como +{ $name } ou -{ $name }; de outro modo não seria o movimento da sua junta.
+error-variable_in_product = No carácter { $column }: { $name } está multiplicada por outra grandeza. Uma variável de junta entra como +{ $name } ou -{ $name } mais um offset.
+error-variable_in_denominator = No carácter { $column }: { $name } está num denominador. Uma variável de junta entra como +{ $name } ou -{ $name } mais um offset.
+error-variable_in_power = No carácter { $column }: { $name } está elevada a uma potência. Uma variável de junta entra como +{ $name } ou -{ $name } mais um offset.
+error-variable_in_function = No carácter { $column }: { $name } está dentro de uma função. A célula contém a própria variável de junta; senos e cossenos resultam da tabela.
+error-variable_in_constant_cell = No carácter { $column }: { $name } está em { $cell }. Comprimento e torção de um elo nunca variam; uma variável de junta fica em theta (rotativa) ou em d (prismática).
+error-variable_in_fixed_row = No carácter { $column }: { $name } está numa linha declarada fixa. Uma linha fixa não tem variável de junta.
 error-variable_in_wrong_cell =
-    No caractere { $column }: { $name } está em { $cell }, mas a variável de uma junta { $joint ->
+    No carácter { $column }: { $name } está em { $cell }, mas a variável de uma junta { $joint ->
         [prismatic] prismática
        *[revolute] rotativa
     } fica em { $expected }.
-error-variable_twice = No caractere { $column }: { $name } aparece pela segunda vez. Cada variável de junta aparece na tabela uma só vez.
-error-variable_of_other_row = No caractere { $column }: { $name } não é a variável desta linha, e sim { $expected }.
-error-variable_numbering_mixed = No caractere { $column }: { $name } está numerada por linha e outras por junta. Numere-as de q1 a q{ $joints }, na ordem das juntas.
+error-variable_twice = No carácter { $column }: { $name } aparece pela segunda vez. Cada variável de junta aparece na tabela uma só vez.
+error-variable_of_other_row = No carácter { $column }: { $name } não é a variável desta linha, e sim { $expected }.
+error-variable_numbering_mixed = No carácter { $column }: { $name } está numerada por linha e outras por junta. Numere-as de q1 a q{ $joints }, na ordem das juntas.
 
 error-table_empty = A tabela não tem linhas; é preciso ao menos uma.
 error-table_too_many_rows = A tabela tem { $rows } linhas; são lidas no máximo { $limit }.

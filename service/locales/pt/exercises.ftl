@@ -49,25 +49,25 @@ figure-note = fora de escala
 rule-convention-any = Aceitam-se a convenção clássica (standard) e a modificada.
 rule-convention-standard = Escreva a tabela na convenção clássica (standard).
 rule-convention-modified = Escreva a tabela na convenção modificada.
-rule-base-free = O sistema 0 pode ficar em qualquer lugar da base.
-rule-base-axis = O eixo z do sistema 0 está sobre o eixo da junta 1, em qualquer dos sentidos.
-rule-base-origin = A origem do sistema 0 é prescrita; as direções são de sua escolha.
-rule-base-frame = O sistema 0 é prescrito.
-rule-tool-free = O último sistema pode ficar em qualquer lugar do último elo.
-rule-tool-point = A origem do último sistema está no ponto marcado { $points }.
-rule-tool-axis = O eixo z do último sistema está sobre o eixo da última junta, em qualquer dos sentidos; a sua origem pode ficar em qualquer ponto dele.
-rule-tool-frame = O último sistema é prescrito.
-rule-zero-free = Cabe a você escolher onde cada variável de junta é zero.
+rule-base-free = O referencial 0 pode ficar em qualquer lugar da base.
+rule-base-axis = O eixo z do referencial 0 está sobre o eixo da junta 1, em qualquer dos sentidos.
+rule-base-origin = A origem do referencial 0 é prescrita; as direções são de sua escolha.
+rule-base-frame = O referencial 0 é prescrito.
+rule-tool-free = O último referencial pode ficar em qualquer lugar do último elo.
+rule-tool-point = A origem do último referencial está no ponto marcado { $points }.
+rule-tool-axis = O eixo z do último referencial está sobre o eixo da última junta, em qualquer dos sentidos; a sua origem pode ficar em qualquer ponto dele.
+rule-tool-frame = O último referencial é prescrito.
+rule-zero-free = Cabe-lhe escolher onde cada variável de junta é zero.
 rule-zero-figure = Na posição mostrada na figura, todas as variáveis de junta são zero.
-rule-direction-free = Cabe a você escolher o sentido de cada eixo.
+rule-direction-free = Cabe-lhe escolher o sentido de cada eixo.
 rule-direction-figure = As variáveis de junta são positivas no sentido das setas da figura.
 
 ## O que se pede
 
 task-schematic = Descreva a estrutura: o tipo de cada junta e como o eixo de cada junta está em relação ao eixo da seguinte.
 task-table = Escolha os sistemas de coordenadas e escreva a tabela DH. As células podem conter { $names }, números e as variáveis de junta q1 a q{ $n }.
-task-link-matrices = Para cada linha da sua tabela, escreva a matriz do sistema i para o sistema i−1. Você pode abreviar cos(q1) como c1 e sin(q1 + q2) como s12.
-task-transform = Escreva ⁰T, a matriz do último sistema para o sistema 0, em forma literal.
+task-link-matrices = Para cada linha da sua tabela, escreva a matriz do referencial i para o referencial i−1. Pode abreviar cos(q1) como c1 e sin(q1 + q2) como s12.
+task-transform = Escreva ⁰T, a matriz do último referencial para o referencial 0, em forma literal.
 task-pose = Avalie a sua ⁰T para { $joints } e para as dimensões dadas aqui, com os comprimentos em { $unit }.
 task-workspace-axis = Até que distância mínima e até que distância máxima do eixo da junta 1 se pode levar { $point }? { $limits ->
     [none] Cada junta pode assumir qualquer valor.
@@ -82,14 +82,14 @@ task-workspace-point = Quais são a menor e a maior distância entre { $point } 
 
 feedback-part_wrong = Esta parte ainda não está certa.
 feedback-schematic_right = A estrutura está certa.
-feedback-schematic_joint_count = Você indicou { $given ->
+feedback-schematic_joint_count = Indicou { $given ->
     [one] uma junta
    *[other] { $given } juntas
 }; conte de novo quantas podem se mover.
 feedback-schematic_joint_type = O tipo da junta { $joint } não está certo.
 feedback-schematic_relation = A posição relativa dos eixos { $first } e { $second } não está certa.
 feedback-schematic_angle_right = Eixos { $first } e { $second }: o ângulo entre eles está certo, mas não se eles se cortam.
-feedback-schematic_meeting_right = Os eixos { $first } e { $second } de fato se cortam, mas não sob esse ângulo.
+feedback-schematic_meeting_right = Os eixos { $first } e { $second } de facto se cortam, mas não sob esse ângulo.
 feedback-matrices_right = As matrizes dos elos estão certas.
 feedback-matrices_follow_table = As matrizes dos elos decorrem da sua tabela e recebem os seus pontos, embora a tabela não esteja certa.
 feedback-matrices_right_not_from_table = As matrizes dos elos estão certas para o robô, embora não decorram da sua tabela.
@@ -97,7 +97,7 @@ feedback-matrices_product_wrong = Multiplicadas, as suas matrizes dos elos não 
 feedback-matrix_missing = Falta a matriz { $matrix }.
 feedback-matrix_wrong = A matriz { $matrix } não corresponde à linha { $matrix } da sua tabela.
 feedback-matrix_cells_wrong = A matriz { $matrix } difere da linha { $matrix } da sua tabela nestas células (linha,coluna): { $cells }.
-feedback-matrix_inverse = A matriz { $matrix } está invertida: ela leva do sistema i−1 ao sistema i.
+feedback-matrix_inverse = A matriz { $matrix } está invertida: ela leva do referencial i−1 ao referencial i.
 feedback-matrix_rotation_transposed = A rotação na matriz { $matrix } está transposta.
 feedback-matrix_other_convention = A matriz { $matrix } foi formada pela regra da outra convenção.
 feedback-matrix_without_variable = A matriz { $matrix } foi escrita para a variável de junta igual a zero; mantenha a variável.
@@ -111,10 +111,10 @@ feedback-transform_rotation_right = A rotação em ⁰T está certa.
 feedback-transform_position_right = A posição em ⁰T está certa.
 feedback-transform_cells_wrong = ⁰T difere da sua tabela nestas células (linha,coluna): { $cells }.
 feedback-transform_not_rigid = ⁰T não é um movimento rígido: as colunas não são vetores unitários perpendiculares ou a última linha não é 0 0 0 1.
-feedback-transform_inverse = Esta é a inversa de ⁰T: ela leva do sistema 0 ao último sistema.
+feedback-transform_inverse = Esta é a inversa de ⁰T: ela leva do referencial 0 ao último referencial.
 feedback-transform_rotation_transposed = A rotação em ⁰T está transposta.
 feedback-transform_order_reversed = As matrizes dos elos foram multiplicadas em ordem inversa.
-feedback-transform_links_missing = Este é o produto só até o sistema { $last }; continue até o último sistema.
+feedback-transform_links_missing = Este é o produto só até o referencial { $last }; continue até o último referencial.
 feedback-pose_right = A posição e a orientação estão certas.
 feedback-pose_follows_table = A posição e a orientação decorrem da sua tabela e recebem os seus pontos, embora a tabela não esteja certa.
 feedback-pose_wrong = Não é o resultado que a sua tabela dá para esses valores das juntas.
@@ -169,7 +169,7 @@ error-language_unknown = O idioma { $language } não está disponível aqui. Há
 
 ## Por que uma definição não pode ser lida
 
-error-exercise_file_missing = Falta o arquivo exercise.toml.
+error-exercise_file_missing = Falta o ficheiro exercise.toml.
 error-exercise_file_not_toml = Isto não é TOML: { $reason }
 error-exercise_key_missing = Falta uma chave aqui.
 error-exercise_key_unknown = { $key } não significa nada aqui.
@@ -181,7 +181,7 @@ error-exercise_limits_unknown = O catálogo não conhece os limites deste robô.
 error-folder_missing = Não há pasta { $folder }.
 error-exercise_id_invalid = { $id } não é identificador de exercício; um identificador tem letras, algarismos e hífens simples.
 error-exercise_exists = O exercício { $id } já existe.
-error-source_unreadable = O arquivo não pode ser lido: { $reason }
+error-source_unreadable = O ficheiro não pode ser lido: { $reason }
 error-robot_and_reference = Dê robot ou [reference], não os dois.
 error-statement_missing = Falta o enunciado no idioma { $language }.
 error-statement_name_unknown = { $name } não é dimensão do robô nem ponto ou cota da figura.

@@ -1,8 +1,8 @@
 # O que o corretor diz de uma tabela: de uma certa, de uma errada, e o que a emendaria.
 
-## Uma resposta certa, e como os seus sistemas ficam em relação aos da solução de referência
+## Uma resposta certa, e como os seus referenciais ficam em relação aos da solução de referência
 
-feedback-same_frames = Os seus sistemas são os da solução de referência.
+feedback-same_frames = Os seus referenciais são os da solução de referência.
 feedback-other_convention = A sua tabela está na convenção { $convention ->
     [modified] modificada e a solução de referência na clássica (standard)
    *[standard] clássica (standard) e a solução de referência na modificada
@@ -10,9 +10,9 @@ feedback-other_convention = A sua tabela está na convenção { $convention ->
 feedback-axis_reversed = O seu z{ $frame }, o eixo da junta { $joint }, aponta no sentido oposto ao da solução de referência. Ambos os sentidos estão certos, e os sinais da sua tabela concordam com o que escolheu.
 feedback-end_axis_reversed = O seu z{ $frame } aponta no sentido oposto ao da solução de referência. Ambos os sentidos estão certos.
 feedback-x_turned = O seu x{ $frame } está rodado de { $degrees }° em torno de z{ $frame } em relação à solução de referência. A sua tabela leva isso em conta.
-feedback-origin_slid = A origem do seu sistema { $frame } está em outro ponto de z{ $frame } que na solução de referência. Aqui qualquer ponto está certo.
+feedback-origin_slid = A origem do seu referencial { $frame } está em outro ponto de z{ $frame } que na solução de referência. Aqui qualquer ponto está certo.
 feedback-axis_moved = O seu z{ $frame } está sobre outra reta, paralela à da solução de referência. Aqui só a direção importa.
-feedback-frame_elsewhere = O seu sistema { $frame } está em outro lugar que na solução de referência. A escolha era livre.
+feedback-frame_elsewhere = O seu referencial { $frame } está em outro lugar que na solução de referência. A escolha era livre.
 feedback-variable_reversed = A sua q{ $joint } conta no sentido oposto ao da solução de referência. Ambos os sentidos estão certos.
 feedback-variable_offset = Onde a q{ $joint } da solução de referência é zero, a sua vale { $offset }. O zero de uma variável de junta é de livre escolha.
 feedback-rounded = Os seus valores concordam com a solução de referência dentro da tolerância, mas não exatamente; podem ter sido arredondados.
@@ -37,11 +37,11 @@ feedback-joint_count_wrong = { $given ->
 feedback-mirrored = A sua tabela descreve a imagem do robô num espelho: todos os comprimentos e ângulos conferem, mas um deles é contado ao contrário. Confira os sinais com a regra da mão direita.
 feedback-entries_imprecise = Cada comprimento e cada ângulo da sua tabela está quase certo, mas os pequenos erros somados ultrapassam o que o exercício permite. Escreva os ângulos retos como pi/2 ou 90° e os comprimentos com mais algarismos.
 feedback-base_axis_missed = O seu z0 não está sobre o eixo da junta 1.
-feedback-base_origin_missed = A origem do seu sistema 0 não está onde o exercício a quer.
-feedback-base_frame_missed = O seu sistema 0 não é o que o exercício prescreve.
-feedback-tool_point_missed = A origem do seu último sistema não está no ponto marcado.
-feedback-tool_axis_missed = O eixo z do seu último sistema não está sobre o eixo da última junta.
-feedback-tool_frame_missed = O seu último sistema não é o que o exercício prescreve.
+feedback-base_origin_missed = A origem do seu referencial 0 não está onde o exercício a quer.
+feedback-base_frame_missed = O seu referencial 0 não é o que o exercício prescreve.
+feedback-tool_point_missed = A origem do seu último referencial não está no ponto marcado.
+feedback-tool_axis_missed = O eixo z do seu último referencial não está sobre o eixo da última junta.
+feedback-tool_frame_missed = O seu último referencial não é o que o exercício prescreve.
 feedback-zero_missed = Na posição mostrada na figura, todas as variáveis de junta deveriam ser zero; as suas não são.
 feedback-direction_missed = As variáveis de junta deveriam crescer no sentido das setas da figura; nem todas as suas o fazem.
 feedback-whole_table = Um mesmo erro percorre toda a tabela.

@@ -49,12 +49,12 @@ error-boolean_expected = “{ $field }” tem de ser true ou false.
 error-string_expected = “{ $field }” tem de ser texto.
 error-string_too_long =
     O texto é longo demais: { $limit ->
-        [one] lê-se no máximo um caractere
+        [one] lê-se no máximo um carácter
        *[other] leem-se no máximo { $limit } caracteres
     }.
 error-string_too_short =
     O texto é curto demais: { $limit ->
-        [one] é necessário pelo menos um caractere
+        [one] é necessário pelo menos um carácter
        *[other] são necessários pelo menos { $limit } caracteres
     }.
 error-string_pattern = O texto não tem a forma esperada, { $pattern }.

@@ -1,7 +1,7 @@
 # URDF e o espaço de trabalho.
 
 error-urdf_not_xml = O texto não é XML bem formado: linha { $line }, coluna { $column }.
-error-urdf_unsafe = Um URDF não tem tipo de documento nem entidades e não se refere a outros arquivos. Retire <!DOCTYPE …>.
+error-urdf_unsafe = Um URDF não tem tipo de documento nem entidades e não se refere a outros ficheiros. Retire <!DOCTYPE …>.
 error-urdf_too_long = A descrição tem mais de { $limit } caracteres.
 error-urdf_too_complex = A descrição tem mais de { $depth } níveis ou mais de { $elements } elementos.
 error-urdf_no_robot = O elemento raiz é <{ $found }>; um URDF começa com <robot>.

@@ -92,10 +92,10 @@ feedback-schematic_joint_type = Tipul cuplei { $joint } nu este corect.
 feedback-schematic_relation = Poziția relativă a axelor { $first } și { $second } nu este corectă.
 feedback-schematic_angle_right = Axele { $first } și { $second }: unghiul dintre ele este corect, dar nu și dacă se intersectează.
 feedback-schematic_meeting_right = Axele { $first } și { $second } se intersectează într-adevăr, dar nu sub acest unghi.
-feedback-matrices_right = Matricele legăturilor sunt corecte.
-feedback-matrices_follow_table = Matricele legăturilor rezultă din tabelul dumneavoastră și își primesc punctele, deși tabelul nu este corect.
-feedback-matrices_right_not_from_table = Matricele legăturilor sunt corecte pentru robot, deși nu rezultă din tabelul dumneavoastră.
-feedback-matrices_product_wrong = Înmulțite între ele, matricele legăturilor nu descriu acest robot.
+feedback-matrices_right = Matricele elementelor sunt corecte.
+feedback-matrices_follow_table = Matricele elementelor rezultă din tabelul dumneavoastră și își primesc punctele, deși tabelul nu este corect.
+feedback-matrices_right_not_from_table = Matricele elementelor sunt corecte pentru robot, deși nu rezultă din tabelul dumneavoastră.
+feedback-matrices_product_wrong = Înmulțite între ele, matricele elementelor nu descriu acest robot.
 feedback-matrix_missing = Lipsește matricea { $matrix }.
 feedback-matrix_wrong = Matricea { $matrix } nu corespunde rândului { $matrix } din tabel.
 feedback-matrix_cells_wrong = Matricea { $matrix } diferă de rândul { $matrix } din tabel în aceste celule (rând,coloană): { $cells }.
@@ -115,7 +115,7 @@ feedback-transform_cells_wrong = ⁰T diferă de tabelul dumneavoastră în aces
 feedback-transform_not_rigid = ⁰T nu este o mișcare rigidă: coloanele nu sunt versori perpendiculari sau ultimul rând nu este 0 0 0 1.
 feedback-transform_inverse = Aceasta este inversa lui ⁰T: duce de la sistemul 0 la ultimul sistem.
 feedback-transform_rotation_transposed = Rotația din ⁰T este transpusă.
-feedback-transform_order_reversed = Matricele legăturilor au fost înmulțite în ordine inversă.
+feedback-transform_order_reversed = Matricele elementelor au fost înmulțite în ordine inversă.
 feedback-transform_links_missing = Acesta este produsul doar până la sistemul { $last }; continuați până la ultimul sistem.
 feedback-pose_right = Poziția și orientarea sunt corecte.
 feedback-pose_follows_table = Poziția și orientarea rezultă din tabelul dumneavoastră și își primesc punctele, deși tabelul nu este corect.
@@ -146,7 +146,7 @@ error-link_matrices_count = Tabelul are { $expected ->
     [few] sunt date { $given } matrice
    *[other] sunt date { $given } de matrice
 }. Dați câte una pentru fiecare rând; null sare peste una.
-error-link_matrices_need_table = Fără tabel, matricele legăturilor sunt judecate după produsul lor. Dați-le pe toate.
+error-link_matrices_need_table = Fără tabel, matricele elementelor sunt judecate după produsul lor. Dați-le pe toate.
 error-pose_needs_table = Poziția și orientarea sunt cele ale tabelului dumneavoastră. Predați și tabelul.
 error-matrix_not_4x4 = O matrice are patru rânduri cu câte patru celule.
 error-joint_variable_unknown = Nu există { $name }; robotul are { $joints ->

@@ -254,14 +254,14 @@ form-storage-blocked = Navigatorul nu păstrează nimic aici: ce scrieți se pie
 
 form-row-play = Arată rândul { $row } în imagine
 form-film = Rândul pas cu pas
-form-film-hint = Puneți cursorul într-o celulă sau apăsați numărul unui rând: se vede cum cele patru numere duc reperul i−1 în reperul i.
+form-film-hint = Puneți cursorul într-o celulă sau apăsați numărul unui rând: se vede cum cele patru numere duc sistemul i−1 în sistemul i.
 form-film-none = Rândul { $row } nu poate fi arătat încă: completați-l, împreună cu rândurile dinaintea lui.
 form-film-play = Redă rândul
 form-film-back = Un pas înapoi
 form-film-forth = Un pas înainte
 form-film-row-before = Rândul anterior
 form-film-row-after = Rândul următor
-form-film-start = Rândul { $row }: se pornește din reperul { $frame }.
+form-film-start = Rândul { $row }: se pornește din sistemul { $frame }.
 form-film-turn = Rândul { $row }, { $number } din 4: rotație în jurul axei { $axis } cu { $letter } = { $value }.
 form-film-slide = Rândul { $row }, { $number } din 4: translație de-a lungul axei { $axis } cu { $letter } = { $value }.
 form-scene-enlarge = Ecran complet
@@ -286,8 +286,8 @@ form-name-unknown =
 form-nav-lesson = Prima lecție
 form-term = Ce este? { $term }
 form-convention-what = Ce sunt acestea?
-form-exercise-write = Legați un reper de fiecare element și scrieți tabelul DH al acestui robot.
+form-exercise-write = Legați un sistem de fiecare element și scrieți tabelul DH al acestui robot.
 
 form-why = De ce este corect fiecare rând
-form-why-row = Rândul { $row }: poziția axelor z{ $before } și z{ $row }: { $relation }; de aceea α = { $alpha } și a = { $a }; de-a lungul lui z, reperele sunt la distanța d = { $d }.
+form-why-row = Rândul { $row }: poziția axelor z{ $before } și z{ $row }: { $relation }; de aceea α = { $alpha } și a = { $a }; de-a lungul lui z, sistemele sunt la distanța d = { $d }.
 form-second-table = Un al doilea tabel valid: același robot în convenția { $convention }

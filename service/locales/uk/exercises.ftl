@@ -46,9 +46,9 @@ figure-note = не в масштабі
 
 ## Що вільне, а що задане
 
-rule-convention-any = Приймаються і стандартна, і модифікована конвенція.
-rule-convention-standard = Запишіть таблицю в стандартній конвенції.
-rule-convention-modified = Запишіть таблицю в модифікованій конвенції.
+rule-convention-any = Приймаються і стандартна, і модифікована угода.
+rule-convention-standard = Запишіть таблицю в стандартній угоді.
+rule-convention-modified = Запишіть таблицю в модифікованій угоді.
 rule-base-free = Систему 0 можна розташувати будь-де на основі.
 rule-base-axis = Вісь z системи 0 лежить на осі зчленування 1, у будь-якому з двох напрямів.
 rule-base-origin = Початок системи 0 задано; напрями її осей обираєте ви.
@@ -100,7 +100,7 @@ feedback-matrix_wrong = Матриця { $matrix } не відповідає р�
 feedback-matrix_cells_wrong = Матриця { $matrix } відрізняється від рядка { $matrix } вашої таблиці в таких клітинках (рядок,стовпець): { $cells }.
 feedback-matrix_inverse = Матрицю { $matrix } обернено: вона веде від системи i−1 до системи i.
 feedback-matrix_rotation_transposed = Поворот у матриці { $matrix } транспоновано.
-feedback-matrix_other_convention = Матрицю { $matrix } складено за правилом іншої конвенції.
+feedback-matrix_other_convention = Матрицю { $matrix } складено за правилом іншої угоди.
 feedback-matrix_without_variable = Матрицю { $matrix } записано для нульового значення змінної; збережіть змінну.
 feedback-matrix_of_other_row = Матриця { $matrix } належить рядку { $other }.
 feedback-matrix_not_rigid = Матриця { $matrix } не є рухом твердого тіла: її стовпці не є взаємно перпендикулярними одиничними векторами або останній рядок не 0 0 0 1.

@@ -54,7 +54,7 @@ form-joint-prismatic = поступальне
 form-joint-fixed = нерухоме
 form-joint-of-row = Тип зчленування, рядок { $row }
 form-joint-turn = Кут зчленування { $name }
-form-joint-slide = Зміщення зчленування { $name }
+form-joint-slide = Переміщення в зчленуванні { $name }
 form-joint-value = { $name }, { $unit }
 form-joints-reset = Повернути зчленування на місце
 
@@ -233,7 +233,7 @@ form-score = { $score } %
 form-links-caption = Що правильно в кожному рядку
 form-fact-twist = Скручення α
 form-fact-length = Довжина a
-form-fact-offset = Зсув
+form-fact-offset = Зміщення
 form-fact-joint = Тип зчленування
 form-finding-ok = правильно
 form-finding-wrong = неправильно
