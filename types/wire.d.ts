@@ -42,7 +42,7 @@ declare namespace Wire {
     angle_unit: "deg" | "rad";
     length_unit: "m" | "cm" | "mm" | "in";
     joints: { name: string; type: "revolute" | "prismatic" }[];
-    dimensions: { name: string; value: number; unit: string }[];
+    dimensions: { name: string; value: number; unit: string; aliases?: string[] }[];
     parameters: Record<string, number>;
     rules: string[];
     parts: AskedPart[];

@@ -2,12 +2,24 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
 
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.driving import PUMA, cell, choose, editor, fill_table, joint, rows, switch_language
+from tests.web.driving import (
+    PUMA,
+    SCARA,
+    cell,
+    choose,
+    editor,
+    fill_table,
+    joint,
+    put_table,
+    rows,
+    switch_language,
+)
 
 LATEX = r"""
 \begin{tabular}{c|cccc}
@@ -208,3 +220,15 @@ def test_what_was_typed_survives_a_reload_and_a_change_of_language(open_page: Op
     expect(page.locator("html[lang=uk][data-ready=true]")).to_have_count(1)
     expect(cell(page, 0, "a")).to_have_value("L1 + 0.25")
     expect(editor(page).locator("input[value=standard]")).to_be_checked()
+
+
+def test_a_name_that_the_figure_does_not_have_is_said_in_its_cell(open_page: OpenPage) -> None:
+    """With the names that it has; before anything is handed in."""
+    page = open_page("/exercises/scara")
+    put_table(page, {**SCARA, "rows": [{**row, "a": row["a"].replace("a2", "a1")} for row in SCARA["rows"]]})
+    fault = page.locator(".fault:visible")
+    expect(fault).to_have_count(1)
+    expect(fault).to_have_attribute("id", re.compile("-1-a-fault$"))
+    expect(fault).to_contain_text("a2, a3")
+    cell(page, 1, "a").fill("a2")
+    expect(page.locator(".fault:visible")).to_have_count(0)

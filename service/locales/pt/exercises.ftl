@@ -65,7 +65,7 @@ rule-direction-figure = As variáveis de junta são positivas no sentido das set
 ## O que se pede
 
 task-schematic = Descreva a estrutura: o tipo de cada junta e como o eixo de cada junta está em relação ao eixo da seguinte.
-task-table = Escolha os sistemas de coordenadas e escreva a tabela DH. As células podem conter { $names }, números e as variáveis de junta q1 a q{ $n }.
+task-table = Escolha os referenciais e escreva a tabela DH. As células podem conter { $names }, números e as variáveis de junta q1 a q{ $n }.
 task-link-matrices = Para cada linha da sua tabela, escreva a matriz do referencial i para o referencial i−1. Pode abreviar cos(q1) como c1 e sin(q1 + q2) como s12.
 task-transform = Escreva ⁰T, a matriz do último referencial para o referencial 0, em forma literal.
 task-pose = Avalie a sua ⁰T para { $joints } e para as dimensões dadas aqui, com os comprimentos em { $unit }.
@@ -195,7 +195,7 @@ error-tolerance_out_of_range = { $name } fica entre 0 e 0.1.
 error-name_invalid = { $name } não é nome de dimensão; um nome é como L1.
 error-width_out_of_range = A largura fica entre 320 e 960.
 error-unknown_point = Não há ponto { $name }.
-error-unknown_frame = Não há esse sistema de coordenadas.
+error-unknown_frame = Não há esse referencial.
 error-unknown_joint = Não há junta { $joint }.
 error-point_without_form = Um ponto é dado por frame e at; por between e ratio; por from e by; ou por from, joint e distance.
 error-joint_off_axis = O ponto { $point } não está sobre o eixo da junta { $joint }.

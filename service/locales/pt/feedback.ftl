@@ -19,7 +19,7 @@ feedback-rounded = Os seus valores concordam com a solução de referência dent
 
 ## Uma resposta errada: o conjunto
 
-feedback-not_equivalent = A sua tabela não descreve este robô, seja qual for a escolha dos sistemas de coordenadas.
+feedback-not_equivalent = A sua tabela não descreve este robô, seja qual for a escolha dos referenciais.
 feedback-right_robot = A sua tabela descreve o robô certo, mas não cumpre tudo o que o exercício pede.
 feedback-not_accepted = A sua tabela não cumpre tudo o que o exercício pede.
 feedback-convention_not_asked = O exercício pede a convenção { $asked ->

@@ -122,8 +122,9 @@ export class AnswerCard {
   }
 
   /** What the service understood. @param {import("../understanding.js").Answer} answer */
-  showReading({ rows, faults }) {
+  showReading({ rows, faults: read, reading }) {
     this.editor.showMeaning(rows);
+    const faults = [...read, ...unknownNames(this.exercise, rows, reading?.parameters ?? [])];
     const empty = new Set(this.editor.missing.map((/** @type {any} */ { row, cell }) => `/rows/${row}/${cell}`));
     this.editor.showFaults(faults.filter((fault) => !empty.has(fault.pointer.replace(/^\/table/, ""))));
   }
@@ -181,6 +182,30 @@ export class AnswerCard {
     for (const { field } of this.parts)
       if (field instanceof MatrixListField && field.count !== rows) field.resize(rows);
   }
+}
+
+/**
+ * Names in a table that are no dimension of the robot, as faults of the cells that hold them.
+ * @param {Wire.Exercise} exercise @param {import("../understanding.js").ReadRow[]} rows @param {{name: string}[]} parameters
+ * @returns {import("../api.js").Fault[]}
+ */
+export function unknownNames({ dimensions }, rows, parameters) {
+  const plainName = (/** @type {string} */ name) => name.replaceAll("_", "");
+  const known = new Set(dimensions.flatMap(({ name, aliases = [] }) => [name, ...aliases].map(plainName)));
+  const unknown = parameters.map(({ name }) => name).filter((name) => !known.has(plainName(name)));
+  const names = dimensions.map(({ name }) => name).join(", ");
+  return unknown.flatMap((name) =>
+    rows.flatMap(({ texts }, row) =>
+      Object.entries(texts)
+        .filter(([, text]) => text?.match(/[\p{L}_][\p{L}\d_]*/gu)?.includes(name))
+        .map(([cell]) => ({
+          code: "name_unknown",
+          pointer: `/table/rows/${row}/${cell}`,
+          detail: t("form-name-unknown", { name, names, known: names ? "some" : "none" }),
+          params: {},
+        })),
+    ),
+  );
 }
 
 /** One thing that is asked. What comes besides the table is folded, so that a phone's page stays short. @param {string} kind @param {any} part @param {Wire.Exercise} exercise @param {any} content @param {any} several */
