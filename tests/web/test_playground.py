@@ -343,6 +343,7 @@ def test_what_the_catalogue_knows_goes_with_its_table(open_page: OpenPage) -> No
     expect(page.get_by_label("Robot of the catalogue")).to_have_value("puma560")
     expect(page.locator(".configurations")).to_be_visible()
     opened(page, "Workspace")
+    page.wait_for_load_state("networkidle")
     with page.expect_request("**/workspace") as asked:
         page.locator("dh-table-editor tbody tr").nth(1).locator("input").nth(2).fill("0.1")
     assert set(asked.value.post_data_json["limits"]) == {None}
@@ -354,16 +355,13 @@ def test_the_limits_of_a_urdf_come_with_its_table(open_page: OpenPage) -> None:
     page = open_page("/playground")
     shown_robot(page)
     urdf = """<robot name="arm"><link name="a"/><link name="b"/><joint name="j" type="revolute">
-      <parent link="a"/><child link="b"/><origin xyz="0.3 0 0.2" rpy="1.4707963267948967 0 0"/><axis xyz="0 0 1"/>
+      <parent link="a"/><child link="b"/><origin xyz="0.3 0 0.2" rpy="1.4707963 0 0"/><axis xyz="0 0 1"/>
       <limit lower="-1" upper="1" effort="1" velocity="1"/></joint></robot>"""
     page.locator("#sources summary", has_text="From URDF").click()
     page.locator("#sources textarea").fill(urdf)
     page.locator("#sources details[open]").get_by_role("button", name="Modified table").click()
     expect(page.locator("dh-table-editor tbody tr")).not_to_have_count(6)
     assert page.evaluate("document.querySelector('dh-table-editor').table.angle_unit") == "deg"
-    opened(page, "Workspace")
     with page.expect_request("**/workspace") as asked:
-        page.get_by_role("button", name="Undo").first.click()
-        page.get_by_role("button", name="Redo").first.click()
-    limits = asked.value.post_data_json["limits"]
-    assert limits[0] is None or limits[0][1] < 60
+        opened(page, "Workspace")
+    assert [57.295779513] in [[round(limit[1], 9)] for limit in asked.value.post_data_json["limits"] if limit]
