@@ -14,6 +14,7 @@ from kinematics.expressions import Number, Parameter, Product
 from kinematics.table import JointType, NumericTable
 
 RIGHT_ANGLES = (0.0, math.pi / 2, -math.pi / 2, math.pi)
+# A share of the robot: the arithmetic’s errors.
 SAME = 1e-9
 TOO_LONG, TOO_SHORT = 2.0, 0.02
 

@@ -21,8 +21,11 @@ from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import ZERO, Expression, Number, Parameter, negate, parameters_in
 from kinematics.table import CELLS, DHTable, NumericTable, SymbolicTable, bind
 
+# Two unequal sums of names agree at a random draw with probability zero; three leave room for signs.
 DRAWS = 3
+# Tables with roots may have values at few draws.
 ATTEMPTS = 60
+# Of these, as many owe nothing to given values.
 FREE_ATTEMPTS = 20
 NAMED = 0.02
 """How far a number may be from the value of the name that it stands for, as a share, whatever its digits."""

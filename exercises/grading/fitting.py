@@ -21,10 +21,15 @@ from kinematics.equivalence.meter import PER_ALIGNMENT, PER_INVARIANT
 from kinematics.equivalence.reference import Reference
 from kinematics.table import NumericTable
 
+# A cell that changes an invariant by a smaller share has nothing to do with it.
 INFLUENCE = 1e-6
+# In units of an invariant’s slack: what is off by less needs no mending.
 OFF = 0.1
+# A share of the robot: solutions that are zero but for the arithmetic.
 NEGLIGIBLE = 1e-9
+# Invariants that are solved for: a cell shows in the worst of them if in any.
 MOST_STRAINED = 4
+# Choices of the axes’ directions that are tried, the best first.
 MOST_SIGNS = 4
 
 

@@ -15,12 +15,14 @@ from kinematics.equivalence.meter import WorkExhaustedError
 from kinematics.equivalence.search import Effort
 from kinematics.table import NumericTable
 
-# About a quarter of a second: see `kinematics.equivalence.meter`. The first round, and fitting cells to the
+# Some three tenths of a second: see `kinematics.equivalence.meter`. The first round, and fitting cells to the
 # whole robot, may use no more than their share, so that what comes after is tried as well.
-MOST_WORK = 200_000
-WORK_OF_FIRST_EDITS = 80_000
-WORK_OF_FITTING = 60_000
+MOST_WORK = 260_000
+WORK_OF_FIRST_EDITS = 120_000
+WORK_OF_FITTING = 100_000
+# A bound of the work: every one of them is followed by all the edits there are.
 MOST_FIRST_EDITS = 24
+# More explanations than these explain nothing.
 MOST_REPAIRS = 6
 # a single edit adds or removes one joint
 MOST_JOINTS_APART = 2

@@ -12,6 +12,7 @@ from exercises.grading.work import Apply, Change, Extent, Work, change, with_cel
 from kinematics.equivalence import ToolRule
 from kinematics.table import DHRow, JointType, NumericRow, NumericTable
 
+# In longer tables only neighbouring rows are exchanged.
 MOST_ROWS_FOR_ALL_PAIRS = 8
 _VARIABLE_CELLS = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
 ORDERS = {

@@ -16,6 +16,7 @@ from kinematics.table import Convention, DHTable, JointType, NumericRow, Numeric
 
 LENGTH_RATIOS = (1000.0, 0.001, 100.0, 0.01, 10.0, 0.1)
 SMALLEST_EXTENT, LARGEST_EXTENT = 0.05, 300.0
+# [rad] Nobody types more than a turn in radians.
 CLEARLY_DEGREES = 2 * math.pi
 
 

@@ -28,12 +28,18 @@ from kinematics.table import DHTable, NumericTable
 Place: TypeAlias = tuple[int, str]
 """A row, counted from 0, and the name of a cell."""
 
+# Gauss–Newton doubles the digits every round; what has not settled after ten does not.
 ROUNDS = 10
+# A step below this [rad, or the robot’s size] changes nothing any more.
 SETTLED = 1e-6
+# In units of the tolerance: half is left for what the certificate does besides.
 CLOSE_ENOUGH = 0.5
+# A round that takes less than a fifth off the mean square leads nowhere.
 WORTHWHILE = 0.8
+# Four configurations of six equations each are enough for a cell, δ, B and E of six joints; six times that.
 FEWER_SAMPLES = 24
 ANGLES = ("alpha", "theta")
+# [rad] For a central difference: its error, the square, is that of the arithmetic divided by it.
 SMALL_ANGLE = 1e-4
 
 

@@ -36,8 +36,11 @@ from kinematics.se3 import (
 )
 from kinematics.table import Convention, NumericTable
 
+# Signs that are followed side by side: of three axes in a row, all of them.
 WIDTH = 8
+# In units of the tolerance: a fact off by less may be the rounding of its neighbours.
 NOTICEABLE = 2.0
+# A sine: the arithmetic leaves 1e-16 of it.
 PARALLEL = 1e-9
 
 

@@ -34,10 +34,18 @@ from kinematics.se3 import (
     z_axis,
 )
 
+# A sine, and below: the arithmetic leaves 1e-16, and what is nearer to parallel has its normal hundreds of
+# thousands of robots away.
 PARALLEL = 1e-7
+# In units of the tolerance of the end frame: the rounded entries of six joints may all add up in one
+# invariant.
 SLACK = 6.0
+# A share of the robot, and [rad]: the arithmetic leaves 1e-9 of it where axes are steep enough to be
+# measured at all.
 FLOOR = 1e-7
+# A sine: between flatter axes, offsets are levered up by more than fifty and say nothing.
 STEEPEST = 0.02
+# Directions that span space leave no distance.
 DIMENSIONS = 3
 
 

@@ -46,6 +46,7 @@ from kinematics.se3 import (
     turn_onto,
 )
 
+# Of misfits, over all joints: above it the limit of a misfit is at its widest in any case.
 LARGEST_AMPLIFICATION = 60.0
 
 

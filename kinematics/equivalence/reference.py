@@ -14,8 +14,11 @@ from kinematics.equivalence.plan import Plan, plans_for
 from kinematics.equivalence.policy import BaseRule, Tolerance, ZeroRule
 from kinematics.table import NumericTable
 
+# Configurations: three times the six equations of a pose make up for twelve joints, B and E.
 SAMPLES = 64
+# [rad], and a share of the robot: what the arithmetic leaves of axes that are parallel or meet.
 EXACTLY = 1e-9
+# In units of the tolerance: two axes of a key may each be off by one.
 LOOSELY = 2.0
 SLIDING = (0.0, 0.4, 2.0)
 

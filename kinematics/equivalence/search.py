@@ -28,16 +28,26 @@ from kinematics.equivalence.verification import Residual
 from kinematics.equivalence.worst_case import judged
 from kinematics.se3 import IDENTITY, Motion, compose, inverse, move, rotate
 
-GATE = 3.0
-GATE_PER_AMPLIFICATION = 0.1
-WIDEST_GATE = 0.3
+# The largest misfit with which an alignment is followed, in units of the tolerance: neighbours may be off as
+# well, and a lever adds a little; never more than the last, [rad] and a share of the robot.
+LIMIT = 3.0
+LIMIT_PER_AMPLIFICATION = 0.1
+WIDEST = 0.3
+# [rad], and a share of the robot: what the arithmetic leaves after the axes of a long chain.
 FLOOR = 1e-7
+# [rad], and a share of the robot: from farther off refinement does not come back.
 FAR_OFF = 0.5
+# Alignments; a robot of twelve joints needs some forty.
 MOST_NODES = 4000
+# A bound of the work: certificates tried.
 MOST_CANDIDATES = 64
+# A bound of the work: refining is what costs most in a decision.
 MOST_REFINED = 4
+# A share of the largest misfit: the other sign need not be looked at.
 CLEARLY_BETTER = 0.1
+# Of misfits, in the same units: differences of the rounding.
 AS_GOOD = 0.02
+# For every reversed sign, so that of nearly equal certificates the plain one is told.
 PREFERENCE = 0.05
 
 
@@ -179,13 +189,13 @@ class Search:
         if here is not IDENTITY:
             direction, point = rotate(here, direction), move(here, point)
         tolerance, size = self.policy.tolerance, self.references[0].size
-        gate = GATE + GATE_PER_AMPLIFICATION * step.amplification
+        factor = LIMIT + LIMIT_PER_AMPLIFICATION * step.amplification
         # the direction of a slider shows in positions alone
         limit = max(tolerance.angle, tolerance.length) if axis.prismatic else tolerance.angle
-        gate_angle = min(gate * limit + FLOOR, WIDEST_GATE)
-        gate_length = min(gate * tolerance.length + FLOOR, WIDEST_GATE) * size
+        most_angle = min(factor * limit + FLOOR, WIDEST)
+        most_length = min(factor * tolerance.length + FLOOR, WIDEST) * size
         forward = align(step, direction, point, 1)
-        misfit = max(forward.angle / gate_angle, forward.distance / gate_length)
+        misfit = max(forward.angle / most_angle, forward.distance / most_length)
         if self.policy.direction is DirectionRule.FIGURE:
             if misfit <= 1.0:
                 yield 1, forward, misfit
@@ -196,7 +206,7 @@ class Search:
         else:
             options.append((misfit, 1, forward))
         backward = align(step, direction, point, -1)
-        other = max(backward.angle / gate_angle, backward.distance / gate_length)
+        other = max(backward.angle / most_angle, backward.distance / most_length)
         options.insert(0 if other < misfit else 1, (other, -1, backward))
         for value, sign, alignment in options:
             if value <= 1.0:

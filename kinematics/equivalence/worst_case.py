@@ -3,7 +3,8 @@
 In one joint variable at a time, the difference D(q) = F_s(σ∘q + δ) - B · F_r(q) · E of the two sides is
 D_0 + D_1 cos q_i + D_2 sin q_i (D_0 + D_1 q_i for a slider). So ‖D‖² is a trigonometric polynomial of degree
 two (a convex parabola), and its maximum over the whole circle (over the slider's range) is found directly.
-Going from joint to joint, forth and back, until nothing is gained, ends where no single joint makes it worse.
+Going from joint to joint, forward and backward, until nothing is gained, ends where no single joint makes it
+worse.
 """
 
 from __future__ import annotations
@@ -22,10 +23,16 @@ from kinematics.se3 import to_matrix
 
 Matrix = NDArray[np.float64]
 
+# [rad], and a share of the robot: smaller differences are errors of the arithmetic.
 ARITHMETIC = 1e-9
+# For displacement and for rotation. In 60 disturbed tables climbs from 16 found at least
+# 99.5 % of what 400 climbs from 1024 configurations did.
 STARTS = 16
+# A bound of the work: a climb ends where a sweep gains nothing.
 MOST_SWEEPS = 8
+# Less than half a per cent is not worth a sweep.
 GAIN = 1.005
+# [rad] Half the distance of the sixteen angles, from the best of which a Newton step is taken.
 LONGEST_STEP = 0.2
 
 _CIRCLE = np.linspace(-np.pi, np.pi, 16, endpoint=False)
@@ -40,8 +47,8 @@ def _products(one: tuple[Matrix, Matrix, Matrix], other: tuple[Matrix, Matrix, M
 _POINT, _VELOCITY = (_ONE, _COS, _SIN), (0.0 * _ONE, -_SIN, _COS)
 _ACCELERATION = (0.0 * _ONE, -_COS, -_SIN)
 _VALUES = _products(_POINT, _POINT)
-_SLOPES = 2.0 * _products(_POINT, _VELOCITY)
-_BENDS = 2.0 * (_products(_VELOCITY, _VELOCITY) + _products(_POINT, _ACCELERATION))
+_GRADIENTS = 2.0 * _products(_POINT, _VELOCITY)
+_CURVATURES = 2.0 * (_products(_VELOCITY, _VELOCITY) + _products(_POINT, _ACCELERATION))
 
 
 class WorstCase(NamedTuple):
@@ -83,7 +90,7 @@ def worst_case(reference: Reference, submission: Chain, candidate: Candidate) ->
     climb = _Climb(reference, submission, candidate, reference.joints[:, starts])
     reached = np.array([shift[starts[:STARTS]].max(), turn[starts[STARTS:]].max()])
     for sweep in range(MOST_SWEEPS):
-        squares = climb.forth() if sweep % 2 == 0 else climb.back()
+        squares = climb.forward_sweep() if sweep % 2 == 0 else climb.backward_sweep()
         before, reached = reached, squares.reshape(2, STARTS).max(axis=1)
         if (reached <= GAIN * before).all():
             break
@@ -115,14 +122,14 @@ class _Climb:
         for i in range(n - 1, -1, -1):
             self._after[i] = self._motion(i, self._weights(i)) @ self._after[i + 1]
 
-    def forth(self) -> Matrix:
+    def forward_sweep(self) -> Matrix:
         """Best every joint from the first to the last; (k,) the squares that are reached."""
         for i in range(len(self.joints)):
             grams, weights = self._bested(i)
             self._before[i + 1] = self._before[i] @ self._motion(i, weights)
         return np.asarray(np.einsum("ki,kij,kj->k", weights, grams, weights), dtype=np.float64)
 
-    def back(self) -> Matrix:
+    def backward_sweep(self) -> Matrix:
         """Best every joint from the last to the first; (k,) the squares that are reached."""
         for i in range(len(self.joints) - 1, -1, -1):
             grams, weights = self._bested(i)
@@ -188,7 +195,7 @@ def _highest(grams: Matrix) -> Matrix:
     The best of 16 angles, and a Newton step from there.
     """
     nearest = (grams @ _VALUES).argmax(axis=1)
-    slope = np.einsum("kj,jk->k", grams, _SLOPES[:, nearest])
-    bend = np.einsum("kj,jk->k", grams, _BENDS[:, nearest])
-    step = np.divide(-slope, bend, out=np.zeros_like(slope), where=bend < 0.0)
+    gradient = np.einsum("kj,jk->k", grams, _GRADIENTS[:, nearest])
+    curvature = np.einsum("kj,jk->k", grams, _CURVATURES[:, nearest])
+    step = np.divide(-gradient, curvature, out=np.zeros_like(gradient), where=curvature < 0.0)
     return np.asarray(_CIRCLE[nearest] + np.clip(step, -LONGEST_STEP, LONGEST_STEP), dtype=np.float64)
