@@ -6,6 +6,7 @@ arm            a serial chain as constants and joints, for one configuration or 
 residuals      how far a pose is from its target
 closed_form    methods that yield all solutions, and which arm has which:
   wrist          three axes through one point
+  wrist_blocks   the same for many targets
   parallel       three parallel axes
   general        six turning joints of any kind, as an eigenproblem
   partition      arms of few joints, or with slides before a wrist

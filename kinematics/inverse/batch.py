@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinematics.errors import Fault, PoseError
 from kinematics.evaluation.plan import plan_of
-from kinematics.inverse.arm import Array
+from kinematics.inverse.arm import Array, Reach
 from kinematics.inverse.components import merging_value
 from kinematics.inverse.distinct import SAME
 from kinematics.inverse.goals import LEAST_TOLERANCE, read_goal
@@ -25,6 +25,7 @@ from kinematics.inverse.limits import within_limits
 from kinematics.inverse.results import IKStatus, InverseKinematics
 from kinematics.inverse.solve import Solver
 from kinematics.inverse.wrist import WristArm
+from kinematics.inverse.wrist_blocks import candidates_of_many, has_blocks
 from kinematics.jacobian import jacobian
 from kinematics.se3 import cross_arrays
 
@@ -81,10 +82,11 @@ def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
     n = solver.arm.n_joints
     parts = [_Part(np.empty((0, n)), np.empty(0, dtype=np.intp), np.empty(0), np.empty(0))]
     done = np.zeros(len(poses), dtype=bool)
-    if isinstance(solver.closed_form, WristArm) and len(poses):
+    closed = solver.closed_form
+    if isinstance(closed, WristArm) and has_blocks(closed) and solver.arm.reach is Reach.POSE and len(poses):
         for start in range(0, len(poses), TOGETHER):
             block = slice(start, start + TOGETHER)
-            part, done[block] = _together(solver, solver.closed_form, poses[block])
+            part, done[block] = _together(solver, closed, poses[block])
             parts.append(part._replace(target=part.target + start))
     status = [IKStatus.SOLVED] * len(poses)
     complete = done.copy()
@@ -155,10 +157,8 @@ def _checked(targets: ArrayLike) -> Array:
 
 def _together(solver: Solver, wrist: WristArm, poses: Array) -> tuple[_Part, NDArray[np.bool_]]:
     """Solutions of the targets that need no care, and which targets those are."""
-    found = [wrist.turns_of(pose) or [] for pose in poses]
-    counts = np.fromiter(map(len, found), dtype=np.intp, count=len(found))
+    joints, counts = candidates_of_many(wrist, poses)
     owner = np.repeat(np.arange(len(poses)), counts)
-    joints = np.array([turns for each in found for turns in each]).reshape(-1, solver.arm.n_joints)
     plan = plan_of(solver.table, solver.base, solver.tool)
     position, angle, volume, fingerprint = judge(plan, joints, poses, counts)
     exact = (position <= max(AS_IT_IS, solver.arm.rounding)) & (angle <= AS_IT_IS)

@@ -8,6 +8,7 @@ import pytest
 from kinematics.errors import PoseError
 from kinematics.forward import end_poses
 from kinematics.inverse import IKStatus, solve_many, solver_of
+from kinematics.table import Convention, DHRow, DHTable, JointType
 from tests.kinematics.inverse.arms import STANFORD, UR5, apart, random_joints
 from tests.kinematics.robots import PUMA560, PUMA560_CRAIG, RX90
 
@@ -51,6 +52,37 @@ def test_as_one_by_one(table):
         if alone.status is IKStatus.SOLVED:
             known = np.array([solution.joints for solution in alone.solutions])
             assert all(apart(table, row, known).min() < 1e-6 for row in rows)
+
+
+TWISTED_WRIST = tuple(
+    DHRow(joint=JointType.REVOLUTE, theta=0.2, d=0.0, a=0.0, alpha=alpha) for alpha in (1.2, -0.9, 0.3)
+)
+HEADS = {
+    "plane": ((0.18, 1.57, 0.4), (0.6, 0.0, 0.1), (0.12, 1.3, 0.2)),
+    "axes 1 and 2 meet": ((0.0, 0.9, 0.4), (0.5, 0.7, 0.1), (0.2, 1.1, 0.0)),
+    "axes 1 and 2 parallel": ((0.4, 0.0, 0.3), (0.3, 0.8, 0.2), (0.1, 1.2, 0.1)),
+    "general": ((0.3, 0.9, 0.4), (0.5, 0.7, 0.1), (0.2, 1.1, 0.0)),
+}
+
+
+@pytest.mark.parametrize("name", HEADS)
+def test_every_head_before_a_wrist_that_is_not_at_right_angles(name):
+    head = tuple(
+        DHRow(joint=JointType.REVOLUTE, theta=0.0, d=d, a=a, alpha=alpha) for a, alpha, d in HEADS[name]
+    )
+    table = DHTable(convention=Convention.STANDARD, rows=head + TWISTED_WRIST)
+    rng = np.random.default_rng(3)
+    q = rng.uniform(-np.pi, np.pi, (40, 6))
+    targets = end_poses(table, q)
+    solver = solver_of(table)
+    batch = solve_many(solver, targets)
+    assert batch.complete.all()
+    assert batch.residual.max() <= 1e-9
+    for i in range(40):
+        rows = batch.joints[batch.target == i]
+        assert apart(table, q[i], rows).min() < 1e-6
+        if i < 6:
+            assert len(rows) == len(solver.solve(targets[i]).solutions)
 
 
 def test_an_unreachable_target_among_others():
