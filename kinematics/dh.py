@@ -75,7 +75,7 @@ JointValue: TypeAlias = Any
 """(cos q, sin q) of a revolute joint, q of a prismatic one."""
 
 
-class Kind(StrEnum):
+class MotionKind(StrEnum):
     """The four elementary motions."""
 
     TURN_Z = "turn_z"
@@ -95,14 +95,19 @@ class ElementaryMotion(NamedTuple):
         sign: −1 of a joint whose variable enters reversed.
     """
 
-    kind: Kind
+    kind: MotionKind
     first: Scalar
     second: Scalar = 0.0
     joint: int | None = None
     sign: int = 1
 
 
-_KINDS = {"theta": Kind.TURN_Z, "d": Kind.SHIFT_Z, "a": Kind.SHIFT_X, "alpha": Kind.TURN_X}
+_KINDS = {
+    "theta": MotionKind.TURN_Z,
+    "d": MotionKind.SHIFT_Z,
+    "a": MotionKind.SHIFT_X,
+    "alpha": MotionKind.TURN_X,
+}
 _VARIABLE = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d", JointType.FIXED: None}
 
 
@@ -140,7 +145,7 @@ def link_motions(
             place = (*where, cell)
             faults.append(Fault(code="entry_not_finite", where=place, params={"cell": cell}))
         elif value:
-            turns = kind is Kind.TURN_Z or kind is Kind.TURN_X
+            turns = kind is MotionKind.TURN_Z or kind is MotionKind.TURN_X
             motions.append(
                 ElementaryMotion(kind, *cos_sin(value)) if turns else ElementaryMotion(kind, value)
             )
@@ -157,17 +162,19 @@ def set_joints(motions: Iterable[ElementaryMotion], values: Sequence[JointValue]
     for motion in motions:
         if motion.joint is None:
             placed.append(motion)
-        elif motion.kind is Kind.TURN_Z:
+        elif motion.kind is MotionKind.TURN_Z:
             cos, sin = values[motion.joint]
             placed.append(
                 ElementaryMotion(
-                    Kind.TURN_Z, cos, sin if motion.sign > 0 else -sin, motion.joint, motion.sign
+                    MotionKind.TURN_Z, cos, sin if motion.sign > 0 else -sin, motion.joint, motion.sign
                 )
             )
         else:
             by = values[motion.joint]
             placed.append(
-                ElementaryMotion(Kind.SHIFT_Z, by if motion.sign > 0 else -by, 0.0, motion.joint, motion.sign)
+                ElementaryMotion(
+                    MotionKind.SHIFT_Z, by if motion.sign > 0 else -by, 0.0, motion.joint, motion.sign
+                )
             )
     return placed
 
@@ -182,13 +189,13 @@ def pose_of_motions(motions: Sequence[ElementaryMotion]) -> tuple[Row, Row, Row]
     x, z, p = X_AXIS, Z_AXIS, ORIGIN
     c, s = 1.0, 0.0
     for kind, first, second, _, _ in reversed(motions):
-        if kind is Kind.TURN_Z:
+        if kind is MotionKind.TURN_Z:
             c, s, _ = turn_z((c, s, 0.0), first, second)
             p = turn_z(p, first, second)
-        elif kind is Kind.TURN_X:
+        elif kind is MotionKind.TURN_X:
             x, z, p = (turn_x(v, first, second) for v in (turn_z(x, c, s), turn_z(z, c, s), p))
             c, s = 1.0, 0.0
-        elif kind is Kind.SHIFT_Z:
+        elif kind is MotionKind.SHIFT_Z:
             p = (p[0], p[1], p[2] + first)
         else:
             p = (p[0] + first, p[1], p[2])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from numpy.typing import ArrayLike
 
-from kinematics.evaluation.plan import Floats, Plan, Quantity, plan_of
+from kinematics.evaluation.plan import EvaluationPlan, Floats, Quantity, plan_of
 from kinematics.joint_values import configurations, many_configurations, one_configuration
 from kinematics.se3 import Transform
 from kinematics.table import NumericTable
@@ -23,7 +23,7 @@ class ForwardKinematics:
 
     __slots__ = ("_frames", "_joints", "_links", "_plan", "transform")
 
-    def __init__(self, plan: Plan, joints: list[float] | Floats, transform: Transform) -> None:
+    def __init__(self, plan: EvaluationPlan, joints: list[float] | Floats, transform: Transform) -> None:
         self.transform = transform
         self._plan = plan
         self._joints = joints

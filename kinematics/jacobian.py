@@ -10,8 +10,8 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kinematics.dh import Kind
-from kinematics.evaluation.plan import Plan, Quantity, plan_of
+from kinematics.dh import MotionKind
+from kinematics.evaluation.plan import EvaluationPlan, Quantity, plan_of
 from kinematics.evaluation.recurrences import LinkMotions
 from kinematics.joint_values import configurations
 from kinematics.table import JointType, NumericTable
@@ -34,7 +34,7 @@ class JacobianFrame(StrEnum):
 
 
 _QUANTITY = {JacobianFrame.BASE: Quantity.BASE_JACOBIAN, JacobianFrame.END: Quantity.END_JACOBIAN}
-_SAMPLED: WeakKeyDictionary[Plan, Numbers] = WeakKeyDictionary()
+_SAMPLED: WeakKeyDictionary[EvaluationPlan, Numbers] = WeakKeyDictionary()
 
 
 def jacobian(
@@ -186,7 +186,7 @@ def _mobility(plain: Numbers, scaled: Numbers, sampled: Numbers, tolerance: floa
 
 def characteristic_length(chain: LinkMotions) -> float:
     """Sum of |a| and |d| over the rows [m]; 1 where all are zero."""
-    shifts = (Kind.SHIFT_X, Kind.SHIFT_Z)
+    shifts = (MotionKind.SHIFT_X, MotionKind.SHIFT_Z)
     constant = [m for link in chain.links for m in link if m.joint is None and m.kind in shifts]
     return sum(abs(motion.first) for motion in constant) or 1.0
 
@@ -206,7 +206,7 @@ def _rank(values: Numbers, tolerance: float) -> NDArray[np.int64]:
     return np.asarray(np.count_nonzero(values > tolerance * values[..., :1], axis=-1), dtype=np.int64)
 
 
-def _sampled_jacobians(plan: Plan, length: float) -> Numbers:
+def _sampled_jacobians(plan: EvaluationPlan, length: float) -> Numbers:
     """Dimensionless Jacobians in sixteen pseudo-random configurations, the same ones each time."""
     found = _SAMPLED.get(plan)
     if found is None:

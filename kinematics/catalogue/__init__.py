@@ -6,14 +6,14 @@ from functools import cache
 from importlib.resources import files
 
 from kinematics.catalogue.reading import read_robot
-from kinematics.catalogue.robots import Configuration, ReferencePose, Robot, ScmDescription, Source
+from kinematics.catalogue.robots import NamedConfiguration, ReferencePose, Robot, RobotSource, ScmDescription
 
 __all__ = [
-    "Configuration",
+    "NamedConfiguration",
     "ReferencePose",
     "Robot",
+    "RobotSource",
     "ScmDescription",
-    "Source",
     "read_robot",
     "robot",
     "robot_ids",

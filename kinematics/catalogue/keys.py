@@ -18,7 +18,7 @@ def fault(code: str, *where: str | int, **params: ParamValue) -> Fault:
     return Fault(code=code, where=where, params=params)
 
 
-class Keys:
+class FileKeys:
     """A table of keys and where it stands; keys that nobody asks for are faults.
 
     Attributes:
@@ -82,22 +82,22 @@ class Keys:
         self._mistyped(key, value, f"a list of {many}lists of {width} entries")
         return []
 
-    def table(self, key: str) -> Keys:
+    def table(self, key: str) -> FileKeys:
         """An inner table."""
         value = self._value(key)
         if not isinstance(value, Mapping):
             self._mistyped(key, value, "a table")
-            return Keys({}, (*self.where, key), [])
-        return Keys(value, (*self.where, key), self.faults)
+            return FileKeys({}, (*self.where, key), [])
+        return FileKeys(value, (*self.where, key), self.faults)
 
-    def tables(self, key: str) -> Iterator[Keys]:
+    def tables(self, key: str) -> Iterator[FileKeys]:
         """The tables of a list of tables."""
         value = self._value(key)
         if not isinstance(value, list) or not all(isinstance(entry, Mapping) for entry in value):
             self._mistyped(key, value, "a list of tables")
             return
         for i, entry in enumerate(value):
-            yield Keys(entry, (*self.where, key, i), self.faults)
+            yield FileKeys(entry, (*self.where, key, i), self.faults)
 
     def _value(self, key: str) -> Any:
         self._asked.add(key)

@@ -10,8 +10,8 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.catalogue.keys import Keys, fault, is_number, is_numbers
-from kinematics.catalogue.robots import Configuration, ReferencePose, Robot, ScmDescription, Source
+from kinematics.catalogue.keys import FileKeys, fault, is_number, is_numbers
+from kinematics.catalogue.robots import NamedConfiguration, ReferencePose, Robot, RobotSource, ScmDescription
 from kinematics.cells import (
     AngleUnit,
     LengthUnit,
@@ -51,13 +51,13 @@ def read_robot(robot_id: str, text: str) -> Robot:
     except tomllib.TOMLDecodeError as error:
         raise DescriptionError(fault("catalogue_not_toml", file, reason=str(error))) from None
     faults: list[Fault] = []
-    robot = _robot(robot_id, Keys(document, (file,), faults))
+    robot = _robot(robot_id, FileKeys(document, (file,), faults))
     if robot is None or faults:
         raise DescriptionError(faults)
     return robot
 
 
-def _robot(robot_id: str, keys: Keys) -> Robot | None:
+def _robot(robot_id: str, keys: FileKeys) -> Robot | None:
     name, source = keys.text("name"), _source(keys)
     raw = _raw_table(keys.table("table"))
     table = _tried(keys, ("table",), lambda: read_table(raw))
@@ -85,16 +85,16 @@ def _robot(robot_id: str, keys: Keys) -> Robot | None:
     )
 
 
-def _source(keys: Keys) -> Source:
+def _source(keys: FileKeys) -> RobotSource:
     source = keys.table("source")
-    read = Source(
+    read = RobotSource(
         document=source.text("document"), place=source.text("place"), figures=source.text("figures")
     )
     source.finish()
     return read
 
 
-def _raw_table(keys: Keys) -> RawTable:
+def _raw_table(keys: FileKeys) -> RawTable:
     convention = keys.choice("convention", Convention)
     angle_unit, length_unit = keys.choice("angle_unit", AngleUnit), keys.choice("length_unit", LengthUnit)
     rows = []
@@ -110,16 +110,16 @@ def _stated_joints(raw: RawTable) -> int:
     return sum(row.joint is not JointType.FIXED for row in raw.rows)
 
 
-def _parameters(keys: Keys, table: ReadTable | None) -> dict[str, float]:
+def _parameters(keys: FileKeys, table: ReadTable | None) -> dict[str, float]:
     """The values by canonical name; a table without parameters needs no such key."""
-    inner = keys.table("parameters") if keys.holds("parameters") else Keys({}, (), [])
+    inner = keys.table("parameters") if keys.holds("parameters") else FileKeys({}, (), [])
     values = {name: inner.cell(name) for name in inner.values}
     if table is not None:
         _tried(keys, (), lambda: bind_parameters(table, values))
     return {name: float(value) for name, value in values.items() if is_number(value)}
 
 
-def _limits(keys: Keys, n: int) -> tuple[Limits, str]:
+def _limits(keys: FileKeys, n: int) -> tuple[Limits, str]:
     inner = keys.table("limits")
     pairs = inner.lists("joints", n, 2)
     source = inner.text("source")
@@ -138,7 +138,9 @@ def _limits(keys: Keys, n: int) -> tuple[Limits, str]:
     return tuple(joints) if len(joints) == len(pairs) else (), source
 
 
-def _configurations(keys: Keys, raw: RawTable, n: int, limits: Limits | None) -> dict[str, Configuration]:
+def _configurations(
+    keys: FileKeys, raw: RawTable, n: int, limits: Limits | None
+) -> dict[str, NamedConfiguration]:
     found = {}
     for name in keys.values:
         inner = keys.table(name)
@@ -149,11 +151,11 @@ def _configurations(keys: Keys, raw: RawTable, n: int, limits: Limits | None) ->
         meaning = inner.text("meaning")
         position = _position(inner, raw)
         inner.finish()
-        found[name] = Configuration(joints=joints, meaning=meaning, position=position)
+        found[name] = NamedConfiguration(joints=joints, meaning=meaning, position=position)
     return found
 
 
-def _position(keys: Keys, raw: RawTable) -> tuple[Expression, Expression, Expression] | None:
+def _position(keys: FileKeys, raw: RawTable) -> tuple[Expression, Expression, Expression] | None:
     cells = keys.cell("position")
     if not isinstance(cells, list) or len(cells) != 3:
         keys.faults.append(
@@ -171,7 +173,7 @@ def _position(keys: Keys, raw: RawTable) -> tuple[Expression, Expression, Expres
     return None if x is None or y is None or z is None else (x, y, z)
 
 
-def _chain(keys: Keys, raw: RawTable) -> ScmDescription | None:
+def _chain(keys: FileKeys, raw: RawTable) -> ScmDescription | None:
     rows = keys.lists("joints", None, 6)
     final = keys.cell("final")
     if not isinstance(final, list) or len(final) != 6:
@@ -179,7 +181,7 @@ def _chain(keys: Keys, raw: RawTable) -> ScmDescription | None:
             fault("catalogue_value_type", *keys.where, "final", key="final", expected="a list of 6 entries")
         )
         final = [0] * 6
-    names = keys.table("parameters") if keys.holds("parameters") else Keys({}, (), [])
+    names = keys.table("parameters") if keys.holds("parameters") else FileKeys({}, (), [])
     renamed = {name: names.text(name) for name in names.values}
     keys.finish()
     chain = RawChain(
@@ -196,7 +198,7 @@ def _chain(keys: Keys, raw: RawTable) -> ScmDescription | None:
     return ScmDescription(raw=chain, read=read, parameters=parameters)
 
 
-def _reference(keys: Keys, n: int) -> ReferencePose | None:
+def _reference(keys: FileKeys, n: int) -> ReferencePose | None:
     derivation, joints = keys.text("derivation"), keys.numbers("joints", n)
     rows = keys.lists("transform", 4, 4)
     keys.finish()
@@ -213,7 +215,7 @@ def _matrix(rows: list[list[Any]]) -> NDArray[Any]:
     return np.array(rows, dtype=np.float64 if numeric else object)
 
 
-def _tried(keys: Keys, where: tuple[str | int, ...], read: Callable[[], Read]) -> Read | None:
+def _tried(keys: FileKeys, where: tuple[str | int, ...], read: Callable[[], Read]) -> Read | None:
     """What is read, or None with the faults placed in the file."""
     try:
         return read()

@@ -12,7 +12,7 @@ from kinematics.se3 import Transform
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Source:
+class RobotSource:
     """Where a robot comes from.
 
     Attributes:
@@ -27,7 +27,7 @@ class Source:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Configuration:
+class NamedConfiguration:
     """Joint values that mean something.
 
     Attributes:
@@ -91,11 +91,11 @@ class Robot:
 
     id: str
     name: str
-    source: Source
+    source: RobotSource
     raw: RawTable
     table: ReadTable
     parameters: Mapping[str, float]
-    configurations: Mapping[str, Configuration]
+    configurations: Mapping[str, NamedConfiguration]
     limits: tuple[tuple[float, float], ...] | None
     limits_source: str | None
     chain: ScmDescription | None

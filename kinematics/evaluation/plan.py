@@ -127,7 +127,7 @@ class Computation:
         return recorder.tape(self._results(self._chain, values))
 
 
-class Plan:
+class EvaluationPlan:
     """All computations of one table between one base and one tool."""
 
     def __init__(self, table: NumericTable, base: Floats | None, tool: Floats | None) -> None:
@@ -150,11 +150,11 @@ class _Plans:
 
     def __init__(self, table: NumericTable) -> None:
         self._table = table
-        self.plain = Plan(table, None, None)
-        self._variants: dict[tuple[bytes | None, bytes | None], Plan] = {}
+        self.plain = EvaluationPlan(table, None, None)
+        self._variants: dict[tuple[bytes | None, bytes | None], EvaluationPlan] = {}
         self._lock = Lock()
 
-    def between(self, base: ArrayLike | None, tool: ArrayLike | None) -> Plan:
+    def between(self, base: ArrayLike | None, tool: ArrayLike | None) -> EvaluationPlan:
         """The plan with a base and a tool; the few used last are kept."""
         base, tool = (
             None if pose is None else check_transform(pose, where=(name,))
@@ -162,7 +162,7 @@ class _Plans:
         )
         key = (None if base is None else base.tobytes(), None if tool is None else tool.tobytes())
         with self._lock:
-            found = self._variants.pop(key, None) or Plan(self._table, base, tool)
+            found = self._variants.pop(key, None) or EvaluationPlan(self._table, base, tool)
             self._variants[key] = found
             if len(self._variants) > KEPT_VARIANTS:
                 del self._variants[next(iter(self._variants))]
@@ -173,7 +173,9 @@ class _Plans:
         return (_nothing, ())
 
 
-def plan_of(table: NumericTable, base: ArrayLike | None = None, tool: ArrayLike | None = None) -> Plan:
+def plan_of(
+    table: NumericTable, base: ArrayLike | None = None, tool: ArrayLike | None = None
+) -> EvaluationPlan:
     """The plan of a table, made if there is none yet.
 
     Raises:

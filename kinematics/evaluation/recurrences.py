@@ -15,7 +15,7 @@ from typing import TypeAlias
 from kinematics.dh import (
     ElementaryMotion,
     JointValue,
-    Kind,
+    MotionKind,
     Row,
     link_motions,
     pose_of_motions,
@@ -111,7 +111,7 @@ def base_jacobian(chain: LinkMotions, values: Sequence[JointValue]) -> list[tupl
     axes, (x, y, z) = _axes_and_tip(chain, values)
     return [
         (*cross(direction, (x - px, y - py, z - pz)), *direction)
-        if kind is Kind.TURN_Z
+        if kind is MotionKind.TURN_Z
         else (*direction, 0.0, 0.0, 0.0)
         for direction, (px, py, pz), kind in axes
     ]
@@ -131,16 +131,16 @@ def end_jacobian(chain: LinkMotions, values: Sequence[JointValue]) -> list[tuple
         kind, first, second, joint, sign = motion
         if joint is not None:
             angular = (x[2], y[2], z[2]) if sign > 0 else (-x[2], -y[2], -z[2])
-            if kind is Kind.TURN_Z:
+            if kind is MotionKind.TURN_Z:
                 px, py = (p[0], p[1]) if sign > 0 else (-p[0], -p[1])
                 columns.append((*(px * v[1] - py * v[0] for v in (x, y, z)), *angular))
             else:
                 columns.append((*angular, 0.0, 0.0, 0.0))
-        if kind is Kind.TURN_Z:
+        if kind is MotionKind.TURN_Z:
             x, y, z, p = (turn_z(v, first, second) for v in (x, y, z, p))
-        elif kind is Kind.TURN_X:
+        elif kind is MotionKind.TURN_X:
             x, y, z, p = (turn_x(v, first, second) for v in (x, y, z, p))
-        elif kind is Kind.SHIFT_Z:
+        elif kind is MotionKind.SHIFT_Z:
             p = (p[0], p[1], p[2] + first)
         else:
             p = (p[0] + first, p[1], p[2])
@@ -164,12 +164,12 @@ class _Cursor:
     def move(self, motion: ElementaryMotion) -> None:
         """Move by an elementary motion in the frame's own axes."""
         kind, first, second, _, _ = motion
-        if kind is Kind.TURN_Z:
+        if kind is MotionKind.TURN_Z:
             self._c, self._s, _ = turn_z((self._c, self._s, 0.0), first, second)
-        elif kind is Kind.TURN_X:
+        elif kind is MotionKind.TURN_X:
             self._rows = [turn_x(row, first, -second) for row in self._turned()]
             self._c, self._s = 1.0, 0.0
-        elif kind is Kind.SHIFT_Z:
+        elif kind is MotionKind.SHIFT_Z:
             self._p = [p + row[2] * first for p, row in zip(self._p, self._rows, strict=True)]
         else:
             self._p = [p + row[0] * first for p, row in zip(self._p, self._turned(), strict=True)]
@@ -195,10 +195,10 @@ class _Cursor:
 
 def _axes_and_tip(
     chain: LinkMotions, values: Sequence[JointValue]
-) -> tuple[list[tuple[Scalars, Scalars, Kind]], Scalars]:
+) -> tuple[list[tuple[Scalars, Scalars, MotionKind]], Scalars]:
     """Direction, point and kind of every joint's axis, and the origin of the tool."""
     cursor = _Cursor(chain.base or IDENTITY)
-    axes: list[tuple[Scalars, Scalars, Kind]] = []
+    axes: list[tuple[Scalars, Scalars, MotionKind]] = []
     for motion in set_joints(concatenated.from_iterable(chain.links), values):
         if motion.joint is not None:
             x, y, z = cursor.z()

@@ -52,7 +52,7 @@ class Tape:
     outputs: tuple[int, ...]
 
 
-class Symbol:
+class RecordedNumber:
     """± the content of a register of a recorder."""
 
     __slots__ = ("_recorder", "register", "sign")
@@ -62,19 +62,19 @@ class Symbol:
         self.register = register
         self.sign = sign
 
-    def __neg__(self) -> Symbol:
-        return Symbol(self._recorder, self.register, -self.sign)
+    def __neg__(self) -> RecordedNumber:
+        return RecordedNumber(self._recorder, self.register, -self.sign)
 
-    def __add__(self, other: Symbol | float) -> Symbol | float:
+    def __add__(self, other: RecordedNumber | float) -> RecordedNumber | float:
         return self._recorder.add(self, other)
 
-    def __sub__(self, other: Symbol | float) -> Symbol | float:
+    def __sub__(self, other: RecordedNumber | float) -> RecordedNumber | float:
         return self._recorder.add(self, -other)
 
-    def __mul__(self, other: Symbol | float) -> Symbol | float:
+    def __mul__(self, other: RecordedNumber | float) -> RecordedNumber | float:
         return self._recorder.multiply(self, other)
 
-    def __rsub__(self, other: float) -> Symbol | float:
+    def __rsub__(self, other: float) -> RecordedNumber | float:
         return self._recorder.add(-self, other)
 
     __radd__ = __add__
@@ -85,14 +85,14 @@ class Recorder:
     """Records what is done to its symbols."""
 
     def __init__(self, n_inputs: int) -> None:
-        self.inputs = [Symbol(self, register) for register in range(n_inputs)]
+        self.inputs = [RecordedNumber(self, register) for register in range(n_inputs)]
         self._operations: list[Operation] = []
         self._known: dict[Operation, int] = {}
         self._constants: dict[float, int] = {}
 
-    def add(self, left: Symbol, right: Symbol | float) -> Symbol | float:
+    def add(self, left: RecordedNumber, right: RecordedNumber | float) -> RecordedNumber | float:
         """Sum; −a − b is recorded as −(a + b), and a − b and b − a as one operation."""
-        if not isinstance(right, Symbol):
+        if not isinstance(right, RecordedNumber):
             if right == 0.0:
                 return left
             if left.sign > 0:
@@ -106,24 +106,24 @@ class Recorder:
             return total if left.sign > 0 else -total
         plus, minus = (a, b) if left.sign > 0 else (b, a)
         opposite = self._known.get(Operation(Operator.SUBTRACT, minus, plus))
-        return Symbol(self, opposite, -1) if opposite else self._do(Operator.SUBTRACT, plus, minus)
+        return RecordedNumber(self, opposite, -1) if opposite else self._do(Operator.SUBTRACT, plus, minus)
 
-    def multiply(self, left: Symbol, right: Symbol | float) -> Symbol | float:
+    def multiply(self, left: RecordedNumber, right: RecordedNumber | float) -> RecordedNumber | float:
         """Product; the sign stays outside."""
-        if isinstance(right, Symbol):
+        if isinstance(right, RecordedNumber):
             a, b = left.register, right.register
             product = self._do(Operator.MULTIPLY, min(a, b), max(a, b))
             return product if left.sign == right.sign else -product
         if right == 0.0:
             return 0.0
         scaled = (
-            Symbol(self, left.register)
+            RecordedNumber(self, left.register)
             if abs(right) == 1.0
             else self._do(Operator.MULTIPLY, left.register, self._constant(abs(right)))
         )
         return scaled if (right > 0.0) == (left.sign > 0) else -scaled
 
-    def tape(self, results: Sequence[Symbol | float]) -> Tape:
+    def tape(self, results: Sequence[RecordedNumber | float]) -> Tape:
         """The tape that computes the results, without what none of them needs.
 
         A negated register is handed out as 0 − register, a negated difference a − b as b − a.
@@ -147,8 +147,8 @@ class Recorder:
             outputs=tuple(places[x] for x in outputs),
         )
 
-    def _output(self, result: Symbol | float) -> int:
-        if not isinstance(result, Symbol):
+    def _output(self, result: RecordedNumber | float) -> int:
+        if not isinstance(result, RecordedNumber):
             return self._constant(result)
         if result.sign > 0:
             return result.register
@@ -161,11 +161,11 @@ class Recorder:
     def _constant(self, value: float) -> int:
         return ~self._constants.setdefault(value + 0.0, len(self._constants))
 
-    def _do(self, operator: Operator, left: int, right: int) -> Symbol:
+    def _do(self, operator: Operator, left: int, right: int) -> RecordedNumber:
         operation = Operation(operator, left, right)
         register = self._known.get(operation)
         if register is None:
             register = len(self.inputs) + len(self._operations)
             self._operations.append(operation)
             self._known[operation] = register
-        return Symbol(self, register)
+        return RecordedNumber(self, register)

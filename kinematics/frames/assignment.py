@@ -18,7 +18,16 @@ from numpy.typing import ArrayLike
 
 from kinematics.errors import DescriptionError, Fault
 from kinematics.forward import forward_kinematics
-from kinematics.frames.axes import Gripper, JointAxis, Line, Pose, gripper_frame, matrix, pose_of, read_axes
+from kinematics.frames.axes import (
+    AxisLine,
+    Gripper,
+    JointAxis,
+    Pose,
+    gripper_frame,
+    matrix,
+    pose_of,
+    read_axes,
+)
 from kinematics.frames.directions import choose_directions
 from kinematics.frames.ends import entering, leaving, may_end, may_start
 from kinematics.frames.exactness import clean_angle, clean_length
@@ -120,7 +129,7 @@ class FrameAssignment:
 class _Geometry:
     """The figure that both conventions read: axes, normals, their feet, the x directions, the end frames."""
 
-    lines: Sequence[Line]
+    lines: Sequence[AxisLine]
     normals: Sequence[CommonNormal]
     feet: Sequence[tuple[Vector, Vector]]
     x: Sequence[Vector]
@@ -194,7 +203,7 @@ def assign_frames(
 
 
 def _geometry(
-    lines: Sequence[Line], convention: Convention, first: Pose | None, last: Pose | None, size: float
+    lines: Sequence[AxisLine], convention: Convention, first: Pose | None, last: Pose | None, size: float
 ) -> _Geometry:
     start = first.origin if first and may_start(first, lines[0], convention) else None
     end = last.origin if last and may_end(last, lines[-1], convention) else None

@@ -56,7 +56,7 @@ class Gripper:
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class AxisLine:
     """A directed line with the joint that moves about or along it; the direction is a unit vector."""
 
     joint: JointType
@@ -82,7 +82,7 @@ class PartialPose:
     z: Vector | None
 
 
-def read_axes(axes: Sequence[JointAxis]) -> list[Line]:
+def read_axes(axes: Sequence[JointAxis]) -> list[AxisLine]:
     """The axes as directed lines.
 
     Raises:
@@ -109,7 +109,7 @@ def read_axes(axes: Sequence[JointAxis]) -> list[Line]:
             )
         point = read_point(axis.point, ("axes", i, "point"), faults)
         direction = read_direction(axis.direction, ("axes", i, "direction"), faults)
-        lines.append(Line(axis.joint, point, direction))
+        lines.append(AxisLine(axis.joint, point, direction))
     if faults:
         raise DescriptionError(faults)
     return lines

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-from kinematics.frames.axes import Line, PartialPose, Pose
+from kinematics.frames.axes import AxisLine, PartialPose, Pose
 from kinematics.frames.normals import Relation, common_normal
 from kinematics.se3 import ORIGIN, Vector, foot, norm, perpendicular, scale, subtract
 
@@ -48,7 +48,7 @@ class CandidateKind(StrEnum):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Candidate:
+class FrameCandidate:
     """A point or a direction to choose.
 
     Attributes:
@@ -66,14 +66,14 @@ class Candidate:
 class Candidates:
     """What to choose the parts of a frame from."""
 
-    z: tuple[Candidate, ...]
-    origin: tuple[Candidate, ...]
-    x: tuple[Candidate, ...]
+    z: tuple[FrameCandidate, ...]
+    origin: tuple[FrameCandidate, ...]
+    x: tuple[FrameCandidate, ...]
 
 
 def candidates(
     index: int,
-    lines: Sequence[Line],
+    lines: Sequence[AxisLine],
     frames: Sequence[PartialPose],
     *,
     first: Pose | None,
@@ -97,14 +97,14 @@ def candidates(
         ends.append((CandidateKind.BASE, first))
     if index == len(lines) and last is not None:
         ends.append((CandidateKind.TOOL, last))
-    z = [*_axis_directions(near, lines), *(Candidate(kind=kind, vector=pose.z) for kind, pose in ends)]
+    z = [*_axis_directions(near, lines), *(FrameCandidate(kind=kind, vector=pose.z) for kind, pose in ends)]
     origins = [
-        *(Candidate(kind=kind, vector=pose.origin) for kind, pose in ends),
+        *(FrameCandidate(kind=kind, vector=pose.origin) for kind, pose in ends),
         *_origins(near, lines, size),
         *_levels(index, near, lines, before),
     ]
     x = [
-        *(Candidate(kind=kind, vector=pose.x) for kind, pose in ends),
+        *(FrameCandidate(kind=kind, vector=pose.x) for kind, pose in ends),
         *_normal_directions(near, lines, size),
         *_before_x(index, before),
         *_axis_directions(near, lines),
@@ -113,77 +113,85 @@ def candidates(
     ]
     if index in (0, len(lines)):
         z.extend(_coordinate_directions())
-        origins.append(Candidate(kind=CandidateKind.COORDINATES, vector=ORIGIN))
+        origins.append(FrameCandidate(kind=CandidateKind.COORDINATES, vector=ORIGIN))
     return Candidates(z=_distinct(z, _SAME), origin=_distinct(origins, _SAME * size), x=_distinct(x, _SAME))
 
 
-def _axis_directions(near: range, lines: Sequence[Line]) -> Iterator[Candidate]:
+def _axis_directions(near: range, lines: Sequence[AxisLine]) -> Iterator[FrameCandidate]:
     for k in near:
         for sign in (1, -1):
             vector = scale(lines[k].direction, float(sign))
-            yield Candidate(kind=CandidateKind.AXIS, vector=vector, params={"axis": k + 1, "sign": sign})
+            yield FrameCandidate(kind=CandidateKind.AXIS, vector=vector, params={"axis": k + 1, "sign": sign})
 
 
-def _normal_directions(near: range, lines: Sequence[Line], size: float) -> Iterator[Candidate]:
+def _normal_directions(near: range, lines: Sequence[AxisLine], size: float) -> Iterator[FrameCandidate]:
     for k in near[:-1]:
         direction = common_normal(lines[k], lines[k + 1], size).direction
         if direction is not None:
             for sign in (1, -1):
-                yield Candidate(
+                yield FrameCandidate(
                     kind=CandidateKind.NORMAL,
                     vector=scale(direction, float(sign)),
                     params={"axis": k + 1, "other": k + 2, "sign": sign},
                 )
 
 
-def _before_x(index: int, before: PartialPose | None) -> Iterator[Candidate]:
+def _before_x(index: int, before: PartialPose | None) -> Iterator[FrameCandidate]:
     if before is not None and before.x is not None:
-        yield Candidate(kind=CandidateKind.FRAME_X, vector=before.x, params={"frame": index - 1, "sign": 1})
+        yield FrameCandidate(
+            kind=CandidateKind.FRAME_X, vector=before.x, params={"frame": index - 1, "sign": 1}
+        )
 
 
-def _coordinate_directions() -> Iterator[Candidate]:
+def _coordinate_directions() -> Iterator[FrameCandidate]:
     for number, vector in enumerate(_COORDINATES, start=1):
         for sign in (1, -1):
-            yield Candidate(
+            yield FrameCandidate(
                 kind=CandidateKind.COORDINATES,
                 vector=scale(vector, float(sign)),
                 params={"axis": number, "sign": sign},
             )
 
 
-def _across(near: range, lines: Sequence[Line]) -> Iterator[Candidate]:
+def _across(near: range, lines: Sequence[AxisLine]) -> Iterator[FrameCandidate]:
     for k in near:
         across = perpendicular(lines[k].direction)
         for sign in (1, -1):
             vector = scale(across, float(sign))
-            yield Candidate(kind=CandidateKind.ACROSS, vector=vector, params={"axis": k + 1, "sign": sign})
+            yield FrameCandidate(
+                kind=CandidateKind.ACROSS, vector=vector, params={"axis": k + 1, "sign": sign}
+            )
 
 
-def _origins(near: range, lines: Sequence[Line], size: float) -> Iterator[Candidate]:
+def _origins(near: range, lines: Sequence[AxisLine], size: float) -> Iterator[FrameCandidate]:
     for k in near[:-1]:
         normal = common_normal(lines[k], lines[k + 1], size)
         if normal.relation is Relation.INTERSECTING:
             params = {"axis": k + 1, "other": k + 2}
-            yield Candidate(kind=CandidateKind.INTERSECTION, vector=normal.near, params=params)
+            yield FrameCandidate(kind=CandidateKind.INTERSECTION, vector=normal.near, params=params)
         elif normal.relation is Relation.SKEW:
             for own, other, point in ((k + 1, k + 2, normal.near), (k + 2, k + 1, normal.far)):
-                yield Candidate(kind=CandidateKind.FOOT, vector=point, params={"axis": own, "other": other})
+                yield FrameCandidate(
+                    kind=CandidateKind.FOOT, vector=point, params={"axis": own, "other": other}
+                )
     for k in near:
-        yield Candidate(kind=CandidateKind.AXIS_POINT, vector=lines[k].point, params={"axis": k + 1})
+        yield FrameCandidate(kind=CandidateKind.AXIS_POINT, vector=lines[k].point, params={"axis": k + 1})
 
 
 def _levels(
-    index: int, near: range, lines: Sequence[Line], before: PartialPose | None
-) -> Iterator[Candidate]:
+    index: int, near: range, lines: Sequence[AxisLine], before: PartialPose | None
+) -> Iterator[FrameCandidate]:
     if before is None or before.origin is None:
         return
     for k in near:
         point = foot(before.origin, lines[k].point, lines[k].direction)
-        yield Candidate(kind=CandidateKind.LEVEL, vector=point, params={"axis": k + 1, "frame": index - 1})
+        yield FrameCandidate(
+            kind=CandidateKind.LEVEL, vector=point, params={"axis": k + 1, "frame": index - 1}
+        )
 
 
-def _distinct(found: Sequence[Candidate], tolerance: float) -> tuple[Candidate, ...]:
-    kept: list[Candidate] = []
+def _distinct(found: Sequence[FrameCandidate], tolerance: float) -> tuple[FrameCandidate, ...]:
+    kept: list[FrameCandidate] = []
     for candidate in found:
         if all(norm(subtract(candidate.vector, other.vector)) > tolerance for other in kept):
             kept.append(candidate)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kinematics.frames.axes import Line
+from kinematics.frames.axes import AxisLine
 from kinematics.frames.normals import EXACT_ANGLE, CommonNormal, Relation
 from kinematics.se3 import Vector, cross, dot, norm, perpendicular, scale
 
@@ -20,7 +20,7 @@ _NEGATIVE_TWIST = 1e-6
 
 
 def choose_directions(
-    lines: Sequence[Line],
+    lines: Sequence[AxisLine],
     normals: Sequence[CommonNormal],
     *,
     start: Vector | None,
@@ -85,7 +85,7 @@ def _angle_cost(u: Vector, v: Vector) -> float:
     return 0.0 if dot(u, v) > 0 else 1.0 + _HALF_TURN
 
 
-def _inherit(chosen: list[Vector | None], lines: Sequence[Line]) -> list[Vector]:
+def _inherit(chosen: list[Vector | None], lines: Sequence[AxisLine]) -> list[Vector]:
     known = next((x for x in chosen if x is not None), None)
     current = perpendicular(lines[0].direction) if known is None else known
     directions = []

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kinematics.frames.axes import Line
+from kinematics.frames.axes import AxisLine
 from kinematics.frames.normals import CommonNormal
 from kinematics.se3 import Vector, foot
 
 
 def settle_levels(
-    lines: Sequence[Line],
+    lines: Sequence[AxisLine],
     normals: Sequence[CommonNormal],
     *,
     start: Vector | None,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from kinematics.frames.axes import Line
+from kinematics.frames.axes import AxisLine
 from kinematics.se3 import Vector, along, cross, dot, foot, norm, rejection, scale, subtract
 
 EXACT_ANGLE = 1e-10
@@ -54,7 +54,7 @@ class CommonNormal:
     length: float
 
 
-def common_normal(first: Line, second: Line, size: float) -> CommonNormal:
+def common_normal(first: AxisLine, second: AxisLine, size: float) -> CommonNormal:
     """The common normal of two axes.
 
     With c = z_1 × z_2 and w = p_2 - p_1, the feet of the normal are p_1 + ((w × z_2)·c / c²) z_1 and
@@ -85,7 +85,7 @@ def common_normal(first: Line, second: Line, size: float) -> CommonNormal:
     return CommonNormal(Relation.SKEW, n, near, far, distance)
 
 
-def _parallel_normal(first: Line, second: Line, w: Vector, size: float) -> CommonNormal:
+def _parallel_normal(first: AxisLine, second: AxisLine, w: Vector, size: float) -> CommonNormal:
     across = rejection(w, first.direction)
     distance = norm(across)
     far = foot(first.point, second.point, second.direction)

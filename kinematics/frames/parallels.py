@@ -13,7 +13,7 @@ from enum import StrEnum
 
 import numpy as np
 
-from kinematics.frames.axes import Line
+from kinematics.frames.axes import AxisLine
 from kinematics.frames.normals import EXACT_ANGLE
 from kinematics.se3 import Vector, cross, dot, foot, norm, perpendicular, rejection, scale, subtract, unit
 from kinematics.table import JointType
@@ -55,7 +55,7 @@ class Tilt:
     pivot: Vector
 
 
-def straighten(lines: Sequence[Line], tolerance: float) -> tuple[list[Line], list[Tilt]]:
+def straighten(lines: Sequence[AxisLine], tolerance: float) -> tuple[list[AxisLine], list[Tilt]]:
     """The axes with near-parallel neighbours made parallel.
 
     Every axis of a run is compared with the first of the run, so tilts do not add up unnoticed.
@@ -78,7 +78,7 @@ def straighten(lines: Sequence[Line], tolerance: float) -> tuple[list[Line], lis
             centre = middle(lines) if centre is None else centre
             pivot = foot(centre, line.point, line.direction)
             sense = 1.0 if dot(reference, line.direction) > 0 else -1.0
-            straight.append(Line(line.joint, pivot, scale(reference, sense)))
+            straight.append(AxisLine(line.joint, pivot, scale(reference, sense)))
             tilts.append(Tilt(k + 1, tilt, pivot))
         else:
             straight.append(line)
@@ -86,7 +86,9 @@ def straighten(lines: Sequence[Line], tolerance: float) -> tuple[list[Line], lis
     return straight, tilts
 
 
-def with_dummies(lines: Sequence[Line], tolerance: float, size: float) -> tuple[list[Line], list[Tilt]]:
+def with_dummies(
+    lines: Sequence[AxisLine], tolerance: float, size: float
+) -> tuple[list[AxisLine], list[Tilt]]:
     """The axes with a fixed, crossing axis between near-parallel neighbours.
 
     The dummy axis runs from one to the other across both, through their points nearest to the robot's middle.
@@ -102,13 +104,13 @@ def with_dummies(lines: Sequence[Line], tolerance: float, size: float) -> tuple[
             across = rejection(subtract(end, start), before.direction)
             apart = norm(across) > 1e-6 * size
             direction = unit(subtract(end, start)) if apart else perpendicular(before.direction)
-            chain.append(Line(JointType.FIXED, start, direction))
+            chain.append(AxisLine(JointType.FIXED, start, direction))
             tilts.append(Tilt(k + 1, tilt, end))
         chain.append(line)
     return chain, tilts
 
 
-def middle(lines: Sequence[Line]) -> Vector:
+def middle(lines: Sequence[AxisLine]) -> Vector:
     """The point with the least sum of squared distances to the axes; prismatic axes have no place and no say.
 
     Along directions in which the axes alone decide nothing, or nothing sound (they are parallel, or all but

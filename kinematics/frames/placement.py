@@ -9,15 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kinematics.frames.axes import Line
+from kinematics.frames.axes import AxisLine
 from kinematics.frames.normals import CommonNormal, common_normal
 from kinematics.se3 import Vector, foot
 from kinematics.table import JointType
 
 
 def draw_prismatic_axes(
-    lines: Sequence[Line], size: float, *, start: Vector | None = None, end: Vector | None = None
-) -> list[Line]:
+    lines: Sequence[AxisLine], size: float, *, start: Vector | None = None, end: Vector | None = None
+) -> list[AxisLine]:
     """The axes with a line chosen for every prismatic joint.
 
     Args:
@@ -33,8 +33,8 @@ def draw_prismatic_axes(
         return list(lines)
     if all(slides):
         through = start or end or lines[0].point
-        drawn = [Line(line.joint, through, line.direction) for line in lines]
-        drawn[-1] = Line(drawn[-1].joint, end or through, drawn[-1].direction)
+        drawn = [AxisLine(line.joint, through, line.direction) for line in lines]
+        drawn[-1] = AxisLine(drawn[-1].joint, end or through, drawn[-1].direction)
         return drawn
     first = slides.index(False)
     last = len(lines) - 1 - slides[::-1].index(False)
@@ -43,11 +43,11 @@ def draw_prismatic_axes(
     for k in range(last - 1, -1, -1):
         if slides[k]:
             through = start if start is not None and k < first else _next_origin(drawn, k + 1, size)
-            drawn[k] = Line(drawn[k].joint, through, drawn[k].direction)
+            drawn[k] = AxisLine(drawn[k].joint, through, drawn[k].direction)
     return drawn
 
 
-def _draw_trailing(drawn: list[Line], last: int, size: float, end: Vector | None) -> None:
+def _draw_trailing(drawn: list[AxisLine], last: int, size: float, end: Vector | None) -> None:
     if last == len(drawn) - 1:
         return
     through = end
@@ -59,10 +59,10 @@ def _draw_trailing(drawn: list[Line], last: int, size: float, end: Vector | None
             slides = normal.relation.slides
             through = _level_from_left(drawn, last, size) if slides else normal.far
     for k in range(last + 1, len(drawn)):
-        drawn[k] = Line(drawn[k].joint, through, drawn[k].direction)
+        drawn[k] = AxisLine(drawn[k].joint, through, drawn[k].direction)
 
 
-def _level_from_left(drawn: Sequence[Line], k: int, size: float) -> Vector:
+def _level_from_left(drawn: Sequence[AxisLine], k: int, size: float) -> Vector:
     """Origin on axis k at the level at which the run of parallel axes up to it begins."""
     start = k
     while start > 0 and drawn[start - 1].joint is not JointType.PRISMATIC:
@@ -73,7 +73,7 @@ def _level_from_left(drawn: Sequence[Line], k: int, size: float) -> Vector:
     return drawn[k].point
 
 
-def _next_origin(drawn: Sequence[Line], k: int, size: float) -> Vector:
+def _next_origin(drawn: Sequence[AxisLine], k: int, size: float) -> Vector:
     """Foot on axis k of its common normal with the next axis; along parallel axes, that of their end."""
     for j in range(k, len(drawn) - 1):
         normal: CommonNormal = common_normal(drawn[j], drawn[j + 1], size)

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-from kinematics.frames.axes import Line, PartialPose
+from kinematics.frames.axes import AxisLine, PartialPose
 from kinematics.frames.normals import Relation, common_normal
 from kinematics.se3 import Vector, along, cross, dot, foot, norm, subtract
 from kinematics.table import Convention
@@ -23,7 +23,7 @@ LENGTH_TOLERANCE = 1e-6
 """A student's point is right if it is this near, as a part of the robot's size."""
 
 
-class Part(StrEnum):
+class FramePart(StrEnum):
     """The part of a frame that a rule speaks of."""
 
     Z = "z"
@@ -59,7 +59,7 @@ class RuleCode(StrEnum):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Finding:
+class FrameFinding:
     """One rule that a frame breaks, or one piece of advice.
 
     Attributes:
@@ -70,13 +70,13 @@ class Finding:
     """
 
     rule: RuleCode
-    part: Part
+    part: FramePart
     severity: Severity
     params: Mapping[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Place:
+class FramePlace:
     """What a frame is judged by.
 
     Attributes:
@@ -93,10 +93,10 @@ class Place:
     index: int
     convention: Convention
     own: int | None
-    own_line: Line | None
+    own_line: AxisLine | None
     partner: int | None
     partner_direction: Vector | None
-    partner_line: Line | None
+    partner_line: AxisLine | None
     size: float
 
     @property
@@ -118,26 +118,26 @@ def partner_axis(index: int, count: int, convention: Convention) -> int | None:
     return partner if 1 <= partner <= count else None
 
 
-def broken_rules(frame: PartialPose, place: Place) -> list[Finding]:
+def broken_rules(frame: PartialPose, place: FramePlace) -> list[FrameFinding]:
     """The rules of the convention that a frame breaks, as far as it has been chosen.
 
     Source: seed 000 §3.2.4; seed 002 steps 2 to 7; seed 003 rules 2 and 3; seed 004 cases 1 to 3.
     """
-    findings: list[Finding] = []
+    findings: list[FrameFinding] = []
     own = place.own_line
     if own is not None and place.own is not None:
         if frame.z is not None and not parallel(frame.z, own.direction):
-            findings.append(broken(RuleCode.Z_NOT_ALONG_AXIS, Part.Z, axis=place.own))
+            findings.append(broken(RuleCode.Z_NOT_ALONG_AXIS, FramePart.Z, axis=place.own))
         if frame.origin is not None and not _on(frame.origin, own, place.size):
-            findings.append(broken(RuleCode.ORIGIN_NOT_ON_AXIS, Part.ORIGIN, axis=place.own))
+            findings.append(broken(RuleCode.ORIGIN_NOT_ON_AXIS, FramePart.ORIGIN, axis=place.own))
     if frame.x is not None:
         if frame.z is not None and abs(dot(frame.x, frame.z)) > ANGLE_TOLERANCE:
-            findings.append(broken(RuleCode.X_NOT_ACROSS_Z, Part.X))
+            findings.append(broken(RuleCode.X_NOT_ACROSS_Z, FramePart.X))
         findings.extend(_crossing_rules(frame.x, frame.origin, place))
     return findings
 
 
-def _crossing_rules(x: Vector, origin: Vector | None, place: Place) -> list[Finding]:
+def _crossing_rules(x: Vector, origin: Vector | None, place: FramePlace) -> list[FrameFinding]:
     """Whether x crosses the neighbouring axis at right angles."""
     if place.partner is None or place.partner_direction is None:
         return []
@@ -147,17 +147,17 @@ def _crossing_rules(x: Vector, origin: Vector | None, place: Place) -> list[Find
         return []
     if place.own_line is None:
         code = RuleCode.FIRST_X_MISSES_AXIS if place.index == 0 else RuleCode.LAST_X_MISSES_AXIS
-        return [broken(code, Part.X, axis=place.partner)]
+        return [broken(code, FramePart.X, axis=place.partner)]
     if partner is None:
-        return [broken(RuleCode.X_NOT_ACROSS_BOTH_AXES, Part.X, **place.pair)]
+        return [broken(RuleCode.X_NOT_ACROSS_BOTH_AXES, FramePart.X, **place.pair)]
     relation = common_normal(place.own_line, partner, place.size).relation
     if relation is Relation.INTERSECTING:
         if across:
-            return [broken(RuleCode.ORIGIN_NOT_AT_INTERSECTION, Part.ORIGIN, **place.pair)]
-        return [broken(RuleCode.X_NOT_ACROSS_BOTH_AXES, Part.X, **place.pair)]
+            return [broken(RuleCode.ORIGIN_NOT_AT_INTERSECTION, FramePart.ORIGIN, **place.pair)]
+        return [broken(RuleCode.X_NOT_ACROSS_BOTH_AXES, FramePart.X, **place.pair)]
     if across and not relation.slides:
-        return [broken(RuleCode.ORIGIN_NOT_ON_COMMON_NORMAL, Part.ORIGIN, **place.pair)]
-    return [broken(RuleCode.X_NOT_ALONG_COMMON_NORMAL, Part.X, **place.pair)]
+        return [broken(RuleCode.ORIGIN_NOT_ON_COMMON_NORMAL, FramePart.ORIGIN, **place.pair)]
+    return [broken(RuleCode.X_NOT_ALONG_COMMON_NORMAL, FramePart.X, **place.pair)]
 
 
 def parallel(u: Vector, v: Vector) -> bool:
@@ -165,16 +165,16 @@ def parallel(u: Vector, v: Vector) -> bool:
     return norm(cross(u, v)) <= ANGLE_TOLERANCE
 
 
-def broken(rule: RuleCode, part: Part, **params: int) -> Finding:
+def broken(rule: RuleCode, part: FramePart, **params: int) -> FrameFinding:
     """A finding that breaks the convention."""
-    return Finding(rule=rule, part=part, severity=Severity.BROKEN, params=params)
+    return FrameFinding(rule=rule, part=part, severity=Severity.BROKEN, params=params)
 
 
-def _on(point: Vector, line: Line, size: float) -> bool:
+def _on(point: Vector, line: AxisLine, size: float) -> bool:
     return norm(subtract(point, foot(point, line.point, line.direction))) <= LENGTH_TOLERANCE * size
 
 
-def _meets(origin: Vector, x: Vector, line: Line, size: float) -> bool:
+def _meets(origin: Vector, x: Vector, line: AxisLine, size: float) -> bool:
     point = foot(origin, line.point, line.direction)
     on_x = along(origin, dot(subtract(point, origin), x), x)
     return norm(subtract(point, on_x)) <= LENGTH_TOLERANCE * size

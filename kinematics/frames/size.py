@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kinematics.frames.axes import Line, Pose
+from kinematics.frames.axes import AxisLine, Pose
 from kinematics.se3 import norm, subtract
 from kinematics.table import JointType
 
 
-def robot_size(lines: Sequence[Line], first: Pose | None, last: Pose | None) -> float:
+def robot_size(lines: Sequence[AxisLine], first: Pose | None, last: Pose | None) -> float:
     """Extent [m] of the points that were given; 1 where they all coincide.
 
     The points of prismatic axes mean nothing and do not count. Coordinates that are large beside the extent

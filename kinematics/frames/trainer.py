@@ -12,9 +12,9 @@ from kinematics.errors import DescriptionError, Fault
 from kinematics.forward import forward_kinematics
 from kinematics.frames.advice import direction_advice, first_advice, last_advice, vanishing_advice
 from kinematics.frames.axes import (
+    AxisLine,
     Gripper,
     JointAxis,
-    Line,
     PartialPose,
     Pose,
     gripper_frame,
@@ -28,7 +28,7 @@ from kinematics.frames.candidates import Candidates, candidates
 from kinematics.frames.exactness import clean_angle, clean_length
 from kinematics.frames.parallels import PARALLEL_TOLERANCE, straighten
 from kinematics.frames.placement import draw_prismatic_axes
-from kinematics.frames.rules import Finding, Place, broken_rules, own_axis, partner_axis
+from kinematics.frames.rules import FrameFinding, FramePlace, broken_rules, own_axis, partner_axis
 from kinematics.frames.size import robot_size
 from kinematics.se3 import (
     Transform,
@@ -78,7 +78,7 @@ class JudgedFrame:
 
     index: int
     complete: bool
-    findings: tuple[Finding, ...]
+    findings: tuple[FrameFinding, ...]
     candidates: Candidates
 
 
@@ -195,31 +195,31 @@ def _foreign_y(where: tuple[str | int, ...]) -> Fault:
 
 
 def _drawn_lines(
-    lines: Sequence[Line], frames: Sequence[PartialPose], convention: Convention
-) -> list[Line | None]:
+    lines: Sequence[AxisLine], frames: Sequence[PartialPose], convention: Convention
+) -> list[AxisLine | None]:
     """The axes that have a place: turning joints, and sliding joints whose frame has an origin."""
-    drawn: list[Line | None] = list(lines)
+    drawn: list[AxisLine | None] = list(lines)
     for k, line in enumerate(lines):
         if line.joint is JointType.PRISMATIC:
             origin = frames[k if convention is Convention.STANDARD else k + 1].origin
-            drawn[k] = None if origin is None else Line(line.joint, origin, line.direction)
+            drawn[k] = None if origin is None else AxisLine(line.joint, origin, line.direction)
     return drawn
 
 
-def _shown_lines(lines: Sequence[Line], drawn: Sequence[Line | None], size: float) -> list[Line]:
+def _shown_lines(lines: Sequence[AxisLine], drawn: Sequence[AxisLine | None], size: float) -> list[AxisLine]:
     """The axes for choosing from: sliding axes where the student or else the assignment draws them."""
     proposed = draw_prismatic_axes(lines, size)
     return [own or other for own, other in zip(drawn, proposed, strict=True)]
 
 
 def _place(
-    i: int, lines: Sequence[Line], drawn: Sequence[Line | None], convention: Convention, size: float
-) -> Place:
+    i: int, lines: Sequence[AxisLine], drawn: Sequence[AxisLine | None], convention: Convention, size: float
+) -> FramePlace:
     own, partner = own_axis(i, len(lines), convention), partner_axis(i, len(lines), convention)
     own_line = None
     if own is not None:
         own_line = drawn[own - 1] or lines[own - 1]
-    return Place(
+    return FramePlace(
         index=i,
         convention=convention,
         own=own,
@@ -237,7 +237,7 @@ def _whole(frame: PartialPose) -> Pose | None:
     return Pose(frame.origin, frame.x, frame.z)
 
 
-def _advice(sound: Sequence[Pose | None], place: Place, prescribed: Pose | None) -> list[Finding]:
+def _advice(sound: Sequence[Pose | None], place: FramePlace, prescribed: Pose | None) -> list[FrameFinding]:
     i = place.index
     frame = sound[i]
     if frame is None:
@@ -257,7 +257,7 @@ def _advice(sound: Sequence[Pose | None], place: Place, prescribed: Pose | None)
 
 
 def _row(
-    i: int, line: Line, sound: Sequence[Pose | None], convention: Convention, size: float
+    i: int, line: AxisLine, sound: Sequence[Pose | None], convention: Convention, size: float
 ) -> NumericRow | None:
     """Row i, from frames i-1 and i."""
     before, frame = sound[i - 1], sound[i]

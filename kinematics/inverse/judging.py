@@ -17,9 +17,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.dh import ElementaryMotion, JointValue, Kind
+from kinematics.dh import ElementaryMotion, JointValue, MotionKind
 from kinematics.evaluation.blocks import run_blocks
-from kinematics.evaluation.plan import Plan
+from kinematics.evaluation.plan import EvaluationPlan
 from kinematics.evaluation.recurrences import LinkMotions, end_pose, joint_axes
 from kinematics.evaluation.tape import Recorder, Tape
 from kinematics.inverse.arm import Array
@@ -51,7 +51,7 @@ class Judgement(NamedTuple):
     fingerprint: Array
 
 
-def judge(plan: Plan, joints: Array, targets: Array, counts: NDArray[np.intp]) -> Judgement:
+def judge(plan: EvaluationPlan, joints: Array, targets: Array, counts: NDArray[np.intp]) -> Judgement:
     """Judge candidates by the forward kinematics.
 
     Args:
@@ -83,7 +83,7 @@ def _sum(rows: Array, which: Sequence[int]) -> Array:
 
 
 @lru_cache(maxsize=64)
-def _tape(plan: Plan) -> Tape:
+def _tape(plan: EvaluationPlan) -> Tape:
     """End pose, determinant and fingerprint of an arm of six turning joints."""
     recorder = Recorder(12)
     values = list(zip(recorder.inputs[:6], recorder.inputs[6:], strict=True))
@@ -112,10 +112,10 @@ def _backwards(links: Sequence[Sequence[ElementaryMotion]]) -> tuple[ElementaryM
     """
     motions: list[ElementaryMotion] = []
     for motion in (motion for link in reversed(links) for motion in reversed(link)):
-        turns = motion.kind in (Kind.TURN_X, Kind.TURN_Z)
+        turns = motion.kind in (MotionKind.TURN_X, MotionKind.TURN_Z)
         first = motion.first if turns else -motion.first
         inverse = motion._replace(first=first, second=-motion.second, sign=-motion.sign)
-        swap = motions and motion.kind is Kind.TURN_Z and motions[-1].kind is Kind.SHIFT_Z
+        swap = motions and motion.kind is MotionKind.TURN_Z and motions[-1].kind is MotionKind.SHIFT_Z
         motions.insert(len(motions) - bool(swap), inverse)
     return tuple(motions)
 

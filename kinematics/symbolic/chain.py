@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TypeAlias
 
-from kinematics.dh import Kind
+from kinematics.dh import MotionKind
 from kinematics.expressions import JointVariable
 from kinematics.symbolic.angles import NO_ANGLE, Angle, angle_of, joint_angle
 from kinematics.symbolic.motions import Motion
@@ -68,14 +68,14 @@ class Chain:
         """Append motions at the end of the chain."""
         for motion in motions:
             match motion.kind:
-                case Kind.TURN_Z:
+                case MotionKind.TURN_Z:
                     turn = joint_angle(motion.joint, motion.sign) if motion.joint else angle_of(motion.amount)
                     self._turn(turn)
-                case Kind.SHIFT_Z:
+                case MotionKind.SHIFT_Z:
                     self._slide_along_z(self._length(motion))
-                case Kind.SHIFT_X:
+                case MotionKind.SHIFT_X:
                     self._add_arm(self.runs[-1], self._length(motion), NOTHING)
-                case Kind.TURN_X:
+                case MotionKind.TURN_X:
                     self._twist(angle_of(motion.amount))
 
     def finished(self) -> tuple[Run, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from kinematics.dh import Kind
+from kinematics.dh import MotionKind
 from kinematics.symbolic.angles import NO_ANGLE, Angle
 from kinematics.symbolic.chain import Chain, Run, Vector, swung, turned, twisted
 from kinematics.symbolic.motions import Motion
@@ -60,7 +60,7 @@ def column_in_base(
     """Linear and angular velocity of the end in the axes of the base: (z × (p - p_k), z)."""
     arena = writer.arena
     axis = writer.in_world(writer.rotated(joint.before, joint.axis(arena)))
-    if joint.motion.kind is Kind.SHIFT_Z:
+    if joint.motion.kind is MotionKind.SHIFT_Z:
         return axis, ORIGIN
     at = joint.run(runs)
     tip = writer.carried(runs[at + 1 :], ORIGIN if end is None else end[3])
@@ -76,7 +76,7 @@ def column_in_end(
     Source: J. J. Craig, Introduction to Robotics, 3rd ed., eq. 5.45 ff., run by run.
     """
     arena = writer.arena
-    if joint.motion.kind is Kind.SHIFT_Z:
+    if joint.motion.kind is MotionKind.SHIFT_Z:
         axis = joint.axis(arena)
         for run in Chain.of(arena, joint.after).finished():
             axis = _turned_back(arena, run, axis)

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kinematics.dh import MOTIONS, Kind
+from kinematics.dh import MOTIONS, MotionKind
 from kinematics.expressions import ZERO, Expression
 from kinematics.table import Convention, JointType, SymbolicRow, SymbolicTable
 
-_KINDS = {"theta": Kind.TURN_Z, "d": Kind.SHIFT_Z, "a": Kind.SHIFT_X, "alpha": Kind.TURN_X}
+_KINDS = {
+    "theta": MotionKind.TURN_Z,
+    "d": MotionKind.SHIFT_Z,
+    "a": MotionKind.SHIFT_X,
+    "alpha": MotionKind.TURN_X,
+}
 _VARIABLE = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d", JointType.FIXED: ""}
 
 
@@ -23,7 +28,7 @@ class Motion:
         sign: the sign with which the joint variable enters.
     """
 
-    kind: Kind
+    kind: MotionKind
     amount: Expression = ZERO
     joint: int = 0
     sign: int = 1

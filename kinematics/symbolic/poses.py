@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from kinematics.dh import Kind
+from kinematics.dh import MotionKind
 from kinematics.expressions import Expression
 from kinematics.symbolic.elements import MINUS_ONE_FORM, ONE_FORM, ZERO_FORM, Form
 from kinematics.symbolic.motions import Motion
@@ -33,13 +33,13 @@ class ExactPose:
     def then(self, motion: Motion) -> None:
         """X ← X · motion."""
         ring = self.reader.ring
-        if motion.kind in (Kind.SHIFT_X, Kind.SHIFT_Z):
+        if motion.kind in (MotionKind.SHIFT_X, MotionKind.SHIFT_Z):
             amount = self.reader.form(motion.amount)
             for row in self.m:
-                along = row[0 if motion.kind is Kind.SHIFT_X else 2]
+                along = row[0 if motion.kind is MotionKind.SHIFT_X else 2]
                 row[3] = ring.add(row[3], ring.multiply(amount, along))
             return
-        i, j = (0, 1) if motion.kind is Kind.TURN_Z else (1, 2)
+        i, j = (0, 1) if motion.kind is MotionKind.TURN_Z else (1, 2)
         circle = self.reader.cosine_and_sine(motion.amount)
         for row in self.m:
             row[i], row[j] = self._mixed(circle, row[i], row[j])
@@ -47,11 +47,11 @@ class ExactPose:
     def undo(self, motion: Motion) -> None:
         """X ← motion^(-1) · X."""
         ring = self.reader.ring
-        if motion.kind in (Kind.SHIFT_X, Kind.SHIFT_Z):
-            row = self.m[0 if motion.kind is Kind.SHIFT_X else 2]
+        if motion.kind in (MotionKind.SHIFT_X, MotionKind.SHIFT_Z):
+            row = self.m[0 if motion.kind is MotionKind.SHIFT_X else 2]
             row[3] = ring.add(row[3], self.reader.form(motion.amount), -1)
             return
-        i, j = (0, 1) if motion.kind is Kind.TURN_Z else (1, 2)
+        i, j = (0, 1) if motion.kind is MotionKind.TURN_Z else (1, 2)
         circle = self.reader.cosine_and_sine(motion.amount)
         upper, lower = self.m[i], self.m[j]
         for k in range(4):
@@ -63,11 +63,11 @@ class ExactPose:
         for row in self.m:
             row[:] = [tidy(ring, entry) if len(entry.coefficients) > _SHORT else entry for entry in row]
 
-    def carries(self, kind: Kind, sign: int) -> bool:
+    def carries(self, kind: MotionKind, sign: int) -> bool:
         """Whether X takes the joint's axis, or its direction if it slides, onto sign times the z-axis."""
         m, ring = self.m, self.reader.ring
         vanishing = [m[0][2], m[1][2]]
-        if kind is Kind.TURN_Z:
+        if kind is MotionKind.TURN_Z:
             vanishing += [m[2][0], m[2][1], m[0][3], m[1][3]]
             vanishing += [ring.add(m[0][0], m[1][1], -sign), ring.add(m[0][1], m[1][0], sign)]
         else:

@@ -31,7 +31,7 @@ from kinematics.se3 import (
 )
 from kinematics.table import Convention, JointType, NumericTable
 from kinematics.urdf.document import Bounds, UrdfJoint, read_document, refused
-from kinematics.urdf.serial import MOVING, Step, serial_chain
+from kinematics.urdf.serial import MOVING, ChainStep, serial_chain
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -153,7 +153,7 @@ def chain_from_urdf(text: str, *, base_link: str | None = None, tip_link: str | 
     )
 
 
-def _chain(steps: Sequence[Step]) -> Chain:
+def _chain(steps: Sequence[ChainStep]) -> Chain:
     """Return the axes of the moving joints and the pose of the tip, at zero, in the base link.
 
     Passed upwards, a joint is its inverse: it turns the other way, and its origin comes behind it.

@@ -15,7 +15,7 @@ SEVERAL_FREEDOMS = {"floating": 6, "planar": 2}
 KNOWN = (*sorted(MOVING), "fixed")
 
 
-class Step(NamedTuple):
+class ChainStep(NamedTuple):
     """A joint of a chain, and which way it is passed.
 
     Attributes:
@@ -31,7 +31,7 @@ class Step(NamedTuple):
 
 def serial_chain(
     document: UrdfDocument, base_link: str | None = None, tip_link: str | None = None
-) -> tuple[Step, ...]:
+) -> tuple[ChainStep, ...]:
     """Return the joints from the base link to the tip link, base first.
 
     A joint that follows another one by `mimic` is read as a joint of its own where nothing else in the chain
@@ -62,7 +62,7 @@ def serial_chain(
         _check_kind(joint)
     _check_mimics(document, (*up, *reversed(down)))
     path = [*((joint, True) for joint in up), *((joint, False) for joint in reversed(down))]
-    steps = tuple(Step(joint, upwards, _moves(joint)) for joint, upwards in path)
+    steps = tuple(ChainStep(joint, upwards, _moves(joint)) for joint, upwards in path)
     if not any(step.moves for step in steps):
         raise refused("urdf_nothing_moves", base=base, tip=tip)
     return steps

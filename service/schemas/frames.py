@@ -11,7 +11,7 @@ from kinematics.frames.assignment import Freedom, Rule
 from kinematics.frames.axes import Gripper, JointAxis
 from kinematics.frames.candidates import CandidateKind
 from kinematics.frames.parallels import MAX_PARALLEL_TOLERANCE, PARALLEL_TOLERANCE, NearParallel
-from kinematics.frames.rules import Part, RuleCode, Severity
+from kinematics.frames.rules import FramePart, RuleCode, Severity
 from kinematics.frames.trainer import ChosenFrame
 from kinematics.table import Convention, JointType
 from service.http.validation import CHOICE
@@ -143,7 +143,7 @@ class Broken(Wire):
     """A rule that a frame breaks, or a piece of advice."""
 
     rule: RuleCode
-    part: Part
+    part: FramePart
     severity: Severity
     params: dict[str, int]
     message: str = Field(description="the rule in the caller's language")

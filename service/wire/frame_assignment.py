@@ -7,8 +7,8 @@ from collections.abc import Callable
 from kinematics.errors import Fault
 from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import Gripper
-from kinematics.frames.candidates import Candidate, Candidates
-from kinematics.frames.rules import Finding
+from kinematics.frames.candidates import Candidates, FrameCandidate
+from kinematics.frames.rules import FrameFinding
 from kinematics.frames.trainer import JudgedFrame, check_frames
 from kinematics.se3 import Transform
 from service.schemas.frames import (
@@ -117,7 +117,7 @@ def _judged(frame: JudgedFrame, say: Say) -> Judged:
     )
 
 
-def _broken(finding: Finding, say: Say) -> Broken:
+def _broken(finding: FrameFinding, say: Say) -> Broken:
     params = dict(finding.params)
     return Broken(
         rule=finding.rule,
@@ -129,7 +129,7 @@ def _broken(finding: Finding, say: Say) -> Broken:
 
 
 def _choices(found: Candidates) -> Choices:
-    def wire(candidates: tuple[Candidate, ...]) -> list[Choice]:
+    def wire(candidates: tuple[FrameCandidate, ...]) -> list[Choice]:
         return [
             Choice(kind=each.kind, vector=list(each.vector), params=dict(each.params)) for each in candidates
         ]

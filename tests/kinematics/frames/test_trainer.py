@@ -8,7 +8,7 @@ import pytest
 from kinematics.errors import DescriptionError
 from kinematics.forward import forward_kinematics
 from kinematics.frames.assignment import assign_frames
-from kinematics.frames.rules import Part, RuleCode, Severity
+from kinematics.frames.rules import FramePart, RuleCode, Severity
 from kinematics.frames.trainer import ChosenFrame, check_frames
 from kinematics.se3 import cross
 from kinematics.table import CELLS, Convention
@@ -77,37 +77,37 @@ STANDARD = chosen_from(assign_frames(PUMA, Convention.STANDARD))
 @pytest.mark.parametrize(
     ("convention", "i", "parts", "rule", "part"),
     [
-        (Convention.MODIFIED, 2, {"z": Z}, RuleCode.Z_NOT_ALONG_AXIS, Part.Z),
-        (Convention.STANDARD, 1, {"z": Z}, RuleCode.Z_NOT_ALONG_AXIS, Part.Z),
-        (Convention.MODIFIED, 2, {"origin": (0.1, 0, 0)}, RuleCode.ORIGIN_NOT_ON_AXIS, Part.ORIGIN),
+        (Convention.MODIFIED, 2, {"z": Z}, RuleCode.Z_NOT_ALONG_AXIS, FramePart.Z),
+        (Convention.STANDARD, 1, {"z": Z}, RuleCode.Z_NOT_ALONG_AXIS, FramePart.Z),
+        (Convention.MODIFIED, 2, {"origin": (0.1, 0, 0)}, RuleCode.ORIGIN_NOT_ON_AXIS, FramePart.ORIGIN),
         (
             Convention.MODIFIED,
             4,
             {"origin": (0.4521, -0.15005, 0)},
             RuleCode.ORIGIN_NOT_AT_INTERSECTION,
-            Part.ORIGIN,
+            FramePart.ORIGIN,
         ),
         (
             Convention.MODIFIED,
             3,
             {"origin": (0.4318, 0, 0)},
             RuleCode.ORIGIN_NOT_ON_COMMON_NORMAL,
-            Part.ORIGIN,
+            FramePart.ORIGIN,
         ),
         (
             Convention.STANDARD,
             3,
             {"origin": (0.4521, -0.15005, 0.3)},
             RuleCode.ORIGIN_NOT_ON_COMMON_NORMAL,
-            Part.ORIGIN,
+            FramePart.ORIGIN,
         ),
-        (Convention.MODIFIED, 2, {"x": Z}, RuleCode.X_NOT_ALONG_COMMON_NORMAL, Part.X),
-        (Convention.MODIFIED, 1, {"x": Y}, RuleCode.X_NOT_ACROSS_BOTH_AXES, Part.X),
-        (Convention.MODIFIED, 2, {"x": Y}, RuleCode.X_NOT_ACROSS_Z, Part.X),
-        (Convention.MODIFIED, 0, {"x": Z}, RuleCode.FIRST_X_MISSES_AXIS, Part.X),
-        (Convention.MODIFIED, 0, {"origin": (0, 1, 0)}, RuleCode.FIRST_X_MISSES_AXIS, Part.X),
-        (Convention.STANDARD, 6, {"x": Z, "z": X}, RuleCode.LAST_X_MISSES_AXIS, Part.X),
-        (Convention.STANDARD, 0, {"origin": (1, 0, 0)}, RuleCode.ORIGIN_NOT_ON_AXIS, Part.ORIGIN),
+        (Convention.MODIFIED, 2, {"x": Z}, RuleCode.X_NOT_ALONG_COMMON_NORMAL, FramePart.X),
+        (Convention.MODIFIED, 1, {"x": Y}, RuleCode.X_NOT_ACROSS_BOTH_AXES, FramePart.X),
+        (Convention.MODIFIED, 2, {"x": Y}, RuleCode.X_NOT_ACROSS_Z, FramePart.X),
+        (Convention.MODIFIED, 0, {"x": Z}, RuleCode.FIRST_X_MISSES_AXIS, FramePart.X),
+        (Convention.MODIFIED, 0, {"origin": (0, 1, 0)}, RuleCode.FIRST_X_MISSES_AXIS, FramePart.X),
+        (Convention.STANDARD, 6, {"x": Z, "z": X}, RuleCode.LAST_X_MISSES_AXIS, FramePart.X),
+        (Convention.STANDARD, 0, {"origin": (1, 0, 0)}, RuleCode.ORIGIN_NOT_ON_AXIS, FramePart.ORIGIN),
     ],
 )
 def test_each_rule_is_named(convention, i, parts, rule, part):
