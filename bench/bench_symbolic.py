@@ -158,9 +158,9 @@ def _catalogue() -> list[Outcome]:
     from kinematics.catalogue import robots
     from kinematics.printing import Format, Notation
     from kinematics.table import table_parameters
-    from service.wire.symbolic_forms import Part, Task, written_answer
+    from service.wire.symbolic_forms import FormPart, Task, written_answer
 
-    measures = {"⁰T_N": (Part.TRANSFORM,), "links, frames, ⁰T_N, its inverse, J0, Jn": tuple(Part)}
+    measures = {"⁰T_N": (FormPart.TRANSFORM,), "links, frames, ⁰T_N, its inverse, J0, Jn": tuple(FormPart)}
     outcomes: list[Outcome] = []
     for name, parts in measures.items():
         seconds, slowest = max(

@@ -11,12 +11,13 @@ from __future__ import annotations
 
 import ast
 import math
+import sys
 from collections import Counter
 from collections.abc import Callable, Sequence
 from functools import partial
 from struct import Struct
 from types import CodeType, FunctionType
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +37,9 @@ _NODES: dict[Operator, type[ast.operator]] = {
     Operator.SUBTRACT: ast.Sub,
     Operator.MULTIPLY: ast.Mult,
 }
+
+_TYPE_PARAMETERS: dict[str, Any] = {"type_params": []} if sys.version_info >= (3, 12) else {}
+"""A field that a function of the syntax tree has since Python 3.12."""
 
 
 def straight_line(tape: Tape, joint_types: Sequence[JointType], shape: tuple[int, ...]) -> Evaluator:
@@ -58,6 +62,7 @@ def straight_line(tape: Tape, joint_types: Sequence[JointType], shape: tuple[int
         args=ast.arguments(posonlyargs=[], args=arguments, kwonlyargs=[], kw_defaults=[], defaults=[]),
         body=body,
         decorator_list=[],
+        **_TYPE_PARAMETERS,
     )
     module = ast.fix_missing_locations(ast.Module(body=[definition], type_ignores=[]))
     code = compile(module, "<recorded computation>", "exec")

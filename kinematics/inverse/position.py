@@ -145,7 +145,7 @@ class _Second:
         if first.turns:
             self.functionals = first.axis[None]
             w = places - self.centre
-            self.distances = (w * w).sum(axis=1) / size**2
+            self.distances: Array | None = (w * w).sum(axis=1) / size**2
         else:
             self.functionals = np.linalg.svd(first.axis[None])[2][1:]
             self.distances = None

@@ -9,7 +9,7 @@ from typing import Protocol
 
 from exercises.errors import ExerciseError
 from kinematics.errors import Fault, KinematicsError
-from service.cli import backups, exercises, grade, keys, lti, people, receipts, serve
+from service.cli import backups, config, exercises, grade, keys, lti, people, receipts, serve
 from service.http.problems import ServiceError
 from service.messages import DEFAULT_LANGUAGE, languages, sentence
 
@@ -21,7 +21,7 @@ class Command(Protocol):
         """Declare the subcommand, its options, and what runs it."""
 
 
-COMMANDS: tuple[Command, ...] = (serve, exercises, grade, receipts, keys, backups, lti, people)
+COMMANDS: tuple[Command, ...] = (serve, exercises, grade, receipts, keys, backups, lti, people, config)
 """Every subcommand; a new one is a module of this package and an entry here."""
 
 FAILED, UNUSABLE = 1, 2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -11,7 +12,7 @@ from pydantic import BaseModel
 from pydantic.json_schema import models_json_schema
 
 from service.http.problems import PROBLEM_JSON
-from service.http.routing import JSON
+from service.http.routing import API_PREFIX, JSON
 from service.schemas.base import ProblemDocument
 from service.schemas.examples import named
 
@@ -103,13 +104,35 @@ def document(app: FastAPI, tags: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
         components.setdefault(name, definition)
     for unused in ("HTTPValidationError", "ValidationError"):
         components.pop(unused, None)
-    for path in schema["paths"].values():
-        for operation in path.values():
+    for path, operations in schema["paths"].items():
+        for method, operation in operations.items():
+            operation["operationId"] = _identifier(path, method, len(operations))
             _refuse_alike(operation)
             _put_in_order(operation)
+    _drop_null_defaults(schema)
     order = [tag["name"] for tag in tags]
     schema["paths"] = dict(sorted(schema["paths"].items(), key=lambda item: _rank(item[1], order)))
     return schema
+
+
+def _identifier(path: str, method: str, methods: int) -> str:
+    """Name an operation by its path: a function of a generated client is called so."""
+    words = re.findall(r"[a-z0-9]+", path.removeprefix(API_PREFIX))
+    if methods > 1 or path.endswith("}"):
+        words.insert(0, method)
+    return "_".join(words)
+
+
+def _drop_null_defaults(schema: Any) -> None:
+    """Leave out `default: null`: it says only that a field may be left out, and generators misread it."""
+    if isinstance(schema, dict):
+        if "default" in schema and schema["default"] is None:
+            del schema["default"]
+        for entry in schema.values():
+            _drop_null_defaults(entry)
+    elif isinstance(schema, list):
+        for entry in schema:
+            _drop_null_defaults(entry)
 
 
 def _put_in_order(operation: dict[str, Any]) -> None:

@@ -15,7 +15,7 @@ from service.schemas.forward_kinematics import (
     ForwardKinematicsAnswer,
     ForwardKinematicsQuestion,
     ForwardKinematicsRequest,
-    Part,
+    PoseQuantity,
 )
 from service.wire.pose_answers import (
     ARRAY_PARTS,
@@ -83,10 +83,10 @@ def _question(asked: ReadQuestion[ForwardKinematicsQuestion], offer: str) -> Pos
     )
 
 
-def _one_array(parts: tuple[Part, ...]) -> tuple[Part, ...]:
+def _one_array(parts: tuple[PoseQuantity, ...]) -> tuple[PoseQuantity, ...]:
     """The one part that an npy file can hold."""
     if parts is STANDARD_PARTS:
-        return (Part.TRANSFORM,)
+        return (PoseQuantity.TRANSFORM,)
     if len(parts) != 1 or parts[0] not in ARRAY_PARTS:
         raise RequestError(
             Fault(

@@ -1,11 +1,14 @@
-"""Is the service alive?"""
+"""How the service is: alive, ready, and which version."""
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 from fastapi import APIRouter, Response
+from pydantic import Field
 
+from service import __version__
+from service.resources import AppResources
 from service.schemas.base import Wire
 
 router = APIRouter(tags=["service"])
@@ -17,8 +20,54 @@ class Health(Wire):
     status: Literal["ok"]
 
 
+class LaneState(Wire):
+    """The worker processes of a lane."""
+
+    ready: bool = Field(description="whether all of its processes are there")
+    running: int = Field(description="tasks that are being done")
+    waiting: int = Field(description="tasks that wait")
+
+
+class Readiness(Wire):
+    """Whether requests should be sent here."""
+
+    status: Literal["ready", "starting"]
+    lanes: Annotated[dict[str, LaneState], Field(description="worker processes, by the name of their lane")]
+
+
+class Version(Wire):
+    """Which version answers."""
+
+    name: Literal["framewise"]
+    version: str = Field(description="by the rules of Semantic Versioning")
+
+
 @router.get("/healthz", summary="Is the service alive?")
-async def healthz(response: Response) -> Health:
-    """Answers as long as requests are served; for load balancers and container health checks."""
+@router.get("/livez", summary="Is the process alive?")
+async def livez(response: Response) -> Health:
+    """Answers as long as requests are served; what does not answer should be started again."""
     response.headers["Cache-Control"] = "no-store"
     return Health(status="ok")
+
+
+@router.get("/readyz", summary="Should requests be sent here?", responses={503: {"model": Readiness}})
+async def readyz(response: Response, resources: AppResources) -> Readiness:
+    """Asks each lane for its worker processes; those that have died are started again.
+
+    While one is being started, the answer is 503 with the same document.
+    """
+    response.headers["Cache-Control"] = "no-store"
+    lanes = {
+        name.value: LaneState(ready=lane.heal(), running=lane.queue.running, waiting=lane.queue.waiting)
+        for name, lane in resources.workers.lanes.items()
+    }
+    ready = all(lane.ready for lane in lanes.values())
+    response.status_code = 200 if ready else 503
+    return Readiness(status="ready" if ready else "starting", lanes=lanes)
+
+
+@router.get("/version", summary="Which version answers?")
+async def version(response: Response) -> Version:
+    """The version of the service, for those who operate it."""
+    response.headers["Cache-Control"] = "no-store"
+    return Version(name="framewise", version=__version__)

@@ -110,7 +110,7 @@ async def jacobian(
 
     With `joints` in numbers, without them in closed form.
     """
-    inspected = body.method is wire.Method.INSPECTION
+    inspected = body.method is wire.JacobianMethod.INSPECTION
     wanted = Wanted.INSPECTED_JACOBIANS if inspected else Wanted.DIFFERENTIATED_JACOBIANS
     if body.joints is None:
         return await _closed(body, wanted, request)

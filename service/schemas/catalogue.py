@@ -22,7 +22,7 @@ class Source(Wire):
     figures: str = Field(description="where the lengths come from, as printed")
 
 
-class Configuration(Wire):
+class NamedConfiguration(Wire):
     """Joint values that mean something."""
 
     joints: list[Real] = Field(description="q_1 … q_n, in the table's units")
@@ -44,7 +44,7 @@ class Robot(Wire):
     source: Source
     table: Table
     parameters: dict[str, Real] = Field(description="the value of every parameter, in the table's units")
-    configurations: dict[str, Configuration] = Field(description="named joint values")
+    configurations: dict[str, NamedConfiguration] = Field(description="named joint values")
     limits: list[Annotated[list[Real], Field(min_length=2, max_length=2)]] | None = Field(
         None, description="[low, high] of every joint in the table's units; left out where they are not known"
     )
@@ -77,7 +77,7 @@ class Robot(Wire):
             ),
             parameters=dict(robot.parameters),
             configurations={
-                name: Configuration(
+                name: NamedConfiguration(
                     joints=list(found.joints),
                     meaning=told(f"configuration-{robot.id}-{name}") or found.meaning,
                 )

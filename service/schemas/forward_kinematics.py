@@ -13,7 +13,7 @@ from service.schemas.robots import RobotQuestion
 from service.schemas.tables import Units
 
 
-class Part(StrEnum):
+class PoseQuantity(StrEnum):
     """A part of the answer that may be asked for."""
 
     TRANSFORM = "transform"
@@ -24,7 +24,13 @@ class Part(StrEnum):
     INVERSE = "inverse"
 
 
-STANDARD_PARTS = (Part.TRANSFORM, Part.LINKS, Part.FRAMES, Part.POSITION, Part.ORIENTATION)
+STANDARD_PARTS = (
+    PoseQuantity.TRANSFORM,
+    PoseQuantity.LINKS,
+    PoseQuantity.FRAMES,
+    PoseQuantity.POSITION,
+    PoseQuantity.ORIENTATION,
+)
 
 
 class ForwardKinematicsQuestion(RobotQuestion):
@@ -33,21 +39,21 @@ class ForwardKinematicsQuestion(RobotQuestion):
     base: Matrix4 | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
     tool: Matrix4 | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     inverse: bool = Field(False, description="whether the inverse of the transform is wanted as well")
-    parts: list[Annotated[Part, Field(strict=False)]] | None = Field(
+    parts: list[Annotated[PoseQuantity, Field(strict=False)]] | None = Field(
         None,
         max_length=LONGEST_LIST,
         min_length=1,
         description="the parts of the answer that are wanted; all but the inverse if left out",
     )
 
-    def wanted(self) -> tuple[Part, ...]:
+    def wanted(self) -> tuple[PoseQuantity, ...]:
         """The parts of the answer, in the order of the enumeration."""
         if self.parts is None and not self.inverse:
             return STANDARD_PARTS
         chosen = set(self.parts if self.parts is not None else STANDARD_PARTS)
         if self.inverse:
-            chosen.add(Part.INVERSE)
-        return tuple(part for part in Part if part in chosen)
+            chosen.add(PoseQuantity.INVERSE)
+        return tuple(part for part in PoseQuantity if part in chosen)
 
 
 class ForwardKinematicsRequest(ForwardKinematicsQuestion):

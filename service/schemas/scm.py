@@ -127,7 +127,7 @@ class Verification(StrEnum):
     OFF = "off"
 
 
-class Method(StrEnum):
+class JacobianMethod(StrEnum):
     """How a Jacobian is formed: by columns (eq. 3.22, 3.23), or from the derivative of the matrix (3.24)."""
 
     INSPECTION = "inspection"
@@ -185,8 +185,9 @@ class ScmInverseTransformRequest(ClosedFormQuestion):
 class ScmJacobianRequest(ClosedFormQuestion):
     """A chain, and joint values."""
 
-    method: Annotated[Method, Field(strict=False)] = Field(
-        Method.INSPECTION, description="inspection (eq. 3.22, 3.23) or differentiation (eq. 3.24, H2J)"
+    method: Annotated[JacobianMethod, Field(strict=False)] = Field(
+        JacobianMethod.INSPECTION,
+        description="inspection (eq. 3.22, 3.23) or differentiation (eq. 3.24, H2J)",
     )
 
 
@@ -246,7 +247,7 @@ class ScmJacobianAnswer(Units):
     joint_unit: str = Field(
         "rad", description="per radian of a revolute joint, whatever the chain's angle unit"
     )
-    method: Method
+    method: JacobianMethod
     variables: list[str] | None = Field(None, description="the joint variables of a closed form")
     J0: list[list[Real]] | Forms = Field(description="6×n, in the axes of frame 0")
     Jn: list[list[Real]] | Forms = Field(description="6×n, in the axes of the tool")

@@ -13,10 +13,10 @@ from service.schemas.examples import PUMA_560, TWO_LINKS
 from service.schemas.jacobian_request import JacobianAnswer, JacobianRequest
 from service.schemas.robots import RobotQuestion
 from service.schemas.tables import Units
-from service.wire.symbolic_forms import Part
+from service.wire.symbolic_forms import FormPart
 
 STANDARD_FORMATS = (Format.LATEX, Format.TEXT)
-STANDARD_PARTS = (Part.LINKS, Part.FRAMES, Part.TRANSFORM)
+STANDARD_PARTS = (FormPart.LINKS, FormPart.FRAMES, FormPart.TRANSFORM)
 
 Formats: TypeAlias = Annotated[
     list[Annotated[Format, Field(strict=False)]],
@@ -50,7 +50,7 @@ class WritingQuestion(RobotQuestion):
 class SymbolicRequest(WritingQuestion):
     """A robot whose closed form is wanted."""
 
-    parts: list[Annotated[Part, Field(strict=False)]] | None = Field(
+    parts: list[Annotated[FormPart, Field(strict=False)]] | None = Field(
         None,
         max_length=LONGEST_LIST,
         min_length=1,
@@ -59,12 +59,12 @@ class SymbolicRequest(WritingQuestion):
     inverse: bool = Field(False, description="whether the inverse of the transform is wanted as well")
     jacobian: bool = Field(False, description="whether the Jacobians J0 and Jn are wanted as well")
 
-    def wanted(self) -> tuple[Part, ...]:
+    def wanted(self) -> tuple[FormPart, ...]:
         """What is wanted, in the order of the enumeration."""
         chosen = set(self.parts if self.parts is not None else STANDARD_PARTS)
-        chosen |= {Part.INVERSE} if self.inverse else set()
-        chosen |= {Part.JACOBIAN} if self.jacobian else set()
-        return tuple(part for part in Part if part in chosen)
+        chosen |= {FormPart.INVERSE} if self.inverse else set()
+        chosen |= {FormPart.JACOBIAN} if self.jacobian else set()
+        return tuple(part for part in FormPart if part in chosen)
 
 
 class SymbolicJacobianRequest(WritingQuestion):

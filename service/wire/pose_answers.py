@@ -21,7 +21,7 @@ from kinematics.poses import pose_notations
 from kinematics.se3 import inverse_transform
 from kinematics.table import JointType
 from service.http.npy import npy_data, npy_header
-from service.schemas.forward_kinematics import STANDARD_PARTS, Part
+from service.schemas.forward_kinematics import STANDARD_PARTS, PoseQuantity
 from service.wire.json_chunks import blocks, list_chunks, written
 from service.wire.prepared_robots import Robot
 
@@ -49,7 +49,7 @@ class PoseQuestion:
 
     robot: Robot
     joints: list[float] | Floats
-    parts: Sequence[Part]
+    parts: Sequence[PoseQuantity]
     base: Matrix | None = None
     tool: Matrix | None = None
 
@@ -58,19 +58,19 @@ class PoseQuestion:
         joints = self.joints if start is None else self.joints[start:stop]
         return forward_kinematics(self.robot.table, joints, base=self.base, tool=self.tool)
 
-    def array(self, part: Part, start: int, stop: int) -> Floats:
+    def array(self, part: PoseQuantity, start: int, stop: int) -> Floats:
         """A part of the answer, of a block of the batch."""
-        if part is Part.TRANSFORM:
+        if part is PoseQuantity.TRANSFORM:
             return end_poses(self.robot.table, self.joints[start:stop], base=self.base, tool=self.tool)
         return _ARRAYS[part](self.poses(start, stop))
 
 
-_ARRAYS: dict[Part, Callable[[ForwardKinematics], Floats]] = {
-    Part.TRANSFORM: lambda poses: poses.transform,
-    Part.LINKS: lambda poses: poses.links,
-    Part.FRAMES: lambda poses: poses.frames,
-    Part.POSITION: lambda poses: poses.transform[..., :3, 3].copy(),
-    Part.INVERSE: lambda poses: inverse_transform(poses.transform),
+_ARRAYS: dict[PoseQuantity, Callable[[ForwardKinematics], Floats]] = {
+    PoseQuantity.TRANSFORM: lambda poses: poses.transform,
+    PoseQuantity.LINKS: lambda poses: poses.links,
+    PoseQuantity.FRAMES: lambda poses: poses.frames,
+    PoseQuantity.POSITION: lambda poses: poses.transform[..., :3, 3].copy(),
+    PoseQuantity.INVERSE: lambda poses: inverse_transform(poses.transform),
 }
 ARRAY_PARTS = tuple(_ARRAYS)
 
@@ -83,7 +83,7 @@ def one_answer(question: PoseQuestion) -> bytes:
         _add_standard_parts(answer, poses, question.robot.angle)
     else:
         for part in question.parts:
-            if part is Part.ORIENTATION:
+            if part is PoseQuantity.ORIENTATION:
                 answer[part.value] = _orientation(_notations(poses.transform, question.robot.angle))
             else:
                 answer[part.value] = _ARRAYS[part](poses)
@@ -104,7 +104,7 @@ def json_blocks(question: PoseQuestion) -> Iterator[bytes]:
     """The answer for a batch, as pieces of one JSON document."""
     yield orjson.dumps(question.robot.units)[:-1]
     for part in question.parts:
-        if part is Part.ORIENTATION:
+        if part is PoseQuantity.ORIENTATION:
             yield from _orientations(question)
             continue
         yield f',"{part}":['.encode()
@@ -126,10 +126,10 @@ def npy_shape(question: PoseQuestion) -> tuple[int, ...]:
     """Shape of the one array that is wanted."""
     (part,) = question.parts
     rows = len(question.robot.table.rows)
-    shapes: dict[Part, tuple[int, ...]] = {
-        Part.LINKS: (rows, 4, 4),
-        Part.FRAMES: (rows, 4, 4),
-        Part.POSITION: (3,),
+    shapes: dict[PoseQuantity, tuple[int, ...]] = {
+        PoseQuantity.LINKS: (rows, 4, 4),
+        PoseQuantity.FRAMES: (rows, 4, 4),
+        PoseQuantity.POSITION: (3,),
     }
     batch = (len(question.joints),) if isinstance(question.joints, np.ndarray) else ()
     return (*batch, *shapes.get(part, (4, 4)))

@@ -23,7 +23,7 @@ QUICK_COST = 300.0
 QUICK_NODES = 500
 
 
-class Part(StrEnum):
+class FormPart(StrEnum):
     """A matrix, or a list of them, that may be asked for."""
 
     LINKS = "links"
@@ -53,7 +53,7 @@ class Task:
     table: SymbolicTable
     parameters: tuple[str, ...]
     variables: tuple[str, ...] = ()
-    parts: tuple[Part, ...]
+    parts: tuple[FormPart, ...]
     frames: tuple[JacobianFrame, ...] = tuple(JacobianFrame)
     formats: tuple[Format, ...]
     notation: Notation
@@ -134,27 +134,27 @@ def _parts(task: Task, write: Any) -> dict[str, Any]:
     world, world_name = ("the world", "world") if task.base is not None else ("frame 0", "0")
     workings = Workings(task.table, base=task.base, tool=task.tool)
     answer: dict[str, Any] = {}
-    if {Part.LINKS, Part.FRAMES, Part.TRANSFORM} & set(task.parts):
+    if {FormPart.LINKS, FormPart.FRAMES, FormPart.TRANSFORM} & set(task.parts):
         operations = count_operations(chain.from_iterable(workings.transform))
         if operations <= LIMIT:
             answer["operations"] = operations
-    if Part.LINKS in task.parts:
+    if FormPart.LINKS in task.parts:
         answer["links"] = [
             write(link, Purpose(name=f"T_{i - 1}_{i}", meaning=f"Pose of frame {i} in frame {i - 1}."))
             for i, link in enumerate(workings.links, start=1)
         ]
-    if Part.FRAMES in task.parts:
+    if FormPart.FRAMES in task.parts:
         answer["frames"] = [
             write(frame, Purpose(name=f"T_{world_name}_{i}", meaning=f"Pose of frame {i} in {world}."))
             for i, frame in enumerate(workings.frames, start=1)
         ]
-    if Part.TRANSFORM in task.parts:
+    if FormPart.TRANSFORM in task.parts:
         purpose = Purpose(name=f"T_{world_name}_{end_name}", meaning=f"Pose of {end} in {world}.")
         answer["transform"] = write(workings.transform, purpose)
-    if Part.INVERSE in task.parts:
+    if FormPart.INVERSE in task.parts:
         purpose = Purpose(name=f"T_{end_name}_{world_name}", meaning=f"Pose of {world} in {end}.")
         answer["inverse"] = write(workings.inverse, purpose)
-    if Part.JACOBIAN in task.parts:
+    if FormPart.JACOBIAN in task.parts:
         axes = {JacobianFrame.BASE: world, JacobianFrame.END: end}
         answer["jacobian"] = {
             _JACOBIANS[frame]: write(

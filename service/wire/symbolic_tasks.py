@@ -25,7 +25,7 @@ from service.resources import resources_of
 from service.schemas.symbolic_request import SymbolicJacobianRequest, WritingQuestion
 from service.settings import Settings
 from service.wire.prepared_robots import listed_robot
-from service.wire.symbolic_forms import Part, Task, written_answer, written_jacobians
+from service.wire.symbolic_forms import FormPart, Task, written_answer, written_jacobians
 from service.work.workers import Lane
 
 _JACOBIAN: TypeAdapter[SymbolicJacobianRequest] = TypeAdapter(SymbolicJacobianRequest)
@@ -35,7 +35,7 @@ def task_of(
     question: WritingQuestion,
     settings: Settings,
     *,
-    parts: tuple[Part, ...],
+    parts: tuple[FormPart, ...],
     frames: tuple[JacobianFrame, ...] = tuple(JacobianFrame),
 ) -> Task:
     """What a validated request asks of the workers.
@@ -115,7 +115,7 @@ async def symbolic_jacobian(request: ApiRequest, body: Mapping[str, Any]) -> Byt
     wire = validated(_JACOBIAN, body)
     frames = (wire.frame,) if wire.frame else tuple(JacobianFrame)
     task = await request.in_turn(
-        partial(task_of, wire, request.settings, parts=(Part.JACOBIAN,), frames=frames)
+        partial(task_of, wire, request.settings, parts=(FormPart.JACOBIAN,), frames=frames)
     )
     return await answered(request, task, question, written_jacobians)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterator
 from html.parser import HTMLParser
@@ -102,7 +103,7 @@ def test_every_call_is_described(name: str) -> None:
         content = operation["requestBody"]["content"]["application/json"]
         assert content.get("examples"), "a call with a body shows one"
     for status, response in operation["responses"].items():
-        if not status.startswith("2"):
+        if not status.startswith("2") and (name, status) != ("GET /readyz", "503"):  # which is an answer
             schema = response["content"]["application/problem+json"]["schema"]
             assert schema["$ref"].endswith("ProblemDocument")
 
@@ -192,3 +193,46 @@ def test_whatever_is_sent_the_document_holds(base_url: str, case: schemathesis.C
         headers={"Accept": "*/*"},
         excluded_checks=EXCUSED.get(case.operation.path, [positive_data_acceptance]),
     )
+
+
+def named_shapes() -> dict[str, Any]:
+    return DOCUMENT["components"]["schemas"]
+
+
+def test_generators_can_digest_the_document() -> None:
+    """Unique titles, no null as a default, no shape named like a generator's own, short ids of operations."""
+    titles = [shape["title"] for shape in named_shapes().values() if "title" in shape]
+    assert len(titles) == len(set(titles))
+    assert not {"Configuration"} & set(named_shapes())
+    assert not [name for name in named_shapes() if "__" in name]
+    assert '"default": null' not in json.dumps(DOCUMENT)
+    identifiers = [operation["operationId"] for _, _, operation in OPERATIONS.values()]
+    assert len(identifiers) == len(set(identifiers))
+    assert all(len(identifier) <= 40 and "api_v1" not in identifier for identifier in identifiers)
+
+
+def test_every_list_of_a_request_has_a_limit() -> None:
+    """Except joints: what a batch holds is a setting, and is counted before it is read."""
+    unbounded: set[str] = set()
+    seen: set[str] = set()
+
+    def look(shape: dict[str, Any], where: str) -> None:
+        name = str(shape.get("$ref", "")).rpartition("/")[2]
+        if name and name not in seen:
+            seen.add(name)
+            look(named_shapes()[name], name)
+        for choice in (entry for key in ("anyOf", "oneOf", "allOf") for entry in shape.get(key, ())):
+            look(choice, where)
+        if shape.get("type") == "array" and "maxItems" not in shape:
+            unbounded.add(where)
+        if isinstance(shape.get("additionalProperties"), dict) and "maxProperties" not in shape:
+            unbounded.add(where)
+        look(shape["items"], f"{where}[]") if isinstance(shape.get("items"), dict) else None
+        for field, entry in shape.get("properties", {}).items():
+            look(entry, f"{where}.{field}")
+
+    for name, (_, _, operation) in OPERATIONS.items():
+        for entry in operation.get("requestBody", {}).get("content", {}).values():
+            if "/evaluate" not in name:
+                look(entry.get("schema", {}), name)
+    assert unbounded <= {"ForwardKinematicsRequest.joints", "JacobianRequest.joints"}

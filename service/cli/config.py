@@ -1,0 +1,35 @@
+"""`framewise config`: the settings as the service would read them."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+
+from pydantic import SecretStr
+
+from service.cli.serve import settings_of_environment
+
+
+def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare `config`."""
+    parser = subparsers.add_parser("config", help="print the settings, or say which cannot be understood")
+    parser.set_defaults(run=_print)
+
+
+def _print(_options: argparse.Namespace) -> int:
+    settings = settings_of_environment()
+    for name in type(settings).model_fields:
+        value = getattr(settings, name)
+        shown = "********" if isinstance(value, SecretStr) and value.get_secret_value() else value
+        sys.stdout.write(f"FRAMEWISE_{name.upper()}={_written(shown)}\n")
+    return 0
+
+
+def _written(value: object) -> str:
+    """A value as the environment takes it."""
+    if isinstance(value, tuple):
+        return " ".join(map(str, value))
+    if isinstance(value, bool):
+        return json.dumps(value)
+    return "" if value is None else str(value)
