@@ -57,10 +57,14 @@ def regrade_student(
         return None
     new = Grade(link_id=link.id, person_id=person_id, score=chosen.worth, number=chosen.number)
     table, key = records.grade, {"link_id": link.id, "person_id": person_id}
-    before = connection.execute(
-        sa.select(table.c.score).where(table.c.link_id == link.id, table.c.person_id == person_id)
-    ).scalar()
-    upsert(connection, table, key, {"score": new.score, "number": new.number})
+    known = connection.execute(
+        sa.select(table.c.score, table.c.number).where(
+            table.c.link_id == link.id, table.c.person_id == person_id
+        )
+    ).first()
+    before = known.score if known else None
+    if known is None or (known.score, known.number) != (new.score, new.number):
+        upsert(connection, table, key, {"score": new.score, "number": new.number})
     sends = sends and bool(link.line_item or link.line_items)
     if sends and (before != new.score or not _is_queued(connection, new)):
         released = link.released_at is not None

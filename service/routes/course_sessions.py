@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import secrets
 from collections.abc import Callable
 from functools import partial
 from typing import Any, TypeVar
@@ -24,7 +23,7 @@ from service.resources import resources_of
 from service.schemas.exercises import AnswerBase, ExerciseAnswer
 from service.wire.session_views import attempt_view, masked, session_view, stored_report
 from service.wire.ungraded import answer_refused
-from service.wire.verdicts import encoded
+from service.wire.verdicts import encoded, report_body
 from service.work.limiters import WorkKind
 from service.work.session_grading import Grader, hand_in
 
@@ -109,12 +108,13 @@ async def submit(request: ApiRequest) -> Response:
         typed = await request.json()
         form = typed.pop("form", None) if isinstance(typed, dict) else None
         wire = validated(_ANSWER, typed)
-        key = request.headers.get("idempotency-key", "")[:LONGEST_KEY] or secrets.token_hex(16)
+        key = request.headers.get("idempotency-key", "")[:LONGEST_KEY] or None
         grader = grader_of(request)
         work = partial(hand_in, courses.store, grader, session, wire, typed, key, language, form)
-        attempt = await resources_of(request).limiters[WorkKind.GRADING].run(work)
+        attempt, found = await resources_of(request).limiters[WorkKind.GRADING].run(work)
     shown = Shown(attempt.shown)
-    report = masked(stored_report(attempt.report, language), shown) or {}
+    told = report_body(found, language) if found else stored_report(attempt.report, language)
+    report = masked(told, shown) or {}
     return json_response({**report, "attempt": attempt.number, "shown": shown.value})
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import secrets
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -16,7 +17,7 @@ from courses.regrading import Rejudged
 from courses.storage import Store
 from exercises.answers import parse
 from exercises.definition import Exercise
-from exercises.grader import grade
+from exercises.grader import Report, grade
 from exercises.grading import HelpLevel
 from exercises.instance import Instance, generate
 from exercises.loader import Library
@@ -31,6 +32,7 @@ from service.wire.session_views import seed_of
 class Judged:
     """What was found of an answer: as its student may be told, and at the highest level of help."""
 
+    found: Report
     report: dict[str, Any]
     analysis: dict[str, Any]
     score: float
@@ -60,6 +62,7 @@ class Grader:
             open_ = _instance(replace(asked, help=HelpLevel.REPAIR), seed)
             analysis = plain(grade(open_, answer))
         return Judged(
+            found=report,
             report=told,
             analysis=analysis,
             score=report.score,
@@ -120,20 +123,23 @@ def hand_in(
     session: CourseSession,
     wire: AnswerBase,
     typed: Any,
-    key: str,
+    key: str | None,
     language: str,
     form: Any = None,
-) -> Attempt:
+) -> tuple[Attempt, Report | None]:
     """Judge an answer and store it; an answer that cannot be graded is refused and costs nothing.
+
+    Returns:
+        The attempt, and what was found; None for the latter where the key's attempt was stored before.
 
     Raises:
         AttemptError: the policy takes no attempt now.
         KinematicsError, ExerciseError: the answer cannot be graded.
     """
     settings = session.link.settings
-    known = by_key(store, session, key)
+    known = by_key(store, session, key) if key else None
     if known is not None:
-        return known
+        return known, None
     arrived = now()
     check_open(session, arrived)
     seed = seed_of(session)
@@ -141,7 +147,7 @@ def hand_in(
     attempt = Attempt(
         link_id=session.link.id,
         person_id=session.person.id,
-        key=key,
+        key=key or secrets.token_hex(16),
         at=arrived,
         exercise_id=settings.exercise_id or "",
         version=judged.version,
@@ -153,4 +159,5 @@ def hand_in(
         score=judged.score,
         correct=judged.correct,
     )
-    return store_attempt(store, session, attempt, arrived, judged.analysis)
+    stored = store_attempt(store, session, attempt, arrived, judged.analysis)
+    return stored, judged.found if stored.at == arrived else None

@@ -92,7 +92,7 @@ def filled(store: Store, grader: Grader, students: int, attempts: int) -> Course
     for number, mistake in enumerate(MISTAKES):
         typed = answer(mistake)
         wire = ExerciseAnswer.model_validate(typed)
-        made.append(hand_in(store, grader, session, wire, typed, f"k{number}", "en"))
+        made.append(hand_in(store, grader, session, wire, typed, f"k{number}", "en")[0])
     at = now()
     with store.writing() as connection:
         findings = list(connection.execute(sa.select(records.finding)))
