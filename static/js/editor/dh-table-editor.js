@@ -30,7 +30,6 @@ import {
   toWire,
 } from "./model.js";
 import { isTable, readPasted, withBlock, withPasted } from "./paste.js";
-import { askForTable } from "./paste-dialog.js";
 
 /** @typedef {import("./model.js").CellName} CellName */
 /** @typedef {import("./model.js").Table} Table */
@@ -415,7 +414,8 @@ export class DhTableEditor extends HTMLElement {
     else if (event.key === "Enter") event.preventDefault();
   }
 
-  #openPaste() {
+  async #openPaste() {
+    const { askForTable } = await import("./paste-dialog.js");
     const order = COLUMNS[this.#table.convention];
     askForTable(this, order, this.#table.convention, (pasted) => this.#take(pasted, 0, true));
   }

@@ -4,7 +4,6 @@ import { announce, el, fill } from "../dom.js";
 import { t } from "../i18n.js";
 import { api } from "../page.js";
 import { placeName } from "./answer-card.js";
-import { reasonsList, secondTable } from "./reasons.js";
 import { bothRobots } from "./both-robots.js";
 import { partView, shareOf, verdictView, verdictWord } from "./verdict-view.js";
 
@@ -39,12 +38,13 @@ export class VerdictCard {
     /** @param {any} row @param {any} cell */
     const focusRow = (row, cell) => answer.focusRow(row, cell);
     this.#both = graded.certificate && graded.figure && drawn ? together(graded, exercise, drawn) : null;
+    const reasons = el("div");
+    if (drawn && this.#both) void addReasons(reasons, exercise, table, drawn);
     fill(
       this.place,
       verdictView(graded, { convention, focusRow }),
       this.#both?.element,
-      drawn && this.#both ? reasonsList(drawn.rows, table, drawn.size) : null,
-      drawn && this.#both && exercise.conventions.length > 1 ? secondTable(api, table) : null,
+      reasons,
       Object.values(others).map((report) =>
         partView(report, partName(report.kind), {
           nameOf: (where) => placeName(report.kind, where),
@@ -71,6 +71,17 @@ function together(graded, exercise, drawn) {
     units: { angle: graded.angle_unit, length: graded.length_unit },
     key: graded.figure,
   });
+}
+
+/**
+ * What can be learned from a right answer; loaded when there is one.
+ * @param {HTMLElement} place @param {Wire.Exercise} exercise @param {any} table
+ * @param {Pick<import("../live-robot.js").Robot, "rows" | "size">} drawn
+ */
+async function addReasons(place, exercise, table, drawn) {
+  const { reasonsList, secondTable } = await import("./reasons.js");
+  const other = exercise.conventions.length > 1 ? secondTable(api, table) : null;
+  fill(place, reasonsList(drawn.rows, table, drawn.size), other);
 }
 
 /** @param {string} kind */

@@ -17,7 +17,6 @@ import { listenTo } from "./gestures.js";
 import { labelElement, placeLabels } from "./labels.js";
 import { drawnPoints, emptyModel, poses, together } from "./model.js";
 import { pickAt } from "./picking.js";
-import { pictureOf } from "./record.js";
 import { SvgRenderer } from "./svg-renderer.js";
 import { toolbar } from "./toolbar.js";
 
@@ -181,7 +180,8 @@ export class RobotScene extends HTMLElement {
   }
 
   /** The scene as it is seen, as a PNG. @returns {Promise<Blob>} */
-  picture() {
+  async picture() {
+    const { pictureOf } = await import("./record.js");
     return pictureOf(this.viewport, this.#whole, poses(this.#whole, this.#joints), this.#camera);
   }
 
