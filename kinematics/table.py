@@ -104,6 +104,16 @@ class DHTable(Generic[Entry]):
         """Number of joint variables."""
         return len(self.joint_rows)
 
+    def _repr_html_(self) -> str:
+        from kinematics.printing.tables import table_html  # a notebook asks, and nobody else
+
+        return table_html(self)
+
+    def _repr_latex_(self) -> str:
+        from kinematics.printing.tables import table_latex
+
+        return table_latex(self)
+
 
 NumericRow: TypeAlias = DHRow[float]
 NumericTable: TypeAlias = DHTable[float]

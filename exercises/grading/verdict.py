@@ -190,3 +190,8 @@ class Verdict:
     repairs: tuple[Repair, ...]
     angle_unit: AngleUnit
     length_unit: LengthUnit
+
+    def _repr_html_(self) -> str:
+        from exercises.grading.verdict_html import verdict_html  # a notebook asks, and nobody else
+
+        return verdict_html(self)

@@ -117,3 +117,13 @@ class ReadTable:
     length_unit: LengthUnit
     parameters: Mapping[str, ParameterKind]
     variables: tuple[str, ...] = ()
+
+    def _repr_html_(self) -> str:
+        from kinematics.printing.tables import table_html  # a notebook asks, and nobody else
+
+        return table_html(self.table, self.variables)
+
+    def _repr_latex_(self) -> str:
+        from kinematics.printing.tables import table_latex
+
+        return table_latex(self.table, self.variables)
