@@ -158,7 +158,7 @@ def _catalogue() -> list[Outcome]:
     from kinematics.catalogue import robots
     from kinematics.printing import Format, Notation
     from kinematics.table import table_parameters
-    from service.wire.symbolic_forms import FormPart, Task, written_answer
+    from service.wire.symbolic_forms import FormPart, SymbolicTask, written_answer
 
     measures = {"⁰T_N": (FormPart.TRANSFORM,), "links, frames, ⁰T_N, its inverse, J0, Jn": tuple(FormPart)}
     outcomes: list[Outcome] = []
@@ -168,7 +168,7 @@ def _catalogue() -> list[Outcome]:
             for robot, task in (
                 (
                     robot.id,
-                    Task(
+                    SymbolicTask(
                         table=robot.table.table,
                         parameters=table_parameters(robot.table.table),
                         parts=parts,

@@ -58,15 +58,15 @@ def random_tables(count: int) -> list[Outcome]:
 
 def pairs(count: int) -> list[Outcome]:
     """The canonical form beside pairs of which it is known whether they are one function."""
-    from kinematics.symbolic import Verdict, compare
+    from kinematics.symbolic import ProofStatus, compare
     from tests.kinematics.symbolic.pairs import equal_pair, unequal_pair
 
     equal = Counter(compare(*equal_pair(random.Random(f"equal {seed}"))) for seed in range(count))
     unequal = Counter(compare(*unequal_pair(random.Random(f"unequal {seed}"))) for seed in range(count))
     rows = (
-        ("equal, proved", equal[Verdict.PROVED], 1.0),
-        ("unequal, not proved", count - unequal[Verdict.PROVED], 1.0),
-        ("unequal, refuted (the rest undecided)", unequal[Verdict.REFUTED], None),
+        ("equal, proved", equal[ProofStatus.PROVED], 1.0),
+        ("unequal, not proved", count - unequal[ProofStatus.PROVED], 1.0),
+        ("unequal, refuted (the rest undecided)", unequal[ProofStatus.REFUTED], None),
     )
     return [
         measured(

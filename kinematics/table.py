@@ -105,12 +105,12 @@ class DHTable(Generic[Entry]):
         return len(self.joint_rows)
 
     def _repr_html_(self) -> str:
-        from kinematics.printing.tables import table_html  # a notebook asks, and nobody else
+        from kinematics.printing.table_markup import table_html  # a notebook asks, and nobody else
 
         return table_html(self)
 
     def _repr_latex_(self) -> str:
-        from kinematics.printing.tables import table_latex
+        from kinematics.printing.table_markup import table_latex
 
         return table_latex(self)
 

@@ -19,7 +19,7 @@ from exercises.parts.protocol import Reading
 from kinematics.cells import AngleUnit, Cell, Limits
 from kinematics.cells.entries import cell_meaning
 from kinematics.cells.meaning import Position
-from kinematics.cells.refusals import Refusal
+from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.variables import variable_index
 from kinematics.errors import CellError, Fault, ParameterError
 from kinematics.expressions import (
@@ -96,7 +96,7 @@ def read_matrix(
             position = Position.LENGTH if k == 3 and r < 3 else Position.RATIO
             try:
                 values.append(_read(cell, position, angle_unit, limits, variable))
-            except Refusal as refusal:
+            except CellRefusal as refusal:
                 faults.append(refusal.at(*where, r, k))
             except _NameError as error:
                 faults.append(error.fault.within(*where, r, k))
@@ -174,7 +174,7 @@ def _read(
     text = _CALLED.sub(lambda m: _FUNCTIONS[m[1].lower()].value, text)
     try:
         return cell_meaning(text, position, unit, limits, variable).expression
-    except Refusal as refusal:
+    except CellRefusal as refusal:
         column = refusal.params.get("column")
         if isinstance(column, int):
             before = sum(1 for k, place in enumerate(places) if place + 2 * (k + 1) < column)

@@ -8,9 +8,9 @@ meaning in `meaning`.
 from kinematics.cells.binding import bind_parameters, in_length_unit, parameter_values
 from kinematics.cells.entries import read_cell
 from kinematics.cells.limits import DEFAULT, Limits
-from kinematics.cells.reading import read_table
 from kinematics.cells.scanner import canonical_name
 from kinematics.cells.suggestions import nearest_name
+from kinematics.cells.table_reader import read_table
 from kinematics.cells.tables import Cell, RawRow, RawTable, ReadTable
 from kinematics.cells.units import AngleUnit, LengthUnit, ParameterKind
 

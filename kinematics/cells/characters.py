@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 import unicodedata
 
-from kinematics.cells.refusals import Refusal
+from kinematics.cells.refusals import CellRefusal
 
 _TRANSLATED = {
     **dict.fromkeys(
@@ -68,7 +68,7 @@ def translated(text: str) -> str:
     """The text in the characters that the scanner knows, as many as before.
 
     Raises:
-        Refusal: a character has no meaning in a cell; the first such one, with its column.
+        CellRefusal: a character has no meaning in a cell; the first such one, with its column.
     """
     plain = "".join(_TRANSLATED.get(character, character) for character in text)
     if any(ord(character) >= _MATHEMATICAL_LETTERS.start for character in plain):
@@ -84,15 +84,15 @@ def translated(text: str) -> str:
     return plain
 
 
-def _refusal(character: str, column: int) -> Refusal:
+def _refusal(character: str, column: int) -> CellRefusal:
     code_point = f"U+{ord(character):04X}"
     if character in _LOOKALIKES:
-        return Refusal(
+        return CellRefusal(
             "character_lookalike", column=column, character=code_point, latin=_LOOKALIKES[character]
         )
     if ord(character) in _FULL_WIDTH:
         latin = unicodedata.normalize("NFKC", character)
-        return Refusal("character_full_width", column=column, character=code_point, latin=latin)
+        return CellRefusal("character_full_width", column=column, character=code_point, latin=latin)
     if unicodedata.category(character) in {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp", "Mn", "Me"}:
-        return Refusal("character_invisible", column=column, character=code_point)
-    return Refusal("character_not_allowed", column=column, character=f"{character} ({code_point})")
+        return CellRefusal("character_invisible", column=column, character=code_point)
+    return CellRefusal("character_not_allowed", column=column, character=f"{character} ({code_point})")

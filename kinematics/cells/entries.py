@@ -10,8 +10,8 @@ from fractions import Fraction
 from kinematics.cells.exact import snapped
 from kinematics.cells.grammar import parse
 from kinematics.cells.limits import DEFAULT, Limits
-from kinematics.cells.meaning import Meaning, Position, VariableOf, interpret
-from kinematics.cells.refusals import Refusal
+from kinematics.cells.meaning import CellMeaning, Position, VariableOf, interpret
+from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.syntax import Node
 from kinematics.cells.tables import Cell, NoCell, as_cell
 from kinematics.cells.units import AngleUnit, ParameterKind
@@ -53,53 +53,53 @@ def read_cell(
 
     try:
         return cell_meaning(cell, Position(kind.value), angle_unit, limits, variable_of).expression
-    except Refusal as refusal:
+    except CellRefusal as refusal:
         raise CellError(refusal.at()) from None
 
 
 def cell_meaning(
     cell: Cell | NoCell, position: Position, angle_unit: AngleUnit, limits: Limits, variable_of: VariableOf
-) -> Meaning:
+) -> CellMeaning:
     """What a cell means, and the kinds of its parameters.
 
     Raises:
-        Refusal: the cell cannot be read.
+        CellRefusal: the cell cannot be read.
     """
     return entry_of(cell_syntax(cell, limits), position, angle_unit, limits, variable_of)
 
 
 def entry_of(
     node: Node | Fraction, position: Position, angle_unit: AngleUnit, limits: Limits, variable_of: VariableOf
-) -> Meaning:
+) -> CellMeaning:
     """What a cell means whose syntax tree, or plain number, is known.
 
     Raises:
-        Refusal: the cell has no meaning here, or no finite value.
+        CellRefusal: the cell has no meaning here, or no finite value.
     """
     if not isinstance(node, Fraction):
         return interpret(node, position, angle_unit, limits, variable_of)
     expression: Expression = Number(node)
     if position is Position.ANGLE:
         expression = pi_times(node / 180) if angle_unit is AngleUnit.DEG else snapped(node)
-    return Meaning(expression=expression, kinds={})
+    return CellMeaning(expression=expression, kinds={})
 
 
 def cell_syntax(cell: Cell | NoCell, limits: Limits) -> Node | Fraction:
     """The syntax tree of a cell, or the value of one that is a plain number.
 
     Raises:
-        Refusal: the cell cannot be read.
+        CellRefusal: the cell cannot be read.
     """
     value = as_cell(cell) if not isinstance(cell, NoCell) else cell
     if isinstance(value, NoCell):
-        raise Refusal("cell_not_a_value", kind=value.kind)
+        raise CellRefusal("cell_not_a_value", kind=value.kind)
     if isinstance(value, str):
         short = len(value) <= min(limits.digits, limits.cell_characters)
         plain = _PLAIN_NUMBER.fullmatch(value) if short else None
         return _sized(Fraction(plain.group(1)), limits) if plain else parse(value, limits)
     if isinstance(value, float):
         if not math.isfinite(value):
-            raise Refusal("cell_not_finite")
+            raise CellRefusal("cell_not_finite")
         return _sized(Fraction(repr(value)), limits)
     return _sized(Fraction(value), limits)
 
@@ -112,5 +112,5 @@ def text_length(cells: Iterable[object], limits: Limits) -> int:
 
 def _sized(value: Fraction, limits: Limits) -> Fraction:
     if not limits.admits(value):
-        raise Refusal("number_out_of_range", column=1, smallest=limits.smallest, largest=limits.largest)
+        raise CellRefusal("number_out_of_range", column=1, smallest=limits.smallest, largest=limits.largest)
     return value

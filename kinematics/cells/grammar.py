@@ -21,19 +21,19 @@ from typing import Any
 from lark import Lark, Token, Transformer, UnexpectedToken, v_args
 
 from kinematics.cells.limits import Limits
-from kinematics.cells.refusals import Refusal
+from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.scanner import scan
 from kinematics.cells.syntax import (
     Addition,
     Application,
     Degrees,
-    Group,
     HalfTurn,
     Literal,
     Multiplication,
     Name,
     Negation,
     Node,
+    Parenthesized,
     Raised,
     Reciprocal,
     names_in,
@@ -99,13 +99,13 @@ class _Builder(Transformer[Token, Node]):
         while isinstance(divisor, Negation):
             divisor = divisor.operand
         if isinstance(divisor, Multiplication):
-            raise Refusal("division_ambiguous", column=_column(sign))
+            raise CellRefusal("division_ambiguous", column=_column(sign))
         return self.times(left, sign, Reciprocal(column=_column(sign), depth=right.depth, operand=right))
 
     def beside(self, left: Node, right: Node) -> Node:
         first = right.operand if isinstance(right, Raised | Degrees) else right
         if isinstance(first, Literal):
-            raise Refusal("number_after_value", column=first.column)
+            raise CellRefusal("number_after_value", column=first.column)
         factors = (*(left.factors if isinstance(left, Multiplication) else (left,)), right)
         return Multiplication(column=left.column, depth=_deepest(factors), factors=factors)
 
@@ -113,7 +113,7 @@ class _Builder(Transformer[Token, Node]):
         return Negation(column=_column(sign), depth=operand.depth + 1, operand=operand)
 
     def positive(self, sign: Token, operand: Node) -> Node:
-        return Group(column=_column(sign), depth=operand.depth + 1, operand=operand)
+        return Parenthesized(column=_column(sign), depth=operand.depth + 1, operand=operand)
 
     def raised(self, base: Node, _: Token, exponent: Node) -> Node:
         depth = _deepest((base, exponent)) + 1
@@ -127,7 +127,7 @@ class _Builder(Transformer[Token, Node]):
         return value
 
     def group(self, opening: Token, value: Node, _: Token) -> Node:
-        return Group(column=_column(opening), depth=value.depth + 1, operand=value)
+        return Parenthesized(column=_column(opening), depth=value.depth + 1, operand=value)
 
     def degrees(self, operand: Node, _: Token) -> Node:
         return Degrees(column=operand.column, depth=operand.depth, operand=operand)
@@ -144,7 +144,7 @@ class _Builder(Transformer[Token, Node]):
         function = Function(str(name))
         expected = 2 if function is Function.ATAN2 else 1
         if len(arguments) != expected:
-            raise Refusal(
+            raise CellRefusal(
                 "function_arity",
                 column=_column(name),
                 name=str(name),
@@ -164,7 +164,7 @@ class _Builder(Transformer[Token, Node]):
         product = Multiplication(
             column=_column(command), depth=_deepest((top, bottom)) + 1, factors=(top, divisor)
         )
-        return Group(column=product.column, depth=product.depth, operand=product)
+        return Parenthesized(column=product.column, depth=product.depth, operand=product)
 
 
 _PARSER = Lark(_GRAMMAR, parser="lalr", lexer="basic", transformer=_Builder())
@@ -175,7 +175,7 @@ def parse(text: str, limits: Limits) -> Node:
     """The syntax tree of a cell.
 
     Raises:
-        Refusal: the text is not a cell, or passes a limit.
+        CellRefusal: the text is not a cell, or passes a limit.
     """
     tokens = scan(text, limits)
     parser = _PARSER.parse_interactive("")
@@ -187,14 +187,14 @@ def parse(text: str, limits: Limits) -> Node:
         raise _refusal(error.token, tokens) from None
     assert isinstance(node, Node)
     if node.depth > limits.cell_depth:
-        raise Refusal("cell_too_deep", column=node.column, limit=limits.cell_depth)
+        raise CellRefusal("cell_too_deep", column=node.column, limit=limits.cell_depth)
     names = dict.fromkeys(name.name for name in names_in(node))
     if len(names) > limits.cell_symbols:
-        raise Refusal("cell_too_many_symbols", column=node.column, limit=limits.cell_symbols)
+        raise CellRefusal("cell_too_many_symbols", column=node.column, limit=limits.cell_symbols)
     return node
 
 
-def _refusal(token: Token, tokens: list[Token]) -> Refusal:
+def _refusal(token: Token, tokens: list[Token]) -> CellRefusal:
     column = _column(token)
     opened = _open_brackets(tokens, token)
     if token.type == "$END":
@@ -208,16 +208,16 @@ def _refusal(token: Token, tokens: list[Token]) -> Refusal:
             "LPAR",
             "LBRACE",
         }:
-            return Refusal("parenthesis_not_closed", column=_column(opened[-1]))
-        return Refusal("cell_incomplete", column=_column(tokens[-1]) + len(tokens[-1]))
+            return CellRefusal("parenthesis_not_closed", column=_column(opened[-1]))
+        return CellRefusal("cell_incomplete", column=_column(tokens[-1]) + len(tokens[-1]))
     if token.type == "COMMA":
         return _comma_refusal(token, tokens)
     if token.type in {"RPAR", "RBRACE"}:
         code = "value_missing" if opened else "parenthesis_not_opened"
-        return Refusal(code, column=column, **({"symbol": str(token)} if opened else {}))
+        return CellRefusal(code, column=column, **({"symbol": str(token)} if opened else {}))
     if token.type in {"STAR", "SLASH", "POW"}:
-        return Refusal("value_missing", column=column, symbol=str(token))
-    return Refusal("symbol_misplaced", column=column, symbol=str(token))
+        return CellRefusal("value_missing", column=column, symbol=str(token))
+    return CellRefusal("symbol_misplaced", column=column, symbol=str(token))
 
 
 def _open_brackets(tokens: list[Token], until: Token) -> list[Token]:
@@ -232,9 +232,9 @@ def _open_brackets(tokens: list[Token], until: Token) -> list[Token]:
     return opened
 
 
-def _comma_refusal(comma: Token, tokens: list[Token]) -> Refusal:
+def _comma_refusal(comma: Token, tokens: list[Token]) -> CellRefusal:
     index = next(i for i, token in enumerate(tokens) if token is comma)
     around = tokens[max(index - 1, 0) : index + 2]
     if len(around) == 3 and around[0].type == around[2].type == "NUMBER" and "." not in around[0] + around[2]:
-        return Refusal("decimal_comma", column=_column(comma), suggestion=f"{around[0]}.{around[2]}")
-    return Refusal("comma_misplaced", column=_column(comma))
+        return CellRefusal("decimal_comma", column=_column(comma), suggestion=f"{around[0]}.{around[2]}")
+    return CellRefusal("comma_misplaced", column=_column(comma))

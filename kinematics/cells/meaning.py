@@ -17,18 +17,18 @@ from fractions import Fraction
 
 from kinematics.cells.exact import absolute, inverse_trigonometric, raised, reciprocal, snapped, trigonometric
 from kinematics.cells.limits import RESULT_BITS, Limits
-from kinematics.cells.refusals import Refusal
+from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.syntax import (
     Addition,
     Application,
     Degrees,
-    Group,
     HalfTurn,
     Literal,
     Multiplication,
     Name,
     Negation,
     Node,
+    Parenthesized,
     Raised,
     Reciprocal,
 )
@@ -72,7 +72,7 @@ class Position(StrEnum):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Meaning:
+class CellMeaning:
     """What a cell means.
 
     Attributes:
@@ -86,7 +86,7 @@ class Meaning:
 
 def interpret(
     node: Node, position: Position, angle_unit: AngleUnit, limits: Limits, variable_of: VariableOf
-) -> Meaning:
+) -> CellMeaning:
     """The exact expression that a cell means.
 
     Args:
@@ -97,7 +97,7 @@ def interpret(
         variable_of: which names are joint variables.
 
     Raises:
-        Refusal: the cell has no meaning here, or no finite value.
+        CellRefusal: the cell has no meaning here, or no finite value.
     """
     interpreter = _Interpreter(angle_unit=angle_unit, limits=limits, variable_of=variable_of)
     value = interpreter.value(node, position)
@@ -107,8 +107,8 @@ def interpret(
         try:
             evaluate(expression)
         except ParameterError:
-            raise Refusal("value_not_real") from None
-    return Meaning(expression=expression, kinds=interpreter.kinds)
+            raise CellRefusal("value_not_real") from None
+    return CellMeaning(expression=expression, kinds=interpreter.kinds)
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,7 +140,7 @@ class _Interpreter:
                 return _Value(PI, is_angle=self.in_degrees and position is Position.ANGLE)
             case Name():
                 return self._name(node, position)
-            case Group(operand=operand):
+            case Parenthesized(operand=operand):
                 return self.value(operand, position)
             case Negation(operand=operand):
                 inner = self.value(operand, position)
@@ -172,17 +172,19 @@ class _Interpreter:
         kind = ParameterKind.ANGLE if position is Position.ANGLE else ParameterKind.LENGTH
         known = self.kinds.setdefault(node.name, kind)
         if known is not kind:
-            raise Refusal("parameter_two_kinds", column=node.column, name=node.name, kind=kind, other=known)
+            raise CellRefusal(
+                "parameter_two_kinds", column=node.column, name=node.name, kind=kind, other=known
+            )
         return _Value(Parameter(node.name), is_angle=position is Position.ANGLE)
 
     def _degrees(self, operand: Node, position: Position) -> _Value:
         if position is not Position.ANGLE:
-            raise Refusal("degree_in_length", column=operand.column)
+            raise CellRefusal("degree_in_length", column=operand.column)
         inner = _Interpreter(AngleUnit.DEG, self.limits, self.variable_of, self.kinds).value(
             operand, position
         )
         if inner.is_angle:
-            raise Refusal("degree_of_angle", column=operand.column)
+            raise CellRefusal("degree_of_angle", column=operand.column)
         return _Value(_from_degrees(inner.expression), is_angle=self.in_degrees)
 
     def _sum(self, terms: list[_Value]) -> _Value:
@@ -194,7 +196,7 @@ class _Interpreter:
         values = [self.value(factor, position) for factor in factors]
         angles = [factor for factor, value in zip(factors, values, strict=True) if value.is_angle]
         if len(angles) > 1:
-            raise Refusal("angle_product", column=angles[1].column)
+            raise CellRefusal("angle_product", column=angles[1].column)
         product = multiply(value.expression for value in values)
         _refuse_out_of_range(product, factors[0], self.limits)
         return _Value(product, is_angle=bool(angles))
@@ -202,32 +204,32 @@ class _Interpreter:
     def _reciprocal(self, node: Node, operand: Node, position: Position) -> _Value:
         inner = self.value(operand, position)
         if inner.is_angle:
-            raise Refusal("angle_in_denominator", column=operand.column)
+            raise CellRefusal("angle_in_denominator", column=operand.column)
         try:
             return _Value(reciprocal(inner.expression))
         except ZeroDivisionError:
-            raise Refusal("division_by_zero", column=node.column) from None
+            raise CellRefusal("division_by_zero", column=node.column) from None
 
     def _power(self, base: Node, exponent: Node, position: Position) -> _Value:
         inner = self.value(base, position)
         if inner.is_angle:
-            raise Refusal("angle_power", column=base.column)
+            raise CellRefusal("angle_power", column=base.column)
         degree = self._exponent(exponent)
         try:
             _refuse_power(inner.expression, degree, base, self.limits)
             value = raised(inner.expression, degree)
         except ZeroDivisionError:
-            raise Refusal("division_by_zero", column=base.column) from None
+            raise CellRefusal("division_by_zero", column=base.column) from None
         _refuse_out_of_range(value, base, self.limits)
         return _Value(value)
 
     def _exponent(self, node: Node) -> Fraction:
         degree = rational_value(self.value(node, Position.RATIO).expression)
         if degree is None:
-            raise Refusal("exponent_not_constant", column=node.column)
+            raise CellRefusal("exponent_not_constant", column=node.column)
         limit = self.limits.exponent
         if abs(degree) > limit or degree.denominator > limit:
-            raise Refusal("exponent_out_of_range", column=node.column, limit=limit)
+            raise CellRefusal("exponent_out_of_range", column=node.column, limit=limit)
         return degree
 
     def _application(
@@ -241,13 +243,13 @@ class _Interpreter:
             try:
                 return _Value(trigonometric(function, angle))
             except ZeroDivisionError:
-                raise Refusal("division_by_zero", column=node.column) from None
+                raise CellRefusal("division_by_zero", column=node.column) from None
         inside = Position.RATIO if position is Position.ANGLE else position
         values = [self.value(argument, inside).expression for argument in arguments]
         if function not in _INVERSE:
             return _Value(call(function, *values))
         if self.in_degrees and position is not Position.ANGLE:
-            raise Refusal("angle_in_length", column=node.column, name=function.value)
+            raise CellRefusal("angle_in_length", column=node.column, name=function.value)
         return _Value(inverse_trigonometric(function, *values), is_angle=self.in_degrees)
 
 
@@ -260,11 +262,11 @@ def _from_degrees(expression: Expression) -> Expression:
 
 def _refuse_size(value: Fraction, node: Node, limits: Limits) -> None:
     if not limits.admits(value):
-        raise Refusal(
+        raise CellRefusal(
             "number_out_of_range", column=node.column, smallest=limits.smallest, largest=limits.largest
         )
     if not limits.is_precise(value):
-        raise Refusal("number_too_long", column=node.column, limit=_RESULT_DIGITS)
+        raise CellRefusal("number_too_long", column=node.column, limit=_RESULT_DIGITS)
 
 
 def _refuse_out_of_range(expression: Expression, node: Node, limits: Limits) -> None:
@@ -279,8 +281,8 @@ def _refuse_power(base: Expression, degree: Fraction, node: Node, limits: Limits
         return
     bits = max(value.numerator.bit_length(), value.denominator.bit_length())
     if abs(math.log10(abs(value))) * abs(degree) > _HIGHEST_DIGITS:
-        raise Refusal(
+        raise CellRefusal(
             "number_out_of_range", column=node.column, smallest=limits.smallest, largest=limits.largest
         )
     if bits * abs(degree) > _HIGHEST_BITS:
-        raise Refusal("number_too_long", column=node.column, limit=_RESULT_DIGITS)
+        raise CellRefusal("number_too_long", column=node.column, limit=_RESULT_DIGITS)

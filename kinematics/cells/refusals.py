@@ -5,7 +5,7 @@ from __future__ import annotations
 from kinematics.errors import Fault, ParamValue
 
 
-class Refusal(Exception):  # noqa: N818 - it becomes a Fault of a CellError where the cell's place is known
+class CellRefusal(Exception):  # noqa: N818 - it becomes a Fault of a CellError where the cell's place is known
     """A cell cannot be read: the code and values of a fault that doesn't know its place yet."""
 
     def __init__(self, code: str, **params: ParamValue) -> None:

@@ -15,7 +15,7 @@ from kinematics.cells.entries import cell_syntax, entry_of
 from kinematics.cells.joints import VARIABLE_CELLS, RowJoint
 from kinematics.cells.limits import Limits
 from kinematics.cells.meaning import Position
-from kinematics.cells.refusals import Refusal
+from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.syntax import Node
 from kinematics.cells.tables import RawRow
 from kinematics.cells.units import AngleUnit, ParameterKind
@@ -74,7 +74,7 @@ def row_syntax(row: RawRow, limits: Limits) -> RowSyntax:
                 if cell == "theta":
                     refuse_misspelled(node)
                 trees[cell] = node
-        except Refusal as refusal:
+        except CellRefusal as refusal:
             faults[cell] = refusal.at()
     return RowSyntax(trees=trees, numbers=numbers, faults=faults)
 
@@ -100,7 +100,7 @@ def row_meaning(row: RawRow, joint: RowJoint, angle_unit: AngleUnit, limits: Lim
         try:
             sign *= _sign(joint, cell, syntax.trees)
             meaning = entry_of(node, POSITIONS[cell], angle_unit, limits, offset_of)
-        except Refusal as refusal:
+        except CellRefusal as refusal:
             faults[cell] = refusal.at()
             continue
         entries[cell] = meaning.expression
@@ -118,14 +118,14 @@ def _sign(joint: RowJoint, cell: str, trees: Mapping[str, Node]) -> int:
     first = found[0].name
     place: dict[str, ParamValue] = {"column": first.column, "name": first.name}
     if cell in {"alpha", "a"}:
-        raise Refusal("variable_in_constant_cell", cell=cell, **place)
+        raise CellRefusal("variable_in_constant_cell", cell=cell, **place)
     if joint.joint is JointType.FIXED:
-        raise Refusal("variable_in_fixed_row", **place)
+        raise CellRefusal("variable_in_fixed_row", **place)
     expected = VARIABLE_CELLS[joint.joint]
     if cell != expected:
         if not joint.stated and joint.variable(first.name, cell) == joint.number:
-            raise Refusal("variable_twice", **place)
-        raise Refusal(
+            raise CellRefusal("variable_twice", **place)
+        raise CellRefusal(
             "variable_in_wrong_cell", cell=cell, joint=joint.joint.value, expected=expected, **place
         )
     return _sign_of(found, joint, cell)
@@ -136,9 +136,9 @@ def _sign_of(found: list[Use], joint: RowJoint, cell: str) -> int:
         if use.fault:
             place: dict[str, ParamValue] = {"column": use.name.column, "name": use.name.name}
             factor = {"factor": str(abs(use.weight))} if use.fault == "variable_scaled" else {}
-            raise Refusal(use.fault, **place, **factor)
+            raise CellRefusal(use.fault, **place, **factor)
     numbers = [joint.variable(use.name.name, cell) for use in found]
     for use, number in list(zip(found, numbers, strict=True))[1:]:
         if numbers.count(number) > 1:
-            raise Refusal("variable_twice", column=use.name.column, name=use.name.name)
+            raise CellRefusal("variable_twice", column=use.name.column, name=use.name.name)
     return 1 if found[0].weight > 0 else -1

@@ -15,7 +15,7 @@ from lark import Token
 
 from kinematics.cells.characters import GREEK, SUBSCRIPTS, SUPERSCRIPT_MINUS, SUPERSCRIPTS, translated
 from kinematics.cells.limits import DEFAULT, Limits
-from kinematics.cells.refusals import Refusal
+from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.unit_words import unit_refusal
 from kinematics.cells.variable_marks import without_marks
 from kinematics.expressions import Function
@@ -76,10 +76,10 @@ def scan(text: str, limits: Limits = DEFAULT) -> list[Token]:
     """The tokens of a cell.
 
     Raises:
-        Refusal: a character, a number or a name is none of a cell's; the first one, with its column.
+        CellRefusal: a character, a number or a name is none of a cell's; the first one, with its column.
     """
     if len(text) > limits.cell_characters:
-        raise Refusal("cell_too_long", length=len(text), limit=limits.cell_characters)
+        raise CellRefusal("cell_too_long", length=len(text), limit=limits.cell_characters)
     plain = _without_dollars(_translated(text))
     tokens: list[Token] = []
     position = 0
@@ -90,7 +90,7 @@ def scan(text: str, limits: Limits = DEFAULT) -> list[Token]:
         scanned, position = _handler(plain[position])(plain, position, limits)
         tokens.extend(scanned)
     if not tokens:
-        raise Refusal("cell_empty")
+        raise CellRefusal("cell_empty")
     tokens = without_marks(tokens)
     _refuse_calls(tokens)
     return tokens
@@ -101,7 +101,7 @@ def _translated(text: str) -> str:
     unit = unit_refusal(text)
     try:
         plain = translated(text)
-    except Refusal as refusal:
+    except CellRefusal as refusal:
         raise unit if unit and unit.column <= refusal.column else refusal from None
     if unit:
         raise unit
@@ -113,7 +113,7 @@ def canonical_name(text: str) -> str | None:
     """The one spelling of a name: L1 for L_1, L_{1}, L₁; None if the text is not one name."""
     try:
         tokens = scan(text)
-    except Refusal:
+    except CellRefusal:
         return None
     return str(tokens[0]) if len(tokens) == 1 and tokens[0].type == "NAME" else None
 
@@ -138,10 +138,10 @@ def _number(plain: str, start: int, limits: Limits) -> Scanned:
     match = _NUMBER.match(plain, start)
     if alien or not match:
         text = alien.group() if alien else plain[start]
-        raise Refusal("number_malformed", column=start + 1, text=text)
+        raise CellRefusal("number_malformed", column=start + 1, text=text)
     text = match.group()
     if sum(character.isdigit() for character in text) > limits.digits:
-        raise Refusal("number_too_long", column=start + 1, limit=limits.digits)
+        raise CellRefusal("number_too_long", column=start + 1, limit=limits.digits)
     return [_token("NUMBER", text, start)], match.end()
 
 
@@ -152,14 +152,14 @@ def _name(plain: str, start: int, limits: Limits) -> Scanned:
     _refuse_what_runs_on(plain, match.group(), start, match.end())
     word = GREEK.get(word, word)
     if word.lower() == "pi" and (digits or scripts):
-        raise Refusal("names_run_together", column=start + 1, text=word)
+        raise CellRefusal("names_run_together", column=start + 1, text=word)
     if not digits and not scripts:
         if word.lower() == "pi":
             return [_token("PI", "pi", start)], _past_empty_call(plain, match.end())
         if word == "deg":
             return [_token("DEGREE", "°", start)], match.end()
         if word.lower() in _NOT_VALUES:
-            raise Refusal("name_is_not_a_number", column=start + 1, name=word)
+            raise CellRefusal("name_is_not_a_number", column=start + 1, name=word)
     function = _function(word + digits) if not scripts else None
     if function is not None:
         return [_token("FUNCTION", function.value, start)], match.end()
@@ -180,7 +180,7 @@ def _command(plain: str, start: int, limits: Limits) -> Scanned:
         return [_token("FUNCTION", FUNCTION_NAMES[word].value, start)], end
     word = word.removeprefix("var")
     if word not in _GREEK_NAMES:
-        raise Refusal("command_unknown", column=start + 1, command=word)
+        raise CellRefusal("command_unknown", column=start + 1, command=word)
     index = _INDEX.match(plain, end)
     assert index is not None
     _refuse_what_runs_on(
@@ -192,11 +192,11 @@ def _command(plain: str, start: int, limits: Limits) -> Scanned:
 def _superscript(plain: str, start: int, limits: Limits) -> Scanned:
     match = _SUPERSCRIPT.match(plain, start)
     if not match:
-        raise Refusal("script_misplaced", column=start + 1, character=plain[start])
+        raise CellRefusal("script_misplaced", column=start + 1, character=plain[start])
     sign = "-" if match.group().startswith(SUPERSCRIPT_MINUS) else ""
     digits = "".join(SUPERSCRIPTS.get(character, "") for character in match.group())
     if len(digits) > limits.digits:
-        raise Refusal("number_too_long", column=start + 1, limit=limits.digits)
+        raise CellRefusal("number_too_long", column=start + 1, limit=limits.digits)
     return [_token("SUPERSCRIPT", sign + digits, start)], match.end()
 
 
@@ -208,11 +208,11 @@ def _operator(plain: str, start: int, limits: Limits) -> Scanned:
         return [_token("DEGREE", "°", start)], degree.end()
     character = plain[start]
     if character in SUBSCRIPTS:
-        raise Refusal("script_misplaced", column=start + 1, character=character)
+        raise CellRefusal("script_misplaced", column=start + 1, character=character)
     if character == "_":
-        raise Refusal("name_malformed", column=start + 1)
+        raise CellRefusal("name_malformed", column=start + 1)
     if character not in _OPERATORS:
-        raise Refusal(
+        raise CellRefusal(
             "character_not_allowed", column=start + 1, character=f"{character} (U+{ord(character):04X})"
         )
     return [_token(_OPERATORS[character], character, start)], start + 1
@@ -235,20 +235,20 @@ def _spelled(word: str, digits: str, scripts: str, start: int) -> str:
         plain = text.strip("_{} ") if text.startswith("_") else "".join(SUBSCRIPTS[c] for c in text)
         name += plain if plain[0].isdigit() and name[-1].isalpha() else f"_{plain}"
     if len(name) > _NAME_CHARACTERS:
-        raise Refusal("name_too_long", column=start + 1, limit=_NAME_CHARACTERS)
+        raise CellRefusal("name_too_long", column=start + 1, limit=_NAME_CHARACTERS)
     return name
 
 
 def _refuse_what_runs_on(plain: str, text: str, start: int, end: int, *, after_digits: bool = True) -> None:
     following = plain[end : end + 1]
     if following == "_":
-        raise Refusal("name_malformed", column=end + 1)
+        raise CellRefusal("name_malformed", column=end + 1)
     if (
         following.isascii()
         and following.isalnum()
         and ((after_digits and text[-1] not in GREEK) or following.isdigit())
     ):
-        raise Refusal("names_run_together", column=start + 1, text=text)
+        raise CellRefusal("names_run_together", column=start + 1, text=text)
 
 
 def _past_empty_call(plain: str, end: int) -> int:
@@ -264,7 +264,7 @@ def _without_dollars(plain: str) -> str:
     first = plain.find(stripped) if stripped else len(plain)
     inner = stripped.find("$")
     if inner >= 0:
-        raise Refusal("dollar_misplaced", column=first + inner + 1)
+        raise CellRefusal("dollar_misplaced", column=first + inner + 1)
     return " " * first + stripped
 
 
@@ -272,10 +272,12 @@ def _refuse_calls(tokens: list[Token]) -> None:
     for name, bracket in _pairs(tokens):
         if name.type == "NAME" and bracket.type == "LPAR":
             functions = tuple(function.value for function in Function)
-            raise Refusal("function_unknown", column=name.column or 0, name=str(name), functions=functions)
+            raise CellRefusal(
+                "function_unknown", column=name.column or 0, name=str(name), functions=functions
+            )
     for token, following in _pairs([*tokens, Token("END", "")]):
         if token.type == "FUNCTION" and following.type not in {"LPAR", "LBRACE"}:
-            raise Refusal("function_without_parentheses", column=token.column or 0, name=str(token))
+            raise CellRefusal("function_without_parentheses", column=token.column or 0, name=str(token))
 
 
 def _pairs(tokens: list[Token]) -> Iterator[tuple[Token, Token]]:

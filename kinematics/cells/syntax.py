@@ -53,7 +53,7 @@ class Degrees(Node):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Group(Node):
+class Parenthesized(Node):
     """A value in parentheses."""
 
     operand: Node
@@ -106,7 +106,12 @@ class Application(Node):
 def children(node: Node) -> tuple[Node, ...]:
     """The parts of a node, from left to right."""
     match node:
-        case Degrees(operand=part) | Group(operand=part) | Negation(operand=part) | Reciprocal(operand=part):
+        case (
+            Degrees(operand=part)
+            | Parenthesized(operand=part)
+            | Negation(operand=part)
+            | Reciprocal(operand=part)
+        ):
             return (part,)
         case Addition(terms=parts) | Multiplication(factors=parts) | Application(arguments=parts):
             return parts

@@ -119,11 +119,11 @@ class ReadTable:
     variables: tuple[str, ...] = ()
 
     def _repr_html_(self) -> str:
-        from kinematics.printing.tables import table_html  # a notebook asks, and nobody else
+        from kinematics.printing.table_markup import table_html  # a notebook asks, and nobody else
 
         return table_html(self.table, self.variables)
 
     def _repr_latex_(self) -> str:
-        from kinematics.printing.tables import table_latex
+        from kinematics.printing.table_markup import table_latex
 
         return table_latex(self.table, self.variables)

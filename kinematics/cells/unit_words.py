@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from kinematics.cells.refusals import Refusal
+from kinematics.cells.refusals import CellRefusal
 
 _WORDS = """
 m mm cm in rad grad degree degrees radian radians metre metres meter meters millimetre millimetres
@@ -24,10 +24,10 @@ _NUMBER_AND_WORD = re.compile(
 )
 
 
-def unit_refusal(text: str) -> Refusal | None:
+def unit_refusal(text: str) -> CellRefusal | None:
     """The refusal of the first unit behind a number, which is stated once for the table; or None."""
     for found in _NUMBER_AND_WORD.finditer(text):
         word = found[1]
         if word.lower() in _UNITS and (len(word) > _SHORT or word.islower()):
-            return Refusal("unit_in_cell", column=found.start(1) + 1, name=word)
+            return CellRefusal("unit_in_cell", column=found.start(1) + 1, name=word)
     return None

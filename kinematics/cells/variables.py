@@ -11,17 +11,17 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kinematics.cells.refusals import Refusal
+from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.syntax import (
     Addition,
     Application,
     Degrees,
-    Group,
     Literal,
     Multiplication,
     Name,
     Negation,
     Node,
+    Parenthesized,
     Raised,
     Reciprocal,
     children,
@@ -49,12 +49,12 @@ def refuse_numberless(node: Node) -> None:
     """Refuse q, θ, q_i and θ_i: a variable has the number of its joint.
 
     Raises:
-        Refusal: such a name stands in the cell.
+        CellRefusal: such a name stands in the cell.
     """
     for name in names_in(node):
         match = _NUMBERLESS.fullmatch(name.name)
         if match:
-            raise Refusal(
+            raise CellRefusal(
                 "variable_without_number", column=name.column, name=name.name, suggestion=f"{match.group(1)}1"
             )
 
@@ -63,13 +63,15 @@ def refuse_misspelled(node: Node) -> None:
     """Refuse th1, t1 and var where a joint angle stands: they mean its variable and are not its name.
 
     Raises:
-        Refusal: such a name stands in the cell, with the name that is meant if it has a number.
+        CellRefusal: such a name stands in the cell, with the name that is meant if it has a number.
     """
     for name in names_in(node):
         match = _MISSPELLED.fullmatch(name.name)
         if match:
             suggestion = f"q{match.group(1) or 1}"
-            raise Refusal("variable_misspelled", column=name.column, name=name.name, suggestion=suggestion)
+            raise CellRefusal(
+                "variable_misspelled", column=name.column, name=name.name, suggestion=suggestion
+            )
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -105,7 +107,7 @@ def _uses(node: Node, is_variable: IsVariable, weight: Fraction, fault: str | No
                 others = _constant((*factors[:i], *factors[i + 1 :]))
                 inner = fault or (None if others is not None else "variable_in_product")
                 yield from _uses(factor, is_variable, weight * (1 if others is None else others), inner)
-        case Addition() | Group():
+        case Addition() | Parenthesized():
             for part in children(node):
                 yield from _uses(part, is_variable, weight, fault)
         case _:
@@ -136,7 +138,7 @@ def _rational(node: Node) -> Fraction | None:
     match node:
         case Literal(value=value):
             return value
-        case Group(operand=operand):
+        case Parenthesized(operand=operand):
             return _rational(operand)
         case Negation(operand=operand):
             negated = _rational(operand)

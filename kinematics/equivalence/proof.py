@@ -17,7 +17,7 @@ from kinematics.equivalence.closed_forms import (
 from kinematics.errors import ParameterError
 from kinematics.expressions import ONE, ZERO, Expression
 from kinematics.se3 import Motion
-from kinematics.symbolic import Verdict, prove_identity
+from kinematics.symbolic import ProofStatus, prove_identity
 from kinematics.table import JointType, SymbolicTable, bind
 
 ExactMatrix: TypeAlias = tuple[tuple[Expression, ...], ...]
@@ -71,7 +71,7 @@ def prove(
         base=guess.base,
         tool=guess.tool,
     )
-    return guess if proof.verdict is Verdict.PROVED else None
+    return guess if proof.verdict is ProofStatus.PROVED else None
 
 
 def _guess(

@@ -22,7 +22,7 @@ _AXES = "xyz"
 _LAST_DIGIT = 9
 
 
-class Line(NamedTuple):
+class Equation(NamedTuple):
     """One equation.
 
     Attributes:
@@ -36,7 +36,7 @@ class Line(NamedTuple):
     latex: str
 
 
-def entry_lines(matrix: Entered, ledger: Ledger, names: Names, result: str) -> list[Line]:
+def entry_lines(matrix: Entered, ledger: Ledger, names: Names, result: str) -> list[Equation]:
     """Write a matrix entry by entry; the last row of a pose is left out.
 
     Args:
@@ -62,9 +62,9 @@ def entry_lines(matrix: Entered, ledger: Ledger, names: Names, result: str) -> l
     return lines
 
 
-def _line(name: str, typeset: str, number: int, text: TextWriter, latex: LatexWriter) -> Line:
+def _line(name: str, typeset: str, number: int, text: TextWriter, latex: LatexWriter) -> Equation:
     entry = Entered(((number,),), [])
-    return Line(name, text.lines(entry)[0][0], f"{typeset}={latex.lines(entry)[0][0]}")
+    return Equation(name, text.lines(entry)[0][0], f"{typeset}={latex.lines(entry)[0][0]}")
 
 
 def _repeated_sums(matrix: Entered, ledger: Ledger) -> set[int]:

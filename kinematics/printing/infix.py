@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from kinematics.expressions import Call, Function
 from kinematics.printing.ledger import Ledger, Quotient
-from kinematics.printing.writer import Binding, LineWriter, Written
+from kinematics.printing.writer import Binding, LineWriter, WrittenTerm
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -28,7 +28,7 @@ class Spelling:
     whole: Callable[[str], str] = str
     functions: Mapping[Function, str]
     variable: Callable[[int], str]
-    power: Callable[[str, str, Fraction], Written]
+    power: Callable[[str, str, Fraction], WrittenTerm]
 
 
 class InfixWriter(LineWriter):
@@ -40,19 +40,19 @@ class InfixWriter(LineWriter):
         super().__init__(ledger)
         self.spelling = spelling
 
-    def _call(self, node: Call, arguments: Sequence[Written]) -> Written:
+    def _call(self, node: Call, arguments: Sequence[WrittenTerm]) -> WrittenTerm:
         inner = ", ".join(map(self._signed, arguments))
-        return Written(f"{self.spelling.functions[node.function]}({inner})", Binding.ATOM)
+        return WrittenTerm(f"{self.spelling.functions[node.function]}({inner})", Binding.ATOM)
 
-    def _raised(self, base: int, exponent: Fraction) -> Written:
+    def _raised(self, base: int, exponent: Fraction) -> WrittenTerm:
         written, spelling = self._written[base], self.spelling
         if exponent == 1:
             return written
         if exponent == Fraction(1, 2):
-            return Written(f"{spelling.functions[Function.SQRT]}({self._signed(written)})", Binding.ATOM)
+            return WrittenTerm(f"{spelling.functions[Function.SQRT]}({self._signed(written)})", Binding.ATOM)
         return spelling.power(self._signed(written), self._within(written, Binding.ATOM), exponent)
 
-    def _quotient(self, quotient: Quotient) -> Written:
+    def _quotient(self, quotient: Quotient) -> WrittenTerm:
         weight, whole = quotient.weight, self.spelling.whole
         above = [self._written[factor] for factor in quotient.typed]
         numerator = [self._within(factor, Binding.PRODUCT) for factor in above]
@@ -65,10 +65,10 @@ class InfixWriter(LineWriter):
         text = "*".join(numerator) or whole("1")
         if denominator:
             under = denominator[0] if len(denominator) == 1 else f"({'*'.join(denominator)})"
-            return Written(f"{text}/{under}", Binding.PRODUCT, weight.negative)
+            return WrittenTerm(f"{text}/{under}", Binding.PRODUCT, weight.negative)
         if len(numerator) > 1:
-            return Written(text, Binding.PRODUCT, weight.negative)
-        return Written(text, above[0].binding if above else Binding.ATOM, weight.negative)
+            return WrittenTerm(text, Binding.PRODUCT, weight.negative)
+        return WrittenTerm(text, above[0].binding if above else Binding.ATOM, weight.negative)
 
     def _parameter(self, name: str) -> str:
         return name
@@ -80,11 +80,11 @@ class InfixWriter(LineWriter):
         return self.spelling.pi
 
 
-def infix_power(operator: str) -> Callable[[str, str, Fraction], Written]:
+def infix_power(operator: str) -> Callable[[str, str, Fraction], WrittenTerm]:
     """base^2, base^(1/3)."""
 
-    def power(_: str, base: str, exponent: Fraction) -> Written:
+    def power(_: str, base: str, exponent: Fraction) -> WrittenTerm:
         written = str(exponent) if exponent.denominator == 1 else f"({exponent})"
-        return Written(f"{base}{operator}{written}", Binding.POWER)
+        return WrittenTerm(f"{base}{operator}{written}", Binding.POWER)
 
     return power

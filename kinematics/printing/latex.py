@@ -11,7 +11,7 @@ from kinematics.expressions import Call, Expression, Function
 from kinematics.printing.ledger import Entered, Ledger
 from kinematics.printing.notation import Names
 from kinematics.printing.symbols import split_name
-from kinematics.printing.writer import Binding, Typesetter, Written
+from kinematics.printing.writer import Binding, Typesetter, WrittenTerm
 
 _FUNCTIONS = {
     Function.SIN: r"\sin",
@@ -45,25 +45,25 @@ class LatexWriter(Typesetter):
         rows = map(" & ".join, self.lines(matrix))
         return "\\begin{bmatrix}\n" + " \\\\\n".join(rows) + "\n\\end{bmatrix}"
 
-    def _call(self, node: Call, arguments: Sequence[Written]) -> Written:
+    def _call(self, node: Call, arguments: Sequence[WrittenTerm]) -> WrittenTerm:
         short = self._names.short(node)
         if short is not None:
-            return Written(f"{short.letter}_{{{short.index.replace('−', '-')}}}", Binding.ATOM)
+            return WrittenTerm(f"{short.letter}_{{{short.index.replace('−', '-')}}}", Binding.ATOM)
         inner = ", ".join(map(self._signed, arguments))
         if node.function is Function.SQRT:
-            return Written(self._root(inner), Binding.ATOM)
+            return WrittenTerm(self._root(inner), Binding.ATOM)
         if node.function is Function.ABS:
-            return Written(rf"\left|{inner}\right|", Binding.ATOM)
+            return WrittenTerm(rf"\left|{inner}\right|", Binding.ATOM)
         tall = r"\frac" in inner or r"\sqrt" in inner or r"\left" in inner
         opening, closing = (r"\left(", r"\right)") if tall else ("(", ")")
-        return Written(f"{_FUNCTIONS[node.function]}{opening}{inner}{closing}", Binding.ATOM)
+        return WrittenTerm(f"{_FUNCTIONS[node.function]}{opening}{inner}{closing}", Binding.ATOM)
 
-    def _power(self, base: int, exponent: Fraction) -> Written:
+    def _power(self, base: int, exponent: Fraction) -> WrittenTerm:
         written, node = self._written[base], self.ledger.nodes[base]
         if isinstance(node, Call) and node.function in _FUNCTIONS and self._names.short(node) is None:
             name = _FUNCTIONS[node.function]
-            return Written(f"{name}^{{{exponent}}}{written.body.removeprefix(name)}", Binding.POWER)
-        return Written(f"{self._within(written, Binding.ATOM)}^{{{exponent}}}", Binding.POWER)
+            return WrittenTerm(f"{name}^{{{exponent}}}{written.body.removeprefix(name)}", Binding.POWER)
+        return WrittenTerm(f"{self._within(written, Binding.ATOM)}^{{{exponent}}}", Binding.POWER)
 
     def _bracketed(self, text: str) -> str:
         return rf"\left({text}\right)"

@@ -17,7 +17,7 @@ from kinematics.printing.content import ContentWriter
 from kinematics.printing.ledger import Entered, Ledger
 from kinematics.printing.notation import Names
 from kinematics.printing.symbols import split_name
-from kinematics.printing.writer import Binding, Typesetter, Written
+from kinematics.printing.writer import Binding, Typesetter, WrittenTerm
 
 _TIMES = "<mo>\u2062</mo>"
 _DOT = "<mo>⋅</mo>"
@@ -64,32 +64,34 @@ class MathmlWriter(Typesetter):
         """Presentation markup of one expression."""
         return self.text(expression)
 
-    def _call(self, node: Call, arguments: Sequence[Written]) -> Written:
+    def _call(self, node: Call, arguments: Sequence[WrittenTerm]) -> WrittenTerm:
         short = self._names.short(node)
         if short is not None:
             index = short.index
             script = f"<mn>{index}</mn>" if index.isdigit() else f"<mtext>{index}</mtext>"
-            return Written(f"<msub><mi>{short.letter}</mi>{script}</msub>", Binding.ATOM)
+            return WrittenTerm(f"<msub><mi>{short.letter}</mi>{script}</msub>", Binding.ATOM)
         inner = "<mo>,</mo>".join(map(self._signed, arguments))
         if node.function is Function.SQRT:
-            return Written(self._root(inner), Binding.ATOM)
+            return WrittenTerm(self._root(inner), Binding.ATOM)
         if node.function is Function.ABS:
-            return Written(f"<mrow><mo>|</mo>{inner}<mo>|</mo></mrow>", Binding.ATOM)
-        return Written(f"<mrow>{_name(node.function)}{_APPLY}{self._bracketed(inner)}</mrow>", Binding.ATOM)
+            return WrittenTerm(f"<mrow><mo>|</mo>{inner}<mo>|</mo></mrow>", Binding.ATOM)
+        return WrittenTerm(
+            f"<mrow>{_name(node.function)}{_APPLY}{self._bracketed(inner)}</mrow>", Binding.ATOM
+        )
 
-    def _power(self, base: int, exponent: Fraction) -> Written:
+    def _power(self, base: int, exponent: Fraction) -> WrittenTerm:
         written, node = self._written[base], self.ledger.nodes[base]
         power = _exponent(exponent)
         if isinstance(node, Call) and node.function in _FUNCTIONS and self._names.short(node) is None:
             name = _name(node.function)
             raised = written.body.replace(name, f"<msup>{name}{power}</msup>", 1)
-            return Written(raised, Binding.POWER)
-        return Written(f"<msup>{self._within(written, Binding.ATOM)}{power}</msup>", Binding.POWER)
+            return WrittenTerm(raised, Binding.POWER)
+        return WrittenTerm(f"<msup>{self._within(written, Binding.ATOM)}{power}</msup>", Binding.POWER)
 
     def _joined(self, parts: Sequence[str]) -> str:
         return f"<mrow>{''.join(parts)}</mrow>"
 
-    def _signed(self, written: Written) -> str:
+    def _signed(self, written: WrittenTerm) -> str:
         return f"<mrow>{_MINUS}{written.body}</mrow>" if written.negative else written.body
 
     def _bracketed(self, text: str) -> str:

@@ -40,7 +40,7 @@ class Purpose:
     result: str = "T"
 
 
-class Step(NamedTuple):
+class ProgramStep(NamedTuple):
     """Something that is computed before the entries.
 
     Attributes:
@@ -74,7 +74,7 @@ class Program:
     parameters: tuple[str, ...]
     variables: tuple[str, ...]
     atoms: dict[str, Expression]
-    steps: list[Step]
+    steps: list[ProgramStep]
     entries: list[list[sympy.Expr]]
 
 
@@ -103,7 +103,7 @@ def program(
     atoms = _Atoms(stepwise=stepwise)
     nodes = SympyNodes(atoms=atoms.symbol, evaluate=stepwise)
     entries = [[nodes.convert(entry) for entry in row] for row in matrix]
-    steps: list[Step] = []
+    steps: list[ProgramStep] = []
     if stepwise:
         names = map("t:{}".format, count(1))
         flat = [entry for row in entries for entry in row]
@@ -112,8 +112,8 @@ def program(
             function = getattr(sympy, node.function.value)
             short = short_name(node)
             value = function(nodes.convert(node.arguments[0]))
-            steps.append(Step(symbol, short.word if short else "", value))
-        steps += [Step(symbol.name, "", value) for symbol, value in repeated]
+            steps.append(ProgramStep(symbol, short.word if short else "", value))
+        steps += [ProgramStep(symbol.name, "", value) for symbol, value in repeated]
         left = iter(reduced)
         entries = [[next(left) for _ in row] for row in entries]
     return Program(

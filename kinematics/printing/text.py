@@ -8,7 +8,7 @@ from kinematics.expressions import Call, Function
 from kinematics.printing.infix import InfixWriter, Spelling, infix_power
 from kinematics.printing.ledger import Ledger
 from kinematics.printing.notation import Names
-from kinematics.printing.writer import Binding, Written
+from kinematics.printing.writer import Binding, WrittenTerm
 
 _SPELLING = Spelling(
     functions={function: function.value for function in Function},
@@ -31,10 +31,10 @@ class TextWriter(InfixWriter):
     def _variable(self, index: int) -> str:
         return self._names.variable(index)
 
-    def _call(self, node: Call, arguments: Sequence[Written]) -> Written:
+    def _call(self, node: Call, arguments: Sequence[WrittenTerm]) -> WrittenTerm:
         short = self._names.short(node)
         if short is not None and short.is_sum:
-            return Written(short.word, Binding.ATOM)
+            return WrittenTerm(short.word, Binding.ATOM)
         return super()._call(node, arguments)
 
 

@@ -55,7 +55,7 @@ class Binding(IntEnum):
     ATOM = 4
 
 
-class Written(NamedTuple):
+class WrittenTerm(NamedTuple):
     """An expression without its sign, how strongly it binds, and whether the sign is a minus."""
 
     body: str
@@ -63,7 +63,7 @@ class Written(NamedTuple):
     negative: bool = False
 
 
-class LineWriter(Writer[Written]):
+class LineWriter(Writer[WrittenTerm]):
     """Writes expressions as lines of signs and symbols.
 
     Attributes:
@@ -78,7 +78,7 @@ class LineWriter(Writer[Written]):
 
     def name(self, number: int, name: str) -> None:
         """Let a name stand for a node in what is written from now on."""
-        self._written[number] = Written(name, Binding.ATOM)
+        self._written[number] = WrittenTerm(name, Binding.ATOM)
 
     def text(self, expression: Expression) -> str:
         """The expression with its sign."""
@@ -88,7 +88,7 @@ class LineWriter(Writer[Written]):
         """The entries of a matrix with their signs."""
         return [list(map(self._signed, row)) for row in self.entries(matrix)]
 
-    def _write(self, number: int) -> Written:
+    def _write(self, number: int) -> WrittenTerm:
         quotient = self.ledger.quotients[number]
         if quotient is not None:
             return self._quotient(quotient)
@@ -99,16 +99,16 @@ class LineWriter(Writer[Written]):
             case Call() as node:
                 return self._call(node, [self._written[argument] for argument in below])
             case Parameter(name):
-                return Written(self._parameter(name), Binding.ATOM)
+                return WrittenTerm(self._parameter(name), Binding.ATOM)
             case JointVariable(index):
-                return Written(self._variable(index), Binding.ATOM)
+                return WrittenTerm(self._variable(index), Binding.ATOM)
             case Pi():
-                return Written(self._pi(), Binding.ATOM)
+                return WrittenTerm(self._pi(), Binding.ATOM)
             case Power(_, exponent):
                 return self._raised(below[0], exponent)
         raise AssertionError(number)
 
-    def _sum(self, terms: Sequence[Written]) -> Written:
+    def _sum(self, terms: Sequence[WrittenTerm]) -> WrittenTerm:
         parts: list[str] = []
         for body, binding, negative in terms:
             if negative:
@@ -116,15 +116,15 @@ class LineWriter(Writer[Written]):
             elif parts:
                 parts.append(self.plus)
             parts.append(body if binding > Binding.SUM else self._bracketed(body))
-        return Written(self._joined(parts), Binding.SUM)
+        return WrittenTerm(self._joined(parts), Binding.SUM)
 
     def _joined(self, parts: Sequence[str]) -> str:
         return "".join(parts)
 
-    def _signed(self, written: Written) -> str:
+    def _signed(self, written: WrittenTerm) -> str:
         return self.sign + written.body if written.negative else written.body
 
-    def _within(self, written: Written, binding: Binding) -> str:
+    def _within(self, written: WrittenTerm, binding: Binding) -> str:
         """What is written, with its sign, in parentheses unless it binds at least so strongly."""
         if written.negative or written.binding < binding:
             return self._bracketed(self._signed(written))
@@ -134,13 +134,13 @@ class LineWriter(Writer[Written]):
         return f"({text})"
 
     @abstractmethod
-    def _quotient(self, quotient: Quotient) -> Written: ...
+    def _quotient(self, quotient: Quotient) -> WrittenTerm: ...
 
     @abstractmethod
-    def _call(self, node: Call, arguments: Sequence[Written]) -> Written: ...
+    def _call(self, node: Call, arguments: Sequence[WrittenTerm]) -> WrittenTerm: ...
 
     @abstractmethod
-    def _raised(self, base: int, exponent: Fraction) -> Written:
+    def _raised(self, base: int, exponent: Fraction) -> WrittenTerm:
         """A positive power."""
 
     @abstractmethod
@@ -156,7 +156,7 @@ class LineWriter(Writer[Written]):
 class Typesetter(LineWriter):
     """Writes expressions in two dimensions: fractions with a line, roots, powers above."""
 
-    def _quotient(self, quotient: Quotient) -> Written:
+    def _quotient(self, quotient: Quotient) -> WrittenTerm:
         """A product with its numbers and roots in one fraction: (√3/2)·c1."""
         weight = quotient.weight
         constants = [self._written[factor] for factor in quotient.constants]
@@ -172,24 +172,24 @@ class Typesetter(LineWriter):
             head, tail = head + tail, []
         if denominator:
             over = self._over(self._times(head or [self._digits("1")]), self._times(denominator))
-            return Written(self._times([over, *tail]), Binding.PRODUCT, weight.negative)
+            return WrittenTerm(self._times([over, *tail]), Binding.PRODUCT, weight.negative)
         factors = head + tail
         if len(factors) > 1:
-            return Written(self._times(factors), Binding.PRODUCT, weight.negative)
+            return WrittenTerm(self._times(factors), Binding.PRODUCT, weight.negative)
         alone = (*constants, *above)
         binding = alone[0].binding if alone else Binding.ATOM
-        return Written(factors[0] if factors else self._digits("1"), binding, weight.negative)
+        return WrittenTerm(factors[0] if factors else self._digits("1"), binding, weight.negative)
 
-    def _raised(self, base: int, exponent: Fraction) -> Written:
+    def _raised(self, base: int, exponent: Fraction) -> WrittenTerm:
         written = self._written[base]
         if exponent == 1:
             return written
         if exponent == Fraction(1, 2):
-            return Written(self._root(self._signed(written)), Binding.ATOM)
+            return WrittenTerm(self._root(self._signed(written)), Binding.ATOM)
         return self._power(base, exponent)
 
     @abstractmethod
-    def _power(self, base: int, exponent: Fraction) -> Written: ...
+    def _power(self, base: int, exponent: Fraction) -> WrittenTerm: ...
 
     @abstractmethod
     def _digits(self, digits: str) -> str: ...

@@ -6,13 +6,6 @@ which every other method of this package is open to it. docs/scm.md lists the to
 """
 
 from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain, verify
-from kinematics.scm.closed_form import (
-    ScmClosedForm,
-    closed_form_scm,
-    inverse_closed_form_scm,
-    jacobian_closed_form_scm,
-    link_matrix,
-)
 from kinematics.scm.dh import modified_dh_from_scm
 from kinematics.scm.differentiation import (
     derivative,
@@ -33,6 +26,13 @@ from kinematics.scm.motion import (
 from kinematics.scm.reading import RawChain, RawPlacement, ReadChain, read_chain
 from kinematics.scm.sampling import default_limits, random_configurations
 from kinematics.scm.substitution import with_values
+from kinematics.scm.symbolic_matrices import (
+    ScmClosedForm,
+    closed_form_scm,
+    inverse_closed_form_scm,
+    jacobian_closed_form_scm,
+    link_matrix,
+)
 from kinematics.scm.unrolled import table_of_chain, unrolled_dh_from_scm
 
 __all__ = [

@@ -10,7 +10,7 @@ from types import MappingProxyType
 from kinematics.cells import DEFAULT, AngleUnit, Cell, LengthUnit, Limits, ParameterKind
 from kinematics.cells.entries import cell_meaning, text_length
 from kinematics.cells.meaning import Position
-from kinematics.cells.refusals import Refusal
+from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.variables import variable_index
 from kinematics.errors import DescriptionError, Fault, ParamValue
 from kinematics.expressions import (
@@ -145,7 +145,7 @@ class _Reader:
             meaning = cell_meaning(
                 cells.get(entry.value, 0), position, self.raw.angle_unit, self.limits, variable_of
             )
-        except Refusal as refusal:
+        except CellRefusal as refusal:
             self.faults.append(refusal.at(*where))
             return ZERO
         for name, kind in meaning.kinds.items():

@@ -8,7 +8,7 @@ from dataclasses import replace
 from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import ZERO, Expression
 from kinematics.scm.chain import Entry, Placement, ScmChain
-from kinematics.symbolic.substitution import valued
+from kinematics.symbolic.parameter_values import valued
 
 
 def with_values(chain: ScmChain, values: Mapping[str, Expression]) -> ScmChain:

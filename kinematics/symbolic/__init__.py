@@ -16,8 +16,8 @@ from kinematics.symbolic.canonical import (
 from kinematics.symbolic.closed_form import ClosedForm, Workings, closed_form, inverse, jacobian
 from kinematics.symbolic.identity import Proof, prove_identity
 from kinematics.symbolic.interchange import from_sympy, to_sympy
+from kinematics.symbolic.proof_status import ProofStatus
 from kinematics.symbolic.size import count_operations
-from kinematics.symbolic.verdict import Verdict
 from kinematics.symbolic.writing import Matrix
 
 __all__ = [
@@ -26,7 +26,7 @@ __all__ = [
     "ClosedForm",
     "Matrix",
     "Proof",
-    "Verdict",
+    "ProofStatus",
     "Workings",
     "canonical",
     "canonical_transform",

@@ -23,7 +23,7 @@ from kinematics.expressions import (
     pi_fraction,
     pi_times,
 )
-from kinematics.symbolic.reading import Reader
+from kinematics.symbolic.form_reader import FormReader
 
 _ROOT_2, _ROOT_3, _ROOT_6 = (call(Function.SQRT, number(n)) for n in (2, 3, 6))
 _QUARTER = Fraction(1, 4)
@@ -200,7 +200,7 @@ def _exact_arc(term: Expression) -> Expression:
     """asin(1/2) is π/6; an arc of something that is no multiple of π/12 stays what it is."""
     weight, part = _split(term)
     if isinstance(part, Call) and part.function in _ARCS:
-        turns = Reader().half_turns(part)
+        turns = FormReader().half_turns(part)
         if turns is not None:
             return pi_times(weight * turns)
     return term

@@ -21,12 +21,12 @@ from kinematics.expressions import (
     power,
 )
 from kinematics.symbolic.angles import angle_of, cosine_and_sine
-from kinematics.symbolic.elements import Form, Monomial, Symbol
+from kinematics.symbolic.elements import Form, Monomial, RingSymbol
+from kinematics.symbolic.form_reader import FormReader
 from kinematics.symbolic.motions import Motion, motions_of
 from kinematics.symbolic.poses import ExactPose, read_matrix
-from kinematics.symbolic.reading import Reader
+from kinematics.symbolic.proof_status import ProofStatus
 from kinematics.symbolic.ring import Ring
-from kinematics.symbolic.verdict import Verdict
 from kinematics.table import SymbolicTable
 
 LIMIT = 2_000_000
@@ -65,7 +65,7 @@ def canonical(expression: Expression, *, limit: int = LIMIT) -> Canonical:
         FormSizeError: the expansion needs more products of terms than `limit`.
         ZeroDivisionError: the expression divides by zero.
     """
-    reader = Reader(Ring(limit=limit))
+    reader = FormReader(Ring(limit=limit))
     return _export(reader, reader.form(expression))
 
 
@@ -82,7 +82,7 @@ def canonical_transform(
         FormSizeError: the expansion needs more products of terms than `limit`: it doubles with each general
             twist.
     """
-    reader = Reader(Ring(limit=limit))
+    reader = FormReader(Ring(limit=limit))
     pose = ExactPose(reader, read_matrix(reader, base))
     for motion in chain.from_iterable(motions_of(table)):
         if motion.joint:
@@ -95,25 +95,25 @@ def canonical_transform(
     return tuple(tuple(_export(reader, entry) for entry in row) for row in pose.m)
 
 
-def compare(a: Expression, b: Expression, *, limit: int = LIMIT) -> Verdict:
+def compare(a: Expression, b: Expression, *, limit: int = LIMIT) -> ProofStatus:
     """Whether two expressions are the same function of joint variables and parameters, where both exist.
 
     Raises:
         FormSizeError: the expansion needs more products of terms than `limit`.
         ZeroDivisionError: an expression divides by zero.
     """
-    reader = Reader(Ring(limit=limit))
+    reader = FormReader(Ring(limit=limit))
     if reader.vanishes(reader.ring.add(reader.form(a), reader.form(b), -1)):
-        return Verdict.PROVED
-    return Verdict.REFUTED if reader.decisive else Verdict.UNDECIDED
+        return ProofStatus.PROVED
+    return ProofStatus.REFUTED if reader.decisive else ProofStatus.UNDECIDED
 
 
 def same_function(a: Expression, b: Expression, *, limit: int = LIMIT) -> bool:
     """Whether two expressions were proved to be the same function; see `compare` for the third answer."""
-    return compare(a, b, limit=limit) is Verdict.PROVED
+    return compare(a, b, limit=limit) is ProofStatus.PROVED
 
 
-def _export(reader: Reader, form: Form) -> Canonical:
+def _export(reader: FormReader, form: Form) -> Canonical:
     return Canonical(frozenset(reader.ring.terms(form).items()), reader.is_exact(form))
 
 
@@ -136,7 +136,7 @@ def _real_part(monomial: Monomial) -> Expression:
     return multiply((*sorted(factors, key=repr), cosine))
 
 
-def _symbol(symbol: Symbol) -> Expression:
+def _symbol(symbol: RingSymbol) -> Expression:
     """A parameter, π, the root of a prime, or something opaque, named by its function and arguments."""
     if symbol.kind == "radical":
         assert isinstance(symbol.of, int)

@@ -9,9 +9,9 @@ from itertools import chain
 
 from kinematics.expressions import ONE, ZERO, Expression
 from kinematics.jacobian import JacobianFrame
-from kinematics.symbolic.chain import Chain, Run
-from kinematics.symbolic.differential import Joint, column_in_base, column_in_end, passed
+from kinematics.symbolic.differential import MovingJoint, column_in_base, column_in_end, passed
 from kinematics.symbolic.motions import Motion, motions_of
+from kinematics.symbolic.runs import Run, Runs
 from kinematics.symbolic.writing import AXES, HERE, ORIGIN, Matrix, MatrixWriter
 from kinematics.table import SymbolicTable
 
@@ -56,14 +56,14 @@ class Workings:
     ) -> None:
         self._writer = MatrixWriter(base)
         self._rows = motions_of(table)
-        self._joints: list[Joint] = []
+        self._joints: list[MovingJoint] = []
         self._upto: list[tuple[Run, ...]] = []
-        merged, left = Chain(self._writer.arena), list(chain.from_iterable(self._rows))
+        merged, left = Runs(self._writer.arena), list(chain.from_iterable(self._rows))
         for row in self._rows:
             for motion in row:
                 left = left[1:]
                 if motion.joint:
-                    self._joints.append(Joint(motion, merged.finished(), left))
+                    self._joints.append(MovingJoint(motion, merged.finished(), left))
                 merged.extend((motion,))
             self._upto.append(merged.finished())
         self._runs = merged.finished()
@@ -173,6 +173,6 @@ def jacobian(
 
 def _link(row: Sequence[Motion]) -> Matrix:
     writer = MatrixWriter()
-    runs = Chain.of(writer.arena, row).finished()
+    runs = Runs.of(writer.arena, row).finished()
     writer.know(runs)
     return writer.matrix(runs)

@@ -8,9 +8,9 @@ from itertools import pairwise
 
 from kinematics.dh import MotionKind
 from kinematics.symbolic.angles import NO_ANGLE, Angle
-from kinematics.symbolic.chain import Chain, Run, Vector, swung, turned, twisted
 from kinematics.symbolic.motions import Motion
 from kinematics.symbolic.nested import Arena
+from kinematics.symbolic.runs import Run, Runs, Vector, swung, turned, twisted
 from kinematics.symbolic.terms import NOTHING, UNITY, Nested
 from kinematics.symbolic.writing import AXES, ORIGIN, MatrixWriter, Pose
 
@@ -19,7 +19,7 @@ _LONG = 1000
 
 
 @dataclass(frozen=True, slots=True)
-class Joint:
+class MovingJoint:
     """A joint and what lies before and after it.
 
     Attributes:
@@ -55,7 +55,7 @@ class Joint:
 
 
 def column_in_base(
-    writer: MatrixWriter, joint: Joint, runs: Sequence[Run], end: Pose | None
+    writer: MatrixWriter, joint: MovingJoint, runs: Sequence[Run], end: Pose | None
 ) -> tuple[Vector, Vector]:
     """Linear and angular velocity of the end in the axes of the base: (z × (p - p_k), z)."""
     arena = writer.arena
@@ -69,7 +69,7 @@ def column_in_base(
 
 
 def column_in_end(
-    writer: MatrixWriter, joint: Joint, runs: Sequence[Run], end: Pose | None
+    writer: MatrixWriter, joint: MovingJoint, runs: Sequence[Run], end: Pose | None
 ) -> tuple[Vector, Vector]:
     """Linear and angular velocity of the end in its own axes: carried outward from joint to joint.
 
@@ -78,7 +78,7 @@ def column_in_end(
     arena = writer.arena
     if joint.motion.kind is MotionKind.SHIFT_Z:
         axis = joint.axis(arena)
-        for run in Chain.of(arena, joint.after).finished():
+        for run in Runs.of(arena, joint.after).finished():
             axis = _turned_back(arena, run, axis)
         return axis if end is None else writer.projected(end[:3], axis), ORIGIN
     at = joint.run(runs)
@@ -91,7 +91,7 @@ def column_in_end(
         omega, v = _carried_outward(arena, run, omega, v)
     if sum(map(arena.size, v)) > _LONG:
         arm = ORIGIN
-        for run in Chain.of(arena, joint.after).finished():
+        for run in Runs.of(arena, joint.after).finished():
             arm = passed(arena, run, arm)
         v = min(v, _cross(arena, omega, arm), key=lambda vector: sum(map(arena.size, vector)))
     if end is None:

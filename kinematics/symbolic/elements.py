@@ -8,10 +8,10 @@ from fractions import Fraction
 from math import gcd, lcm
 from typing import NamedTuple, TypeAlias
 
-Exponents: TypeAlias = frozenset[tuple["Symbol", Fraction]]
+Exponents: TypeAlias = frozenset[tuple["RingSymbol", Fraction]]
 
 
-class Symbol(NamedTuple):
+class RingSymbol(NamedTuple):
     """What a factor of a term is a power of.
 
     kind "power": `of` itself (a parameter, π, something opaque). "radical": the root of the prime `of`.

@@ -8,10 +8,10 @@ from itertools import chain
 
 from kinematics.errors import FormSizeError
 from kinematics.expressions import ZERO, Expression, negate
+from kinematics.symbolic.form_reader import FormReader
 from kinematics.symbolic.motions import Motion, motions_of
 from kinematics.symbolic.poses import ExactPose, read_matrix
-from kinematics.symbolic.reading import Reader
-from kinematics.symbolic.verdict import Verdict
+from kinematics.symbolic.proof_status import ProofStatus
 from kinematics.table import SymbolicTable
 
 
@@ -25,7 +25,7 @@ class Proof:
             nothing is wrong.
     """
 
-    verdict: Verdict
+    verdict: ProofStatus
     joint: int = 0
 
 
@@ -60,20 +60,20 @@ def prove_identity(
         limit: products of terms that may be formed before the answer is UNDECIDED.
     """
     if not len(signs) == len(offsets) == reference.n_joints == submission.n_joints:
-        return Proof(verdict=Verdict.REFUTED)
-    reader = Reader()
+        return Proof(verdict=ProofStatus.REFUTED)
+    reader = FormReader()
     reader.ring.limit = limit
     try:
         failed = _first_failure(reader, reference, submission, signs, offsets, base, tool)
     except (FormSizeError, ZeroDivisionError):
-        return Proof(verdict=Verdict.UNDECIDED)
+        return Proof(verdict=ProofStatus.UNDECIDED)
     if failed is None:
-        return Proof(verdict=Verdict.PROVED)
-    return Proof(verdict=Verdict.REFUTED if reader.decisive else Verdict.UNDECIDED, joint=failed)
+        return Proof(verdict=ProofStatus.PROVED)
+    return Proof(verdict=ProofStatus.REFUTED if reader.decisive else ProofStatus.UNDECIDED, joint=failed)
 
 
 def _first_failure(
-    reader: Reader,
+    reader: FormReader,
     reference: SymbolicTable,
     submission: SymbolicTable,
     signs: Sequence[int],

@@ -8,15 +8,15 @@ from dataclasses import dataclass
 from kinematics.dh import MotionKind
 from kinematics.expressions import Expression
 from kinematics.symbolic.elements import MINUS_ONE_FORM, ONE_FORM, ZERO_FORM, Form
+from kinematics.symbolic.form_reader import FormReader
 from kinematics.symbolic.motions import Motion
-from kinematics.symbolic.reading import Reader
 from kinematics.symbolic.surds import tidy
 
 _SHORT = 4
 _IDENTITY = tuple(tuple(ONE_FORM if i == j else ZERO_FORM for j in range(4)) for i in range(3))
 
 
-def read_matrix(reader: Reader, matrix: Sequence[Sequence[Expression]] | None) -> list[list[Form]]:
+def read_matrix(reader: FormReader, matrix: Sequence[Sequence[Expression]] | None) -> list[list[Form]]:
     """The upper three rows of a 4×4 matrix as forms; those of the identity if there is none."""
     if matrix is None:
         return [list(row) for row in _IDENTITY]
@@ -27,7 +27,7 @@ def read_matrix(reader: Reader, matrix: Sequence[Sequence[Expression]] | None) -
 class ExactPose:
     """A pose X that follows a chain: its upper three rows, the last being 0 0 0 1."""
 
-    reader: Reader
+    reader: FormReader
     m: list[list[Form]]
 
     def then(self, motion: Motion) -> None:

@@ -9,7 +9,7 @@ apart), and exponentials of joint variables and angles. Sines and cosines are (e
 trigonometric identity is an identity between such sums, and multiplication is addition of exponents: the
 exponents of a term are packed into the bits of one integer, its key.
 
-Keys mean something only within one `Ring`. `Ring.terms` writes a form without reference to the ring.
+KeyLayout mean something only within one `Ring`. `Ring.terms` writes a form without reference to the ring.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from fractions import Fraction
 from math import gcd
 
 from kinematics.errors import Fault, FormSizeError
-from kinematics.symbolic.elements import ONE_FORM, ZERO_FORM, Form, Monomial, Symbol, Terms
-from kinematics.symbolic.keys import HALF_TURN, ORDER, ROOT_BITS, ROOT_MASK, Keys
+from kinematics.symbolic.elements import ONE_FORM, ZERO_FORM, Form, Monomial, RingSymbol, Terms
+from kinematics.symbolic.key_layout import HALF_TURN, ORDER, ROOT_BITS, ROOT_MASK, KeyLayout
 from kinematics.symbolic.roots import basis_steps
 
 
@@ -36,7 +36,7 @@ class Ring:
 
     limit: int = 200_000
     complete: bool = True
-    _keys: Keys = field(default_factory=Keys)
+    _keys: KeyLayout = field(default_factory=KeyLayout)
     _spent: int = 0
 
     def rational(self, value: Fraction | int) -> Form:
@@ -50,13 +50,18 @@ class Ring:
         turn %= 1
         steps = turn * ORDER
         if steps.denominator != 1:
-            return self.symbol(Symbol("root", None), turn)
+            return self.symbol(RingSymbol("root", None), turn)
         if steps >= HALF_TURN:
             return Form({int(steps) - HALF_TURN: -1})
         return Form({int(steps): 1})
 
     def symbol(
-        self, symbol: Symbol, exponent: Fraction = Fraction(1), *, degree: int = 0, value: Form = ZERO_FORM
+        self,
+        symbol: RingSymbol,
+        exponent: Fraction = Fraction(1),
+        *,
+        degree: int = 0,
+        value: Form = ZERO_FORM,
     ) -> Form:
         """symbol^exponent; with a degree, a symbol whose power of that degree is `value`."""
         return Form({self._keys.key(symbol, exponent, degree, value): 1})

@@ -6,7 +6,7 @@ from fractions import Fraction
 from itertools import product
 from math import gcd, isqrt, lcm
 
-from kinematics.symbolic.elements import ONE_FORM, UNIT, ZERO_FORM, Form, Monomial, Symbol, Terms
+from kinematics.symbolic.elements import ONE_FORM, UNIT, ZERO_FORM, Form, Monomial, RingSymbol, Terms
 from kinematics.symbolic.ring import Ring
 from kinematics.symbolic.roots import LARGEST_PRIME, square_free, square_root_of_prime
 
@@ -32,7 +32,7 @@ def root_of_rational(ring: Ring, value: Fraction) -> Form:
     for prime in primes:
         factor = ZERO_FORM
         if prime > LARGEST_PRIME:
-            factor = ring.symbol(Symbol("radical", prime))
+            factor = ring.symbol(RingSymbol("radical", prime))
         else:
             for turn, sign in square_root_of_prime(prime):
                 factor = ring.add(factor, ring.turn(turn), sign)
@@ -97,7 +97,7 @@ def _conjugates(ring: Ring, terms: Terms) -> list[Form]:
     ]
 
 
-def _conjugate(ring: Ring, terms: Terms, unit: int, flips: dict[Symbol, int]) -> Form:
+def _conjugate(ring: Ring, terms: Terms, unit: int, flips: dict[RingSymbol, int]) -> Form:
     total = ZERO_FORM
     for monomial, weight in terms.items():
         for symbol, _ in monomial.exponents:

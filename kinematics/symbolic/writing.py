@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from typing import TypeAlias
 
 from kinematics.expressions import ONE, ZERO, Expression
-from kinematics.symbolic.chain import Run, Vector, swung, turned, twisted
 from kinematics.symbolic.nested import Arena
+from kinematics.symbolic.runs import Run, Vector, swung, turned, twisted
 from kinematics.symbolic.terms import NOTHING, UNITY, Nested
 
 Matrix: TypeAlias = tuple[tuple[Expression, ...], ...]

@@ -34,7 +34,7 @@ class FormPart(StrEnum):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Task:
+class SymbolicTask:
     """A closed form to be written.
 
     Attributes:
@@ -78,7 +78,7 @@ class Task:
         return cost <= QUICK_COST and nodes <= QUICK_NODES
 
 
-def written_answer(task: Task) -> bytes:
+def written_answer(task: SymbolicTask) -> bytes:
     """The answer to a task, as JSON.
 
     Raises:
@@ -117,7 +117,7 @@ def written_out(answer: Mapping[str, Any]) -> bytes:
         raise FormSizeError(Fault(code="closed_form_too_deep")) from None
 
 
-def written_jacobians(task: Task) -> bytes:
+def written_jacobians(task: SymbolicTask) -> bytes:
     """J0 and Jn as JSON, with what the answer says besides.
 
     Raises:
@@ -128,7 +128,7 @@ def written_jacobians(task: Task) -> bytes:
     return orjson.dumps(answer | jacobians)
 
 
-def _parts(task: Task, write: Any) -> dict[str, Any]:
+def _parts(task: SymbolicTask, write: Any) -> dict[str, Any]:
     last = str(len(task.table.rows))
     end, end_name = ("the tool", "tool") if task.tool is not None else (f"frame {last}", last)
     world, world_name = ("the world", "world") if task.base is not None else ("frame 0", "0")

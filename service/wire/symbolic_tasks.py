@@ -16,7 +16,7 @@ from kinematics.jacobian import JacobianFrame
 from kinematics.scm import ReadChain
 from kinematics.se3 import check_transform
 from kinematics.symbolic.exact_poses import decimal, exact_pose
-from kinematics.symbolic.substitution import with_values
+from kinematics.symbolic.parameter_values import with_values
 from kinematics.table import table_parameters
 from service.http.problems import located
 from service.http.routing import NPY, ApiRequest, BytesResponse
@@ -25,7 +25,7 @@ from service.resources import resources_of
 from service.schemas.symbolic_request import SymbolicJacobianRequest, WritingQuestion
 from service.settings import Settings
 from service.wire.prepared_robots import listed_robot
-from service.wire.symbolic_forms import FormPart, Task, written_answer, written_jacobians
+from service.wire.symbolic_forms import FormPart, SymbolicTask, written_answer, written_jacobians
 from service.work.workers import Lane
 
 _JACOBIAN: TypeAdapter[SymbolicJacobianRequest] = TypeAdapter(SymbolicJacobianRequest)
@@ -37,7 +37,7 @@ def task_of(
     *,
     parts: tuple[FormPart, ...],
     frames: tuple[JacobianFrame, ...] = tuple(JacobianFrame),
-) -> Task:
+) -> SymbolicTask:
     """What a validated request asks of the workers.
 
     Raises:
@@ -53,7 +53,7 @@ def task_of(
             check_transform(matrix, where=(name,))
     parameters = table_parameters(table)
     variables = read.variables or tuple(f"q{joint}" for joint in range(1, table.n_joints + 1))
-    return Task(
+    return SymbolicTask(
         table=table,
         parameters=parameters,
         variables=variables,
@@ -74,7 +74,10 @@ def task_of(
 
 
 async def answered(
-    request: ApiRequest, task: Task, question: bytes, write: Callable[[Task], bytes] = written_answer
+    request: ApiRequest,
+    task: SymbolicTask,
+    question: bytes,
+    write: Callable[[SymbolicTask], bytes] = written_answer,
 ) -> BytesResponse:
     """The answer to a task, from a worker process.
 

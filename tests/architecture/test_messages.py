@@ -17,7 +17,7 @@ from tests.architecture.sources import ROOT, modules, shown, tracked
 LOCALES = ROOT / "service" / "locales"
 LANGUAGES = ("en", "es", "fr", "pt", "ro", "uk")
 ROOMS = sorted(path.name for path in (LOCALES / "en").glob("*.ftl"))
-MAKERS = {"fault", "_fault", "Refusal", "Fault"}
+MAKERS = {"fault", "_fault", "CellRefusal", "Fault"}
 
 
 @cache

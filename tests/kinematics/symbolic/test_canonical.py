@@ -26,7 +26,14 @@ from kinematics.expressions import (
     pi_times,
     power,
 )
-from kinematics.symbolic import Verdict, canonical, canonical_transform, closed_form, compare, same_function
+from kinematics.symbolic import (
+    ProofStatus,
+    canonical,
+    canonical_transform,
+    closed_form,
+    compare,
+    same_function,
+)
 from kinematics.symbolic.roots import LARGEST_PRIME, basis_terms, square_free, square_root_of_prime
 from kinematics.table import Convention
 from tests.kinematics.symbolic.pairs import equal_pair, unequal_pair
@@ -53,7 +60,7 @@ def test_pairs_made_unequal_by_one_change_have_two() -> None:
     wrong = []
     for seed in range(PAIRS):
         first, second = unequal_pair(random.Random(f"unequal {seed}"))
-        if compare(first, second) is Verdict.PROVED or canonical(first) == canonical(second):
+        if compare(first, second) is ProofStatus.PROVED or canonical(first) == canonical(second):
             wrong.append(seed)
     assert not wrong
 
@@ -133,11 +140,11 @@ def test_the_sine_and_cosine_of_an_arc_are_known(function: Function) -> None:
 
 
 def test_what_is_not_decided_is_said() -> None:
-    assert compare(root(2), multiply((number("1/2"), root(8)))) is Verdict.PROVED
-    assert compare(L1, L2) is Verdict.REFUTED
+    assert compare(root(2), multiply((number("1/2"), root(8)))) is ProofStatus.PROVED
+    assert compare(L1, L2) is ProofStatus.REFUTED
     product = call(Function.SQRT, multiply((L1, L2)))
     apart = multiply((call(Function.SQRT, L1), call(Function.SQRT, L2)))
-    assert compare(product, apart) is Verdict.UNDECIDED
+    assert compare(product, apart) is ProofStatus.UNDECIDED
     assert not same_function(product, apart)
     assert not canonical(product).exact
     assert canonical(multiply((L1, cos(ALPHA)))).exact
@@ -145,13 +152,13 @@ def test_what_is_not_decided_is_said() -> None:
 
 def test_rational_angles_are_independent_of_each_other_and_of_lengths() -> None:
     """Lindemann-Weierstrass: e^(0.3 i) and e^(0.7 i) satisfy no relation with algebraic coefficients."""
-    assert compare(cos(number("0.3")), cos(number("0.31"))) is Verdict.REFUTED
+    assert compare(cos(number("0.3")), cos(number("0.31"))) is ProofStatus.REFUTED
     double = add((multiply((number(2), power(cos(number("0.3")), 2))), number(-1)))
-    assert compare(cos(number("0.6")), double) is Verdict.PROVED
+    assert compare(cos(number("0.6")), double) is ProofStatus.PROVED
     # with π beside it nothing is known but by Schanuel's conjecture
     mixed = multiply((pi_times(1), cos(number("0.3"))))
     assert not canonical(mixed).exact
-    assert compare(mixed, L1) is Verdict.UNDECIDED
+    assert compare(mixed, L1) is ProofStatus.UNDECIDED
 
 
 def test_nested_functions_of_angles_are_not_claimed() -> None:

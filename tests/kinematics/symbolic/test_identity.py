@@ -21,7 +21,7 @@ from kinematics.expressions import (
     pi_times,
     power,
 )
-from kinematics.symbolic import Verdict, prove_identity
+from kinematics.symbolic import ProofStatus, prove_identity
 from kinematics.table import Convention, JointType
 from tests.kinematics.symbolic.tables import (
     other_convention,
@@ -62,7 +62,7 @@ def test_every_rewriting_of_a_random_table_is_proved(seed: int) -> None:
         else:
             submission = other_convention(submission)
     proof = prove_identity(reference, submission, signs=signs, offsets=offsets)
-    assert proof.verdict is Verdict.PROVED
+    assert proof.verdict is ProofStatus.PROVED
 
 
 @pytest.mark.parametrize("seed", range(150))
@@ -74,7 +74,7 @@ def test_one_changed_cell_is_refuted(seed: int) -> None:
     rows = list(reference.rows)
     rows[where] = replace(rows[where], **{cell: add((getattr(rows[where], cell), change))})
     proof = prove_identity(reference, table(reference.convention, *rows), **plain(5))
-    assert proof.verdict is Verdict.REFUTED
+    assert proof.verdict is ProofStatus.REFUTED
 
 
 def test_base_and_tool_enter_exactly() -> None:
@@ -88,9 +88,9 @@ def test_base_and_tool_enter_exactly() -> None:
     )
     base = matrix((ZERO, number(-1), ZERO, ZERO), (ONE, ZERO, ZERO, ZERO), (ZERO, ZERO, ONE, ZERO))
     tool = matrix((ONE, ZERO, ZERO, negate(L2)), (ZERO, ONE, ZERO, ZERO), (ZERO, ZERO, ONE, ZERO))
-    assert prove_identity(reference, turned, **plain(2), base=base, tool=tool).verdict is Verdict.PROVED
-    assert prove_identity(reference, turned, **plain(2), base=base).verdict is Verdict.REFUTED
-    assert prove_identity(reference, turned, **plain(2), tool=tool).verdict is Verdict.REFUTED
+    assert prove_identity(reference, turned, **plain(2), base=base, tool=tool).verdict is ProofStatus.PROVED
+    assert prove_identity(reference, turned, **plain(2), base=base).verdict is ProofStatus.REFUTED
+    assert prove_identity(reference, turned, **plain(2), tool=tool).verdict is ProofStatus.REFUTED
 
 
 def test_the_first_joint_that_disagrees_is_named() -> None:
@@ -102,17 +102,17 @@ def test_the_first_joint_that_disagrees_is_named() -> None:
 def test_another_number_or_type_of_joints_is_refuted() -> None:
     one, two = table(Convention.STANDARD, row()), table(Convention.STANDARD, row(), row())
     sliding = table(Convention.STANDARD, row(JointType.PRISMATIC))
-    assert prove_identity(one, two, **plain(1)).verdict is Verdict.REFUTED
-    assert prove_identity(one, sliding, **plain(1)).verdict is Verdict.REFUTED
+    assert prove_identity(one, two, **plain(1)).verdict is ProofStatus.REFUTED
+    assert prove_identity(one, sliding, **plain(1)).verdict is ProofStatus.REFUTED
 
 
 def test_parallel_prismatic_axes_may_lie_anywhere() -> None:
     reference = table(Convention.STANDARD, row(JointType.PRISMATIC), row(JointType.FIXED, a=L1))
     shifted = table(Convention.STANDARD, row(JointType.FIXED, a=L1), row(JointType.PRISMATIC))
-    assert prove_identity(reference, shifted, **plain(1)).verdict is Verdict.PROVED
+    assert prove_identity(reference, shifted, **plain(1)).verdict is ProofStatus.PROVED
     turning = table(Convention.STANDARD, row(), row(JointType.FIXED, a=L1))
     shifted = table(Convention.STANDARD, row(JointType.FIXED, a=L1), row())
-    assert prove_identity(turning, shifted, **plain(1)).verdict is Verdict.REFUTED
+    assert prove_identity(turning, shifted, **plain(1)).verdict is ProofStatus.REFUTED
 
 
 def test_square_roots_of_lengths_are_proved_when_equal_and_undecided_otherwise() -> None:
@@ -124,9 +124,9 @@ def test_square_roots_of_lengths_are_proved_when_equal_and_undecided_otherwise()
         row(theta=angle, a=hypotenuse),
         row(JointType.FIXED, theta=add((pi_times(Fraction(1, 2)), negate(angle)))),
     )
-    assert prove_identity(bent, straight, **plain(1)).verdict is Verdict.PROVED
+    assert prove_identity(bent, straight, **plain(1)).verdict is ProofStatus.PROVED
     near = table(Convention.STANDARD, *straight.rows[:1], row(JointType.FIXED))
-    assert prove_identity(bent, near, **plain(1)).verdict is Verdict.UNDECIDED
+    assert prove_identity(bent, near, **plain(1)).verdict is ProofStatus.UNDECIDED
 
 
 def test_what_is_too_large_is_undecided() -> None:
@@ -135,4 +135,4 @@ def test_what_is_too_large_is_undecided() -> None:
     ]
     big = table(Convention.STANDARD, *rows)
     shifted = table(Convention.MODIFIED, *rows)
-    assert prove_identity(big, shifted, **plain(6), limit=50).verdict is Verdict.UNDECIDED
+    assert prove_identity(big, shifted, **plain(6), limit=50).verdict is ProofStatus.UNDECIDED

@@ -21,7 +21,7 @@ from kinematics.expressions import (
     pi_times,
     power,
 )
-from kinematics.symbolic import Verdict, compare, count_operations, from_sympy, to_sympy
+from kinematics.symbolic import ProofStatus, compare, count_operations, from_sympy, to_sympy
 from kinematics.symbolic.closed_form import Workings
 from kinematics.table import Convention
 from tests.kinematics.symbolic.tables import puma, random_table
@@ -44,7 +44,7 @@ def test_a_thousand_tables_there_and_back() -> None:
                 back = from_sympy(evaluated[i, j])
                 assert to_sympy(back) == evaluated[i, j]
                 if number_of_table < PROVED:
-                    assert compare(back, entry) is Verdict.PROVED
+                    assert compare(back, entry) is ProofStatus.PROVED
 
 
 def test_the_puma_keeps_its_form() -> None:

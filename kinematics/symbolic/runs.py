@@ -45,7 +45,7 @@ class Run:
 
 
 @dataclass(slots=True)
-class Chain:
+class Runs:
     """The runs of a chain of motions.
 
     Attributes:
@@ -58,7 +58,7 @@ class Chain:
     _flipped: bool = False
 
     @classmethod
-    def of(cls, arena: Arena, motions: Iterable[Motion]) -> Chain:
+    def of(cls, arena: Arena, motions: Iterable[Motion]) -> Runs:
         """The chain of some motions."""
         chain = cls(arena)
         chain.extend(motions)

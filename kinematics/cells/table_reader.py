@@ -9,7 +9,7 @@ from types import MappingProxyType
 from kinematics.cells.entries import text_length
 from kinematics.cells.joints import row_joints, variable_names
 from kinematics.cells.limits import DEFAULT, Limits
-from kinematics.cells.refusals import Refusal, fault
+from kinematics.cells.refusals import CellRefusal, fault
 from kinematics.cells.rows import RowMeaning, row_meaning, row_syntax
 from kinematics.cells.tables import RawTable, ReadTable
 from kinematics.cells.units import ParameterKind
@@ -82,7 +82,7 @@ def _gathered(
                 continue
             known = kinds.setdefault(name, kind)
             if known is not kind:
-                refusal = Refusal("parameter_two_kinds", column=1, name=name, kind=kind, other=known)
+                refusal = CellRefusal("parameter_two_kinds", column=1, name=name, kind=kind, other=known)
                 faults[i, cell] = refusal.at("rows", i, cell)
     return kinds, faults
 

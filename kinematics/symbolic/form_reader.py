@@ -28,21 +28,21 @@ from kinematics.symbolic.elements import (
     ZERO_FORM,
     Form,
     Monomial,
-    Symbol,
+    RingSymbol,
     content,
 )
 from kinematics.symbolic.ring import Ring
 from kinematics.symbolic.roots import has_large_prime
 from kinematics.symbolic.surds import algebraic_reciprocal, denested_root, root_of_rational, tidy
 
-PI_SYMBOL = Symbol("power", Pi())
+PI_SYMBOL = RingSymbol("power", Pi())
 _PI_MONOMIAL = Monomial(Fraction(0), frozenset({(PI_SYMBOL, Fraction(1))}))
 _STEPS = 24
 _HALF_TURN = 12
 
 
 @dataclass(slots=True)
-class Reader:
+class FormReader:
     """Reads expressions into one ring.
 
     Attributes:
@@ -134,7 +134,7 @@ class Reader:
                 result = ring.multiply(result, ring.power(arc[weight < 0], abs(weight.numerator)))
             else:
                 self._note(monomial)
-                result = ring.multiply(result, ring.symbol(Symbol("exponential", monomial), weight))
+                result = ring.multiply(result, ring.symbol(RingSymbol("exponential", monomial), weight))
         if has_large_prime(turn):
             ring.complete = False
         return ring.multiply(result, ring.turn(turn))
@@ -154,7 +154,7 @@ class Reader:
             case Number(value):
                 return ring.rational(value)
             case Pi() | Parameter() | JointVariable():
-                return ring.symbol(Symbol("power", expression))
+                return ring.symbol(RingSymbol("power", expression))
             case Sum(terms):
                 total = ZERO_FORM
                 for term in terms:
@@ -273,13 +273,13 @@ class Reader:
         self.ring.complete = False
         key = (name, detail, *(frozenset(self.ring.terms(argument).items()) for argument in arguments))
         value = arguments[0] if degree else ZERO_FORM
-        return self.ring.symbol(Symbol("power", key), degree=degree, value=value)
+        return self.ring.symbol(RingSymbol("power", key), degree=degree, value=value)
 
 
 @cache
 def _twelfths(steps: int) -> tuple[Form, Form]:
     """Cosine and sine of a multiple of π/12: roots of unity alone, and so the same in every ring."""
-    reader = Reader()
+    reader = FormReader()
     cosine, sine = reader._cosine_and_sine(reader.form(pi_times(Fraction(steps, _HALF_TURN))))
     return _shared(cosine), _shared(sine)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import StrEnum
 
 
-class Verdict(StrEnum):
+class ProofStatus(StrEnum):
     """What is known of an identity.
 
     PROVED: it holds for all joint and parameter values. REFUTED: it does not. UNDECIDED: it was not proved,

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
 
-from kinematics.symbolic.elements import ZERO_FORM, Exponents, Form, Symbol
+from kinematics.symbolic.elements import ZERO_FORM, Exponents, Form, RingSymbol
 
 ROOT_MASK = 0xFF
 ROOT_BITS = 8
@@ -21,7 +21,7 @@ _ROOM_BITS = 40
 
 
 @dataclass(slots=True)
-class Place:
+class KeyField:
     """Where a key holds an exponent of one symbol.
 
     Attributes:
@@ -33,7 +33,7 @@ class Place:
         value: what that power is.
     """
 
-    symbol: Symbol
+    symbol: RingSymbol
     shift: int
     width: int
     unit: Fraction
@@ -55,31 +55,31 @@ class Place:
 
 
 @dataclass(slots=True)
-class Keys:
+class KeyLayout:
     """The places of one ring.
 
     Attributes:
         places: all of them, from the lowest bits up.
     """
 
-    places: list[Place] = field(default_factory=list)
-    _known: dict[tuple[Symbol, Fraction], Place] = field(default_factory=dict)
+    places: list[KeyField] = field(default_factory=list)
+    _known: dict[tuple[RingSymbol, Fraction], KeyField] = field(default_factory=dict)
     _end: int = ROOT_BITS
 
-    def key(self, symbol: Symbol, exponent: Fraction, degree: int, value: Form) -> int:
+    def key(self, symbol: RingSymbol, exponent: Fraction, degree: int, value: Form) -> int:
         """The key of symbol^exponent; with a degree, of a symbol whose power of that degree is `value`."""
         unit = Fraction(1, exponent.denominator)
         place = self._known.get((symbol, unit))
         width = exponent.numerator.bit_length() + _ROOM_BITS
         if place is None or width > place.width:
-            place = Place(symbol, self._end, width, unit, degree, value)
+            place = KeyField(symbol, self._end, width, unit, degree, value)
             self.places.append(place)
             self._known[symbol, unit] = place
             self._end += width
         return exponent.numerator << place.shift
 
     @property
-    def related(self) -> list[Place]:
+    def related(self) -> list[KeyField]:
         """The places of symbols one power of which is something else."""
         return [place for place in self.places if place.degree]
 
@@ -95,7 +95,7 @@ class Keys:
         return len(set(symbols)) == len(symbols) and all(symbol.kind != "radical" for symbol in symbols)
 
     @property
-    def _roots(self) -> list[Place]:
+    def _roots(self) -> list[KeyField]:
         return [place for place in self.places if place.symbol.kind == "root"]
 
     def by_rest(self, coefficients: Mapping[int, int], order: int) -> dict[int, dict[int, int]]:
@@ -118,7 +118,7 @@ class Keys:
         """The exponents in a key without roots of unity, and what pairs of equal square roots give."""
         factor = Fraction(1)
         key >>= ROOT_BITS
-        found: dict[Symbol, Fraction] = {}
+        found: dict[RingSymbol, Fraction] = {}
         for place in self.places:
             if not key:
                 break
