@@ -10,6 +10,7 @@ import keyword
 from typing import Any, ClassVar
 
 import sympy
+import sympy.tensor.tensor  # SymPy loads it at the first sum otherwise, in the midst of an answer
 from sympy.printing import cxx
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.fortran import FCodePrinter
