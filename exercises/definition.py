@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from types import MappingProxyType
 
+from exercises.access import Access
 from exercises.draws import Draw
 from exercises.figures.specification import FigureSpecification
 from exercises.grading import HelpLevel, Policy
@@ -77,7 +78,7 @@ class Exercise:
         parameters: the robot's dimensions, in the order in which they are shown.
         parts: what is asked, in order.
         policy: what a table is held to.
-        help: how much a verdict may give away at most.
+        access: what its students may use, how much they are told, and how often they may try.
         figure: how the robot is drawn.
         misconceptions: codes of the misconceptions that its own tests apply to the key.
         samples: answers with the judgement that is expected of them.
@@ -96,13 +97,18 @@ class Exercise:
     parameters: tuple[DrawnParameter, ...]
     parts: tuple[Part, ...]
     policy: Policy
-    help: HelpLevel
+    access: Access
     figure: FigureSpecification
     misconceptions: tuple[str, ...]
     samples: tuple[Sample, ...] = ()
     needs: tuple[str, ...] = ()
     aliases: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
     defaults: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+
+    @property
+    def help(self) -> HelpLevel:
+        """How much a verdict may give away at most."""
+        return self.access.most
 
     def text_language(self, language: str) -> str:
         """Return the language in which a reader is shown the texts: their own, else English, else any."""

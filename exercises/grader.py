@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from exercises import grading
+from exercises.access import lowest
 from exercises.answers import Answer
 from exercises.definition import Exercise
 from exercises.drawings import KeyPose, key_pose
@@ -13,7 +14,7 @@ from exercises.grading import HelpLevel, Verdict
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.registry import part_type
-from exercises.parts.report import PartReport, at_least
+from exercises.parts.report import PartReport
 from kinematics.cells import AngleUnit, LengthUnit
 
 
@@ -58,23 +59,25 @@ class Report:
         return all(part.correct for part in self.parts)
 
 
-def allowed_help(exercise: Exercise, asked: HelpLevel | None) -> HelpLevel:
-    """Return the help that an answer gets: what was asked for, never more than the exercise allows."""
-    if asked is None or at_least(asked, exercise.help):
-        return exercise.help
-    return asked
+def allowed_help(exercise: Exercise, asked: HelpLevel | None, attempt: int | None = None) -> HelpLevel:
+    """Return the help that an answer gets: as asked for, never more than the exercise allows by then."""
+    most = exercise.access.help_at(attempt)
+    return most if asked is None else lowest((asked, most))
 
 
-def grade(instance: Instance, answer: Answer, help_level: HelpLevel | None = None) -> Report:
+def grade(
+    instance: Instance, answer: Answer, help_level: HelpLevel | None = None, attempt: int | None = None
+) -> Report:
     """Judge an answer.
 
     Args:
         instance: the exercise with the student's values.
         answer: what was handed in, as read.
         help_level: how much may be told; never more than the exercise allows.
+        attempt: which attempt it is, from 1, for the exercise's help ladder.
     """
     exercise = instance.exercise
-    level = allowed_help(exercise, help_level)
+    level = allowed_help(exercise, help_level, attempt)
     verdict = _verdict(instance, answer, level)
     context = Context(instance=instance, answer=answer, verdict=verdict)
     reports: list[PartReport] = []

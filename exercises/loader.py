@@ -13,12 +13,12 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+from exercises.access import read_access
 from exercises.consistency import FILE, inconsistencies
 from exercises.definition import LANGUAGES, DrawnParameter, Exercise, Part
 from exercises.draws import read_draw
 from exercises.errors import DefinitionError, UnknownExerciseError
 from exercises.figures.reading import read_figure
-from exercises.grading import HelpLevel
 from exercises.parts.protocol import RobotFacts
 from exercises.parts.registry import part_type, part_types
 from exercises.policy_reading import read_policy
@@ -184,9 +184,7 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
     version = reader.integer("version")
     titles = _titles(reader, statements)
     policy = read_policy(reader.table("policy"))
-    help_table = reader.table("help")
-    help_level = help_table.choice("most", HelpLevel, HelpLevel.REPAIR)
-    help_table.finish()
+    access = read_access(reader)
     if reference is None:
         return None
     aliases = _aliases(reader, reference.parameters)
@@ -224,7 +222,7 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
         parameters=parameters,
         parts=parts,
         policy=policy,
-        help=help_level,
+        access=access,
         figure=figure,
         misconceptions=misconceptions,
         samples=samples,

@@ -20,6 +20,7 @@ from kinematics.errors import Fault, KinematicsError
 from service import __version__
 from service.http import openapi
 from service.http.languages import language_for
+from service.http.link_guard import LinkGuard
 from service.http.metering import MeteringMiddleware
 from service.http.middleware import REQUEST_ID, OuterMiddleware
 from service.http.problems import (
@@ -36,6 +37,7 @@ from service.http.routing import DirectRoute
 from service.http.validation import request_error
 from service.resources import Resources, resources_of
 from service.routes import routers
+from service.secret import installation_secret
 from service.settings import Settings
 from service.work.score_sender import ScoreSender
 from service.work.thread_switching import switch_threads_often
@@ -99,6 +101,12 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         )
     if settings.api_keys or settings.cost_per_minute:
         app.add_middleware(MeteringMiddleware, settings=settings)
+    app.add_middleware(
+        LinkGuard,
+        secret=installation_secret(settings),
+        library=app.state.resources.exercises,
+        refuse=_refuse_in_link,
+    )
     app.add_middleware(OuterMiddleware, settings=settings)
     app.openapi = functools.cache(lambda: openapi.document(app, TAGS))  # type: ignore[method-assign]
     return app
@@ -138,6 +146,10 @@ def problem_response(request: Request, problem: Problem) -> Response:
         "Cache-Control": "no-store",
     }
     return Response(body, problem.status, headers, PROBLEM_JSON)
+
+
+def _refuse_in_link(request: Request, error: ServiceError) -> Response:
+    return problem_response(request, problem_of(error, request.scope.get(REQUEST_ID, "")))
 
 
 async def _refuse(request: Request, error: Exception) -> Response:

@@ -3,6 +3,7 @@
     ServiceError
     ├── BodyError            the body is not what its media type says
     ├── NotFoundError        nothing is at this address
+    ├── ForbiddenError       the link that the caller came by does not allow it
     ├── MethodError          this address knows no such method
     ├── NotAcceptableError   no representation that the caller accepts
     ├── BodyTimeoutError     the body comes too slowly
@@ -84,6 +85,10 @@ class NotFoundError(ServiceError):
     """Nothing is at this address."""
 
 
+class ForbiddenError(ServiceError):
+    """The link that the caller came by does not allow it."""
+
+
 class MethodError(ServiceError):
     """This address knows no such method."""
 
@@ -142,6 +147,7 @@ def busy() -> BusyError:
 
 STATUS: dict[type[Exception], int] = {
     BodyError: 400,
+    ForbiddenError: 403,
     NotFoundError: 404,
     MethodError: 405,
     NotAcceptableError: 406,

@@ -9,17 +9,23 @@ from typing import Annotated
 from fastapi import Path, Query, Request, Response
 from pydantic import TypeAdapter
 
+from exercises.access import lowest
 from exercises.answers import parse
 from exercises.grader import Report, grade
+from exercises.grading import HelpLevel
+from kinematics.errors import Fault
 from service.http.languages import language_of
+from service.http.link_context import LinkContext
+from service.http.link_guard import context_of
 from service.http.openapi import problems, request_body
+from service.http.problems import ForbiddenError
 from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
 from service.resources import resources_of
 from service.schemas import examples_grading as examples
 from service.schemas.exercises import AnswerBase, ExerciseAnswer, ExerciseList, ExerciseModel, GradedModel
 from service.web.responses import text_response
-from service.wire.exercise_views import exercise_list, exercise_view, figure_file, instance_of
+from service.wire.exercise_views import attempts_of, exercise_list, exercise_view, figure_file, instance_of
 from service.wire.ungraded import answer_refused, known_exercise
 from service.wire.verdicts import encoded, report_body
 from service.work.limiters import WorkKind
@@ -48,7 +54,12 @@ Language = Annotated[
 async def list_exercises(request: Request, lang: Language = None) -> Response:
     """Every exercise with its title, in the caller's language."""
     language = language_of(request)
-    return _text(request, encoded(exercise_list(resources_of(request).exercises, language)), language, JSON)
+    return _text(
+        request,
+        encoded(exercise_list(resources_of(request).exercises, language, context_of(request))),
+        language,
+        JSON,
+    )
 
 
 @router.get(
@@ -60,8 +71,8 @@ async def show_exercise(
     """What is asked, with one student's values: statement, rules, dimensions, figure. Never the key."""
     language = language_of(request)
     with known_exercise():
-        instance = instance_of(resources_of(request).exercises, exercise_id, seed)
-    return _text(request, encoded(exercise_view(instance, language)), language, JSON)
+        instance = instance_of(resources_of(request).exercises, exercise_id, seed_of(request, seed))
+    return _text(request, encoded(exercise_view(instance, language, context_of(request))), language, JSON)
 
 
 @router.get(
@@ -79,7 +90,7 @@ async def show_figure(
     """The robot with its joints, dimensions and marked points, and no frames: they are the question."""
     language = language_of(request)
     with known_exercise():
-        instance = instance_of(resources_of(request).exercises, exercise_id, seed)
+        instance = instance_of(resources_of(request).exercises, exercise_id, seed_of(request, seed))
     figure = (
         await resources_of(request).limiters[WorkKind.DRAWING].run(partial(figure_file, instance, language))
     )
@@ -113,13 +124,43 @@ async def _judged(request: ApiRequest) -> Report:
     library = resources_of(request).exercises
     library.exercise(exercise_id)  # an address at which nothing is comes before what is wrong with the body
     wire: AnswerBase = validated(_ANSWER, await request.json())
-    instance = instance_of(library, exercise_id, wire.seed)
+    instance = instance_of(library, exercise_id, seed_of(request, wire.seed))
     raw, limits = wire.raw(), request.settings.cell_limits
 
+    help_level, attempt = help_of(context_of(request), wire.help, wire.attempt)
+    refuse_beyond(attempts_of(instance.exercise, context_of(request)), attempt)
+
     def work() -> Report:
-        return grade(instance, parse(instance, raw, limits), wire.help)
+        return grade(instance, parse(instance, raw, limits), help_level, attempt)
 
     return await resources_of(request).limiters[WorkKind.GRADING].run(work)
+
+
+def seed_of(request: Request, asked: str | None) -> str | None:
+    """Return the seed of the link that the student came by, else the one that is asked for."""
+    context = context_of(request)
+    return asked if context is None or context.seed is None else context.seed
+
+
+def help_of(
+    context: LinkContext | None, asked: HelpLevel | None, attempt: int | None
+) -> tuple[HelpLevel | None, int | None]:
+    """Return the help that may be given and the number of the attempt; a link's own go before a caller's."""
+    if context is None:
+        return asked, attempt
+    levels = [level for level in (asked, context.help) if level is not None]
+    return (lowest(levels) if levels else None), attempt if context.attempt is None else context.attempt
+
+
+def refuse_beyond(attempts: int | None, attempt: int | None) -> None:
+    """Refuse an attempt beyond the last.
+
+    Raises:
+        ForbiddenError: there are no more attempts.
+    """
+    if attempts is not None and attempt is not None and attempt > attempts:
+        fault = Fault(code="attempts_used_up", where=("attempt",), params={"limit": attempts})
+        raise ForbiddenError(fault)
 
 
 def _text(

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 from fastapi import Body, Response
 from fastapi.openapi.models import Example
 
+from exercises.access import Tool
 from kinematics.cells import Limits, RawTable, ReadTable, canonical_name, parameter_values, read_table
 from kinematics.dh import link_transform
 from kinematics.errors import CellError, Fault, ParameterError, TableError
@@ -20,9 +21,11 @@ from kinematics.printing.notation import Names
 from kinematics.printing.text import text_writer
 from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
 from service.http.languages import language_for
+from service.http.link_guard import switched_off
 from service.http.openapi import problems
 from service.http.problems import Problem
 from service.http.routing import ApiRequest, api_router
+from service.resources import resources_of
 from service.schemas.base import FaultEntry
 from service.schemas.understanding import (
     Meaning,
@@ -71,14 +74,19 @@ async def understand(
     language = language_for(request.headers.get("accept-language"))
     response.headers["Content-Language"] = language
     response.headers["Vary"] = "Accept-Language"
-    return await request.in_turn(partial(_understood, body, request.settings, language))
+    hidden = switched_off(request, Tool.MATRICES, resources_of(request).exercises)
+    work = partial(_understood, body, request.settings, language, links=not hidden)
+    return await request.in_turn(work)
 
 
-def _understood(body: UnderstandRequest, settings: Settings, language: str) -> UnderstandAnswer:
+def _understood(
+    body: UnderstandRequest, settings: Settings, language: str, *, links: bool
+) -> UnderstandAnswer:
     read, faults, unread = _read_what_can_be(body.table.raw(), settings.cell_limits)
+    values = _known_values(read, body.parameters) if read else {}
     return UnderstandAnswer(
         readable=not faults,
-        rows=_rows(read, unread, _known_values(read, body.parameters)) if read else [],
+        rows=_rows(read, unread, values, links=links) if read else [],
         parameters=[UnderstoodParameter(name=name, kind=kind) for name, kind in read.parameters.items()]
         if read
         else [],
@@ -128,7 +136,9 @@ def _known_values(read: ReadTable, given: Mapping[str, float]) -> dict[str, floa
     return parameter_values(kinds, read.angle_unit, {name: named[name] for name in kinds})
 
 
-def _rows(read: ReadTable, unread: frozenset[Place], values: Mapping[str, float]) -> list[UnderstoodRow]:
+def _rows(
+    read: ReadTable, unread: frozenset[Place], values: Mapping[str, float], *, links: bool
+) -> list[UnderstoodRow]:
     names = Names(parameters=frozenset(read.parameters), variables=read.variables)
     mathml, latex, text = MathmlWriter(names), LatexWriter(names), text_writer(Names())
     rows = []
@@ -146,7 +156,8 @@ def _rows(read: ReadTable, unread: frozenset[Place], values: Mapping[str, float]
             for cell, entry in cells.items()
         }
         variable = None if row.joint is JointType.FIXED else f"q{joint}"
-        link = _link(read, row, {cell: meaning.value for cell, meaning in meanings.items()})
+        numbers = {cell: meaning.value for cell, meaning in meanings.items()}
+        link = _link(read, row, numbers) if links else None
         rows.append(UnderstoodRow(joint=row.joint, sign=row.sign, variable=variable, link=link, **meanings))
     return rows
 

@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 from pydantic import Field, PlainValidator, WithJsonSchema, create_model
 from pydantic_core import PydanticCustomError
 
+from exercises.access import Tool
 from exercises.answers import RawAnswer
 from exercises.drawings import KeyPose
 from exercises.grading import Basis, HelpLevel, Verdict
@@ -43,6 +44,9 @@ class AnswerBase(Wire):
 
     seed: Seed = Field(None, description="the seed that the student's values were drawn from")
     help: Help | None = Field(None, description="less help than the exercise allows; more is not given")
+    attempt: Annotated[int, Field(strict=True, ge=1)] | None = Field(
+        None, description="which attempt this is, for a help ladder; a link's own count goes before it"
+    )
 
     def raw(self) -> RawAnswer:
         """Return the answer as the parts read it."""
@@ -170,6 +174,15 @@ class FigureModel(Wire):
     description: str = Field(description="the figure in words, in the caller's language")
 
 
+class AccessModel(Wire):
+    """What students may use beside the exercise."""
+
+    off: list[Tool] = Field(description="what is switched off")
+    ladder: list[HelpLevel] = Field(description="the most that is told at attempt 1, 2, …")
+    attempts: int | None = Field(description="how many attempts there are, if they are limited")
+    attempt: int | None = Field(description="which attempt it is, where a link counts them")
+
+
 class ExerciseModel(Units):
     """An exercise with one student's values. It never holds the key."""
 
@@ -185,6 +198,7 @@ class ExerciseModel(Units):
     conventions: list[Literal["standard", "modified"]] = Field(description="conventions that are accepted")
     policy: PolicyModel
     help: HelpLevel = Field(description="the most that a verdict tells")
+    access: AccessModel
     parameters: dict[str, Real] = Field(description="values of the dimensions, in the exercise's units")
     dimensions: list[DimensionValue] = Field(description="the same with units, in the order of the table")
     joints: list[JointName]

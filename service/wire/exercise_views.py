@@ -7,15 +7,17 @@ from dataclasses import fields
 from functools import lru_cache
 from typing import Any
 
+from exercises.access import lowest
 from exercises.definition import Exercise, Part
 from exercises.drawings import figure_geometry, figure_sentences, figure_svg
-from exercises.grading import ConventionRule
+from exercises.grading import ConventionRule, HelpLevel
 from exercises.instance import Instance, generate
 from exercises.loader import Library
 from exercises.needs import unneeded_dimensions
 from exercises.parts.protocol import TABLE
 from exercises.parts.registry import part_type
 from exercises.statements import first_sentence, to_html
+from service.http.link_context import LinkContext
 from service.messages import languages, sentence
 from service.schemas.exercises import TASK_FIELDS
 
@@ -37,17 +39,18 @@ def _instance(found: Exercise, seed: str | None) -> Instance:
     return generate(found, seed)
 
 
-def exercise_list(library: Library, language: str) -> dict[str, Any]:
-    """All exercises."""
+def exercise_list(library: Library, language: str, context: LinkContext | None = None) -> dict[str, Any]:
+    """Return all exercises; under the context of a link, only its own."""
+    ids = library.ids if context is None else (context.exercise,)
     return {
         "language": language,
         "languages": list(languages()),
-        "exercises": [_entry(library.exercise(exercise_id), language) for exercise_id in library.ids],
+        "exercises": [_entry(library.exercise(exercise_id), language) for exercise_id in ids],
     }
 
 
-def exercise_view(instance: Instance, language: str) -> dict[str, Any]:
-    """An exercise with one student's values."""
+def exercise_view(instance: Instance, language: str, context: LinkContext | None = None) -> dict[str, Any]:
+    """Return an exercise with one student's values, as it is under the context of a link."""
     found = instance.exercise
     statement = found.statement(language)
     free = _free_dimensions(found)
@@ -65,7 +68,8 @@ def exercise_view(instance: Instance, language: str) -> dict[str, Any]:
         "rules": list(rules(found, language)),
         "conventions": conventions(found),
         "policy": found.policy,
-        "help": found.help.value,
+        "help": _most(found, context),
+        "access": _access(found, context),
         "angle_unit": found.angle_unit.value,
         "length_unit": found.length_unit.value,
         "parameters": instance.parameters,
@@ -84,6 +88,29 @@ def exercise_view(instance: Instance, language: str) -> dict[str, Any]:
         "points": float(found.points),
         "figure": {**figure_geometry(instance), "description": figure_description(instance, language)},
     }
+
+
+def _most(found: Exercise, context: LinkContext | None) -> HelpLevel:
+    """Return the most that a verdict tells."""
+    if context is None or context.help is None:
+        return found.help
+    return lowest((found.help, context.help))
+
+
+def _access(found: Exercise, context: LinkContext | None) -> dict[str, Any]:
+    own, most = found.access, _most(found, context)
+    off = own.off | (context.off if context else frozenset())
+    return {
+        "off": sorted(off),
+        "ladder": [lowest((level, most)) for level in own.ladder],
+        "attempts": attempts_of(found, context),
+        "attempt": context.attempt if context else None,
+    }
+
+
+def attempts_of(found: Exercise, context: LinkContext | None) -> int | None:
+    """Return how many attempts there are: what the link says, else what the exercise says."""
+    return found.access.attempts if context is None or context.attempts is None else context.attempts
 
 
 def conventions(found: Exercise) -> list[str]:

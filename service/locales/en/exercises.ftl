@@ -213,3 +213,8 @@ error-alias_taken = { $name } already has a meaning.
 error-title_missing = A title in one language at least is needed: [title] with en = "…".
 exercise-other-language = This exercise is not written in your language yet; its text is in { $language }.
 rule-dimension-free = { $names } need not appear in your table: with frames chosen accordingly it drops out.
+error-context_invalid = This link was not made here, or has been changed.
+error-context_expired = This link has ended.
+error-switched_off = { $path } is switched off for this exercise.
+error-attempts_used_up = All { $limit } attempts are used up.
+error-ladder_falls = Each attempt may be told as much as the one before it or more, never less.

@@ -213,3 +213,8 @@ error-alias_taken = { $name } ya tiene un significado.
 error-title_missing = Hace falta un título al menos en un idioma: [title] con en = "…".
 exercise-other-language = Este ejercicio aún no está escrito en su idioma; su texto está en { $language }.
 rule-dimension-free = { $names } no tiene por qué aparecer en su tabla: con sistemas elegidos de cierto modo desaparece.
+error-context_invalid = Este enlace no se creó aquí o ha sido modificado.
+error-context_expired = Este enlace ha caducado.
+error-switched_off = { $path } está desactivado para este ejercicio.
+error-attempts_used_up = Se han agotado los { $limit } intentos.
+error-ladder_falls = A cada intento se le puede decir tanto como al anterior o más, nunca menos.

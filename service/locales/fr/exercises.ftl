@@ -213,3 +213,8 @@ error-alias_taken = { $name } a déjà un sens.
 error-title_missing = Il faut un titre dans une langue au moins : [title] avec en = "…".
 exercise-other-language = Cet exercice n'est pas encore écrit dans votre langue ; son texte est en { $language }.
 rule-dimension-free = { $names } ne doit pas nécessairement figurer dans votre tableau : un choix convenable des repères la fait disparaître.
+error-context_invalid = Ce lien n'a pas été créé ici, ou il a été modifié.
+error-context_expired = Ce lien a expiré.
+error-switched_off = { $path } est désactivé pour cet exercice.
+error-attempts_used_up = Les { $limit } essais sont épuisés.
+error-ladder_falls = À chaque essai, on peut en dire autant qu'à l'essai précédent ou plus, jamais moins.

@@ -213,3 +213,8 @@ error-alias_taken = { $name } já tem um significado.
 error-title_missing = É preciso um título pelo menos numa língua: [title] com en = "…".
 exercise-other-language = Este exercício ainda não está escrito na sua língua; o texto está em { $language }.
 rule-dimension-free = { $names } não tem de aparecer na sua tabela: com referenciais escolhidos de certo modo desaparece.
+error-context_invalid = Esta ligação não foi criada aqui ou foi alterada.
+error-context_expired = Esta ligação expirou.
+error-switched_off = { $path } está desativado para este exercício.
+error-attempts_used_up = As { $limit } tentativas estão esgotadas.
+error-ladder_falls = A cada tentativa pode dizer-se tanto como à anterior ou mais, nunca menos.

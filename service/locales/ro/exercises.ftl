@@ -221,3 +221,8 @@ error-alias_taken = { $name } are deja un înțeles.
 error-title_missing = Este nevoie de un titlu în cel puțin o limbă: [title] cu en = "…".
 exercise-other-language = Acest exercițiu nu este încă scris în limba dumneavoastră; textul este în { $language }.
 rule-dimension-free = { $names } nu trebuie să apară neapărat în tabel: cu sisteme alese potrivit, dispare.
+error-context_invalid = Această legătură nu a fost creată aici sau a fost modificată.
+error-context_expired = Această legătură a expirat.
+error-switched_off = { $path } este dezactivat pentru acest exercițiu.
+error-attempts_used_up = Toate cele { $limit } încercări au fost folosite.
+error-ladder_falls = La fiecare încercare se poate spune cel puțin cât la cea dinainte, niciodată mai puțin.

@@ -220,3 +220,8 @@ error-alias_taken = { $name } вже має значення.
 error-title_missing = Потрібна назва принаймні однією мовою: [title] з en = "…".
 exercise-other-language = Цю вправу ще не написано вашою мовою; її текст мовою { $language }.
 rule-dimension-free = { $names } не мусить бути у вашій таблиці: за відповідного вибору систем координат цей розмір зникає.
+error-context_invalid = Це посилання створено не тут, або його змінено.
+error-context_expired = Термін дії цього посилання минув.
+error-switched_off = { $path } вимкнено для цієї вправи.
+error-attempts_used_up = Усі спроби ({ $limit }) використано.
+error-ladder_falls = На кожній спробі можна сказати стільки ж, як на попередній, або більше, але не менше.

@@ -1,0 +1,96 @@
+"""What an exercise lets its students use and be told: switches, the help ladder, attempts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from itertools import pairwise
+
+from exercises.grading import HelpLevel
+from exercises.reading import Reader
+
+
+class Tool(StrEnum):
+    """What the service offers beside an exercise and a lecturer may switch off.
+
+    CATALOGUE: the robots of the source documents, with their tables.
+    PLAYGROUND: poses, Jacobians, closed forms, conversions and inverse kinematics of any table.
+    MATRICES: the matrices of a table, numeric or in closed form.
+    TRAINER: frame assignment, step by step, and its rules.
+    """
+
+    CATALOGUE = "catalogue"
+    PLAYGROUND = "playground"
+    MATRICES = "matrices"
+    TRAINER = "trainer"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Access:
+    """What students of an exercise may use.
+
+    Attributes:
+        off: what is switched off.
+        ladder: the most that is told at the first attempt, at the second, …; the last holds from then on.
+        attempts: how many attempts there are; None: as many as one likes.
+    """
+
+    off: frozenset[Tool] = frozenset()
+    ladder: tuple[HelpLevel, ...] = (HelpLevel.REPAIR,)
+    attempts: int | None = None
+
+    @property
+    def most(self) -> HelpLevel:
+        """The most that is ever told."""
+        return self.ladder[-1]
+
+    def help_at(self, attempt: int | None) -> HelpLevel:
+        """Return the most that an attempt is told; one of unknown number is told as much as the first."""
+        return self.ladder[min(attempt or 1, len(self.ladder)) - 1]
+
+
+def read_access(reader: Reader) -> Access:
+    """Return what [access] and [help] of a definition say; faults go to the reader."""
+    switches = reader.table("access")
+    off = frozenset(tool for tool in Tool if not _switched_on(switches, tool))
+    attempts = switches.integer("attempts", 0) if switches.given("attempts") else None
+    if attempts is not None and attempts < 1:
+        switches.fault("exercise_value_type", "attempts", key="attempts")
+        attempts = None
+    switches.finish()
+    helps = reader.table("help")
+    ladder = _ladder(helps)
+    helps.finish()
+    return Access(off=off, ladder=ladder, attempts=attempts)
+
+
+def lowest(levels: Sequence[HelpLevel]) -> HelpLevel:
+    """Return the level that tells least."""
+    return min(levels, key=list(HelpLevel).index)
+
+
+def _switched_on(reader: Reader, tool: Tool) -> bool:
+    if not reader.given(tool.value):
+        return True
+    value = reader.values[tool.value]
+    if not isinstance(value, bool):
+        reader.fault("exercise_value_type", tool.value, key=tool.value)
+    return value is not False
+
+
+def _ladder(reader: Reader) -> tuple[HelpLevel, ...]:
+    most = reader.choice("most", HelpLevel, HelpLevel.REPAIR)
+    if not reader.given("ladder"):
+        return (most,)
+    ladder: list[HelpLevel] = []
+    for i, text in enumerate(reader.texts("ladder", default=())):
+        if text not in list(HelpLevel):
+            reader.fault("exercise_value_unknown", "ladder", i, key="ladder", known=", ".join(HelpLevel))
+            continue
+        ladder.append(lowest((HelpLevel(text), most)))
+    if any(lowest(pair) is not pair[0] for pair in pairwise(ladder)):
+        reader.fault("ladder_falls", "ladder")
+    if not ladder:
+        reader.fault("exercise_value_type", "ladder", key="ladder")
+    return tuple(ladder) or (most,)

@@ -1,0 +1,126 @@
+"""Obeys the signed context of a link: under it, only what it leaves on can be called.
+
+It lists what may be called, not what may not: an address that is added later is off until somebody decides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from exercises.access import Tool
+from exercises.loader import Library
+from kinematics.errors import Fault
+from service.http.link_context import COOKIE, QUERY, LinkContext, token_of, verified
+from service.http.problems import ForbiddenError, RequestPart, ServiceError
+
+CONTEXT = "link_context"
+"""Key of the context in a request's scope."""
+
+Refuse = Callable[[Request, ServiceError], Response]
+
+_CALLS: Mapping[str, tuple[Tool, ...]] = {
+    "robots": (Tool.CATALOGUE,),
+    "forward-kinematics": (Tool.PLAYGROUND, Tool.MATRICES),
+    "inverse-kinematics": (Tool.PLAYGROUND,),
+    "jacobian": (Tool.PLAYGROUND, Tool.MATRICES),
+    "symbolic": (Tool.PLAYGROUND, Tool.MATRICES),
+    "convert": (Tool.PLAYGROUND, Tool.MATRICES),
+    "workspace": (Tool.PLAYGROUND,),
+    "scm": (Tool.PLAYGROUND, Tool.MATRICES),
+    "assign-frames": (Tool.TRAINER,),
+    "check-frames": (Tool.TRAINER,),
+    "understand": (),
+    "problems": (),
+}
+"""Calls of the API by the first step of their path, and the switches that turn them off."""
+
+_PAGES: Mapping[str, tuple[Tool, ...]] = {
+    "playground": (Tool.PLAYGROUND,),
+    "trainer": (Tool.TRAINER,),
+    "static": (),
+    "locales": (),
+    "healthz": (),
+    "lti": (),
+}
+"""Pages and files by the first step of their path; what platforms and sessions call is not the student's."""
+
+
+class LinkGuard:
+    """Verifies the context that a request brings, and refuses what it switches off."""
+
+    def __init__(self, app: ASGIApp, *, secret: bytes, library: Library, refuse: Refuse) -> None:
+        self._app, self._secret, self._library, self._refuse = app, secret, library, refuse
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Serve one connection."""
+        if scope["type"] != "http":
+            await self._app(scope, receive, send)
+            return
+        token = token_of(dict(scope["headers"]), scope["query_string"])
+        if token is None:
+            await self._app(scope, receive, send)
+            return
+        try:
+            context = verified(token, self._secret)
+            self._check(scope["path"].removeprefix(scope.get("root_path", "")), context)
+        except ServiceError as error:
+            await self._refuse(Request(scope), error)(scope, receive, send)
+            return
+        scope[CONTEXT] = context
+        await self._app(scope, receive, _with_cookie(send, scope, token))
+
+    def _check(self, path: str, context: LinkContext) -> None:
+        """Refuse a path that the context, or its exercise, switches off."""
+        off = context.off
+        if context.exercise in self._library.ids:
+            off |= self._library.exercise(context.exercise).access.off
+        steps = [step for step in path.split("/") if step]
+        needed: tuple[Tool, ...] | None
+        if steps[:2] == ["api", "v1"]:
+            call, rest = (steps[2] if len(steps) > 2 else ""), steps[3:]
+            if call == "exercises":
+                needed = () if not rest or rest[0] == context.exercise else None
+            else:
+                needed = _CALLS.get(call)
+        elif steps[:1] == ["exercises"]:
+            needed = () if steps[1:2] == [context.exercise] else None
+        else:
+            needed = _PAGES.get(steps[0]) if steps else None
+        if needed is None or off.intersection(needed):
+            raise ForbiddenError(
+                Fault(code="switched_off", where=(path,), params={"path": path}), part=RequestPart.PATH
+            )
+
+
+def context_of(request: Request) -> LinkContext | None:
+    """Return the context under which a request is made, if it brings one."""
+    context: LinkContext | None = request.scope.get(CONTEXT)
+    return context
+
+
+def switched_off(request: Request, tool: Tool, library: Library) -> bool:
+    """Return whether a tool is off for the student who makes a request."""
+    context = context_of(request)
+    if context is None:
+        return False
+    own = library.exercise(context.exercise).access.off if context.exercise in library.ids else frozenset()
+    return tool in context.off | own
+
+
+def _with_cookie(send: Send, scope: Scope, token: str) -> Send:
+    """Keep the context of a page for all that the student opens from there in the same browser."""
+    if QUERY.encode() not in scope["query_string"] or scope["path"].startswith("/api/"):
+        return send
+    secure = "; SameSite=None; Secure; Partitioned" if scope["scheme"] == "https" else "; SameSite=Lax"
+    cookie = f"{COOKIE}={token}; Path=/; HttpOnly{secure}".encode("latin-1")
+
+    async def sending(message: Message) -> None:
+        if message["type"] == "http.response.start":
+            message["headers"] = [*message["headers"], (b"set-cookie", cookie)]
+        await send(message)
+
+    return sending
