@@ -11,6 +11,7 @@ directions  which way the x axes point
 exactness   right angles and short decimals come out exact
 assignment  the whole procedure
 remarks     what a caller should know about an assignment that succeeded
+rounding    frames that students rounded
 rules       the rules for a student's frames, one by one
 candidates  origins and directions to choose from
 """

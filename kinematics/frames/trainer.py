@@ -28,6 +28,7 @@ from kinematics.frames.candidates import Candidates, candidates
 from kinematics.frames.exactness import clean_angle, clean_length
 from kinematics.frames.parallels import PARALLEL_TOLERANCE, straighten
 from kinematics.frames.placement import draw_prismatic_axes
+from kinematics.frames.rounding import settled, slides_on_neighbours
 from kinematics.frames.rules import FrameFinding, FramePlace, broken_rules, own_axis, partner_axis
 from kinematics.frames.size import robot_size
 from kinematics.se3 import (
@@ -108,6 +109,7 @@ def check_frames(
     *,
     base: ArrayLike | None = None,
     tool: ArrayLike | Gripper | None = None,
+    rounding: float = 0.0,
 ) -> JudgedFrames:
     """The rules that chosen frames break, what to choose from, and the table that follows.
 
@@ -121,6 +123,8 @@ def check_frames(
         chosen: frame 0 … N, as far as chosen; shorter lists are filled up with None.
         base: (4, 4) prescribed frame 0, if any: no advice is given on frame 0 then.
         tool: (4, 4) tool, or the gripper, if any: no advice is given on frame N then.
+        rounding: how far a frame may be from one that obeys the rules and still be taken for it: directions
+            [rad], and points as a part of the robot's size.
 
     Raises:
         DescriptionError: malformed axes or frames, a y that is not z × x, or more than N+1 frames.
@@ -132,11 +136,16 @@ def check_frames(
     end = gripper_frame(tool) if isinstance(tool, Gripper) else tool
     last = None if end is None else pose_of(end, "tool")
     size = robot_size(lines, first, last)
-    drawn = _drawn_lines(lines, frames, convention)
-    places = [_place(i, lines, drawn, convention, size) for i in range(len(lines) + 1)]
+    if rounding:
+        holders = [k if convention is Convention.STANDARD else k + 1 for k in range(len(lines))]
+        frames = slides_on_neighbours(frames, lines, holders, rounding * size)
+    places = _places(lines, frames, convention, size)
+    if rounding:
+        frames = [settled(frame, place, rounding) for frame, place in zip(frames, places, strict=True)]
+        places = _places(lines, frames, convention, size)
     broken = [broken_rules(frame, place) for frame, place in zip(frames, places, strict=True)]
     sound = [None if faults else _whole(frame) for frame, faults in zip(frames, broken, strict=True)]
-    shown = _shown_lines(lines, drawn, size)
+    shown = _shown_lines(lines, _drawn_lines(lines, frames, convention), size)
     prescribed = {0: first, len(lines): last}
     judged = tuple(
         JudgedFrame(
@@ -210,6 +219,13 @@ def _shown_lines(lines: Sequence[AxisLine], drawn: Sequence[AxisLine | None], si
     """The axes for choosing from: sliding axes where the student or else the assignment draws them."""
     proposed = draw_prismatic_axes(lines, size)
     return [own or other for own, other in zip(drawn, proposed, strict=True)]
+
+
+def _places(
+    lines: Sequence[AxisLine], frames: Sequence[PartialPose], convention: Convention, size: float
+) -> list[FramePlace]:
+    drawn = _drawn_lines(lines, frames, convention)
+    return [_place(i, lines, drawn, convention, size) for i in range(len(lines) + 1)]
 
 
 def _place(

@@ -87,6 +87,9 @@ def wire_type(annotation: Any) -> Any:
         return Union[tuple(wire_type(argument) for argument in arguments)]  # noqa: UP007 - made at run time
     if origin is tuple and arguments[-1] is Ellipsis:
         return list[wire_type(arguments[0])]  # type: ignore[misc]
+    if origin is tuple:
+        bounds = Field(min_length=len(arguments), max_length=len(arguments))
+        return Annotated[list[wire_type(arguments[0])], bounds]  # type: ignore[misc]
     if origin is not None and issubclass(origin, Mapping):
         return dict.__class_getitem__((arguments[0], wire_type(arguments[1])))
     return _plain_type(annotation)

@@ -218,3 +218,6 @@ error-context_expired = This link has ended.
 error-switched_off = { $path } is switched off for this exercise.
 error-attempts_used_up = All { $limit } attempts are used up.
 error-ladder_falls = Each attempt may be told as much as the one before it or more, never less.
+task-frames = Place frames 0 to { $n } on the robot as the figure shows it: for each frame its origin, in { $unit } and in the coordinates of the figure, and the directions of x and z.
+error-frames_count = There are frames 0 to N: { $expected } are needed, and { $given } were given.
+error-convention_not_asked = The exercise asks for the { $asked } convention.

@@ -123,3 +123,18 @@ repair-row_extra = Row { $row } is one too many.
 ## Refused
 
 error-tables_without_value = No values of the parameters were found for which every cell of both tables has a value. Check the roots, quotients and inverse functions.
+
+feedback-frame_wrong = Frame { $frame } breaks a rule.
+feedback-frame_missing = Frame { $frame } has not been placed.
+feedback-frame_z_not_along_axis = Frame { $frame }: { rule-z_not_along_axis }
+feedback-frame_origin_not_on_axis = Frame { $frame }: { rule-origin_not_on_axis }
+feedback-frame_origin_not_on_common_normal = Frame { $frame }: { rule-origin_not_on_common_normal }
+feedback-frame_origin_not_at_intersection = Frame { $frame }: { rule-origin_not_at_intersection }
+feedback-frame_x_not_across_z = Frame { $frame }: { rule-x_not_across_z }
+feedback-frame_x_not_along_common_normal = Frame { $frame }: { rule-x_not_along_common_normal }
+feedback-frame_x_not_across_both_axes = Frame { $frame }: { rule-x_not_across_both_axes }
+feedback-frame_first_x_misses_axis = Frame { $frame }: { rule-first_x_misses_axis }
+feedback-frame_last_x_misses_axis = Frame { $frame }: { rule-last_x_misses_axis }
+feedback-frames_other_convention = These frames obey the rules of the other convention.
+feedback-frames_not_as_asked = The frames obey the rules, and are not placed as the exercise asks.
+feedback-frames_right = The frames are right.

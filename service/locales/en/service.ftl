@@ -1,7 +1,6 @@
 # Refusals of the HTTP service itself.
 
 problem-title-400 = The request cannot be read
-problem-title-403 = This is not allowed
 problem-title-404 = Nothing is here
 problem-title-405 = This method is not available here
 problem-title-406 = No acceptable form of the answer

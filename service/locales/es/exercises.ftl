@@ -218,3 +218,6 @@ error-context_expired = Este enlace ha caducado.
 error-switched_off = { $path } está desactivado para este ejercicio.
 error-attempts_used_up = Se han agotado los { $limit } intentos.
 error-ladder_falls = A cada intento se le puede decir tanto como al anterior o más, nunca menos.
+task-frames = Coloque los sistemas 0 a { $n } en el robot tal como lo muestra la figura: de cada uno, su origen, en { $unit } y en las coordenadas de la figura, y las direcciones de x y z.
+error-frames_count = Hay sistemas de 0 a N: se necesitan { $expected } y se han dado { $given }.
+error-convention_not_asked = El ejercicio pide la convención { $asked }.

@@ -123,3 +123,18 @@ repair-row_extra = La fila { $row } está de más.
 ## Rechazado
 
 error-tables_without_value = No se encontraron valores de los parámetros para los que todas las celdas de ambas tablas tengan valor. Revise las raíces, los cocientes y las funciones inversas.
+
+feedback-frame_wrong = Sistema { $frame } incumple una regla.
+feedback-frame_missing = Sistema { $frame } no se ha colocado.
+feedback-frame_z_not_along_axis = Sistema { $frame }: { rule-z_not_along_axis }
+feedback-frame_origin_not_on_axis = Sistema { $frame }: { rule-origin_not_on_axis }
+feedback-frame_origin_not_on_common_normal = Sistema { $frame }: { rule-origin_not_on_common_normal }
+feedback-frame_origin_not_at_intersection = Sistema { $frame }: { rule-origin_not_at_intersection }
+feedback-frame_x_not_across_z = Sistema { $frame }: { rule-x_not_across_z }
+feedback-frame_x_not_along_common_normal = Sistema { $frame }: { rule-x_not_along_common_normal }
+feedback-frame_x_not_across_both_axes = Sistema { $frame }: { rule-x_not_across_both_axes }
+feedback-frame_first_x_misses_axis = Sistema { $frame }: { rule-first_x_misses_axis }
+feedback-frame_last_x_misses_axis = Sistema { $frame }: { rule-last_x_misses_axis }
+feedback-frames_other_convention = Estos sistemas cumplen las reglas de la otra convención.
+feedback-frames_not_as_asked = Los sistemas cumplen las reglas, pero no están colocados como pide el ejercicio.
+feedback-frames_right = Los sistemas son correctos.

@@ -1,7 +1,6 @@
 # Rechazos del servicio HTTP.
 
 problem-title-400 = La petición no se puede leer
-problem-title-403 = Esto no está permitido
 problem-title-404 = No hay nada en esta dirección
 problem-title-405 = Este método no está disponible aquí
 problem-title-406 = Ninguna forma aceptable de la respuesta

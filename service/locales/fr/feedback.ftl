@@ -123,3 +123,18 @@ repair-row_extra = La ligne { $row } est de trop.
 ## Refusé
 
 error-tables_without_value = Aucune valeur des paramètres n’a été trouvée pour laquelle chaque cellule des deux tableaux ait une valeur. Vérifiez les racines, les quotients et les fonctions réciproques.
+
+feedback-frame_wrong = Repère { $frame } enfreint une règle.
+feedback-frame_missing = Repère { $frame } n'a pas été placé.
+feedback-frame_z_not_along_axis = Repère { $frame } : { rule-z_not_along_axis }
+feedback-frame_origin_not_on_axis = Repère { $frame } : { rule-origin_not_on_axis }
+feedback-frame_origin_not_on_common_normal = Repère { $frame } : { rule-origin_not_on_common_normal }
+feedback-frame_origin_not_at_intersection = Repère { $frame } : { rule-origin_not_at_intersection }
+feedback-frame_x_not_across_z = Repère { $frame } : { rule-x_not_across_z }
+feedback-frame_x_not_along_common_normal = Repère { $frame } : { rule-x_not_along_common_normal }
+feedback-frame_x_not_across_both_axes = Repère { $frame } : { rule-x_not_across_both_axes }
+feedback-frame_first_x_misses_axis = Repère { $frame } : { rule-first_x_misses_axis }
+feedback-frame_last_x_misses_axis = Repère { $frame } : { rule-last_x_misses_axis }
+feedback-frames_other_convention = Ces repères suivent les règles de l'autre convention.
+feedback-frames_not_as_asked = Les repères suivent les règles, mais ne sont pas placés comme l'exercice le demande.
+feedback-frames_right = Les repères sont justes.

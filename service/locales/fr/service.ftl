@@ -1,7 +1,6 @@
 # Refus du service HTTP.
 
 problem-title-400 = La requête ne peut pas être lue
-problem-title-403 = Ce n'est pas autorisé
 problem-title-404 = Il n’y a rien à cette adresse
 problem-title-405 = Cette méthode n’est pas disponible ici
 problem-title-406 = Aucune forme acceptable de la réponse

@@ -218,3 +218,6 @@ error-context_expired = Esta ligação expirou.
 error-switched_off = { $path } está desativado para este exercício.
 error-attempts_used_up = As { $limit } tentativas estão esgotadas.
 error-ladder_falls = A cada tentativa pode dizer-se tanto como à anterior ou mais, nunca menos.
+task-frames = Coloque os referenciais 0 a { $n } no robô tal como a figura o mostra: de cada um, a origem, em { $unit } e nas coordenadas da figura, e as direções de x e z.
+error-frames_count = Há referenciais de 0 a N: são precisos { $expected } e foram dados { $given }.
+error-convention_not_asked = O exercício pede a convenção { $asked }.

@@ -123,3 +123,18 @@ repair-row_extra = A linha { $row } está a mais.
 ## Recusado
 
 error-tables_without_value = Não se encontraram valores dos parâmetros para os quais todas as células das duas tabelas tenham valor. Verifique as raízes, os quocientes e as funções inversas.
+
+feedback-frame_wrong = Referencial { $frame } viola uma regra.
+feedback-frame_missing = Referencial { $frame } não foi colocado.
+feedback-frame_z_not_along_axis = Referencial { $frame }: { rule-z_not_along_axis }
+feedback-frame_origin_not_on_axis = Referencial { $frame }: { rule-origin_not_on_axis }
+feedback-frame_origin_not_on_common_normal = Referencial { $frame }: { rule-origin_not_on_common_normal }
+feedback-frame_origin_not_at_intersection = Referencial { $frame }: { rule-origin_not_at_intersection }
+feedback-frame_x_not_across_z = Referencial { $frame }: { rule-x_not_across_z }
+feedback-frame_x_not_along_common_normal = Referencial { $frame }: { rule-x_not_along_common_normal }
+feedback-frame_x_not_across_both_axes = Referencial { $frame }: { rule-x_not_across_both_axes }
+feedback-frame_first_x_misses_axis = Referencial { $frame }: { rule-first_x_misses_axis }
+feedback-frame_last_x_misses_axis = Referencial { $frame }: { rule-last_x_misses_axis }
+feedback-frames_other_convention = Estes referenciais cumprem as regras da outra convenção.
+feedback-frames_not_as_asked = Os referenciais cumprem as regras, mas não estão colocados como o exercício pede.
+feedback-frames_right = Os referenciais estão corretos.

@@ -1,7 +1,6 @@
 # Recusas do serviço HTTP.
 
 problem-title-400 = O pedido não pode ser lido
-problem-title-403 = Isto não é permitido
 problem-title-404 = Não há nada neste endereço
 problem-title-405 = Este método não está disponível aqui
 problem-title-406 = Nenhuma forma aceitável da resposta

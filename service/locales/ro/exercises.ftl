@@ -226,3 +226,6 @@ error-context_expired = Această legătură a expirat.
 error-switched_off = { $path } este dezactivat pentru acest exercițiu.
 error-attempts_used_up = Toate cele { $limit } încercări au fost folosite.
 error-ladder_falls = La fiecare încercare se poate spune cel puțin cât la cea dinainte, niciodată mai puțin.
+task-frames = Așezați sistemele 0 până la { $n } pe robotul din figură: pentru fiecare originea, în { $unit } și în coordonatele figurii, și direcțiile axelor x și z.
+error-frames_count = Există sistemele 0 până la N: sunt necesare { $expected }, au fost date { $given }.
+error-convention_not_asked = Exercițiul cere convenția { $asked }.

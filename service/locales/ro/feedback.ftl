@@ -124,3 +124,18 @@ repair-row_extra = Rândul { $row } este în plus.
 ## Refuzat
 
 error-tables_without_value = Nu s-au găsit valori ale parametrilor pentru care fiecare celulă a ambelor tabele să aibă o valoare. Verificați radicalii, rapoartele și funcțiile inverse.
+
+feedback-frame_wrong = Sistemul { $frame } încalcă o regulă.
+feedback-frame_missing = Sistemul { $frame } nu a fost așezat.
+feedback-frame_z_not_along_axis = Sistemul { $frame }: { rule-z_not_along_axis }
+feedback-frame_origin_not_on_axis = Sistemul { $frame }: { rule-origin_not_on_axis }
+feedback-frame_origin_not_on_common_normal = Sistemul { $frame }: { rule-origin_not_on_common_normal }
+feedback-frame_origin_not_at_intersection = Sistemul { $frame }: { rule-origin_not_at_intersection }
+feedback-frame_x_not_across_z = Sistemul { $frame }: { rule-x_not_across_z }
+feedback-frame_x_not_along_common_normal = Sistemul { $frame }: { rule-x_not_along_common_normal }
+feedback-frame_x_not_across_both_axes = Sistemul { $frame }: { rule-x_not_across_both_axes }
+feedback-frame_first_x_misses_axis = Sistemul { $frame }: { rule-first_x_misses_axis }
+feedback-frame_last_x_misses_axis = Sistemul { $frame }: { rule-last_x_misses_axis }
+feedback-frames_other_convention = Aceste sisteme respectă regulile celeilalte convenții.
+feedback-frames_not_as_asked = Sistemele respectă regulile, dar nu sunt așezate cum cere exercițiul.
+feedback-frames_right = Sistemele sunt corecte.

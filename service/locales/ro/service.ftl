@@ -1,7 +1,6 @@
 # Refuzurile serviciului HTTP.
 
 problem-title-400 = Cererea nu poate fi citită
-problem-title-403 = Acest lucru nu este permis
 problem-title-404 = La această adresă nu există nimic
 problem-title-405 = Metoda nu este disponibilă aici
 problem-title-406 = Nicio formă acceptabilă a răspunsului

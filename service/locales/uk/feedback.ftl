@@ -124,3 +124,18 @@ repair-row_extra = Рядок { $row } зайвий.
 ## Відхилено
 
 error-tables_without_value = Не знайдено значень параметрів, за яких кожна клітинка обох таблиць має значення. Перевірте корені, частки та обернені функції.
+
+feedback-frame_wrong = Система { $frame } порушує правило.
+feedback-frame_missing = Система { $frame } не розміщена.
+feedback-frame_z_not_along_axis = Система { $frame }: { rule-z_not_along_axis }
+feedback-frame_origin_not_on_axis = Система { $frame }: { rule-origin_not_on_axis }
+feedback-frame_origin_not_on_common_normal = Система { $frame }: { rule-origin_not_on_common_normal }
+feedback-frame_origin_not_at_intersection = Система { $frame }: { rule-origin_not_at_intersection }
+feedback-frame_x_not_across_z = Система { $frame }: { rule-x_not_across_z }
+feedback-frame_x_not_along_common_normal = Система { $frame }: { rule-x_not_along_common_normal }
+feedback-frame_x_not_across_both_axes = Система { $frame }: { rule-x_not_across_both_axes }
+feedback-frame_first_x_misses_axis = Система { $frame }: { rule-first_x_misses_axis }
+feedback-frame_last_x_misses_axis = Система { $frame }: { rule-last_x_misses_axis }
+feedback-frames_other_convention = Ці системи координат відповідають правилам іншої конвенції.
+feedback-frames_not_as_asked = Системи координат відповідають правилам, але розміщені не так, як просить вправа.
+feedback-frames_right = Системи координат правильні.

@@ -1,0 +1,286 @@
+"""The student's frames, placed in the figure: right if they obey a convention's rules and keep the policy.
+
+Every valid assignment is accepted: what counts are the rules of `kinematics.frames.rules`, and the table that
+follows from the frames is graded like any other. The facts that earn marks are independent of one another:
+for each frame its z, its origin and its x.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import partial
+from random import Random
+from typing import Annotated, ClassVar
+
+from exercises.definition import Part
+from exercises.drawings import true_scene
+from exercises.figures.points import Points
+from exercises.grading import ConventionRule, Feedback, Finding, HelpLevel, Policy, ToolRule, accept
+from exercises.instance import Instance
+from exercises.names import renamed, unknown_name
+from exercises.parts.context import Context
+from exercises.parts.protocol import Length, PartType, Reading, Task
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from kinematics.cells import Cell, ParameterKind, ReadTable, read_cell
+from kinematics.errors import CellError, Fault, KinematicsError
+from kinematics.expressions import Number, evaluate, parameters_in, pi_times
+from kinematics.frames.assignment import assign_frames
+from kinematics.frames.axes import JointAxis
+from kinematics.frames.rules import RuleCode, Severity
+from kinematics.frames.trainer import ChosenFrame, JudgedFrames, check_frames
+from kinematics.table import Convention, DHRow, DHTable, NumericTable
+
+PARTS = ("z", "origin", "x")
+"""The independent facts of a frame."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FrameCells:
+    """A frame in the figure.
+
+    Attributes:
+        origin: its origin, in the coordinates of the figure and the exercise's length unit.
+        x: direction of its x axis; any length but zero.
+        z: direction of its z axis; any length but zero.
+    """
+
+    origin: tuple[Cell, Cell, Cell]
+    x: tuple[Cell, Cell, Cell]
+    z: tuple[Cell, Cell, Cell]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FramesCells:
+    """Frames 0 … N, in the position that the figure shows.
+
+    Attributes:
+        convention: whose rules they follow.
+        frames: frame 0 … N; null for one that has not been placed.
+    """
+
+    convention: Convention
+    frames: Annotated[tuple[FrameCells | None, ...], Length(least=1, most=65)]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FramesAnswer:
+    """Frames 0 … N in numbers; lengths in the exercise's unit."""
+
+    convention: Convention
+    frames: tuple[ChosenFrame | None, ...]
+
+
+class FramesPart(PartType[Part, FramesCells, FramesAnswer]):
+    """Frames on the robot of the figure."""
+
+    kind = "frames"
+    raw: ClassVar = FramesCells
+    meaning = "frames 0 … N, placed in the figure"
+    disclosures: ClassVar = {
+        "frame_wrong": Disclosure(level=HelpLevel.ROW),
+        "frame_missing": Disclosure(level=HelpLevel.ROW),
+        **{
+            f"frame_{rule.value}": Disclosure(level=HelpLevel.KIND, instead="frame_wrong")
+            for rule in list(RuleCode)[: list(RuleCode).index(RuleCode.Z_REVERSED)]
+        },
+        "frames_other_convention": Disclosure(level=HelpLevel.REPAIR),
+        "frames_not_as_asked": Disclosure(level=HelpLevel.ROW),
+    }
+
+    def task(self, part: Part, instance: Instance) -> Task:
+        """Ask for a frame on every link."""
+        exercise = instance.exercise
+        values = {"n": exercise.reference.table.n_joints, "unit": exercise.length_unit.value}
+        return Task(message="task-frames", values=values)
+
+    def read(self, raw: FramesCells, reading: Reading) -> FramesAnswer | None:
+        """Return the frames in numbers."""
+        n = reading.instance.exercise.reference.table.n_joints
+        before = len(reading.faults)
+        if len(raw.frames) != n + 1:
+            reading.fault("frames_count", self.kind, "frames", expected=n + 1, given=len(raw.frames))
+        rule = reading.instance.exercise.policy.convention
+        if rule is not ConventionRule.ANY and rule.value != raw.convention.value:
+            reading.fault("convention_not_asked", self.kind, "convention", asked=rule.value)
+        frames = tuple(
+            None if frame is None else _read_frame(frame, reading, (self.kind, "frames", i))
+            for i, frame in enumerate(raw.frames)
+        )
+        if len(reading.faults) > before:
+            return None
+        return FramesAnswer(convention=raw.convention, frames=frames)
+
+    def grade(self, part: Part, answer: FramesAnswer, context: Context) -> PartReport:
+        """Judge frame by frame: z, origin and x count the same, and so does what the policy asks for."""
+        found = _checked(context, answer)
+        facts: list[Fact] = []
+        feedback: list[Feedback] = []
+        for frame, chosen in zip(found.frames, answer.frames, strict=True):
+            broken = [entry for entry in frame.findings if entry.severity is Severity.BROKEN]
+            wrong = {entry.part.value for entry in broken}
+            for name in PARTS:
+                finding = Finding.MISSING if chosen is None else Finding.OK
+                finding = Finding.WRONG if name in wrong else finding
+                facts.append(Fact(where=("frames", frame.index, name), finding=finding))
+            number = {"frame": frame.index}
+            if chosen is None:
+                feedback.append(Feedback(code="frame_missing", params=number))
+            feedback += [
+                Feedback(code=f"frame_{entry.rule.value}", params={**number, **entry.params})
+                for entry in broken
+            ]
+        if feedback and _follows_other_convention(context, answer):
+            feedback.insert(0, Feedback(code="frames_other_convention"))
+        if not feedback:
+            kept = _keeps_policy(context, found.table)
+            facts.append(Fact(where=("policy",), finding=Finding.OK if kept else Finding.WRONG))
+            feedback.append(Feedback(code="frames_right" if kept else "frames_not_as_asked"))
+        else:
+            facts.append(Fact(where=("policy",), finding=Finding.UNKNOWN))
+        right = sum(fact.finding is Finding.OK for fact in facts)
+        return judged(part, right / len(facts), Credit.KEY, facts=facts, feedback=feedback)
+
+    def right(self, part: Part, context: Context) -> FramesCells:
+        """Return the frames of the key where it has one for each joint, else those of the procedure."""
+        instance = context.instance
+        reference = instance.exercise.reference.table
+        if len(reference.rows) == reference.n_joints:
+            points = Points(instance.exercise.figure, reference, context.reference_values)
+            poses = [frame.tolist() for frame in points.frames]
+            frames = tuple(
+                _cells([p[r][3] for r in range(3)], [p[r][0] for r in range(3)], [p[r][2] for r in range(3)])
+                for p in poses
+            )
+        else:
+            assigned = assign_frames(_axes(instance), reference.convention)
+            frames = tuple(_cells(frame.origin, frame.x, frame.z) for frame in assigned.frames)
+        return FramesCells(convention=reference.convention, frames=frames)
+
+    def wrong(self, part: Part, context: Context, rng: Random) -> Iterator[tuple[str, FramesCells]]:
+        """Yield the frames with one that is missing, and with one z that lies along no axis."""
+        right = self.right(part, context)
+        i = rng.randrange(len(right.frames))
+        yield "frame_missing", replace(right, frames=(*right.frames[:i], None, *right.frames[i + 1 :]))
+        modified = right.convention is Convention.MODIFIED
+        k = rng.randrange(1, len(right.frames)) if modified else rng.randrange(len(right.frames) - 1)
+        frame = right.frames[k]
+        assert frame is not None
+        tilted = replace(
+            frame, z=(frame.x[0], frame.x[1], frame.x[2]), x=(frame.z[0], frame.z[1], frame.z[2])
+        )
+        frames = (*right.frames[:k], tilted, *right.frames[k + 1 :])
+        yield "frame_z_not_along_axis", replace(right, frames=frames)
+
+
+def _read_frame(frame: FrameCells, reading: Reading, where: tuple[str | int, ...]) -> ChosenFrame | None:
+    found: dict[str, list[float]] = {}
+    for name in PARTS:
+        cells = getattr(frame, name)
+        read = [
+            reading.keep("frames", partial(_number, cell, reading, (*where[1:], name, k)))
+            for k, cell in enumerate(cells)
+        ]
+        numbers = [value for value in read if value is not None]
+        if len(numbers) == len(cells):
+            found[name] = numbers
+            if name != "origin" and not any(numbers):
+                reading.fault("direction_zero", *where, name)
+    return ChosenFrame(**found) if len(found) == len(PARTS) else None
+
+
+def _number(cell: Cell, reading: Reading, where: tuple[str | int, ...]) -> float:
+    """Return the value of a cell of a frame.
+
+    Raises:
+        CellError: it cannot be read, holds an unknown name, or has no value; at its place in the part.
+    """
+    exercise = reading.instance.exercise
+    try:
+        read = read_cell(cell, ParameterKind.LENGTH, angle_unit=exercise.angle_unit, variable=lambda _: None)
+    except KinematicsError as error:
+        raise CellError(
+            Fault(code=fault.code, where=where, params=fault.params) for fault in error.faults
+        ) from None
+    expression = renamed(read, exercise.aliases)
+    unknown = sorted(parameters_in(expression) - set(exercise.reference.parameters))
+    if unknown:
+        raise CellError(unknown_name(unknown[0], exercise, where))
+    try:
+        value = evaluate(expression, reading.instance.parameters)
+    except KinematicsError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise CellError(Fault(code="value_not_real", where=where))
+    return value
+
+
+def _axes(instance: Instance) -> list[JointAxis]:
+    return [
+        JointAxis(joint=axis.type, direction=axis.direction, point=axis.point)
+        for axis in true_scene(instance).axes
+    ]
+
+
+def _checked(context: Context, answer: FramesAnswer) -> JudgedFrames:
+    tolerance = context.policy.tolerance
+    rounding = min(tolerance.length, tolerance.angle)
+    return check_frames(_axes(context.instance), answer.convention, answer.frames, rounding=rounding)
+
+
+def _follows_other_convention(context: Context, answer: FramesAnswer) -> bool:
+    """Return whether the frames obey the rules of the convention that was not named."""
+    other = Convention.MODIFIED if answer.convention is Convention.STANDARD else Convention.STANDARD
+    if any(frame is None for frame in answer.frames):
+        return False
+    found = _checked(context, replace(answer, convention=other))
+    return not any(entry.severity is Severity.BROKEN for frame in found.frames for entry in frame.findings)
+
+
+def _keeps_policy(context: Context, table: NumericTable | None) -> bool:
+    """Return whether the table that follows from the frames is the robot's under the policy."""
+    if table is None:
+        return False
+    reference = context.reference
+    rows = tuple(
+        DHRow(
+            joint=row.joint,
+            sign=row.sign,
+            theta=pi_times(Fraction(row.theta / math.pi)),
+            d=Number(Fraction(row.d)),
+            a=Number(Fraction(row.a)),
+            alpha=pi_times(Fraction(row.alpha / math.pi)),
+        )
+        for row in table.rows
+    )
+    read = ReadTable(
+        table=DHTable(convention=table.convention, rows=rows),
+        angle_unit=reference.angle_unit,
+        length_unit=reference.length_unit,
+        parameters={},
+    )
+    return accept(reference, read, _policy(context), context.parameters) is not None
+
+
+def _policy(context: Context) -> Policy:
+    """Return what the frames are held to.
+
+    Where the key needs a fixed row, the last frame of a joint cannot lie at the tool, and need not.
+    """
+    table = context.reference.table
+    whole = len(table.rows) == table.n_joints
+    return context.policy if whole else replace(context.policy, tool=ToolRule.FREE)
+
+
+def _cells(origin: Sequence[float], x: Sequence[float], z: Sequence[float]) -> FrameCells:
+    return FrameCells(origin=_triple(origin), x=_triple(x), z=_triple(z))
+
+
+def _triple(vector: Sequence[float]) -> tuple[Cell, Cell, Cell]:
+    x, y, z = (round(value, 6) for value in vector)
+    return x, y, z
+
+
+PART = FramesPart()
