@@ -52,8 +52,8 @@ def other_frames(instance: Instance, rng: Random) -> ReadTable:
 
 
 def judged_answer(instance: Instance, raw: RawAnswer) -> Report:
-    """Return what is said of an answer."""
-    return grade(instance, parse(instance, raw))
+    """Return what is said of an answer at the attempt from which on most is told."""
+    return grade(instance, parse(instance, raw), attempt=len(instance.exercise.access.ladder))
 
 
 def is_refused(exercise: Exercise, raw: RawTable) -> bool:
