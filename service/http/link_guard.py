@@ -34,6 +34,7 @@ _CALLS: Mapping[str, tuple[Tool, ...]] = {
     "assign-frames": (Tool.TRAINER,),
     "check-frames": (Tool.TRAINER,),
     "understand": (),
+    "session": (),
     "problems": (),
 }
 """Calls of the API by the first step of their path, and the switches that turn them off."""

@@ -15,6 +15,7 @@ from courses.model import Attempt, CourseSession, LinkSettings
 from courses.refusals import NoExerciseError
 from courses.regrading import Rejudged
 from courses.storage import Store
+from exercises.access import Access
 from exercises.answers import parse
 from exercises.definition import Exercise
 from exercises.grader import Report, grade
@@ -59,7 +60,7 @@ class Grader:
         report = grade(_instance(asked, seed), answer, level)
         told = analysis = plain(report)
         if report.help_level is not HelpLevel.REPAIR and not report.correct:
-            open_ = _instance(replace(asked, help=HelpLevel.REPAIR), seed)
+            open_ = _instance(replace(asked, access=Access()), seed)
             analysis = plain(grade(open_, answer))
         return Judged(
             found=report,
