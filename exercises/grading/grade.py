@@ -11,6 +11,7 @@ from exercises.grading.explanation import explanation, renumbered, without_idle_
 from exercises.grading.facts import Weights
 from exercises.grading.findings import all_right
 from exercises.grading.frames import explained
+from exercises.grading.in_common import in_common
 from exercises.grading.judgement import judged
 from exercises.grading.verdict import Basis, Feedback, HelpLevel, Verdict
 from kinematics.cells import ReadTable
@@ -81,13 +82,18 @@ def _grade(
     decision, way = decided
     told = explanation(decision, way, (reference, shortened), policy, help_level, weights)
     told = renumbered(told, kept, len(submission.table.rows))
+    shared = in_common(told.repairs)
     return Verdict(
         correct=False,
         score=told.score,
         basis=Basis.REFUTED,
         certificate=None,
         links=told.links,
-        feedback=(*_about_names(reference, submission, way), *told.feedback),
+        feedback=(
+            *_about_names(reference, submission, way),
+            *told.feedback,
+            *((shared,) if shared else ()),
+        ),
         repairs=told.repairs,
         angle_unit=submission.angle_unit,
         length_unit=submission.length_unit,

@@ -138,3 +138,15 @@ feedback-frame_last_x_misses_axis = Frame { $frame }: { rule-last_x_misses_axis 
 feedback-frames_other_convention = These frames obey the rules of the other convention.
 feedback-frames_not_as_asked = The frames obey the rules, and are not placed as the exercise asks.
 feedback-frames_right = The frames are right.
+feedback-repairs_one_cell = Several single changes would each mend the table; all of them are in cell { $cell ->
+    [alpha] α
+    [theta] θ
+   *[other] { $cell }
+} of row { $row }.
+feedback-repairs_one_row = Several changes would each mend the table; all of them are in row { $row }.
+feedback-repairs_one_column = Several changes would each mend the table; all of them are in the column { $cell ->
+    [alpha] α
+    [theta] θ
+   *[other] { $cell }
+}.
+feedback-repairs_one_kind = { $count } changes would each mend the table; all of them are of the same kind.

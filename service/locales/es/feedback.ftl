@@ -138,3 +138,15 @@ feedback-frame_last_x_misses_axis = Sistema { $frame }: { rule-last_x_misses_axi
 feedback-frames_other_convention = Estos sistemas cumplen las reglas de la otra convención.
 feedback-frames_not_as_asked = Los sistemas cumplen las reglas, pero no están colocados como pide el ejercicio.
 feedback-frames_right = Los sistemas son correctos.
+feedback-repairs_one_cell = Varios cambios corregirían cada uno la tabla; todos están en la celda { $cell ->
+    [alpha] α
+    [theta] θ
+   *[other] { $cell }
+} de la fila { $row }.
+feedback-repairs_one_row = Varios cambios corregirían cada uno la tabla; todos están en la fila { $row }.
+feedback-repairs_one_column = Varios cambios corregirían cada uno la tabla; todos están en la columna { $cell ->
+    [alpha] α
+    [theta] θ
+   *[other] { $cell }
+}.
+feedback-repairs_one_kind = { $count } cambios corregirían cada uno la tabla; todos son del mismo tipo.

@@ -138,3 +138,15 @@ feedback-frame_last_x_misses_axis = Repère { $frame } : { rule-last_x_misses_ax
 feedback-frames_other_convention = Ces repères suivent les règles de l'autre convention.
 feedback-frames_not_as_asked = Les repères suivent les règles, mais ne sont pas placés comme l'exercice le demande.
 feedback-frames_right = Les repères sont justes.
+feedback-repairs_one_cell = Plusieurs modifications rendraient chacune le tableau juste ; toutes concernent la case { $cell ->
+    [alpha] α
+    [theta] θ
+   *[other] { $cell }
+} de la ligne { $row }.
+feedback-repairs_one_row = Plusieurs modifications rendraient chacune le tableau juste ; toutes concernent la ligne { $row }.
+feedback-repairs_one_column = Plusieurs modifications rendraient chacune le tableau juste ; toutes concernent la colonne { $cell ->
+    [alpha] α
+    [theta] θ
+   *[other] { $cell }
+}.
+feedback-repairs_one_kind = { $count } modifications rendraient chacune le tableau juste ; toutes sont du même type.

@@ -138,3 +138,15 @@ feedback-frame_last_x_misses_axis = Referencial { $frame }: { rule-last_x_misses
 feedback-frames_other_convention = Estes referenciais cumprem as regras da outra convenção.
 feedback-frames_not_as_asked = Os referenciais cumprem as regras, mas não estão colocados como o exercício pede.
 feedback-frames_right = Os referenciais estão corretos.
+feedback-repairs_one_cell = Várias alterações corrigiriam, cada uma por si, a tabela; todas estão na célula { $cell ->
+    [alpha] α
+    [theta] θ
+   *[other] { $cell }
+} da linha { $row }.
+feedback-repairs_one_row = Várias alterações corrigiriam, cada uma por si, a tabela; todas estão na linha { $row }.
+feedback-repairs_one_column = Várias alterações corrigiriam, cada uma por si, a tabela; todas estão na coluna { $cell ->
+    [alpha] α
+    [theta] θ
+   *[other] { $cell }
+}.
+feedback-repairs_one_kind = { $count } alterações corrigiriam, cada uma por si, a tabela; são todas do mesmo tipo.

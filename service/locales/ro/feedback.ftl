@@ -139,3 +139,15 @@ feedback-frame_last_x_misses_axis = Sistemul { $frame }: { rule-last_x_misses_ax
 feedback-frames_other_convention = Aceste sisteme respectă regulile celeilalte convenții.
 feedback-frames_not_as_asked = Sistemele respectă regulile, dar nu sunt așezate cum cere exercițiul.
 feedback-frames_right = Sistemele sunt corecte.
+feedback-repairs_one_cell = Mai multe schimbări ar corecta fiecare tabelul; toate sunt în celula { $cell ->
+    [alpha] α
+    [theta] θ
+   *[other] { $cell }
+} din rândul { $row }.
+feedback-repairs_one_row = Mai multe schimbări ar corecta fiecare tabelul; toate sunt în rândul { $row }.
+feedback-repairs_one_column = Mai multe schimbări ar corecta fiecare tabelul; toate sunt în coloana { $cell ->
+    [alpha] α
+    [theta] θ
+   *[other] { $cell }
+}.
+feedback-repairs_one_kind = { $count } schimbări ar corecta fiecare tabelul; toate sunt de același fel.

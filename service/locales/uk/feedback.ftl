@@ -139,3 +139,15 @@ feedback-frame_last_x_misses_axis = Система { $frame }: { rule-last_x_mis
 feedback-frames_other_convention = Ці системи координат відповідають правилам іншої конвенції.
 feedback-frames_not_as_asked = Системи координат відповідають правилам, але розміщені не так, як просить вправа.
 feedback-frames_right = Системи координат правильні.
+feedback-repairs_one_cell = Кожна з кількох змін виправила б таблицю; усі вони в комірці { $cell ->
+    [alpha] α
+    [theta] θ
+   *[other] { $cell }
+} рядка { $row }.
+feedback-repairs_one_row = Кожна з кількох змін виправила б таблицю; усі вони в рядку { $row }.
+feedback-repairs_one_column = Кожна з кількох змін виправила б таблицю; усі вони в стовпці { $cell ->
+    [alpha] α
+    [theta] θ
+   *[other] { $cell }
+}.
+feedback-repairs_one_kind = Кожна зі змін (усього { $count }) виправила б таблицю; усі вони одного виду.

@@ -1,0 +1,41 @@
+"""Several equally small repairs are told by what they share."""
+
+from __future__ import annotations
+
+import pytest
+
+from exercises.grading import Edit, HelpLevel, Repair
+from exercises.grading.in_common import in_common
+from tests.exercises.answering import judged, table
+
+
+def repair(*edits: tuple[str, int | None, str | None]) -> Repair:
+    return Repair(edits=tuple(Edit(code=code, row=row, cell=cell) for code, row, cell in edits))
+
+
+@pytest.mark.parametrize(
+    ("repairs", "code", "row"),
+    [
+        ([], None, None),
+        ([repair(("a_sign", 1, "a"))], None, None),
+        ([repair(("a_sign", 1, "a")), repair(("a_value", 1, "a"))], "repairs_one_cell", 1),
+        ([repair(("a_sign", 2, "a")), repair(("d_sign", 2, "d"))], "repairs_one_row", 2),
+        ([repair(("a_sign", 1, "a")), repair(("a_sign", 2, "a"))], "repairs_one_column", None),
+        ([repair(("row_missing", 1, None)), repair(("row_missing", 2, None))], "repairs_one_kind", None),
+        ([repair(("a_sign", 1, "a")), repair(("d_value", 2, "d"))], None, None),
+        ([repair(("a_sign", 1, "a")), repair(("a_sign", 1, "a"), ("d_sign", 2, "d"))], None, None),
+    ],
+)
+def test_what_repairs_share(repairs: list[Repair], code: str | None, row: int | None) -> None:
+    found = in_common(repairs)
+    assert (found and found.code, found and found.row) == (code, row)
+
+
+def test_a_verdict_with_several_repairs_tells_it_at_the_highest_help_alone() -> None:
+    wrong = table("standard", (90, "a2", 0, "q1"), (180, "a3", 0, "q2"), (0, 0, "q3", 0), (90, 0, 0, "q4"))
+    for level in HelpLevel:
+        verdict = judged("scara", table=wrong, help_level=level).verdict
+        assert verdict is not None
+        shared = [entry.code for entry in verdict.feedback if entry.code.startswith("repairs_one")]
+        expected = in_common(verdict.repairs)
+        assert shared == ([expected.code] if expected else [])
