@@ -38,7 +38,7 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
     root = tmp_path_factory.mktemp("own")
     folder(root, TWO_LINKS + LADDER)
     settings = Settings(secret=SecretStr(SECRET.decode()), exercise_folders=(Path(root),))
-    with running(settings) as url, httpx.Client(base_url=url) as client:
+    with running(settings) as url, httpx.Client(base_url=url, timeout=120) as client:
         yield client
 
 
@@ -132,7 +132,7 @@ def test_a_link_may_fix_the_seed(service: httpx.Client) -> None:
 
 
 def test_a_page_keeps_the_context_for_what_is_opened_from_it(service: httpx.Client) -> None:
-    with httpx.Client(base_url=service.base_url) as browser:
+    with httpx.Client(base_url=service.base_url, timeout=120) as browser:
         page = browser.get("/exercises/scara", params={"context": signed(ALL_OFF, SECRET)})
         assert page.status_code == 200
         assert browser.get("/api/v1/robots/scara").status_code == 403
