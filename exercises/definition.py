@@ -11,6 +11,7 @@ from exercises.access import Access
 from exercises.draws import Draw
 from exercises.figures.specification import FigureSpecification
 from exercises.grading import HelpLevel, Policy
+from exercises.grading.facts import Weights
 from kinematics.cells import AngleUnit, LengthUnit, RawTable, ReadTable
 
 LANGUAGES = ("en", "ro", "pt", "fr", "uk", "es")
@@ -78,6 +79,7 @@ class Exercise:
         parameters: the robot's dimensions, in the order in which they are shown.
         parts: what is asked, in order.
         policy: what a table is held to.
+        weights: what facts and slips are worth in a wrong table.
         access: what its students may use, how much they are told, and how often they may try.
         figure: how the robot is drawn.
         misconceptions: codes of the misconceptions that its own tests apply to the key.
@@ -102,6 +104,7 @@ class Exercise:
     misconceptions: tuple[str, ...]
     samples: tuple[Sample, ...] = ()
     needs: tuple[str, ...] = ()
+    weights: Weights = field(default_factory=Weights)
     aliases: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
     defaults: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
 

@@ -105,7 +105,9 @@ def _verdict(instance: Instance, answer: Answer, level: HelpLevel) -> Verdict | 
     if answer.table is None:
         return None
     exercise = instance.exercise
-    return grading.grade(exercise.reference, answer.table, exercise.policy, instance.parameters, level)
+    return grading.grade(
+        exercise.reference, answer.table, exercise.policy, instance.parameters, level, exercise.weights
+    )
 
 
 def _figure(instance: Instance) -> KeyPose | None:

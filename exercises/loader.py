@@ -21,7 +21,7 @@ from exercises.errors import DefinitionError, UnknownExerciseError
 from exercises.figures.reading import read_figure
 from exercises.parts.protocol import RobotFacts
 from exercises.parts.registry import part_type, part_types
-from exercises.policy_reading import read_policy
+from exercises.policy_reading import read_policy, read_weights
 from exercises.reading import Reader
 from exercises.sample_reading import read_raw_table, read_samples
 from exercises.selftest.mistakes import MISTAKES
@@ -185,6 +185,7 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
     titles = _titles(reader, statements)
     policy = read_policy(reader.table("policy"))
     access = read_access(reader)
+    weights = read_weights(reader.table("weights"))
     if reference is None:
         return None
     aliases = _aliases(reader, reference.parameters)
@@ -227,6 +228,7 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
         misconceptions=misconceptions,
         samples=samples,
         needs=needs,
+        weights=weights,
         aliases=aliases,
     )
 

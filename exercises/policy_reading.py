@@ -1,9 +1,15 @@
-"""The [policy] of a definition, from its file."""
+"""The [policy] and the [weights] of a definition, from its file."""
 
 from __future__ import annotations
 
+from dataclasses import fields
+
 from exercises.grading import BaseRule, ConventionRule, DirectionRule, Policy, Tolerance, ToolRule, ZeroRule
+from exercises.grading.facts import Weights
 from exercises.reading import Reader
+
+MOST_WEIGHT = 100.0
+"""A weight beyond this leaves nothing to the other facts: a slip of the pen."""
 
 
 def read_policy(reader: Reader) -> Policy:
@@ -27,3 +33,14 @@ def read_policy(reader: Reader) -> Policy:
     )
     reader.finish()
     return policy
+
+
+def read_weights(reader: Reader) -> Weights:
+    """Return what facts and slips are worth in a wrong table; faults go to the reader."""
+    usual = Weights()
+    given = {entry.name: reader.number(entry.name, getattr(usual, entry.name)) for entry in fields(usual)}
+    for name, value in given.items():
+        if not 0.0 <= value <= (1.0 if name == "sign" else MOST_WEIGHT):
+            reader.fault("weight_out_of_range", name, name=name)
+    reader.finish()
+    return Weights(**given)

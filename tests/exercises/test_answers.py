@@ -12,6 +12,7 @@ from exercises.answers import RawAnswer, parse
 from exercises.errors import AnswerError
 from exercises.grader import allowed_help, grade
 from exercises.grading import HelpLevel
+from exercises.grading.facts import Weights
 from exercises.instance import generate
 from exercises.parts.schematic import AxisRelation, Schematic
 from exercises.parts.workspace import RadiiCells
@@ -142,3 +143,18 @@ def test_an_alias_means_its_dimension() -> None:
     raw = RawAnswer(table=table("standard", *rows), transform=renamed)
     report = grade(generate(found), parse(generate(found), raw))
     assert report.correct
+
+
+def test_weights_change_marks_and_nothing_else() -> None:
+    found = exercise("scara")
+    wrong = RawAnswer(
+        table=table("standard", (90, "a2", 0, "q1"), (180, "a3", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4"))
+    )
+    scores = []
+    for twist in (0.5, 1.0, 4.0):
+        other = replace(found, weights=Weights(twist=twist))
+        verdict = grade(generate(other), parse(generate(other), wrong)).verdict
+        assert verdict is not None
+        assert not verdict.correct
+        scores.append(verdict.score)
+    assert scores == sorted(scores, reverse=True)

@@ -231,3 +231,14 @@ def test_needs_that_the_policy_sees_to_are_kept(tmp_path: Path) -> None:
     assert faults(folder(tmp_path, text)) == {"two.exercise.toml.needs.1": "need_unmet"}
     fixed = changed("[[parts]]", '[policy]\nbase = "origin"\ntool = "point"\n[[parts]]', text)
     assert load_exercise(folder(tmp_path, fixed)).needs == ("L1", "L0")
+
+
+def test_weights_are_the_exercises(tmp_path: Path) -> None:
+    found = load_exercise(folder(tmp_path, changed("[[parts]]", "[weights]\njoint = 3\n[[parts]]")))
+    assert (found.weights.joint, found.weights.length) == (3.0, 1.0)
+    text = changed("[[parts]]", "[weights]\nsign = 2\njoint = -1\ncolour = 1\n[[parts]]")
+    assert faults(folder(tmp_path, text)) == {
+        "two.exercise.toml.weights.sign": "weight_out_of_range",
+        "two.exercise.toml.weights.joint": "weight_out_of_range",
+        "two.exercise.toml.weights.colour": "exercise_key_unknown",
+    }
