@@ -141,7 +141,8 @@ class FramesPart(PartType[Part, FramesCells, FramesAnswer]):
         else:
             facts.append(Fact(where=("policy",), finding=Finding.UNKNOWN))
         right = sum(fact.finding is Finding.OK for fact in facts)
-        return judged(part, right / len(facts), Credit.KEY, facts=facts, feedback=feedback)
+        score = _share(right, len(facts), _right_for_nothing(context, answer))
+        return judged(part, score, Credit.KEY, facts=facts, feedback=feedback)
 
     def right(self, part: Part, context: Context) -> FramesCells:
         """Return the frames of the key where it has one for each joint, else those of the procedure."""
@@ -228,6 +229,21 @@ def _checked(context: Context, answer: FramesAnswer) -> JudgedFrames:
     tolerance = context.policy.tolerance
     rounding = min(tolerance.length, tolerance.angle)
     return check_frames(_axes(context.instance), answer.convention, answer.frames, rounding=rounding)
+
+
+def _right_for_nothing(context: Context, answer: FramesAnswer) -> int:
+    """Return how many facts are right if every frame is put where the figure's coordinates begin."""
+    untouched = ChosenFrame(origin=(0.0, 0.0, 0.0), x=(1.0, 0.0, 0.0), z=(0.0, 0.0, 1.0))
+    found = _checked(context, replace(answer, frames=(untouched,) * len(answer.frames)))
+    return sum(
+        len(PARTS) - len({entry.part for entry in frame.findings if entry.severity is Severity.BROKEN})
+        for frame in found.frames
+    )
+
+
+def _share(right: int, count: int, nothing: int) -> float:
+    """Return the share of the facts that took a thought, 0 … 1."""
+    return 1.0 if right == count else max(0.0, (right - nothing) / (count - nothing))
 
 
 def _follows_other_convention(context: Context, answer: FramesAnswer) -> bool:
