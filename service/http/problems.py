@@ -85,10 +85,6 @@ class NotFoundError(ServiceError):
     """Nothing is at this address."""
 
 
-class ForbiddenError(ServiceError):
-    """The link that the caller came by does not allow it."""
-
-
 class MethodError(ServiceError):
     """This address knows no such method."""
 
@@ -156,7 +152,6 @@ STATUS: dict[type[Exception], int] = {
     MediaTypeError: 415,
     RequestError: 422,
     UnauthorizedError: 401,
-    ForbiddenError: 403,
     RateError: 429,
     KinematicsError: 422,
     BusyError: 503,
