@@ -17,7 +17,7 @@ import sqlalchemy as sa
 from courses import records
 from courses.link_settings import read
 from courses.model import CourseSession, Grade, Link, ScoreToSend
-from courses.policies import Allowance, Outcome, counted, score_due
+from courses.policies import Allowance, AttemptOutcome, counted, score_due
 from courses.records import UtcTime
 from courses.statements import upsert
 from courses.storage import Store
@@ -74,7 +74,7 @@ def regrade_student(
     return new
 
 
-def effective_outcomes(connection: sa.Connection, link_id: int, person_id: int) -> list[Outcome]:
+def effective_outcomes(connection: sa.Connection, link_id: int, person_id: int) -> list[AttemptOutcome]:
     """Outcomes of a student's attempts, each with the score that its last regrading gave it."""
     attempt, regraded, run = records.attempt, records.regraded, records.regrading
     latest = (
@@ -90,7 +90,7 @@ def effective_outcomes(connection: sa.Connection, link_id: int, person_id: int) 
         .where(attempt.c.link_id == link_id, attempt.c.person_id == person_id)
         .order_by(attempt.c.number)
     )
-    return [Outcome(number=n, at=at, score=score) for n, at, score in connection.execute(wanted)]
+    return [AttemptOutcome(number=n, at=at, score=score) for n, at, score in connection.execute(wanted)]
 
 
 def _is_queued(connection: sa.Connection, grade: Grade) -> bool:

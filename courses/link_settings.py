@@ -47,7 +47,7 @@ def read(exercise_id: str | None, values: Mapping[str, Any]) -> LinkSettings:
     Raises:
         LinkSettingsError: a value cannot be meant; each with its place.
     """
-    reader = _Reader(values)
+    reader = _SettingsReader(values)
     policy = AttemptPolicy(
         attempts=reader.whole("attempts", None, 1, MOST_ATTEMPTS),
         counting=reader.choice("counting", Counting.BEST),
@@ -76,7 +76,7 @@ def read(exercise_id: str | None, values: Mapping[str, Any]) -> LinkSettings:
     return settings
 
 
-class _Reader:
+class _SettingsReader:
     """Reads values; keeps the faults of all of them."""
 
     def __init__(self, values: Mapping[str, Any]) -> None:

@@ -8,7 +8,7 @@ from datetime import datetime
 from enum import StrEnum
 from typing import Any
 
-from courses.policies import Allowance, AttemptPolicy, Outcome
+from courses.policies import Allowance, AttemptOutcome, AttemptPolicy
 
 
 class Role(StrEnum):
@@ -158,9 +158,9 @@ class Attempt:
     shown: str = "all"
 
     @property
-    def outcome(self) -> Outcome:
+    def outcome(self) -> AttemptOutcome:
         """What policies need to know of it."""
-        return Outcome(number=self.number, at=self.at, score=self.score)
+        return AttemptOutcome(number=self.number, at=self.at, score=self.score)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

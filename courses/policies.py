@@ -80,7 +80,7 @@ class Allowance:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Outcome:
+class AttemptOutcome:
     """What policies need to know of an attempt: its number from 1, when it was handed in, its score 0 … 1."""
 
     number: int
@@ -129,13 +129,13 @@ def refusal(policy: AttemptPolicy, made: int, allowance: Allowance, now: datetim
     return None
 
 
-def worth(policy: AttemptPolicy, outcome: Outcome) -> float:
+def worth(policy: AttemptPolicy, outcome: AttemptOutcome) -> float:
     """What an attempt is worth, 0 … 1: its score less the penalty for each attempt before it."""
     return min(1.0, max(0.0, outcome.score - policy.penalty * (outcome.number - 1)))
 
 
 def counted(
-    policy: AttemptPolicy, outcomes: Sequence[Outcome], allowance: Allowance = NO_ALLOWANCE
+    policy: AttemptPolicy, outcomes: Sequence[AttemptOutcome], allowance: Allowance = NO_ALLOWANCE
 ) -> Counted | None:
     """The attempt that makes the grade; None if none does. What was handed in late does not count.
 

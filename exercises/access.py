@@ -27,7 +27,7 @@ class Tool(StrEnum):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Access:
+class ExerciseAccess:
     """What students of an exercise may use.
 
     Attributes:
@@ -50,7 +50,7 @@ class Access:
         return self.ladder[min(attempt or 1, len(self.ladder)) - 1]
 
 
-def read_access(reader: Reader) -> Access:
+def read_access(reader: Reader) -> ExerciseAccess:
     """Return what [access] and [help] of a definition say; faults go to the reader."""
     switches = reader.table("access")
     off = frozenset(tool for tool in Tool if not _switched_on(switches, tool))
@@ -62,7 +62,7 @@ def read_access(reader: Reader) -> Access:
     helps = reader.table("help")
     ladder = _ladder(helps)
     helps.finish()
-    return Access(off=off, ladder=ladder, attempts=attempts)
+    return ExerciseAccess(off=off, ladder=ladder, attempts=attempts)
 
 
 def lowest(levels: Sequence[HelpLevel]) -> HelpLevel:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from types import MappingProxyType
 
-from exercises.access import Access
+from exercises.access import ExerciseAccess
 from exercises.draws import Draw
 from exercises.figures.specification import FigureSpecification
 from exercises.grading import HelpLevel, Policy
@@ -99,7 +99,7 @@ class Exercise:
     parameters: tuple[DrawnParameter, ...]
     parts: tuple[Part, ...]
     policy: Policy
-    access: Access
+    access: ExerciseAccess
     figure: FigureSpecification
     misconceptions: tuple[str, ...]
     samples: tuple[Sample, ...] = ()

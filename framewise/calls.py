@@ -12,7 +12,7 @@ Matrix: TypeAlias = Sequence[Sequence[float]]
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Call:
+class ApiCall:
     """One request.
 
     Attributes:
@@ -34,7 +34,7 @@ def forward_kinematics(
     *,
     parameters: Mapping[str, float] | None = None,
     parts: Sequence[str] | None = None,
-) -> Call:
+) -> ApiCall:
     """Return poses: ⁰T_N, link transforms, frames (POST /forward-kinematics).
 
     Args:
@@ -48,14 +48,14 @@ def forward_kinematics(
 
 def jacobian(
     robot: Table | str, joints: Sequence[float], *, parameters: Mapping[str, float] | None = None
-) -> Call:
+) -> ApiCall:
     """Return J0 and Jn, rank and manipulability (POST /jacobian)."""
     return _of_robot("jacobian", robot, joints=joints, parameters=parameters)
 
 
 def inverse_kinematics(
     robot: Table | str, target: Matrix, *, parameters: Mapping[str, float] | None = None
-) -> Call:
+) -> ApiCall:
     """Return the joint values that reach a pose, and whether those are all (POST /inverse-kinematics)."""
     return _of_robot("inverse-kinematics", robot, target=target, parameters=parameters)
 
@@ -66,24 +66,24 @@ def symbolic(
     formats: Sequence[str] | None = None,
     parts: Sequence[str] | None = None,
     parameters: Mapping[str, float] | None = None,
-) -> Call:
+) -> ApiCall:
     """Return closed forms in the given formats (POST /symbolic)."""
     return _of_robot("symbolic", robot, formats=formats, parts=parts, parameters=parameters)
 
 
-def robots() -> Call:
+def robots() -> ApiCall:
     """Return the robots of the catalogue (GET /robots)."""
-    return Call(method="GET", path="robots")
+    return ApiCall(method="GET", path="robots")
 
 
-def exercises(*, language: str | None = None) -> Call:
+def exercises(*, language: str | None = None) -> ApiCall:
     """Return all exercises (GET /exercises)."""
-    return Call(method="GET", path="exercises", query={"lang": language})
+    return ApiCall(method="GET", path="exercises", query={"lang": language})
 
 
-def exercise(exercise_id: str, *, seed: str | None = None, language: str | None = None) -> Call:
+def exercise(exercise_id: str, *, seed: str | None = None, language: str | None = None) -> ApiCall:
     """Return an exercise with one student's values (GET /exercises/{id})."""
-    return Call(method="GET", path=f"exercises/{exercise_id}", query={"seed": seed, "lang": language})
+    return ApiCall(method="GET", path=f"exercises/{exercise_id}", query={"seed": seed, "lang": language})
 
 
 def grade(
@@ -93,15 +93,15 @@ def grade(
     policy: Mapping[str, Any] | None = None,
     parameters: Mapping[str, float] | None = None,
     help_level: str | None = None,
-) -> Call:
+) -> ApiCall:
     """Return the verdict on a table by a key of your own (POST /grade)."""
     body = {"reference": dict(reference), "submission": dict(submission)}
-    return Call(
+    return ApiCall(
         method="POST", path="grade", body=body | _given(policy=policy, parameters=parameters, help=help_level)
     )
 
 
-def grade_exercise(exercise_id: str, answer: Mapping[str, Any], *, language: str | None = None) -> Call:
+def grade_exercise(exercise_id: str, answer: Mapping[str, Any], *, language: str | None = None) -> ApiCall:
     """Return what is said of an answer (POST /exercises/{id}/grade).
 
     Args:
@@ -110,7 +110,7 @@ def grade_exercise(exercise_id: str, answer: Mapping[str, Any], *, language: str
         language: of the sentences.
     """
     path = f"exercises/{exercise_id}/grade"
-    return Call(method="POST", path=path, body=dict(answer), query={"lang": language})
+    return ApiCall(method="POST", path=path, body=dict(answer), query={"lang": language})
 
 
 def grade_all(
@@ -120,25 +120,25 @@ def grade_all(
     policy: Mapping[str, Any] | None = None,
     parameters: Mapping[str, float] | None = None,
     help_level: str | None = None,
-) -> Call:
+) -> ApiCall:
     """Return the verdicts on many tables by one key, in their order (POST /grade).
 
     One that cannot be graded has a problem document in the place of its verdict.
     """
     body = {"reference": dict(reference), "submissions": [dict(table) for table in submissions]}
-    return Call(
+    return ApiCall(
         method="POST", path="grade", body=body | _given(policy=policy, parameters=parameters, help=help_level)
     )
 
 
-def verify_receipts(receipts: Sequence[str]) -> Call:
+def verify_receipts(receipts: Sequence[str]) -> ApiCall:
     """Return what receipts say, and which of them are not ours (POST /receipts/verify)."""
-    return Call(method="POST", path="receipts/verify", body={"receipts": list(receipts)})
+    return ApiCall(method="POST", path="receipts/verify", body={"receipts": list(receipts)})
 
 
-def _of_robot(path: str, robot: Table | str, **members: Any) -> Call:
+def _of_robot(path: str, robot: Table | str, **members: Any) -> ApiCall:
     named = {"robot": robot} if isinstance(robot, str) else {"table": dict(robot)}
-    return Call(method="POST", path=path, body={**named, **_given(**members)})
+    return ApiCall(method="POST", path=path, body={**named, **_given(**members)})
 
 
 def _given(**members: Any) -> Json:

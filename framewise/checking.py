@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
-from service.adapters.judging import Judged, judge, with_joint_types
+from service.adapters.judging import JudgedAnswer, judge, with_joint_types
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -62,7 +62,7 @@ def check(
     if seed is not None:
         body["seed"] = seed
     judged = judge(exercise, body, language)
-    if not isinstance(judged, Judged):
+    if not isinstance(judged, JudgedAnswer):
         codes = tuple(fault.code for fault in judged.faults)
         told = judged.sentences(language)
         return Checked(gradable=False, correct=False, score=0.0, codes=codes, feedback=told)

@@ -10,7 +10,7 @@ from typing import Any, Concatenate, ParamSpec
 import httpx
 
 from framewise import calls
-from framewise.calls import Call, Json
+from framewise.calls import ApiCall, Json
 
 _Arguments = ParamSpec("_Arguments")
 
@@ -37,7 +37,7 @@ class ProblemError(Exception):
 
 
 def _now(
-    describe: Callable[_Arguments, Call],
+    describe: Callable[_Arguments, ApiCall],
 ) -> Callable[Concatenate[Client, _Arguments], Json]:
     @functools.wraps(describe)
     def method(self: Client, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> Json:
@@ -47,7 +47,7 @@ def _now(
 
 
 def _later(
-    describe: Callable[_Arguments, Call],
+    describe: Callable[_Arguments, ApiCall],
 ) -> Callable[Concatenate[AsyncClient, _Arguments], Coroutine[Any, Any, Json]]:
     @functools.wraps(describe)
     async def method(self: AsyncClient, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> Json:
@@ -91,7 +91,7 @@ class Client:
     ) -> None:
         self._http.close()
 
-    def send(self, call: Call) -> Json:
+    def send(self, call: ApiCall) -> Json:
         """Send a call and return its JSON.
 
         Raises:
@@ -140,7 +140,7 @@ class AsyncClient:
     ) -> None:
         await self._http.aclose()
 
-    async def send(self, call: Call) -> Json:
+    async def send(self, call: ApiCall) -> Json:
         """Send a call and return its JSON.
 
         Raises:
@@ -167,7 +167,7 @@ def _headers(api_key: str | None, language: str | None) -> dict[str, str]:
     return {**key, **({"Accept-Language": language} if language else {})}
 
 
-def _request(call: Call) -> dict[str, Any]:
+def _request(call: ApiCall) -> dict[str, Any]:
     query = {name: value for name, value in call.query.items() if value is not None}
     return {"method": call.method, "url": call.path, "json": call.body, "params": query}
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
-from exercises.authoring.sources import Source
+from exercises.authoring.sources import ExerciseSource
 from exercises.consistency import FILE
 from exercises.definition import LANGUAGES
 from exercises.errors import DefinitionError
@@ -46,7 +46,7 @@ MISTAKES = (
 )
 
 
-def scaffold(exercise_id: str, source: Source, into: Path) -> Path:
+def scaffold(exercise_id: str, source: ExerciseSource, into: Path) -> Path:
     """Write the folder of a new exercise.
 
     Args:
@@ -79,7 +79,7 @@ def scaffold(exercise_id: str, source: Source, into: Path) -> Path:
     return folder
 
 
-def definition_text(exercise_id: str, source: Source) -> str:
+def definition_text(exercise_id: str, source: ExerciseSource) -> str:
     """The text of exercise.toml: everything that has to be said, with what may be said as comments."""
     types = read_table(source.table).table.joint_types
     blocks = [
@@ -97,7 +97,7 @@ def definition_text(exercise_id: str, source: Source) -> str:
     return "\n\n".join(block for block in blocks if block) + "\n"
 
 
-def _table(source: Source) -> str:
+def _table(source: ExerciseSource) -> str:
     table = source.table
     rows = "".join(f"  {_row(row)},\n" for row in table.rows)
     return (
@@ -138,7 +138,7 @@ def nice_range(value: float) -> tuple[str, str, str]:
     return tuple(f"{number:.{digits}f}" for number in (middle - 3 * step, middle + 3 * step, step))  # type: ignore[return-value]
 
 
-def _parts(types: tuple[JointType, ...], source: Source) -> list[str]:
+def _parts(types: tuple[JointType, ...], source: ExerciseSource) -> list[str]:
     degrees = source.table.angle_unit is AngleUnit.DEG
     size = max((abs(value) for value in source.values.values()), default=1.0)
     turns = [30, 45, -60, 90, -30, 60]

@@ -29,7 +29,7 @@ STEPS_OF_PI = 12
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Source:
+class ExerciseSource:
     """What an exercise is about.
 
     Attributes:
@@ -43,7 +43,7 @@ class Source:
     robot: str | None = None
 
 
-def from_table_file(path: Path) -> Source:
+def from_table_file(path: Path) -> ExerciseSource:
     """A table in JSON (as the API takes it) or TOML, with the values of its parameters under `parameters`.
 
     Lengths that are plain numbers get the names of their columns, a2 or d4, so that the figure can show them.
@@ -67,7 +67,7 @@ def from_table_file(path: Path) -> Source:
     return _named(read, parameters)
 
 
-def from_robot(robot_id: str) -> Source:
+def from_robot(robot_id: str) -> ExerciseSource:
     """A robot of the catalogue.
 
     Raises:
@@ -83,10 +83,10 @@ def from_robot(robot_id: str) -> Source:
             )
         )
     found = catalogue.robot(robot_id)
-    return Source(table=found.raw, values=found.parameters, robot=robot_id)
+    return ExerciseSource(table=found.raw, values=found.parameters, robot=robot_id)
 
 
-def from_axes_file(path: Path) -> Source:
+def from_axes_file(path: Path) -> ExerciseSource:
     """Joint axes in JSON or TOML: `axes` with `joint`, `point` and `direction` each.
 
     Raises:
@@ -113,7 +113,7 @@ def from_axes_file(path: Path) -> Source:
     return from_numeric_table(assigned.table, unit)
 
 
-def from_urdf_file(path: Path) -> Source:
+def from_urdf_file(path: Path) -> ExerciseSource:
     """The one serial chain of a URDF description.
 
     Raises:
@@ -128,7 +128,7 @@ def from_urdf_file(path: Path) -> Source:
     return from_numeric_table(robot.table, LengthUnit.M)
 
 
-def from_numeric_table(table: NumericTable, unit: LengthUnit) -> Source:
+def from_numeric_table(table: NumericTable, unit: LengthUnit) -> ExerciseSource:
     """A table of numbers, in [rad] and a length unit; angles that are nearly nice become so."""
     rows = tuple(
         DHRow(
@@ -159,7 +159,7 @@ def nice_length(length: float) -> Expression:
     return Number(Fraction(repr(round(length, 6))) if abs(length) > TINY else Fraction(0))
 
 
-def _named(read: ReadTable, parameters: Mapping[str, float]) -> Source:
+def _named(read: ReadTable, parameters: Mapping[str, float]) -> ExerciseSource:
     """The table with a name for every length that is a plain number."""
     values = dict(parameters)
     standard = read.table.convention is Convention.STANDARD
@@ -172,7 +172,7 @@ def _named(read: ReadTable, parameters: Mapping[str, float]) -> Source:
     named = ReadTable(
         table=table, angle_unit=AngleUnit.DEG, length_unit=read.length_unit, parameters=read.parameters
     )
-    return Source(table=typed(named), values=values)
+    return ExerciseSource(table=typed(named), values=values)
 
 
 def _name(cell: Expression, name: str, values: dict[str, float]) -> Expression:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.figures.camera import Array, Camera
-from exercises.figures.geometry import JointAxis
+from exercises.figures.geometry import FigureJointAxis
 from kinematics.se3 import cross_arrays
 from kinematics.table import JointType
 
@@ -63,7 +63,7 @@ class Body:
         return np.where(start <= stop, stop, NOWHERE)
 
 
-def body_of(axis: JointAxis, size: float, camera: Camera) -> Body:
+def body_of(axis: FigureJointAxis, size: float, camera: Camera) -> Body:
     """The body of a joint at the usual proportions."""
     direction = np.array(axis.direction)
     if direction @ camera.eye < 0:

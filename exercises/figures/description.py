@@ -14,12 +14,12 @@ from enum import StrEnum
 import numpy as np
 
 from exercises.figures.camera import Array
-from exercises.figures.geometry import JointAxis, Scene, Vector
+from exercises.figures.geometry import FigureJointAxis, Scene, Vector
 from exercises.figures.specification import View
 from kinematics.table import JointType
 
 
-class Course(StrEnum):
+class LineDirection(StrEnum):
     """How a line runs, seen by the reader."""
 
     VERTICAL = "vertical"
@@ -72,7 +72,7 @@ def describe(scene: Scene, view: View, unit: str) -> Iterator[Sentence]:
         yield Sentence(code="point", params={"name": point.name, "place": place(point.at)})
 
 
-def _joint(axis: JointAxis, basis: Array, place: str) -> Sentence:
+def _joint(axis: FigureJointAxis, basis: Array, place: str) -> Sentence:
     direction = basis @ np.array(axis.direction)
     turning = "revolute" if axis.type is JointType.REVOLUTE else "prismatic"
     return Sentence(
@@ -98,10 +98,12 @@ def _directions(view: View) -> Array:
 def _course(vector: Array) -> str:
     length = float(np.linalg.norm(vector))
     unit = np.abs(vector) / (length or 1.0)
-    for course, component in zip((Course.SIDEWAYS, Course.DEPTHWAYS, Course.VERTICAL), unit, strict=True):
+    for course, component in zip(
+        (LineDirection.SIDEWAYS, LineDirection.DEPTHWAYS, LineDirection.VERTICAL), unit, strict=True
+    ):
         if component > 1 - 1e-9:
             return course.value
-    return Course.OBLIQUE.value
+    return LineDirection.OBLIQUE.value
 
 
 def _triple(vector: Array) -> str:

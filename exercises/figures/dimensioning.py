@@ -9,7 +9,7 @@ import numpy as np
 
 from exercises.figures.camera import Array, Camera
 from exercises.figures.geometry import Dimension
-from exercises.figures.placement import NO_CELLS, Candidate, Label, PaperMap, Rectangle
+from exercises.figures.placement import NO_CELLS, Label, LabelCandidate, PaperMap, Rectangle
 from exercises.figures.svg import Canvas, line, text_width
 from kinematics.se3 import cross_arrays
 
@@ -41,7 +41,7 @@ class DimensionLine:
         return self.start - along, self.end + along
 
 
-def candidates(dimension: Dimension, camera: Camera, paper: PaperMap) -> list[Candidate[DimensionLine]]:
+def candidates(dimension: Dimension, camera: Camera, paper: PaperMap) -> list[LabelCandidate[DimensionLine]]:
     """The ways in which a dimension can be drawn."""
     return [
         _candidate(dimension, offset, penalty, camera, paper)
@@ -117,7 +117,7 @@ def _offsets(dimension: Dimension, camera: Camera) -> Iterator[tuple[Array, floa
 
 def _candidate(
     dimension: Dimension, offset: Array, penalty: float, camera: Camera, paper: PaperMap
-) -> Candidate[DimensionLine]:
+) -> LabelCandidate[DimensionLine]:
     """The dimension line at an offset, with its name at each place that it may take."""
     a, b = camera.project(dimension.start), camera.project(dimension.end)
     start, end = a + offset, b + offset
@@ -138,7 +138,7 @@ def _candidate(
         for place, cost in _label_places(start, end, out, np.array([width, FONT_SIZE]) / 2, outside)
     ]
     faint = [paper.along(pair) for pair in extensions]
-    return Candidate(
+    return LabelCandidate(
         lines=paper.along(labels[0].choice.drawn_line()),
         faint=np.concatenate(faint) if faint else NO_CELLS,
         labels=labels,

@@ -14,7 +14,7 @@ from exercises.figures.camera import Array, Camera, camera_for, fitted
 from exercises.figures.dimensioning import DimensionLine, halo
 from exercises.figures.geometry import Scene, scene_points
 from exercises.figures.labels import DISC, NAME_SIZE, Written, name_places, number_places
-from exercises.figures.placement import Candidate, PaperMap, Placer, Rectangle
+from exercises.figures.placement import LabelCandidate, PaperMap, Placer, Rectangle
 from exercises.figures.shapes import (
     REACH,
     axis_ends,
@@ -176,7 +176,7 @@ class _Drawing:
         ]
         lines = [dimensioning.candidates(dimension, camera, self.paper) for dimension in scene.dimensions]
         placer: Placer[DimensionLine | Written] = Placer(self.paper)
-        things: list[Sequence[Candidate[DimensionLine | Written]]] = [*labels, *lines]  # type: ignore[list-item]
+        things: list[Sequence[LabelCandidate[DimensionLine | Written]]] = [*labels, *lines]  # type: ignore[list-item]
         placed = placer.place(things)
         return (
             [found for found in placed if isinstance(found, DimensionLine)],

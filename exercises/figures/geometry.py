@@ -11,7 +11,7 @@ import numpy as np
 from exercises.errors import DefinitionError
 from exercises.figures.camera import Array
 from exercises.figures.points import Points
-from exercises.figures.specification import DimensionMark, FigureSpecification, Gripper, JointMark
+from exercises.figures.specification import DimensionMark, FigureGripper, FigureSpecification, JointMark
 from kinematics.se3 import cross_arrays
 from kinematics.table import JointType, SymbolicTable
 
@@ -22,7 +22,7 @@ ON_AXIS = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class JointAxis:
+class FigureJointAxis:
     """The axis of a joint, as drawn.
 
     Attributes:
@@ -97,7 +97,7 @@ class Scene:
         to_scale: no length was drawn otherwise than it is.
     """
 
-    axes: tuple[JointAxis, ...]
+    axes: tuple[FigureJointAxis, ...]
     links: tuple[tuple[Vector, ...], ...]
     dimensions: tuple[Dimension, ...]
     points: tuple[NamedPoint, ...]
@@ -167,7 +167,7 @@ def scene_points(scene: Scene) -> Iterator[Vector]:
         yield point.at
 
 
-def _axis(points: Points, joint: int, mark: JointMark, size: float, *, signed: bool) -> JointAxis:
+def _axis(points: Points, joint: int, mark: JointMark, size: float, *, signed: bool) -> FigureJointAxis:
     pose = points.axis_pose(joint)
     direction: Array = pose[:3, 2]
     point = points.point(mark.at, "joints", joint, "at")
@@ -181,7 +181,7 @@ def _axis(points: Points, joint: int, mark: JointMark, size: float, *, signed: b
             point=mark.at,
         )
     sense = points.reference.rows[points.reference.joint_rows[joint - 1]].sign
-    return JointAxis(
+    return FigureJointAxis(
         joint=joint,
         type=joint_type,
         point=_vector(point),
@@ -218,7 +218,7 @@ def _ground(points: Points) -> GroundPlate | None:
     return GroundPlate(at=_vector(points.point(ground.at, "ground", "at")), normal=_unit(ground.normal))
 
 
-def _gripper(points: Points, gripper: Gripper) -> GripperPose | None:
+def _gripper(points: Points, gripper: FigureGripper) -> GripperPose | None:
     at = points.point(gripper.at, "gripper", "at")
     origin = points.point(gripper.away_from, "gripper", "away_from")
     if np.allclose(at, origin):

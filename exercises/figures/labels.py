@@ -8,8 +8,8 @@ import numpy as np
 
 from exercises.figures.bodies import Body
 from exercises.figures.camera import Array, Camera
-from exercises.figures.geometry import JointAxis
-from exercises.figures.placement import Candidate, Label, Rectangle
+from exercises.figures.geometry import FigureJointAxis
+from exercises.figures.placement import Label, LabelCandidate, Rectangle
 from exercises.figures.svg import text_width
 from kinematics.table import JointType
 
@@ -26,8 +26,8 @@ class Written:
 
 
 def number_places(
-    axis: JointAxis, body: Body, ends: tuple[Array, Array], camera: Camera
-) -> list[Candidate[Written]]:
+    axis: FigureJointAxis, body: Body, ends: tuple[Array, Array], camera: Camera
+) -> list[LabelCandidate[Written]]:
     """A joint's number beyond either end of its axis, or beside its body."""
     start, end = camera.project(np.array(ends))
     centre = camera.project(body.centre)
@@ -49,7 +49,7 @@ def number_places(
     return [_at(str(axis.joint), at, 2 * DISC, 2 * DISC, cost) for at, cost in found]
 
 
-def name_places(name: str, centre: Array) -> list[Candidate[Written]]:
+def name_places(name: str, centre: Array) -> list[LabelCandidate[Written]]:
     """A name around a point."""
     width = text_width(name, NAME_SIZE)
     found = []
@@ -62,6 +62,6 @@ def name_places(name: str, centre: Array) -> list[Candidate[Written]]:
     return found
 
 
-def _at(text: str, at: Array, width: float, height: float, penalty: float) -> Candidate[Written]:
+def _at(text: str, at: Array, width: float, height: float, penalty: float) -> LabelCandidate[Written]:
     area = Rectangle.around(at, width, height)
-    return Candidate(labels=(Label(choice=Written(text=text, at=at), area=area, penalty=penalty),))
+    return LabelCandidate(labels=(Label(choice=Written(text=text, at=at), area=area, penalty=penalty),))

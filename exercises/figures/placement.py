@@ -127,7 +127,7 @@ class Label(Generic[Choice]):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Candidate(Generic[Choice]):
+class LabelCandidate(Generic[Choice]):
     """A way to draw something, and the places that its name may take then.
 
     Attributes:
@@ -145,7 +145,7 @@ class Candidate(Generic[Choice]):
 
 @dataclass(frozen=True, slots=True)
 class _Placed(Generic[Choice]):
-    candidate: Candidate[Choice]
+    candidate: LabelCandidate[Choice]
     label: Label[Choice]
 
 
@@ -159,7 +159,7 @@ class Placer(Generic[Choice]):
     label_weight: float = 9.0
     _known: dict[Rectangle, NDArray[np.intp]] = field(default_factory=dict)
 
-    def place(self, things: Sequence[Sequence[Candidate[Choice]]], sweeps: int = 3) -> list[Choice]:
+    def place(self, things: Sequence[Sequence[LabelCandidate[Choice]]], sweeps: int = 3) -> list[Choice]:
         """The cheapest place for each thing, in the order of the things."""
         placed: list[_Placed[Choice] | None] = [None] * len(things)
         for _ in range(sweeps):
@@ -172,7 +172,7 @@ class Placer(Generic[Choice]):
                 placed[i] = best
         return [found.label.choice for found in placed if found is not None]
 
-    def _best(self, candidates: Sequence[Candidate[Choice]]) -> _Placed[Choice]:
+    def _best(self, candidates: Sequence[LabelCandidate[Choice]]) -> _Placed[Choice]:
         best: _Placed[Choice] | None = None
         least = float("inf")
         for candidate in candidates:

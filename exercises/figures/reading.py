@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 from exercises.figures.specification import (
     DimensionMark,
+    FigureGripper,
     FigureSpecification,
-    Gripper,
     Ground,
     JointMark,
     Point,
@@ -158,11 +158,11 @@ def _ground(reader: Reader) -> Ground | None:
     return ground
 
 
-def _gripper(reader: Reader) -> Gripper | None:
+def _gripper(reader: Reader) -> FigureGripper | None:
     if not reader.given("gripper"):
         return None
     inner = reader.table("gripper")
-    gripper = Gripper(
+    gripper = FigureGripper(
         at=inner.text("at"), away_from=inner.text("away_from"), jaws=inner.direction("jaws", None)
     )
     inner.finish()

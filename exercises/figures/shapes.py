@@ -6,7 +6,7 @@ import numpy as np
 
 from exercises.figures.bodies import Body
 from exercises.figures.camera import Array, Camera
-from exercises.figures.geometry import JointAxis, Scene
+from exercises.figures.geometry import FigureJointAxis, Scene
 from kinematics.se3 import cross_arrays
 from kinematics.table import JointType
 
@@ -17,14 +17,14 @@ FINGER = 0.05
 """Length of a gripper's fingers, relative to the size of the robot."""
 
 
-def axis_ends(axis: JointAxis, body: Body, size: float) -> tuple[Array, Array]:
+def axis_ends(axis: FigureJointAxis, body: Body, size: float) -> tuple[Array, Array]:
     """Ends in space of the axis as drawn, against its direction first."""
     reach = body.half + REACH * size * axis.reach
     direction = np.array(axis.direction)
     return body.centre - direction * reach, body.centre + direction * reach
 
 
-def sense_arrow(axis: JointAxis, body: Body, size: float, camera: Camera) -> tuple[Array, ...]:
+def sense_arrow(axis: FigureJointAxis, body: Body, size: float, camera: Camera) -> tuple[Array, ...]:
     """On paper: the arrow of the positive sense, its head, and where its name belongs; or nothing."""
     if not axis.signed:
         return ()

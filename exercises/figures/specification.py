@@ -95,7 +95,7 @@ class Ground:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Gripper:
+class FigureGripper:
     """A gripper drawn at a point, opening away from another, its jaws beside each other along `jaws`."""
 
     at: str
@@ -145,5 +145,5 @@ class FigureSpecification:
     dimensions: tuple[DimensionMark, ...] = ()
     marks: tuple[str, ...] = ()
     ground: Ground | None = None
-    gripper: Gripper | None = None
+    gripper: FigureGripper | None = None
     width: float = 480.0

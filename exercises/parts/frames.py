@@ -22,7 +22,7 @@ from exercises.grading import ConventionRule, Feedback, Finding, HelpLevel, Poli
 from exercises.instance import Instance
 from exercises.names import renamed, unknown_name
 from exercises.parts.context import Context
-from exercises.parts.protocol import Length, PartType, Reading, Task
+from exercises.parts.protocol import Length, PartTask, PartType, Reading
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from kinematics.cells import Cell, ParameterKind, ReadTable, read_cell
 from kinematics.errors import CellError, Fault, KinematicsError
@@ -90,11 +90,11 @@ class FramesPart(PartType[Part, FramesCells, FramesAnswer]):
         "frames_not_as_asked": Disclosure(level=HelpLevel.ROW),
     }
 
-    def task(self, part: Part, instance: Instance) -> Task:
+    def task(self, part: Part, instance: Instance) -> PartTask:
         """Ask for a frame on every link."""
         exercise = instance.exercise
         values = {"n": exercise.reference.table.n_joints, "unit": exercise.length_unit.value}
-        return Task(message="task-frames", values=values)
+        return PartTask(message="task-frames", values=values)
 
     def read(self, raw: FramesCells, reading: Reading) -> FramesAnswer | None:
         """Return the frames in numbers."""

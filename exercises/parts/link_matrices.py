@@ -26,7 +26,7 @@ from exercises.parts.comparison import (
 )
 from exercises.parts.context import Context
 from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
-from exercises.parts.protocol import TABLE, Length, PartType, Reading, Task
+from exercises.parts.protocol import TABLE, Length, PartTask, PartType, Reading
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from exercises.parts.value import is_robot
 from kinematics.dh import link_transform
@@ -99,9 +99,9 @@ class LinkMatricesPart(PartType[Part, Sequence[CellMatrix | None], tuple[Symboli
         "matrix_not_rigid": Disclosure(level=HelpLevel.KIND, instead="matrix_wrong"),
     }
 
-    def task(self, part: Part, instance: Instance) -> Task:
+    def task(self, part: Part, instance: Instance) -> PartTask:
         """Ask for a matrix for each row."""
-        return Task(message="task-link-matrices")
+        return PartTask(message="task-link-matrices")
 
     def read(
         self, raw: Sequence[CellMatrix | None], reading: Reading

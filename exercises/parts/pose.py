@@ -34,7 +34,7 @@ from exercises.instance import Instance
 from exercises.parts.comparison import Matrices, agreeing, inverse, transposed_cells, transposed_rotation
 from exercises.parts.context import Context
 from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_numbers
-from exercises.parts.protocol import TABLE, PartType, Reading, RobotFacts, Task
+from exercises.parts.protocol import TABLE, PartTask, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from exercises.parts.transform import transform_is_robot
 from exercises.reading import Reader
@@ -124,7 +124,7 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
             for i, (value, draw) in enumerate(zip(part.joints, part.draws, strict=True), 1)
         )
 
-    def task(self, part: PosePart, instance: Instance) -> Task:
+    def task(self, part: PosePart, instance: Instance) -> PartTask:
         """Ask for the pose at the student's joint values."""
         found = instance.exercise
         drawn: tuple[Fraction, ...] = instance.drawn[self.kind]
@@ -134,7 +134,7 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
         }
         joints = zip(drawn, found.reference.table.joint_types, strict=True)
         text = ", ".join(f"q{i} = {float(value):g}{units[kind]}" for i, (value, kind) in enumerate(joints, 1))
-        return Task(
+        return PartTask(
             message="task-pose",
             values={"joints": text, "unit": found.length_unit.value},
             given=PoseTask(joints=tuple(float(value) for value in drawn)),

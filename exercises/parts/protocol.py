@@ -67,7 +67,7 @@ class RobotFacts:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Task:
+class PartTask:
     """What a part asks, for a page to show.
 
     Attributes:
@@ -210,7 +210,7 @@ class PartType(ABC, Generic[P, Raw, Read]):
         return None
 
     @abstractmethod
-    def task(self, part: P, instance: Instance) -> Task:
+    def task(self, part: P, instance: Instance) -> PartTask:
         """Return what the part asks of one student."""
 
     @abstractmethod

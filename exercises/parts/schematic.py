@@ -20,7 +20,7 @@ from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
-from exercises.parts.protocol import Length, PartType, Reading, Task
+from exercises.parts.protocol import Length, PartTask, PartType, Reading
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from kinematics.chain import Axis, chain_of_table, size_of
 from kinematics.errors import Fault
@@ -187,9 +187,9 @@ class SchematicPart(PartType[Part, Schematic, Schematic]):
         "schematic_meeting_right": Disclosure(level=HelpLevel.KIND, instead="schematic_relation"),
     }
 
-    def task(self, part: Part, instance: Instance) -> Task:
+    def task(self, part: Part, instance: Instance) -> PartTask:
         """Ask for the structure."""
-        return Task(message="task-schematic")
+        return PartTask(message="task-schematic")
 
     def read(self, raw: Schematic, reading: Reading) -> Schematic | None:
         """Return the structure, if its counts fit."""

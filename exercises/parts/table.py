@@ -11,7 +11,7 @@ from exercises.grading import HelpLevel
 from exercises.instance import Instance
 from exercises.names import table_faults, without_aliases
 from exercises.parts.context import Context
-from exercises.parts.protocol import TABLE, PartType, Reading, Task
+from exercises.parts.protocol import TABLE, PartTask, PartType, Reading
 from exercises.parts.report import Credit, PartReport, judged
 from exercises.selftest.mistakes import MISTAKES
 from exercises.selftest.typed import typed
@@ -25,10 +25,10 @@ class DHTablePart(PartType[Part, RawTable, ReadTable]):
     raw: ClassVar = RawTable
     meaning = "the DH table"
 
-    def task(self, part: Part, instance: Instance) -> Task:
+    def task(self, part: Part, instance: Instance) -> PartTask:
         """Ask for a table in the robot's dimensions."""
         values = {"n": instance.exercise.reference.table.n_joints, "names": ", ".join(instance.exact)}
-        return Task(message="task-table", values=values)
+        return PartTask(message="task-table", values=values)
 
     def read(self, raw: RawTable, reading: Reading) -> ReadTable | None:
         """Return the table in exact expressions and in the exercise's own names."""

@@ -25,7 +25,7 @@ from exercises.parts.comparison import (
 )
 from exercises.parts.context import Context
 from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
-from exercises.parts.protocol import PartType, Reading, Task
+from exercises.parts.protocol import PartTask, PartType, Reading
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from exercises.parts.value import is_robot
 from kinematics.errors import ParameterError
@@ -108,9 +108,9 @@ class TransformPart(PartType[Part, CellMatrix, SymbolicMatrix]):
         "transform_links_missing": Disclosure(level=HelpLevel.REPAIR, instead="transform_cells_wrong"),
     }
 
-    def task(self, part: Part, instance: Instance) -> Task:
+    def task(self, part: Part, instance: Instance) -> PartTask:
         """Ask for the product of all link matrices."""
-        return Task(message="task-transform")
+        return PartTask(message="task-transform")
 
     def read(self, raw: CellMatrix, reading: Reading) -> SymbolicMatrix | None:
         """Return the matrix in expressions."""

@@ -20,7 +20,7 @@ from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.comparison import inverse
 from exercises.parts.context import Context
-from exercises.parts.protocol import PartType, Reading, RobotFacts, Task
+from exercises.parts.protocol import PartTask, PartType, Reading, RobotFacts
 from exercises.parts.reach import Interval, Reach, reach
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from exercises.reading import Reader
@@ -171,7 +171,7 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, WorkspaceAnswer]):
             if name is not None and name not in exercise.figure.marks:
                 yield Fault(code="unknown_point", where=(key,), params={"name": name})
 
-    def task(self, part: WorkspacePart, instance: Instance) -> Task:
+    def task(self, part: WorkspacePart, instance: Instance) -> PartTask:
         """Ask for the least and the greatest distance."""
         limited = any(limit is not None for limit in part.limits)
         values = {
@@ -181,7 +181,7 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, WorkspaceAnswer]):
             "unit": instance.exercise.length_unit.value,
         }
         given = WorkspaceTask(point=part.point, reach_from=part.origin or ReachFrom.AXIS.value)
-        return Task(message=f"task-workspace-{part.reach_from.value}", values=values, given=given)
+        return PartTask(message=f"task-workspace-{part.reach_from.value}", values=values, given=given)
 
     def read(self, raw: RadiiCells, reading: Reading) -> WorkspaceAnswer | None:
         """Return the radii in the student's unit."""

@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.chain import chain_of_table
-from kinematics.equivalence.certificates import Candidate, candidate_from
+from kinematics.equivalence.certificates import CertificateCandidate, candidate_from
 from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.policy import BaseRule, Tolerance, ZeroRule
 from kinematics.equivalence.reference import Reference
-from kinematics.equivalence.refinement import FREE_TWISTS, Problem
+from kinematics.equivalence.refinement import FREE_TWISTS, RefinementProblem
 from kinematics.equivalence.search import forced_path
 from kinematics.equivalence.verification import joint_values
 from kinematics.se3 import turns_between
@@ -70,7 +70,9 @@ def fitted_cells(
     twists = np.repeat((1.0, reference.size), 3)[:, None] * FREE_TWISTS
     for _ in range(ROUNDS):
         chain = chain_of_table(table)
-        problem = Problem(reference, chain, tolerance, twists, twists, offsets_free=True, meter=meter)
+        problem = RefinementProblem(
+            reference, chain, tolerance, twists, twists, offsets_free=True, meter=meter
+        )
         joints = joint_values(reference, candidate)
         columns = [_column(table, place, joints, scale) for place, scale in zip(places, scales, strict=True)]
         model = problem.linearised(candidate, *columns)
@@ -93,7 +95,7 @@ def _sampled_less(reference: Reference) -> Reference:
 
 def _start(
     reference: Reference, table: NumericTable, signs: Sequence[int], tolerance: Tolerance
-) -> Candidate:
+) -> CertificateCandidate:
     near = reference.nearnesses(tolerance)[0]
     plan = reference.plans(BaseRule.FREE, ZeroRule.FREE, near)[0]
     chain = chain_of_table(table)

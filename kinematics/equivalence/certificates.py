@@ -25,7 +25,7 @@ from kinematics.se3 import (
 
 
 @dataclass(frozen=True, slots=True)
-class Candidate:
+class CertificateCandidate:
     """A certificate that has yet to be verified.
 
     Attributes:
@@ -42,7 +42,7 @@ class Candidate:
 
 
 @dataclass(frozen=True, slots=True)
-class Path:
+class CertificatePath:
     """How the axes were aligned, joint by joint.
 
     Attributes:
@@ -98,7 +98,7 @@ def _along(step: Step, motion: Motion) -> float:
     return dot(rest, position(motion)) / dot(rest, rest)
 
 
-def offsets_and_first(plan: Plan, path: Path, zero: ZeroRule) -> tuple[list[float], list[Motion]]:
+def offsets_and_first(plan: Plan, path: CertificatePath, zero: ZeroRule) -> tuple[list[float], list[Motion]]:
     """The ε_i with g_i = exp(S_i ε_i) g_{i-1}, and the g_i themselves.
 
     Every motion is pushed down the chain: its part in exp(S_i ℝ) stays as ε_i, the rest goes on to joint i-1.
@@ -119,8 +119,8 @@ def offsets_and_first(plan: Plan, path: Path, zero: ZeroRule) -> tuple[list[floa
 
 
 def candidate_from(
-    chains: tuple[Chain, Chain], plan: Plan, path: Path, zero: ZeroRule, *, tool_turns: bool
-) -> Candidate:
+    chains: tuple[Chain, Chain], plan: Plan, path: CertificatePath, zero: ZeroRule, *, tool_turns: bool
+) -> CertificateCandidate:
     """The certificate that a path of alignments amounts to.
 
     Where a turn of frame 0 about the first joint's axis, or of frame N about the last one's, does the same as
@@ -145,7 +145,7 @@ def candidate_from(
             value = -_share(plan.steps[-1], compose(last, inverse(reference.end)), last, reference.end)
             last = compose(joint_motion(plan.steps[-1], value), last)
             values[-1] += value
-    return Candidate(
+    return CertificateCandidate(
         signs=path.signs,
         offsets=tuple(s * v for s, v in zip(path.signs, values, strict=True)),
         base=inverse(first),

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from kinematics.equivalence.certificates import Candidate
+from kinematics.equivalence.certificates import CertificateCandidate
 from kinematics.equivalence.closed_forms import (
     LengthForms,
     angle_atoms,
@@ -43,7 +43,7 @@ class ExactCertificate:
 def prove(
     reference: SymbolicTable,
     submission: SymbolicTable,
-    candidates: Sequence[Candidate],
+    candidates: Sequence[CertificateCandidate],
     draws: Sequence[Mapping[str, float]],
 ) -> ExactCertificate | None:
     """Guess the closed form of a certificate from its values at several draws, and prove it.
@@ -77,7 +77,7 @@ def prove(
 def _guess(
     reference: SymbolicTable,
     submission: SymbolicTable,
-    candidates: Sequence[Candidate],
+    candidates: Sequence[CertificateCandidate],
     draws: Sequence[Mapping[str, float]],
 ) -> ExactCertificate | None:
     tables = (reference, submission)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.chain import Chain, joint_motions
-from kinematics.equivalence.certificates import Candidate
+from kinematics.equivalence.certificates import CertificateCandidate
 from kinematics.equivalence.meter import PER_DESCENT, PER_ROUND, Meter
 from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import Reference
@@ -69,14 +69,14 @@ NO_TWISTS: Matrix = np.eye(6)[:, []]
 def refine(
     reference: Reference,
     submission: Chain,
-    candidate: Candidate,
+    candidate: CertificateCandidate,
     tolerance: Tolerance,
     *,
     base_twists: Matrix,
     tool_twists: Matrix,
     offsets_free: bool,
     meter: Meter | None = None,
-) -> tuple[Candidate, Residual] | None:
+) -> tuple[CertificateCandidate, Residual] | None:
     """The certificate near a given one that stands, and its residual; None if none was found.
 
     Least squares comes first. Once it has settled, the largest error is brought down, unless it is seen that
@@ -94,7 +94,7 @@ def refine(
         meter: counts the work, if it is bounded.
     """
     lengths_too = np.repeat((1.0, reference.size), 3)[:, None]
-    problem = Problem(
+    problem = RefinementProblem(
         reference,
         submission,
         tolerance,
@@ -107,7 +107,9 @@ def refine(
     return None if settled is None else _brought_down(problem, settled)
 
 
-def _brought_down(problem: Problem, candidate: Candidate) -> tuple[Candidate, Residual] | None:
+def _brought_down(
+    problem: RefinementProblem, candidate: CertificateCandidate
+) -> tuple[CertificateCandidate, Residual] | None:
     """A certificate near a given one that stands everywhere, and its residual; None if none is found soon.
 
     Half the way is gone from the best certificate so far to the one that is best at the samples, as these
@@ -132,7 +134,7 @@ def _brought_down(problem: Problem, candidate: Candidate) -> tuple[Candidate, Re
     return None
 
 
-def _settled(problem: Problem, candidate: Candidate) -> Candidate | None:
+def _settled(problem: RefinementProblem, candidate: CertificateCandidate) -> CertificateCandidate | None:
     """The certificate near a given one with the least sum of squares; None if none nearby can stand."""
     previous = math.inf
     for _ in range(ROUNDS):
@@ -216,7 +218,7 @@ class Model:
 
 
 @dataclass(frozen=True, slots=True)
-class Problem:
+class RefinementProblem:
     """What a certificate is refined for: two chains, and by what it may change."""
 
     reference: Reference
@@ -240,7 +242,7 @@ class Problem:
             scales[:1] = 0.0
         return scales
 
-    def linearised(self, candidate: Candidate, *more: Matrix) -> Model:
+    def linearised(self, candidate: CertificateCandidate, *more: Matrix) -> Model:
         """The errors at a certificate, and how they change with it.
 
         Args:
@@ -264,7 +266,7 @@ class Problem:
             found=largest(left - right, size),
         )
 
-    def moved(self, candidate: Candidate, step: Matrix) -> Candidate:
+    def moved(self, candidate: CertificateCandidate, step: Matrix) -> CertificateCandidate:
         """The certificate after a step."""
         n = len(candidate.offsets) if self.offsets_free else 0
         k = self.base_twists.shape[1]
@@ -275,7 +277,7 @@ class Problem:
         m = self.tool_twists.shape[1]
         base = compose(_small(self.base_twists @ step[n : n + k]), candidate.base)
         tool = compose(candidate.tool, _small(self.tool_twists @ step[n + k : n + k + m]))
-        return Candidate(signs=candidate.signs, offsets=offsets, base=base, tool=tool)
+        return CertificateCandidate(signs=candidate.signs, offsets=offsets, base=base, tool=tool)
 
 
 def _left_side(submission: Chain, joints: Matrix) -> tuple[Matrix, Matrix]:

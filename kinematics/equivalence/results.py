@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from kinematics.equivalence.certificates import Candidate
+from kinematics.equivalence.certificates import CertificateCandidate
 from kinematics.se3 import Transform
 
 
@@ -50,7 +50,7 @@ class Certificate:
     tool: Transform
     residual: float
     samples: int
-    draws: tuple[Candidate, ...]
+    draws: tuple[CertificateCandidate, ...]
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -8,7 +8,7 @@ from enum import Enum, auto
 
 from kinematics.chain import Chain
 from kinematics.equivalence.alignment import Alignment, align, aligning_motion
-from kinematics.equivalence.certificates import Candidate, Path, candidate_from
+from kinematics.equivalence.certificates import CertificateCandidate, CertificatePath, candidate_from
 from kinematics.equivalence.groups import Group, Nearness, Rotations, departure
 from kinematics.equivalence.meter import PER_ALIGNMENT, PER_CERTIFICATE, Meter
 from kinematics.equivalence.plan import Plan
@@ -71,7 +71,7 @@ class Found:
         residuals: one per draw.
     """
 
-    candidates: tuple[Candidate, ...]
+    candidates: tuple[CertificateCandidate, ...]
     residuals: tuple[Residual, ...]
 
 
@@ -100,7 +100,7 @@ class Unfinished:
 
     excess: float
     way: Way
-    candidate: Candidate
+    candidate: CertificateCandidate
 
 
 @dataclass(slots=True)
@@ -164,11 +164,11 @@ class Search:
         motions: tuple[Motion, ...],
         totals: tuple[Motion, ...],
         misfit: float,
-    ) -> Iterator[Path]:
+    ) -> Iterator[CertificatePath]:
         here = totals[-1] if totals else start
         depth = len(signs)
         if depth == len(plan.steps):
-            yield Path(start, signs, motions, totals, IDENTITY)
+            yield CertificatePath(start, signs, motions, totals, IDENTITY)
             return
         self.nodes += 1
         self._charge(PER_ALIGNMENT)
@@ -228,7 +228,7 @@ class Search:
         visited.append((here, misfit))
         return False
 
-    def _finish(self, index: int, plan: Plan, start: int, path: Path) -> Found | None:
+    def _finish(self, index: int, plan: Plan, start: int, path: CertificatePath) -> Found | None:
         """Place frame N in every way that the policy allows, and verify."""
         reference, submission, tolerance = self.references[0], self.submissions[0], self.policy.tolerance
         here = compose(path.totals[-1] if path.totals else path.start, submission.end)
@@ -248,7 +248,7 @@ class Search:
                     self.unfinished.append(Unfinished(found.excess(tolerance), way, candidate))
         return None
 
-    def _everywhere(self, way: Way, first: tuple[Candidate, Residual]) -> Found | None:
+    def _everywhere(self, way: Way, first: tuple[CertificateCandidate, Residual]) -> Found | None:
         """The same way at every draw, if it stands at all of them."""
         everywhere = [first]
         for draw in range(1, len(self.references)):
@@ -263,7 +263,7 @@ class Search:
             everywhere.append(refined)
         return Found(tuple(candidate for candidate, _ in everywhere), tuple(found for _, found in everywhere))
 
-    def _followed(self, draw: int, way: Way) -> Candidate:
+    def _followed(self, draw: int, way: Way) -> CertificateCandidate:
         """The certificate to which a way leads at a draw."""
         plan, choice = self._plan_and_choice(draw, way)
         submission = self.submissions[draw]
@@ -278,12 +278,16 @@ class Search:
         choices = tool_choices(reference.chain, plan.last, self.policy.tool, near, reference.size)
         return plan, choices[way.choice]
 
-    def _candidate(self, draw: int, plan: Plan, choice: ToolChoice, path: Path) -> Candidate:
+    def _candidate(
+        self, draw: int, plan: Plan, choice: ToolChoice, path: CertificatePath
+    ) -> CertificateCandidate:
         chains = self.references[draw].chain, self.submissions[draw]
         candidate = candidate_from(chains, plan, path, self.policy.zero, tool_turns=choice.turns)
         return replace(candidate, tool=obeying(choice, candidate.tool))
 
-    def _refined(self, draw: int, way: Way, candidate: Candidate) -> tuple[Candidate, Residual] | None:
+    def _refined(
+        self, draw: int, way: Way, candidate: CertificateCandidate
+    ) -> tuple[CertificateCandidate, Residual] | None:
         """The certificate refined, if equation (1) holds with it then."""
         plan, choice = self._plan_and_choice(draw, way)
         return refine(
@@ -307,7 +311,7 @@ def _promise(unfinished: Unfinished) -> float:
     return unfinished.excess * (1.0 + PREFERENCE * unfinished.way.signs.count(-1))
 
 
-def forced_path(plan: Plan, submission: Chain, start: Motion, signs: Sequence[int]) -> Path:
+def forced_path(plan: Plan, submission: Chain, start: Motion, signs: Sequence[int]) -> CertificatePath:
     """The best alignments with given signs, however good or bad."""
     here = start
     motions: list[Motion] = []
@@ -317,7 +321,7 @@ def forced_path(plan: Plan, submission: Chain, start: Motion, signs: Sequence[in
         here = compose(h, here)
         motions.append(h)
         totals.append(here)
-    return Path(start, tuple(signs), tuple(motions), tuple(totals), IDENTITY)
+    return CertificatePath(start, tuple(signs), tuple(motions), tuple(totals), IDENTITY)
 
 
 def base_twists(plan: Plan, rule: BaseRule) -> Matrix:

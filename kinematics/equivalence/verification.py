@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.chain import Chain
-from kinematics.equivalence.certificates import Candidate
+from kinematics.equivalence.certificates import CertificateCandidate
 from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import Reference
 from kinematics.se3 import to_matrix
@@ -34,7 +34,7 @@ class Residual(NamedTuple):
         return max(self.angle / tolerance.angle, self.length / tolerance.length)
 
 
-def joint_values(reference: Reference, candidate: Candidate) -> NDArray[np.float64]:
+def joint_values(reference: Reference, candidate: CertificateCandidate) -> NDArray[np.float64]:
     """σ∘q + δ at the sampled configurations, (n, samples)."""
     if not candidate.signs:
         return reference.joints
@@ -42,14 +42,16 @@ def joint_values(reference: Reference, candidate: Candidate) -> NDArray[np.float
     return np.asarray(reference.joints * turned[0][:, None] + turned[1][:, None], dtype=np.float64)
 
 
-def differences(reference: Reference, submission: Chain, candidate: Candidate) -> NDArray[np.float64]:
+def differences(
+    reference: Reference, submission: Chain, candidate: CertificateCandidate
+) -> NDArray[np.float64]:
     """F_s(σ∘q + δ) - B · F_r(q) · E at every sampled configuration: (samples, 4, 4)."""
     difference = submission.poses(joint_values(reference, candidate).T)
     difference -= to_matrix(candidate.base) @ reference.poses @ to_matrix(candidate.tool)
     return difference
 
 
-def residual(reference: Reference, submission: Chain, candidate: Candidate) -> Residual:
+def residual(reference: Reference, submission: Chain, candidate: CertificateCandidate) -> Residual:
     """Compare the two sides of equation (1) at every sampled configuration."""
     return largest(differences(reference, submission, candidate), reference.size)
 

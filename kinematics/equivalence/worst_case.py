@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.chain import Chain, screw_bases
-from kinematics.equivalence.certificates import Candidate
+from kinematics.equivalence.certificates import CertificateCandidate
 from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.verification import Residual, differences, residual, rotation_from_square
@@ -63,7 +63,9 @@ class WorstCase(NamedTuple):
     joints: Matrix
 
 
-def judged(reference: Reference, submission: Chain, candidate: Candidate, tolerance: Tolerance) -> Residual:
+def judged(
+    reference: Reference, submission: Chain, candidate: CertificateCandidate, tolerance: Tolerance
+) -> Residual:
     """How far a certificate is from standing: at the samples, or, if it stands at these, at the worst.
 
     Differences no larger than the errors of the arithmetic are nothing to climb on.
@@ -74,7 +76,7 @@ def judged(reference: Reference, submission: Chain, candidate: Candidate, tolera
     return worst_case(reference, submission, candidate).residual
 
 
-def worst_case(reference: Reference, submission: Chain, candidate: Candidate) -> WorstCase:
+def worst_case(reference: Reference, submission: Chain, candidate: CertificateCandidate) -> WorstCase:
     """The largest differences between the two sides of equation (1), over all configurations.
 
     Revolute joints go all the way round, sliders as far as the robot's size either way. Half of the climbs
@@ -108,7 +110,9 @@ class _Climb:
         joints: (n, k) where they are.
     """
 
-    def __init__(self, reference: Reference, submission: Chain, candidate: Candidate, joints: Matrix) -> None:
+    def __init__(
+        self, reference: Reference, submission: Chain, candidate: CertificateCandidate, joints: Matrix
+    ) -> None:
         n, k = joints.shape
         self.joints = joints.copy()
         self._sliders = [axis.prismatic for axis in reference.chain.axes]
@@ -171,7 +175,7 @@ class _Climb:
         return np.asarray(flat.reshape(2, -1, 4, 4), dtype=np.float64)
 
 
-def _terms(reference: Reference, submission: Chain, candidate: Candidate) -> Matrix:
+def _terms(reference: Reference, submission: Chain, candidate: CertificateCandidate) -> Matrix:
     """Either side's joint motion is t_0 + t_1 cos q + t_2 sin q, or t_0 + t_1 q: the t, (n, 2, 3, 4, 4)."""
     n = len(candidate.signs)
     terms = np.zeros((n, 2, 3, 4, 4))

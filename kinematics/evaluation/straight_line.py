@@ -54,7 +54,7 @@ def straight_line(tape: Tape, joint_types: Sequence[JointType], shape: tuple[int
     Returns:
         Function of a list of n finite floats.
     """
-    writer = _Writer(tape)
+    writer = _CodeWriter(tape)
     body = [_inputs(tape, joint_types), *writer.statements()]
     arguments = [ast.arg("joints"), *(ast.arg(f"k{i}") for i in range(len(writer.constants)))]
     definition = ast.FunctionDef(
@@ -94,7 +94,7 @@ def _tidy(array: NDArray[np.float64]) -> None:
     np.add(array, 0.0, out=array)
 
 
-class _Writer:
+class _CodeWriter:
     """Writes the statements of a tape; what is used once stands where it is used."""
 
     def __init__(self, tape: Tape) -> None:

@@ -24,20 +24,20 @@ batch          many targets
 judging        what is asked of all their candidates, in one pass
 """
 
-from kinematics.inverse.arm import Reach
+from kinematics.inverse.arm import ArmReach
 from kinematics.inverse.batch import InverseKinematicsBatch, solve_many
 from kinematics.inverse.limits import JointLimits
 from kinematics.inverse.results import IKSolution, IKStatus, InverseKinematics, NearestPose, UnreachableReason
 from kinematics.inverse.solve import Solver, inverse_kinematics, solver_of
 
 __all__ = [
+    "ArmReach",
     "IKSolution",
     "IKStatus",
     "InverseKinematics",
     "InverseKinematicsBatch",
     "JointLimits",
     "NearestPose",
-    "Reach",
     "Solver",
     "UnreachableReason",
     "inverse_kinematics",

@@ -29,7 +29,7 @@ RANK_SAMPLES = 8
 """Configurations at which the rank is looked at; one would do but for chance."""
 
 
-class Reach(StrEnum):
+class ArmReach(StrEnum):
     """What of the tool has to reach the target.
 
     POSE: position and orientation. POSITION: its origin alone. AXIS: its origin and the direction of its z
@@ -58,7 +58,7 @@ class Arm:
     revolute: NDArray[np.bool_]
     size: float
     rounding: float
-    reach: Reach = Reach.POSE
+    reach: ArmReach = ArmReach.POSE
 
     @property
     def n_joints(self) -> int:
@@ -122,9 +122,9 @@ class Arm:
         turns = self.revolute[:, None, None]
         J[:, :3] = (np.where(turns, cross_arrays(axes, arms), axes) / self.size).transpose(1, 2, 0)
         J[:, 3:] = np.where(turns, axes, 0.0).transpose(1, 2, 0)
-        if self.reach is Reach.POSITION:
+        if self.reach is ArmReach.POSITION:
             J[:, 3:] = 0.0
-        elif self.reach is Reach.AXIS:
+        elif self.reach is ArmReach.AXIS:
             z = frames[-1, :, :3, 2]
             J[:, 3:] -= z[:, :, None] * np.einsum("mi,mij->mj", z, J[:, 3:])[:, None]
         return J

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinematics.errors import Fault, PoseError
 from kinematics.evaluation.plan import plan_of
-from kinematics.inverse.arm import Array, Reach
+from kinematics.inverse.arm import ArmReach, Array
 from kinematics.inverse.components import merging_value
 from kinematics.inverse.distinct import SAME
 from kinematics.inverse.goals import LEAST_TOLERANCE, read_goal
@@ -83,7 +83,12 @@ def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
     parts = [_Part(np.empty((0, n)), np.empty(0, dtype=np.intp), np.empty(0), np.empty(0))]
     done = np.zeros(len(poses), dtype=bool)
     closed = solver.closed_form
-    if isinstance(closed, WristArm) and has_blocks(closed) and solver.arm.reach is Reach.POSE and len(poses):
+    if (
+        isinstance(closed, WristArm)
+        and has_blocks(closed)
+        and solver.arm.reach is ArmReach.POSE
+        and len(poses)
+    ):
         for start in range(0, len(poses), TOGETHER):
             block = slice(start, start + TOGETHER)
             part, done[block] = _together(solver, closed, poses[block])

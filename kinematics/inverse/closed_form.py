@@ -15,7 +15,7 @@ from typing import Protocol
 
 import numpy as np
 
-from kinematics.inverse.arm import Arm, Array, Reach
+from kinematics.inverse.arm import Arm, ArmReach, Array
 from kinematics.inverse.general import general_arm_of
 from kinematics.inverse.parallel import parallel_arm_of
 from kinematics.inverse.partition import partition_of, placement_of
@@ -30,7 +30,7 @@ STANDING_STILL = 0.05
 by its square root, 1e-6 or so."""
 
 
-class ClosedForm(Protocol):
+class InverseClosedForm(Protocol):
     """A method that yields candidates among which all solutions are."""
 
     def candidates(self, target: Array) -> Array | None:
@@ -50,7 +50,7 @@ class ClosedForm(Protocol):
 class FromTheHand:
     """The closed form of the reversed chain."""
 
-    reversed: ClosedForm
+    reversed: InverseClosedForm
 
     def candidates(self, target: Array) -> Array | None:
         """See `ClosedForm`."""
@@ -62,7 +62,7 @@ class FromTheHand:
 class WithoutLast:
     """The closed form of an arm with one more joint, which has to stand still."""
 
-    longer: ClosedForm
+    longer: InverseClosedForm
 
     def candidates(self, target: Array) -> Array | None:
         """See `ClosedForm`."""
@@ -73,15 +73,15 @@ class WithoutLast:
         return np.asarray(found[last <= STANDING_STILL, :-1])
 
 
-def closed_form_of(arm: Arm) -> ClosedForm | None:
+def closed_form_of(arm: Arm) -> InverseClosedForm | None:
     """The closed form of an arm, or None if there is none."""
     if arm.n_joints > 6 or arm.spare:
         return None
-    if arm.reach is not Reach.POSE:
-        return placement_of(arm) if arm.reach is Reach.POSITION else None
+    if arm.reach is not ArmReach.POSE:
+        return placement_of(arm) if arm.reach is ArmReach.POSITION else None
     if arm.n_joints <= 4:
         return partition_of(arm)
-    methods: list[Callable[[Arm], ClosedForm | None]] = [wrist_arm_of, partition_of, parallel_arm_of]
+    methods: list[Callable[[Arm], InverseClosedForm | None]] = [wrist_arm_of, partition_of, parallel_arm_of]
     found = _either_way(arm, methods)
     if found is not None or not arm.revolute.all():
         return found
@@ -92,7 +92,9 @@ def closed_form_of(arm: Arm) -> ClosedForm | None:
     return None if inner is None else WithoutLast(inner)
 
 
-def _either_way(arm: Arm, methods: list[Callable[[Arm], ClosedForm | None]]) -> ClosedForm | None:
+def _either_way(
+    arm: Arm, methods: list[Callable[[Arm], InverseClosedForm | None]]
+) -> InverseClosedForm | None:
     """The first method that has an answer for the arm or for its reversed chain."""
     for method in methods:
         found = method(arm)

@@ -9,7 +9,7 @@ import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.distinct import SAME, differences
-from kinematics.inverse.families import Follower, Path, blind_directions, nearest_on, pivots_of
+from kinematics.inverse.families import FamilyPath, Follower, blind_directions, nearest_on, pivots_of
 from kinematics.inverse.residuals import errors_of
 
 LONG = 0.02
@@ -57,7 +57,7 @@ class Component:
     """
 
     joints: Array
-    paths: tuple[Path, ...] = ()
+    paths: tuple[FamilyPath, ...] = ()
     dimension: int = 0
     pivots: tuple[int, ...] = ()
 
@@ -147,7 +147,7 @@ class _Sorter:
         found = [Component(member, (path,), 1) for member, path in zip(members, curves, strict=False)]
         return found or [Component(q)]
 
-    def _is_long(self, path: Path) -> bool:
+    def _is_long(self, path: FamilyPath) -> bool:
         """Whether a path leads farther than across a fold."""
         x = path.points / self.arm.units
         return path.closed or float(np.abs(x - x[0]).max()) > 0.5 * self.long
@@ -155,7 +155,7 @@ class _Sorter:
     def _moves(self, x: Array, direction: Array) -> bool:
         return any(self.follower.moves(x, direction, step) is not None for step in (self.long, -self.long))
 
-    def _paths_of_surface(self, x: Array, directions: Array) -> tuple[Path, ...]:
+    def _paths_of_surface(self, x: Array, directions: Array) -> tuple[FamilyPath, ...]:
         """Along each direction, the joints that move most along the others held."""
         pivots = pivots_of(directions)
         held = np.eye(len(x))[pivots]
@@ -187,7 +187,7 @@ class _Sorter:
                 return False
         return float(np.abs(differences(q, x * self.arm.units, self.arm)).max()) <= self.beside
 
-    def _on(self, path: Path, q: Array) -> bool:
+    def _on(self, path: FamilyPath, q: Array) -> bool:
         """Whether a solution is on a path: its nearest chord, corrected, leads to it."""
         off, chord = nearest_on(self.arm, path, q)
         distance, length = float(np.linalg.norm(off)), float(np.linalg.norm(chord))

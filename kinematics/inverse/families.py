@@ -48,7 +48,7 @@ ROUNDS = 4
 
 
 @dataclass(frozen=True, slots=True)
-class Path:
+class FamilyPath:
     """A component followed from one member.
 
     Attributes:
@@ -143,7 +143,7 @@ class Follower:
                 return False
         return True
 
-    def path(self, x: Array, direction: Array, held: Array) -> Path:
+    def path(self, x: Array, direction: Array, held: Array) -> FamilyPath:
         """The component through x along a direction, both ways.
 
         Args:
@@ -157,7 +157,7 @@ class Follower:
         if not closed:
             behind, _ = self._one_way(x, -direction, held)
             points = [*behind[::-1], *points]
-        return Path(np.array(points) * self.arm.units, closed)
+        return FamilyPath(np.array(points) * self.arm.units, closed)
 
     def _one_way(self, start: Array, direction: Array, held: Array) -> tuple[list[Array], bool]:
         x, t, h = start, direction, FIRST_STEP
@@ -203,7 +203,7 @@ class Follower:
         return np.asarray(np.where(self.arm.revolute, turned, difference))
 
 
-def nearest_on(arm: Arm, path: Path, q: Array) -> tuple[Array, Array]:
+def nearest_on(arm: Arm, path: FamilyPath, q: Array) -> tuple[Array, Array]:
     """Return the way from a path's nearest chord to a configuration, and that chord; both in units."""
     points = path.points / arm.units
     way = np.diff(points, axis=0)

@@ -11,7 +11,7 @@ import numpy as np
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.components import Component
 from kinematics.inverse.distinct import differences
-from kinematics.inverse.families import Follower, Path
+from kinematics.inverse.families import FamilyPath, Follower
 from kinematics.inverse.limits import within_limits
 from kinematics.inverse.results import Family, FamilyParameter
 from kinematics.inverse.search import Box
@@ -62,7 +62,9 @@ def families_within(
     return [_with_member(arm, points, closed, wrapped[0]) for points, closed in parts]
 
 
-def _part_with(arm: Arm, follower: Follower, path: Path, box: Box, q: Array) -> tuple[Array, Family] | None:
+def _part_with(
+    arm: Arm, follower: Follower, path: FamilyPath, box: Box, q: Array
+) -> tuple[Array, Family] | None:
     """The part of a path within the limits that holds a configuration."""
     if not box.limited:
         return q, _told_freely(arm, path, box, q)
@@ -102,7 +104,7 @@ def _told(arm: Arm, points: Array, closed: bool, q: Array) -> Family:
     )
 
 
-def _told_freely(arm: Arm, path: Path, box: Box, q: Array) -> Family:
+def _told_freely(arm: Arm, path: FamilyPath, box: Box, q: Array) -> Family:
     """A path without limits as a family, its members by turns in (-π, π]."""
     family = _told(arm, path.points, path.closed, q)
     members, _ = within_limits(np.array(family.members), arm.revolute, box, arm.size)
@@ -132,7 +134,7 @@ def _direction(x: Array, joint: int) -> Array | None:
     )
 
 
-def _parts(arm: Arm, follower: Follower, path: Path, box: Box) -> list[tuple[Array, bool]]:
+def _parts(arm: Arm, follower: Follower, path: FamilyPath, box: Box) -> list[tuple[Array, bool]]:
     """The parts of a path within the limits, turns brought into them."""
     points = _finer(arm, follower, path)
     wrapped, fits = within_limits(points, arm.revolute, box, arm.size)
@@ -154,7 +156,9 @@ def _parts(arm: Arm, follower: Follower, path: Path, box: Box) -> list[tuple[Arr
     return _joined_round(path, wrapped, parts)
 
 
-def _joined_round(path: Path, wrapped: Array, parts: list[tuple[Array, bool]]) -> list[tuple[Array, bool]]:
+def _joined_round(
+    path: FamilyPath, wrapped: Array, parts: list[tuple[Array, bool]]
+) -> list[tuple[Array, bool]]:
     """Of a closed path whose first and last part are one, both put together."""
     if not path.closed or len(parts) < 2:
         return parts
@@ -182,7 +186,7 @@ def _end(arm: Arm, follower: Follower, box: Box, inside: Array, outside: Array, 
     return np.asarray(low_enough[0] if fits[0] and follower.reached(e) else best)
 
 
-def _finer(arm: Arm, follower: Follower, path: Path) -> Array:
+def _finer(arm: Arm, follower: Follower, path: FamilyPath) -> Array:
     """The path with points no farther apart than FINE, those between corrected."""
     x = path.points / arm.units
     if path.closed:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.inverse.arm import Arm, Array, Reach
+from kinematics.inverse.arm import Arm, ArmReach, Array
 from kinematics.se3 import cross_arrays
 
 _TINY = 1e-8
@@ -76,11 +76,11 @@ def errors_of(arm: Arm, poses: Array, target: Array) -> Array:
     Returns:
         (m, 6).
     """
-    if arm.reach is Reach.POSE:
+    if arm.reach is ArmReach.POSE:
         return error_vectors(poses, target, arm.size)
     errors = np.zeros((len(poses), 6))
     errors[:, :3] = (target[..., :3, 3] - poses[:, :3, 3]) / arm.size
-    if arm.reach is Reach.AXIS:
+    if arm.reach is ArmReach.AXIS:
         z, wanted = poses[:, :3, 2], np.broadcast_to(target[..., :3, 2], (len(poses), 3))
         across = cross_arrays(z, wanted)
         sine = np.linalg.norm(across, axis=1)

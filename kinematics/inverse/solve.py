@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinematics.errors import Fault, PoseError, TableError
-from kinematics.inverse.arm import Arm, Array, Reach, arm_of
-from kinematics.inverse.closed_form import ClosedForm, closed_form_of
+from kinematics.inverse.arm import Arm, ArmReach, Array, arm_of
+from kinematics.inverse.closed_form import InverseClosedForm, closed_form_of
 from kinematics.inverse.components import components_of
 from kinematics.inverse.families import Follower
 from kinematics.inverse.goals import Goal, read_goal
@@ -56,7 +56,7 @@ class Solver:
     base: Transform | None
     tool: Transform | None
     arm: Arm
-    closed_form: ClosedForm | None
+    closed_form: InverseClosedForm | None
     box: Box
 
     def solve(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics:
@@ -141,7 +141,7 @@ class Solver:
 
     def _errors(self, poses: Array, pose: Transform) -> tuple[Array, Array]:
         """Distances [m] and angles [rad] from the target, of what has to reach it."""
-        if self.arm.reach is Reach.POSE:
+        if self.arm.reach is ArmReach.POSE:
             return pose_errors(poses, pose)
         errors = errors_of(self.arm, poses, pose)
         return self.arm.size * np.linalg.norm(errors[:, :3], axis=1), np.linalg.norm(errors[:, 3:], axis=1)
@@ -205,7 +205,7 @@ def inverse_kinematics(
     tool: ArrayLike | None = None,
     limits: JointLimits | None = None,
     tolerance: float | None = None,
-    reach: Reach = Reach.POSE,
+    reach: ArmReach = ArmReach.POSE,
 ) -> InverseKinematics:
     """The joint variables at which the arm reaches a target: base · A_1(q) ⋯ A_N(q) · tool = target.
 
@@ -237,7 +237,7 @@ def solver_of(
     base: ArrayLike | None = None,
     tool: ArrayLike | None = None,
     limits: JointLimits | None = None,
-    reach: Reach = Reach.POSE,
+    reach: ArmReach = ArmReach.POSE,
 ) -> Solver:
     """The table made ready for many targets; arguments and refusals are those of `inverse_kinematics`."""
     T_w_0 = None if base is None else check_transform(base, where=("base",))
@@ -260,8 +260,8 @@ def solver_of(
 
 @lru_cache(maxsize=256)
 def _prepared(
-    table: NumericTable, base: bytes | None, tool: bytes | None, reach: Reach
-) -> tuple[Arm, ClosedForm | None]:
+    table: NumericTable, base: bytes | None, tool: bytes | None, reach: ArmReach
+) -> tuple[Arm, InverseClosedForm | None]:
     check_lengths(table)
     if not 1 <= table.n_joints <= MAX_JOINTS:
         raise TableError(

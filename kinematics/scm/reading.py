@@ -87,7 +87,7 @@ def read_chain(raw: RawChain, limits: Limits = DEFAULT) -> ReadChain:
         raise DescriptionError(
             _fault("scm_chain_too_long", "joints", length=length, limit=limits.table_characters)
         )
-    reader = _Reader(raw=raw, limits=limits, faults=[], kinds={})
+    reader = _ChainReader(raw=raw, limits=limits, faults=[], kinds={})
     rows = tuple(reader.row(i, cells) for i, cells in enumerate(raw.joints))
     final, tool = reader.placement("final", raw.final), reader.placement("tool", raw.tool)
     if reader.faults:
@@ -101,7 +101,7 @@ def read_chain(raw: RawChain, limits: Limits = DEFAULT) -> ReadChain:
 
 
 @dataclass(slots=True)
-class _Reader:
+class _ChainReader:
     raw: RawChain
     limits: Limits
     faults: list[Fault]

@@ -85,7 +85,7 @@ def urdf_from_table(
     _check_name(name, ("name",))
     check_joint_names(names, table.n_joints)
     box = read_limits(limits, [joint is JointType.REVOLUTE for joint in table.joint_types])
-    writer = _Writer(metres_per_unit, names)
+    writer = _UrdfWriter(metres_per_unit, names)
     if base is not None:
         writer.fixed("base", check_transform(base, where=("base",)))
     bounds = list(zip(box.low.tolist(), box.high.tolist(), strict=True))
@@ -109,7 +109,7 @@ def urdf_from_table(
     )
 
 
-def _write_rows(writer: _Writer, table: NumericTable, bounds: Sequence[tuple[float, float]]) -> None:
+def _write_rows(writer: _UrdfWriter, table: NumericTable, bounds: Sequence[tuple[float, float]]) -> None:
     numbers = {row: joint for joint, row in enumerate(table.joint_rows)}
     for i, row in enumerate(table.rows):
         writer.where = ("rows", i)
@@ -121,7 +121,7 @@ def _write_rows(writer: _Writer, table: NumericTable, bounds: Sequence[tuple[flo
         writer.behind = behind
 
 
-class _Writer:
+class _UrdfWriter:
     """Writes joint after joint.
 
     `behind` is what is constant since the last one, `where` what is being written.

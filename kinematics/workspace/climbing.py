@@ -17,7 +17,7 @@ from kinematics.chain import chain_of_table
 from kinematics.forward import end_poses
 from kinematics.se3 import Transform, cross_arrays
 from kinematics.table import JointType, NumericTable
-from kinematics.workspace.goals import Array, Goal, Goals, stacked
+from kinematics.workspace.goals import Array, Goals, ReachGoal, stacked
 from kinematics.workspace.spans import spread
 
 LOOKS = 768
@@ -48,7 +48,7 @@ class Summit:
 
 
 def summits(
-    table: NumericTable, goals: Sequence[Goal], spans: Array, tool: Transform | None = None
+    table: NumericTable, goals: Sequence[ReachGoal], spans: Array, tool: Transform | None = None
 ) -> list[Summit]:
     """For each goal the greatest value that the origin of the tool can have.
 
@@ -76,7 +76,7 @@ def summits(
     return found
 
 
-def _starts(table: NumericTable, goals: Sequence[Goal], spans: Array, tool: Transform | None) -> Array:
+def _starts(table: NumericTable, goals: Sequence[ReachGoal], spans: Array, tool: Transform | None) -> Array:
     """For each goal the best of what was looked at, and others from all over the ranges."""
     looked = spread(spans, LOOKS)
     places = _places(table, looked, tool)
@@ -160,7 +160,9 @@ def _best_turn(goals: Goals, centre: Array, a: Array, b: Array, low: float, high
     return np.asarray(np.where(value >= curve.max(axis=1), q, start))
 
 
-def _polished(table: NumericTable, goal: Goal, joints: Array, spans: Array, tool: Transform | None) -> Summit:
+def _polished(
+    table: NumericTable, goal: ReachGoal, joints: Array, spans: Array, tool: Transform | None
+) -> Summit:
     """The summit near a configuration, by Newton's steps within the ranges."""
     one = stacked([goal], 1)
     q, place = joints, _places(table, joints[None], tool)[0]
@@ -190,7 +192,7 @@ def _polished(table: NumericTable, goal: Goal, joints: Array, spans: Array, tool
     return Summit(value, q, place)
 
 
-def _slopes(table: NumericTable, goal: Goal, q: Array, place: Array) -> tuple[Array, Array]:
+def _slopes(table: NumericTable, goal: ReachGoal, q: Array, place: Array) -> tuple[Array, Array]:
     """Gradient (n,) and Hessian (n, n) of a goal with respect to the joints.
 
     ∂p/∂q_i = z_i × (p − p_i), and ∂²p/∂q_i∂q_j = z_i × ∂p/∂q_j for i ≤ j; of a sliding joint z_i, and 0.

@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Goal:
+class ReachGoal:
     """rᵀ W r + c · r with r = p − origin, for a place p.
 
     Attributes:
@@ -28,7 +28,7 @@ class Goal:
 
 def distance_goals(
     origin: Sequence[float] | Array, axis: Sequence[float] | Array | None
-) -> tuple[Goal, Goal]:
+) -> tuple[ReachGoal, ReachGoal]:
     """The goals of being near, and of being far.
 
     Args:
@@ -40,14 +40,14 @@ def distance_goals(
         across -= np.outer(axis, axis)
     place, nothing = np.asarray(origin, dtype=np.float64), np.zeros(3)
     return (
-        Goal(origin=place, W=-across, c=nothing),
-        Goal(origin=place, W=across, c=nothing),
+        ReachGoal(origin=place, W=-across, c=nothing),
+        ReachGoal(origin=place, W=across, c=nothing),
     )
 
 
-def direction_goal(direction: Array) -> Goal:
+def direction_goal(direction: Array) -> ReachGoal:
     """The goal of being far along a direction."""
-    return Goal(origin=np.zeros(3), W=np.zeros((3, 3)), c=direction)
+    return ReachGoal(origin=np.zeros(3), W=np.zeros((3, 3)), c=direction)
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +64,7 @@ class Goals:
         return np.asarray(np.einsum("mi,mij,mj->m", r, self.W, r) + np.einsum("mi,mi->m", self.c, r))
 
 
-def stacked(goals: Sequence[Goal], times: int) -> Goals:
+def stacked(goals: Sequence[ReachGoal], times: int) -> Goals:
     """Each goal so many times, one after another."""
     return Goals(
         np.repeat(np.array([goal.origin for goal in goals]), times, axis=0),

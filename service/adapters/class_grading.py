@@ -15,7 +15,7 @@ from exercises.loader import Library, packaged
 from kinematics.errors import Fault
 from service.adapters.gradebook import Mark
 from service.adapters.hand_ins import HandIn
-from service.adapters.judging import Judged, judge, told_fault, with_joint_types
+from service.adapters.judging import JudgedAnswer, judge, told_fault, with_joint_types
 
 _CHUNK = 16
 """Tables that travel to a worker together: a message costs as much as grading one right table."""
@@ -116,7 +116,7 @@ def _mark(hand_in: HandIn, settings: ClassSettings) -> Mark:
         judged = judge(exercise_id, answer, settings.language, library)
     except UnknownExerciseError as error:
         return _ungraded(hand_in, named, error.faults, settings)
-    if not isinstance(judged, Judged):
+    if not isinstance(judged, JudgedAnswer):
         return _ungraded(hand_in, exercise_id, judged.faults, settings)
     return Mark(
         student=hand_in.student,

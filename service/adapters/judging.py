@@ -25,7 +25,7 @@ from service.wire.verdicts import encoded, report_body
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Judged:
+class JudgedAnswer:
     """What an answer earned.
 
     Attributes:
@@ -91,7 +91,7 @@ def judge(
     language: str = DEFAULT_LANGUAGE,
     library: Library | None = None,
     limits: Limits = DEFAULT,
-) -> Judged | NotGraded:
+) -> JudgedAnswer | NotGraded:
     """Grade an answer.
 
     Args:
@@ -113,7 +113,7 @@ def judge(
     except (KinematicsError, ExerciseError, ServiceError) as error:
         return NotGraded(faults=error.faults)
     body = orjson.loads(encoded(report_body(report, language)))
-    return Judged(
+    return JudgedAnswer(
         body=body,
         points=report.points,
         max_points=sum(part.max_points for part in report.parts),

@@ -9,7 +9,7 @@ from exercises.grading import HelpLevel
 from exercises.loader import Library
 from kinematics.errors import Fault
 from service.adapters.class_grading import exercise_named
-from service.adapters.judging import Judged, NotGraded, judge, told_fault, with_joint_types
+from service.adapters.judging import JudgedAnswer, NotGraded, judge, told_fault, with_joint_types
 from service.http.negotiation import preferred_language
 from service.messages import DEFAULT_LANGUAGE, languages, sentence
 from service.schemas.evaluation import EvaluateRequest, SubmissionType
@@ -68,7 +68,7 @@ def evaluate(request: EvaluateRequest, language: str, library: Library) -> list[
     return feedback_of(judge(exercise_id, answer, language, library), submission.type, language)
 
 
-def checked(judged: Judged | NotGraded, language: str) -> list[dict[str, Any]]:
+def checked(judged: JudgedAnswer | NotGraded, language: str) -> list[dict[str, Any]]:
     """Return whether an answer could be graded, and nothing of whether it is right."""
     if isinstance(judged, NotGraded):
         return _refusals(judged, language)
@@ -76,7 +76,9 @@ def checked(judged: Judged | NotGraded, language: str) -> list[dict[str, Any]]:
     return [{"feedbackId": "readable", "title": title, "message": title}]
 
 
-def feedback_of(judged: Judged | NotGraded, kind: SubmissionType, language: str) -> list[dict[str, Any]]:
+def feedback_of(
+    judged: JudgedAnswer | NotGraded, kind: SubmissionType, language: str
+) -> list[dict[str, Any]]:
     """Return µEd's feedback: first the outcome with all points, then what is said of rows and cells."""
     if isinstance(judged, NotGraded):
         return _refusals(judged, language)

@@ -8,7 +8,13 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from exercises.authoring.scaffold import scaffold
-from exercises.authoring.sources import Source, from_axes_file, from_robot, from_table_file, from_urdf_file
+from exercises.authoring.sources import (
+    ExerciseSource,
+    from_axes_file,
+    from_robot,
+    from_table_file,
+    from_urdf_file,
+)
 from exercises.consistency import FILE
 from exercises.definition import Exercise
 from exercises.instance import generate
@@ -106,7 +112,7 @@ def _new(options: argparse.Namespace) -> int:
     return 0
 
 
-def _source(options: argparse.Namespace) -> Source:
+def _source(options: argparse.Namespace) -> ExerciseSource:
     if options.robot:
         return from_robot(options.robot)
     if options.table:

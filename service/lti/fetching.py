@@ -28,7 +28,7 @@ Resolve = Callable[[str, int], list[str]]
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Answer:
+class FetchedAnswer:
     """What a platform answered."""
 
     address: str
@@ -84,7 +84,7 @@ class Fetcher:
         *,
         headers: Mapping[str, str] | None = None,
         content: bytes | None = None,
-    ) -> Answer:
+    ) -> FetchedAnswer:
         """The answer to a request, whatever its status.
 
         Raises:
@@ -101,13 +101,13 @@ class Fetcher:
                     body += piece
                     if len(body) > LARGEST:
                         raise unreachable(address, f"> {LARGEST}")
-                return Answer(
+                return FetchedAnswer(
                     address=address, status=answer.status_code, headers=answer.headers, body=bytes(body)
                 )
         except (httpx.HTTPError, httpx.InvalidURL, OSError, ValueError) as error:
             raise unreachable(address, type(error).__name__) from error
 
-    def get_json(self, address: str, headers: Mapping[str, str] | None = None) -> tuple[Any, Answer]:
+    def get_json(self, address: str, headers: Mapping[str, str] | None = None) -> tuple[Any, FetchedAnswer]:
         """The JSON at an address.
 
         Raises:

@@ -18,7 +18,7 @@ _NEEDED = ("issuer", "authorization_endpoint", "token_endpoint", "jwks_uri", "re
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Tool:
+class ToolRegistration:
     """What platforms are told of this tool.
 
     Attributes:
@@ -81,7 +81,7 @@ class Registered:
     deployment: str | None
 
 
-def register(fetcher: Fetcher, configuration: str, token: str | None, tool: Tool) -> Registered:
+def register(fetcher: Fetcher, configuration: str, token: str | None, tool: ToolRegistration) -> Registered:
     """Register the tool with a platform.
 
     Args:

@@ -10,7 +10,7 @@ from typing import Any
 from urllib.parse import urlencode, urlsplit, urlunsplit
 
 from service.lti import claims as names
-from service.lti.fetching import Answer
+from service.lti.fetching import FetchedAnswer
 from service.lti.launch_errors import PlatformError, unreachable
 from service.lti.platform_keys import LtiPlatform
 from service.lti.services import Services
@@ -84,7 +84,7 @@ def post_score(
     return DeliveryReport(delivery=_delivery(answer), status=answer.status, retry_after=answer.retry_after)
 
 
-def _delivery(answer: Answer) -> Delivery:
+def _delivery(answer: FetchedAnswer) -> Delivery:
     status = answer.status
     if status // 100 == 2:
         return Delivery.TAKEN

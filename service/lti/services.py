@@ -10,7 +10,7 @@ from urllib.parse import urlencode
 
 import orjson
 
-from service.lti.fetching import Answer, Fetcher
+from service.lti.fetching import FetchedAnswer, Fetcher
 from service.lti.launch_errors import unreachable
 from service.lti.login import new_secret
 from service.lti.platform_keys import LtiPlatform
@@ -43,7 +43,7 @@ class Services:
         accept: str,
         content: object = None,
         content_type: str = "",
-    ) -> Answer:
+    ) -> FetchedAnswer:
         """The service's answer, whatever its status; a token that is refused is asked for once more.
 
         Raises:

@@ -42,7 +42,7 @@ from service.lti.fetching import origin_of
 from service.lti.launch import Expected, Launch, read_launch
 from service.lti.launch_errors import LaunchError, LoginError
 from service.lti.login import LoginRequest, authorization_address, new_secret, read_login
-from service.lti.registration import Tool, register
+from service.lti.registration import ToolRegistration, register
 from service.lti.signing_keys import key_set
 from service.messages import languages, sentence
 from service.resources import resources_of
@@ -325,10 +325,10 @@ def _register(request: Request, secret: str) -> Response:
     return _page(request, _step("close", text=text))
 
 
-def _tool(request: Request) -> Tool:
+def _tool(request: Request) -> ToolRegistration:
     root = own_root(request, resources_of(request).settings.public_url)
     description = sentence("en", "session-tool-description") or ""
-    return Tool(name="Framewise", description=description, root=root)
+    return ToolRegistration(name="Framewise", description=description, root=root)
 
 
 def _redirect(address: str, query: Mapping[str, str], fragment: str) -> Response:

@@ -15,7 +15,7 @@ from service.http.openapi import problems
 from service.http.problems import NotFoundError, RequestPart
 from service.http.routing import JSON, api_router
 from service.messages import sentence
-from service.schemas.catalogue import Robot, RobotList
+from service.schemas.catalogue import RobotList, RobotModel
 from service.web.responses import text_response
 
 router = api_router("robots")
@@ -35,7 +35,7 @@ async def robots(request: Request, lang: Language = None) -> Response:
 
 @router.get(
     "/robots/{robot_id}",
-    response_model=Robot,
+    response_model=RobotModel,
     responses=problems(404),
     summary="One robot of the catalogue",
 )
@@ -71,5 +71,5 @@ def _headers(language: str) -> dict[str, str]:
 
 @cache
 def _written(robot_id: str, language: str) -> bytes:
-    wire = Robot.of(catalogue.robot(robot_id), partial(sentence, language))
+    wire = RobotModel.of(catalogue.robot(robot_id), partial(sentence, language))
     return orjson.dumps(wire.model_dump(mode="json", exclude_none=True))

@@ -32,7 +32,7 @@ from service.http.openapi import problems
 from service.http.routing import ApiRequest, BytesResponse, api_router
 from service.schemas import scm as wire
 from service.schemas import scm_examples as examples
-from service.schemas.forward_kinematics import AxisAngle, Orientation
+from service.schemas.forward_kinematics import AxisAngleModel, Orientation
 from service.wire.chain_forms import ChainTask, Wanted, is_quick, written_chain
 from service.wire.fault_pointers import traced
 from service.wire.pose_matrices import pose_matrix
@@ -200,7 +200,7 @@ def _orientation(transform: Any, angle: float) -> Orientation:
     return Orientation(
         quaternion=list(quaternion),
         rpy=[roll, pitch, yaw],
-        axis_angle=AxisAngle(axis=list(axis), angle=turn / angle),
+        axis_angle=AxisAngleModel(axis=list(axis), angle=turn / angle),
         xyzabc=[*position, yaw, pitch, roll],
     )
 

@@ -15,7 +15,7 @@ from service.schemas import examples
 from service.schemas import workspace_request as wire
 from service.schemas.joint_limits import domain_limits
 from service.wire.fault_pointers import traced
-from service.wire.prepared_robots import Robot, listed_robot
+from service.wire.prepared_robots import PreparedRobot, listed_robot
 from service.work.workers import Lane
 
 router = api_router("kinematics")
@@ -41,7 +41,7 @@ _EXAMPLES: dict[str, Any] = {
 async def reach(
     body: Annotated[wire.WorkspaceRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
     request: ApiRequest,
-) -> wire.WorkspaceAnswer:
+) -> wire.WorkspaceResponse:
     """How near and how far the joints bring the origin of the end frame, and in which box.
 
     Radii are measured from the axis of the first joint and from the origin of frame 0. Each number is that
@@ -59,7 +59,7 @@ async def reach(
     return _answer(found, robot)
 
 
-def _limits(body: wire.WorkspaceRequest, robot: Robot) -> JointLimits | None:
+def _limits(body: wire.WorkspaceRequest, robot: PreparedRobot) -> JointLimits | None:
     if body.limits is None and body.robot is not None:
         return domain_limits(listed_robot(body.robot).limits, robot.joint_units)
     return domain_limits(body.limits, robot.joint_units)
@@ -69,13 +69,13 @@ def _found(table: Any, limits: Any, base: Any, tool: Any, samples: int) -> Works
     return workspace(table, limits, base=base, tool=tool, samples=samples)
 
 
-def _answer(found: Workspace, robot: Robot) -> wire.WorkspaceAnswer:
+def _answer(found: Workspace, robot: PreparedRobot) -> wire.WorkspaceResponse:
     units: dict[str, Any] = dict(robot.units)
-    return wire.WorkspaceAnswer(
+    return wire.WorkspaceResponse(
         **units,
-        inner_radius=wire.Radius(axis=found.inner.axis.value, origin=found.inner.origin.value),
-        outer_radius=wire.Radius(axis=found.outer.axis.value, origin=found.outer.origin.value),
-        box=wire.Box(min=list(found.low), max=list(found.high)),
+        inner_radius=wire.RadiusModel(axis=found.inner.axis.value, origin=found.inner.origin.value),
+        outer_radius=wire.RadiusModel(axis=found.outer.axis.value, origin=found.outer.origin.value),
+        box=wire.BoundingBox(min=list(found.low), max=list(found.high)),
         reached=wire.Reached(
             inner_radius=wire.RadiusJoints(
                 axis=_joints(found.inner.axis, robot), origin=_joints(found.inner.origin, robot)
@@ -88,5 +88,5 @@ def _answer(found: Workspace, robot: Robot) -> wire.WorkspaceAnswer:
     )
 
 
-def _joints(radius: Radius, robot: Robot) -> list[float]:
+def _joints(radius: Radius, robot: PreparedRobot) -> list[float]:
     return [q / unit for q, unit in zip(radius.joints, robot.joint_units, strict=True)]

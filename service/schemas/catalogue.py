@@ -10,11 +10,11 @@ from pydantic import Field
 from kinematics.catalogue import Robot as CatalogueRobot
 from kinematics.catalogue import ScmDescription
 from service.schemas.base import Real, Wire
-from service.schemas.scm import Chain
+from service.schemas.scm import ScmChainModel
 from service.schemas.tables import Row, Table
 
 
-class Source(Wire):
+class SourceModel(Wire):
     """Where a robot comes from."""
 
     document: str = Field(description="title, author and year")
@@ -22,7 +22,7 @@ class Source(Wire):
     figures: str = Field(description="where the lengths come from, as printed")
 
 
-class NamedConfiguration(Wire):
+class ConfigurationModel(Wire):
     """Joint values that mean something."""
 
     joints: list[Real] = Field(description="q_1 … q_n, in the table's units")
@@ -32,19 +32,19 @@ class NamedConfiguration(Wire):
 class ScmForm(Wire):
     """The same robot as an SCM chain, ready to be sent to the SCM calls."""
 
-    chain: Chain
+    chain: ScmChainModel
     parameters: dict[str, Real] = Field(description="the value of every parameter in the chain")
 
 
-class Robot(Wire):
+class RobotModel(Wire):
     """A robot of the catalogue: table and parameters are ready for every call that takes a table."""
 
     id: str = Field(description="its name in this API, and its exercise's")
     name: str
-    source: Source
+    source: SourceModel
     table: Table
     parameters: dict[str, Real] = Field(description="the value of every parameter, in the table's units")
-    configurations: dict[str, NamedConfiguration] = Field(description="named joint values")
+    configurations: dict[str, ConfigurationModel] = Field(description="named joint values")
     limits: list[Annotated[list[Real], Field(min_length=2, max_length=2)]] | None = Field(
         None, description="[low, high] of every joint in the table's units; left out where they are not known"
     )
@@ -63,7 +63,7 @@ class Robot(Wire):
         return cls(
             id=robot.id,
             name=told(f"robot-{robot.id}") or robot.name,
-            source=Source(
+            source=SourceModel(
                 document=robot.source.document, place=robot.source.place, figures=robot.source.figures
             ),
             table=Table(
@@ -77,7 +77,7 @@ class Robot(Wire):
             ),
             parameters=dict(robot.parameters),
             configurations={
-                name: NamedConfiguration(
+                name: ConfigurationModel(
                     joints=list(found.joints),
                     meaning=told(f"configuration-{robot.id}-{name}") or found.meaning,
                 )
@@ -92,11 +92,11 @@ class Robot(Wire):
 class RobotList(Wire):
     """The catalogue."""
 
-    robots: list[Robot]
+    robots: list[RobotModel]
 
 
 def _scm_form(robot: CatalogueRobot, chain: ScmDescription) -> ScmForm:
     return ScmForm(
-        chain=Chain.of(chain.raw),
+        chain=ScmChainModel.of(chain.raw),
         parameters={name: robot.parameters[known] for name, known in chain.parameters.items()},
     )

@@ -13,7 +13,7 @@ from kinematics.table import JointType
 from kinematics.urdf import MAX_CHARACTERS
 from service.schemas.base import Matrix4, Real, Vector3, Wire
 from service.schemas.joint_limits import JointRanges, Range
-from service.schemas.scm import Chain, Verification
+from service.schemas.scm import ScmChainModel, Verification
 from service.schemas.tables import Parameters, Row, Table, Units
 
 
@@ -69,7 +69,7 @@ class ConvertRequest(Wire):
     )
     table: Table | None = Field(None, description="a DH table")
     robot: str | None = Field(None, max_length=64, description="the id of a robot of the catalogue")
-    scm: Chain | None = Field(None, description="an SCM chain; it becomes a DH table (SCM2DH)")
+    scm: ScmChainModel | None = Field(None, description="an SCM chain; it becomes a DH table (SCM2DH)")
     poe: ScrewProduct | None = Field(None, description="a product of exponentials")
     urdf: str | None = Field(
         None,
@@ -161,7 +161,7 @@ class TableAnswer(Units):
     )
 
 
-class Screw(GivenScrew):
+class ScrewModel(GivenScrew):
     """A joint's motion, with its type."""
 
     joint: JointType
@@ -170,7 +170,7 @@ class Screw(GivenScrew):
 class ProductAnswer(Units):
     """T(q) = exp([S_1] q_1) ⋯ exp([S_n] q_n) · home, q in radians and in the length unit."""
 
-    screws: list[Screw] = Field(description="S_1 … S_n at q = 0, in the axes of the world")
+    screws: list[ScrewModel] = Field(description="S_1 … S_n at q = 0, in the axes of the world")
     home: Matrix4 = Field(description="the pose of the end frame at q = 0")
 
 
@@ -189,7 +189,9 @@ class UrdfAnswer(Units):
 class ScmAnswer(Units):
     """base · (the chain's pose) is the described robot, for every q."""
 
-    scm: Chain = Field(description="the chain; where a twist is not zero it turns about two axes in a row")
+    scm: ScmChainModel = Field(
+        description="the chain; where a twist is not zero it turns about two axes in a row"
+    )
     base: MatrixOfCells = Field(description="what stands before the chain")
 
 

@@ -38,7 +38,7 @@ class Submission(_Lenient):
     task_id: str | None = Field(None, alias="taskId")
 
 
-class Task(_Lenient):
+class EvaluationTask(_Lenient):
     """What the learner was asked."""
 
     task_id: str | None = Field(None, alias="taskId", description="id of an exercise of this service")
@@ -71,7 +71,7 @@ class EvaluateRequest(_Lenient):
     """The body of POST /evaluate."""
 
     submission: Submission
-    task: Task | None = None
+    task: EvaluationTask | None = None
     user: Learner | None = None
     pre_submission_feedback: Enabled | None = Field(None, alias="preSubmissionFeedback")
     callback_url: str | None = Field(None, alias="callbackUrl", max_length=2000)

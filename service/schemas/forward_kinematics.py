@@ -62,7 +62,7 @@ class ForwardKinematicsRequest(ForwardKinematicsQuestion):
     joints: Joints
 
 
-class AxisAngle(Wire):
+class AxisAngleModel(Wire):
     """A rotation by an angle about a unit vector."""
 
     axis: Vector3 | list[Vector3] = Field(description="unit vector")
@@ -80,7 +80,7 @@ class Orientation(Wire):
     rpy: Vector3 | list[Vector3] = Field(
         description="[roll, pitch, yaw]: R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll)"
     )
-    axis_angle: AxisAngle
+    axis_angle: AxisAngleModel
     xyzabc: SixNumbers | list[SixNumbers] = Field(
         description="[X, Y, Z, A, B, C]: T = Trans(X, Y, Z) Rot_z(A) Rot_y(B) Rot_x(C)"
     )

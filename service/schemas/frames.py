@@ -19,7 +19,7 @@ from service.schemas.base import LONGEST_LIST, Matrix4, Real, Vector3, Wire
 from service.schemas.tables import Table, Units
 
 
-class Axis(Wire):
+class AxisModel(Wire):
     """The axis of one joint, with the robot at its zero position."""
 
     joint: Literal["revolute", "prismatic"]
@@ -58,7 +58,7 @@ Tool: TypeAlias = Annotated[
 class AxesQuestion(Wire):
     """A robot by its joint axes, and the convention of the wanted table."""
 
-    axes: list[Axis] = Field(min_length=1, max_length=64, description="the joint axes, base first")
+    axes: list[AxisModel] = Field(min_length=1, max_length=64, description="the joint axes, base first")
     convention: Annotated[Convention, Field(strict=False)]
     base: Matrix4 | None = Field(None, description="a pose wanted as frame 0, in the coordinates of the axes")
     tool: Tool | None = Field(None, description="the tool's pose at zero, or the gripper")
@@ -165,7 +165,7 @@ class Choices(Wire):
     x: list[Choice]
 
 
-class Judged(Wire):
+class JudgedFrameModel(Wire):
     """What is to be said about one frame."""
 
     index: int
@@ -187,7 +187,7 @@ class FoundRow(Wire):
 class CheckFramesAnswer(Units):
     """A student's frames, judged by the rules of the convention."""
 
-    frames: list[Judged] = Field(description="frame 0 … N")
+    frames: list[JudgedFrameModel] = Field(description="frame 0 … N")
     rows: list[FoundRow | None] = Field(
         description="row 1 … N; null while a frame beside it is missing or breaks a rule"
     )

@@ -50,7 +50,7 @@ class InverseKinematicsRequest(RobotQuestion):
         return self
 
 
-class FamilyParameter(Wire):
+class FamilyParameterModel(Wire):
     """A joint that may be chosen within a family."""
 
     joint: int = Field(description="its number, from 1")
@@ -64,7 +64,7 @@ class SolutionFamily(Wire):
     """Infinitely many solutions, joined by a path on which the target stays reached."""
 
     dimension: int = Field(description="number of joints that may be chosen")
-    parameters: list[FamilyParameter] = Field(
+    parameters: list[FamilyParameterModel] = Field(
         description="these joints; each interval holds while the others keep the values of the solution"
     )
     direction: list[Real] | None = Field(

@@ -51,7 +51,7 @@ class JacobianRequest(JacobianQuestion):
     joints: Joints
 
 
-class Mobility(Wire):
+class MobilityModel(Wire):
     """How well the tool can move."""
 
     singular_values: list[Real] | list[list[Real]] = Field(
@@ -79,7 +79,7 @@ class JacobianAnswer(Units):
     rank: int | list[int] = Field(description="of the whole motion: that of twist")
     singular: bool | list[bool] = Field(description="of the whole motion: that of twist")
     manipulability: Real | list[Real] = Field(description="of the whole motion: that of twist")
-    twist: Mobility = Field(description="of the whole velocity (v, ω)")
-    translation: Mobility = Field(description="of v alone")
-    rotation: Mobility = Field(description="of ω alone")
+    twist: MobilityModel = Field(description="of the whole velocity (v, ω)")
+    translation: MobilityModel = Field(description="of v alone")
+    rotation: MobilityModel = Field(description="of ω alone")
     characteristic_length: Real = Field(description="what lengths were divided by")

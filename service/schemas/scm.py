@@ -19,7 +19,7 @@ from service.schemas.tables import Cell, Parameters, Units
 ENTRIES = ("x", "y", "z", "a", "b", "c")
 
 
-class Placement(Wire):
+class PlacementModel(Wire):
     """Trans(x, y, z) Rot_z(a) Rot_y(b) Rot_x(c): what is left out is zero."""
 
     x: Cell = 0
@@ -34,21 +34,21 @@ class Placement(Wire):
         return {entry: getattr(self, entry) for entry in ENTRIES}
 
 
-class ListedPlacement(Placement):
+class ListedPlacement(PlacementModel):
     """A placement that was written as the list of its entries."""
 
 
 def _by_name(value: Any) -> Any:
     if isinstance(value, list) and len(value) == len(ENTRIES):
         return ListedPlacement(**dict(zip(ENTRIES, value, strict=True)))
-    if not isinstance(value, dict | Placement):
+    if not isinstance(value, dict | PlacementModel):
         raise PydanticCustomError("scm_six_entries", "six entries: [X, Y, Z, A, B, C], or an object")
     return value
 
 
 _CELL = {"anyOf": [{"type": "number"}, {"type": "string", "minLength": 1, "maxLength": 200}]}
 SixEntries: TypeAlias = Annotated[
-    Placement,
+    PlacementModel,
     BeforeValidator(_by_name),
     WithJsonSchema(
         {
@@ -67,7 +67,7 @@ SixEntries: TypeAlias = Annotated[
 ]
 
 
-class Chain(Wire):
+class ScmChainModel(Wire):
     """A serial arm by the SCM method."""
 
     joints: list[SixEntries] = Field(
@@ -75,8 +75,8 @@ class Chain(Wire):
         max_length=LONGEST_LIST,
         description="one row a joint; one entry of row i holds its variable, qi (or ai, di), with its sign",
     )
-    final: SixEntries = Field(default_factory=Placement, description="the Final Transformation")
-    tool: SixEntries = Field(default_factory=Placement, description="the tool")
+    final: SixEntries = Field(default_factory=PlacementModel, description="the Final Transformation")
+    tool: SixEntries = Field(default_factory=PlacementModel, description="the tool")
     angle_unit: Annotated[AngleUnit, Field(strict=False)] = Field(
         AngleUnit.RAD, description="unit of every angle: chain, joints, parameters and answer"
     )
@@ -109,9 +109,9 @@ class Chain(Wire):
     def of(cls, raw: RawChain) -> Self:
         """A chain as it goes over the wire."""
         return cls(
-            joints=[Placement(**row) for row in raw.joints],
-            final=Placement(**raw.final),
-            tool=Placement(**raw.tool),
+            joints=[PlacementModel(**row) for row in raw.joints],
+            final=PlacementModel(**raw.final),
+            tool=PlacementModel(**raw.tool),
             angle_unit=raw.angle_unit,
             length_unit=raw.length_unit,
         )
@@ -137,7 +137,7 @@ class JacobianMethod(StrEnum):
 class ChainQuestion(Wire):
     """Base of the calls that take a chain: exactly one of `chain` and `robot`."""
 
-    chain: Chain | None = Field(None, description="the arm as an SCM chain")
+    chain: ScmChainModel | None = Field(None, description="the arm as an SCM chain")
     robot: str | None = Field(None, max_length=64, description="or the id of a robot of the catalogue")
     parameters: Parameters = Field(default_factory=dict)
     verify: Annotated[Verification, Field(strict=False)] = Field(

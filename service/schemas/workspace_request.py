@@ -28,7 +28,7 @@ class WorkspaceRequest(RobotQuestion):
     tool: Matrix4 | None = Field(None, description="pose of the end frame in frame N")
 
 
-class Radius(Wire):
+class RadiusModel(Wire):
     """A radius, measured in two ways."""
 
     axis: Real = Field(description="at right angles from the axis of the first joint")
@@ -49,19 +49,19 @@ class Reached(Wire):
     outer_radius: RadiusJoints
 
 
-class Box(Wire):
+class BoundingBox(Wire):
     """The smallest box along the axes of the world that holds the workspace."""
 
     min: Vector3
     max: Vector3
 
 
-class WorkspaceAnswer(Units):
+class WorkspaceResponse(Units):
     """Where the origin of the end frame can be."""
 
-    inner_radius: Radius = Field(description="the least distances")
-    outer_radius: Radius = Field(description="the greatest distances")
-    box: Box
+    inner_radius: RadiusModel = Field(description="the least distances")
+    outer_radius: RadiusModel = Field(description="the greatest distances")
+    box: BoundingBox
     reached: Reached
     points: list[Vector3] | None = Field(
         None, description="places in the world, spread evenly over the joints' ranges"

@@ -23,7 +23,7 @@ from service.schemas.frames import (
     FoundRow,
     Frame,
     GripperTool,
-    Judged,
+    JudgedFrameModel,
     Remark,
 )
 from service.schemas.tables import Table
@@ -108,8 +108,8 @@ def _remark(warning: Fault, say: Say) -> Remark:
     return Remark(code=warning.code, message=say(f"error-{warning.code}", dict(warning.params)))
 
 
-def _judged(frame: JudgedFrame, say: Say) -> Judged:
-    return Judged(
+def _judged(frame: JudgedFrame, say: Say) -> JudgedFrameModel:
+    return JudgedFrameModel(
         index=frame.index,
         complete=frame.complete,
         findings=[_broken(finding, say) for finding in frame.findings],

@@ -11,11 +11,11 @@ import numpy as np
 from anyio.to_thread import run_sync
 
 from kinematics.errors import Fault, JointValueError
-from kinematics.inverse import IKSolution, InverseKinematics, NearestPose, Reach, Solver, solver_of
+from kinematics.inverse import ArmReach, IKSolution, InverseKinematics, NearestPose, Solver, solver_of
 from kinematics.inverse.results import Family
 from kinematics.table import JointType, NumericTable
 from service.schemas.inverse_kinematics import (
-    FamilyParameter,
+    FamilyParameterModel,
     InverseKinematicsAnswer,
     InverseKinematicsRequest,
     Nearest,
@@ -25,14 +25,14 @@ from service.schemas.inverse_kinematics import (
 from service.schemas.joint_limits import DomainLimits, domain_limits
 from service.wire.fault_pointers import traced
 from service.wire.pose_matrices import placed_matrix, pose_matrix
-from service.wire.prepared_robots import Robot
+from service.wire.prepared_robots import PreparedRobot
 from service.work.workers import Lane, Workers
 
 Matrix: TypeAlias = Any
 
 
 async def solved(
-    request: InverseKinematicsRequest, robot: Robot, workers: Workers
+    request: InverseKinematicsRequest, robot: PreparedRobot, workers: Workers
 ) -> InverseKinematicsAnswer:
     """The joint values that reach a target: by a closed form at once, else by a search in a worker process.
 
@@ -54,7 +54,7 @@ class _Question:
 
     table: NumericTable
     target: Matrix
-    reach: Reach
+    reach: ArmReach
     base: Matrix | None
     tool: Matrix | None
     limits: DomainLimits | None
@@ -65,17 +65,17 @@ class _Question:
         return solver_of(self.table, base=self.base, tool=self.tool, limits=self.limits, reach=self.reach)
 
 
-def _question(request: InverseKinematicsRequest, robot: Robot) -> _Question:
+def _question(request: InverseKinematicsRequest, robot: PreparedRobot) -> _Question:
     base, tool = (
         None if pose is None else pose_matrix(pose, robot.angle, name)
         for pose, name in ((request.base, "base"), (request.tool, "tool"))
     )
     if request.position is None:
-        target, reach = pose_matrix(request.target or [], robot.angle, "target"), Reach.POSE
+        target, reach = pose_matrix(request.target or [], robot.angle, "target"), ArmReach.POSE
     else:
         target = placed_matrix(request.position, request.quaternion, request.axis)
-        free = Reach.POSITION if request.axis is None else Reach.AXIS
-        reach = Reach.POSE if request.quaternion is not None else free
+        free = ArmReach.POSITION if request.axis is None else ArmReach.AXIS
+        reach = ArmReach.POSE if request.quaternion is not None else free
     return _Question(
         table=robot.table,
         target=target,
@@ -88,14 +88,16 @@ def _question(request: InverseKinematicsRequest, robot: Robot) -> _Question:
     )
 
 
-def _start(start: list[float], robot: Robot) -> list[float]:
+def _start(start: list[float], robot: PreparedRobot) -> list[float]:
     if len(start) != len(robot.joint_units):
         params = {"expected": len(robot.joint_units), "given": len(start)}
         raise JointValueError(Fault(code="joints_wrong_length", where=("start",), params=params))
     return [value * unit for value, unit in zip(start, robot.joint_units, strict=True)]
 
 
-def nearest_first(answer: InverseKinematics, robot: Robot, start: Sequence[float]) -> InverseKinematics:
+def nearest_first(
+    answer: InverseKinematics, robot: PreparedRobot, start: Sequence[float]
+) -> InverseKinematics:
     """The same answer, its solutions sorted by their distance from a start."""
 
     def distance(solution: IKSolution) -> float:
@@ -117,7 +119,7 @@ def _search(question: _Question) -> InverseKinematics:
     return question.solver().solve(question.target, question.tolerance)
 
 
-def _answer(answer: InverseKinematics, robot: Robot) -> InverseKinematicsAnswer:
+def _answer(answer: InverseKinematics, robot: PreparedRobot) -> InverseKinematicsAnswer:
     nearest = answer.nearest
     return InverseKinematicsAnswer(
         angle_unit=robot.read.angle_unit.value,
@@ -140,13 +142,13 @@ def _answer(answer: InverseKinematics, robot: Robot) -> InverseKinematicsAnswer:
     )
 
 
-def _family(family: Family, robot: Robot) -> SolutionFamily:
+def _family(family: Family, robot: PreparedRobot) -> SolutionFamily:
     units = robot.joint_units
     parameter = family.parameters[0].joint - 1 if family.parameters else 0
     return SolutionFamily(
         dimension=family.dimension,
         parameters=[
-            FamilyParameter(
+            FamilyParameterModel(
                 joint=one.joint,
                 interval=[one.least / units[one.joint - 1], one.greatest / units[one.joint - 1]],
                 full_turn=one.full_turn,
@@ -160,11 +162,11 @@ def _family(family: Family, robot: Robot) -> SolutionFamily:
     )
 
 
-def _nearest(nearest: NearestPose, robot: Robot) -> Nearest:
+def _nearest(nearest: NearestPose, robot: PreparedRobot) -> Nearest:
     return Nearest(**_reached(nearest, robot), transform=(nearest.transform + 0.0).tolist())
 
 
-def _reached(found: IKSolution | NearestPose, robot: Robot) -> dict[str, Any]:
+def _reached(found: IKSolution | NearestPose, robot: PreparedRobot) -> dict[str, Any]:
     return {
         "joints": _in_units(found.joints, robot),
         "residual": float(np.hypot(found.position_error, found.orientation_error)),
@@ -173,5 +175,5 @@ def _reached(found: IKSolution | NearestPose, robot: Robot) -> dict[str, Any]:
     }
 
 
-def _in_units(joints: Sequence[float], robot: Robot) -> list[float]:
+def _in_units(joints: Sequence[float], robot: PreparedRobot) -> list[float]:
     return [value / unit + 0.0 for value, unit in zip(joints, robot.joint_units, strict=True)]

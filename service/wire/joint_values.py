@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError
 from service.http.problems import BodySizeError, RequestError
-from service.wire.prepared_robots import Robot
+from service.wire.prepared_robots import PreparedRobot
 
 Floats = NDArray[np.float64]
 
@@ -20,7 +20,7 @@ MOST_FAULTS = 1000
 """Of more configurations than this nobody wants to be told singly that their length is wrong."""
 
 
-def plain_configuration(joints: Any, robot: Robot) -> list[float] | None:
+def plain_configuration(joints: Any, robot: PreparedRobot) -> list[float] | None:
     """One configuration in [rad] and length units, if the value is a list of just that many numbers."""
     units = robot.joint_units
     if type(joints) is list and len(joints) == len(units) and _NUMBERS.issuperset(map(type, joints)):
@@ -28,7 +28,7 @@ def plain_configuration(joints: Any, robot: Robot) -> list[float] | None:
     return None
 
 
-def read_joints(joints: list[Any], robot: Robot, batch_limit: int) -> list[float] | Floats:
+def read_joints(joints: list[Any], robot: PreparedRobot, batch_limit: int) -> list[float] | Floats:
     """Validated joint values in [rad] and length units.
 
     Raises:
@@ -44,7 +44,7 @@ def read_joints(joints: list[Any], robot: Robot, batch_limit: int) -> list[float
     return batch
 
 
-def read_array(array: Floats, robot: Robot, batch_limit: int) -> list[float] | Floats:
+def read_array(array: Floats, robot: PreparedRobot, batch_limit: int) -> list[float] | Floats:
     """An array of joint values in [rad] and length units; one dimension is one configuration.
 
     Raises:
@@ -83,7 +83,7 @@ def refuse_large_batch(given: int, limit: int) -> None:
         )
 
 
-def _refuse_lengths(found: Iterable[tuple[int, tuple[str | int, ...]]], robot: Robot) -> None:
+def _refuse_lengths(found: Iterable[tuple[int, tuple[str | int, ...]]], robot: PreparedRobot) -> None:
     expected = len(robot.joint_units)
     wrong = ((given, where) for given, where in found if given != expected)
     faults = [

@@ -23,7 +23,7 @@ from kinematics.table import JointType
 from service.http.npy import npy_data, npy_header
 from service.schemas.forward_kinematics import STANDARD_PARTS, PoseQuantity
 from service.wire.json_chunks import blocks, list_chunks, written
-from service.wire.prepared_robots import Robot
+from service.wire.prepared_robots import PreparedRobot
 
 Floats = NDArray[np.float64]
 Matrix = Sequence[Sequence[float]]
@@ -47,7 +47,7 @@ class PoseQuestion:
         parts: what is wanted of the answer.
     """
 
-    robot: Robot
+    robot: PreparedRobot
     joints: list[float] | Floats
     parts: Sequence[PoseQuantity]
     base: Matrix | None = None

@@ -14,7 +14,7 @@ from kinematics.errors import DescriptionError, Fault, JointValueError, Kinemati
 from kinematics.scm import ReadChain, ScmChain, check_values, read_chain, verify, with_values
 from kinematics.table import JointType
 from service.http.problems import RequestError
-from service.schemas.scm import Chain, ChainQuestion, Verification
+from service.schemas.scm import ChainQuestion, ScmChainModel, Verification
 from service.wire.symbolic_tasks import exact_values
 
 
@@ -102,7 +102,7 @@ def written_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
 
 
 @contextmanager
-def in_chain(field: str, chain: Chain | None) -> Iterator[None]:
+def in_chain(field: str, chain: ScmChainModel | None) -> Iterator[None]:
     """Place the faults of a chain's entries where the chain was sent, or at `robot` if none was."""
     try:
         yield

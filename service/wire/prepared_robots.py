@@ -27,7 +27,7 @@ _DEGREE = math.pi / 180.0
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Robot:
+class PreparedRobot:
     """A robot that can be computed with.
 
     Attributes:
@@ -51,9 +51,9 @@ class RobotCache:
     def __init__(self, settings: Settings) -> None:
         self._limits: Limits = settings.cell_limits
         self._size = settings.table_cache
-        self._kept: OrderedDict[bytes, Robot] = OrderedDict()
+        self._kept: OrderedDict[bytes, PreparedRobot] = OrderedDict()
 
-    def recall(self, request: Mapping[str, Any]) -> Robot | None:
+    def recall(self, request: Mapping[str, Any]) -> PreparedRobot | None:
         """The robot of a request's JSON, if it was prepared before."""
         key = _key(request)
         try:
@@ -63,7 +63,7 @@ class RobotCache:
             return None
         return robot
 
-    def prepare(self, question: RobotQuestion, request: Mapping[str, Any] | None = None) -> Robot:
+    def prepare(self, question: RobotQuestion, request: Mapping[str, Any] | None = None) -> PreparedRobot:
         """The robot of a validated request; `request` is its JSON, under which it is kept.
 
         Raises:
@@ -82,7 +82,7 @@ def _key(request: Mapping[str, Any]) -> bytes:
     return orjson.dumps((request.get("table"), request.get("robot"), request.get("parameters")))
 
 
-def _robot(question: RobotQuestion, limits: Limits) -> Robot:
+def _robot(question: RobotQuestion, limits: Limits) -> PreparedRobot:
     if question.table is None:
         listed = listed_robot(str(question.robot))
         return robot_of(listed.table, {**listed.parameters, **question.parameters})
@@ -110,7 +110,7 @@ def listed_robot(robot_id: str) -> catalogue.Robot:
         ) from None
 
 
-def robot_of(read: ReadTable, parameters: Mapping[str, float]) -> Robot:
+def robot_of(read: ReadTable, parameters: Mapping[str, float]) -> PreparedRobot:
     """The robot of a read table with these parameters.
 
     Raises:
@@ -123,7 +123,7 @@ def robot_of(read: ReadTable, parameters: Mapping[str, float]) -> Robot:
             fault if fault.where[:1] == ("parameters",) else fault.within("table") for fault in error.faults
         ) from None
     angle = _DEGREE if read.angle_unit is AngleUnit.DEG else 1.0
-    return Robot(
+    return PreparedRobot(
         read=read,
         table=table,
         joint_units=joint_units(table.joint_types, angle),

@@ -20,7 +20,7 @@ from service.http.routing import NPY, ApiRequest, BytesResponse
 from service.http.validation import validated
 from service.schemas.robots import RobotQuestion
 from service.wire.joint_values import plain_configuration, read_array, read_joints
-from service.wire.prepared_robots import Robot, RobotCache
+from service.wire.prepared_robots import PreparedRobot, RobotCache
 from service.work.batches import BatchResponse
 from service.work.limiters import WorkKind
 
@@ -42,7 +42,7 @@ class ReadQuestion(Generic[Question]):
     """
 
     wire: Question | None
-    robot: Robot
+    robot: PreparedRobot
     joints: list[float] | NDArray[np.float64]
 
 

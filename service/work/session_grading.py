@@ -15,7 +15,7 @@ from courses.model import Attempt, CourseSession, LinkSettings
 from courses.refusals import NoExerciseError
 from courses.regrading import Rejudged
 from courses.storage import Store
-from exercises.access import Access
+from exercises.access import ExerciseAccess
 from exercises.answers import parse
 from exercises.definition import Exercise
 from exercises.grader import Report, grade
@@ -30,7 +30,7 @@ from service.wire.session_views import seed_of
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Judged:
+class SessionJudgement:
     """What was found of an answer: as its student may be told, and at the highest level of help."""
 
     found: Report
@@ -48,7 +48,7 @@ class Grader:
     library: Library
     limits: Limits
 
-    def judge(self, settings: LinkSettings, seed: str | None, wire: AnswerBase) -> Judged:
+    def judge(self, settings: LinkSettings, seed: str | None, wire: AnswerBase) -> SessionJudgement:
         """Judge an answer.
 
         Raises:
@@ -60,9 +60,9 @@ class Grader:
         report = grade(_instance(asked, seed), answer, level)
         told = analysis = plain(report)
         if report.help_level is not HelpLevel.REPAIR and not report.correct:
-            open_ = _instance(replace(asked, access=Access()), seed)
+            open_ = _instance(replace(asked, access=ExerciseAccess()), seed)
             analysis = plain(grade(open_, answer))
-        return Judged(
+        return SessionJudgement(
             found=report,
             report=told,
             analysis=analysis,
@@ -90,7 +90,9 @@ class Grader:
 
 
 @lru_cache(maxsize=4096)
-def _judged_again(grader: Grader, settings: LinkSettings, seed: str | None, answer: bytes) -> Judged:
+def _judged_again(
+    grader: Grader, settings: LinkSettings, seed: str | None, answer: bytes
+) -> SessionJudgement:
     """Many students hand in the same answer: it is judged once."""
     wire: AnswerBase = ExerciseAnswer.model_validate(orjson.loads(answer))
     return grader.judge(settings, seed, wire)

@@ -27,7 +27,7 @@ PRELOADED = (
 """What nearly every task needs: imported before the first one comes."""
 
 
-class Outcome(StrEnum):
+class WorkOutcome(StrEnum):
     """How a task ended."""
 
     RESULT = "result"
@@ -70,17 +70,17 @@ def _done(task: bytes) -> bytes:
     """The pickled outcome of a task and what belongs to it."""
     try:
         function, arguments = pickle.loads(task)  # noqa: S301  from the parent
-        return _pickled(Outcome.RESULT, function(*arguments))
+        return _pickled(WorkOutcome.RESULT, function(*arguments))
     except MemoryError:
-        return _pickled(Outcome.OUT_OF_MEMORY, None)
+        return _pickled(WorkOutcome.OUT_OF_MEMORY, None)
     except Exception as error:
         try:
-            return _pickled(Outcome.ERROR, error)
+            return _pickled(WorkOutcome.ERROR, error)
         except Exception:
-            return _pickled(Outcome.ERROR, RuntimeError(repr(error)))
+            return _pickled(WorkOutcome.ERROR, RuntimeError(repr(error)))
 
 
-def _pickled(outcome: Outcome, value: Any) -> bytes:
+def _pickled(outcome: WorkOutcome, value: Any) -> bytes:
     return pickle.dumps((outcome.value, value), pickle.HIGHEST_PROTOCOL)
 
 

@@ -24,7 +24,7 @@ from service.http.problems import RequestError, UnavailableError, busy
 from service.settings import Settings
 from service.work.fair_queue import FairQueue
 from service.work.processes import Confinement, ProcessDiedError, UnansweredError, WorkerProcess
-from service.work.worker_process import Outcome
+from service.work.worker_process import WorkOutcome
 
 QUICK_PLACES = 8
 """The quick lane is so many times as fast as the slow one, or more: as many times as many may wait."""
@@ -115,9 +115,9 @@ class LaneProcesses:
             shared = self._answering[key] = _Shared(asyncio.ensure_future(self._performed(task)))
             shared.task.add_done_callback(lambda _: self._answering.pop(key, None))
         outcome, value = pickle.loads(await shared.wait())  # noqa: S301  from our own process
-        if outcome == Outcome.OUT_OF_MEMORY:
+        if outcome == WorkOutcome.OUT_OF_MEMORY:
             raise _out_of_memory(self._confinement.memory)
-        if outcome == Outcome.ERROR:
+        if outcome == WorkOutcome.ERROR:
             raise value
         return value
 

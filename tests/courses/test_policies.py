@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 
 from courses.policies import (
     Allowance,
+    AttemptOutcome,
     AttemptPolicy,
     Counting,
     FeedbackTiming,
     Mode,
-    Outcome,
     Shown,
     counted,
     disclosed,
@@ -40,7 +40,7 @@ policies = st.builds(
 )
 outcomes = st.lists(st.tuples(st.integers(0, 10_000), st.floats(0, 1)), max_size=6).map(
     lambda found: [
-        Outcome(number=i, at=START + timedelta(minutes=m), score=score)
+        AttemptOutcome(number=i, at=START + timedelta(minutes=m), score=score)
         for i, (m, score) in enumerate(sorted(found, key=lambda item: item[0]), 1)
     ]
 )
@@ -117,7 +117,7 @@ def test_nobody_sees_an_exam_while_somebody_still_writes() -> None:
 
 def test_a_penalty_is_taken_for_each_attempt_before() -> None:
     policy = AttemptPolicy(penalty=0.1)
-    made = [Outcome(number=n, at=START, score=s) for n, s in ((1, 0.4), (2, 0.5), (3, 1.0))]
+    made = [AttemptOutcome(number=n, at=START, score=s) for n, s in ((1, 0.4), (2, 0.5), (3, 1.0))]
     found = counted(policy, made)
     assert found is not None
     assert (found.number, round(found.worth, 12)) == (3, 0.8)

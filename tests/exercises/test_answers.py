@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from exercises.access import Access
+from exercises.access import ExerciseAccess
 from exercises.answers import RawAnswer, parse
 from exercises.errors import AnswerError
 from exercises.grader import allowed_help, grade
@@ -120,7 +120,7 @@ def test_help_is_never_more_than_the_exercise_allows(asked: HelpLevel | None, al
     from dataclasses import replace
 
     order = list(HelpLevel)
-    given = allowed_help(replace(exercise("scara"), access=Access(ladder=(allowed,))), asked)
+    given = allowed_help(replace(exercise("scara"), access=ExerciseAccess(ladder=(allowed,))), asked)
     assert order.index(given) == min(order.index(asked or HelpLevel.REPAIR), order.index(allowed))
 
 

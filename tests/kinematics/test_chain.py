@@ -106,7 +106,7 @@ def test_frames_and_jacobian_are_those_of_the_table(seed: int) -> None:
 
 
 @pytest.mark.parametrize("robot", catalogue.robots(), ids=lambda robot: robot.id)
-def test_every_description_of_a_robot_is_one_chain(robot: catalogue.Robot) -> None:
+def test_every_description_of_a_robot_is_one_chain(robot: catalogue.RobotModel) -> None:
     """From the table, its screws, the SCM chain and a URDF: the same poses and Jacobians."""
     table = bind_parameters(robot.table, robot.parameters)
     of_table = chain_of_table(table)

@@ -10,7 +10,7 @@ from typing import Any
 from kinematics.errors import Fault
 from service.adapters.class_grading import exercise_named
 from service.adapters.hand_ins import hand_ins
-from service.adapters.judging import Judged, NotGraded, judge, with_joint_types
+from service.adapters.judging import JudgedAnswer, NotGraded, judge, with_joint_types
 from service.adapters.table_files import TableSettings
 
 
@@ -32,7 +32,7 @@ class Assignment:
     points: float | None = None
     tables: TableSettings = field(default_factory=TableSettings)
 
-    def grade_table(self, table: Mapping[str, Any], seed: str | None = None) -> Judged | NotGraded:
+    def grade_table(self, table: Mapping[str, Any], seed: str | None = None) -> JudgedAnswer | NotGraded:
         """Grade a table, or any answer that POST /exercises/{id}/grade takes.
 
         Raises:
@@ -52,7 +52,7 @@ class Assignment:
             answer["help"] = self.help_level
         return judge(exercise_id, answer, self.language)
 
-    def grade_path(self, path: Path) -> Judged | NotGraded:
+    def grade_path(self, path: Path) -> JudgedAnswer | NotGraded:
         """Grade the first table that a file or folder holds.
 
         Raises:
@@ -69,7 +69,7 @@ class Assignment:
             refused = refused or NotGraded(faults=found.faults)
         return refused or NotGraded(faults=(Fault(code="file_without_table", params={"file": path.name}),))
 
-    def worth(self, judged: Judged) -> tuple[float, float]:
+    def worth(self, judged: JudgedAnswer) -> tuple[float, float]:
         """Return what an answer earned and what the assignment is worth, in the host's points."""
         most = judged.max_points if self.points is None else self.points
         return judged.score * most, most

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from service.adapters.hosts.assignment import Assignment
-from service.adapters.judging import Judged, NotGraded
+from service.adapters.judging import JudgedAnswer, NotGraded
 from service.adapters.table_files import read_tables
 from service.http.problems import RequestError
 
@@ -21,7 +21,7 @@ def run(assignment: Assignment, source: Path | None = None) -> int:
     return 0
 
 
-def outcome_of(judged: Judged | NotGraded, assignment: Assignment) -> dict[str, Any]:
+def outcome_of(judged: JudgedAnswer | NotGraded, assignment: Assignment) -> dict[str, Any]:
     """Return a combinator template grader's outcome: the fraction, and what the student sees."""
     if isinstance(judged, NotGraded):
         text = "".join(f"<p>{escape(line)}</p>" for line in judged.sentences(assignment.language))
@@ -35,7 +35,7 @@ def outcome_of(judged: Judged | NotGraded, assignment: Assignment) -> dict[str, 
     return {"fraction": judged.score, "testresults": [head, *rows], "epiloguehtml": told}
 
 
-def _graded(assignment: Assignment, text: bytes) -> Judged | NotGraded:
+def _graded(assignment: Assignment, text: bytes) -> JudgedAnswer | NotGraded:
     name = "answer.json" if text.lstrip()[:1] in (b"{", b"[") else "answer.csv"
     try:
         found = read_tables(name, text, assignment.tables)

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from service.adapters.hosts.assignment import Assignment
-from service.adapters.judging import Judged, NotGraded
+from service.adapters.judging import JudgedAnswer, NotGraded
 
 ROOT = Path("/autograder")
 
@@ -22,7 +22,7 @@ def run(assignment: Assignment, source: Path | None = None) -> int:
     return 0
 
 
-def results_of(judged: Judged | NotGraded, assignment: Assignment) -> dict[str, Any]:
+def results_of(judged: JudgedAnswer | NotGraded, assignment: Assignment) -> dict[str, Any]:
     """Return the results document: a score, and a test for each part."""
     if isinstance(judged, NotGraded):
         return {

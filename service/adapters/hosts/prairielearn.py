@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from service.adapters.hosts.assignment import Assignment
-from service.adapters.judging import Judged, NotGraded
+from service.adapters.judging import JudgedAnswer, NotGraded
 
 ROOT = Path("/grade")
 
@@ -27,7 +27,7 @@ def run(assignment: Assignment, source: Path | None = None) -> int:
     return 0
 
 
-def results_of(judged: Judged | NotGraded, assignment: Assignment) -> dict[str, Any]:
+def results_of(judged: JudgedAnswer | NotGraded, assignment: Assignment) -> dict[str, Any]:
     """Return the results document; what cannot be graded costs no attempt."""
     if isinstance(judged, NotGraded):
         return {"gradable": False, "format_errors": list(judged.sentences(assignment.language))}
@@ -48,7 +48,7 @@ def results_of(judged: Judged | NotGraded, assignment: Assignment) -> dict[str, 
     }
 
 
-def _graded(assignment: Assignment, data: Mapping[str, Any], root: Path) -> Judged | NotGraded:
+def _graded(assignment: Assignment, data: Mapping[str, Any], root: Path) -> JudgedAnswer | NotGraded:
     params = data.get("params") or {}
     asked = params.get("framewise") or {}
     submitted = (data.get("submitted_answers") or {}).get("table")

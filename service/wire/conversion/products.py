@@ -13,7 +13,7 @@ from kinematics.screws import product_of_exponentials, table_of_product
 from kinematics.se3 import check_transform
 from kinematics.table import Convention, JointType
 from service.http.problems import located
-from service.schemas.conversion import ConvertRequest, ProductAnswer, Screw, Target
+from service.schemas.conversion import ConvertRequest, ProductAnswer, ScrewModel, Target
 from service.settings import Settings
 from service.wire.conversion.described import RobotDescription
 from service.wire.fault_pointers import traced
@@ -66,7 +66,7 @@ def product_answer(robot: RobotDescription, request: ConvertRequest) -> ProductA
         check_lengths(prepared.table)
     product = product_of_exponentials(prepared.table, base=robot.base, tool=robot.tool)
     screws = [
-        Screw(joint=joint, linear=list(screw.linear), angular=list(screw.angular))
+        ScrewModel(joint=joint, linear=list(screw.linear), angular=list(screw.angular))
         for joint, screw in zip(prepared.table.joint_types, product.screws, strict=True)
     ]
     return ProductAnswer(

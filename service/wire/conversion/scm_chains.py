@@ -17,7 +17,7 @@ from kinematics.scm import (
     unrolled_dh_from_scm,
 )
 from service.schemas.conversion import ConvertRequest, ScmAnswer
-from service.schemas.scm import Chain, Verification
+from service.schemas.scm import ScmChainModel, Verification
 from service.settings import Settings
 from service.wire.conversion.described import RobotDescription
 from service.wire.conversion.dh_tables import matrix_of_cells
@@ -71,7 +71,7 @@ def scm_answer(robot: RobotDescription, request: ConvertRequest) -> ScmAnswer:
             base = (before + 0.0).tolist()
     units = {"angle_unit": robot.read.angle_unit.value, "length_unit": robot.read.length_unit.value}
     rows = [_row(row, i, writer) for i, row in enumerate(chain.rows, 1)]
-    written = Chain.model_validate(
+    written = ScmChainModel.model_validate(
         {
             "joints": rows,
             "final": _placement(chain.final, writer),
