@@ -18,7 +18,7 @@ from exercises.consistency import FILE, inconsistencies
 from exercises.definition import LANGUAGES, DrawnParameter, Exercise, Part
 from exercises.draws import read_draw
 from exercises.errors import DefinitionError, UnknownExerciseError
-from exercises.figures.reading import read_figure
+from exercises.figures.figure_keys import read_figure
 from exercises.parts.protocol import RobotFacts
 from exercises.parts.registry import part_type, part_types
 from exercises.policy_reading import read_policy, read_weights

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from importlib.resources import files
 
-from kinematics.catalogue.reading import read_robot
+from kinematics.catalogue.robot_files import read_robot
 from kinematics.catalogue.robots import NamedConfiguration, ReferencePose, Robot, RobotSource, ScmDescription
 
 __all__ = [

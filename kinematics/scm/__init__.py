@@ -6,6 +6,7 @@ which every other method of this package is open to it. docs/scm.md lists the to
 """
 
 from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain, verify
+from kinematics.scm.chain_reading import RawChain, RawPlacement, ReadChain, read_chain
 from kinematics.scm.dh import modified_dh_from_scm
 from kinematics.scm.differentiation import (
     derivative,
@@ -23,7 +24,6 @@ from kinematics.scm.motion import (
     jacobian_end_by_inspection,
     unit_vectors,
 )
-from kinematics.scm.reading import RawChain, RawPlacement, ReadChain, read_chain
 from kinematics.scm.sampling import default_limits, random_configurations
 from kinematics.scm.substitution import with_values
 from kinematics.scm.symbolic_matrices import (

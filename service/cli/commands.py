@@ -9,7 +9,17 @@ from typing import Protocol
 
 from exercises.errors import ExerciseError
 from kinematics.errors import Fault, KinematicsError
-from service.cli import backups, config, exercises, grade, keys, lti, people, receipts, serve
+from service.cli import (
+    api_keys,
+    backups,
+    config,
+    exercise_commands,
+    grade_commands,
+    lti,
+    people,
+    receipt_commands,
+    serve,
+)
 from service.http.problems import ServiceError
 from service.messages import DEFAULT_LANGUAGE, languages, sentence
 
@@ -21,7 +31,17 @@ class Command(Protocol):
         """Declare the subcommand, its options, and what runs it."""
 
 
-COMMANDS: tuple[Command, ...] = (serve, exercises, grade, receipts, keys, backups, lti, people, config)
+COMMANDS: tuple[Command, ...] = (
+    serve,
+    exercise_commands,
+    grade_commands,
+    receipt_commands,
+    api_keys,
+    backups,
+    lti,
+    people,
+    config,
+)
 """Every subcommand; a new one is a module of this package and an entry here."""
 
 FAILED, UNUSABLE = 1, 2

@@ -12,7 +12,7 @@ from service.http.languages import language_of
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
 from service.messages import sentence
-from service.schemas.frames import (
+from service.schemas.frame_assignment_models import (
     AssignFramesAnswer,
     AssignFramesRequest,
     CheckFramesAnswer,

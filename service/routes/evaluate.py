@@ -14,7 +14,8 @@ from service import __version__
 from service.adapters import mued
 from service.adapters.judging import told_fault
 from service.http.middleware import REQUEST_ID
-from service.http.problems import busy
+from service.http.problems import BodySizeError, busy
+from service.http.routing import ApiRequest
 from service.messages import DEFAULT_LANGUAGE, languages, sentence
 from service.resources import resources_of
 from service.schemas.evaluation import (
@@ -93,7 +94,10 @@ async def evaluate_submission(request: Request, response: Response) -> Any:
     if refusal := _other_version(request):
         return refusal
     try:
-        asked = EvaluateRequest.model_validate_json(await request.body())
+        body = await ApiRequest(request.scope, request.receive, request._send).body()
+        asked = EvaluateRequest.model_validate_json(body)
+    except BodySizeError as error:
+        return _refused(error.faults[0].code, message=told_fault(error.faults[0], DEFAULT_LANGUAGE))
     except ValidationError as error:
         return _refused("body_invalid", {"errors": _places(error)})
     language = mued.language_wanted(asked, request.headers.get("accept-language"))

@@ -9,7 +9,7 @@ from pydantic import Field
 
 from service.schemas.base import LONGEST_LIST, Matrix4, Real, Vector3, Wire
 from service.schemas.joints import Joints
-from service.schemas.robots import RobotQuestion
+from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
 

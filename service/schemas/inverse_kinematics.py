@@ -11,7 +11,7 @@ from kinematics.inverse.results import IKStatus, Isolation, Method, UnreachableR
 from service.schemas.base import Matrix4, Real, Vector3, Wire
 from service.schemas.joint_limits import JointRanges
 from service.schemas.pose_input import PoseInput
-from service.schemas.robots import RobotQuestion
+from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
 

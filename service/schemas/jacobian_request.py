@@ -10,7 +10,7 @@ from pydantic_core import PydanticCustomError
 from kinematics.jacobian import JacobianFrame
 from service.schemas.base import Matrix4, Real, Wire
 from service.schemas.joints import Joints
-from service.schemas.robots import RobotQuestion
+from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
 Matrix6: TypeAlias = Annotated[

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from service.schemas.base import Matrix4, Real
 from service.schemas.jacobian_request import Matrix6
-from service.schemas.robots import RobotQuestion
+from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
 Vector6 = Annotated[list[Real], Field(min_length=6, max_length=6)]

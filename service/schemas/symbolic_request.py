@@ -11,7 +11,7 @@ from kinematics.printing import SOURCES, Format, Notation
 from service.schemas.base import LONGEST_LIST, Matrix4, Real, Wire
 from service.schemas.examples import PUMA_560, TWO_LINKS
 from service.schemas.jacobian_request import JacobianAnswer, JacobianRequest
-from service.schemas.robots import RobotQuestion
+from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 from service.wire.symbolic_forms import FormPart
 

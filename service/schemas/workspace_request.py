@@ -6,7 +6,7 @@ from pydantic import Field
 
 from service.schemas.base import Matrix4, Real, Vector3, Wire
 from service.schemas.joint_limits import JointRanges
-from service.schemas.robots import RobotQuestion
+from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
 MOST_POINTS = 20_000

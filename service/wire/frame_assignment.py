@@ -11,7 +11,7 @@ from kinematics.frames.candidates import Candidates, FrameCandidate
 from kinematics.frames.rules import FrameFinding
 from kinematics.frames.trainer import JudgedFrame, check_frames
 from kinematics.se3 import Transform
-from service.schemas.frames import (
+from service.schemas.frame_assignment_models import (
     AssignFramesAnswer,
     AssignFramesRequest,
     AxesQuestion,

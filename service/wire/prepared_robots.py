@@ -19,7 +19,7 @@ from kinematics.cells import AngleUnit, Limits, ReadTable, bind_parameters, read
 from kinematics.errors import Fault, KinematicsError
 from kinematics.table import JointType, NumericTable
 from service.http.problems import RequestError, located
-from service.schemas.robots import RobotQuestion
+from service.schemas.robot_question import RobotQuestion
 from service.settings import Settings
 
 _LARGEST_KEY = 16 * 1024

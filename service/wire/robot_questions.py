@@ -18,7 +18,7 @@ from service.http.npy import read_npy
 from service.http.problems import BodyError, RequestError, RequestPart
 from service.http.routing import NPY, ApiRequest, BytesResponse
 from service.http.validation import validated
-from service.schemas.robots import RobotQuestion
+from service.schemas.robot_question import RobotQuestion
 from service.wire.joint_values import plain_configuration, read_array, read_joints
 from service.wire.prepared_robots import PreparedRobot, RobotCache
 from service.work.batches import BatchResponse

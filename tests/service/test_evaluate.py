@@ -101,6 +101,12 @@ def test_refusals_have_the_standard_s_shape(client: httpx.Client, body: Any, cod
     assert response.json()["message"]
 
 
+def test_a_body_is_bounded(client: httpx.Client) -> None:
+    response = client.post("/evaluate", content=b"[" + b"1," * (1 << 20) + b"1]")
+    assert response.status_code == 400
+    assert response.json()["code"] == "body_too_large"
+
+
 def test_another_version_is_not_spoken(client: httpx.Client) -> None:
     assert evaluate(client, request(), **{"X-Api-Version": "9.9"}).status_code == 406
     assert client.get("/evaluate/health", headers={"X-Api-Version": "9.9"}).status_code == 406
