@@ -176,8 +176,9 @@ def image() -> Iterator[Path]:
 
 
 def environment(image: Path) -> dict[str, str]:
-    words = shlex.split(stages()["service"].last("ENV"))
-    variables = dict(word.split("=", 1) for word in words)
+    settings = [rest for key, rest in stages()["service"].steps if key == "ENV"]
+    variables = dict(word.split("=", 1) for rest in settings for word in shlex.split(rest))
+    variables["FRAMEWISE_DATA_FOLDER"] = str(image / "data")
     variables["PATH"] = (
         variables["PATH"].replace("/opt/", f"{image}/opt/").replace("$PATH", os.environ["PATH"])
     )

@@ -52,6 +52,7 @@ def put_table(page: Page | Frame, table: Table) -> None:
 
 
 def switch_language(page: Page | Frame, language: str) -> None:
+    page.evaluate("scrollTo(0, 0)")
     page.locator("#language summary").click()
     page.locator(f"#language a[hreflang={language}]").click()
 
@@ -59,7 +60,7 @@ def switch_language(page: Page | Frame, language: str) -> None:
 def open_part(page: Page, kind: str) -> Locator:
     part = page.locator(f"#part-{kind}")
     if part.get_attribute("open") is None:
-        part.locator("summary").click()
+        part.locator("> summary").click()
     return part
 
 

@@ -141,7 +141,7 @@ def test_matrices_in_symbols_and_their_sources(open_page: OpenPage) -> None:
     expect(first.locator(".formula math")).to_have_count(1)
     expect(first.locator("annotation")).to_contain_text("c_{12}")
     page.locator("matrix-panel input[value=full]").check()
-    expect(first.locator("annotation")).to_contain_text(r"\cos(q_{1}+q_{2})")
+    expect(first.locator("annotation")).to_contain_text(r"\cos(\theta_{1}+\theta_{2})")
     for label, part in (
         ("LaTeX", r"\begin{bmatrix}"),
         ("Python", "def "),

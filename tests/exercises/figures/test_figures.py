@@ -127,7 +127,7 @@ def test_axes_are_those_of_the_reference(exercise_id: str) -> None:
     chain = chain_of_table(bind(found.reference.table, values(instance)))
     posture = np.array(found.figure.posture or [0.0] * len(chain.axes))
     motions = joint_motions(chain, posture[:, None])[:, 0]
-    pose = key.base.copy()
+    pose = np.array(key.base)
     for drawn_axis, direction, axis, motion in zip(
         scene.axes, key.directions, chain.axes, motions, strict=True
     ):
