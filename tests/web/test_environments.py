@@ -327,8 +327,10 @@ def test_the_scene_is_turned_with_the_keyboard(open_page: OpenPage) -> None:
     view = page.locator("#own .scene-view")
     label = page.locator("#own .scene-label").first
     expect(page.locator("#own robot-scene")).to_have_attribute("data-drawn", re.compile(r"\d"))
-    places = [label.get_attribute("style")]
     view.focus()
+    view.press("0")
+    page.wait_for_timeout(500)  # the last of the growing robot's frames
+    places = [label.get_attribute("style")]
     for key in ("ArrowLeft", "ArrowUp", "+", "Shift+ArrowRight", "-"):
         view.press(key)
         page.wait_for_function(
