@@ -44,7 +44,11 @@ export class Api {
     return this.#send("GET", path, undefined, options);
   }
 
-  /** @param {string} path @param {unknown} body @param {{signal?: AbortSignal}} [options] @returns {Promise<any>} */
+  /**
+   * @param {string} path @param {unknown} body @param {{signal?: AbortSignal, key?: string}} [options] `key` makes a
+   *   repeated call the call that it repeats (Idempotency-Key)
+   * @returns {Promise<any>}
+   */
   post(path, body, options) {
     return this.#send("POST", path, body, options);
   }
@@ -65,13 +69,14 @@ export class Api {
   }
 
   /**
-   * @param {string} method @param {string} path @param {unknown} body @param {{signal?: AbortSignal}} [options]
+   * @param {string} method @param {string} path @param {unknown} body @param {{signal?: AbortSignal, key?: string}} [options]
    * @returns {Promise<any>}
    */
-  async #send(method, path, body, { signal } = {}) {
+  async #send(method, path, body, { signal, key } = {}) {
     /** @type {Record<string, string>} */
     const headers = { Accept: "application/json", "Accept-Language": this.language };
     if (body !== undefined) headers["Content-Type"] = "application/json";
+    if (key) headers["Idempotency-Key"] = key;
     if (this.token) headers.Authorization = `Bearer ${this.token}`;
     let answer, text;
     try {

@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterator
-from urllib.parse import urlencode, urlsplit
+from urllib.parse import urlencode, urljoin, urlsplit
 
 import pytest
 from playwright.sync_api import Browser as Chromium
-from playwright.sync_api import Frame, Page, expect, sync_playwright
+from playwright.sync_api import Frame, Page, Route, expect, sync_playwright
 
 from tests.lti.classes import TEACHER, Browser, Lms, eventually, hint
 from tests.lti.test_launches import CUSTOM, RIGHT
@@ -77,6 +77,50 @@ def test_launch_submit_verdict_score_in_a_frame(page: Page, lms: Lms, service: s
     assert eventually(lambda: lms.result("frida", "framed")) == 1.0
     expect(frame.locator(".session-banner")).to_contain_text("1")
     page.reload()
+
+
+@pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+def test_a_lost_answer_costs_no_second_attempt(
+    chromium: Chromium, lms: Lms, service: str, browser: Browser
+) -> None:
+    """The service stores the attempt, its answer never arrives; the next press asks for the same attempt."""
+    context = chromium.new_context(viewport={"width": 1280, "height": 1000}, locale="en")
+    context.set_default_timeout(PATIENCE)
+    page = context.new_page()
+    keys: list[str | None] = []
+    lost = 2
+
+    def drop(route: Route) -> None:
+        keys.append(route.request.headers.get("idempotency-key"))
+        if len(keys) <= lost:
+            assert route.fetch().ok
+            route.abort("connectionreset")
+        else:
+            route.continue_()
+
+    page.route("**/session/attempts", drop)
+    launched = browser.post(
+        browser.authorized(browser.login("lora", hint(resource="lossy", custom=CUSTOM)))
+    )
+    page.goto(urljoin(service, launched.headers["location"]))
+    page.wait_for_selector("html[data-ready=true]")
+    page.evaluate("(table) => (document.querySelector('dh-table-editor').table = table)", RIGHT["table"])
+    button = page.locator("form button[type=submit]").first
+    button.click()
+    expect(page.locator("#submit-problem")).to_contain_text("cannot be reached")
+    expect(page.locator("#verdict-card")).to_be_hidden()
+    page.reload()  # what was sent without an answer survives the page
+    page.wait_for_selector("html[data-ready=true]")
+    button.click()
+    expect(page.locator("#submit-problem")).to_contain_text("cannot be reached")
+    button.click()
+    expect(page.locator("#verdict")).to_be_visible()
+    expect(page.locator("#history li")).to_have_count(1)
+    assert keys[0] and keys == [keys[0]] * 3
+    button.click()  # a new submission, although nothing was changed
+    expect(page.locator("#history li")).to_have_count(2)
+    assert keys[3] not in (None, keys[0])
+    context.close()
 
 
 @pytest.mark.parametrize("address", ["sqlite"], indirect=True)

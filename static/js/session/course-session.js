@@ -6,6 +6,7 @@
 import { Problem } from "../api.js";
 import { debounced, el, fill } from "../dom.js";
 import { language, t } from "../i18n.js";
+import { keep, recall } from "../storage.js";
 
 const KEPT = "framewise:session";
 const PAUSE = 1500;
@@ -80,12 +81,42 @@ export class CourseSession {
     return this.told.person.key;
   }
 
-  /** @param {unknown} request @param {unknown} form @returns {Promise<any>} */
+  /**
+   * Hands in. An answer that was lost on its way is asked for again under the same key, also after a reload: it is one
+   * attempt, however often it is sent.
+   * @param {unknown} request @param {unknown} form @returns {Promise<any>}
+   */
   async submit(request, form) {
-    const graded = await this.#api.post("session/attempts", { .../** @type {any} */ (request), form });
-    this.told = await this.#api.get("session");
+    const key = this.#keyOf(JSON.stringify(request));
+    let graded;
+    try {
+      graded = await this.#api.post("session/attempts", { .../** @type {any} */ (request), form }, { key });
+    } catch (error) {
+      if (error instanceof Problem && error.status < 500) this.#forgetKey();
+      throw error;
+    }
+    this.#forgetKey();
+    this.told = await this.#api.get("session").catch(() => this.told);
     this.#show();
     return graded;
+  }
+
+  /** The key of a submission: the one it was sent with before, if it has had no answer. @param {string} request */
+  #keyOf(request) {
+    const sent = recall(this.#sent, { request: "", key: "" });
+    if (sent.request === request) return sent.key;
+    const key = randomKey();
+    keep(this.#sent, { request, key });
+    return key;
+  }
+
+  #forgetKey() {
+    keep(this.#sent, null);
+  }
+
+  /** Where the browser keeps what was sent and has had no answer. */
+  get #sent() {
+    return `sent:${this.told.link.id}:${this.key}`;
   }
 
   /** @type {AttemptStore} */
@@ -132,6 +163,11 @@ export class CourseSession {
     ];
     fill(this.banner, el("p", { class: "row" }, facts));
   }
+}
+
+/** 128 random bits; also where a page without TLS has no `randomUUID`. */
+function randomKey() {
+  return [...crypto.getRandomValues(new Uint8Array(16))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
 /** What is said where nothing may be shown yet. @param {any} options */
