@@ -25,7 +25,7 @@ from service.wire.session_views import attempt_view, masked, session_view, store
 from service.wire.ungraded import answer_refused
 from service.wire.verdicts import encoded, report_body
 from service.work.limiters import WorkKind
-from service.work.session_grading import Grader, hand_in
+from service.work.session_grading import Grader, hand_in, with_exercise_rules
 
 router = api_router("courses", route_class=DirectRoute)
 router.include_in_schema = False
@@ -52,7 +52,8 @@ async def signed_in(request: ApiRequest) -> tuple[CourseResources, CourseSession
     if not field.lower().startswith(_BEARER):
         raise SessionError(Fault(code="session_expired"))
     token = field[len(_BEARER) :].strip()
-    return courses, await in_thread(request, session_of, courses.store, token, now())
+    session = await in_thread(request, session_of, courses.store, token, now())
+    return courses, with_exercise_rules(resources_of(request).exercises, session)
 
 
 def grader_of(request: ApiRequest) -> Grader:

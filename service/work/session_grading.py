@@ -18,6 +18,7 @@ from courses.storage import Store
 from exercises.access import ExerciseAccess
 from exercises.answers import parse
 from exercises.definition import Exercise
+from exercises.errors import UnknownExerciseError
 from exercises.grader import Report, grade
 from exercises.grading import HelpLevel
 from exercises.instance import Instance, generate
@@ -48,8 +49,16 @@ class Grader:
     library: Library
     limits: Limits
 
-    def judge(self, settings: LinkSettings, seed: str | None, wire: AnswerBase) -> SessionJudgement:
+    def judge(
+        self, settings: LinkSettings, seed: str | None, wire: AnswerBase, attempt: int
+    ) -> SessionJudgement:
         """Judge an answer.
+
+        Args:
+            settings: what the link asks, and how.
+            seed: of the student's values.
+            wire: the answer; which attempt it says it is counts for nothing.
+            attempt: which attempt it is, from 1, for the exercise's help ladder.
 
         Raises:
             KinematicsError, ExerciseError: it cannot be graded.
@@ -57,7 +66,7 @@ class Grader:
         asked = asked_exercise(self.library, settings)
         answer = parse(_instance(asked, seed), wire.raw(), self.limits)
         level = wire.help if settings.help is None else HelpLevel(settings.help)
-        report = grade(_instance(asked, seed), answer, level)
+        report = grade(_instance(asked, seed), answer, level, attempt)
         told = analysis = plain(report)
         if report.help_level is not HelpLevel.REPAIR and not report.correct:
             open_ = _instance(replace(asked, access=ExerciseAccess()), seed)
@@ -76,7 +85,8 @@ class Grader:
         found = []
         for attempt in attempts:
             own = replace(settings, exercise_id=attempt.exercise_id)
-            judged = _judged_again(self, own, attempt.seed, orjson.dumps(attempt.answer))
+            rung = min(attempt.number, len(asked_exercise(self.library, own).access.ladder))
+            judged = _judged_again(self, own, attempt.seed, orjson.dumps(attempt.answer), rung)
             found.append(
                 Rejudged(
                     attempt_id=attempt.id,
@@ -91,11 +101,11 @@ class Grader:
 
 @lru_cache(maxsize=4096)
 def _judged_again(
-    grader: Grader, settings: LinkSettings, seed: str | None, answer: bytes
+    grader: Grader, settings: LinkSettings, seed: str | None, answer: bytes, rung: int
 ) -> SessionJudgement:
-    """Many students hand in the same answer: it is judged once."""
+    """Many students hand in the same answer: it is judged once for each rung of the help ladder."""
     wire: AnswerBase = ExerciseAnswer.model_validate(orjson.loads(answer))
-    return grader.judge(settings, seed, wire)
+    return grader.judge(settings, seed, wire, rung)
 
 
 def asked_exercise(library: Library, settings: LinkSettings) -> Exercise:
@@ -107,6 +117,21 @@ def asked_exercise(library: Library, settings: LinkSettings) -> Exercise:
     if settings.exercise_id is None:
         raise NoExerciseError
     return _with_parts(library.exercise(settings.exercise_id), settings.parts)
+
+
+def with_exercise_rules(library: Library, session: CourseSession) -> CourseSession:
+    """A session with as many attempts as its link says, else as its exercise says."""
+    settings = session.link.settings
+    if settings.exercise_id is None or settings.policy.attempts is not None:
+        return session
+    try:
+        attempts = library.exercise(settings.exercise_id).access.attempts
+    except UnknownExerciseError:  # removed since the link chose it; whoever asks for it is told
+        return session
+    if attempts is None:
+        return session
+    ruled = replace(settings, policy=replace(settings.policy, attempts=attempts))
+    return replace(session, link=replace(session.link, settings=ruled))
 
 
 @lru_cache(maxsize=256)
@@ -146,7 +171,7 @@ def hand_in(
     arrived = now()
     check_open(session, arrived)
     seed = seed_of(session)
-    judged = grader.judge(settings, seed, wire)
+    judged = grader.judge(settings, seed, wire, session.made + 1)
     attempt = Attempt(
         link_id=session.link.id,
         person_id=session.person.id,

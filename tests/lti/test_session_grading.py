@@ -1,0 +1,97 @@
+"""What a session's attempts are told, and how many there are, where the exercise says so."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from courses.attempts import attempts_of
+from courses.links import change_settings
+from courses.model import CourseSession, LinkSettings
+from courses.policies import AttemptPolicy
+from courses.refusals import AttemptError
+from courses.storage import Store, open_store
+from exercises.grading import HelpLevel
+from exercises.loader import Library
+from kinematics.cells import DEFAULT
+from service.course_resources import now
+from service.schemas.exercises import ExerciseAnswer
+from service.work.session_grading import Grader, hand_in, with_exercise_rules
+from tests.courses.classroom import joined
+from tests.exercises.folders import TWO_LINKS, folder
+
+RULES = """
+[access]
+attempts = 4
+
+[help]
+ladder = ["verdict", "row", "repair"]
+"""
+ROW = {"theta": "q1", "d": "0", "a": "9", "alpha": "0"}
+WRONG = {"table": {"convention": "standard", "angle_unit": "deg", "rows": [ROW, {**ROW, "theta": "q2"}]}}
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Store:
+    return open_store("", tmp_path / "data")
+
+
+@pytest.fixture
+def grader(tmp_path: Path) -> Grader:
+    folder(tmp_path, TWO_LINKS + RULES)
+    return Grader(library=Library((tmp_path,)), limits=DEFAULT)
+
+
+def come(store: Store, grader: Grader, **settings: Any) -> CourseSession:
+    """A session of the ladder's exercise, by the rules of a link."""
+    link = joined(store, at=now(), exercise_id="two").link
+    change_settings(store, link.id, LinkSettings(exercise_id="two", **settings), now())
+    return with_exercise_rules(grader.library, joined(store, at=now(), exercise_id="two"))
+
+
+def wrong(store: Store, grader: Grader, session: CourseSession, **more: Any) -> HelpLevel:
+    """How much a wrong answer was told."""
+    typed = {**WRONG, **more}
+    wire = ExerciseAnswer.model_validate(typed)
+    _, found = hand_in(store, grader, session, wire, typed, None, "en")
+    assert found is not None
+    assert not found.correct
+    return found.help_level
+
+
+def test_each_attempt_is_told_what_the_ladder_says(store: Store, grader: Grader) -> None:
+    told = [wrong(store, grader, come(store, grader)) for _ in range(4)]
+    assert told == [HelpLevel.VERDICT, HelpLevel.ROW, HelpLevel.REPAIR, HelpLevel.REPAIR]
+
+
+def test_the_number_that_an_answer_claims_counts_for_nothing(store: Store, grader: Grader) -> None:
+    assert wrong(store, grader, come(store, grader), attempt=3) is HelpLevel.VERDICT
+
+
+def test_the_link_holds_help_back_and_never_gives_more(store: Store, grader: Grader) -> None:
+    told = [wrong(store, grader, come(store, grader, help="row")) for _ in range(3)]
+    assert told == [HelpLevel.VERDICT, HelpLevel.ROW, HelpLevel.ROW]
+
+
+def test_judging_again_tells_each_attempt_as_much_as_it_was_told(store: Store, grader: Grader) -> None:
+    for _ in range(3):
+        wrong(store, grader, come(store, grader))
+    session = come(store, grader)
+    attempts = attempts_of(store, session.link.id, session.person.id)
+    again = grader.rejudge(attempts, session.link.settings)
+    assert [item.report for item in again] == [attempt.report for attempt in attempts]
+    assert [report["help_level"] for report in (item.report for item in again)] == [
+        "verdict",
+        "row",
+        "repair",
+    ]
+
+
+def test_attempts_are_the_exercises_unless_the_link_says_otherwise(store: Store, grader: Grader) -> None:
+    for _ in range(4):
+        wrong(store, grader, come(store, grader))
+    with pytest.raises(AttemptError, match="attempts_used"):
+        wrong(store, grader, come(store, grader))
+    wrong(store, grader, come(store, grader, policy=AttemptPolicy(attempts=5)))
