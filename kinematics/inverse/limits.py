@@ -66,10 +66,8 @@ def _fault(i: int, low: float, high: float, turns: bool) -> Fault | None:
     where = ("limits", i)
     params: dict[str, ParamValue] = {"joint": i + 1}
     if not low <= high or low == math.inf or high == -math.inf:
-        f"the limits of joint {i + 1} are its least and its greatest value, in this order"
         return Fault(code="limits_reversed", where=where, params=params)
     if turns and (low > FARTHEST_TURN or high < -FARTHEST_TURN):
-        (f"the limits of joint {i + 1} are more than {FARTHEST_TURN:g} rad from 0; take off full turns")
         params["limit"] = FARTHEST_TURN
         return Fault(code="limits_too_far", where=where, params=params)
     if not turns and any(math.isfinite(end) and is_long(end) for end in (low, high)):
