@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections import Counter, deque
+from collections import Counter, OrderedDict, deque
 from collections.abc import Iterable, Iterator
-from concurrent.futures import Future, ProcessPoolExecutor
-from dataclasses import dataclass
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from dataclasses import dataclass, replace
 from functools import lru_cache
+from hashlib import blake2b
 from pathlib import Path
 
 from exercises.errors import UnknownExerciseError
@@ -17,10 +18,13 @@ from service.adapters.gradebook import Mark
 from service.adapters.hand_ins import HandIn
 from service.adapters.judging import JudgedAnswer, judge, told_fault, with_joint_types
 
-_CHUNK = 16
-"""Tables that travel to a worker together: a message costs as much as grading one right table."""
-_CHUNKS_AHEAD = 4
-"""Chunks waiting for each worker, so that none is idle and memory does not grow with the class."""
+_CHUNK = 8
+"""Tables that travel to a worker together: a message costs as much as grading one right table, and a worker
+that is last takes no longer than eight wrong ones."""
+_AHEAD = 64
+"""Hand-ins in flight for each worker, so that none is idle and memory does not grow with the class."""
+_REMEMBERED = 1024
+"""Tables that are known again when another student hands in the same; one takes a few kilobytes."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -51,19 +55,27 @@ def grade_class(found: Iterable[HandIn], settings: ClassSettings, jobs: int | No
         jobs: processes; all cores if left out, none besides this one for 1.
     """
     jobs = jobs or os.cpu_count() or 1
-    chunks = _chunks(found)
-    if jobs == 1:
-        for chunk in chunks:
-            yield from _graded(chunk, settings)
-        return
-    with ProcessPoolExecutor(jobs) as pool:
-        waiting: deque[Future[list[Mark]]] = deque()
-        for chunk in chunks:
-            waiting.append(pool.submit(_graded, chunk, settings))
-            if len(waiting) >= jobs * _CHUNKS_AHEAD:
-                yield from waiting.popleft().result()
+    with ProcessPoolExecutor(jobs) if jobs > 1 else _ThisProcess() as pool:
+        waiting: deque[tuple[HandIn, _Chunk, int]] = deque()
+        known: OrderedDict[bytes, tuple[_Chunk, int]] = OrderedDict()
+        chunk = _Chunk()
+        for hand_in in found:
+            key = _meaning(hand_in, settings)
+            if key not in known:
+                known[key] = chunk, chunk.add(hand_in)
+                if len(known) > _REMEMBERED:
+                    known.popitem(last=False)
+            known.move_to_end(key)
+            waiting.append((hand_in, *known[key]))
+            overdue = len(waiting) > jobs * _AHEAD
+            if chunk.is_full or (overdue and waiting[0][1] is chunk):
+                chunk.send(pool, settings)
+                chunk = _Chunk()
+            if overdue:
+                yield _marked(*waiting.popleft())
+        chunk.send(pool, settings)
         while waiting:
-            yield from waiting.popleft().result()
+            yield _marked(*waiting.popleft())
 
 
 def misconceptions(marks: Iterable[Mark]) -> Counter[str]:
@@ -77,15 +89,51 @@ def exercise_named(name: str, library: Library | None = None) -> str | None:
     return next((known for known in (library or packaged()).ids if known.replace("-", "") == bare), None)
 
 
-def _chunks(found: Iterable[HandIn]) -> Iterator[list[HandIn]]:
-    chunk: list[HandIn] = []
-    for hand_in in found:
-        chunk.append(hand_in)
-        if len(chunk) == _CHUNK:
-            yield chunk
-            chunk = []
-    if chunk:
-        yield chunk
+class _Chunk:
+    """Tables that are graded together."""
+
+    def __init__(self) -> None:
+        self._hand_ins: list[HandIn] = []
+        self._marks: Future[list[Mark]] = Future()
+
+    def add(self, hand_in: HandIn) -> int:
+        """Take in a table, and return its place."""
+        self._hand_ins.append(hand_in)
+        return len(self._hand_ins) - 1
+
+    @property
+    def is_full(self) -> bool:
+        return len(self._hand_ins) == _CHUNK
+
+    def send(self, pool: Executor, settings: ClassSettings) -> None:
+        """Have the tables graded."""
+        self._marks = pool.submit(_graded, self._hand_ins, settings)
+        self._hand_ins = []
+
+    def mark(self, place: int) -> Mark:
+        """Return the mark of the table at a place, once there is one."""
+        return self._marks.result()[place]
+
+
+class _ThisProcess(Executor):
+    """Grades where it is called, at once."""
+
+    def submit(self, function, /, *arguments, **named):  # type: ignore[no-untyped-def]
+        done: Future[object] = Future()
+        done.set_result(function(*arguments, **named))
+        return done
+
+
+def _meaning(hand_in: HandIn, settings: ClassSettings) -> bytes:
+    """Return all that a mark depends on: two students with the same of it get the same mark."""
+    found = hand_in.found
+    asked = (found.exercise, found.table) if found else hand_in.faults
+    told = repr((asked, hand_in.student if settings.per_student else None))
+    return blake2b(told.encode("utf-8", "surrogatepass")).digest()
+
+
+def _marked(hand_in: HandIn, chunk: _Chunk, place: int) -> Mark:
+    return replace(chunk.mark(place), student=hand_in.student, source=hand_in.source)
 
 
 @lru_cache(maxsize=4)

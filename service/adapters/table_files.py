@@ -6,25 +6,27 @@ import csv
 import io
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
 from typing import Any, TypeAlias
 
-import orjson
 from python_calamine import CalamineWorkbook
 
 from kinematics.errors import Fault
-from service.http.problems import RequestError
+from service.http.decoding import JsonLimits, decode_json
+from service.http.problems import RequestError, ServiceError
 
 Grid: TypeAlias = Sequence[Sequence[object]]
 
 SUFFIXES = (".json", ".csv", ".tsv", ".txt", ".xlsx", ".xls", ".ods")
-LARGEST_FILE = 2 * 1024 * 1024
-"""Bytes of a file; a table of a hundred rows takes a hundredth of it."""
+LARGEST_FILE = 8 * 1024 * 1024
+"""Bytes of a file: as many rows as are read, with 80 characters each."""
 MOST_LEVELS = 8
 """Levels of a JSON file: lists of students, of robots, of tables, and some that mean nothing here."""
 MOST_ROWS = 100_000
 """Rows of a file: a table of six rows for each of 15 000 students."""
+_JSON_LIMITS = JsonLimits(objects=MOST_ROWS, lists=MOST_ROWS, values=8 * MOST_ROWS, fields=MOST_ROWS)
+"""As many rows as other files may have, each an object of eight values at most."""
 
 _COLUMNS = {
     "theta": ("theta", "θ", "th", "ϑ", "thetai", "θi", "jointangle", "thetaoffset", "θoffset"),
@@ -109,9 +111,9 @@ def read_tables(name: str, content: bytes, settings: TableSettings) -> tuple[Fou
 
 def _json(name: str, content: bytes) -> object:
     try:
-        return orjson.loads(content.removeprefix(b"\xef\xbb\xbf"))
-    except orjson.JSONDecodeError as error:
-        raise _refused("file_unreadable", name, reason=str(error)) from None
+        return decode_json(content, _JSON_LIMITS)
+    except ServiceError as error:
+        raise RequestError(replace(fault, where=(name, *fault.where)) for fault in error.faults) from None
 
 
 def _json_tables(

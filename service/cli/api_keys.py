@@ -7,7 +7,7 @@ import sys
 from datetime import UTC, datetime, timedelta
 
 from kinematics.errors import Fault
-from service.cli.serve import settings_of_environment
+from service.cli.environment import settings_of_environment
 from service.http.api_keys import KeyFile, KeyScope
 from service.http.problems import RequestError
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from courses.backup import back_up, restore
 from courses.storage import Store, open_store
-from service.cli.serve import settings_of_environment
+from service.cli.environment import settings_of_environment
 
 
 def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:

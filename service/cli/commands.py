@@ -4,22 +4,12 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from importlib import import_module
 from typing import Protocol
 
 from exercises.errors import ExerciseError
 from kinematics.errors import Fault, KinematicsError
-from service.cli import (
-    api_keys,
-    backups,
-    config,
-    exercise_commands,
-    grade_commands,
-    lti,
-    people,
-    receipt_commands,
-    serve,
-)
 from service.http.problems import ServiceError
 from service.messages import DEFAULT_LANGUAGE, languages, sentence
 
@@ -31,18 +21,19 @@ class Command(Protocol):
         """Declare the subcommand, its options, and what runs it."""
 
 
-COMMANDS: tuple[Command, ...] = (
-    serve,
-    exercise_commands,
-    grade_commands,
-    receipt_commands,
-    api_keys,
-    backups,
-    lti,
-    people,
-    config,
-)
-"""Every subcommand; a new one is a module of this package and an entry here."""
+COMMANDS: Mapping[str, str] = {
+    "serve": "serve",
+    "exercises": "exercise_commands",
+    "grade": "grade_commands",
+    "receipts": "receipt_commands",
+    "keys": "api_keys",
+    "backup": "backups",
+    "restore": "backups",
+    "lti": "lti",
+    "people": "people",
+    "config": "config",
+}
+"""Every subcommand and the module of this package that declares it; only what is called is imported."""
 
 FAILED, UNUSABLE = 1, 2
 """Exit statuses: something was found wrong; the command could not be carried out."""
@@ -57,7 +48,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = list(sys.argv[1:] if arguments is None else arguments)
     if not given or (given[0].startswith("-") and given[0] not in ("-h", "--help", "--lang")):
         given = ["serve", *given]
-    options = _parser().parse_args(given)
+    named = next((word for word in given if word in COMMANDS), None)
+    modules = (COMMANDS[named],) if named else dict.fromkeys(COMMANDS.values())
+    options = _parser(modules).parse_args(given)
     run: Callable[[argparse.Namespace], int] = options.run
     try:
         return run(options)
@@ -76,12 +69,13 @@ def told(fault: Fault, language: str) -> str:
     return f"{place}: {text} [{fault.code}]" if place else f"{text} [{fault.code}]"
 
 
-def _parser() -> argparse.ArgumentParser:
+def _parser(modules: Iterable[str]) -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="framewise", description="Kinematics over HTTP, and its exercises.")
     parser.add_argument(
         "--lang", choices=languages(), default=DEFAULT_LANGUAGE, help="language of what is told (%(default)s)"
     )
     subparsers = parser.add_subparsers(required=True, metavar="command")
-    for command in COMMANDS:
+    for name in modules:
+        command: Command = import_module(f"service.cli.{name}")
         command.add(subparsers)
     return parser

@@ -8,7 +8,7 @@ import sys
 
 from pydantic import SecretStr
 
-from service.cli.serve import settings_of_environment
+from service.cli.environment import settings_of_environment
 
 
 def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:

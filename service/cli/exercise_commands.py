@@ -21,7 +21,7 @@ from exercises.instance import generate
 from exercises.loader import ROOT, Library, load_exercise
 from exercises.selftest.checks import check
 from exercises.selftest.findings import Failure, Findings
-from service.cli.serve import settings_of_environment
+from service.cli.environment import settings_of_environment
 from service.messages import sentence
 from service.wire.exercise_views import figure_file
 

@@ -19,7 +19,7 @@ from service.adapters.hand_ins import count_files, hand_ins
 from service.adapters.hosts import HOSTS
 from service.adapters.hosts.assignment import Assignment
 from service.adapters.table_files import TableSettings
-from service.cli.serve import settings_of_environment
+from service.cli.environment import settings_of_environment
 from service.messages import sentence
 
 _JSON = "json"

@@ -17,7 +17,7 @@ from courses.platforms import (
     set_status,
 )
 from service.cli.backups import opened_store
-from service.cli.serve import settings_of_environment
+from service.cli.environment import settings_of_environment
 from service.course_resources import CourseResources, now
 from service.lti.signing_keys import key_set
 

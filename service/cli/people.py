@@ -9,7 +9,7 @@ from datetime import timedelta
 
 from courses.privacy import erase_person, export_person, purge
 from service.cli.backups import opened_store
-from service.cli.serve import settings_of_environment
+from service.cli.environment import settings_of_environment
 from service.course_resources import now
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from service.adapters.gradebook import GradebookFormat, write_marks
 from service.adapters.judging import told_fault
-from service.cli.serve import settings_of_environment
+from service.cli.environment import settings_of_environment
 from service.receipts.checking import check_receipts, marks_of, receipts_in
 from service.receipts.keys import receipt_keys, rotate
 

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import argparse
-import os
-import sys
 
 import uvicorn
-from pydantic import ValidationError
 
 from service.app import create_app
+from service.cli.environment import settings_of_environment
 from service.http.connections import server_options
 from service.logs import log_configuration
 from service.secret import share_secret
-from service.settings import Settings
 
 _LARGEST_PORT = 65535
 
@@ -52,23 +49,3 @@ def _port(text: str) -> int:
     if not text.isdecimal() or int(text) > _LARGEST_PORT:
         raise argparse.ArgumentTypeError(f"a port is a number from 0 to {_LARGEST_PORT}, not {text}")
     return int(text)
-
-
-def settings_of_environment() -> Settings:
-    """Return the settings of the environment; what cannot be understood ends the program with its name."""
-    known = {f"FRAMEWISE_{name.upper()}" for name in Settings.model_fields}
-    faults = [
-        f"  {name}: there is no such setting"
-        for name in sorted(os.environ)
-        if name.upper().startswith("FRAMEWISE_") and name.upper() not in known
-    ]
-    try:
-        settings = Settings()
-    except ValidationError as error:
-        faults += [
-            "  " + ": ".join((*(f"FRAMEWISE_{str(step).upper()}" for step in fault["loc"][:1]), fault["msg"]))
-            for fault in error.errors()
-        ]
-    if faults:
-        sys.exit("\n".join(("These settings cannot be understood:", *faults)))
-    return settings

@@ -57,6 +57,37 @@ def test_a_class_is_graded_in_the_order_of_its_files_by_any_number_of_processes(
     assert graded(class_folder, jobs=2) == marks
 
 
+def test_the_same_table_of_many_students_is_judged_once(tmp_path: Path) -> None:
+    """More than are in flight at once, and among them what only one hands in."""
+    for i in range(300):
+        text = {7: WRONG, 290: NUMBERS}.get(i, RIGHT)
+        (tmp_path / f"student{i:03}.csv").write_text(text)
+    for jobs in (1, 2):
+        marks = graded(tmp_path, jobs)
+        assert [mark.student for mark in marks] == [f"student{i:03}" for i in range(300)]
+        assert [mark.source for mark in marks] == [f"student{i:03}.csv" for i in range(300)]
+        assert [i for i, mark in enumerate(marks) if not mark.correct] == [7]
+
+
+def test_values_of_ones_own_are_judged_for_each_student(tmp_path: Path) -> None:
+    for name in ("ann", "bob"):
+        (tmp_path / f"{name}.csv").write_text(NUMBERS)
+    settings = ClassSettings(exercise="twolink", per_student=True)
+    alone = {}
+    for name in ("ann", "bob"):
+        (alone[name],) = grade_class(hand_ins(tmp_path / f"{name}.csv", TableSettings()), settings, jobs=1)
+    both = list(grade_class(hand_ins(tmp_path, TableSettings()), settings, jobs=1))
+    assert both == list(alone.values())
+
+
+def test_a_file_nested_without_end_stops_nobody_elses_mark(class_folder: Path) -> None:
+    (class_folder / "deep.json").write_text('{"rows": ' + "[" * 900 + "]" * 900 + "}")
+    marks = graded(class_folder, jobs=2)
+    assert marks[0].source == "deep.json"
+    assert marks[0].codes == ("json_too_deep",)
+    assert sum(mark.correct for mark in marks) == 19
+
+
 def test_gradebooks(class_folder: Path) -> None:
     marks = graded(class_folder, jobs=1)[:3]
     written = {}

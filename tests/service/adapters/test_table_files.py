@@ -125,8 +125,8 @@ def test_a_workbook_with_a_sheet_for_each_robot() -> None:
 @pytest.mark.parametrize(
     ("name", "content", "code"),
     [
-        ("t.json", b"{", "file_unreadable"),
-        ("t.json", b"[" * 500 + b"]" * 500, "file_without_table"),
+        ("t.json", b"{", "json_invalid"),
+        ("t.json", b"[" * 500 + b"]" * 500, "json_too_deep"),
         ("t.json", b'{"a": 1}', "file_without_table"),
         ("t.json", b'{"theta": [0], "d": [0, 1], "a": [0], "alpha": [0]}', "columns_differ_in_length"),
         ("t.csv", b"", "file_unreadable"),
@@ -141,7 +141,7 @@ def test_what_cannot_be_read_is_refused_with_its_code(name: str, content: bytes,
     with pytest.raises(RequestError) as refused:
         read_tables(name, content, TableSettings())
     assert refused.value.faults[0].code == code
-    assert refused.value.faults[0].params["file"] == name
+    assert refused.value.faults[0].where[0] == name
 
 
 @pytest.mark.parametrize(
