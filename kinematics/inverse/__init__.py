@@ -17,6 +17,7 @@ refinement     from candidates to solutions
 distinct       which solutions are the same
 components     which solutions stand alone, and which belong to families
 families       families followed along their path
+crossings      where families cross others
 limits         turns of a joint into its range
 ranges         families within joint limits
 solve          one target

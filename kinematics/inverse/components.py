@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import permutations
 
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.crossings import branches, is_beside
 from kinematics.inverse.distinct import SAME, differences
 from kinematics.inverse.families import FamilyPath, Follower, blind_directions, nearest_on, pivots_of
 from kinematics.inverse.residuals import errors_of
@@ -33,6 +36,12 @@ long and turn by three times STRAIGHT at most."""
 
 MOST_MEMBERS = 16
 """Solutions that are looked at of an arm with two or more joints to spare; all pairs of them are."""
+
+BESIDE_A_CROSSING = 0.3
+"""Step from a crossing [rad, or parts of the size] after which one of the families is alone."""
+
+BESIDE_A_BRANCH = 0.25
+"""What is nearer than this part of a step to a path, a step from where it crosses another, is on it."""
 
 SURFACE_STEP = 0.2
 """Steps over surfaces of solutions [rad, or parts of the size]."""
@@ -99,13 +108,26 @@ def _apart(arm: Arm, q: Array, other: Array) -> float:
     return float(np.abs(differences(q, other, arm)).max())
 
 
+def belongs(arm: Arm, target: Array, component: Component, q: Array, tolerance: float) -> bool:
+    """Whether a solution belongs to a component.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        component: of the target's solutions.
+        q: (n,) a solution.
+        tolerance: distance [m] and angle [rad] within which the target is reached.
+    """
+    return _Sorter(arm, Follower(arm, target, tolerance), tolerance)._within(component, q)
+
+
 class _Sorter:
     """Sorts solutions near singularities, or with joints to spare, into components."""
 
     def __init__(self, arm: Arm, follower: Follower, tolerance: float) -> None:
         self.arm, self.follower = arm, follower
         self.long = max(LONG, ACROSS_A_FOLD * float(np.sqrt(tolerance)))
-        self.blind = max(tolerance / LONG * 2.0, ROUNDING)
+        self.blind = max(tolerance / LONG * 2.0, follower.lost)
         self.beside = max(BESIDE, 20.0 * tolerance)
 
     def sorted(self, joints: Array, J: Array) -> list[Component]:
@@ -131,21 +153,67 @@ class _Sorter:
         moving = [d for d in blind if self._moves(x, d)]
         if not moving:
             return [Component(q)]
-        pairs = [
-            (one + sign * other) / np.linalg.norm(one + sign * other)
-            for k, one in enumerate(moving)
-            for other in moving[:k]
-            for sign in (1.0, -1.0)
-        ]
-        if len(moving) > 1 and all(self._moves(x, d) for d in pairs):
+        if len(moving) > 1 and self._spanned(x, moving):
             directions = np.array(moving)
             paths = self._paths_of_surface(x, directions)
             return [Component(q, paths, len(moving), tuple(pivots_of(directions)))]
+        surfaces = [] if len(moving) < 2 else self._surfaces_beside(x, moving)
         curves = [self.follower.path(x, d, np.empty((0, len(x)))) for d in moving]
-        curves = [path for path in curves if self._is_long(path)]
+        curves = [
+            path
+            for path in curves
+            if self._is_long(path) and not any(self._holds(one, path) for one in surfaces)
+        ]
+        curves = self._with_branches(curves)
         members = [q, *(path.points[len(path.points) // 4] for path in curves[1:])]
         found = [Component(member, (path,), 1) for member, path in zip(members, curves, strict=False)]
-        return found or [Component(q)]
+        return [*surfaces, *found] or [Component(q)]
+
+    def _spanned(self, x: Array, moving: Sequence[Array]) -> bool:
+        """Whether a solution can be moved along the sums and differences of directions too."""
+        return all(
+            self._moves(x, (one + sign * other) / np.linalg.norm(one + sign * other))
+            for k, one in enumerate(moving)
+            for other in moving[:k]
+            for sign in (1.0, -1.0)
+        )
+
+    def _surfaces_beside(self, x: Array, moving: Sequence[Array]) -> list[Component]:
+        """Surfaces that meet where families cross, told from a point beside the crossing."""
+        found: list[Component] = []
+        for direction in moving:
+            for step in (BESIDE_A_CROSSING, -BESIDE_A_CROSSING):
+                there = self.follower.moves(x, direction, step)
+                if there is None or any(self._within(one, there * self.arm.units) for one in found):
+                    continue
+                blind = blind_directions(self.follower.jacobian(there), self.blind)
+                if not 1 < len(blind) < len(moving):
+                    continue
+                beside = [d for d in blind if self._moves(there, d)]
+                if len(beside) > 1 and self._spanned(there, beside):
+                    directions = np.array(beside)
+                    paths = self._paths_of_surface(there, directions)
+                    q = there * self.arm.units
+                    found.append(Component(q, paths, len(beside), tuple(pivots_of(directions))))
+        return found
+
+    def _holds(self, surface: Component, path: FamilyPath) -> bool:
+        """Whether a path lies in a surface, as far as some of its points tell."""
+        return all(self._within(surface, q) for q in path.points[:: max(len(path.points) // 3, 1)])
+
+    def _with_branches(self, curves: list[FamilyPath]) -> list[FamilyPath]:
+        """Paths, and those that cross them, and those that cross these."""
+        found = list(curves)
+        for path in found:
+            for x, way in branches(self.follower, path, self.long, self.blind):
+                if any(is_beside(self.follower, one, x, BESIDE_A_BRANCH * self.long) for one in found):
+                    continue
+                branch = self.follower.path(x, way, np.empty((0, len(x))))
+                if self._is_long(branch):
+                    found.append(branch)
+                if len(found) == MOST_FOLLOWED:
+                    return found
+        return found
 
     def _is_long(self, path: FamilyPath) -> bool:
         """Whether a path leads farther than across a fold."""
@@ -176,15 +244,26 @@ class _Sorter:
         return near and self.follower.joined(x, x + apart)
 
     def _on_surface(self, component: Component, q: Array) -> bool:
-        """Whether a solution is reached over a surface, its parameters turned to the solution's."""
+        """Whether a solution is reached over a surface, its parameters turned to the solution's.
+
+        All at once, or one after another: a way may lead over a fold where another does not.
+        """
+        pivots = list(component.pivots)
+        ways = [[pivots], *([[k] for k in order] for order in permutations(pivots))]
+        return any(self._leads(component, q, way) for way in ways)
+
+    def _leads(self, component: Component, q: Array, turns: Sequence[Sequence[int]]) -> bool:
+        """Whether turning some pivots after others to a solution's leads from a member to it."""
         held = np.eye(len(q))[list(component.pivots)]
         x = component.joints / self.arm.units
-        way = held.T @ (held @ differences(q, component.joints, self.arm))
-        steps = int(np.ceil(float(np.abs(way).max(initial=0.0)) / SURFACE_STEP))
-        for _ in range(steps):
-            x, e, _ = self.follower.corrected(x + way / steps, held)
-            if not self.follower.reached(e):
-                return False
+        for turned in turns:
+            to = np.zeros(len(q))
+            to[list(turned)] = differences(q, x * self.arm.units, self.arm)[list(turned)]
+            steps = int(np.ceil(float(np.abs(to).max(initial=0.0)) / SURFACE_STEP))
+            for _ in range(steps):
+                x, e, _ = self.follower.corrected(x + to / steps, held)
+                if not self.follower.reached(e):
+                    return False
         return float(np.abs(differences(q, x * self.arm.units, self.arm)).max()) <= self.beside
 
     def _on(self, path: FamilyPath, q: Array) -> bool:
@@ -197,4 +276,6 @@ class _Sorter:
             return False
         x = q / self.arm.units
         corrected, e, _ = self.follower.corrected(x - off, (chord / length)[None])
-        return self.follower.reached(e) and float(np.linalg.norm(corrected - x)) <= self.beside
+        if self.follower.reached(e) and float(np.linalg.norm(corrected - x)) <= self.beside:
+            return True
+        return self.follower.joined(x, x - off)

@@ -12,6 +12,7 @@ methods (2003) ch. 2 and 3.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -39,6 +40,14 @@ FARTHEST = 10.0
 MOST_STEPS = 400
 """More steps than the longest closed paths of seven-joint arms were seen to take (some 250)."""
 
+LOST = 1e-6
+"""Second singular values below this, or the root of the tolerance, are as good as zero: within a tolerance ε
+families join that are some √ε apart."""
+
+ROOM = 3.0
+"""A path that comes back to its start is beside it by a few roots of the tolerance: so wide is what a
+tolerance leaves where the Jacobian loses rank."""
+
 STRAIGHT = 0.03
 """Turn of the direction in one step [rad] below which the next step may be twice as long; with three times
 this a step is taken again at half the length."""
@@ -54,10 +63,13 @@ class FamilyPath:
     Attributes:
         points: (k, n) configurations along it in order, turns not brought into any range; slides in m.
         closed: whether the last point leads back to the first.
+        second: (k,) the second least singular value of the Jacobian at each: where it vanishes another family
+            crosses.
     """
 
     points: Array
     closed: bool
+    second: Array
 
 
 def blind_directions(J: Array, smallest: float) -> Array:
@@ -91,6 +103,7 @@ class Follower:
 
     def __init__(self, arm: Arm, target: Array, tolerance: float) -> None:
         self.arm, self.target, self.tolerance = arm, target, tolerance
+        self.lost = max(LOST, math.sqrt(tolerance))
         self._farthest = FARTHEST * (1.0 + float(np.linalg.norm(target[:3, 3])) / arm.size)
 
     def _seen(self, x: Array) -> tuple[Array, Array]:
@@ -157,7 +170,18 @@ class Follower:
         if not closed:
             behind, _ = self._one_way(x, -direction, held)
             points = [*behind[::-1], *points]
-        return FamilyPath(np.array(points) * self.arm.units, closed)
+        return FamilyPath(np.array(points) * self.arm.units, closed, self.second(np.array(points)))
+
+    def jacobian(self, x: Array) -> Array:
+        """(6, n) Jacobian in units."""
+        return self._seen(x)[1]
+
+    def second(self, x: Array) -> Array:
+        """(m,) second least singular values of the Jacobians at x, (m, n); what no row sees counts as 0."""
+        J = self.arm.jacobians(self.arm.frames(x * self.arm.units)) * self.arm.units
+        values = np.linalg.svd(J, compute_uv=False)
+        place = self.arm.n_joints - 2
+        return np.asarray(values[:, place] if 0 <= place < values.shape[1] else np.zeros(len(x)))
 
     def _one_way(self, start: Array, direction: Array, held: Array) -> tuple[list[Array], bool]:
         x, t, h = start, direction, FIRST_STEP
@@ -176,7 +200,8 @@ class Follower:
             gone += h
             back = self._back(start, new)
             along = float(back @ turned)
-            if gone > 4.0 * h and abs(along) <= h and float(np.linalg.norm(back - along * turned)) < 0.2 * h:
+            aside = float(np.linalg.norm(back - along * turned))
+            if gone > 4.0 * h and abs(along) <= h and aside < max(0.2 * h, ROOM * self.lost):
                 return [*found, new], True
             x, t = new, turned
             found.append(new)

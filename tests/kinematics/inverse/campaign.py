@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from kinematics.forward import end_pose
-from kinematics.inverse.components import components_of
+from kinematics.inverse.components import belongs, components_of
 from kinematics.inverse.distinct import differences
 from kinematics.inverse.families import Follower, nearest_on
 from kinematics.inverse.goals import Goal, read_goal
@@ -151,7 +151,7 @@ def _is_among(solver: Solver, goal: Goal, q: np.ndarray, known: np.ndarray) -> b
                     return True
                 if follower.joined(x, corrected):
                     return True
-        if component.dimension > 1 and follower.joined(x, x + differences(component.joints, q, arm)):
+        if belongs(arm, goal.pose, component, q, 2.0 * goal.tolerance):
             return True
     return False
 

@@ -9,6 +9,7 @@ from kinematics.catalogue import robots
 from kinematics.forward import end_pose
 from kinematics.inverse import IKStatus, UnreachableReason, inverse_kinematics, solver_of
 from kinematics.inverse.closed_form import closed_form_of
+from kinematics.inverse.components import belongs, components_of
 from kinematics.inverse.general import GeneralArm
 from kinematics.inverse.results import Isolation, Method
 from kinematics.inverse.search import Bounds, search
@@ -157,3 +158,38 @@ def test_every_arm_of_six_turning_joints_in_the_catalogue_is_closed():
     for robot in robots():
         solver = solver_of(MODELS[f"catalogue {robot.id}"])
         assert (solver.closed_form is None) == (solver.arm.spare > 0)
+
+
+CROSSINGS = {
+    # The wrist's centre on the shoulder's axis: turns of joint 2 against the wrist; where they bring the
+    # wrist into line, joints 4 and 6 turn against each other as well.
+    "catalogue puma600": (0.0, -2.928641, -math.pi / 2, 1.097606, 0.0, -math.pi / 2),
+    # Shoulder and wrist lose rank together, and the closed form's double root is off by 3e-7.
+    "stanford": (-math.pi / 2, 0.0, -0.041222884794, -math.pi / 2, math.pi, -math.pi / 2),
+    # The wrist's centre where axes 1 and 2 meet: both turn freely.
+    "no offsets": (0.0, math.pi / 2, -math.pi / 2, math.pi / 2, math.pi / 2, -math.pi / 2),
+    "irb140": (0.0, math.pi, math.pi / 2, -math.pi / 2, -math.pi, -math.pi),
+}
+
+
+@pytest.mark.parametrize("name", CROSSINGS)
+@pytest.mark.parametrize("decimals", [17, 11])
+def test_where_families_cross_no_configuration_is_lost(name, decimals):
+    table, q = MODELS[name], np.array(CROSSINGS[name])
+    solver = solver_of(table)
+    target = np.round(end_pose(table, q), decimals)
+    answer = solver.solve(target)
+    assert not answer.complete
+    assert answer.status is IKStatus.SINGULAR
+    members = np.array([s.joints for s in answer.solutions])
+    tolerance = 3.0 * answer.tolerance
+    parts = components_of(solver.arm, target, members, answer.tolerance)
+    assert any(belongs(solver.arm, target, part, q, tolerance) for part in parts)
+
+
+def test_the_families_of_a_puma_whose_wrist_is_in_its_shoulder():
+    """Joint 2 turns fully against the wrist, twice; each way meets the wrist in line once."""
+    table = MODELS["catalogue puma600"]
+    answer = inverse_kinematics(table, end_pose(table, CROSSINGS["catalogue puma600"]))
+    turning = [s.family.parameters[0] for s in answer.solutions]
+    assert {(one.joint, one.full_turn) for one in turning} == {(2, True), (4, True)}

@@ -1,0 +1,145 @@
+"""Where families of solutions cross others.
+
+Along a family the Jacobian does not see one direction. Where it does not see a second one either another
+family may begin: a PUMA whose wrist's centre lies on the shoulder's axes turns about them, and where that
+brings the wrist into line joints 4 and 6 turn against each other as well. Such points are the least second
+singular values along a path; from each the directions between that the Jacobian does not see are tried.
+
+Source: E. L. Allgower, K. Georg, Introduction to numerical continuation methods (2003)
+ch. 8, branch switching.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from kinematics.inverse.arm import Array
+from kinematics.inverse.distinct import differences
+from kinematics.inverse.families import FamilyPath, Follower, nearest_on
+
+NEAR_A_CROSSING = 0.5
+"""Second singular values above this at a point of a path do not vanish within a step of it: they change by
+no more than one for each radian, and half a longest step is 0.2."""
+
+SLOPE = 4.0
+"""A second singular value above this many times the width of its bracket does not vanish in it."""
+
+NARROW = 1e-8
+"""Brackets are no narrower than this part of a step."""
+
+MOST_TRIED = 12
+"""Least second singular values that are looked at on one path; the paths of a PUMA have four."""
+
+GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
+
+ANGLES = tuple(math.radians(degrees) for degrees in (0.0, 30.0, -30.0, 60.0, -60.0))
+"""Directions tried in the plane that the Jacobian does not see, from across the path: corrections find a
+family that is within 15° of one of them, and most that are farther."""
+
+
+def branches(
+    follower: Follower, path: FamilyPath, step: float, blind: float
+) -> Iterator[tuple[Array, Array]]:
+    """Configurations beside a path, on others that leave it where the Jacobian loses one rank more.
+
+    Each comes with the direction from the path, in units; several may be on one path.
+
+    Args:
+        follower: of the path's target.
+        path: a family.
+        step: how far they are from the crossing [rad, or parts of the size].
+        blind: singular values up to this are zero.
+    """
+    for x, along in _crossings(follower, path):
+        for direction in _across(follower, x, along, blind):
+            for sign in (1.0, -1.0):
+                moved = follower.moves(x, direction, sign * step)
+                if moved is not None:
+                    yield moved, (moved - x) / np.linalg.norm(moved - x)
+
+
+def is_beside(follower: Follower, path: FamilyPath, x: Array, distance: float) -> bool:
+    """Whether a configuration is no farther than so from a path's points or the chords between them."""
+    off, _ = nearest_on(follower.arm, path, x * follower.arm.units)
+    return float(np.linalg.norm(off)) <= distance
+
+
+def _crossings(follower: Follower, path: FamilyPath) -> Iterator[tuple[Array, Array]]:
+    """Where the second singular value is least along a path, in units, and the path's direction there."""
+    x, values = path.points / follower.arm.units, path.second
+    last = len(x) - 1
+    tried = 0
+    for k in range(len(x)):
+        if tried == MOST_TRIED:
+            return
+        before = k - 1 if k or not path.closed else last
+        after = k + 1 if k < last or not path.closed else 0
+        sides = [i for i in (before, after) if 0 <= i <= last and i != k]
+        if not sides or values[k] > NEAR_A_CROSSING or any(values[i] < values[k] for i in sides):
+            continue
+        if before in sides and values[before] == values[k]:
+            continue
+        tried += 1
+        ways = [differences(path.points[i], path.points[k], follower.arm) for i in sides]
+        found = _least(follower, x[k], ways[0], ways[-1] if len(ways) > 1 else np.zeros_like(ways[0]))
+        if found is not None:
+            way = ways[-1] - (ways[0] if len(ways) > 1 else 0.0)
+            yield found, way / max(float(np.linalg.norm(way)), 1e-300)
+
+
+def _least(follower: Follower, x: Array, back: Array, ahead: Array) -> Array | None:
+    """The configuration between x + back and x + ahead at which the second singular value is least.
+
+    By golden section; None as soon as it cannot vanish.
+    """
+
+    def look(s: float) -> tuple[float, Array]:
+        way = ahead if s > 0.0 else -back
+        length = float(np.linalg.norm(way))
+        at = x + s * way
+        if length and s:
+            at = follower.corrected(at, (way / length)[None])[0]
+        return follower.second(at[None])[0], at
+
+    width = float(np.linalg.norm(back) + np.linalg.norm(ahead))
+    low, high = -1.0 if back.any() else 0.0, 1.0 if ahead.any() else 0.0
+    one, other = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+    (f_one, x_one), (f_other, x_other) = look(one), look(other)
+    f_best, best = look(0.0)
+    while high - low > NARROW:
+        if f_one <= f_other:
+            high, other, f_other, x_other = other, one, f_one, x_one
+            one = high - GOLDEN * (high - low)
+            f_one, x_one = look(one)
+        else:
+            low, one, f_one, x_one = one, other, f_other, x_other
+            other = low + GOLDEN * (high - low)
+            f_other, x_other = look(other)
+        for f, at in ((f_one, x_one), (f_other, x_other)):
+            if f < f_best:
+                f_best, best = f, at
+        if f_best <= 0.1 * follower.lost:
+            break
+        if f_best > SLOPE * (high - low) * width and f_best > follower.lost:
+            return None
+    return best
+
+
+def _across(follower: Follower, x: Array, along: Array, blind: float) -> Iterator[Array]:
+    """Directions across a path that the Jacobian does not see."""
+    frames = follower.arm.frames((x * follower.arm.units)[None])
+    J = follower.arm.jacobians(frames)[0] * follower.arm.units
+    _, values, rows = np.linalg.svd(J)
+    values = np.concatenate((values, np.zeros(len(x) - len(values[: len(x)]))))
+    unseen = rows[values[: len(x)] <= max(blind, follower.lost)]
+    t = unseen.T @ (unseen @ along)
+    if len(unseen) < 2 or not float(np.linalg.norm(t)):
+        return
+    t /= np.linalg.norm(t)
+    others = np.linalg.svd(unseen - np.outer(unseen @ t, t))[2][: len(unseen) - 1]
+    for n in others:
+        for angle in ANGLES:
+            yield math.cos(angle) * n + math.sin(angle) * t
