@@ -8,6 +8,7 @@ from exercises import grading
 from exercises.access import lowest
 from exercises.answers import Answer
 from exercises.definition import Exercise
+from exercises.departure import Departure, departure_of
 from exercises.drawings import KeyPose, key_pose
 from exercises.errors import DefinitionError
 from exercises.grading import HelpLevel, Verdict
@@ -34,6 +35,7 @@ class Report:
         angle_unit: unit of the answer's angles.
         length_unit: unit of the answer's lengths.
         figure: how the key lies in the figure; with an accepted table only.
+        departure: where the robot of a wrong table leaves the figure's; from the help level `kind` on.
     """
 
     verdict: Verdict | None
@@ -47,6 +49,7 @@ class Report:
     angle_unit: AngleUnit
     length_unit: LengthUnit
     figure: KeyPose | None
+    departure: Departure | None = None
 
     @property
     def score(self) -> float:
@@ -98,6 +101,7 @@ def grade(
         angle_unit=answer.angle_unit,
         length_unit=answer.length_unit,
         figure=_figure(instance) if context.own_correct else None,
+        departure=_departure(instance, answer, verdict, level),
     )
 
 
@@ -108,6 +112,14 @@ def _verdict(instance: Instance, answer: Answer, level: HelpLevel) -> Verdict | 
     return grading.grade(
         exercise.reference, answer.table, exercise.policy, instance.parameters, level, exercise.weights
     )
+
+
+def _departure(
+    instance: Instance, answer: Answer, verdict: Verdict | None, level: HelpLevel
+) -> Departure | None:
+    if verdict is None or answer.table is None or lowest((level, HelpLevel.KIND)) is not HelpLevel.KIND:
+        return None
+    return departure_of(instance, answer.table, verdict)
 
 
 def _figure(instance: Instance) -> KeyPose | None:

@@ -74,12 +74,19 @@ declare namespace Wire {
     feedback: Feedback[];
     [more: string]: any;
   }
+  interface Departure {
+    row: number;
+    base: Matrix;
+    posture: number[];
+    senses: number[];
+  }
   interface Graded {
     correct: boolean;
     score: number;
     basis: string | null;
     certificate: any;
     figure: any;
+    departure: Departure | null;
     links: Link[];
     feedback: Feedback[];
     repairs: { edits: Feedback[] }[];

@@ -9,6 +9,7 @@ from pydantic_core import PydanticCustomError
 
 from exercises.access import Tool
 from exercises.answers import RawAnswer
+from exercises.departure import Departure
 from exercises.drawings import KeyPose
 from exercises.grading import Basis, HelpLevel, Verdict
 from exercises.parts.registry import part_type, part_types
@@ -231,6 +232,10 @@ _BESIDE_THE_VERDICT: dict[str, Any] = {
     "seed": (str | None, Field(description="from what the student's values were drawn")),
     "version": (int, Field(description="of the exercise")),
     "figure": (model_of(KeyPose) | None, Field(description="told with an accepted table only")),
+    "departure": (
+        model_of(Departure) | None,
+        Field(description="of a wrong table, from the help level `kind` on, where it can be drawn"),
+    ),
 }
 GradedModel = create_model(
     "Graded",

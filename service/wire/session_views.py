@@ -88,7 +88,8 @@ def masked(report: Mapping[str, Any], shown: Shown) -> dict[str, Any] | None:
         return None
     if shown is Shown.ALL:
         return dict(report)
-    hidden: dict[str, Any] = {"certificate": None, "links": [], "feedback": [], "repairs": [], "figure": None}
+    hidden: dict[str, Any] = {name: [] for name in ("links", "feedback", "repairs")}
+    hidden |= dict.fromkeys(("certificate", "figure", "departure"))
     parts = {
         kind: {**part, "facts": [], "feedback": []} for kind, part in dict(report.get("parts") or {}).items()
     }

@@ -42,6 +42,7 @@ def report_body(report: Report, language: str) -> dict[str, Any]:
         "seed": report.seed,
         "version": report.version,
         "figure": report.figure,
+        "departure": report.departure,
     }
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 
 import pytest
 from playwright.sync_api import Locator, Page, Request, expect
@@ -85,6 +86,46 @@ def test_a_right_answer_says_how_its_frames_differ_and_shows_both_robots(open_pa
         assert tip[:2] == pytest.approx(point[:2], abs=1e-6)
     assert len(seen) == 3
     expect(verdict.get_by_role("button", name="Play")).to_be_visible()
+
+
+FIRST_OFF = """async (scene) => {
+  const base = document.documentElement.dataset.assets;
+  const { poses, position } = await import(new URL(`${base}/js/scene/model.js`, location.href).href);
+  const found = poses(scene.model, scene.joints);
+  const balls = scene.model.items.filter((item) => item.kind === "ball" && item.tone === "lit");
+  return balls.map((ball) => position(found, ball.at));
+}"""
+
+
+def test_after_a_wrong_answer_the_ghost_leaves_the_robot_at_the_row_that_is_named(
+    open_page: OpenPage, assert_accessible: Callable[[Page], None]
+) -> None:
+    page = open_page("/exercises/puma560")
+    put_table(page, wrong(dict(PUMA), 3, a="a2"))
+    verdict = submit(page)
+    named = verdict.locator(".feedback .row-link").first
+    expect(named).to_have_text("Go to row 4")
+    expect(verdict.locator(".both")).to_contain_text("that of row 4, is the first that leaves the robot")
+    scene = verdict.locator("robot-scene")
+    scene.scroll_into_view_if_needed()
+    seen = []
+    for phase in ("0", "0.3"):
+        verdict.get_by_label("Point of the motion").fill(phase)
+        seen.append(scene.evaluate(FIRST_OFF))
+    assert [len(balls) for balls in seen] == [1, 1]
+    assert seen[0] != seen[1]  # it moves with the robot
+    # Frame 4 stands a2 before axis 3 in the picture, instead of a3; the film stands at the same row.
+    assert seen[0][0] == pytest.approx([0.0, -0.15005, -0.4318], abs=1e-6)
+    expect(page.locator("#own .film-text")).to_contain_text("Row 4")
+    assert_accessible(page)
+
+
+@pytest.mark.parametrize("level", ["verdict", "row"])
+def test_no_ghost_where_the_help_does_not_allow_it(open_page: OpenPage, level: str) -> None:
+    page = open_page("/exercises/puma560")
+    page.get_by_label("If my answer is wrong, tell me").select_option(level)
+    put_table(page, wrong(dict(PUMA), 3, a="a2"))
+    expect(submit(page).locator("robot-scene")).to_have_count(0)
 
 
 def test_motion_starts_by_itself_only_where_it_is_welcome(open_page: OpenPage) -> None:

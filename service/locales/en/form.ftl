@@ -282,3 +282,7 @@ form-exercise-write = Attach a frame to every link and write the DH table of thi
 form-why = Why each row is right
 form-why-row = Row { $row }: z{ $before } and z{ $row } are { $relation }, so α = { $alpha } and a = { $a }; along z the frames are d = { $d } apart.
 form-second-table = A second valid table: the same robot in the { $convention } convention
+
+form-ghost-label = Your robot as a ghost over the exercise's
+form-ghost-text = In grey and orange the exercise's robot, in transparent red yours. Both make the same motion. The marked frame { $row }, that of row { $row }, is the first that leaves the robot.
+form-ghost-description = Your robot lies on the exercise's up to frame { $row }, which is marked: there they part.

@@ -282,3 +282,7 @@ form-exercise-write = Fije un sistema de referencia a cada eslabón y escriba la
 form-why = Por qué es correcta cada fila
 form-why-row = Fila { $row }: posición de los ejes z{ $before } y z{ $row }: { $relation }; por eso α = { $alpha } y a = { $a }; a lo largo de z, los sistemas distan d = { $d }.
 form-second-table = Otra tabla válida: el mismo robot en la convención { $convention }
+
+form-ghost-label = Su robot, como fantasma sobre el del ejercicio
+form-ghost-text = En gris y naranja, el robot del ejercicio; en rojo transparente, el suyo. Los dos hacen el mismo movimiento. El sistema { $row }, marcado, el de la fila { $row }, es el primero que se separa del robot.
+form-ghost-description = Su robot coincide con el del ejercicio hasta el sistema { $row }, que está marcado: allí se separan.

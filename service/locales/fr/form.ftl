@@ -282,3 +282,7 @@ form-exercise-write = Attachez un repère à chaque corps et écrivez la table D
 form-why = Pourquoi chaque ligne est juste
 form-why-row = Ligne { $row } : position des axes z{ $before } et z{ $row } : { $relation } ; donc α = { $alpha } et a = { $a } ; le long de z, les repères sont distants de d = { $d }.
 form-second-table = Une deuxième table valide : le même robot dans la convention { $convention }
+
+form-ghost-label = Votre robot, en fantôme sur celui de l’exercice
+form-ghost-text = En gris et orange, le robot de l’exercice ; en rouge transparent, le vôtre. Les deux font le même mouvement. Le repère { $row }, marqué, celui de la ligne { $row }, est le premier qui quitte le robot.
+form-ghost-description = Votre robot coïncide avec celui de l’exercice jusqu’au repère { $row }, qui est marqué : là, ils se séparent.

@@ -282,3 +282,7 @@ form-exercise-write = Fixe um referencial a cada elo e escreva a tabela DH deste
 form-why = Porque está certa cada linha
 form-why-row = Linha { $row }: posição dos eixos z{ $before } e z{ $row }: { $relation }; por isso α = { $alpha } e a = { $a }; ao longo de z, os referenciais distam d = { $d }.
 form-second-table = Outra tabela válida: o mesmo robô na convenção { $convention }
+
+form-ghost-label = O seu robô, como fantasma sobre o do exercício
+form-ghost-text = A cinzento e laranja, o robô do exercício; a vermelho transparente, o seu. Ambos fazem o mesmo movimento. O referencial { $row }, marcado, o da linha { $row }, é o primeiro que se afasta do robô.
+form-ghost-description = O seu robô coincide com o do exercício até ao referencial { $row }, que está marcado: aí separam-se.

@@ -291,3 +291,7 @@ form-exercise-write = Legați un sistem de fiecare element și scrieți tabelul 
 form-why = De ce este corect fiecare rând
 form-why-row = Rândul { $row }: poziția axelor z{ $before } și z{ $row }: { $relation }; de aceea α = { $alpha } și a = { $a }; de-a lungul lui z, sistemele sunt la distanța d = { $d }.
 form-second-table = Un al doilea tabel valid: același robot în convenția { $convention }
+
+form-ghost-label = Robotul dumneavoastră, ca o fantomă peste cel al exercițiului
+form-ghost-text = Cu gri și portocaliu, robotul exercițiului; cu roșu transparent, al dumneavoastră. Amândoi fac aceeași mișcare. Sistemul { $row }, marcat, cel al rândului { $row }, este primul care se desprinde de robot.
+form-ghost-description = Robotul dumneavoastră se suprapune peste cel al exercițiului până la sistemul { $row }, care este marcat: acolo se despart.

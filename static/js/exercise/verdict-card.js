@@ -5,11 +5,12 @@ import { t } from "../i18n.js";
 import { api } from "../page.js";
 import { placeName } from "./answer-card.js";
 import { bothRobots } from "./both-robots.js";
+import { ghostRobot } from "./ghost.js";
 import { partView, shareOf, verdictView, verdictWord } from "./verdict-view.js";
 
 export class VerdictCard {
   /** @type {ReturnType<typeof bothRobots> | null} */
-  #both = null;
+  #moving = null;
 
   /** @param {HTMLElement} card @param {HTMLElement} place */
   constructor(card, place) {
@@ -31,19 +32,19 @@ export class VerdictCard {
    *   convention and robot of the table that was handed in; whether something was typed since
    */
   show(graded, { exercise, answer, convention, table, drawn, changed }) {
-    this.#both?.stop();
+    this.#moving?.stop();
     this.card.classList.remove("outdated");
     this.card.hidden = false;
     const { table: _table, ...others } = graded.parts;
     /** @param {any} row @param {any} cell */
     const focusRow = (row, cell) => answer.focusRow(row, cell);
-    this.#both = graded.certificate && graded.figure && drawn ? together(graded, exercise, drawn) : null;
+    this.#moving = drawn ? together(graded, exercise, drawn) : null;
     const reasons = el("div");
-    if (drawn && this.#both) void addReasons(reasons, exercise, table, drawn);
+    if (drawn && graded.certificate) void addReasons(reasons, exercise, table, drawn);
     fill(
       this.place,
       verdictView(graded, { convention, focusRow }),
-      this.#both?.element,
+      this.#moving?.element,
       reasons,
       Object.values(others).map((report) =>
         partView(report, partName(report.kind), {
@@ -52,7 +53,7 @@ export class VerdictCard {
         }),
       ),
     );
-    this.#both?.describe();
+    this.#moving?.describe();
     this.card.dataset.shown = String(Number(this.card.dataset.shown ?? 0) + 1);
     announce(`${verdictWord(graded)} ${t("form-score", { score: Math.round(shareOf(graded) * 100) })}`);
     if (changed) return this.outdated();
@@ -62,15 +63,14 @@ export class VerdictCard {
   }
 }
 
-/** @param {Wire.Graded} graded @param {Wire.Exercise} exercise @param {any} drawn */
-function together(graded, exercise, drawn) {
-  return bothRobots({
-    figure: exercise.figure,
-    own: drawn.model,
-    certificate: graded.certificate,
-    units: { angle: graded.angle_unit, length: graded.length_unit },
-    key: graded.figure,
-  });
+/**
+ * The student's robot with the exercise's: moving as one after a right answer, as a ghost over it after a wrong one.
+ * @param {Wire.Graded} graded @param {Wire.Exercise} exercise @param {Pick<import("../live-robot.js").Robot, "model" | "size">} drawn
+ */
+function together(graded, { figure }, { model, size }) {
+  const { certificate, figure: key, departure, angle_unit: angle, length_unit: length } = graded;
+  if (certificate && key) return bothRobots({ figure, own: model, certificate, units: { angle, length }, key });
+  return departure ? ghostRobot({ figure, own: model, size, departure, length }) : null;
 }
 
 /**

@@ -141,7 +141,7 @@ async function run() {
         verdict: graded,
       });
       const drawn =
-        graded.certificate && graded.figure
+        (graded.certificate && graded.figure) || graded.departure
           ? await robotOf(api, request.table, valuesFor(request.table)).catch(() => null)
           : null;
       const { table } = request;
@@ -190,15 +190,14 @@ async function run() {
  * Where the student's robot departs from the exercise's, as far as the help tells: the picture shows that row.
  * @param {Wire.Graded} graded
  */
-function firstWrong({ correct, links }) {
+function firstWrong({ correct, links, departure }) {
   const cells = { twist: "alpha", length: "a", offset: "d" };
   if (correct) return null;
-  for (const link of links) {
-    for (const [fact, cell] of Object.entries(cells)) {
-      if (link[/** @type {"twist" | "length" | "offset"} */ (fact)] === "wrong") return { row: link.row, cell };
-    }
-  }
-  return null;
+  const wrong = (/** @type {Wire.Link} */ link) =>
+    Object.entries(cells).find(([fact]) => link[/** @type {"twist"} */ (fact)] === "wrong");
+  const found = links.filter((link) => wrong(link) && (!departure || link.row === departure.row));
+  if (found.length) return { row: found[0].row, cell: wrong(found[0])?.[1] };
+  return departure ? { row: departure.row } : null;
 }
 
 /** The exercise's values, and the units that they are in. @param {any} options */

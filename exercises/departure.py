@@ -1,0 +1,189 @@
+"""Where a wrong table leaves the robot: how the robot that it describes lies on the one in the figure.
+
+The first joints of both are the same mechanism up to some joint k, whatever the frames: there are joint
+signs, joint offsets and a base motion that carry the key's first k axes onto the answer's for every
+configuration (docs/checker.md, equation (1), of the tables cut off after joint k). With these the answer's
+robot is laid on the figure; each joint from k on is turned so that the next axis comes as near to the
+figure's as it can.
+
+Nothing of the key's own frames is told: only where the answer's robot stands beside axes that the figure
+shows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from exercises.drawings import key_pose, true_scene, values
+from exercises.errors import DefinitionError
+from exercises.figures.geometry import FigureJointAxis
+from exercises.grading import Finding, Verdict
+from exercises.grading.verdict import Matrix4
+from exercises.instance import Instance
+from kinematics.cells import ReadTable, in_length_unit
+from kinematics.chain import Chain, chain_of_table
+from kinematics.equivalence import Certificate, Policy
+from kinematics.equivalence.decision import certify, mechanism_only
+from kinematics.equivalence.reference import prepared
+from kinematics.equivalence.search import Effort
+from kinematics.errors import KinematicsError
+from kinematics.se3 import Floats, Transform
+from kinematics.table import Convention, DHTable, JointType, NumericTable, bind
+
+TURNS = np.radians(np.arange(0.0, 360.0, 1.0))
+"""Angles [rad] that are tried for a joint: a degree more or less is not seen."""
+SLIDES = np.array(sorted(np.linspace(-1.0, 1.0, 201), key=abs))
+"""Displacements that are tried, in robot sizes: a hundredth of the robot is not seen either. Least first."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Departure:
+    """How the robot of a wrong table lies on the figure's, and where it leaves it.
+
+    Attributes:
+        row: the table's row (from 1) whose frame is the first that does not fit: the one that the verdict
+            names first, if it names one.
+        base: pose of the table's frame 0 in the figure [m].
+        posture: joint values at which the table's robot lies on the figure as far as it can [rad or m].
+        senses: per joint, +1 if it counts as the figure's axis points, else -1.
+    """
+
+    row: int
+    base: Matrix4
+    posture: tuple[float, ...]
+    senses: tuple[int, ...]
+
+
+def departure_of(instance: Instance, read: ReadTable, verdict: Verdict) -> Departure | None:
+    """Return where the robot of a table leaves the figure's; None where it cannot be drawn or says nothing.
+
+    Args:
+        instance: the exercise with the student's values.
+        read: the table as read.
+        verdict: on this table, at a help level that tells what is wrong in a row.
+    """
+    exercise = instance.exercise
+    if verdict.correct:
+        return None
+    try:
+        given = values(instance)
+        key = bind(exercise.reference.table, given)
+        answer = bind(in_length_unit(read, exercise.length_unit).table, given)
+        pose, axes = key_pose(instance), true_scene(instance).axes
+    except (KinematicsError, DefinitionError):
+        return None
+    metres = float(exercise.length_unit.metres_per_unit)
+    posture = [
+        value / metres if kind is JointType.PRISMATIC else value
+        for value, kind in zip(pose.posture, key.joint_types, strict=True)
+    ]
+    shared, certificate = shared_joints(key, answer, exercise.policy)
+    if certificate is None:
+        return None
+    row = _named(verdict) or _first_row(answer, shared)
+    if row is None:
+        return None
+    base = np.array(pose.base) @ np.linalg.inv(certificate.base)
+    chain = chain_of_table(answer, base=base)
+    start = [
+        sign * value + offset
+        for sign, value, offset in zip(
+            certificate.joint_signs, posture, certificate.joint_offsets, strict=False
+        )
+    ]
+    joints = _laid_on(chain, start, axes, true_scene(instance).size)
+    if not np.isfinite(base).all() or not np.isfinite(joints).all():
+        return None  # lengths beyond what a number holds
+    types = answer.joint_types
+    base[:3, 3] *= metres
+    return Departure(
+        row=min(row, len(answer.rows)),
+        base=_rows(base),
+        posture=tuple(
+            float(value) * (metres if kind is JointType.PRISMATIC else 1.0)
+            for value, kind in zip(joints, types, strict=True)
+        ),
+        senses=_senses(chain, joints, axes),
+    )
+
+
+def shared_joints(key: NumericTable, answer: NumericTable, policy: Policy) -> tuple[int, Certificate | None]:
+    """Return how many first joints two tables share as a mechanism, and the certificate for these.
+
+    The last joint's own offset is the certificate's choice: without the rest of the chain it means nothing.
+    """
+    free = mechanism_only(policy)
+    best: Certificate | None = None
+    most = min(len(key.joint_types), len(answer.joint_types))
+    for joints in range(1, most + 1):
+        reference, chain = prepared(_first(key, joints)), chain_of_table(_first(answer, joints))
+        found = certify((reference,), (chain,), free, Effort.PLAIN)
+        if found is None:
+            return joints - 1, best
+        best = found
+    return most, best
+
+
+def _first(table: NumericTable, joints: int) -> NumericTable:
+    """Return the rows of a table up to that of a joint."""
+    at = [i for i, row in enumerate(table.rows) if row.joint is not JointType.FIXED]
+    return DHTable(convention=table.convention, rows=table.rows[: at[joints - 1] + 1])
+
+
+def _named(verdict: Verdict) -> int | None:
+    """Return the first row that a verdict names."""
+    told = [entry.row for entry in verdict.feedback if entry.row is not None]
+    wrong = {Finding.WRONG, Finding.MISSING}
+    found = [link.row for link in verdict.links if wrong & {link.length, link.twist, link.offset, link.joint}]
+    return next(iter([*told, *found]), None)
+
+
+def _first_row(answer: NumericTable, shared: int) -> int | None:
+    """Return the row whose frame is the first off the robot, where so many joints are right."""
+    at = [i for i, row in enumerate(answer.rows, 1) if row.joint is not JointType.FIXED]
+    place = shared if answer.convention is Convention.MODIFIED else shared - 1
+    return at[max(place, 0)] if place < len(at) else None
+
+
+def _laid_on(chain: Chain, start: Sequence[float], axes: Sequence[FigureJointAxis], size: float) -> Floats:
+    """Return joint values at which one axis after the other comes as near to the figure's as it can."""
+    joints = np.zeros(chain.n_joints)
+    joints[: len(start)] = start
+    for i in range(max(len(start) - 1, 0), chain.n_joints):
+        if i + 1 >= min(chain.n_joints, len(axes)):
+            break
+        tried = SLIDES * size if chain.axes[i].prismatic else TURNS
+        batch = np.tile(joints, (len(tried), 1))
+        batch[:, i] += tried
+        directions, points = chain.axes_at(batch)
+        joints = batch[int(np.argmin(_off(directions[:, i + 1], points[:, i + 1], axes[i + 1], size)))]
+    revolute = np.array([not axis.prismatic for axis in chain.axes])
+    joints[revolute] = (joints[revolute] + math.pi) % (2 * math.pi) - math.pi
+    return joints
+
+
+def _off(directions: Floats, points: Floats, axis: FigureJointAxis, size: float) -> Floats:
+    """Return how far lines are from an axis: the sine of the angle, and the distance in robot sizes."""
+    target = np.array(axis.direction)
+    apart = points - np.array(axis.point)
+    across = apart - (apart @ target)[:, None] * target
+    angle = np.linalg.norm(np.cross(directions, target), axis=1)
+    distance = np.linalg.norm(across, axis=1) / size
+    off = angle if axis.type is JointType.PRISMATIC else angle + distance
+    return np.asarray(np.round(off, 9), dtype=np.float64)
+
+
+def _senses(chain: Chain, joints: Floats, axes: Sequence[FigureJointAxis]) -> tuple[int, ...]:
+    directions, _ = chain.axes_at(joints)
+    return tuple(
+        -1 if i < len(axes) and float(direction @ np.array(axes[i].direction)) < 0 else 1
+        for i, direction in enumerate(directions)
+    )
+
+
+def _rows(transform: Transform) -> Matrix4:
+    return tuple(tuple(0.0 if entry == 0.0 else float(entry) for entry in row) for row in transform)
