@@ -8,7 +8,9 @@ DESCRIPTIONS := .venv-descriptions
 PY := $(VENV)/bin/python
 PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
-.PHONY: help serve test test-clone campaign kill-campaign measure-courses explore lint descriptions bench lock browser proxy clean vendor picture exercise check-exercises
+export MUED_URL MUED_AUTHORIZATION
+
+.PHONY: help serve test mued test-clone campaign kill-campaign measure-courses explore lint descriptions bench lock browser proxy clean vendor picture exercise check-exercises
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -31,6 +33,9 @@ serve: $(VENV)/.runtime vendor ## run the service on http://127.0.0.1:8000 (PORT
 
 test: $(VENV)/.dev vendor lint ## every check and test
 	$(PY) -m pytest -n 2 --dist loadgroup
+
+mued: $(VENV)/.dev ## ask a µEd service at MUED_URL= (this checkout, if left out) whether it keeps the standard
+	$(PY) -m pytest -n 0 tests/mued
 
 test-clone: $(VENV)/.dev ## clone into a folder with a space in its name, serve and test there, twice (slow)
 	TEST_CLONE=1 $(PY) -m pytest tests/architecture/test_clone.py

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any
 
 from exercises.grading import HelpLevel
@@ -10,7 +11,9 @@ from exercises.loader import Library
 from kinematics.errors import Fault
 from service.adapters.class_grading import exercise_named
 from service.adapters.judging import JudgedAnswer, NotGraded, judge, told_fault, with_joint_types
+from service.http.decoding import decode_json
 from service.http.negotiation import preferred_language
+from service.http.problems import ServiceError
 from service.messages import DEFAULT_LANGUAGE, languages, sentence
 from service.schemas.evaluation import EvaluateRequest, SubmissionType
 
@@ -31,13 +34,25 @@ class NotEvaluatedError(Exception):
 
 def language_wanted(request: EvaluateRequest, accept_language: str | None) -> str:
     """Return the language of the feedback: the learner's, or else the caller's, or else English."""
-    preference = request.user.preference if request.user else None
-    wanted = (preference.language if preference else None) or accept_language
+    wanted = (request.user.language if request.user else None) or accept_language
     return preferred_language(wanted, languages()) if wanted else DEFAULT_LANGUAGE
 
 
 def evaluate(request: EvaluateRequest, language: str, library: Library) -> list[dict[str, Any]]:
     """Evaluate a submission.
+
+    Raises:
+        NotEvaluatedError: it names no exercise, or is nothing that is evaluated here.
+        UnknownExerciseError: there is no such exercise.
+    """
+    answer = judged(request, language, library)
+    if is_check(request):
+        return checked(answer, language)
+    return feedback_of(answer, request.submission.type, language)
+
+
+def judged(request: EvaluateRequest, language: str, library: Library) -> JudgedAnswer | NotGraded:
+    """Judge a submission; a check before it is final is judged without being explained.
 
     Raises:
         NotEvaluatedError: it names no exercise, or is nothing that is evaluated here.
@@ -50,22 +65,36 @@ def evaluate(request: EvaluateRequest, language: str, library: Library) -> list[
             Fault(code="artefact_unknown", params={"type": submission.type.value, "known": known})
         )
     exercise_id = _exercise(request, library)
-    answer: dict[str, Any] = dict(submission.content)
-    if "rows" in answer:
-        answer = {"table": answer}
+    answer = _answer(submission.content)
     if isinstance(answer.get("table"), Mapping):
         answer["table"] = with_joint_types(exercise_id, answer["table"], library)
     seed = (request.task.metadata or {}).get("seed") if request.task else None
     if seed is not None:
         answer["seed"] = str(seed)
-    preference = request.user.preference if request.user else None
-    if preference and preference.detail in _DETAIL:
-        answer["help"] = _DETAIL[preference.detail].value
-    if request.pre_submission_feedback and request.pre_submission_feedback.enabled:
-        return checked(
-            judge(exercise_id, {**answer, "help": HelpLevel.VERDICT.value}, language, library), language
-        )
-    return feedback_of(judge(exercise_id, answer, language, library), submission.type, language)
+    detail = request.user.detail if request.user else None
+    if detail in _DETAIL:
+        answer["help"] = _DETAIL[detail].value
+    if is_check(request):
+        answer["help"] = HelpLevel.VERDICT.value
+    return judge(exercise_id, answer, language, library)
+
+
+def is_check(request: EvaluateRequest) -> bool:
+    """Return whether only a check is asked for, before the submission is final."""
+    return bool(request.pre_submission_feedback and request.pre_submission_feedback.enabled)
+
+
+def _answer(content: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the answer that content holds: as it stands, or where µEd puts a model, as an object or text."""
+    for member in ("model", "value"):
+        held = content.get(member)
+        if isinstance(held, str):
+            with suppress(ServiceError):
+                held = decode_json(held.encode("utf-8", "replace"))
+        if isinstance(held, Mapping):
+            content = held
+            break
+    return {"table": dict(content)} if "rows" in content else dict(content)
 
 
 def checked(judged: JudgedAnswer | NotGraded, language: str) -> list[dict[str, Any]]:

@@ -125,7 +125,7 @@ class MeteringMiddleware:
 
 
 def _is_api(path: str) -> bool:
-    return path.startswith("/api/") or path == "/evaluate"
+    return path.startswith("/api/") or path in ("/evaluate", "/evaluate/lambda-feedback")
 
 
 def _cost(scope: Scope) -> int:

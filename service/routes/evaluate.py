@@ -1,4 +1,4 @@
-"""µEd 0.1.0: POST /evaluate and GET /evaluate/health, as platforms of that standard call them."""
+"""µEd 0.1.0, POST /evaluate and GET /evaluate/health, and Lambda Feedback's call that came before it."""
 
 from __future__ import annotations
 
@@ -11,8 +11,9 @@ from pydantic import ValidationError
 
 from exercises.errors import ExerciseError
 from service import __version__
-from service.adapters import mued
+from service.adapters import lambda_feedback, mued
 from service.adapters.judging import told_fault
+from service.http.languages import language_for
 from service.http.middleware import REQUEST_ID
 from service.http.problems import BodySizeError, busy
 from service.http.routing import ApiRequest
@@ -57,7 +58,10 @@ async def evaluation_health(request: Request, response: Response) -> Any:
     return {
         "status": "OK",
         "version": __version__,
-        "requirements": {"requiresAuthorization": False, "requiresTask": True},
+        "requirements": {
+            "requiresAuthorizationHeader": resources_of(request).settings.api_keys is not None,
+            "requiresTask": True,
+        },
         "capabilities": {
             "supportsEvaluate": True,
             "supportsPreSubmissionFeedback": True,
@@ -113,6 +117,20 @@ async def evaluate_submission(request: Request, response: Response) -> Any:
     response.headers.update(_headers())
     response.headers["Content-Language"] = language
     return feedback
+
+
+@router.post("/evaluate/lambda-feedback", response_model=None)
+async def evaluation_function(request: Request) -> Any:
+    """Lambda Feedback's call before µEd: `command` in a header; what goes wrong is a body with `error`."""
+    try:
+        body = await ApiRequest(request.scope, request.receive, request._send).body()
+    except BodySizeError as error:
+        return _refused(error.faults[0].code, message=told_fault(error.faults[0], DEFAULT_LANGUAGE))
+    language = language_for(request.headers.get("accept-language"))
+    command = request.headers.get("command") or "eval"
+    work = partial(lambda_feedback.answered, command, body, language, resources_of(request).exercises)
+    answer = await resources_of(request).limiters[WorkKind.GRADING].run(work)
+    return JSONResponse(answer, headers={"Cache-Control": "no-store"})
 
 
 def _accepted(request: Request, asked: EvaluateRequest, address: str, language: str) -> Any:

@@ -59,6 +59,20 @@ class Learner(_Lenient):
     """Whom the feedback is for; nothing of it is kept."""
 
     preference: Preference | None = None
+    detail_preference: str | None = Field(None, alias="detailPreference", description="preference.detail")
+    language_preference: str | None = Field(
+        None, alias="languagePreference", description="preference.language"
+    )
+
+    @property
+    def detail(self) -> str | None:
+        """How much the learner wants to be told, wherever the platform says so."""
+        return (self.preference.detail if self.preference else None) or self.detail_preference
+
+    @property
+    def language(self) -> str | None:
+        """The learner's language, wherever the platform says so."""
+        return (self.preference.language if self.preference else None) or self.language_preference
 
 
 class Enabled(_Lenient):
@@ -76,6 +90,16 @@ class EvaluateRequest(_Lenient):
     pre_submission_feedback: Enabled | None = Field(None, alias="preSubmissionFeedback")
     callback_url: str | None = Field(None, alias="callbackUrl", max_length=2000)
     configuration: dict[str, Any] | None = None
+
+
+class FunctionCall(BaseModel):
+    """A call of Lambda Feedback's older interface: nothing else may stand in it."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    response: Any
+    answer: Any = None
+    params: dict[str, Any] = Field(default_factory=dict)
 
 
 class FeedbackTarget(_Lenient):

@@ -120,6 +120,87 @@ def test_health_says_what_is_evaluated(client: httpx.Client) -> None:
     assert "uk" in health["capabilities"]["supportedLanguages"]
 
 
+@pytest.mark.parametrize(
+    "content",
+    [
+        {"model": TABLE},
+        {"model": json.dumps(TABLE), "notation": "json"},
+        {"value": {"table": TABLE}},
+    ],
+)
+def test_a_table_may_stand_where_the_standard_puts_a_model(client: httpx.Client, content: Any) -> None:
+    assert evaluate(client, request(content)).json()[0]["awardedPoints"] > 0
+
+
+def test_preferences_may_stand_beside_the_user_s_type(client: httpx.Client) -> None:
+    user = {"type": "LEARNER", "detailPreference": "BRIEF", "languagePreference": "uk"}
+    response = evaluate(client, request(WRONG, user=user))
+    assert response.headers["content-language"] == "uk"
+    assert not any("suggestedAction" in entry for entry in response.json())
+
+
+def function(client: httpx.Client, body: Any, command: str | None = None) -> dict[str, Any]:
+    """An answer of the older interface, which tells its errors in the body."""
+    headers = {"command": command} if command else {}
+    response = client.post("/evaluate/lambda-feedback", json=body, headers=headers)
+    assert response.status_code == 200, response.text
+    answer: dict[str, Any] = response.json()
+    assert set(answer) in ({"command", "result"}, {"error"})
+    return answer
+
+
+def test_an_evaluation_function_judges_as_evaluate_does(client: httpx.Client) -> None:
+    right = function(client, {"response": TABLE, "answer": "twolink"})
+    assert right["command"] == "eval"
+    assert right["result"]["is_correct"] is True
+    wrong = function(client, {"response": WRONG, "answer": "twolink", "params": {"language": "fr"}}, "eval")
+    assert wrong["result"]["is_correct"] is False
+    assert 0 < wrong["result"]["mark"] < 1
+    french = evaluate(client, request(WRONG, user={"preference": {"language": "fr"}})).json()
+    assert wrong["result"]["feedback"].replace("\n\n", " ") == french[0]["message"]
+
+
+def test_an_evaluation_function_previews_without_judging(client: httpx.Client) -> None:
+    previews = [function(client, {"response": given, "params": {"exercise": "twolink"}}, "preview")
+                for given in (TABLE, WRONG)]  # fmt: skip
+    assert previews[0] == previews[1]
+    assert previews[0]["command"] == "preview"
+    assert previews[0]["result"]["preview"]["feedback"]
+
+
+def test_an_evaluation_function_checks_itself(client: httpx.Client) -> None:
+    result = function(client, {}, "healthcheck")["result"]
+    assert result["tests_passed"] is True
+    assert [case["name"] for case in result["successes"]] == ["right_table", "wrong_table"]
+    assert result["failures"] == result["errors"] == []
+
+
+@pytest.mark.parametrize(
+    ("body", "command", "code"),
+    [
+        ({"response": TABLE, "answer": "r2d2"}, "eval", "exercise_not_named"),
+        ({"response": TABLE, "answer": {}}, "eval", "exercise_not_named"),
+        ({"answer": "twolink"}, "eval", "function_call_invalid"),
+        ({"response": TABLE, "answer": "twolink", "extra": 1}, "eval", "function_call_invalid"),
+        ([], "preview", "function_call_invalid"),
+        ({}, "dance", "function_command_unknown"),
+    ],
+)
+def test_an_evaluation_function_tells_its_errors(
+    client: httpx.Client, body: Any, command: str, code: str
+) -> None:
+    error = function(client, body, command)["error"]
+    assert error["code"] == code
+    assert error["message"]
+
+
+def test_an_unreadable_response_is_wrong_and_says_why(client: httpx.Client) -> None:
+    for given in ("nonsense", 5, {"rows": []}):
+        result = function(client, {"response": given, "answer": "twolink"})["result"]
+        assert result["is_correct"] is False
+        assert result["feedback"]
+
+
 class Receiver(http.server.BaseHTTPRequestHandler):
     received: list[tuple[dict[str, str], bytes]]
     arrived: threading.Event

@@ -10,6 +10,8 @@ error-columns_unknown = No row of { $file } names the columns { $known }. Write 
 error-columns_differ_in_length = The columns of { $file } differ in length; each needs one entry for each row.
 error-exercise_not_named = It is not said which exercise this answers. Name it, such as puma560.
 error-artefact_unknown = Artefacts of type { $type } are not evaluated here; { $known } are.
+error-function_command_unknown = { $known } are the commands that are answered here.
+error-function_call_invalid = The body of a call has `response`, `answer` and `params` (an object). This is not so at: { $places }.
 error-callback_not_allowed = The operator of this service does not allow feedback to be sent to this address.
 error-version_not_supported = This version of the evaluation API is not spoken here; { $supported } is.
 

@@ -10,6 +10,8 @@ error-columns_unknown = Ninguna fila de { $file } nombra las columnas { $known }
 error-columns_differ_in_length = Las columnas de { $file } tienen longitudes distintas; cada una necesita una entrada por fila.
 error-exercise_not_named = No se dice a qué ejercicio responde. Indícalo, por ejemplo puma560.
 error-artefact_unknown = Aquí no se evalúan artefactos de tipo { $type }; sí { $known }.
+error-function_command_unknown = Los comandos que se atienden aquí son { $known }.
+error-function_call_invalid = El cuerpo de una llamada tiene `response`, `answer` y `params` (un objeto). No es así en: { $places }.
 error-callback_not_allowed = El operador de este servicio no permite enviar comentarios a esa dirección.
 error-version_not_supported = Aquí no se habla esa versión de la API de evaluación; sí { $supported }.
 

@@ -10,6 +10,8 @@ error-columns_unknown = Aucune ligne de { $file } ne nomme les colonnes { $known
 error-columns_differ_in_length = Les colonnes de { $file } n’ont pas la même longueur ; il faut une valeur par ligne dans chacune.
 error-exercise_not_named = Il n’est pas dit à quel exercice ceci répond. Nommez-le, par exemple puma560.
 error-artefact_unknown = Les productions de type { $type } ne sont pas évaluées ici ; le sont { $known }.
+error-function_command_unknown = Les commandes traitées ici sont { $known }.
+error-function_call_invalid = Le corps d’un appel contient `response`, `answer` et `params` (un objet). Ce n’est pas le cas en : { $places }.
 error-callback_not_allowed = L’exploitant de ce service ne permet pas d’envoyer de retour à cette adresse.
 error-version_not_supported = Cette version de l’API d’évaluation n’est pas prise en charge ici ; l’est { $supported }.
 

@@ -10,6 +10,8 @@ error-columns_unknown = Nenhuma linha de { $file } nomeia as colunas { $known }.
 error-columns_differ_in_length = As colunas de { $file } têm comprimentos diferentes; cada uma precisa de um valor por linha.
 error-exercise_not_named = Não se diz a que exercício isto responde. Indique-o, por exemplo puma560.
 error-artefact_unknown = Aqui não se avaliam artefactos do tipo { $type }; avaliam-se { $known }.
+error-function_command_unknown = Os comandos atendidos aqui são { $known }.
+error-function_call_invalid = O corpo de uma chamada tem `response`, `answer` e `params` (um objeto). Não é assim em: { $places }.
 error-callback_not_allowed = O operador deste serviço não permite enviar comentários para este endereço.
 error-version_not_supported = Esta versão da API de avaliação não é suportada aqui; é suportada { $supported }.
 

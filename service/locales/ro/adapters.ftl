@@ -10,6 +10,8 @@ error-columns_unknown = Niciun rând din { $file } nu numește coloanele { $know
 error-columns_differ_in_length = Coloanele din { $file } au lungimi diferite; fiecare are nevoie de o valoare pentru fiecare rând.
 error-exercise_not_named = Nu se spune la ce exercițiu răspunde. Numiți-l, de exemplu puma560.
 error-artefact_unknown = Aici nu se evaluează artefacte de tipul { $type }; se evaluează { $known }.
+error-function_command_unknown = Comenzile la care se răspunde aici sunt { $known }.
+error-function_call_invalid = Corpul unui apel are `response`, `answer` și `params` (un obiect). Nu este așa la: { $places }.
 error-callback_not_allowed = Operatorul acestui serviciu nu permite trimiterea de comentarii la această adresă.
 error-version_not_supported = Această versiune a API-ului de evaluare nu este suportată aici; este suportată { $supported }.
 

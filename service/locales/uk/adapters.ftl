@@ -10,6 +10,8 @@ error-columns_unknown = Жоден рядок у { $file } не називає �
 error-columns_differ_in_length = Стовпці в { $file } різної довжини; у кожному має бути по одному значенню на рядок.
 error-exercise_not_named = Не сказано, на яку вправу це відповідь. Назвіть її, наприклад puma560.
 error-artefact_unknown = Роботи типу { $type } тут не оцінюються; оцінюються { $known }.
+error-function_command_unknown = Тут виконуються команди { $known }.
+error-function_call_invalid = Тіло виклику має `response`, `answer` і `params` (об’єкт). Не так у: { $places }.
 error-callback_not_allowed = Оператор цієї служби не дозволяє надсилати відгуки на цю адресу.
 error-version_not_supported = Ця версія API оцінювання тут не підтримується; підтримується { $supported }.
 
