@@ -2,29 +2,40 @@
 
 from __future__ import annotations
 
+import difflib
 import os
 import sys
+from collections.abc import Iterable
 
 from pydantic import ValidationError
 
 from service.settings import Settings
 
+_PREFIX = "FRAMEWISE_"
+
 
 def settings_of_environment() -> Settings:
     """Return the settings of the environment; what cannot be understood ends the program with its name."""
-    known = {f"FRAMEWISE_{name.upper()}" for name in Settings.model_fields}
+    known = {f"{_PREFIX}{name.upper()}" for name in Settings.model_fields}
     faults = [
-        f"  {name}: there is no such setting"
+        f"  {name}: there is no such setting{_nearest(name.upper(), known)}"
         for name in sorted(os.environ)
-        if name.upper().startswith("FRAMEWISE_") and name.upper() not in known
+        if name.upper().startswith(_PREFIX) and name.upper() not in known
     ]
     try:
         settings = Settings()
     except ValidationError as error:
         faults += [
-            "  " + ": ".join((*(f"FRAMEWISE_{str(step).upper()}" for step in fault["loc"][:1]), fault["msg"]))
+            "  " + ": ".join((*(f"{_PREFIX}{str(step).upper()}" for step in fault["loc"][:1]), fault["msg"]))
             for fault in error.errors()
         ]
     if faults:
         sys.exit("\n".join(("These settings cannot be understood:", *faults)))
     return settings
+
+
+def _nearest(name: str, known: Iterable[str]) -> str:
+    """Return what was probably meant; the prefix, which all share, would make everything look alike."""
+    names = [setting.removeprefix(_PREFIX) for setting in known]
+    nearest = difflib.get_close_matches(name.removeprefix(_PREFIX), names, n=1)
+    return f"; did you mean {_PREFIX}{nearest[0]}?" if nearest else ""

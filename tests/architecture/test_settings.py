@@ -76,3 +76,13 @@ if __name__ == "__main__" and "--update" in sys.argv:
     text = PAGE.read_text(encoding="utf-8")
     head, tail = text[: text.index(BEGIN) + len(BEGIN)], text[text.index(END) :]
     PAGE.write_text(head + table() + tail, encoding="utf-8")
+
+
+def test_a_setting_misspelt_is_answered_with_the_one_meant(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("FRAMEWISE_DATA_DIR", "x")
+    with pytest.raises(SystemExit, match="did you mean FRAMEWISE_DATA_FOLDER"):
+        main(["config"])
+    monkeypatch.delenv("FRAMEWISE_DATA_DIR")
+    monkeypatch.setenv("FRAMEWISE_QQ", "x")
+    with pytest.raises(SystemExit, match=r"FRAMEWISE_QQ: there is no such setting$"):
+        main(["config"])
