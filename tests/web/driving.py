@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from playwright.sync_api import Frame, Locator, Page, Route, expect
+from playwright.sync_api import Frame, Locator, Page, Request, Route, expect
 
 ORDER = {"modified": ("alpha", "a", "d", "theta"), "standard": ("theta", "d", "a", "alpha")}
 
@@ -71,6 +71,15 @@ def fill_matrix(fields: Locator, matrix: Sequence[Sequence[str]]) -> None:
             fields.locator("input").nth(4 * i + k).fill(matrix[i][k])
 
 
+def _until(page: Page, condition: Callable[[], bool], complaint: str) -> None:
+    """Let the page go on until something holds, for a minute at most."""
+    for _ in range(3000):
+        if condition():
+            return
+        page.wait_for_timeout(20)
+    raise AssertionError(complaint)
+
+
 class Held:
     """Requests that are held back, to be let go in the order that a test wants: a race made certain.
 
@@ -83,6 +92,9 @@ class Held:
         self.address = address
         self.waiting: list[Route] = []
         self.holding = True
+        self.ended: list[Request] = []
+        for event in ("requestfinished", "requestfailed"):
+            page.on(event, lambda request: self.ended.append(request))
         page.route(address, self._hold)
 
     def _hold(self, route: Route) -> None:
@@ -93,18 +105,13 @@ class Held:
 
     def until(self, count: int) -> None:
         """Wait until so many are held."""
-        for _ in range(1000):
-            if len(self.waiting) >= count:
-                return
-            self.page.wait_for_timeout(20)
-        raise AssertionError(f"{len(self.waiting)} requests came to {self.address}, not {count}")
+        _until(self.page, lambda: len(self.waiting) >= count, f"fewer than {count} came")
 
     def let_go(self, index: int = 0) -> None:
         """Let one go; the page has its answer when this returns, if it still wants it."""
         request = self.waiting[index].request
         self.waiting.pop(index).continue_()
-        if response := request.response():
-            response.finished()
+        _until(self.page, lambda: request in self.ended, f"no answer to {request.url}")
 
     def stop(self) -> None:
         """Hold no more, and let go what is held."""

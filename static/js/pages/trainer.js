@@ -71,12 +71,16 @@ class Trainer {
     cancelAnimationFrame(this.#running);
     this.state = state;
     keep(draft, state);
+    $("frame").setAttribute("aria-busy", "true");
     try {
       const tool = this.point ? toolPose(this.figure, this.point.at) : null;
       const request = { axes: this.axes, convention: state.convention, frames: wire(state), ...(tool ? { tool } : {}) };
       const answer = await this.#latest.run((signal) => api.post("check-frames", request, { signal }));
-      if (answer) this.#show(answer.value);
+      if (!answer) return;
+      this.#show(answer.value);
+      $("frame").removeAttribute("aria-busy");
     } catch (error) {
+      $("frame").removeAttribute("aria-busy");
       fill(this.body, problemNotice(error, { retry: () => this.become(this.state) }));
     }
   }
