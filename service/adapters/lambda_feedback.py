@@ -38,7 +38,8 @@ def answered(command: str, body: bytes, language: str, library: Library) -> dict
     if command == _HEALTH:
         return {"command": _HEALTH, "result": _health(library)}
     if command not in _COMMANDS:
-        return _error(Fault(code="function_command_unknown", params={"known": (*_COMMANDS, _HEALTH)}), language)
+        fault = Fault(code="function_command_unknown", params={"known": (*_COMMANDS, _HEALTH)})
+        return _error(fault, language)
     name, carry_out = _COMMANDS[command]
     try:
         call = FunctionCall.model_validate_json(body)
