@@ -20,13 +20,13 @@ from exercises.drawings import true_scene
 from exercises.figures.points import Points
 from exercises.grading import ConventionRule, Feedback, Finding, HelpLevel, Policy, ToolRule, accept
 from exercises.instance import Instance
-from exercises.names import renamed, unknown_name
 from exercises.parts.context import Context
+from exercises.parts.number_cells import number_of
 from exercises.parts.protocol import Length, PartTask, PartType, Reading
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
-from kinematics.cells import Cell, ParameterKind, ReadTable, read_cell
-from kinematics.errors import CellError, Fault, KinematicsError
-from kinematics.expressions import Number, evaluate, parameters_in, pi_times
+from kinematics.cells import Cell, ReadTable
+from kinematics.cells.meaning import Position
+from kinematics.expressions import Number, pi_times
 from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import JointAxis
 from kinematics.frames.rules import RuleCode, Severity
@@ -181,7 +181,9 @@ def _read_frame(frame: FrameCells, reading: Reading, where: tuple[str | int, ...
     for name in PARTS:
         cells = getattr(frame, name)
         read = [
-            reading.keep("frames", partial(_number, cell, reading, (*where[1:], name, k)))
+            reading.keep(
+                "frames", partial(number_of, cell, Position.LENGTH, reading.instance, (*where[1:], name, k))
+            )
             for k, cell in enumerate(cells)
         ]
         numbers = [value for value in read if value is not None]
@@ -190,32 +192,6 @@ def _read_frame(frame: FrameCells, reading: Reading, where: tuple[str | int, ...
             if name != "origin" and not any(numbers):
                 reading.fault("direction_zero", *where, name)
     return ChosenFrame(**found) if len(found) == len(PARTS) else None
-
-
-def _number(cell: Cell, reading: Reading, where: tuple[str | int, ...]) -> float:
-    """Return the value of a cell of a frame.
-
-    Raises:
-        CellError: it cannot be read, holds an unknown name, or has no value; at its place in the part.
-    """
-    exercise = reading.instance.exercise
-    try:
-        read = read_cell(cell, ParameterKind.LENGTH, angle_unit=exercise.angle_unit, variable=lambda _: None)
-    except KinematicsError as error:
-        raise CellError(
-            Fault(code=fault.code, where=where, params=fault.params) for fault in error.faults
-        ) from None
-    expression = renamed(read, exercise.aliases)
-    unknown = sorted(parameters_in(expression) - set(exercise.reference.parameters))
-    if unknown:
-        raise CellError(unknown_name(unknown[0], exercise, where))
-    try:
-        value = evaluate(expression, reading.instance.parameters)
-    except KinematicsError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise CellError(Fault(code="value_not_real", where=where))
-    return value
 
 
 def _axes(instance: Instance) -> list[JointAxis]:

@@ -115,25 +115,25 @@ def read_known_matrix(cells: CellMatrix, reading: Reading, part: str, *where: in
     return None if read is None else _in_known_names(read, reading, part, *where)
 
 
-def read_numbers(cells: CellMatrix, reading: Reading, part: str) -> NDArray[np.float64] | None:
+def read_numbers(cells: CellMatrix, reading: Reading, part: str, *where: str) -> NDArray[np.float64] | None:
     """Return (4, 4) the values of cells that hold numbers and dimensions but no joint variables.
 
-    Lengths are in the student's unit; faults are kept in the reading.
+    Lengths are in the student's unit; faults are kept in the reading, at `where` inside the part.
     """
-    matrix = reading.keep(part, lambda: read_matrix(cells, (), reading.angle_unit, ()))
+    matrix = reading.keep(part, lambda: read_matrix(cells, (), reading.angle_unit, where))
     if matrix is None:
         return None
-    known = _in_known_names(matrix, reading, part)
+    known = _in_known_names(matrix, reading, part, *where)
     if known is None:
         return None
     numbers = known.at(reading.values, ())
     for r, c in np.argwhere(~np.isfinite(numbers)).tolist():
-        reading.fault("value_not_real", part, r, c)
+        reading.fault("value_not_real", part, *where, r, c)
     return numbers
 
 
 def _in_known_names(
-    matrix: SymbolicMatrix, reading: Reading, part: str, *where: int
+    matrix: SymbolicMatrix, reading: Reading, part: str, *where: str | int
 ) -> SymbolicMatrix | None:
     """Return a matrix in the exercise's own names; None if it holds one that means nothing there."""
     exercise = reading.instance.exercise

@@ -33,6 +33,7 @@ from exercises.grading import (
 from exercises.instance import Instance
 from exercises.parts.comparison import Matrices, agreeing, inverse, transposed_cells, transposed_rotation
 from exercises.parts.context import Context
+from exercises.parts.joint_draws import drawn_joints
 from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_numbers
 from exercises.parts.protocol import TABLE, PartTask, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
@@ -119,10 +120,7 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
 
     def draw(self, part: PosePart, exercise: Exercise, picker: Picker) -> tuple[Fraction, ...]:
         """Return the student's joint values [the exercise's units]."""
-        return tuple(
-            picker.value(value, draw, f"pose q{i}")
-            for i, (value, draw) in enumerate(zip(part.joints, part.draws, strict=True), 1)
-        )
+        return drawn_joints(part.joints, part.draws, picker, self.kind)
 
     def task(self, part: PosePart, instance: Instance) -> PartTask:
         """Ask for the pose at the student's joint values."""

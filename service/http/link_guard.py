@@ -33,6 +33,8 @@ _CALLS: Mapping[str, tuple[Tool, ...]] = {
     "scm": (Tool.PLAYGROUND, Tool.MATRICES),
     "assign-frames": (Tool.TRAINER,),
     "check-frames": (Tool.TRAINER,),
+    "rotations": (Tool.PLAYGROUND,),
+    "check-rotation": (Tool.PLAYGROUND,),
     "understand": (),
     "session": (),
     "problems": (),

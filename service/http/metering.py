@@ -39,6 +39,8 @@ _COSTS = {
     "receipts": 5,
     "assign-frames": 2,
     "check-frames": 2,
+    "rotations": 2,
+    "check-rotation": 1,
 }
 """What a call costs beside one of forward kinematics: the ratios of their times, rounded."""
 _BODY_UNIT = 64 * 1024

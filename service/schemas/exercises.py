@@ -12,6 +12,7 @@ from exercises.answers import RawAnswer
 from exercises.departure import Departure
 from exercises.drawings import KeyPose
 from exercises.grading import Basis, HelpLevel, Verdict
+from exercises.parts.protocol import FieldShape
 from exercises.parts.registry import part_type, part_types
 from exercises.parts.report import PartReport
 from service.schemas.base import Real, Vector3, Wire
@@ -108,12 +109,45 @@ class JointName(Wire):
     type: Literal["revolute", "prismatic"]
 
 
+class FormOption(Wire):
+    """Something that may be chosen."""
+
+    value: str
+    label: str = Field(description="what it is called, in the caller's language")
+
+
+class FormFieldModel(Wire):
+    """A field of an answer."""
+
+    name: str = Field(description="key in the answer")
+    label: str = Field(description="what it is called, in the caller's language")
+    shape: FieldShape = Field(
+        description="a cell, a vector (row of cells), a matrix, a list (of as many rows as needed), a choice"
+    )
+    labels: list[str] = Field(description="what the cells of a row are called; as many as there are")
+    rows: int = Field(description="of a matrix how many rows it has, of a list how many it may have")
+    options: list[FormOption] = Field(description="what may be chosen")
+
+
+class GivenNumbersModel(Wire):
+    """Numbers that a task is about."""
+
+    name: str
+    label: str = Field(description="what they are, in the caller's language")
+    labels: list[str] = Field(description="what the columns are called; empty if they need no name")
+    rows: list[list[Real | str]] = Field(description="the numbers, or cells of a table, row by row")
+
+
 class AskedPartBase(Wire):
     """Something that is asked, with the data that its task is about."""
 
     kind: Kind
     points: Real
     task: str = Field(description="what to do, in the caller's language")
+    form: list[FormFieldModel] = Field(
+        description="fields of the answer; empty for kinds whose answer has a form of its own"
+    )
+    numbers: list[GivenNumbersModel] = Field(description="what the task is about, in numbers")
 
 
 def _given() -> dict[str, Any]:

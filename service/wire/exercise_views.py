@@ -14,13 +14,15 @@ from exercises.grading import ConventionRule, HelpLevel
 from exercises.instance import Instance, generate
 from exercises.loader import Library
 from exercises.needs import unneeded_dimensions
-from exercises.parts.protocol import TABLE
+from exercises.parts.protocol import TABLE, FormField, GivenNumbers
 from exercises.parts.registry import part_type
 from exercises.statements import first_sentence, to_html
 from service.http.link_context import LinkContext
 from service.messages import languages, sentence
 from service.schemas.exercises import TASK_FIELDS
 
+FRAMED = (TABLE, "frames")
+"""Kinds of part that are held to the rules on frames."""
 KEPT = 512
 """Instances and figures that are kept."""
 
@@ -122,6 +124,8 @@ def conventions(found: Exercise) -> list[str]:
 def rules(found: Exercise, language: str) -> Iterator[str]:
     """What is free and what is fixed, in sentences."""
     policy = found.policy
+    if not any(part.kind in FRAMED for part in found.parts):
+        return
     for name in ("convention", "base", "tool", "zero", "direction"):
         rule = getattr(policy, name).value
         text = sentence(language, f"rule-{name}-{rule}", {"points": ", ".join(found.figure.marks)})
@@ -181,6 +185,30 @@ def _part(part: Part, instance: Instance, language: str) -> dict[str, Any]:
         "kind": part.kind,
         "points": float(part.points),
         "task": sentence(language, task.message, task.values),
+        "form": [_field(field, language) for field in task.form],
+        "numbers": [_numbers(numbers, language) for numbers in task.numbers],
         **dict.fromkeys(TASK_FIELDS),
         **({} if given is None else {entry.name: getattr(given, entry.name) for entry in fields(given)}),
+    }
+
+
+def _field(field: FormField, language: str) -> dict[str, Any]:
+    return {
+        "name": field.name,
+        "label": sentence(language, f"field-{field.name}"),
+        "shape": field.shape,
+        "labels": list(field.labels),
+        "rows": field.rows,
+        "options": [
+            {"value": option, "label": sentence(language, f"option-{option}")} for option in field.options
+        ],
+    }
+
+
+def _numbers(numbers: GivenNumbers, language: str) -> dict[str, Any]:
+    return {
+        "name": numbers.name,
+        "label": sentence(language, f"given-{numbers.name}", numbers.values),
+        "labels": list(numbers.labels),
+        "rows": [list(row) for row in numbers.rows],
     }

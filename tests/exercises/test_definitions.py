@@ -11,7 +11,7 @@ from exercises.definition import LANGUAGES
 from exercises.selftest.checks import check
 from exercises.statements import names_in
 from kinematics import catalogue
-from tests.exercises.packaged import exercise, exercise_ids
+from tests.exercises.packaged import exercise, exercise_ids, table_ids
 
 SEEDS = int(os.environ.get("EXERCISE_SEEDS", "0"))
 ALL = exercise_ids
@@ -19,19 +19,21 @@ ALL = exercise_ids
 
 def test_every_robot_of_the_documents_is_an_exercise() -> None:
     others = {"gen3", "iiwa14", "irb140", "lrmate200id", "panda", "ur10", "ur5"}
-    assert set(catalogue.robot_ids()) == {*ALL, *others}
-    assert len(ALL) == 16
+    assert set(catalogue.robot_ids()) == {*table_ids, *others}
+    assert len(table_ids) == 16
 
 
 @pytest.mark.parametrize("exercise_id", ALL)
 def test_a_definition_tests_itself(exercise_id: str) -> None:
     findings = check(exercise(exercise_id), SEEDS or 1, None if SEEDS else 3)
     assert not findings.failures
+    if exercise_id not in table_ids:
+        return
     assert findings.passed["right"] == findings.passed["certificate"] == 2 * (SEEDS or 1) + 2
     assert findings.passed["invalid"] == 6
 
 
-@pytest.mark.parametrize("exercise_id", ALL)
+@pytest.mark.parametrize("exercise_id", table_ids)
 def test_a_definition_asks_for_the_table_the_matrices_and_a_pose(exercise_id: str) -> None:
     found = exercise(exercise_id)
     asked = {part.kind for part in found.parts}

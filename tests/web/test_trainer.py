@@ -9,12 +9,12 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
-from exercises.loader import packaged
+from tests.exercises.packaged import table_ids
 from tests.web.conftest import LANGUAGES, OpenPage
 from tests.web.driving import Held
 from tests.web.walking import assigned, at_random, by_lecture, first, frame_button, go_to, last, ready, walk
 
-EXERCISES = sorted(packaged().ids)
+EXERCISES = sorted(table_ids)
 
 
 def exercise_of(page: Page, web: str, name: str) -> dict[str, Any]:

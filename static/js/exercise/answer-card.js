@@ -5,6 +5,7 @@ import { newTable } from "../editor/model.js";
 import { t } from "../i18n.js";
 import { subscript, superscript } from "../numbers.js";
 import { keep, recall } from "../storage.js";
+import { AnswerForm, formPlace } from "./answer-form.js";
 import { MatrixField, MatrixListField, NumbersField, SchematicField } from "./part-fields.js";
 
 /** @typedef {{kind: string, points: number}} Part */
@@ -33,8 +34,10 @@ export class AnswerCard {
     this.problem = el("div", { id: "submit-problem" });
     const table = exercise.parts.find((/** @type {any} */ { kind }) => kind === "table");
     this.sections = this.parts.map((/** @type {any} */ { part, field }) =>
-      section(part.kind, part, exercise, field.element, true),
+      section(part.kind, part, exercise, field.element, this.parts.length > 1 || Boolean(table)),
     );
+    if (!table && this.sections.length === 1) this.sections[0].open = true;
+    this.withTable = Boolean(table);
     const form = el(
       "form",
       {
@@ -47,7 +50,7 @@ export class AnswerCard {
           }
         },
       },
-      section("table", table, exercise, this.editor, this.parts.length > 0),
+      table ? section("table", table, exercise, this.editor, this.parts.length > 0) : null,
       this.sections,
       el(
         "div",
@@ -114,6 +117,7 @@ export class AnswerCard {
       .map((/** @type {any} */ { part, field }) => [part.kind, field.value])
       .filter((/** @type {any} */ [, value]) => value !== null);
     const others = { ...Object.fromEntries(typed), ...helpWanted(this.exercise) };
+    if (!this.withTable) return others;
     const needsTable = "link_matrices" in others || !typed.length || !this.editor.untouched;
     if (!needsTable) return others;
     if (this.editor.complete) return { table: this.editor.table, ...others };
@@ -149,13 +153,14 @@ export class AnswerCard {
       field.showFaults(own);
       if (own.length) /** @type {HTMLDetailsElement} */ (this.sections[i]).open = true;
     });
-    if (this.editor.showRefusal(ofTable, table)) return true;
+    if (this.withTable && this.editor.showRefusal(ofTable, table)) return true;
     const first = this.parts.find((/** @type {any} */ { part }) => ofParts.get(part.kind).length);
     first?.field.focus(ofParts.get(first.part.kind)[0].where);
     return Boolean(first);
   }
 
   focus() {
+    if (!this.withTable) return this.parts[0]?.field.focus();
     this.editor.focusCell(0, this.convention === "standard" ? "theta" : "alpha");
   }
 
@@ -261,6 +266,7 @@ function helpChoice(exercise) {
 /** @param {any} part @param {Wire.Exercise} exercise */
 function fieldFor(part, exercise) {
   const joints = exercise.joints.length;
+  if (part.form.length) return new AnswerForm(part);
   switch (part.kind) {
     case "schematic":
       return new SchematicField(joints);
@@ -278,8 +284,9 @@ function fieldFor(part, exercise) {
   }
 }
 
-/** How a place of a part's answer is called. @param {string} kind @param {(string | number)[]} where */
-export function placeName(kind, where) {
+/** How a place of a part's answer is called. @param {any} part @param {(string | number)[]} where */
+export function placeName({ kind, form }, where) {
+  if (form.length) return formPlace(form, where);
   if (kind === "link_matrices") {
     const matrix = `${superscript(where[0])}T${subscript(Number(where[0]) + 1)}`;
     return where.length > 1 ? `${matrix} (${Number(where[1]) + 1}, ${Number(where[2]) + 1})` : matrix;

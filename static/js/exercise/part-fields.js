@@ -19,12 +19,12 @@ const RELATIONS = [
 ];
 
 /** A fault's message below a field. @param {string} id */
-function faultLine(id) {
+export function faultLine(id) {
   return el("div", { class: "fault", id, hidden: true });
 }
 
 /** @param {HTMLElement} input @param {HTMLElement} line @param {string} text */
-function setFault(input, line, text) {
+export function setFault(input, line, text) {
   line.textContent = text;
   line.hidden = !text;
   if (text) input.setAttribute("aria-invalid", "true");

@@ -48,7 +48,7 @@ export class VerdictCard {
       reasons,
       Object.values(others).map((report) =>
         partView(report, partName(report.kind), {
-          nameOf: (where) => placeName(report.kind, where),
+          nameOf: (where) => placeName(partOf(exercise, report.kind), where),
           goTo: (where) => answer.focusPart(report.kind, where),
         }),
       ),
@@ -82,6 +82,11 @@ async function addReasons(place, exercise, table, drawn) {
   const { reasonsList, secondTable } = await import("./reasons.js");
   const other = exercise.conventions.length > 1 ? secondTable(api, table) : null;
   fill(place, reasonsList(drawn.rows, table, drawn.size), other);
+}
+
+/** @param {Wire.Exercise} exercise @param {string} kind */
+function partOf({ parts }, kind) {
+  return parts.find((part) => part.kind === kind) ?? { kind, form: [] };
 }
 
 /** @param {string} kind */

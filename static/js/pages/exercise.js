@@ -58,6 +58,8 @@ async function run() {
     drawing: /** @type {HTMLImageElement} */ ($("figure-drawing")),
     description: $("figure-description"),
   });
+  const asksTable = exercise.parts.some(({ kind }) => kind === "table");
+  if (!asksTable) for (const id of ["own-card", "write-table"]) $(id).hidden = true;
   const robot = new LiveRobot(api);
   showRules(exercise);
   const own = new OwnCard($("own"), robot, {
@@ -113,7 +115,7 @@ async function run() {
 
   /** @param {{now?: boolean}} [options] */
   function follow(options = {}) {
-    own.take(answer.table, options);
+    if (asksTable) own.take(answer.table, options);
   }
 
   async function submit() {

@@ -23,7 +23,7 @@ async function run() {
 }
 
 /** @param {any} options */
-async function entry({ id, title, summary, joints }) {
+async function entry({ id, title, summary, joints, parts }) {
   const attempts = await browserAttempts.list(id);
   const best = attempts.reduce((most, attempt) => Math.max(most, attempt.score), 0);
   return el(
@@ -52,7 +52,9 @@ async function entry({ id, title, summary, joints }) {
               text: t("form-home-best", { score: Math.round(best * 100) }),
             })
           : null,
-        el("a", { class: "trainer-link", href: pageAddress(`trainer/${id}`), text: t("form-home-trainer") }),
+        parts.includes("table")
+          ? el("a", { class: "trainer-link", href: pageAddress(`trainer/${id}`), text: t("form-home-trainer") })
+          : null,
       ),
     ),
   );

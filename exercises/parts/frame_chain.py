@@ -1,0 +1,223 @@
+"""Chains of frames: the pose of one frame in another, from poses that are known.
+
+The frames are those of the key, at joint values that are drawn; what is known and what is asked are pairs of
+them. There is one right matrix: both frames are named.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from random import Random
+from typing import ClassVar
+
+import numpy as np
+
+from exercises.definition import Exercise, Part
+from exercises.draws import Draw, Picker, read_draw
+from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.instance import Instance
+from exercises.parts.comparison import Matrices
+from exercises.parts.context import Context
+from exercises.parts.joint_draws import drawn_joints, key_frames
+from exercises.parts.matrix_cells import CellMatrix, read_numbers
+from exercises.parts.protocol import (
+    FieldShape,
+    FormField,
+    GivenNumbers,
+    PartTask,
+    PartType,
+    Reading,
+    RobotFacts,
+)
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.reading import Reader
+from kinematics.errors import Fault
+from kinematics.rotations.frame_chains import ChainFactor, ChainMistake, chain_product, judge_chain
+from kinematics.se3 import inverse_transform
+from kinematics.table import JointType
+
+DECIMALS = 4
+Pair = tuple[int, int]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FrameChainCells:
+    """The pose that is asked.
+
+    Attributes:
+        pose: 4×4, row by row; lengths in the exercise's unit.
+    """
+
+    pose: CellMatrix
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FrameChainPart(Part):
+    """Known poses of frames, and one that follows from them.
+
+    Attributes:
+        joints: the joint values where no seed is given [the exercise's units].
+        draws: per joint, from where a student's own value is drawn, or None.
+        known: (a, b) of each known pose of frame b in frame a.
+        asked: (a, b) of the pose that is asked.
+        path: the known poses on the way from a to b, and whether each is walked against its sense.
+        tolerance: largest error of a direction cosine, and of a position as a share of the robot's size.
+    """
+
+    joints: tuple[Fraction, ...]
+    draws: tuple[Draw | None, ...]
+    known: tuple[Pair, ...]
+    asked: Pair
+    path: tuple[tuple[int, bool], ...]
+    tolerance: float
+
+
+class FrameChainType(PartType[FrameChainPart, FrameChainCells, Matrices]):
+    """{}^A T_B from other poses."""
+
+    kind = "frame_chain"
+    raw: ClassVar = FrameChainCells
+    meaning = "the pose of one frame in another, in numbers"
+    disclosures: ClassVar = {
+        "chain_wrong": Disclosure(level=HelpLevel.ROW),
+        "chain_rotation_right": Disclosure(level=HelpLevel.ROW),
+        "chain_position_right": Disclosure(level=HelpLevel.ROW),
+        **{f"chain_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in ChainMistake},
+    }
+
+    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> FrameChainPart:
+        """Return the part with its joint values and frames."""
+        n = len(robot.joint_types)
+        joints = reader.exacts("joints")
+        if len(joints) != n:
+            reader.fault("joints_wrong_length", "joints", expected=n)
+            joints = (Fraction(0),) * n
+        turns, slides = read_draw(reader, "turns"), read_draw(reader, "slides")
+        known = tuple(_pair(inner) for inner in reader.entries("known"))
+        asked = _pair(reader.table("asked", needed=True))
+        path = path_between(known, asked)
+        if path is None:
+            reader.fault("frames_not_connected", "asked", start=asked[0], end=asked[1])
+        return FrameChainPart(
+            kind=self.kind,
+            points=points,
+            joints=joints,
+            draws=tuple(slides if found is JointType.PRISMATIC else turns for found in robot.joint_types),
+            known=known,
+            asked=asked,
+            path=path or (),
+            tolerance=reader.number("tolerance", 0.005),
+        )
+
+    def inconsistencies(self, part: FrameChainPart, exercise: Exercise) -> Iterator[Fault]:
+        """Yield the frames that the key does not have."""
+        last = len(exercise.reference.table.rows)
+        pairs: list[tuple[tuple[str | int, ...], Pair]]
+        pairs = [(("known", i), pair) for i, pair in enumerate(part.known)] + [(("asked",), part.asked)]
+        for where, pair in pairs:
+            if not all(0 <= frame <= last for frame in pair):
+                yield Fault(code="unknown_frame", where=where)
+
+    def draw(self, part: FrameChainPart, exercise: Exercise, picker: Picker) -> tuple[Fraction, ...]:
+        """Return the student's joint values [the exercise's units]."""
+        return drawn_joints(part.joints, part.draws, picker, self.kind)
+
+    def task(self, part: FrameChainPart, instance: Instance) -> PartTask:
+        """Show the known poses and ask for one."""
+        shown = tuple(
+            GivenNumbers(
+                name="frame-pose",
+                labels=(),
+                rows=tuple(tuple(row) for row in pose.tolist()),
+                values={"start": a, "end": b},
+            )
+            for (a, b), pose in zip(part.known, _known(part, instance), strict=True)
+        )
+        start, end = part.asked
+        return PartTask(
+            message="task-frame-chain",
+            values={"start": start, "end": end, "unit": instance.exercise.length_unit.value},
+            form=(FormField(name="pose", shape=FieldShape.MATRIX, labels=("x", "y", "z", "p"), rows=4),),
+            numbers=shown,
+        )
+
+    def read(self, raw: FrameChainCells, reading: Reading) -> Matrices | None:
+        """Return (4, 4) numbers."""
+        return read_numbers(raw.pose, reading, self.kind, "pose")
+
+    def grade(self, part: FrameChainPart, answer: Matrices, context: Context) -> PartReport:
+        """Judge a pose: its rotation and its position count half each."""
+        factors = _factors(part, context.instance)
+        size = context.size / context.unit_ratio
+        found = judge_chain(factors, answer, size=size, tolerance=part.tolerance)
+        facts = [
+            Fact(where=("pose", r, c), finding=Finding.OK if good else Finding.WRONG)
+            for r in range(3)
+            for c, good in enumerate((found.rotation,) * 3 + (found.position,))
+        ]
+        feedback = [Feedback(code="chain_right" if found.right else "chain_wrong")]
+        if found.rotation != found.position:
+            feedback.append(
+                Feedback(code="chain_rotation_right" if found.rotation else "chain_position_right")
+            )
+        feedback += [Feedback(code=f"chain_{mistake.value}") for mistake in found.mistakes]
+        score = 0.5 * (found.rotation + found.position)
+        return judged(part, score, Credit.KEY, facts=facts, feedback=feedback)
+
+    def right(self, part: FrameChainPart, context: Context) -> FrameChainCells:
+        """Return the product of the known poses, rounded as on paper."""
+        return _cells(chain_product(_factors(part, context.instance)))
+
+    def wrong(
+        self, part: FrameChainPart, context: Context, rng: Random
+    ) -> Iterator[tuple[str, FrameChainCells]]:
+        """Yield the pose with another position."""
+        pose = chain_product(_factors(part, context.instance)).copy()
+        pose[0, 3] += context.size / context.unit_ratio
+        yield "chain_wrong", _cells(pose)
+
+
+def path_between(known: Sequence[Pair], asked: Pair) -> tuple[tuple[int, bool], ...] | None:
+    """Return the shortest way from one frame to another along known poses; None if there is none.
+
+    Returns:
+        (index of the pose, whether it is inverted) from the first frame to the last.
+    """
+    start, end = asked
+    ways: dict[int, tuple[tuple[int, bool], ...]] = {start: ()}
+    pending = [start]
+    while pending:
+        frame = pending.pop(0)
+        for i, (a, b) in enumerate(known):
+            for here, there, inverted in ((a, b, False), (b, a, True)):
+                if here == frame and there not in ways:
+                    ways[there] = (*ways[frame], (i, inverted))
+                    pending.append(there)
+    return ways.get(end) or None
+
+
+def _pair(reader: Reader) -> Pair:
+    pair = reader.integer("from"), reader.integer("to")
+    reader.finish()
+    return pair
+
+
+def _known(part: FrameChainPart, instance: Instance) -> list[Matrices]:
+    """Return the known poses as they are shown."""
+    frames = key_frames(instance, instance.drawn[part.kind])
+    return [np.round(inverse_transform(frames[a]) @ frames[b], DECIMALS) + 0.0 for a, b in part.known]
+
+
+def _factors(part: FrameChainPart, instance: Instance) -> list[ChainFactor]:
+    known = _known(part, instance)
+    return [ChainFactor(pose=known[i], inverted=inverted) for i, inverted in part.path]
+
+
+def _cells(pose: Matrices) -> FrameChainCells:
+    cells: CellMatrix = (np.round(pose, DECIMALS) + 0.0).tolist()
+    return FrameChainCells(pose=cells)
+
+
+PART = FrameChainType()

@@ -1,0 +1,50 @@
+"""Joint values that are drawn for a student, and the key's frames at them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+
+import numpy as np
+
+from exercises.consistency import values_in_radians
+from exercises.definition import Exercise
+from exercises.draws import Draw, Picker
+from exercises.instance import Instance
+from kinematics.cells import AngleUnit
+from kinematics.forward import forward_kinematics
+from kinematics.se3 import Transform
+from kinematics.table import JointType, NumericTable, bind
+
+
+def drawn_joints(
+    usual: Sequence[Fraction], draws: Sequence[Draw | None], picker: Picker, name: str
+) -> tuple[Fraction, ...]:
+    """Return a student's joint values [the exercise's units]."""
+    return tuple(
+        picker.value(value, draw, f"{name} q{i}")
+        for i, (value, draw) in enumerate(zip(usual, draws, strict=True), 1)
+    )
+
+
+def in_radians(exercise: Exercise, joints: Sequence[Fraction]) -> list[float]:
+    """Return joint values of the exercise in [rad] and in its length unit."""
+    degrees = exercise.angle_unit is AngleUnit.DEG
+    return [
+        math.radians(float(value)) if degrees and kind is JointType.REVOLUTE else float(value)
+        for value, kind in zip(joints, exercise.reference.table.joint_types, strict=True)
+    ]
+
+
+def key_numbers(instance: Instance) -> NumericTable:
+    """Return the key with the student's values; lengths in the exercise's unit."""
+    exercise = instance.exercise
+    values = values_in_radians(instance.parameters, exercise.reference.parameters, exercise.angle_unit)
+    return bind(exercise.reference.table, values)
+
+
+def key_frames(instance: Instance, joints: Sequence[Fraction]) -> list[Transform]:
+    """Return the poses of frame 0 … N of the key in frame 0, at joint values of the exercise."""
+    found = forward_kinematics(key_numbers(instance), in_radians(instance.exercise, joints))
+    return [np.eye(4), *found.frames]

@@ -1,0 +1,70 @@
+"""Cells that hold a number: an angle, a length or a ratio, in the exercise's dimensions or without them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from exercises.consistency import values_in_radians
+from exercises.instance import Instance
+from exercises.names import renamed, unknown_name
+from exercises.parts.protocol import Reading
+from kinematics.cells import DEFAULT, AngleUnit, Cell
+from kinematics.cells.entries import cell_meaning
+from kinematics.cells.meaning import Position
+from kinematics.cells.refusals import CellRefusal
+from kinematics.errors import CellError, Fault, KinematicsError
+from kinematics.expressions import evaluate, parameters_in
+
+
+def number_of(
+    cell: Cell,
+    position: Position,
+    instance: Instance,
+    where: tuple[str | int, ...],
+    unit: AngleUnit | None = None,
+) -> float:
+    """Return the value of a cell without joint variables; an angle in [rad], a length in the exercise's unit.
+
+    Args:
+        cell: a number or text.
+        position: what stands in it.
+        instance: the exercise with the student's values.
+        where: place of the cell, for faults.
+        unit: unit of plain numbers where an angle stands; the exercise's if left out.
+
+    Raises:
+        CellError: it cannot be read, holds an unknown name, or has no finite value.
+    """
+    exercise = instance.exercise
+    try:
+        meaning = cell_meaning(cell, position, unit or exercise.angle_unit, DEFAULT, lambda _: None)
+    except CellRefusal as refusal:
+        raise CellError(refusal.at(*where)) from None
+    expression = renamed(meaning.expression, exercise.aliases)
+    unknown = sorted(parameters_in(expression) - set(exercise.reference.parameters))
+    if unknown:
+        raise CellError(unknown_name(unknown[0], exercise, where))
+    values = values_in_radians(instance.parameters, exercise.reference.parameters, exercise.angle_unit)
+    try:
+        value = evaluate(expression, values)
+    except KinematicsError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise CellError(Fault(code="value_not_real", where=where))
+    return value
+
+
+def read_numbers_of(
+    cells: Sequence[Cell], position: Position, reading: Reading, part: str, *where: str | int
+) -> tuple[float, ...] | None:
+    """Return the values of some cells, or None; faults are kept in the reading, at `where` in the part."""
+    found = [
+        reading.keep(part, lambda k=k, cell=cell: number_of(cell, position, reading.instance, (*where, k)))  # type: ignore[misc]
+        for k, cell in enumerate(cells)
+    ]
+    return (
+        None
+        if any(value is None for value in found)
+        else tuple(value for value in found if value is not None)
+    )

@@ -1,0 +1,466 @@
+"""One orientation in other notations: matrix, quaternion, axis and angle, angles about current or fixed axes.
+
+What is right is decided by meaning (`kinematics.rotations.orientation_answers`): q and −q, (k, θ) and
+(−k, −θ), either triple of angles, full turns; at gimbal lock any triple, and the whole family where all are
+asked. Each notation that is asked earns marks of its own.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from fractions import Fraction
+from random import Random
+from typing import Annotated, ClassVar
+
+from exercises.definition import Exercise, Part
+from exercises.draws import Draw, Picker, read_draw
+from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.instance import Instance
+from exercises.parts.context import Context
+from exercises.parts.number_cells import read_numbers_of
+from exercises.parts.protocol import (
+    FieldShape,
+    FormField,
+    GivenNumbers,
+    Length,
+    PartTask,
+    PartType,
+    Reading,
+    RobotFacts,
+)
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.reading import Reader
+from kinematics.cells import AngleUnit, Cell
+from kinematics.cells.meaning import Position
+from kinematics.errors import PoseError
+from kinematics.poses import axis_angle_from_transform, quaternion_from_transform
+from kinematics.rotations.matrices import Matrix3, Triple, as_transform, matrix3
+from kinematics.rotations.orientation_answers import (
+    RIGHT,
+    USUAL_TOLERANCE,
+    Built,
+    ComponentOrder,
+    OrientationVerdict,
+    RotationMistake,
+    judge_axis_angle,
+    judge_family,
+    judge_matrix,
+    judge_quaternion,
+    judge_triples,
+)
+from kinematics.rotations.sequences import (
+    Combination,
+    EulerSequence,
+    GimbalFamily,
+    Turning,
+    euler_solutions,
+)
+
+DECIMALS = 4
+"""Decimals of what is given and of what a student writes."""
+CellRow3 = tuple[Cell, Cell, Cell]
+
+
+class OrientationNotation(StrEnum):
+    """A notation in which an orientation is given or asked.
+
+    ANGLES: one triple of angles. EVERY_TRIPLE: both, or the whole family at gimbal lock.
+    """
+
+    MATRIX = "matrix"
+    QUATERNION = "quaternion"
+    AXIS_ANGLE = "axis_angle"
+    ANGLES = "angles"
+    EVERY_TRIPLE = "every_triple"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class OrientationCells:
+    """An orientation in the notations that are asked.
+
+    Attributes:
+        matrix: 3×3, row by row.
+        quaternion: a unit quaternion; q and −q are the same.
+        component_order: where the scalar stands in it: wxyz or xyzw; needed beside a quaternion.
+        axis: of the rotation; any length but zero.
+        angle: about the axis.
+        angles: triples about the axes that are asked; one, or both where all are asked.
+        middle: at gimbal lock, the middle angle of every triple.
+        combination: at gimbal lock, what is fixed of the others: the sum, or the difference first − last.
+        value: of this sum or difference.
+    """
+
+    matrix: tuple[CellRow3, CellRow3, CellRow3] | None = None
+    quaternion: tuple[Cell, Cell, Cell, Cell] | None = None
+    component_order: ComponentOrder | None = None
+    axis: CellRow3 | None = None
+    angle: Cell | None = None
+    angles: Annotated[tuple[CellRow3, ...], Length(least=1, most=4)] | None = None
+    middle: Cell | None = None
+    combination: Combination | None = None
+    value: Cell | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class OrientationAnswer:
+    """The same in numbers; angles in [rad]."""
+
+    matrix: Matrix3 | None = None
+    quaternion: tuple[float, ...] | None = None
+    component_order: ComponentOrder | None = None
+    axis: tuple[float, ...] | None = None
+    angle: float | None = None
+    angles: tuple[Triple, ...] | None = None
+    family: GimbalFamily | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class OrientationPart(Part):
+    """One orientation, given in one notation and asked in others.
+
+    Attributes:
+        sequence: about which axes the given angles turn.
+        angles: the given angles where no seed is given [the exercise's unit].
+        turns: from where a student's own are drawn.
+        middle: from where the middle one is drawn, if not from `turns`.
+        given: in which notation students see it.
+        ask: the notations that are asked.
+        asked_sequence: about which axes the asked angles turn.
+        tolerance: largest error [rad], see `kinematics.rotations.orientation_answers`.
+    """
+
+    sequence: EulerSequence
+    angles: tuple[Fraction, ...]
+    turns: Draw | None
+    middle: Draw | None
+    given: OrientationNotation
+    ask: tuple[OrientationNotation, ...]
+    asked_sequence: EulerSequence
+    tolerance: float
+
+
+class OrientationPartType(PartType[OrientationPart, OrientationCells, OrientationAnswer]):
+    """An orientation in other notations."""
+
+    kind = "orientation"
+    raw: ClassVar = OrientationCells
+    meaning = "the orientation of the task in the notations that are asked"
+    disclosures: ClassVar = {
+        "orientation_wrong": Disclosure(level=HelpLevel.ROW),
+        **{f"rotation_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in RotationMistake},
+    }
+
+    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> OrientationPart:
+        """Return the part with its angles and what is asked."""
+        sequence = read_sequence(reader, "axes", "turning", EulerSequence(axes="ZYX"))
+        angles = reader.exacts("angles")
+        if len(angles) != 3:
+            reader.fault("joints_wrong_length", "angles", expected=3)
+            angles = (Fraction(0),) * 3
+        asked: list[OrientationNotation] = []
+        for i, name in enumerate(reader.texts("ask")):
+            if name in set(OrientationNotation):
+                asked.append(OrientationNotation(name))
+            else:
+                reader.fault(
+                    "exercise_value_unknown", "ask", i, key="ask", known=", ".join(OrientationNotation)
+                )
+        if not asked:
+            reader.fault("nothing_asked", "ask")
+        return OrientationPart(
+            kind=self.kind,
+            points=points,
+            sequence=sequence,
+            angles=angles,
+            turns=read_draw(reader, "turns"),
+            middle=read_draw(reader, "middle"),
+            given=reader.choice("given", OrientationNotation, OrientationNotation.ANGLES),
+            ask=tuple(dict.fromkeys(asked)),
+            asked_sequence=read_sequence(reader, "asked_axes", "asked_turning", sequence),
+            tolerance=reader.number("tolerance", USUAL_TOLERANCE),
+        )
+
+    def draw(self, part: OrientationPart, exercise: Exercise, picker: Picker) -> Triple:
+        """Return the student's angles [rad]."""
+        ways = (part.turns, part.middle or part.turns, part.turns)
+        return drawn_triple(exercise, picker, part.angles, ways, self.kind)
+
+    def task(self, part: OrientationPart, instance: Instance) -> PartTask:
+        """Show the orientation and ask for the others."""
+        unit = _unit(instance)
+        return PartTask(
+            message="task-orientation",
+            values={
+                "given": part.given.value,
+                "axes": " ".join(part.sequence.axes),
+                "turning": part.sequence.turning.value,
+                "asked_axes": " ".join(part.asked_sequence.axes),
+                "asked_turning": part.asked_sequence.turning.value,
+                "ask": "every"
+                if OrientationNotation.EVERY_TRIPLE in part.ask
+                else "one"
+                if OrientationNotation.ANGLES in part.ask
+                else "none",
+            },
+            form=tuple(_fields(part, unit)),
+            numbers=(_given(part, instance, unit),),
+        )
+
+    def read(self, raw: OrientationCells, reading: Reading) -> OrientationAnswer | None:
+        """Return the notations in numbers."""
+        before = len(reading.faults)
+        kind = self.kind
+
+        def numbers(
+            cells: tuple[Cell, ...] | None, position: Position, *where: str | int
+        ) -> tuple[float, ...] | None:
+            return None if cells is None else read_numbers_of(cells, position, reading, kind, *where)
+
+        def one(cell: Cell | None, position: Position, name: str) -> float | None:
+            found = None if cell is None else read_numbers_of((cell,), position, reading, kind, name)
+            return None if found is None else found[0]
+
+        rows = [numbers(row, Position.RATIO, "matrix", i) for i, row in enumerate(raw.matrix or ())]
+        triples = [numbers(row, Position.ANGLE, "angles", i) for i, row in enumerate(raw.angles or ())]
+        answer = OrientationAnswer(
+            matrix=matrix3([row for row in rows if row]) if rows and all(rows) else None,
+            quaternion=numbers(raw.quaternion, Position.RATIO, "quaternion"),
+            component_order=raw.component_order,
+            axis=numbers(raw.axis, Position.RATIO, "axis"),
+            angle=one(raw.angle, Position.ANGLE, "angle"),
+            angles=tuple((t[0], t[1], t[2]) for t in triples if t) or None,
+        )
+        middle, value = one(raw.middle, Position.ANGLE, "middle"), one(raw.value, Position.ANGLE, "value")
+        if middle is not None and value is not None and raw.combination is not None:
+            answer = replace(
+                answer, family=GimbalFamily(middle=middle, combination=raw.combination, value=value)
+            )
+        if raw.quaternion is not None and raw.component_order is None:
+            reading.fault("component_order_missing", kind, "component_order")
+        if (raw.axis is None) != (raw.angle is None):
+            reading.fault("axis_and_angle", kind, "angle" if raw.angle is None else "axis")
+        if len({raw.middle is None, raw.value is None, raw.combination is None}) > 1:
+            reading.fault("family_incomplete", kind, "combination")
+        if len(reading.faults) == before and answer == OrientationAnswer(component_order=raw.component_order):
+            reading.fault("orientation_empty", kind)
+        return answer if len(reading.faults) == before else None
+
+    def grade(self, part: OrientationPart, answer: OrientationAnswer, context: Context) -> PartReport:
+        """Judge notation by notation; each counts the same."""
+        built = Built(sequence=part.sequence, angles=context.instance.drawn[self.kind])
+        facts: list[Fact] = []
+        feedback: list[Feedback] = []
+        total = 0.0
+        for notation in part.ask:
+            found = _judged(part, notation, answer, built)
+            if found is None:
+                facts.append(Fact(where=(_place(notation),), finding=Finding.MISSING))
+                feedback.append(Feedback(code="orientation_missing", params={"notation": notation.value}))
+                continue
+            total += found.share
+            finding = Finding.OK if found.right else Finding.WRONG
+            facts.append(Fact(where=(_place(notation),), finding=finding))
+            if not found.right:
+                feedback.append(Feedback(code="orientation_wrong", params={"notation": notation.value}))
+                feedback += [Feedback(code=f"rotation_{mistake.value}") for mistake in found.mistakes]
+        score = total / len(part.ask)
+        if score == 1.0:
+            feedback.append(Feedback(code="orientation_right"))
+        return judged(part, score, Credit.KEY, facts=facts, feedback=feedback)
+
+    def right(self, part: OrientationPart, context: Context) -> OrientationCells:
+        """Return every notation that is asked, rounded as on paper."""
+        instance = context.instance
+        rotation = part.sequence.matrix(instance.drawn[self.kind])
+        return _written(part, rotation, instance)
+
+    def wrong(
+        self, part: OrientationPart, context: Context, rng: Random
+    ) -> Iterator[tuple[str, OrientationCells]]:
+        """Yield one notation transposed, one with a component changed."""
+        instance = context.instance
+        rotation = part.sequence.matrix(instance.drawn[self.kind])
+        right = _written(part, rotation, instance)
+        if right.matrix is not None:
+            reflected = tuple((row[0], row[1], -float(row[2])) for row in right.matrix)
+            yield "rotation_right_handed", replace(right, matrix=(reflected[0], reflected[1], reflected[2]))
+        if right.quaternion is not None:
+            w, x, y, z = (float(cell) for cell in right.quaternion)
+            yield "rotation_not_unit", replace(right, quaternion=(2 * w, 2 * x, 2 * y, 2 * z))
+        if right.value is not None:
+            yield "orientation_wrong", replace(right, value=float(right.value) + 17)
+        if right.angles is not None and part.ask == (OrientationNotation.ANGLES,):
+            first, middle, last = right.angles[0]
+            yield "orientation_wrong", replace(right, angles=((float(first) + 17, middle, last),))
+
+
+def drawn_triple(
+    exercise: Exercise,
+    picker: Picker,
+    usual: Sequence[Fraction],
+    ways: Sequence[Draw | None],
+    name: str,
+) -> Triple:
+    """Return a student's three angles [rad].
+
+    Args:
+        exercise: the exercise, for its unit.
+        picker: draws the values.
+        usual: the angles where no seed is given [the exercise's unit].
+        ways: from where each is drawn.
+        name: what is drawn.
+    """
+    degrees = exercise.angle_unit is AngleUnit.DEG
+    drawn = (
+        float(picker.value(value, way, f"{name} {i}"))
+        for i, (value, way) in enumerate(zip(usual, ways, strict=True), 1)
+    )
+    first, middle, last = (math.radians(value) if degrees else value for value in drawn)
+    return first, middle, last
+
+
+def read_sequence(reader: Reader, axes: str, turning: str, default: EulerSequence) -> EulerSequence:
+    """Return an order of axes from two keys of a definition; faults go to the reader."""
+    text = reader.text(axes, default.axes)
+    way = reader.choice(turning, Turning, default.turning)
+    try:
+        return EulerSequence(axes=text, turning=way)
+    except PoseError as error:
+        reader.fault(error.code, axes, axes=text)
+        return default
+
+
+def _place(notation: OrientationNotation) -> str:
+    """Return the field of the answer that holds a notation."""
+    if notation is OrientationNotation.AXIS_ANGLE:
+        return "axis"
+    return "angles" if notation is OrientationNotation.EVERY_TRIPLE else notation.value
+
+
+def _unit(instance: Instance) -> str:
+    return "°" if instance.exercise.angle_unit is AngleUnit.DEG else "rad"
+
+
+def _fields(part: OrientationPart, unit: str) -> Iterator[FormField]:
+    angles = tuple(f"{name} [{unit}]" for name in ("α", "β", "γ"))
+    for notation in part.ask:
+        match notation:
+            case OrientationNotation.MATRIX:
+                yield FormField(name="matrix", shape=FieldShape.MATRIX, labels=("", "", ""), rows=3)
+            case OrientationNotation.QUATERNION:
+                orders = tuple(order.value for order in ComponentOrder)
+                yield FormField(name="component_order", shape=FieldShape.CHOICE, options=orders)
+                yield FormField(name="quaternion", shape=FieldShape.VECTOR, labels=("1", "2", "3", "4"))
+            case OrientationNotation.AXIS_ANGLE:
+                yield FormField(name="axis", shape=FieldShape.VECTOR, labels=("x", "y", "z"))
+                yield FormField(name="angle", shape=FieldShape.CELL, labels=(f"θ [{unit}]",))
+            case OrientationNotation.ANGLES:
+                yield FormField(name="angles", shape=FieldShape.LIST, labels=angles, rows=1)
+            case OrientationNotation.EVERY_TRIPLE:
+                yield FormField(name="angles", shape=FieldShape.LIST, labels=angles, rows=2)
+                ways = tuple(way.value for way in Combination)
+                yield FormField(name="middle", shape=FieldShape.CELL, labels=(angles[1],))
+                yield FormField(name="combination", shape=FieldShape.CHOICE, options=ways)
+                yield FormField(name="value", shape=FieldShape.CELL, labels=(f"[{unit}]",))
+
+
+def _given(part: OrientationPart, instance: Instance, unit: str) -> GivenNumbers:
+    drawn: Triple = instance.drawn[part.kind]
+    degrees = instance.exercise.angle_unit is AngleUnit.DEG
+    rotation = part.sequence.matrix(drawn)
+    pose = as_transform(rotation)
+    if part.given is OrientationNotation.MATRIX:
+        rows: tuple[tuple[float, ...], ...] = tuple(_rounded(row) for row in rotation)
+        return GivenNumbers(name="rotation", labels=(), rows=rows)
+    if part.given is OrientationNotation.QUATERNION:
+        rows = (_rounded(quaternion_from_transform(pose)),)
+        return GivenNumbers(name="quaternion", labels=("w", "x", "y", "z"), rows=rows)
+    if part.given is OrientationNotation.AXIS_ANGLE:
+        axis, angle = axis_angle_from_transform(pose)
+        rows = (_rounded((*axis, math.degrees(angle) if degrees else angle)),)
+        return GivenNumbers(name="axis_angle", labels=("x", "y", "z", f"θ [{unit}]"), rows=rows)
+    rows = (_rounded([math.degrees(angle) if degrees else angle for angle in drawn]),)
+    labels = tuple(f"{name} ({axis}) [{unit}]" for name, axis in zip("αβγ", part.sequence.axes, strict=True))
+    return GivenNumbers(name="angles", labels=labels, rows=rows)
+
+
+def _rounded(values: Sequence[float]) -> tuple[float, ...]:
+    return tuple(round(float(value), DECIMALS) + 0.0 for value in values)
+
+
+def _judged(
+    part: OrientationPart, notation: OrientationNotation, answer: OrientationAnswer, built: Built
+) -> OrientationVerdict | None:
+    """Return what is said of one notation; None if it was not handed in."""
+    expected = part.sequence.matrix(built.angles)
+    tolerance = part.tolerance
+    match notation:
+        case OrientationNotation.MATRIX if answer.matrix is not None:
+            return judge_matrix(expected, answer.matrix, tolerance, built)
+        case OrientationNotation.QUATERNION if answer.quaternion is not None:
+            order = answer.component_order or ComponentOrder.SCALAR_FIRST
+            return judge_quaternion(expected, answer.quaternion, order, tolerance, built)
+        case OrientationNotation.AXIS_ANGLE if answer.axis is not None and answer.angle is not None:
+            return judge_axis_angle(expected, answer.axis, answer.angle, tolerance, built)
+        case OrientationNotation.ANGLES | OrientationNotation.EVERY_TRIPLE:
+            return _judged_angles(part, expected, answer, notation is OrientationNotation.EVERY_TRIPLE)
+    return None
+
+
+def _judged_angles(
+    part: OrientationPart, expected: Matrix3, answer: OrientationAnswer, every: bool
+) -> OrientationVerdict | None:
+    """Return what is said of triples, and of the relation of a family."""
+    found = None
+    if answer.angles is not None:
+        found = judge_triples(
+            expected, part.asked_sequence, answer.angles, every=every, tolerance=part.tolerance
+        )
+    if answer.family is None or not every:
+        return found
+    family = judge_family(expected, part.asked_sequence, answer.family, part.tolerance)
+    if family.right and (found is None or found.mistakes == (RotationMistake.FAMILY_MISSING,)):
+        return RIGHT
+    return family if found is None or family.right is False else found
+
+
+def _written(part: OrientationPart, rotation: Matrix3, instance: Instance) -> OrientationCells:
+    """Return an orientation in the notations that are asked, rounded as on paper."""
+    degrees = instance.exercise.angle_unit is AngleUnit.DEG
+    pose = as_transform(rotation)
+
+    def typed(*angles: float) -> list[float]:
+        return [round(math.degrees(angle) if degrees else angle, DECIMALS) for angle in angles]
+
+    written = OrientationCells()
+    for notation in part.ask:
+        match notation:
+            case OrientationNotation.MATRIX:
+                r0, r1, r2 = (_rounded(row) for row in rotation)
+                rows = ((r0[0], r0[1], r0[2]), (r1[0], r1[1], r1[2]), (r2[0], r2[1], r2[2]))
+                written = replace(written, matrix=rows)
+            case OrientationNotation.QUATERNION:
+                w, x, y, z = _rounded(quaternion_from_transform(pose))
+                order = ComponentOrder.SCALAR_FIRST
+                written = replace(written, quaternion=(w, x, y, z), component_order=order)
+            case OrientationNotation.AXIS_ANGLE:
+                axis, angle = axis_angle_from_transform(pose)
+                a, b, c = _rounded(axis)
+                written = replace(written, axis=(a, b, c), angle=typed(angle)[0])
+            case OrientationNotation.ANGLES | OrientationNotation.EVERY_TRIPLE:
+                found = euler_solutions(rotation, part.asked_sequence)
+                every = notation is OrientationNotation.EVERY_TRIPLE
+                if every and found.family is not None:
+                    middle, value = typed(found.family.middle, found.family.value)
+                    way = found.family.combination
+                    written = replace(written, middle=middle, value=value, combination=way)
+                else:
+                    triples = [typed(*triple) for triple in found.triples[: 2 if every else 1]]
+                    written = replace(written, angles=tuple((t[0], t[1], t[2]) for t in triples))
+    return written
+
+
+PART = OrientationPartType()

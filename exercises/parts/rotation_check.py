@@ -1,0 +1,174 @@
+"""Is a matrix a rotation, and if not, which property fails? Any property that fails is a right reason."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+from fractions import Fraction
+from random import Random
+from typing import ClassVar
+
+from exercises.definition import Exercise, Part
+from exercises.draws import Draw, Picker, read_draw
+from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.instance import Instance
+from exercises.parts.context import Context
+from exercises.parts.orientation import DECIMALS, drawn_triple, read_sequence
+from exercises.parts.protocol import (
+    FieldShape,
+    FormField,
+    GivenNumbers,
+    PartTask,
+    PartType,
+    Reading,
+    RobotFacts,
+)
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.reading import Reader
+from kinematics.rotations.matrices import Matrix3, matrix3
+from kinematics.rotations.properties import RotationProperty, failed_properties
+from kinematics.rotations.sequences import EulerSequence
+
+TOLERANCE = 0.01
+"""Of lengths and cosines of columns: four decimals stay far below it, every planted defect far above."""
+
+
+class RotationClaim(StrEnum):
+    """What a student says of a matrix: a rotation, or the property of rotations that fails."""
+
+    ROTATION = "rotation"
+    UNIT_COLUMNS = RotationProperty.UNIT_COLUMNS.value
+    PERPENDICULAR_COLUMNS = RotationProperty.PERPENDICULAR_COLUMNS.value
+    RIGHT_HANDED = RotationProperty.RIGHT_HANDED.value
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RotationClaimCells:
+    """What is said of the matrix.
+
+    Attributes:
+        claim: it is a rotation, or the property that fails: columns of length 1 (unit_columns), at right
+            angles (perpendicular_columns), right-handed (right_handed).
+    """
+
+    claim: RotationClaim
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RotationCheckPart(Part):
+    """A matrix of which a student says whether it is a rotation.
+
+    Attributes:
+        sequence: of the angles that it is made from.
+        angles: where no seed is given [the exercise's unit].
+        turns: from where a student's own are drawn.
+    """
+
+    sequence: EulerSequence
+    angles: tuple[Fraction, ...]
+    turns: Draw | None
+
+
+class RotationCheckType(PartType[RotationCheckPart, RotationClaimCells, RotationClaim]):
+    """Rotation or not, and why not."""
+
+    kind = "rotation_check"
+    raw: ClassVar = RotationClaimCells
+    meaning = "whether the matrix of the task is a rotation, or the property that fails"
+    disclosures: ClassVar = {
+        "claim_not_rotation": Disclosure(level=HelpLevel.KIND),
+        "claim_rotation": Disclosure(level=HelpLevel.KIND),
+        "claim_other_property": Disclosure(level=HelpLevel.KIND),
+    }
+
+    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> RotationCheckPart:
+        """Return the part with the angles of its matrix."""
+        angles = reader.exacts("angles")
+        if len(angles) != 3:
+            reader.fault("joints_wrong_length", "angles", expected=3)
+            angles = (Fraction(0),) * 3
+        return RotationCheckPart(
+            kind=self.kind,
+            points=points,
+            sequence=read_sequence(reader, "axes", "turning", EulerSequence(axes="ZYX")),
+            angles=angles,
+            turns=read_draw(reader, "turns"),
+        )
+
+    def draw(self, part: RotationCheckPart, exercise: Exercise, picker: Picker) -> Matrix3:
+        """Return the student's matrix: a rotation, or one with a planted defect."""
+        triple = drawn_triple(exercise, picker, part.angles, (part.turns,) * 3, "rotation_check")
+        claim = picker.choice(tuple(RotationClaim)[::-1], "rotation_check claim")
+        column = picker.choice((2, 0, 1), "rotation_check column")
+        return planted(part.sequence.matrix(triple), claim, column)
+
+    def task(self, part: RotationCheckPart, instance: Instance) -> PartTask:
+        """Show the matrix."""
+        options = tuple(claim.value for claim in RotationClaim)
+        rows = tuple(tuple(row) for row in instance.drawn[self.kind])
+        return PartTask(
+            message="task-rotation-check",
+            form=(FormField(name="claim", shape=FieldShape.CHOICE, options=options),),
+            numbers=(GivenNumbers(name="matrix", labels=(), rows=rows),),
+        )
+
+    def read(self, raw: RotationClaimCells, reading: Reading) -> RotationClaim:
+        """Return the claim."""
+        return raw.claim
+
+    def grade(self, part: RotationCheckPart, answer: RotationClaim, context: Context) -> PartReport:
+        """Accept what is true of the matrix."""
+        failed = {found.value for found in failed_properties(context.instance.drawn[self.kind], TOLERANCE)}
+        right = answer.value in failed or (answer is RotationClaim.ROTATION and not failed)
+        if right:
+            code = "claim_right"
+        elif not failed:
+            code = "claim_rotation"
+        else:
+            code = "claim_not_rotation" if answer is RotationClaim.ROTATION else "claim_other_property"
+        fact = Fact(where=("claim",), finding=Finding.OK if right else Finding.WRONG)
+        return judged(part, float(right), Credit.KEY, facts=(fact,), feedback=(Feedback(code=code),))
+
+    def right(self, part: RotationCheckPart, context: Context) -> RotationClaimCells:
+        """Return the first property that fails, or that none does."""
+        failed = failed_properties(context.instance.drawn[self.kind], TOLERANCE)
+        return RotationClaimCells(claim=RotationClaim(failed[0].value) if failed else RotationClaim.ROTATION)
+
+    def wrong(
+        self, part: RotationCheckPart, context: Context, rng: Random
+    ) -> Iterator[tuple[str, RotationClaimCells]]:
+        """Yield every claim that is not true."""
+        failed = {found.value for found in failed_properties(context.instance.drawn[self.kind], TOLERANCE)}
+        for claim in RotationClaim:
+            if claim is RotationClaim.ROTATION and failed:
+                yield "claim_not_rotation", RotationClaimCells(claim=claim)
+            elif claim is not RotationClaim.ROTATION and claim.value not in failed:
+                code = "claim_other_property" if failed else "claim_rotation"
+                yield code, RotationClaimCells(claim=claim)
+
+
+def planted(rotation: Matrix3, claim: RotationClaim, column: int) -> Matrix3:
+    """Return a rotation with one property spoilt, rounded as it is shown; as it is for the claim `rotation`.
+
+    Args:
+        rotation: the matrix to start from.
+        claim: the property that is to fail, and no other.
+        column: which column is changed.
+    """
+    columns = [list(entries) for entries in zip(*rotation, strict=True)]
+    chosen, next_one = columns[column], columns[(column + 1) % 3]
+    match claim:
+        case RotationClaim.UNIT_COLUMNS:
+            columns[column] = [1.2 * value for value in chosen]
+        case RotationClaim.PERPENDICULAR_COLUMNS:
+            columns[column] = [0.8 * a + 0.6 * b for a, b in zip(chosen, next_one, strict=True)]
+        case RotationClaim.RIGHT_HANDED:
+            columns[column] = [-value for value in chosen]
+        case RotationClaim.ROTATION:
+            pass
+    rows = zip(*columns, strict=True)
+    return matrix3([[round(value, DECIMALS) + 0.0 for value in row] for row in rows])
+
+
+PART = RotationCheckType()

@@ -1,0 +1,103 @@
+### Clases de pregunta: qué se pide y qué se dice de las respuestas.
+
+field-matrix = Matriz
+field-component_order = Orden de las componentes
+field-quaternion = Cuaternión
+field-axis = Eje de rotación
+field-angle = Ángulo de rotación
+field-angles = Ternas de ángulos
+field-middle = En el bloqueo del cardán: el ángulo intermedio
+field-combination = En el bloqueo del cardán: qué queda determinado del primer y del último ángulo
+field-value = Su valor
+field-claim = Esta matriz
+field-pose = Pose
+option-wxyz = w, x, y, z: el escalar primero
+option-xyzw = x, y, z, w: el escalar al final
+option-sum = la suma: primero + último
+option-difference = la diferencia: primero − último
+option-rotation = es una rotación
+option-unit_columns = no lo es: una columna no tiene longitud 1
+option-perpendicular_columns = no lo es: dos columnas no son perpendiculares
+option-right_handed = no lo es: sus columnas forman una terna levógira (determinante −1)
+given-rotation = La orientación como matriz de rotación
+given-quaternion = La orientación como cuaternión unitario
+given-axis_angle = La orientación como eje y ángulo
+given-angles = La orientación en ángulos
+given-matrix = La matriz
+given-frame-pose = Pose del sistema { $end } en el sistema { $start }
+
+task-orientation =
+    { $given ->
+        [angles] Un sistema de referencia se gira tres ángulos alrededor de los ejes { $turning ->
+            [fixed] fijos
+           *[current] móviles
+        } { $axes }, en este orden.
+       *[other] Se da la orientación de un sistema de referencia.
+    } Escríbala en las notaciones de abajo. { $ask ->
+        [every] De los ángulos alrededor de los ejes { $asked_turning ->
+            [fixed] fijos
+           *[current] móviles
+        } { $asked_axes } se piden todas las ternas: las dos o, en el bloqueo del cardán, el ángulo intermedio y lo que queda determinado de los otros dos.
+        [one] De los ángulos alrededor de los ejes { $asked_turning ->
+            [fixed] fijos
+           *[current] móviles
+        } { $asked_axes } basta una terna.
+       *[none] {""}
+    }
+task-rotation-check = ¿Es esta matriz una rotación? Si no lo es, diga qué propiedad de las rotaciones falla.
+task-frame-chain = Se conocen las poses siguientes. Escriba la pose del sistema { $end } en el sistema { $start } como matriz 4×4, con las longitudes en { $unit }.
+feedback-orientation_right = Todas las notaciones describen la orientación dada.
+feedback-orientation_wrong =
+    { $notation ->
+        [matrix] La matriz no es la de esta orientación.
+        [quaternion] El cuaternión no es el de esta orientación.
+        [axis_angle] El eje y el ángulo no son los de esta orientación.
+       *[other] Los ángulos no son todos los de esta orientación.
+    }
+feedback-orientation_missing =
+    { $notation ->
+        [matrix] La matriz falta.
+        [quaternion] El cuaternión falta.
+        [axis_angle] El eje y el ángulo faltan.
+       *[other] Los ángulos faltan.
+    }
+
+feedback-rotation_transposed = Esta es la rotación inversa: se han intercambiado filas y columnas, o el sentido de giro.
+feedback-rotation_order_reversed = Las rotaciones se multiplicaron en orden inverso: se confundieron los ejes fijos con los móviles.
+feedback-rotation_degrees = Un ángulo en grados se tomó por radianes, o al revés.
+feedback-rotation_handedness = Todo gira al revés: esto sigue la regla de la mano izquierda.
+feedback-rotation_half_angle = Este cuaternión gira el doble: lleva el seno y el coseno de la mitad del ángulo.
+feedback-rotation_component_order = Con el otro orden de las componentes este cuaternión sería correcto.
+feedback-rotation_not_unit = El cuaternión no tiene longitud 1.
+feedback-rotation_no_axis = El eje tiene longitud cero.
+feedback-rotation_solution_missing = Hay una segunda terna con la misma orientación.
+feedback-rotation_solution_twice = Sus ternas se diferencian solo en vueltas completas: son la misma. Hay otra.
+feedback-rotation_family_missing = Hay bloqueo del cardán: existen infinitas ternas. Diga qué combinación del primer y del último ángulo queda determinada.
+feedback-rotation_quadrant = Un ángulo está en el cuadrante equivocado, a media vuelta: use atan2 en lugar de atan y cuide el signo del ángulo intermedio.
+feedback-rotation_unit_columns = Esto no es una rotación: una columna no tiene longitud 1.
+feedback-rotation_perpendicular_columns = Esto no es una rotación: dos columnas no son perpendiculares.
+feedback-rotation_right_handed = Esto no es una rotación sino una reflexión: su determinante es −1.
+feedback-claim_right = Así es con esta matriz.
+feedback-claim_not_rotation = No lo es: compruebe las longitudes de las columnas, sus ángulos rectos y el determinante.
+feedback-claim_rotation = Sí es una rotación: columnas de longitud 1, perpendiculares, determinante +1.
+feedback-claim_other_property = No es una rotación, pero esta propiedad se cumple; falla otra.
+feedback-chain_right = La pose es la que se obtiene de la cadena de sistemas.
+feedback-chain_wrong = Esta no es la pose que se obtiene de las conocidas.
+feedback-chain_rotation_right = Su rotación es correcta.
+feedback-chain_position_right = Su posición es correcta.
+feedback-chain_inverted = Esta es la inversa: la pose del primer sistema en el último.
+feedback-chain_not_inverted = Se usó tal cual una pose conocida que antes hay que invertir.
+feedback-chain_inverse_without_transpose = La inversa de una pose se formó con R; hace falta Rᵀ: (Rᵀ, −Rᵀp).
+feedback-chain_inverse_position = La posición de una inversa es −Rᵀp, no −p.
+feedback-chain_order_reversed = Los factores se multiplicaron en orden inverso.
+feedback-chain_transposed = La rotación está transpuesta.
+feedback-chain_not_rigid = Esto no es un movimiento rígido: sus tres primeras columnas no son las de una rotación.
+error-euler_axes_unknown = { $axes } no es una secuencia de ejes: tres de X, Y, Z, con vecinos distintos.
+error-component_order_missing = Diga dónde está el escalar del cuaternión: wxyz o xyzw.
+error-axis_and_angle = Un eje necesita un ángulo, y un ángulo un eje.
+error-family_incomplete = Una familia de ternas necesita las tres cosas: el ángulo intermedio, suma o diferencia, y su valor.
+error-orientation_empty = Escriba la orientación en una de las notaciones que se piden.
+error-frames_not_connected = Las poses conocidas no llevan del sistema { $start } al sistema { $end }.
+
+error-one_notation = Dé la orientación en una sola notación: { $known }.
+error-expected_not_rotation = La matriz esperada no es una rotación.

@@ -1,0 +1,103 @@
+### Genres de question : ce qui est demandé, ce qui est dit des réponses.
+
+field-matrix = Matrice
+field-component_order = Ordre des composantes
+field-quaternion = Quaternion
+field-axis = Axe de rotation
+field-angle = Angle de rotation
+field-angles = Triplets d'angles
+field-middle = En cas de blocage de cardan : l'angle du milieu
+field-combination = En cas de blocage de cardan : ce qui est fixé du premier et du dernier angle
+field-value = Sa valeur
+field-claim = Cette matrice
+field-pose = Pose
+option-wxyz = w, x, y, z : le scalaire d'abord
+option-xyzw = x, y, z, w : le scalaire à la fin
+option-sum = la somme : premier + dernier
+option-difference = la différence : premier − dernier
+option-rotation = est une rotation
+option-unit_columns = n'en est pas une : une colonne n'est pas de longueur 1
+option-perpendicular_columns = n'en est pas une : deux colonnes ne sont pas perpendiculaires
+option-right_handed = n'en est pas une : ses colonnes forment un trièdre indirect (déterminant −1)
+given-rotation = L'orientation, en matrice de rotation
+given-quaternion = L'orientation, en quaternion unitaire
+given-axis_angle = L'orientation, en axe et angle
+given-angles = L'orientation, en angles
+given-matrix = La matrice
+given-frame-pose = Pose du repère { $end } dans le repère { $start }
+
+task-orientation =
+    { $given ->
+        [angles] Un repère est tourné de trois angles autour des axes { $turning ->
+            [fixed] fixes
+           *[current] courants
+        } { $axes }, dans cet ordre.
+       *[other] L'orientation d'un repère est donnée.
+    } Écrivez-la dans les notations ci-dessous. { $ask ->
+        [every] Pour les angles autour des axes { $asked_turning ->
+            [fixed] fixes
+           *[current] courants
+        } { $asked_axes }, tous les triplets sont demandés : les deux ou, en cas de blocage de cardan, l'angle du milieu et ce qui est fixé des deux autres.
+        [one] Pour les angles autour des axes { $asked_turning ->
+            [fixed] fixes
+           *[current] courants
+        } { $asked_axes }, un triplet suffit.
+       *[none] {""}
+    }
+task-rotation-check = Cette matrice est-elle une rotation ? Sinon, dites quelle propriété des rotations n'est pas satisfaite.
+task-frame-chain = Les poses ci-dessous sont connues. Écrivez la pose du repère { $end } dans le repère { $start } en matrice 4×4, longueurs en { $unit }.
+feedback-orientation_right = Toutes les notations décrivent l'orientation donnée.
+feedback-orientation_wrong =
+    { $notation ->
+        [matrix] La matrice n'est pas celle de cette orientation.
+        [quaternion] Le quaternion n'est pas celui de cette orientation.
+        [axis_angle] L'axe et l'angle ne sont pas ceux de cette orientation.
+       *[other] Les angles ne sont pas, ou pas tous, ceux de cette orientation.
+    }
+feedback-orientation_missing =
+    { $notation ->
+        [matrix] La matrice manque.
+        [quaternion] Le quaternion manque.
+        [axis_angle] L'axe et l'angle manquent.
+       *[other] Les angles manquent.
+    }
+
+feedback-rotation_transposed = C'est la rotation inverse : lignes et colonnes, ou le sens de rotation, ont été échangés.
+feedback-rotation_order_reversed = Les rotations ont été multipliées dans l'ordre inverse : axes fixes et axes courants ont été confondus.
+feedback-rotation_degrees = Un angle en degrés a été pris pour des radians, ou l'inverse.
+feedback-rotation_handedness = Tout tourne dans l'autre sens : c'est la règle de la main gauche.
+feedback-rotation_half_angle = Ce quaternion tourne deux fois trop : il faut le sinus et le cosinus du demi-angle.
+feedback-rotation_component_order = Dans l'autre ordre des composantes, ce quaternion serait juste.
+feedback-rotation_not_unit = Le quaternion n'est pas de norme 1.
+feedback-rotation_no_axis = L'axe est de longueur nulle.
+feedback-rotation_solution_missing = Il y a un second triplet de même orientation.
+feedback-rotation_solution_twice = Vos triplets ne diffèrent que de tours complets : c'est le même. Il y en a un autre.
+feedback-rotation_family_missing = Il y a blocage de cardan : les triplets sont en nombre infini. Dites quelle combinaison du premier et du dernier angle est fixée.
+feedback-rotation_quadrant = Un angle est dans le mauvais quadrant, à un demi-tour : prenez atan2 au lieu de atan, et veillez au signe de l'angle du milieu.
+feedback-rotation_unit_columns = Ce n'est pas une rotation : une colonne n'est pas de longueur 1.
+feedback-rotation_perpendicular_columns = Ce n'est pas une rotation : deux colonnes ne sont pas perpendiculaires.
+feedback-rotation_right_handed = Ce n'est pas une rotation mais une réflexion : son déterminant est −1.
+feedback-claim_right = C'est vrai de cette matrice.
+feedback-claim_not_rotation = Ce n'en est pas une : vérifiez les longueurs des colonnes, leurs angles droits et le déterminant.
+feedback-claim_rotation = C'est bien une rotation : colonnes de longueur 1, perpendiculaires, déterminant +1.
+feedback-claim_other_property = Ce n'est pas une rotation, mais cette propriété est satisfaite ; c'en est une autre qui ne l'est pas.
+feedback-chain_right = La pose est bien celle que donne la chaîne de repères.
+feedback-chain_wrong = Ce n'est pas la pose qui découle des poses connues.
+feedback-chain_rotation_right = Sa rotation est juste.
+feedback-chain_position_right = Sa position est juste.
+feedback-chain_inverted = C'est l'inverse : la pose du premier repère dans le dernier.
+feedback-chain_not_inverted = Une pose connue a été prise telle quelle alors qu'il faut d'abord l'inverser.
+feedback-chain_inverse_without_transpose = L'inverse d'une pose a été formée avec R ; il faut Rᵀ : (Rᵀ, −Rᵀp).
+feedback-chain_inverse_position = La position d'une inverse est −Rᵀp, et non −p.
+feedback-chain_order_reversed = Les facteurs ont été multipliés dans l'ordre inverse.
+feedback-chain_transposed = La rotation est transposée.
+feedback-chain_not_rigid = Ce n'est pas un déplacement rigide : ses trois premières colonnes ne sont pas celles d'une rotation.
+error-euler_axes_unknown = { $axes } n'est pas une suite d'axes : trois parmi X, Y, Z, les voisins différents.
+error-component_order_missing = Dites où se trouve le scalaire du quaternion : wxyz ou xyzw.
+error-axis_and_angle = À un axe il faut un angle, et à un angle un axe.
+error-family_incomplete = Une famille de triplets demande les trois : l'angle du milieu, somme ou différence, et sa valeur.
+error-orientation_empty = Écrivez l'orientation dans l'une des notations demandées.
+error-frames_not_connected = Les poses connues ne mènent pas du repère { $start } au repère { $end }.
+
+error-one_notation = Donnez l'orientation dans une seule notation : { $known }.
+error-expected_not_rotation = La matrice attendue n'est pas une rotation.

@@ -1,0 +1,103 @@
+### Tipos de pergunta: o que se pede e o que se diz das respostas.
+
+field-matrix = Matriz
+field-component_order = Ordem das componentes
+field-quaternion = Quatérnio
+field-axis = Eixo de rotação
+field-angle = Ângulo de rotação
+field-angles = Ternas de ângulos
+field-middle = No bloqueio de cardan: o ângulo do meio
+field-combination = No bloqueio de cardan: o que fica determinado do primeiro e do último ângulo
+field-value = Seu valor
+field-claim = Esta matriz
+field-pose = Pose
+option-wxyz = w, x, y, z: o escalar primeiro
+option-xyzw = x, y, z, w: o escalar por último
+option-sum = a soma: primeiro + último
+option-difference = a diferença: primeiro − último
+option-rotation = é uma rotação
+option-unit_columns = não é: uma coluna não tem comprimento 1
+option-perpendicular_columns = não é: duas colunas não são perpendiculares
+option-right_handed = não é: suas colunas formam um triedro à esquerda (determinante −1)
+given-rotation = A orientação como matriz de rotação
+given-quaternion = A orientação como quatérnio unitário
+given-axis_angle = A orientação como eixo e ângulo
+given-angles = A orientação em ângulos
+given-matrix = A matriz
+given-frame-pose = Pose do sistema { $end } no sistema { $start }
+
+task-orientation =
+    { $given ->
+        [angles] Um sistema de coordenadas é girado de três ângulos em torno dos eixos { $turning ->
+            [fixed] fixos
+           *[current] correntes
+        } { $axes }, nesta ordem.
+       *[other] É dada a orientação de um sistema de coordenadas.
+    } Escreva-a nas notações abaixo. { $ask ->
+        [every] Dos ângulos em torno dos eixos { $asked_turning ->
+            [fixed] fixos
+           *[current] correntes
+        } { $asked_axes } pedem-se todas as ternas: as duas ou, no bloqueio de cardan, o ângulo do meio e o que fica determinado dos outros dois.
+        [one] Dos ângulos em torno dos eixos { $asked_turning ->
+            [fixed] fixos
+           *[current] correntes
+        } { $asked_axes } basta uma terna.
+       *[none] {""}
+    }
+task-rotation-check = Esta matriz é uma rotação? Se não for, diga qual propriedade das rotações falha.
+task-frame-chain = As poses abaixo são conhecidas. Escreva a pose do sistema { $end } no sistema { $start } como matriz 4×4, comprimentos em { $unit }.
+feedback-orientation_right = Todas as notações descrevem a orientação dada.
+feedback-orientation_wrong =
+    { $notation ->
+        [matrix] A matriz não é a desta orientação.
+        [quaternion] O quatérnio não é o desta orientação.
+        [axis_angle] O eixo e o ângulo não são os desta orientação.
+       *[other] Os ângulos não são todos os desta orientação.
+    }
+feedback-orientation_missing =
+    { $notation ->
+        [matrix] A matriz está faltando.
+        [quaternion] O quatérnio está faltando.
+        [axis_angle] O eixo e o ângulo estão faltando.
+       *[other] Os ângulos estão faltando.
+    }
+
+feedback-rotation_transposed = Esta é a rotação inversa: linhas e colunas, ou o sentido de giro, foram trocados.
+feedback-rotation_order_reversed = As rotações foram multiplicadas na ordem inversa: confundiram-se eixos fixos e eixos correntes.
+feedback-rotation_degrees = Um ângulo em graus foi tomado por radianos, ou o contrário.
+feedback-rotation_handedness = Tudo gira ao contrário: isto segue a regra da mão esquerda.
+feedback-rotation_half_angle = Este quatérnio gira o dobro: ele leva o seno e o cosseno da metade do ângulo.
+feedback-rotation_component_order = Na outra ordem das componentes este quatérnio estaria certo.
+feedback-rotation_not_unit = O quatérnio não tem norma 1.
+feedback-rotation_no_axis = O eixo tem comprimento zero.
+feedback-rotation_solution_missing = Há uma segunda terna com a mesma orientação.
+feedback-rotation_solution_twice = Suas ternas diferem só por voltas completas: são a mesma. Há outra.
+feedback-rotation_family_missing = Há bloqueio de cardan: existem infinitas ternas. Diga qual combinação do primeiro e do último ângulo fica determinada.
+feedback-rotation_quadrant = Um ângulo está no quadrante errado, a meia volta: use atan2 em vez de atan e cuide do sinal do ângulo do meio.
+feedback-rotation_unit_columns = Isto não é uma rotação: uma coluna não tem comprimento 1.
+feedback-rotation_perpendicular_columns = Isto não é uma rotação: duas colunas não são perpendiculares.
+feedback-rotation_right_handed = Isto não é uma rotação, e sim uma reflexão: seu determinante é −1.
+feedback-claim_right = Isso vale para esta matriz.
+feedback-claim_not_rotation = Não é: verifique os comprimentos das colunas, seus ângulos retos e o determinante.
+feedback-claim_rotation = É, sim, uma rotação: colunas de comprimento 1, perpendiculares, determinante +1.
+feedback-claim_other_property = Não é uma rotação, mas esta propriedade vale; é outra que falha.
+feedback-chain_right = A pose é a que decorre da cadeia de sistemas.
+feedback-chain_wrong = Esta não é a pose que decorre das conhecidas.
+feedback-chain_rotation_right = A rotação dela está certa.
+feedback-chain_position_right = A posição dela está certa.
+feedback-chain_inverted = Esta é a inversa: a pose do primeiro sistema no último.
+feedback-chain_not_inverted = Uma pose conhecida foi usada como está, mas antes precisa ser invertida.
+feedback-chain_inverse_without_transpose = A inversa de uma pose foi formada com R; é preciso Rᵀ: (Rᵀ, −Rᵀp).
+feedback-chain_inverse_position = A posição de uma inversa é −Rᵀp, e não −p.
+feedback-chain_order_reversed = Os fatores foram multiplicados na ordem inversa.
+feedback-chain_transposed = A rotação está transposta.
+feedback-chain_not_rigid = Isto não é um movimento rígido: suas três primeiras colunas não são as de uma rotação.
+error-euler_axes_unknown = { $axes } não é uma sequência de eixos: três de X, Y, Z, com vizinhos diferentes.
+error-component_order_missing = Diga onde está o escalar do quatérnio: wxyz ou xyzw.
+error-axis_and_angle = Um eixo precisa de um ângulo, e um ângulo de um eixo.
+error-family_incomplete = Uma família de ternas precisa dos três: o ângulo do meio, soma ou diferença, e seu valor.
+error-orientation_empty = Escreva a orientação em uma das notações pedidas.
+error-frames_not_connected = As poses conhecidas não levam do sistema { $start } ao sistema { $end }.
+
+error-one_notation = Dê a orientação em uma só notação: { $known }.
+error-expected_not_rotation = A matriz esperada não é uma rotação.

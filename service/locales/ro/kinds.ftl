@@ -1,0 +1,103 @@
+### Feluri de întrebări: ce se cere și ce se spune despre răspunsuri.
+
+field-matrix = Matrice
+field-component_order = Ordinea componentelor
+field-quaternion = Cuaternion
+field-axis = Axa de rotație
+field-angle = Unghiul de rotație
+field-angles = Triplete de unghiuri
+field-middle = La blocaj cardanic: unghiul din mijloc
+field-combination = La blocaj cardanic: ce este determinat din primul și ultimul unghi
+field-value = Valoarea ei
+field-claim = Această matrice
+field-pose = Poză
+option-wxyz = w, x, y, z: scalarul întâi
+option-xyzw = x, y, z, w: scalarul la sfârșit
+option-sum = suma: primul + ultimul
+option-difference = diferența: primul − ultimul
+option-rotation = este o rotație
+option-unit_columns = nu este: o coloană nu are lungimea 1
+option-perpendicular_columns = nu este: două coloane nu sunt perpendiculare
+option-right_handed = nu este: coloanele formează un triedru stâng (determinant −1)
+given-rotation = Orientarea ca matrice de rotație
+given-quaternion = Orientarea ca un cuaternion unitar
+given-axis_angle = Orientarea ca axă și unghi
+given-angles = Orientarea în unghiuri
+given-matrix = Matricea
+given-frame-pose = Poza sistemului { $end } în sistemul { $start }
+
+task-orientation =
+    { $given ->
+        [angles] Un sistem de axe este rotit cu trei unghiuri în jurul axelor { $turning ->
+            [fixed] fixe
+           *[current] curente
+        } { $axes }, în această ordine.
+       *[other] Este dată orientarea unui sistem de axe.
+    } Scrieți-o în notațiile de mai jos. { $ask ->
+        [every] Din unghiurile în jurul axelor { $asked_turning ->
+            [fixed] fixe
+           *[current] curente
+        } { $asked_axes } se cer toate tripletele: amândouă sau, la blocaj cardanic, unghiul din mijloc și ce este determinat din celelalte două.
+        [one] Din unghiurile în jurul axelor { $asked_turning ->
+            [fixed] fixe
+           *[current] curente
+        } { $asked_axes } ajunge un triplet.
+       *[none] {""}
+    }
+task-rotation-check = Este această matrice o rotație? Dacă nu, spuneți ce proprietate a rotațiilor nu este îndeplinită.
+task-frame-chain = Pozele de mai jos sunt cunoscute. Scrieți poza sistemului { $end } în sistemul { $start } ca matrice 4×4, lungimile în { $unit }.
+feedback-orientation_right = Toate notațiile descriu orientarea dată.
+feedback-orientation_wrong =
+    { $notation ->
+        [matrix] Matricea nu este cea a acestei orientări.
+        [quaternion] Cuaternionul nu este cel al acestei orientări.
+        [axis_angle] Axa și unghiul nu sunt cele ale acestei orientări.
+       *[other] Unghiurile nu sunt toate cele ale acestei orientări.
+    }
+feedback-orientation_missing =
+    { $notation ->
+        [matrix] Matricea lipsește.
+        [quaternion] Cuaternionul lipsește.
+        [axis_angle] Axa și unghiul lipsesc.
+       *[other] Unghiurile lipsesc.
+    }
+
+feedback-rotation_transposed = Aceasta este rotația inversă: liniile și coloanele, sau sensul de rotire, au fost schimbate între ele.
+feedback-rotation_order_reversed = Rotațiile au fost înmulțite în ordine inversă: axele fixe au fost confundate cu cele curente.
+feedback-rotation_degrees = Un unghi în grade a fost luat drept radiani, sau invers.
+feedback-rotation_handedness = Totul se rotește invers: aceasta urmează regula mâinii stângi.
+feedback-rotation_half_angle = Acest cuaternion rotește de două ori mai mult: trebuie sinusul și cosinusul jumătății unghiului.
+feedback-rotation_component_order = În cealaltă ordine a componentelor acest cuaternion ar fi corect.
+feedback-rotation_not_unit = Cuaternionul nu are norma 1.
+feedback-rotation_no_axis = Axa are lungimea zero.
+feedback-rotation_solution_missing = Mai există un triplet cu aceeași orientare.
+feedback-rotation_solution_twice = Tripletele diferă doar prin rotații complete: sunt același. Mai există unul.
+feedback-rotation_family_missing = Este blocaj cardanic: există o infinitate de triplete. Spuneți ce combinație a primului și ultimului unghi este determinată.
+feedback-rotation_quadrant = Un unghi se află în cadranul greșit, la o jumătate de rotație: folosiți atan2 în loc de atan și aveți grijă la semnul unghiului din mijloc.
+feedback-rotation_unit_columns = Aceasta nu este o rotație: o coloană nu are lungimea 1.
+feedback-rotation_perpendicular_columns = Aceasta nu este o rotație: două coloane nu sunt perpendiculare.
+feedback-rotation_right_handed = Aceasta nu este o rotație, ci o reflexie: determinantul este −1.
+feedback-claim_right = Așa este pentru această matrice.
+feedback-claim_not_rotation = Nu este: verificați lungimile coloanelor, unghiurile drepte dintre ele și determinantul.
+feedback-claim_rotation = Este totuși o rotație: coloane de lungime 1, perpendiculare, determinant +1.
+feedback-claim_other_property = Nu este o rotație, dar această proprietate este îndeplinită; alta nu este.
+feedback-chain_right = Poza este cea care rezultă din lanțul de sisteme.
+feedback-chain_wrong = Aceasta nu este poza care rezultă din cele cunoscute.
+feedback-chain_rotation_right = Rotația ei este corectă.
+feedback-chain_position_right = Poziția ei este corectă.
+feedback-chain_inverted = Aceasta este inversa: poza primului sistem în ultimul.
+feedback-chain_not_inverted = O poză cunoscută a fost folosită așa cum este, deși trebuia mai întâi inversată.
+feedback-chain_inverse_without_transpose = Inversa unei poze a fost formată cu R; trebuie Rᵀ: (Rᵀ, −Rᵀp).
+feedback-chain_inverse_position = Poziția unei inverse este −Rᵀp, nu −p.
+feedback-chain_order_reversed = Factorii au fost înmulțiți în ordine inversă.
+feedback-chain_transposed = Rotația este transpusă.
+feedback-chain_not_rigid = Aceasta nu este o mișcare rigidă: primele trei coloane nu sunt cele ale unei rotații.
+error-euler_axes_unknown = { $axes } nu este o secvență de axe: trei dintre X, Y, Z, cele vecine diferite.
+error-component_order_missing = Spuneți unde stă scalarul cuaternionului: wxyz sau xyzw.
+error-axis_and_angle = O axă are nevoie de un unghi, iar un unghi de o axă.
+error-family_incomplete = O familie de triplete are nevoie de toate trei: unghiul din mijloc, suma sau diferența și valoarea ei.
+error-orientation_empty = Scrieți orientarea într-una dintre notațiile cerute.
+error-frames_not_connected = Pozele cunoscute nu duc de la sistemul { $start } la sistemul { $end }.
+
+error-one_notation = Dați orientarea într-o singură notație: { $known }.
+error-expected_not_rotation = Matricea așteptată nu este o rotație.

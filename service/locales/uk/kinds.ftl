@@ -1,0 +1,103 @@
+### Види питань: що запитано і що сказано про відповіді.
+
+field-matrix = Матриця
+field-component_order = Порядок компонент
+field-quaternion = Кватерніон
+field-axis = Вісь повороту
+field-angle = Кут повороту
+field-angles = Трійки кутів
+field-middle = За складання рамок: середній кут
+field-combination = За складання рамок: що визначено з першого й останнього кутів
+field-value = Її значення
+field-claim = Ця матриця
+field-pose = Поза
+option-wxyz = w, x, y, z: скаляр перший
+option-xyzw = x, y, z, w: скаляр останній
+option-sum = сума: перший + останній
+option-difference = різниця: перший − останній
+option-rotation = є поворотом
+option-unit_columns = не є поворотом: довжина стовпця не дорівнює 1
+option-perpendicular_columns = не є поворотом: два стовпці не перпендикулярні
+option-right_handed = не є поворотом: стовпці утворюють ліву трійку (визначник −1)
+given-rotation = Орієнтація як матриця повороту
+given-quaternion = Орієнтація як одиничний кватерніон
+given-axis_angle = Орієнтація як вісь і кут
+given-angles = Орієнтація в кутах
+given-matrix = Матриця
+given-frame-pose = Поза системи { $end } у системі { $start }
+
+task-orientation =
+    { $given ->
+        [angles] Систему координат повернуто на три кути навколо { $turning ->
+            [fixed] нерухомих
+           *[current] поточних
+        } осей { $axes } у цьому порядку.
+       *[other] Задано орієнтацію системи координат.
+    } Запишіть її в наведених нижче формах. { $ask ->
+        [every] Для кутів навколо { $asked_turning ->
+            [fixed] нерухомих
+           *[current] поточних
+        } осей { $asked_axes } потрібні всі трійки: обидві або, за складання рамок, середній кут і те, що визначено з двох інших.
+        [one] Для кутів навколо { $asked_turning ->
+            [fixed] нерухомих
+           *[current] поточних
+        } осей { $asked_axes } досить однієї трійки.
+       *[none] {""}
+    }
+task-rotation-check = Чи є ця матриця поворотом? Якщо ні, вкажіть, яку властивість поворотів порушено.
+task-frame-chain = Наведені нижче пози відомі. Запишіть позу системи { $end } у системі { $start } як матрицю 4×4, довжини в { $unit }.
+feedback-orientation_right = Усі записи описують задану орієнтацію.
+feedback-orientation_wrong =
+    { $notation ->
+        [matrix] Матриця не відповідає цій орієнтації.
+        [quaternion] Кватерніон не відповідає цій орієнтації.
+        [axis_angle] Вісь і кут не відповідають цій орієнтації.
+       *[other] Кути не відповідають цій орієнтації або наведені не всі.
+    }
+feedback-orientation_missing =
+    { $notation ->
+        [matrix] Матриця відсутня.
+        [quaternion] Кватерніон відсутній.
+        [axis_angle] Вісь і кут відсутні.
+       *[other] Кути відсутні.
+    }
+
+feedback-rotation_transposed = Це обернений поворот: рядки і стовпці або напрям обертання поміняно місцями.
+feedback-rotation_order_reversed = Повороти перемножено у зворотному порядку: сплутано нерухомі та поточні осі.
+feedback-rotation_degrees = Кут у градусах сприйнято як радіани або навпаки.
+feedback-rotation_handedness = Усе обертається в інший бік: це правило лівої руки.
+feedback-rotation_half_angle = Цей кватерніон повертає вдвічі далі: потрібні синус і косинус половини кута.
+feedback-rotation_component_order = За іншого порядку компонент цей кватерніон був би правильним.
+feedback-rotation_not_unit = Норма кватерніона не дорівнює 1.
+feedback-rotation_no_axis = Вісь має нульову довжину.
+feedback-rotation_solution_missing = Є друга трійка з тією самою орієнтацією.
+feedback-rotation_solution_twice = Ваші трійки відрізняються лише повними обертами: це та сама трійка. Є ще одна.
+feedback-rotation_family_missing = Це складання рамок: трійок безліч. Укажіть, яку комбінацію першого й останнього кутів визначено.
+feedback-rotation_quadrant = Кут лежить не в тій чверті, на пів оберту: беріть atan2 замість atan і зважайте на знак середнього кута.
+feedback-rotation_unit_columns = Це не поворот: довжина стовпця не дорівнює 1.
+feedback-rotation_perpendicular_columns = Це не поворот: два стовпці не перпендикулярні.
+feedback-rotation_right_handed = Це не поворот, а відбиття: його визначник −1.
+feedback-claim_right = Для цієї матриці це так.
+feedback-claim_not_rotation = Це не поворот: перевірте довжини стовпців, прямі кути між ними та визначник.
+feedback-claim_rotation = Це таки поворот: стовпці довжини 1, перпендикулярні, визначник +1.
+feedback-claim_other_property = Це не поворот, але цю властивість виконано; порушено іншу.
+feedback-chain_right = Поза саме та, що випливає з ланцюга систем.
+feedback-chain_wrong = Це не та поза, що випливає з відомих.
+feedback-chain_rotation_right = Її поворот правильний.
+feedback-chain_position_right = Її положення правильне.
+feedback-chain_inverted = Це обернена поза: першої системи в останній.
+feedback-chain_not_inverted = Відому позу використано як є, хоча її спершу треба обернути.
+feedback-chain_inverse_without_transpose = Обернену позу складено з R, а потрібно Rᵀ: (Rᵀ, −Rᵀp).
+feedback-chain_inverse_position = Положення оберненої пози — це −Rᵀp, а не −p.
+feedback-chain_order_reversed = Множники перемножено у зворотному порядку.
+feedback-chain_transposed = Поворот транспоновано.
+feedback-chain_not_rigid = Це не рух твердого тіла: перші три стовпці не утворюють поворот.
+error-euler_axes_unknown = { $axes } не є послідовністю осей: потрібні три з X, Y, Z, сусідні різні.
+error-component_order_missing = Укажіть, де стоїть скаляр кватерніона: wxyz чи xyzw.
+error-axis_and_angle = До осі потрібен кут, а до кута — вісь.
+error-family_incomplete = Сім'ї трійок потрібні всі три дані: середній кут, сума чи різниця та її значення.
+error-orientation_empty = Запишіть орієнтацію в одній із запитаних форм.
+error-frames_not_connected = Відомі пози не ведуть від системи { $start } до системи { $end }.
+
+error-one_notation = Задайте орієнтацію в одній формі: { $known }.
+error-expected_not_rotation = Очікувана матриця не є поворотом.
