@@ -91,7 +91,26 @@ def test_without_quotients_the_form_is_exact_and_the_same_object_in_every_sense(
 @pytest.mark.parametrize("seed", range(40))
 def test_a_form_can_be_written_as_an_expression(seed: int) -> None:
     rng = random.Random(seed)
-    expression = random_expression(rng)
+    check_written(random_expression(rng))
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        power(add((L1, L2)), -1),
+        power(add((L1, L2)), Fraction(1, 2)),
+        power(add((L1, multiply((L2, cos(q1))))), Fraction(-1, 2)),
+        multiply((power(add((L1, sin(q2))), -2), root(2), L2)),
+        call(Function.ATAN2, L1, L2),
+        multiply((L1, call(Function.ABS, L2))),
+    ],
+    ids=str,
+)
+def test_what_no_polynomial_holds_is_written_back_too(expression: Expression) -> None:
+    check_written(expression)
+
+
+def check_written(expression: Expression) -> None:
     written = canonical(expression).expression()
     assert canonical(written) == canonical(expression)
     names = {name: 0.41 + 0.23 * i for i, name in enumerate(PARAMETERS)}
