@@ -23,7 +23,7 @@ BLOCK = 4096
 
 Floats: TypeAlias = NDArray[np.float64]
 
-_UFUNCS: dict[Operator, Any] = {
+UFUNCS: dict[Operator, Any] = {
     Operator.ADD: np.add,
     Operator.SUBTRACT: np.subtract,
     Operator.MULTIPLY: np.multiply,
@@ -101,7 +101,7 @@ def _bind(layout: _Layout, constants: Sequence[float], buffers: Floats) -> list[
     """The operations as ufuncs with their arrays."""
     return [
         (
-            _UFUNCS[operator],
+            UFUNCS[operator],
             buffers[left] if left >= 0 else constants[~left],
             buffers[right] if right >= 0 else constants[~right],
             buffers[result],

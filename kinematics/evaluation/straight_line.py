@@ -55,18 +55,16 @@ def straight_line(tape: Tape, joint_types: Sequence[JointType], shape: tuple[int
         Function of a list of n finite floats.
     """
     writer = _CodeWriter(tape)
-    body = [_inputs(tape, joint_types), *writer.statements()]
-    arguments = [ast.arg("joints"), *(ast.arg(f"k{i}") for i in range(len(writer.constants)))]
-    definition = ast.FunctionDef(
-        name="evaluate",
-        args=ast.arguments(posonlyargs=[], args=arguments, kwonlyargs=[], kw_defaults=[], defaults=[]),
-        body=body,
-        decorator_list=[],
-        **_TYPE_PARAMETERS,
-    )
-    module = ast.fix_missing_locations(ast.Module(body=[definition], type_ignores=[]))
-    code = compile(module, "<recorded computation>", "exec")
-    (inner,) = (constant for constant in code.co_consts if isinstance(constant, CodeType))
+    values, results = writer.computed()
+    array = _load("array")
+    body = [
+        _inputs(tape, joint_types),
+        *values,
+        _assign("array", _call("empty", _load("shape"))),
+        ast.Expr(value=_call("pack_into", array, ast.Constant(value=0), *results)),
+        ast.If(test=_load("pairs"), body=[ast.Expr(value=_call("tidy", array))], orelse=[]),
+        ast.Return(value=array),
+    ]
     names = {
         "ordinary": are_ordinary,
         "exact": partial(joint_motions, joint_types),
@@ -76,9 +74,34 @@ def straight_line(tape: Tape, joint_types: Sequence[JointType], shape: tuple[int
         "empty": np.empty,
         "shape": shape,
         "pack_into": Struct(f"{len(tape.outputs)}d").pack_into,
-        "__builtins__": {},
     }
-    return FunctionType(inner, names, "evaluate", writer.constants)
+    return _function(["joints"], body, names, writer.constants)
+
+
+def function_of_floats(tape: Tape) -> Callable[..., tuple[float, ...]]:
+    """The function that takes a tape's inputs as floats, one after another, and returns its outputs."""
+    writer = _CodeWriter(tape)
+    values, results = writer.computed()
+    body = [*values, ast.Return(value=ast.Tuple(elts=results, ctx=ast.Load()))]
+    return _function([f"r{i}" for i in range(tape.n_inputs)], body, {}, writer.constants)
+
+
+def _function(
+    arguments: Sequence[str], body: list[ast.stmt], names: dict[str, Any], constants: tuple[float, ...]
+) -> Callable[..., Any]:
+    """A function of its arguments, the constants handed over as defaults of further ones."""
+    every = [ast.arg(name) for name in (*arguments, *(f"k{i}" for i in range(len(constants))))]
+    definition = ast.FunctionDef(
+        name="evaluate",
+        args=ast.arguments(posonlyargs=[], args=every, kwonlyargs=[], kw_defaults=[], defaults=[]),
+        body=body,
+        decorator_list=[],
+        **_TYPE_PARAMETERS,
+    )
+    module = ast.fix_missing_locations(ast.Module(body=[definition], type_ignores=[]))
+    code = compile(module, "<recorded computation>", "exec")
+    (inner,) = (constant for constant in code.co_consts if isinstance(constant, CodeType))
+    return FunctionType(inner, {**names, "__builtins__": {}}, "evaluate", constants)
 
 
 def joint_motions(joint_types: Sequence[JointType], joints: Sequence[float]) -> list[tuple[float, float]]:
@@ -104,8 +127,8 @@ class _CodeWriter:
         self._uses.update(tape.outputs)
         self._pending: dict[int, tuple[ast.expr, int]] = {}
 
-    def statements(self) -> list[ast.stmt]:
-        """One assignment for each register that is used more than once, and the return."""
+    def computed(self) -> tuple[list[ast.stmt], list[ast.expr]]:
+        """One assignment for each register that is used more than once, and the results."""
         body: list[ast.stmt] = []
         for register, (operator, left, right) in enumerate(self._tape.operations, self._tape.n_inputs):
             (a, depth_a), (b, depth_b) = self._operand(left), self._operand(right)
@@ -115,16 +138,7 @@ class _CodeWriter:
                 self._pending[register] = value, depth
             else:
                 body.append(_assign(f"r{register}", value))
-        results = [self._operand(x)[0] for x in self._tape.outputs]
-        array = _load("array")
-        offset = ast.Constant(value=0)
-        return [
-            *body,
-            _assign("array", _call("empty", _load("shape"))),
-            ast.Expr(value=_call("pack_into", array, offset, *results)),
-            ast.If(test=_load("pairs"), body=[ast.Expr(value=_call("tidy", array))], orelse=[]),
-            ast.Return(value=array),
-        ]
+        return body, [self._operand(x)[0] for x in self._tape.outputs]
 
     def _operand(self, operand: int) -> tuple[ast.expr, int]:
         if operand < 0:

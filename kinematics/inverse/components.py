@@ -12,7 +12,7 @@ import numpy as np
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.crossings import branches, is_beside
 from kinematics.inverse.distinct import SAME, differences
-from kinematics.inverse.families import FamilyPath, Follower, blind_directions, nearest_on, pivots_of
+from kinematics.inverse.families import LOST, FamilyPath, Follower, blind_directions, nearest_on, pivots_of
 from kinematics.inverse.residuals import errors_of
 
 LONG = 0.02
@@ -86,26 +86,37 @@ def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> l
     errors = np.linalg.norm(errors_of(arm, frames[-1], target), axis=1)
     J = arm.jacobians(frames) * arm.units
     least = np.linalg.svd(J, compute_uv=False)[:, arm.generic_rank - 1]
-    smallest = merging_value(tolerance)
-    delicate = (least <= smallest) | (arm.spare > 0)
-    found: list[Component] = []
-    for i in np.argsort(errors, kind="stable").tolist():
-        if not delicate[i] and all(_apart(arm, joints[i], one.joints) > SAME for one in found):
-            found.append(Component(joints[i]))
-    order = [i for i in np.argsort(errors, kind="stable").tolist() if delicate[i]]
+    delicate = (least <= merging_value(tolerance)) | (arm.spare > 0)
+    apart = np.abs(differences(joints[:, None], joints[None], arm)).max(axis=2)
+    np.fill_diagonal(apart, np.inf)
+    if not arm.spare and float(least.min()) > lost_value(tolerance):
+        delicate &= apart.min(axis=1) <= fold_length(tolerance)
+    order = np.argsort(errors, kind="stable").tolist()
+    alone: list[int] = []
+    for i in order:
+        if not delicate[i] and all(apart[i, k] > SAME for k in alone):
+            alone.append(i)
+    found = [Component(joints[i]) for i in alone]
+    order = [i for i in order if delicate[i]]
     if order:
         sorter = _Sorter(arm, Follower(arm, target, tolerance), tolerance)
         found += sorter.sorted(joints[order], J[order])
     return found
 
 
+def fold_length(tolerance: float) -> float:
+    """What is no longer than this [rad, or parts of the size] is one solution, not a family."""
+    return max(LONG, ACROSS_A_FOLD * math.sqrt(tolerance))
+
+
+def lost_value(tolerance: float) -> float:
+    """Least singular value of the Jacobian above which a solution is not of a family."""
+    return max(tolerance / LONG * 2.0, LOST, math.sqrt(tolerance))
+
+
 def merging_value(tolerance: float) -> float:
     """Least singular value of the Jacobian above which a solution stands alone."""
     return MERGING * math.sqrt(tolerance)
-
-
-def _apart(arm: Arm, q: Array, other: Array) -> float:
-    return float(np.abs(differences(q, other, arm)).max())
 
 
 def belongs(arm: Arm, target: Array, component: Component, q: Array, tolerance: float) -> bool:
@@ -126,8 +137,8 @@ class _Sorter:
 
     def __init__(self, arm: Arm, follower: Follower, tolerance: float) -> None:
         self.arm, self.follower = arm, follower
-        self.long = max(LONG, ACROSS_A_FOLD * float(np.sqrt(tolerance)))
-        self.blind = max(tolerance / LONG * 2.0, follower.lost)
+        self.long = fold_length(tolerance)
+        self.blind = lost_value(tolerance)
         self.beside = max(BESIDE, 20.0 * tolerance)
 
     def sorted(self, joints: Array, J: Array) -> list[Component]:

@@ -31,6 +31,8 @@ from kinematics.inverse.results import (
 )
 from kinematics.inverse.search import MOST_ISOLATED, Bounds, Box, search
 from kinematics.inverse.search import TOLERANCE as SEARCHED
+from kinematics.inverse.wrist import WristArm
+from kinematics.inverse.wrist_scalars import ClearSolution, ClearWrist, clear_wrist_of
 from kinematics.se3 import Transform, check_transform
 from kinematics.table import NumericTable
 
@@ -49,6 +51,7 @@ class Solver:
         tool: (4, 4) pose of the tool in frame N, or None.
         arm: its constants and joints.
         closed_form: the method that yields all solutions, if there is one.
+        clear: the same in scalars, for targets that are well away from singularities, if there is one.
         box: joint limits.
     """
 
@@ -57,6 +60,7 @@ class Solver:
     tool: Transform | None
     arm: Arm
     closed_form: InverseClosedForm | None
+    clear: ClearWrist | None
     box: Box
 
     def solve(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics:
@@ -84,8 +88,40 @@ class Solver:
         return self._directly(read_goal(target, tolerance, where=("target",)))
 
     def _directly(self, goal: Goal) -> InverseKinematics | None:
+        answer = self._at_once(goal)
+        if answer is not None:
+            return answer
         found = self._by_closed_form(goal)
         return None if found is None else self._answer(found, goal, Method.CLOSED_FORM)
+
+    def _at_once(self, goal: Goal) -> InverseKinematics | None:
+        """The result where nothing is near a singularity and a solution is within the limits."""
+        found = None if self.clear is None else self.clear.solutions(goal.pose, goal.tolerance)
+        if found is None:
+            return None
+        count = len(found)
+        if self.box.limited:
+            joints = np.array([one.joints for one in found])
+            inside, fits = within_limits(joints, self.arm.revolute, self.box, self.arm.size)
+            found = [
+                one._replace(joints=tuple(q))
+                for one, q, fit in zip(found, inside.tolist(), fits.tolist(), strict=True)
+                if fit
+            ]
+        if not found:
+            return None
+        found.sort(key=_way)
+        return InverseKinematics(
+            status=IKStatus.SOLVED,
+            complete=True,
+            method=Method.CLOSED_FORM,
+            solutions=tuple(
+                IKSolution(joints=q, position_error=position, orientation_error=angle)
+                for q, position, angle in found
+            ),
+            outside_limits=count - len(found),
+            tolerance=goal.tolerance,
+        )
 
     def _by_closed_form(self, goal: Goal) -> Array | None:
         """Solutions by the closed form, if it has an answer for this target."""
@@ -197,6 +233,10 @@ class Solver:
         )
 
 
+def _way(solution: ClearSolution) -> float:
+    return sum(map(abs, solution.joints))
+
+
 def inverse_kinematics(
     table: NumericTable,
     target: ArrayLike,
@@ -245,7 +285,7 @@ def solver_of(
     for pose, name in ((T_w_0, "base"), (T_n_t, "tool")):
         if pose is not None and is_far(pose):
             raise PoseError(too_long((name,)))
-    arm, closed_form = _prepared(
+    arm, closed_form, clear = _prepared(
         table, None if T_w_0 is None else T_w_0.tobytes(), None if T_n_t is None else T_n_t.tobytes(), reach
     )
     return Solver(
@@ -254,6 +294,7 @@ def solver_of(
         tool=T_n_t,
         arm=arm,
         closed_form=closed_form,
+        clear=clear,
         box=read_limits(limits, arm.revolute.tolist()),
     )
 
@@ -261,7 +302,7 @@ def solver_of(
 @lru_cache(maxsize=256)
 def _prepared(
     table: NumericTable, base: bytes | None, tool: bytes | None, reach: ArmReach
-) -> tuple[Arm, InverseClosedForm | None]:
+) -> tuple[Arm, InverseClosedForm | None, ClearWrist | None]:
     check_lengths(table)
     if not 1 <= table.n_joints <= MAX_JOINTS:
         raise TableError(
@@ -273,4 +314,6 @@ def _prepared(
         )
     ends = [None if T is None else np.frombuffer(T).reshape(4, 4) for T in (base, tool)]
     arm = replace(arm_of(table, *ends), reach=reach)
-    return arm, closed_form_of(arm)
+    closed_form = closed_form_of(arm)
+    clear = clear_wrist_of(arm, closed_form) if isinstance(closed_form, WristArm) else None
+    return arm, closed_form, clear

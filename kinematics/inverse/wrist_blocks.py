@@ -7,6 +7,7 @@ whose equation has clearly no root are left out; what is doubtful is there, and 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -14,9 +15,14 @@ from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Array
 from kinematics.inverse.wrist import ALMOST, Head, WristArm
+from kinematics.inverse.wrist_tapes import left_over_tape, run_on_arrays
 
 CLEARLY = 1e-6
 """Part of its terms by which a square root's argument is below zero where there is no root."""
+
+
+SHORTEST = 1e-100
+"""Sines below this are those of a wrist in line: nothing is divided by them."""
 
 
 class Roots(NamedTuple):
@@ -45,7 +51,9 @@ def candidates_of_many(wrist: WristArm, targets: Array) -> tuple[Array, NDArray[
     """
     T = wrist.before @ targets @ wrist.after
     q1, q2, q3, there = _heads(wrist.head, *(T[:, :3, 3].T / wrist.size))
-    left = _left_over(wrist, q1, q2, q3, T[:, None, :3, :3])
+    turns = [f(q) for q in (q1, q2, q3) for f in (np.cos, np.sin)]
+    R = [np.ascontiguousarray(T[:, i, j])[:, None] for i in range(3) for j in range(3)]
+    left = run_on_arrays(left_over_tape(wrist), [*turns, *R])
     q4, q5, q6 = _wrists(wrist.wrist, left)
     joints = np.empty((*q4.shape, 6))
     for k, values in enumerate((q1[..., None], q2[..., None], q3[..., None], q4, q5, q6)):
@@ -117,39 +125,37 @@ def _level_heads(h: Head, x: Array, y: Array, z: Array) -> tuple[Array, Array, A
     return q1, np.arctan2(f1 * g2 - f2 * g1, f1 * g1 + f2 * g2), q3, there
 
 
-def _left_over(wrist: WristArm, q1: Array, q2: Array, q3: Array, R: Array) -> Array:
-    """(m, 4, 3, 3): what rotation is left for the wrist."""
-    h = wrist.head
-    rotation = np.array(wrist.link) @ _turns(q3) @ _twist(h.ca2, h.sa2) @ _turns(q2) @ _twist(h.ca1, h.sa1)
-    return np.asarray(rotation @ _turns(q1) @ R)
-
-
-def _turns(q: Array) -> Array:
-    """Rot_z(-q) of many angles."""
-    c, s = np.cos(q), np.sin(q)
-    R = np.zeros((*q.shape, 3, 3))
-    R[..., 0, 0], R[..., 0, 1], R[..., 1, 0], R[..., 1, 1], R[..., 2, 2] = c, s, -s, c, 1.0
-    return R
-
-
-def _twist(c: float, s: float) -> Array:
-    """Rot_x(-α)."""
-    return np.array(((1.0, 0.0, 0.0), (0.0, c, s), (0.0, -s, c)))
-
-
-def _wrists(twists: tuple[float, float, float, float], N: Array) -> tuple[Array, Array, Array]:
+def _wrists(twists: tuple[float, float, float, float], N: Sequence[Array]) -> tuple[Array, Array, Array]:
     """θ_4, θ_5, θ_6, (m, 4, 2) each, with N = Rot_z(θ_4) Rot_x(α_4) Rot_z(θ_5) Rot_x(α_5) Rot_z(θ_6)."""
     ca4, sa4, ca5, sa5 = twists
-    x, y = N[..., 0, 2], N[..., 1, 2]
-    c5 = np.clip((ca4 * ca5 - N[..., 2, 2]) / (sa4 * sa5), -1.0, 1.0)
-    s5 = np.hypot(x, y) if ca4 == 0.0 == ca5 else np.sqrt((1.0 - c5) * (1.0 + c5))
-    c5, s5 = c5[..., None], np.stack((s5, -s5), axis=-1)
-    x, y = x[..., None], y[..., None]
+    if ca4 == 0.0 == ca5:
+        return _right_wrists(sa4 * sa5, sa4, sa5, N)
+    n1, _, x, n2, _, y, n3, _, z = (entry[..., None] for entry in N)
+    c5 = np.clip((ca4 * ca5 - z) / (sa4 * sa5), -1.0, 1.0)
+    s5 = np.sqrt((1.0 - c5) * (1.0 + c5)) * np.array((1.0, -1.0))
     vx, vy = s5 * sa5, -ca4 * c5 * sa5 - sa4 * ca5
     q4 = np.arctan2(y * vx - x * vy, x * vx + y * vy)
     c4, s4 = np.cos(q4), np.sin(q4)
-    n1, n2, n3 = N[..., 0, 0, None], N[..., 1, 0, None], N[..., 2, 0, None]
     m1, across = c4 * n1 + s4 * n2, c4 * n2 - s4 * n1
     m2, m3 = ca4 * across + sa4 * n3, ca4 * n3 - sa4 * across
     q6 = np.arctan2(ca5 * (c5 * m2 - s5 * m1) + sa5 * m3, c5 * m1 + s5 * m2)
     return q4, np.arctan2(s5, np.broadcast_to(c5, s5.shape)), q6
+
+
+def _right_wrists(both: float, sa4: float, sa5: float, N: Sequence[Array]) -> tuple[Array, Array, Array]:
+    """The same for axes at right angles: θ_4, θ_5, θ_6 or θ_4 + π, -θ_5, θ_6 + π."""
+    n1, _, x, n2, _, y, n3, _, z = N
+    s5, c5 = np.hypot(x, y), -both * z
+    q4 = np.arctan2(sa5 * y, sa5 * x)
+    divisor = sa5 * np.maximum(s5, SHORTEST)
+    c4, s4 = x / divisor, y / divisor
+    in_line = s5 < SHORTEST
+    if in_line.any():
+        c4, s4 = np.where(in_line, np.cos(q4), c4), np.where(in_line, np.sin(q4), s4)
+    q5 = np.arctan2(s5, c5)
+    q6 = np.arctan2(-both * (c4 * n2 - s4 * n1), c5 * (c4 * n1 + s4 * n2) + s5 * (sa4 * n3))
+    return (
+        np.stack((q4, q4 + np.pi), axis=-1),
+        np.stack((q5, -q5), axis=-1),
+        np.stack((q6, q6 + np.pi), axis=-1),
+    )
