@@ -10,8 +10,12 @@ from fastapi import Body
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
-from service.schemas.inverse_kinematics import InverseKinematicsAnswer, InverseKinematicsRequest
-from service.wire.inverse_solutions import solved
+from service.schemas.inverse_kinematics import (
+    InverseKinematicsAnswer,
+    InverseKinematicsAnswers,
+    InverseKinematicsRequest,
+)
+from service.wire.inverse_solutions import solved, solved_each
 
 router = api_router("kinematics")
 
@@ -28,6 +32,20 @@ _EXAMPLES = {
         "parameters": {"L1": 0.5, "L2": 0.3},
         "target": [[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
     },
+    "three links in names, two poses at once, the nearest to a start first": {
+        "table": {
+            "convention": "standard",
+            "angle_unit": "deg",
+            "rows": [
+                {"alpha": 90, "a": 0, "d": "h", "theta": "q1"},
+                {"alpha": 0, "a": "L1", "d": 0, "theta": "q2"},
+                {"alpha": 0, "a": "L2", "d": 0, "theta": "q3"},
+            ],
+        },
+        "parameters": {"h": 0.4, "L1": 0.5, "L2": 0.3},
+        "targets": [[0.7, 0, 0.7, 0, 0, 90], [0, 0.7, 0.7, 90, 0, 90]],
+        "start": [0, 30, -60],
+    },
 }
 
 
@@ -40,14 +58,16 @@ _EXAMPLES = {
 async def inverse_kinematics(
     body: Annotated[InverseKinematicsRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
     request: ApiRequest,
-) -> InverseKinematicsAnswer:
+) -> InverseKinematicsAnswer | InverseKinematicsAnswers:
     """All distinct solutions of arms that have a closed form, and of other arms those that a search finds.
 
     Closed forms: most arms of five and six turning joints with a wrist or parallel axes, arms of up to four
     joints of any kind, and up to three joints of any kind before a wrist. Others, of up to twelve joints, are
     searched from many starts. Every residual is that of the forward kinematics. Unreachable and singular are
-    results.
+    results. Of many `targets` the answer is `answers`, one for each.
     """
     resources = request.resources
     robot = await request.in_turn(partial(resources.robots.prepare, body))
+    if body.targets is not None:
+        return await solved_each(body, robot, resources.workers)
     return await solved(body, robot, resources.workers)

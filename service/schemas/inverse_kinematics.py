@@ -14,11 +14,17 @@ from service.schemas.pose_input import PoseInput
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
+MOST_TARGETS = 1000
+"""Targets of one request; an arm of six joints answers a thousand within a second."""
+
 
 class InverseKinematicsRequest(RobotQuestion):
-    """A robot, and a pose for its tool to reach."""
+    """A robot, and a pose for its tool to reach, or many."""
 
     target: PoseInput | None = Field(None, description="the wanted pose of the tool in the world")
+    targets: Annotated[list[PoseInput], Field(min_length=1, max_length=MOST_TARGETS)] | None = Field(
+        None, description="or many of them; the answer then holds one answer for each, in their order"
+    )
     position: Vector3 | None = Field(
         None,
         description="or where its origin has to be; with neither quaternion nor axis its orientation is free",
@@ -45,8 +51,9 @@ class InverseKinematicsRequest(RobotQuestion):
     def _one_target(self) -> Self:
         oriented = self.quaternion is not None or self.axis is not None
         both = self.quaternion is not None and self.axis is not None
-        if (self.target is None) == (self.position is None) or (oriented and self.position is None) or both:
-            raise PydanticCustomError("target_or_position", "give either target or position")
+        given = sum(each is not None for each in (self.target, self.targets, self.position))
+        if given != 1 or (oriented and self.position is None) or both:
+            raise PydanticCustomError("target_or_position", "give one of target, targets and position")
         return self
 
 
@@ -99,8 +106,8 @@ class Nearest(Wire):
     orientation_error: Real = Field(description="its angle from the target, in the answer's angle unit")
 
 
-class InverseKinematicsAnswer(Units):
-    """Unreachable and singular are results."""
+class TargetAnswer(Wire):
+    """What is to be said about one target; unreachable and singular are results."""
 
     status: IKStatus = Field(
         description="solved; singular: families of more dimensions than the arm has joints to spare; "
@@ -113,3 +120,13 @@ class InverseKinematicsAnswer(Units):
     reason: UnreachableReason | None = Field(None, description="if unreachable: why")
     outside_limits: int = Field(description="solutions and families that were found outside the limits")
     tolerance: Real = Field(description="within which the target counts as reached")
+
+
+class InverseKinematicsAnswer(TargetAnswer, Units):
+    """The answer for one target."""
+
+
+class InverseKinematicsAnswers(Units):
+    """The answers for many targets."""
+
+    answers: list[TargetAnswer] = Field(description="one for each target, in their order")

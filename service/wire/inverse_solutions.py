@@ -12,15 +12,18 @@ from anyio.to_thread import run_sync
 
 from kinematics.errors import Fault, JointValueError
 from kinematics.inverse import ArmReach, IKSolution, InverseKinematics, NearestPose, Solver, solver_of
+from kinematics.inverse.goals import read_goal
 from kinematics.inverse.results import Family
 from kinematics.table import JointType, NumericTable
 from service.schemas.inverse_kinematics import (
     FamilyParameterModel,
     InverseKinematicsAnswer,
+    InverseKinematicsAnswers,
     InverseKinematicsRequest,
     Nearest,
     Solution,
     SolutionFamily,
+    TargetAnswer,
 )
 from service.schemas.joint_limits import DomainLimits, domain_limits
 from service.wire.fault_pointers import traced
@@ -48,6 +51,33 @@ async def solved(
     return _answer(answer if question.start is None else nearest_first(answer, robot, question.start), robot)
 
 
+async def solved_each(
+    request: InverseKinematicsRequest, robot: PreparedRobot, workers: Workers
+) -> InverseKinematicsAnswers:
+    """The joint values that reach each of many targets, all in one worker process.
+
+    Raises:
+        KinematicsError: as `solved`, of a target at its place.
+        ServiceError: no place for the task, or it took too long.
+    """
+    with traced(request):
+        question = _question(request, robot)
+        targets = [
+            pose_matrix(pose, robot.angle, "targets", i) for i, pose in enumerate(request.targets or [])
+        ]
+        for i, target in enumerate(targets):
+            read_goal(target, question.tolerance, where=("targets", i))
+        question.solver()
+    answers = await workers.run(Lane.SLOW, _search_each, question, targets)
+    if question.start is not None:
+        answers = [nearest_first(answer, robot, question.start) for answer in answers]
+    return InverseKinematicsAnswers(
+        angle_unit=robot.read.angle_unit.value,
+        length_unit=robot.read.length_unit.value,
+        answers=[TargetAnswer(**_told(answer, robot)) for answer in answers],
+    )
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class _Question:
     """What is asked, in domain units; it can go to another process."""
@@ -70,7 +100,9 @@ def _question(request: InverseKinematicsRequest, robot: PreparedRobot) -> _Quest
         None if pose is None else pose_matrix(pose, robot.angle, name)
         for pose, name in ((request.base, "base"), (request.tool, "tool"))
     )
-    if request.position is None:
+    if request.targets is not None:
+        target, reach = None, ArmReach.POSE
+    elif request.position is None:
         target, reach = pose_matrix(request.target or [], robot.angle, "target"), ArmReach.POSE
     else:
         target = placed_matrix(request.position, request.quaternion, request.axis)
@@ -119,15 +151,27 @@ def _search(question: _Question) -> InverseKinematics:
     return question.solver().solve(question.target, question.tolerance)
 
 
+def _search_each(question: _Question, targets: Sequence[Matrix]) -> list[InverseKinematics]:
+    """What a worker process does for many targets."""
+    solver = question.solver()
+    return [solver.solve(target, question.tolerance) for target in targets]
+
+
 def _answer(answer: InverseKinematics, robot: PreparedRobot) -> InverseKinematicsAnswer:
-    nearest = answer.nearest
     return InverseKinematicsAnswer(
         angle_unit=robot.read.angle_unit.value,
         length_unit=robot.read.length_unit.value,
-        status=answer.status,
-        complete=answer.complete,
-        method=answer.method,
-        solutions=[
+        **_told(answer, robot),
+    )
+
+
+def _told(answer: InverseKinematics, robot: PreparedRobot) -> dict[str, Any]:
+    nearest = answer.nearest
+    return {
+        "status": answer.status,
+        "complete": answer.complete,
+        "method": answer.method,
+        "solutions": [
             Solution(
                 **_reached(solution, robot),
                 isolation=solution.isolation,
@@ -135,11 +179,11 @@ def _answer(answer: InverseKinematics, robot: PreparedRobot) -> InverseKinematic
             )
             for solution in answer.solutions
         ],
-        nearest=None if nearest is None else _nearest(nearest, robot),
-        reason=answer.reason,
-        outside_limits=answer.outside_limits,
-        tolerance=answer.tolerance,
-    )
+        "nearest": None if nearest is None else _nearest(nearest, robot),
+        "reason": answer.reason,
+        "outside_limits": answer.outside_limits,
+        "tolerance": answer.tolerance,
+    }
 
 
 def _family(family: Family, robot: PreparedRobot) -> SolutionFamily:

@@ -14,13 +14,13 @@ from kinematics.se3 import perpendicular, unit
 Matrix: TypeAlias = Any
 
 
-def pose_matrix(pose: Sequence[Any], angle: float, where: str) -> Matrix:
+def pose_matrix(pose: Sequence[Any], angle: float, *where: str | int) -> Matrix:
     """Return a pose that is given as 4×4, or as [X, Y, Z, A, B, C].
 
     Args:
         pose: as it came.
         angle: what one unit of the request's angles is in [rad].
-        where: the field, for faults.
+        where: the field, and the place in it, for faults.
 
     Raises:
         PoseError: six numbers that are no pose. What is no 4×4 matrix is left to whoever reads it.
@@ -30,7 +30,7 @@ def pose_matrix(pose: Sequence[Any], angle: float, where: str) -> Matrix:
     try:
         return transform_from_xyzabc([*pose[:3], *(value * angle for value in pose[3:])])
     except PoseError as error:
-        raise PoseError(fault.within(where) for fault in error.faults) from None
+        raise PoseError(fault.within(*where) for fault in error.faults) from None
 
 
 def placed_matrix(

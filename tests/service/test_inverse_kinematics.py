@@ -301,3 +301,60 @@ def test_every_solution_within_wide_limits_reaches_the_target(client: httpx.Clie
         answer = asked(client, table=PUMA_560, target=target, limits=limits)
         assert len(answer["solutions"]) == len(free["solutions"]) == 8
         assert max(solution["residual"] for solution in answer["solutions"]) <= 1e-9
+
+
+def test_many_targets_are_answered_as_each_alone(client: httpx.Client) -> None:
+    joints = [[20, -40, 70, 30, 50, -80], [10, -40, 70, 30, 0, -80], [0, 0, 0, 0, 30, 0]]
+    targets = [forward(client, table=PUMA_560, joints=q).tolist() for q in joints]
+    far = [5, 0, 0, 0, 0, 0]
+    limits = [[-170, 170]] * 6
+    many = asked(client, table=PUMA_560, targets=[*targets, far], limits=limits, start=joints[0])
+    assert (many["angle_unit"], many["length_unit"]) == ("deg", "m")
+    statuses = [answer["status"] for answer in many["answers"]]
+    assert statuses == ["solved", "singular", "solved", "unreachable"]
+    for target, answer in zip([*targets, far], many["answers"], strict=True):
+        alone = asked(client, table=PUMA_560, target=target, limits=limits, start=joints[0])
+        assert {k: alone[k] for k in answer} == answer
+
+
+def test_named_lengths_get_their_values_for_all_targets(client: httpx.Client) -> None:
+    table = {
+        "convention": "standard",
+        "angle_unit": "deg",
+        "rows": [
+            {"alpha": 90, "a": 0, "d": "h", "theta": "q1"},
+            {"alpha": 0, "a": "L1", "d": 0, "theta": "q2"},
+            {"alpha": 0, "a": "L2", "d": 0, "theta": "q3"},
+        ],
+    }
+    values = {"h": 0.4, "L1": 0.5, "L2": 0.3}
+    targets = [[0.7, 0, 0.7, 0, 0, 90], [0, 0.7, 0.7, 90, 0, 90]]
+    answers = asked(client, table=table, parameters=values, targets=targets)["answers"]
+    elbow = math.degrees(math.atan2(3, 4))
+    for turn, answer in zip((0.0, 90.0), answers, strict=True):
+        assert answer["complete"] is True
+        assert np.allclose(answer["solutions"][0]["joints"], [turn, elbow, -elbow], atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("targets", "pointer"),
+    [
+        ([], "/targets"),
+        ([[0] * 6] * 1001, "/targets"),
+        ([[0] * 6, [[1, 0, 0, 0]] * 4], "/targets/1/3"),
+        ([[0] * 6, [0] * 5], "/targets/1"),
+    ],
+)
+def test_targets_that_are_none_are_refused_at_their_place(
+    client: httpx.Client, targets: list[Any], pointer: str
+) -> None:
+    response = client.post(URL, json={"table": PUMA_560, "targets": targets})
+    assert response.status_code == 422
+    assert pointer in [error["pointer"].removeprefix("#") for error in response.json()["errors"]]
+
+
+def test_target_and_targets_exclude_each_other(client: httpx.Client) -> None:
+    body = {"table": PUMA_560, "target": [0] * 6, "targets": [[0] * 6]}
+    response = client.post(URL, json=body)
+    assert response.status_code == 422
+    assert response.json()["errors"][0]["code"] == "target_or_position"

@@ -38,7 +38,7 @@ error-busy = The server is busy. Try again in { $seconds } s.
 
 error-field_missing = The field “{ $field }” is missing.
 error-field_unknown = There is no field “{ $field }” here. The fields are: { $allowed }.
-error-target_or_position = Give either “target” or “position”; with a position at most one of “quaternion” and “axis”.
+error-target_or_position = Give exactly one of “target”, “targets” and “position”; with a position at most one of “quaternion” and “axis”.
 error-table_or_robot = Give either “table” or “robot”, exactly one of them.
 error-number_expected = “{ $field }” must be a number.
 error-number_not_finite = “{ $field }” must be a finite number.

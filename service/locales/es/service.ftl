@@ -38,7 +38,7 @@ error-busy = El servidor está ocupado. Inténtelo de nuevo dentro de { $seconds
 
 error-field_missing = Falta el campo «{ $field }».
 error-field_unknown = Aquí no existe el campo «{ $field }». Los campos son: { $allowed }.
-error-target_or_position = Indique «target» o «position»; con una posición, a lo sumo uno de «quaternion» y «axis».
+error-target_or_position = Indique exactamente uno de «target», «targets» y «position»; con una posición, a lo sumo uno de «quaternion» y «axis».
 error-table_or_robot = Indique «table» o «robot»: exactamente uno de los dos.
 error-number_expected = «{ $field }» debe ser un número.
 error-number_not_finite = «{ $field }» debe ser un número finito.

@@ -38,7 +38,7 @@ error-busy = Le serveur est occupé. Réessayez dans { $seconds } s.
 
 error-field_missing = Le champ « { $field } » manque.
 error-field_unknown = Il n’y a pas ici de champ « { $field } ». Les champs sont : { $allowed }.
-error-target_or_position = Donnez soit « target », soit « position » ; avec une position, au plus l’un de « quaternion » et « axis ».
+error-target_or_position = Donnez exactement l’un de « target », « targets » et « position » ; avec une position, au plus l’un de « quaternion » et « axis ».
 error-table_or_robot = Donnez soit « table », soit « robot » : exactement l’un des deux.
 error-number_expected = « { $field } » doit être un nombre.
 error-number_not_finite = « { $field } » doit être un nombre fini.

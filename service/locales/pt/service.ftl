@@ -38,7 +38,7 @@ error-busy = O servidor está ocupado. Tente de novo dentro de { $seconds } s.
 
 error-field_missing = Falta o campo “{ $field }”.
 error-field_unknown = Não existe aqui o campo “{ $field }”. Os campos são: { $allowed }.
-error-target_or_position = Dê “target” ou “position”; com uma posição, no máximo um de “quaternion” e “axis”.
+error-target_or_position = Dê exatamente um de “target”, “targets” e “position”; com uma posição, no máximo um de “quaternion” e “axis”.
 error-table_or_robot = Dê “table” ou “robot”: exatamente um dos dois.
 error-number_expected = “{ $field }” tem de ser um número.
 error-number_not_finite = “{ $field }” tem de ser um número finito.

@@ -38,7 +38,7 @@ error-busy = Serverul este ocupat. Încercați din nou peste { $seconds } s.
 
 error-field_missing = Câmpul „{ $field }” lipsește.
 error-field_unknown = Aici nu există câmpul „{ $field }”. Câmpurile sunt: { $allowed }.
-error-target_or_position = Dați fie „target”, fie „position”; cu o poziție, cel mult unul dintre „quaternion” și „axis”.
+error-target_or_position = Dați exact unul dintre „target”, „targets” și „position”; cu o poziție, cel mult unul dintre „quaternion” și „axis”.
 error-table_or_robot = Dați fie „table”, fie „robot”: exact unul dintre ele.
 error-number_expected = „{ $field }” trebuie să fie un număr.
 error-number_not_finite = „{ $field }” trebuie să fie un număr finit.

@@ -38,7 +38,7 @@ error-busy = Сервер зайнятий. Спробуйте знову чер
 
 error-field_missing = Бракує поля «{ $field }».
 error-field_unknown = Поля «{ $field }» тут немає. Можливі поля: { $allowed }.
-error-target_or_position = Задайте або «target», або «position»; з положенням — щонайбільше одне з «quaternion» і «axis».
+error-target_or_position = Задайте рівно одне з «target», «targets» і «position»; з положенням — щонайбільше одне з «quaternion» і «axis».
 error-table_or_robot = Задайте або «table», або «robot» — рівно одне з двох.
 error-number_expected = «{ $field }» має бути числом.
 error-number_not_finite = «{ $field }» має бути скінченним числом.
