@@ -31,12 +31,18 @@ COPIES = {
     "three/build/three.core.min.js": "three/three.core.min.js",
     "three/LICENSE": "three/LICENSE",
     "katex/LICENSE": "katex/LICENSE",
+    "d3/LICENSE": "d3/LICENSE",
+    "@observablehq/plot/LICENSE": "plot/LICENSE",
 }
 # UMD builds are smaller than the ES modules of the same packages; an ES module is put around them.
 WRAPPED = {
     "katex/dist/katex.min.js": "katex/katex.js",
     "@fluent/bundle/index.js": "fluent/bundle.js",
+    "d3/dist/d3.min.js": "d3/d3.js",
+    "@observablehq/plot/dist/plot.umd.min.js": "plot/plot.js",
 }
+# The one module that a wrapped build asks its loader for, by its served address.
+REQUIRED = {"plot/plot.js": "../d3/d3.js"}
 # What the type checker reads beside them; a browser never asks for these.
 DECLARED = {
     "three/three.module.min.d.ts": 'export * from "three";\n',
@@ -44,6 +50,10 @@ DECLARED = {
     "fluent/bundle.d.ts": """import * as fluent from "@fluent/bundle";
 
 export default fluent;
+""",
+    "plot/plot.d.ts": """import * as plot from "@observablehq/plot";
+
+export default plot;
 """,
 }
 COMPRESSED = {".js", ".css"}
@@ -111,10 +121,12 @@ def install(node: str | None, *, omit_dev: bool) -> None:
     subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
 
 
-def as_module(source: str) -> str:
-    """A UMD build with an ES module around it."""
+def as_module(source: str, required: str | None = None) -> str:
+    """A UMD build with an ES module around it, which hands it the one module that it requires."""
+    head = f'import required from"{required}";const require=()=>required;' if required else ""
     return (
-        f"const module={{exports:{{}}}},exports=module.exports;\n{source}\nexport default module.exports;\n"
+        f"{head}const module={{exports:{{}}}},exports=module.exports;\n{source}\n"
+        "export default module.exports;\n"
     )
 
 
@@ -126,7 +138,7 @@ def only_woff2(css: str) -> str:
 def notice() -> str:
     """Names, versions and licences of what the folder holds."""
     packages = json.loads((ROOT / "package-lock.json").read_text(encoding="utf-8"))["packages"]
-    wanted = ("three", "katex", "@fluent/bundle")
+    wanted = ("three", "katex", "@fluent/bundle", "@observablehq/plot", "d3")
     rows = [(name, packages[f"node_modules/{name}"]) for name in wanted]
     return "".join(f"{name} {entry['version']} ({entry['license']})\n" for name, entry in rows)
 
@@ -142,7 +154,7 @@ def copy_into(folder: Path) -> None:
     for source, target in COPIES.items():
         write(target, (MODULES / source).read_text(encoding="utf-8"))
     for source, target in WRAPPED.items():
-        write(target, as_module((MODULES / source).read_text(encoding="utf-8")))
+        write(target, as_module((MODULES / source).read_text(encoding="utf-8"), REQUIRED.get(target)))
     css = (MODULES / "katex" / "dist" / "katex.min.css").read_text(encoding="utf-8")
     write("katex/katex.css", only_woff2(css))
     (folder / "katex" / "fonts").mkdir()

@@ -60,6 +60,8 @@ class Workspace:
         low: least x, y, z, in the world.
         high: greatest x, y, z, in the world.
         points: (samples, 3) places, in the world.
+        section: (samples, 2) the same places in the half-plane of the first axis: distance at right angles
+            from it, and height along it above the point of it that is nearest to the origin of frame 0.
     """
 
     inner: Radii
@@ -67,6 +69,7 @@ class Workspace:
     low: Vector3
     high: Vector3
     points: Array
+    section: Array
 
 
 def workspace(
@@ -112,6 +115,7 @@ def workspace(
     ends = [corner.value for corner in corners]
     low = [float(T_w_0[k, 3]) - ends[k] for k in range(3)]
     high = [float(T_w_0[k, 3]) + ends[3 + k] for k in range(3)]
+    places = end_poses(table, spread(spans, samples), tool=tool)[:, :3, 3] if samples else np.empty((0, 3))
     return Workspace(
         inner=Radii(
             axis=_radius(near_axis, across @ (near_axis.place - point), reach),
@@ -123,10 +127,17 @@ def workspace(
         ),
         low=_vector(low, reach),
         high=_vector(high, reach),
-        points=end_poses(table, spread(spans, samples), base=base, tool=tool)[:, :3, 3]
-        if samples
-        else np.empty((0, 3)),
+        points=places @ T_w_0[:3, :3].T + T_w_0[:3, 3],
+        section=_section(places, point, direction),
     )
+
+
+def _section(places: Array, point: Array, direction: Array) -> Array:
+    """(m, 2) distance from an axis and height along it, from the axis's point nearest to the origin."""
+    foot = point - direction * (point @ direction)
+    arms = places - foot
+    heights = arms @ direction
+    return np.stack([np.linalg.norm(arms - np.outer(heights, direction), axis=1), heights], axis=1)
 
 
 def check_reach(table: NumericTable, base: ArrayLike | None, tool: ArrayLike | None) -> None:

@@ -30,6 +30,8 @@ _CALLS: Mapping[str, tuple[Tool, ...]] = {
     "symbolic": (Tool.PLAYGROUND, Tool.MATRICES),
     "convert": (Tool.PLAYGROUND, Tool.MATRICES),
     "workspace": (Tool.PLAYGROUND,),
+    "trajectory": (Tool.PLAYGROUND,),
+    "rates": (Tool.PLAYGROUND, Tool.MATRICES),
     "scm": (Tool.PLAYGROUND, Tool.MATRICES),
     "assign-frames": (Tool.TRAINER,),
     "check-frames": (Tool.TRAINER,),

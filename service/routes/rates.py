@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
 from typing import Annotated, Any
 
 import numpy as np
 from fastapi import Body
 
 from kinematics.chain import chain_of_table
-from kinematics.errors import JointValueError
+from kinematics.ellipsoids import Ellipsoid, VelocityEllipsoids, velocity_ellipsoids
 from kinematics.inverse.lengths import check_lengths
-from kinematics.joint_values import one_configuration
 from kinematics.rates import analytic_jacobian, jacobian_rate, joint_forces
 from kinematics.se3 import check_transform
 from service.http.openapi import problems
@@ -21,6 +18,7 @@ from service.resources import AppResources
 from service.schemas import examples
 from service.schemas.rates_request import RatesAnswer, RatesRequest
 from service.wire.fault_pointers import traced
+from service.wire.joint_values import values_in_radians
 
 router = api_router("kinematics")
 
@@ -43,7 +41,7 @@ async def rates(
     body: Annotated[RatesRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
     resources: AppResources,
 ) -> RatesAnswer:
-    """(v, ω) = J0 q̇, its rate of change J0 q̈ + J̇0 q̇, the analytic Jacobian, and τ = J0ᵀ (f, m).
+    """(v, ω) = J0 q̇, its rate of change J0 q̈ + J̇0 q̇, the analytic Jacobian, τ = J0ᵀ (f, m), ellipsoids.
 
     What is not asked for by `rates`, `accelerations` or `wrench` is null. Lengths are in the table's unit.
     """
@@ -55,15 +53,19 @@ async def rates(
         for pose, name in ((body.base, "base"), (body.tool, "tool"))
     ]
     chain = chain_of_table(robot.table, *poses)
-    q = _values(body.joints, robot.joint_units, "joints")
+    q = values_in_radians(body.joints, robot.joint_units, "joints")
     J = chain.jacobian(q)
-    found: dict[str, Any] = {"J0": _plain(J), "analytic": _plain(analytic_jacobian(chain, q))}
+    found: dict[str, Any] = {
+        "J0": _plain(J),
+        "analytic": _plain(analytic_jacobian(chain, q)),
+        "ellipsoids": _ellipsoids(velocity_ellipsoids(robot.table, q, base=body.base, tool=body.tool)),
+    }
     if body.rates is not None:
-        speeds = _values(body.rates, robot.joint_units, "rates")
+        speeds = values_in_radians(body.rates, robot.joint_units, "rates")
         rate = jacobian_rate(chain, q, speeds)
         found |= {"velocity": _plain(J @ speeds), "J0_rate": _plain(rate)}
     if body.accelerations is not None:
-        second = _values(body.accelerations, robot.joint_units, "accelerations")
+        second = values_in_radians(body.accelerations, robot.joint_units, "accelerations")
         at_speed = 0.0 if body.rates is None else rate @ speeds
         found["acceleration"] = _plain(J @ second + at_speed)
     if body.wrench is not None:
@@ -71,15 +73,16 @@ async def rates(
     return RatesAnswer.model_validate({**found, **robot.units})
 
 
-def _values(given: Sequence[float], units: Sequence[float], field: str) -> list[float]:
-    """The values in [rad] and the table's length unit."""
-    try:
-        values = one_configuration(list(given), len(units))
-    except JointValueError as error:
-        raise JointValueError(
-            replace(fault, where=(field, *fault.where[1:])) for fault in error.faults
-        ) from error
-    return [value * unit for value, unit in zip(values, units, strict=True)]
+def _ellipsoids(found: VelocityEllipsoids) -> dict[str, Any]:
+    def written(ellipsoid: Ellipsoid) -> dict[str, Any]:
+        return {"axes": _plain(ellipsoid.axes), "radii": _plain(ellipsoid.radii)}
+
+    return {
+        "translation": written(found.translation),
+        "rotation": written(found.rotation),
+        "blocked": _plain(found.blocked),
+        "characteristic_length": found.length,
+    }
 
 
 def _plain(values: Any) -> Any:

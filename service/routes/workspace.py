@@ -85,6 +85,7 @@ def _answer(found: Workspace, robot: PreparedRobot) -> wire.WorkspaceResponse:
             ),
         ),
         points=found.points.tolist() if len(found.points) else None,
+        section=found.section.tolist() if len(found.section) else None,
     )
 
 

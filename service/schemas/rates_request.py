@@ -6,7 +6,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from service.schemas.base import Matrix4, Real
+from service.schemas.base import Matrix4, Real, Vector3, Wire
 from service.schemas.jacobian_request import Matrix6
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
@@ -33,6 +33,26 @@ class RatesRequest(RobotQuestion):
     tool: Matrix4 | None = Field(None, description="pose of the tool in frame N; the identity if left out")
 
 
+class EllipsoidModel(Wire):
+    """A velocity ellipsoid about the end frame's origin."""
+
+    axes: list[Vector3] = Field(description="unit vectors in the axes of the world, the longest radius first")
+    radii: list[Real] = Field(description="along these; 0 where the tool cannot move that way")
+
+
+class EllipsoidsModel(Wire):
+    """What the tool does while the joint rates go through the unit ball."""
+
+    translation: EllipsoidModel = Field(description="of v")
+    rotation: EllipsoidModel = Field(description="of ω")
+    blocked: list[Vector6] = Field(
+        description="unit vectors (v / characteristic_length, ω) that span what the tool cannot do here"
+    )
+    characteristic_length: Real = Field(
+        description="sum of |a| and |d|: a prismatic joint's rate counts in it, a revolute one's in radians"
+    )
+
+
 class RatesAnswer(Units):
     """Jacobians, velocities and forces at one configuration, in the axes of the world, per radian."""
 
@@ -45,4 +65,7 @@ class RatesAnswer(Units):
     acceleration: Vector6 | None = Field(None, description="J0 q̈ + dJ0/dt q̇")
     joint_forces: list[Real] | None = Field(
         None, description="J0ᵀ · wrench: torques of revolute joints, forces of prismatic ones"
+    )
+    ellipsoids: EllipsoidsModel = Field(
+        description="Yoshikawa's manipulability ellipsoids, and what is blocked"
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 from pydantic import Field
 
 from service.schemas.base import Matrix4, Real, Vector3, Wire
@@ -65,4 +67,8 @@ class WorkspaceResponse(Units):
     reached: Reached
     points: list[Vector3] | None = Field(
         None, description="places in the world, spread evenly over the joints' ranges"
+    )
+    section: list[Annotated[list[Real], Field(min_length=2, max_length=2)]] | None = Field(
+        None,
+        description="of each point the distance from the axis of the first joint, and its height along it",
     )

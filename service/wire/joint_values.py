@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from itertools import islice
 from typing import Any
 
@@ -10,6 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError
+from kinematics.inverse.lengths import is_long, too_long
+from kinematics.joint_values import one_configuration
 from service.http.problems import BodySizeError, RequestError
 from service.wire.prepared_robots import PreparedRobot
 
@@ -42,6 +45,24 @@ def read_joints(joints: list[Any], robot: PreparedRobot, batch_limit: int) -> li
     _refuse_lengths(((len(one), ("joints", i)) for i, one in enumerate(joints)), robot)
     batch: Floats = np.array(joints, dtype=np.float64).reshape(len(joints), -1) * np.array(robot.joint_units)
     return batch
+
+
+def values_in_radians(given: Sequence[float], units: Sequence[float], field: str) -> list[float]:
+    """One value for each joint in [rad] and the table's length unit; faults stand at the field.
+
+    Raises:
+        JointValueError: not one finite number for each joint, or one too large to be computed with.
+    """
+    try:
+        values = one_configuration(list(given), len(units))
+    except JointValueError as error:
+        raise JointValueError(
+            replace(fault, where=(field, *fault.where[1:])) for fault in error.faults
+        ) from error
+    far = [too_long((field, i)) for i, value in enumerate(values) if is_long(value)]
+    if far:
+        raise JointValueError(far)
+    return [value * unit for value, unit in zip(values, units, strict=True)]
 
 
 def read_array(array: Floats, robot: PreparedRobot, batch_limit: int) -> list[float] | Floats:

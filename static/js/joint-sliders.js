@@ -9,7 +9,7 @@
 import { el, fill, iconButton, uniqueId } from "./dom.js";
 import { t } from "./i18n.js";
 import { clamped } from "./joint-ranges.js";
-import { degrees, plain, radians } from "./numbers.js";
+import { degrees, numberIn, plain, radians } from "./numbers.js";
 
 const STEPS = 360;
 
@@ -96,12 +96,18 @@ export class JointSliders extends HTMLElement {
     });
     /** @type {HTMLInputElement} */
     const number = el("input", {
-      type: "number",
-      step: "any",
+      type: "text",
       inputmode: "decimal",
+      autocomplete: "off",
       "aria-label": t("form-joint-value", { name: joint.name, unit: this.#unit(joint) }),
-      oninput: () => number.value !== "" && this.#take(i, Number(number.value), number),
+      oninput: () => this.#take(i, numberIn(number.value), number),
       onchange: () => this.#show(),
+      onkeydown: (event) => {
+        const way = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+        if (!way) return;
+        event.preventDefault();
+        this.#take(i, this.#outward(joint, this.#values[i]) + way * Number(range.step));
+      },
     });
     this.#inputs.push({ range, number });
     return el(
@@ -113,9 +119,9 @@ export class JointSliders extends HTMLElement {
     );
   }
 
-  /** @param {number} i @param {any} shown @param {any} source */
+  /** @param {number} i @param {number | null} shown @param {HTMLInputElement} [source] the field that is being used */
   #take(i, shown, source) {
-    if (!Number.isFinite(shown)) return;
+    if (shown === null) return;
     this.#values[i] = this.#inward(this.#joints[i], shown);
     this.#show(source);
     this.#tell();
@@ -127,7 +133,7 @@ export class JointSliders extends HTMLElement {
       const value = this.#outward(this.#joints[i], this.#values[i]);
       if (range !== except) range.value = String(value);
       const text = plain(value, this.#units.angle === "deg" ? 2 : 4);
-      const typing = number === document.activeElement && Number(number.value) === Number(text);
+      const typing = number === document.activeElement && numberIn(number.value) === Number(text);
       if (number !== except && !typing) number.value = text;
       range.setAttribute("aria-valuetext", `${plain(value, 2)} ${this.#unit(this.#joints[i])}`);
     });

@@ -16,7 +16,7 @@
 
 import { Problem, Throttled } from "./api.js";
 import { debounced } from "./dom.js";
-import { clamped, usualRanges } from "./joint-ranges.js";
+import { clamped, limited, usualRanges } from "./joint-ranges.js";
 import { degrees, radians } from "./numbers.js";
 import { reach, tableRobot } from "./scene/robots.js";
 import { Understanding } from "./understanding.js";
@@ -28,9 +28,11 @@ const DRAGGING_PAUSE = 60;
  * @typedef {import("./joint-ranges.js").JointRange} JointRange
  * @typedef {import("./understanding.js").Reading} Reading
  * @typedef {import("./understanding.js").ReadRow} ReadRow
- * @typedef {{table: any, parameters: Record<string, number>, joints: number[] | null}} State
- *   what is looked at: the table as it goes to the API, values of parameters in its units, and the joint values
- *   [rad or length] that it is to be shown at, or null to leave the joints where they are
+ * @typedef {import("./joint-ranges.js").Limits} Limits
+ * @typedef {{table: any, parameters: Record<string, number>, joints: number[] | null, limits: Limits}} State
+ *   what is looked at: the table as it goes to the API, values of parameters in its units, the joint values
+ *   [rad or length] that it is to be shown at, or null to leave the joints where they are, and joint limits in the
+ *   table's units
  * @typedef {{table: any, parameters: Record<string, number>, types: string[], ranges: JointRange[], joints: number[]}} Subject
  *   what is drawn: a table that could be read, values of just its parameters, joint types and ranges, joint values
  * @typedef {{model: import("./scene/robots.js").TableModel, joints: JointRange[], values: number[], size: number,
@@ -40,7 +42,7 @@ const DRAGGING_PAUSE = 60;
 
 export class LiveRobot extends EventTarget {
   /** @type {State} */
-  #state = { table: null, parameters: {}, joints: null };
+  #state = { table: null, parameters: {}, joints: null, limits: null };
   /** The state that the service has answered about. @type {State | null} */
   #answered = null;
   /** @type {{subject: Subject, robot: Robot, state: State} | null} */
@@ -60,11 +62,11 @@ export class LiveRobot extends EventTarget {
   /**
    * Looks at a table from now on.
    * @param {any} table as it goes to the API
-   * @param {{now?: boolean, parameters?: Record<string, number>, joints?: number[] | null}} [options]
+   * @param {{now?: boolean, parameters?: Record<string, number>, joints?: number[] | null, limits?: Limits}} [options]
    *   `now` does not wait for a pause in typing; parameters that are left out stay as they are, and so do joints
    */
-  take(table, { now = false, parameters = this.#state.parameters, joints = this.#pending } = {}) {
-    this.#state = { table, parameters, joints };
+  take(table, { now = false, parameters = this.#state.parameters, joints = this.#pending, limits = null } = {}) {
+    this.#state = { table, parameters, joints, limits };
     this.#tell("typed", table);
     if (now) this.#look();
     else this.paused();
@@ -201,10 +203,14 @@ export async function robotOf(api, table, parameters, options = {}) {
 /**
  * A scene model from the service's link matrices, all joints at zero, as far as rows have one: frame 0 alone, if not
  * even the first has.
- * @param {{table: any, parameters: Record<string, number>}} state @param {Reading} reading of its table
+ * @param {{table: any, parameters: Record<string, number>, limits?: Limits}} state @param {Reading} reading of its table
  * @param {{size?: number, prime?: string}} options
  */
-function modelled({ table, parameters: values }, { rows: all, variables, parameters: names }, { size: given, prime }) {
+function modelled(
+  { table, parameters: values, limits = null },
+  { rows: all, variables, parameters: names },
+  { size: given, prime },
+) {
   const end = all.findIndex(({ link }) => link === null);
   const rows = end < 0 ? all : all.slice(0, end);
   const parameters = Object.fromEntries(names.map(({ name }) => [name, values[name]]));
@@ -212,10 +218,8 @@ function modelled({ table, parameters: values }, { rows: all, variables, paramet
   const links = rows.map(({ link }) => /** @type {number[][]} */ (link));
   const size = given ?? reach(links);
   const model = tableRobot({ convention: table.convention, rows, links, size, prime });
-  const joints = usualRanges(
-    types.map((type, i) => ({ type, name: variables[i] ?? `q${i + 1}` })),
-    size,
-  );
+  const named = types.map((type, i) => ({ type, name: variables[i] ?? `q${i + 1}` }));
+  const joints = limited(usualRanges(named, size), limits, table.angle_unit);
   const subject = { table, parameters, types, ranges: joints };
   return { subject, model, joints, size, rows, whole: rows.length === table.rows.length };
 }

@@ -38,3 +38,10 @@ export const radians = (degrees) => (degrees * Math.PI) / 180;
 
 /** @param {number} rad */
 export const degrees = (rad) => (rad * 180) / Math.PI;
+
+/** A number as people write it, with a decimal point or comma; null if it is none. @param {string} text */
+export function numberIn(text) {
+  const plainText = text.trim().replace("−", "-");
+  const value = Number(plainText.replace(/^([+-]?\d*),(\d+)$/, "$1.$2"));
+  return plainText !== "" && Number.isFinite(value) ? value : null;
+}

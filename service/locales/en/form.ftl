@@ -289,3 +289,5 @@ form-second-table = A second valid table: the same robot in the { $convention } 
 form-ghost-label = Your robot as a ghost over the exercise's
 form-ghost-text = In grey and orange the exercise's robot, in transparent red yours. Both make the same motion. The marked frame { $row }, that of row { $row }, is the first that leaves the robot.
 form-ghost-description = Your robot lies on the exercise's up to frame { $row }, which is marked: there they part.
+form-new = New
+form-new-done = A new, empty table.

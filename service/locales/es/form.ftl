@@ -289,3 +289,5 @@ form-second-table = Otra tabla válida: el mismo robot en la convención { $conv
 form-ghost-label = Su robot, como fantasma sobre el del ejercicio
 form-ghost-text = En gris y naranja, el robot del ejercicio; en rojo transparente, el suyo. Los dos hacen el mismo movimiento. El sistema { $row }, marcado, el de la fila { $row }, es el primero que se separa del robot.
 form-ghost-description = Su robot coincide con el del ejercicio hasta el sistema { $row }, que está marcado: allí se separan.
+form-new = Nueva
+form-new-done = Una tabla nueva, vacía.

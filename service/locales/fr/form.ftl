@@ -289,3 +289,5 @@ form-second-table = Une deuxième table valide : le même robot dans la conventi
 form-ghost-label = Votre robot, en fantôme sur celui de l’exercice
 form-ghost-text = En gris et orange, le robot de l’exercice ; en rouge transparent, le vôtre. Les deux font le même mouvement. Le repère { $row }, marqué, celui de la ligne { $row }, est le premier qui quitte le robot.
 form-ghost-description = Votre robot coïncide avec celui de l’exercice jusqu’au repère { $row }, qui est marqué : là, ils se séparent.
+form-new = Nouveau
+form-new-done = Un nouveau tableau, vide.

@@ -289,3 +289,5 @@ form-second-table = Outra tabela válida: o mesmo robô na convenção { $conven
 form-ghost-label = O seu robô, como fantasma sobre o do exercício
 form-ghost-text = A cinzento e laranja, o robô do exercício; a vermelho transparente, o seu. Ambos fazem o mesmo movimento. O referencial { $row }, marcado, o da linha { $row }, é o primeiro que se afasta do robô.
 form-ghost-description = O seu robô coincide com o do exercício até ao referencial { $row }, que está marcado: aí separam-se.
+form-new = Nova
+form-new-done = Uma tabela nova, vazia.

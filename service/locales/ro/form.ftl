@@ -298,3 +298,5 @@ form-second-table = Un al doilea tabel valid: același robot în convenția { $c
 form-ghost-label = Robotul dumneavoastră, ca o fantomă peste cel al exercițiului
 form-ghost-text = Cu gri și portocaliu, robotul exercițiului; cu roșu transparent, al dumneavoastră. Amândoi fac aceeași mișcare. Sistemul { $row }, marcat, cel al rândului { $row }, este primul care se desprinde de robot.
 form-ghost-description = Robotul dumneavoastră se suprapune peste cel al exercițiului până la sistemul { $row }, care este marcat: acolo se despart.
+form-new = Nou
+form-new-done = Un tabel nou, gol.

@@ -63,10 +63,8 @@ playground-inner-axis = Raza interioară, de la prima axă
 playground-outer-axis = Raza exterioară, de la prima axă
 playground-inner-origin = Raza interioară, de la origine
 playground-outer-origin = Raza exterioară, de la origine
-playground-slide = { $name } variază de la
 playground-slide-least = Valoarea minimă a lui { $name } în { $unit }
 playground-slide-greatest = Valoarea maximă a lui { $name } în { $unit }
-playground-slide-needed = Dați fiecărei cuple de translație o valoare minimă și una maximă.
 playground-from-axes = Din axele cuplelor
 playground-axes-hint = Pentru fiecare cuplă un punct al axei și direcția ei, cu robotul în poziția zero. Sistemele se atașează după procedura din curs.
 playground-axes = Axele cuplelor
@@ -98,3 +96,45 @@ playground-chain-end = Transformarea finală
 playground-from-urdf = Din URDF
 playground-urdf-hint = Lipiți un fișier URDF cu un singur lanț serial; cuplele fixe sunt incluse în vecinele lor.
 playground-taken = Tabelul a fost preluat.
+playground-limits = Limitele cuplelor
+playground-limits-hint = Cursoarele, cinematica inversă, traiectoriile și spațiul de lucru le respectă. Un câmp gol înseamnă fără limită.
+playground-limits-source = Sursa: { $source }
+playground-joint = Cupla
+playground-least = minim
+playground-greatest = maxim
+playground-numbers = Același lucru în cifre
+playground-slide-needed = Dați fiecărei cuple prismatice un minim și un maxim la „Limitele cuplelor”.
+playground-cloud = În imagine: { $count } poziții ale originii sistemului final, răspândite uniform pe cursele cuplelor.
+playground-section = Secțiunea spațiului de lucru prin prima axă
+playground-section-radius = distanța de la prima axă
+playground-section-height = înălțimea de-a lungul primei axe
+playground-ellipsoid = Razele elipsoidului vitezelor
+playground-ellipsoid-hint = În imagine: elipsoidul de manipulabilitate în sistemul final. Unde o rază este 0, o linie întreruptă arată direcția în care originea nu se poate mișca.
+playground-blocked = Ce nu poate face aici sistemul final:
+playground-blocked-motion = v = { $v } { $unit }/s împreună cu ω = { $w } rad/s
+playground-outside-limits = { $count ->
+    [one] Încă una se află în afara limitelor cuplelor.
+    [few] Încă { $count } se află în afara limitelor cuplelor.
+    *[other] Încă { $count } de soluții se află în afara limitelor cuplelor.
+}
+playground-ghosts = Arată toate soluțiile alături
+playground-solution = Soluția { $number }
+playground-trajectory = Traiectoria cuplelor
+playground-trajectory-start = De la
+playground-trajectory-end = Până la
+playground-trajectory-now = unde sunt cuplele acum
+playground-duration = Durata
+playground-scaling = Polinom
+playground-scaling-quintic = gradul 5
+playground-scaling-cubic = gradul 3
+playground-quantity = Curbe
+playground-quantity-positions = poziție
+playground-quantity-velocities = viteză
+playground-quantity-accelerations = accelerație
+playground-instant = Momentul
+playground-plot-positions-revolute = Unghiurile cuplelor în timp
+playground-plot-positions-prismatic = Deplasările cuplelor în timp
+playground-plot-velocities-revolute = Vitezele unghiulare ale cuplelor în timp
+playground-plot-velocities-prismatic = Vitezele liniare ale cuplelor în timp
+playground-plot-accelerations-revolute = Accelerațiile unghiulare ale cuplelor în timp
+playground-plot-accelerations-prismatic = Accelerațiile liniare ale cuplelor în timp

@@ -63,10 +63,8 @@ playground-inner-axis = Внутрішній радіус від першої о
 playground-outer-axis = Зовнішній радіус від першої осі
 playground-inner-origin = Внутрішній радіус від початку координат
 playground-outer-origin = Зовнішній радіус від початку координат
-playground-slide = { $name }: від
 playground-slide-least = Найменше значення { $name }, { $unit }
 playground-slide-greatest = Найбільше значення { $name }, { $unit }
-playground-slide-needed = Задайте кожному поступальному зчленуванню найменше й найбільше значення.
 playground-from-axes = З осей зчленувань
 playground-axes-hint = Для кожного зчленування — точка осі та її напрямок у нульовому положенні робота. Системи координат призначаються за процедурою з лекцій.
 playground-axes = Осі зчленувань
@@ -98,3 +96,46 @@ playground-chain-end = Кінцеве перетворення
 playground-from-urdf = З URDF
 playground-urdf-hint = Вставте файл URDF з одним послідовним ланцюгом; нерухомі зчленування об’єднуються із сусідніми.
 playground-taken = Таблицю перенесено.
+playground-limits = Межі зчленувань
+playground-limits-hint = Повзунки, обернена кінематика, траєкторії та робоча зона їх дотримуються. Порожнє поле означає, що межі немає.
+playground-limits-source = Джерело: { $source }
+playground-joint = Зчленування
+playground-least = найменше
+playground-greatest = найбільше
+playground-numbers = Те саме в числах
+playground-slide-needed = Задайте кожному поступальному зчленуванню найменше й найбільше значення в розділі «Межі зчленувань».
+playground-cloud = На малюнку: { $count } положень початку кінцевої системи координат, рівномірно розподілених за діапазонами зчленувань.
+playground-section = Переріз робочої зони через першу вісь
+playground-section-radius = відстань від першої осі
+playground-section-height = висота вздовж першої осі
+playground-ellipsoid = Радіуси еліпсоїда швидкостей
+playground-ellipsoid-hint = На малюнку: еліпсоїд маніпулятивності в кінцевій системі координат. Де радіус дорівнює 0, штрихова лінія показує напрям, у якому початок рухатися не може.
+playground-blocked = Чого кінцева система тут не може:
+playground-blocked-motion = v = { $v } { $unit }/с разом з ω = { $w } рад/с
+playground-outside-limits = { $count ->
+    [one] Ще { $count } розв’язок лежить поза межами зчленувань.
+    [few] Ще { $count } розв’язки лежать поза межами зчленувань.
+    [many] Ще { $count } розв’язків лежать поза межами зчленувань.
+    *[other] Ще { $count } розв’язку лежать поза межами зчленувань.
+}
+playground-ghosts = Показати всі розв’язки поруч
+playground-solution = Розв’язок { $number }
+playground-trajectory = Траєкторія зчленувань
+playground-trajectory-start = Звідки
+playground-trajectory-end = Куди
+playground-trajectory-now = де зчленування зараз
+playground-duration = Тривалість
+playground-scaling = Многочлен
+playground-scaling-quintic = п’ятого степеня
+playground-scaling-cubic = третього степеня
+playground-quantity = Криві
+playground-quantity-positions = положення
+playground-quantity-velocities = швидкість
+playground-quantity-accelerations = прискорення
+playground-instant = Мить
+playground-plot-positions-revolute = Кути зчленувань у часі
+playground-plot-positions-prismatic = Переміщення зчленувань у часі
+playground-plot-velocities-revolute = Кутові швидкості зчленувань у часі
+playground-plot-velocities-prismatic = Лінійні швидкості зчленувань у часі
+playground-plot-accelerations-revolute = Кутові прискорення зчленувань у часі
+playground-plot-accelerations-prismatic = Лінійні прискорення зчленувань у часі

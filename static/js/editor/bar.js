@@ -8,7 +8,7 @@ const SYMBOLS = ["θ", "π", "√", "°", "−", "/"];
 const LENGTHS = ["m", "cm", "mm", "in"];
 
 export class Bar {
-  /** @param {string} id of the editor @param {{undo: () => void, redo: () => void, paste: () => void}} actions */
+  /** @param {string} id of the editor @param {{undo: () => void, redo: () => void, paste: () => void, clear: () => void}} actions */
   constructor(id, actions) {
     this.id = id;
     this.offered = "";
@@ -22,7 +22,14 @@ export class Bar {
       "div",
       { class: "editor-bar no-print" },
       this.choices,
-      el("div", { class: "editor-steps" }, this.undo, this.redo, paste),
+      el(
+        "div",
+        { class: "editor-steps" },
+        el("button", { type: "button", class: "quiet small", onclick: actions.clear, text: t("form-new") }),
+        this.undo,
+        this.redo,
+        paste,
+      ),
     );
   }
 

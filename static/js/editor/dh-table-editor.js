@@ -8,7 +8,7 @@
  */
 
 import { announce, el, fill, uniqueId } from "../dom.js";
-import { t } from "../i18n.js";
+import { language, t } from "../i18n.js";
 import { Bar, editorFoot, symbolBar } from "./bar.js";
 import { convertedAngles, convertedLengths, holdsNumbers } from "./convert.js";
 import { Faults, placedFaults } from "./faults.js";
@@ -52,6 +52,7 @@ export class DhTableEditor extends HTMLElement {
       undo: () => this.#step("undo"),
       redo: () => this.#step("redo"),
       paste: () => this.#openPaste(),
+      clear: () => this.#clear(),
     });
     this.#faults = new Faults(this.id, (row, cell) => this.focusCell(row, cell));
     this.#grid = new Grid(this.id, {
@@ -83,7 +84,7 @@ export class DhTableEditor extends HTMLElement {
 
   /** The table as it goes to the API. */
   get table() {
-    return toWire(this.#table);
+    return toWire(this.#table, { decimalComma: language !== "en" });
   }
 
   set table(wire) {
@@ -412,6 +413,14 @@ export class DhTableEditor extends HTMLElement {
     else if (event.key === "ArrowDown" && row < last) go(row + 1);
     else if (event.key === "Enter" && row < last) go(row + 1);
     else if (event.key === "Enter") event.preventDefault();
+  }
+
+  /** A new table in the same convention and units, with a way back. */
+  #clear() {
+    const { convention, angleUnit, lengthUnit } = this.#table;
+    this.#change(newTable(convention, 1, { angleUnit, lengthUnit }), { focus: [0, COLUMNS[convention][0]] });
+    this.#say(t("form-new-done"));
+    announce(t("form-new-done"));
   }
 
   async #openPaste() {

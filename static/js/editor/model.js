@@ -187,14 +187,33 @@ export function emptyCells(table) {
   );
 }
 
-/** The table as it goes to the API. @param {Table} table */
-export function toWire(table) {
+/**
+ * The table as it goes to the API.
+ * @param {Table} table @param {{decimalComma?: boolean}} [options] whether a comma between digits is a decimal point
+ */
+export function toWire(table, { decimalComma = false } = {}) {
+  const written = decimalComma ? withPoint : (/** @type {string} */ text) => text;
   return {
     convention: table.convention,
     angle_unit: table.angleUnit,
     length_unit: table.lengthUnit,
-    rows: table.rows.map(({ joint, alpha, a, d, theta }) => ({ joint, alpha, a, d, theta })),
+    rows: table.rows.map(({ joint, alpha, a, d, theta }) => ({
+      joint,
+      alpha: written(alpha),
+      a: written(a),
+      d: written(d),
+      theta: written(theta),
+    })),
   };
+}
+
+/**
+ * A cell with decimal points for decimal commas; the comma of atan2(1, 2) separates, and stays. As long as before, so
+ * that what is said of a character is said of the same one.
+ * @param {string} text
+ */
+export function withPoint(text) {
+  return /tan2\s*\(/.test(text) ? text : text.replace(/(?<=\d),(?=\d)/g, ".");
 }
 
 /** A table of the API as something to edit. @param {any} wire @returns {Table} */

@@ -3,7 +3,7 @@
 import { el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { resetButton } from "../joint-sliders.js";
-import { plain } from "../numbers.js";
+import { numberIn, plain } from "../numbers.js";
 import { FilmBar } from "./film-bar.js";
 import { problemNotice } from "../problem.js";
 import { convertedValues } from "../units.js";
@@ -62,7 +62,8 @@ export class OwnCard {
   /**
    * Draws a table from now on. Values that are left out stay, and mean what they meant, whatever units it is in.
    * @param {any} table as it goes to the API
-   * @param {{now?: boolean, parameters?: Record<string, number>, joints?: number[] | null}} [options]
+   * @param {{now?: boolean, parameters?: Record<string, number>, joints?: number[] | null,
+   *   limits?: import("../joint-ranges.js").Limits}} [options] limits in the table's units
    */
   take(table, { parameters, ...options } = {}) {
     const units = { angle: table.angle_unit, length: table.length_unit };
@@ -205,10 +206,4 @@ function emptyCells({ rows }) {
   return rows
     .flatMap((/** @type {any} */ { alpha, a, d, theta }) => [alpha, a, d, theta])
     .filter((/** @type {string} */ text) => String(text).trim() === "").length;
-}
-
-/** @param {string} text as people write numbers */
-function numberIn(text) {
-  const value = Number(text.trim().replace(",", ".").replace("−", "-"));
-  return text.trim() !== "" && Number.isFinite(value) ? value : null;
 }

@@ -16,10 +16,14 @@ import { keep, recall } from "../storage.js";
 import { convertTool } from "../playground/convert.js";
 import { inverseTool } from "../playground/inverse.js";
 import { jacobianTool } from "../playground/jacobian.js";
+import { JointLimits } from "../playground/limits.js";
 import { decode, permalink, sharedOf } from "../playground/permalink.js";
 import { poseTool } from "../playground/pose.js";
 import { axesSource, catalogueChoice, scmSource, urdfSource } from "../playground/sources.js";
+import { trajectoryTool } from "../playground/trajectory.js";
 import { workspaceTool } from "../playground/workspace.js";
+import { shadeModel } from "../scene/figures.js";
+import { together } from "../scene/model.js";
 
 const DRAFT = "playground";
 
@@ -46,12 +50,29 @@ class Playground {
       api,
       light: (row, cell) => this.editor.light(row, cell),
     });
+    const picture = {
+      layer: (/** @type {string} */ name, /** @type {any} */ model) => this.card.scene.layer(name, model),
+      robot: () => this.robot.robot,
+      joints: () => this.robot.joints,
+    };
+    this.limits = new JointLimits(() => this.#limited());
+    this.trajectory = trajectoryTool(api, picture, { show: (joints) => this.show(joints, { silent: true }) });
     this.tools = [
       poseTool(api),
-      jacobianTool(api),
-      inverseTool(api, { pose: () => this.#pose(), show: (joints) => this.show(joints) }),
+      jacobianTool(api, picture),
+      inverseTool(api, {
+        pose: () => this.#pose(),
+        show: (joints) => this.show(joints),
+        shade: (postures) => picture.layer("solutions", this.#shades(postures)),
+        found: (postures) =>
+          this.trajectory.offer(
+            "solutions",
+            postures.map((joints, i) => ({ name: t("playground-solution", { number: i + 1 }), joints })),
+          ),
+      }),
+      this.trajectory,
+      workspaceTool(api, picture),
       convertTool(api, { use: (table) => this.use({ table, parameters: this.robot.parameters }, this.robot.joints) }),
-      workspaceTool(api),
     ];
   }
 
@@ -65,6 +86,7 @@ class Playground {
     fill(place("sources"), axesSource(api, use), scmSource(api, use), urdfSource(api, use));
     fill(
       place("tools"),
+      this.limits.element,
       this.tools.map((tool) => tool.element),
     );
     this.listen();
@@ -75,7 +97,8 @@ class Playground {
     this.editor.addEventListener("table-change", () => {
       this.bringing.cancel();
       this.#tell(null);
-      this.card.take(this.editor.table);
+      if (this.found && !this.#known()) this.limits.take(null);
+      this.card.take(this.editor.table, { limits: this.limits.limits });
       this.#keep();
     });
     this.robot.addEventListener("reading", (event) => {
@@ -85,7 +108,9 @@ class Playground {
     });
     this.robot.addEventListener("robot", () => {
       this.#showConfigurations();
-      this.#tell(this.#subject());
+      const subject = this.#subject();
+      if (subject) this.limits.show(subject);
+      this.#tell(subject);
     });
     place("robot").addEventListener("joints-change", () => this.#tell(this.#subject()));
     for (const name of ["input", "joints-change"]) place("robot").addEventListener(name, () => this.#keep());
@@ -122,18 +147,45 @@ class Playground {
     this.foundTable = JSON.stringify(this.editor.table);
     this.#tell(null);
     this.configurations.hidden = true;
-    this.card.take(this.editor.table, { now: true, parameters: { ...found.parameters }, joints });
+    this.limits.take(found.limits ?? null, found.limits_source ?? "");
+    this.trajectory.offer(
+      "configurations",
+      Object.values(found.configurations ?? {}).map(({ joints: posture, meaning }) => ({
+        name: meaning,
+        joints: posture,
+      })),
+    );
+    this.card.take(this.editor.table, {
+      now: true,
+      parameters: { ...found.parameters },
+      joints,
+      limits: this.limits.limits,
+    });
     this.#keep();
   }
 
-  /** Brings the robot to joint values. @param {number[]} joints in the table's units */
-  show(joints) {
+  /** Limits were changed by hand: sliders and answers follow. */
+  #limited() {
+    this.#tell(null);
+    this.card.take(this.editor.table, { joints: this.robot.joints, limits: this.limits.limits });
+    this.#keep();
+  }
+
+  /** Postures as shades of the robot. @param {number[][]} postures in the table's units */
+  #shades(postures) {
+    const { subject, robot } = this.robot;
+    if (!subject || !robot || !postures.length) return null;
+    return together(postures.map((joints) => shadeModel(robot.model, inward({ ...subject, joints }))));
+  }
+
+  /** Brings the robot to joint values. @param {number[]} joints in the table's units @param {{silent?: boolean}} [options] */
+  show(joints, { silent = false } = {}) {
     const subject = this.robot.subject;
     if (!subject || subject.types.length !== joints.length) return;
     this.card.show(inward({ ...subject, joints }));
     this.#tell(this.#subject());
     this.#keep();
-    announce(t("playground-moved"));
+    if (!silent) announce(t("playground-moved"));
   }
 
   async share() {
@@ -165,7 +217,7 @@ class Playground {
     const { subject } = this.robot;
     if (!subject) return null;
     const units = { angle: subject.table.angle_unit, length: subject.table.length_unit };
-    return { ...subject, joints: outward(subject), units, limits: this.#known()?.limits ?? null };
+    return { ...subject, joints: outward(subject), units, limits: this.limits.limits };
   }
 
   /** The pose of the last frame where the joints stand now. @returns {Promise<number[][] | null>} */
@@ -178,7 +230,9 @@ class Playground {
   }
 
   #shared() {
-    return { table: this.editor.table, parameters: this.robot.parameters, joints: this.robot.joints };
+    const { limits } = this.limits;
+    const { parameters, joints } = this.robot;
+    return { table: this.editor.table, parameters, joints, ...(limits ? { limits } : {}) };
   }
 
   #keep() {

@@ -2,6 +2,7 @@
 
 import { el, fill, iconButton } from "../dom.js";
 import { t } from "../i18n.js";
+import { numberIn } from "../numbers.js";
 
 /**
  * @typedef {{name: string, label: string, options?: {value: string, label: string}[], otherwise: string}} Column
@@ -122,6 +123,5 @@ export class Cells {
 
 /** A field as a number if it is one, as it stands otherwise. @param {string} text @returns {number | string} */
 export function cellValue(text) {
-  const value = Number(text.replace("−", "-"));
-  return text !== "" && Number.isFinite(value) ? value : text;
+  return numberIn(text) ?? text;
 }

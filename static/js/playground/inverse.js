@@ -12,10 +12,12 @@ const ROWS = [0, 1, 2];
 
 /**
  * @param {import("../api.js").Api} api
- * @param {{pose: () => Promise<number[][] | null>, show: (joints: number[]) => void}} options
- *   the robot's present pose, and how to bring it to joint values (in the table's units)
+ * @param {{pose: () => Promise<number[][] | null>, show: (joints: number[]) => void, shade: (postures: number[][]) => void,
+ *   found: (postures: number[][]) => void}} options
+ *   the robot's present pose, how to bring it to joint values, how to draw postures beside it, and who else wants to
+ *   know them (all in the table's units)
  */
-export function inverseTool(api, { pose, show }) {
+export function inverseTool(api, { pose, show, shade, found: tell }) {
   /** @type {import("./tool.js").Subject | null} */
   let subject = null;
   /** Whose solutions are shown. @type {import("./tool.js").Subject | null} */
@@ -28,13 +30,35 @@ export function inverseTool(api, { pose, show }) {
     onchange: () => (edited = true),
   });
   const answer = el("div", { class: "tool-answer", role: "status" });
+  /** Solutions that are drawn side by side. @type {number[][]} */
+  let postures = [];
+  let shaded = true;
+  const draw = () => shade(shaded && element.open ? postures : []);
+  /** @param {number[][]} next */
+  const know = (next) => {
+    postures = next;
+    draw();
+    tell(next);
+  };
+  const ghosts = {
+    get shown() {
+      return shaded;
+    },
+    /** @param {boolean} next */
+    set(next) {
+      shaded = next;
+      draw();
+    },
+  };
   const take = el("button", { type: "button", onclick: () => takePose() }, t("playground-target-present"));
   const solve = el("button", { type: "button", class: "primary", onclick: () => run() }, t("playground-solve"));
-  const element = el(
-    "details",
-    { class: "tool" },
-    el("summary", {}, t("playground-inverse")),
-    el("div", { class: "stack" }, target.element, el("div", { class: "row" }, take, solve), answer),
+  const element = /** @type {HTMLDetailsElement} */ (
+    el(
+      "details",
+      { class: "tool" },
+      el("summary", {}, t("playground-inverse")),
+      el("div", { class: "stack" }, target.element, el("div", { class: "row" }, take, solve), answer),
+    )
   );
   const takePose = async () => {
     const present = await pose().catch(() => null);
@@ -43,20 +67,28 @@ export function inverseTool(api, { pose, show }) {
     edited = false;
   };
   const latest = new Latest();
+  /** Solving was asked for while the robot was being read. */
+  let wanted = false;
   const run = async () => {
+    wanted = !subject;
     if (!subject) return;
-    const request = { ...asked(subject), target: matrixOf(target.rows) };
+    const limits = subject.limits ? { limits: subject.limits } : {};
+    const request = { ...asked(subject), ...limits, target: matrixOf(target.rows) };
     solve.setAttribute("aria-disabled", "true");
     try {
       const found = await latest.run((signal) => api.post("inverse-kinematics", request, { signal }));
-      if (found) fill(answer, ...report(found.value, show));
+      if (!found) return;
+      fill(answer, ...report(found.value, show, ghosts));
+      know(found.value.solutions.map((/** @type {any} */ { joints }) => joints));
     } catch (error) {
       fill(answer, problemNotice(error));
+      know([]);
     }
     solve.removeAttribute("aria-disabled");
   };
   element.addEventListener("toggle", () => {
-    if (!edited && !answer.hasChildNodes()) takePose();
+    draw();
+    if (element.open && !edited && !answer.hasChildNodes()) takePose();
   });
   return {
     element,
@@ -65,20 +97,23 @@ export function inverseTool(api, { pose, show }) {
       if (next && !sameRobot(next, of)) {
         latest.cancel();
         fill(answer);
+        know([]);
         of = next;
         if (!edited) takePose();
       }
       subject = next;
+      if (next && wanted) run();
     },
   };
 }
 
-/** @param {any} found @param {any} show */
-function report(found, show) {
+/** @param {any} found @param {any} show @param {{shown: boolean, set: (shown: boolean) => void}} ghosts */
+function report(found, show, ghosts) {
   const count = found.solutions.length;
   const status = t(`playground-status-${found.status}`, { count });
   const complete = t(found.complete ? "playground-complete" : "playground-incomplete");
-  if (!count) return [el("p", { text: status })];
+  const outside = found.outside_limits ? t("playground-outside-limits", { count: found.outside_limits }) : "";
+  if (!count) return [el("p", { text: `${status} ${outside}` })];
   const names = found.solutions[0].joints.map((/** @type {any} */ _, /** @type {number} */ i) => `q${i + 1}`);
   const table = el(
     "table",
@@ -116,14 +151,20 @@ function report(found, show) {
               t("playground-show"),
             ),
           ),
-          solution.joints.map((/** @type {number} */ q) => el("td", { text: shown(q, 4) })),
+          solution.joints.map((/** @type {number} */ q) => el("td", { text: shown(q, 3) })),
           el("td", { text: solution.residual.toExponential(1) }),
         ),
       ),
     ),
   );
   return [
-    el("p", { text: `${status} ${complete}` }),
+    el("p", { text: `${status} ${complete} ${outside}` }),
+    el(
+      "label",
+      { class: "check" },
+      el("input", { type: "checkbox", checked: ghosts.shown, onchange: (event) => ghosts.set(event.target.checked) }),
+      t("playground-ghosts"),
+    ),
     el("div", { class: "scroller", tabindex: "0", role: "region", "aria-label": t("playground-solutions") }, table),
   ];
 }

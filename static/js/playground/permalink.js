@@ -3,8 +3,8 @@
 import { MOST_ROWS } from "../editor/model.js";
 
 /**
- * @typedef {{table: any, parameters: Record<string, number>, joints: number[]}} Shared
- *   a table as it goes to the API, values of its parameters, joint values [rad or length]
+ * @typedef {{table: any, parameters: Record<string, number>, joints: number[], limits?: import("../joint-ranges.js").Limits}} Shared
+ *   a table as it goes to the API, values of its parameters, joint values [rad or length], limits in the table's units
  */
 
 /** @param {Shared} shared @returns {string} */
@@ -48,7 +48,14 @@ export function sharedOf(data) {
   const table = { ...Object.fromEntries(names.map((name) => [name, chosen(name)])), rows };
   const values = Object.entries(data.parameters ?? {}).filter(([, value]) => Number.isFinite(value));
   const joints = Array.isArray(data.joints) && data.joints.every(Number.isFinite) ? data.joints : [];
-  return { table, parameters: Object.fromEntries(values), joints };
+  const limits = Array.isArray(data.limits) && data.limits.every(isLimit) ? { limits: data.limits } : {};
+  return { table, parameters: Object.fromEntries(values), joints, ...limits };
+}
+
+/** @param {any} pair */
+function isLimit(pair) {
+  const isEnd = (/** @type {any} */ end) => end === null || Number.isFinite(end);
+  return pair === null || (Array.isArray(pair) && pair.length === 2 && pair.every(isEnd));
 }
 
 /** @param {any} row */

@@ -8,7 +8,7 @@ import { Cells, cellValue } from "./cells.js";
 
 /**
  * @typedef {{table: any, parameters?: Record<string, number>, configurations?: Record<string, {joints: number[], meaning: string}>,
- *   limits?: ([number, number] | null)[] | null, id?: string}} Found a robot as it goes into the page
+ *   limits?: import("../joint-ranges.js").Limits, limits_source?: string | null, id?: string}} Found a robot as it goes into the page
  */
 
 /**
@@ -134,11 +134,6 @@ export function scmSource(api, use) {
 /** @param {any} row */
 const values = (row) => Object.fromEntries(Object.entries(row).map(([name, text]) => [name, cellValue(text)]));
 
-/** Limits that have both ends; a joint with one alone counts as one without. @param {any} limits */
-function closedLimits(limits) {
-  return limits?.map((/** @type {any} */ range) => (range?.every(Number.isFinite) ? range : null)) ?? null;
-}
-
 /** URDF in, a table out. @param {import("../api.js").Api} api @param {(found: Found) => void} use */
 export function urdfSource(api, use) {
   const id = uniqueId("urdf");
@@ -147,7 +142,7 @@ export function urdfSource(api, use) {
   /** @param {any} to @param {any} signal */
   const run = async (to, signal) => {
     const answer = await api.post("convert", { urdf: area.value, to, angle_unit: "deg" }, { signal });
-    return { found: { table: answer.table, limits: closedLimits(answer.limits) }, shown: [] };
+    return { found: { table: answer.table, limits: answer.limits ?? null }, shown: [] };
   };
   return source(t("playground-from-urdf"), t("playground-urdf-hint"), [field], use, {
     [t("playground-to-modified")]: (signal) => run("modified", signal),

@@ -14,7 +14,7 @@ const PAUSE = 120;
 /**
  * @typedef {{table: any, parameters: Record<string, number>, types: string[], joints: number[],
  *   ranges: import("../joint-ranges.js").JointRange[], units: {angle: string, length: string},
- *   limits: ([number, number] | null)[] | null}} Subject
+ *   limits: import("../joint-ranges.js").Limits}} Subject
  *   the robot in question as it goes to the API, its joint values and limits in the table's units, and its sliders' ranges
  */
 
@@ -25,13 +25,18 @@ export class Tool {
 
   /**
    * @param {string} title @param {(subject: Subject, body: HTMLElement) => Promise<Node[]>} answer
-   * @param {{controls?: Node[]}} [options] what stands above the answer
+   * @param {{controls?: Node[], closed?: () => void}} [options] what stands above the answer, and what is done when
+   *   nobody looks at it any more
    */
-  constructor(title, answer, { controls = [] } = {}) {
+  constructor(title, answer, { controls = [], closed = () => undefined } = {}) {
     this.answer = answer;
     this.body = el("div", { class: "tool-answer", "aria-live": "off" });
     this.element = el("details", { class: "tool" }, el("summary", {}, title), ...controls, this.body);
-    this.element.addEventListener("toggle", () => this.refresh());
+    this.element.addEventListener("toggle", () => (this.open ? this.refresh() : closed()));
+  }
+
+  get open() {
+    return /** @type {HTMLDetailsElement} */ (this.element).open;
   }
 
   /** @param {Subject | null} subject */
@@ -43,22 +48,31 @@ export class Tool {
 
   /** Asks again, if the tool is open and there is something to ask about. */
   refresh() {
-    if (!(/** @type {HTMLDetailsElement} */ (this.element).open) || !this.#subject) return;
+    if (!this.open || !this.#subject) return;
     this.#throttled.run(() => this.#run()).catch(() => undefined);
   }
 
   async #run() {
     const subject = this.#subject;
     if (!subject) return;
+    /** @type {Node[]} */
     let shown;
     try {
       shown = await this.answer(subject, this.body);
     } catch (error) {
       shown = [problemNotice(error)];
     }
-    if (subject === this.#subject) fill(this.body, ...shown);
+    const present = [...this.body.childNodes];
+    const same = present.length === shown.length && shown.every((node, i) => node === present[i]);
+    if (subject === this.#subject && !same) fill(this.body, ...shown);
   }
 }
+
+/**
+ * @typedef {{layer: (name: string, model: import("../scene/model.js").Model | null) => void,
+ *   robot: () => import("../live-robot.js").Robot | null, joints: () => number[]}} Picture
+ *   what tools draw in: layers over the robot, the robot that is drawn, its joint values [rad or length]
+ */
 
 /** Whether two subjects are the same robot, wherever its joints stand. @param {Subject | null} one @param {Subject | null} other */
 export function sameRobot(one, other) {

@@ -1,108 +1,108 @@
-/** How far the robot reaches. Slides need a least and a greatest value; where nobody knows them, they are asked for. */
+/** How far the robot reaches: radii, the cloud of places in the scene, and its section through the first axis. */
 
-import { el, fill, uniqueId } from "../dom.js";
+import { el } from "../dom.js";
 import { t } from "../i18n.js";
-import { plain } from "../numbers.js";
-import { cellValue } from "./cells.js";
+import { shown } from "../numbers.js";
+import { figure } from "../plots.js";
+import { identity } from "../scene/matrix.js";
 import { asked, Tool } from "./tool.js";
 import { named, numbers } from "./values.js";
 
-/** @param {import("../api.js").Api} api */
-export function workspaceTool(api) {
-  const slides = new Slides(() => tool.refresh());
-  /** Where the joints stand makes no difference: what was found is shown until the robot or a range changes. */
-  let found = { asked: "", nodes: /** @type {Node[]} */ ([]) };
-  const tool = new Tool(
+/** Points of the cloud: enough to show holes, few enough to be drawn at once. */
+const SAMPLES = 4000;
+const BANDS = 12;
+/** Of the drawing [px]: a section is twice as high as wide. */
+const WIDEST = 380;
+
+/** @param {import("../api.js").Api} api @param {import("./tool.js").Picture} picture */
+export function workspaceTool(api, picture) {
+  /** Where the joints stand makes no difference: what was found is shown until the robot or a limit changes. */
+  let found = { asked: "", nodes: /** @type {Node[]} */ ([]), points: /** @type {Wire.Vector[]} */ ([]) };
+  return new Tool(
     t("playground-workspace"),
     async (subject) => {
-      slides.show(subject);
-      const limits = slides.limits(subject);
-      if (!limits) return [el("p", { class: "hint", text: t("playground-slide-needed") })];
-      const request = { ...asked(subject), limits };
-      if (JSON.stringify(request) === found.asked) return found.nodes;
-      const answer = await api.post("workspace", request);
-      const unit = answer.length_unit;
-      const nodes = [
-        named([
-          [t("playground-inner-axis"), numbers([answer.inner_radius.axis], unit)],
-          [t("playground-outer-axis"), numbers([answer.outer_radius.axis], unit)],
-          [t("playground-inner-origin"), numbers([answer.inner_radius.origin], unit)],
-          [t("playground-outer-origin"), numbers([answer.outer_radius.origin], unit)],
-        ]),
-      ];
-      found = { asked: JSON.stringify(request), nodes };
-      return nodes;
+      const { types, limits } = subject;
+      const endless = types.some((type, i) => type === "prismatic" && !limits?.[i]?.every((end) => end !== null));
+      if (endless) {
+        picture.layer("workspace", null);
+        return [el("p", { class: "hint", text: t("playground-slide-needed") })];
+      }
+      const request = { ...asked(subject), limits: limits ?? types.map(() => null), samples: SAMPLES };
+      if (JSON.stringify(request) !== found.asked) {
+        const answer = await api.post("workspace", request);
+        found = { asked: JSON.stringify(request), nodes: report(answer), points: answer.points };
+      }
+      picture.layer("workspace", cloud(found.points));
+      return found.nodes;
     },
-    { controls: [slides.element] },
+    { closed: () => picture.layer("workspace", null) },
   );
-  return tool;
 }
 
-/** Fields for the ranges of slides, which start with those of their sliders. */
-class Slides {
-  element = el("div", { class: "slides", hidden: true });
-  /** @type {Map<number, {least: HTMLInputElement, greatest: HTMLInputElement}>} */
-  #fields = new Map();
+/** @param {any} answer */
+function report(answer) {
+  const unit = answer.length_unit;
+  return [
+    named([
+      [t("playground-inner-axis"), numbers([answer.inner_radius.axis], unit)],
+      [t("playground-outer-axis"), numbers([answer.outer_radius.axis], unit)],
+      [t("playground-inner-origin"), numbers([answer.inner_radius.origin], unit)],
+      [t("playground-outer-origin"), numbers([answer.outer_radius.origin], unit)],
+    ]),
+    el("p", { class: "hint", text: t("playground-cloud", { count: answer.points.length }) }),
+    section(answer, unit),
+  ];
+}
 
-  shown = "";
+/** Distance from the first axis and height along it, as if the arm stood in one half-plane. @param {any} answer @param {string} unit */
+function section({ section: places, outer_radius: outer }, unit) {
+  const radius = `${t("playground-section-radius")} [${unit}]`;
+  const height = `${t("playground-section-height")} [${unit}]`;
+  return figure(
+    t("playground-section"),
+    (plot, width) => ({
+      width: Math.min(width, WIDEST),
+      marginBottom: 42,
+      x: { label: radius, labelOffset: 38, domain: [0, outer.axis * 1.02] },
+      y: { label: height, grid: true },
+      aspectRatio: 1,
+      marks: [
+        plot.dot(places, {
+          x: (/** @type {number[]} */ p) => p[0],
+          y: (/** @type {number[]} */ p) => p[1],
+          r: 1.1,
+          fill: "var(--curve-1)",
+          fillOpacity: 0.55,
+        }),
+        plot.ruleX([0], { stroke: "currentColor", strokeDasharray: "8 3 2 3" }),
+      ],
+    }),
+    {
+      caption: t("playground-section"),
+      head: [height, `${radius}, ${t("playground-least")}`, `${radius}, ${t("playground-greatest")}`],
+      rows: bands(places),
+    },
+  );
+}
 
-  /** @param {() => void} changed */
-  constructor(changed) {
-    this.changed = changed;
-  }
+/** The least and the greatest radius in each band of height. @param {[number, number][]} places @returns {(string | number)[][]} */
+function bands(places) {
+  const heights = places.map(([, height]) => height);
+  const [low, high] = [Math.min(...heights), Math.max(...heights)];
+  const step = (high - low) / BANDS;
+  const count = step > 0 ? BANDS : 1;
+  return Array.from({ length: count }, (_, k) => {
+    const [from, to] = [low + k * step, low + (k + 1) * step];
+    const inside = places.filter(([, height]) => height >= from && (height < to || k === count - 1)).map(([r]) => r);
+    const ends = inside.length ? [Math.min(...inside), Math.max(...inside)].map((r) => shown(r, 3)) : ["–", "–"];
+    return [step > 0 ? `${shown(from, 3)} … ${shown(to, 3)}` : shown(low, 3), ...ends];
+  });
+}
 
-  /** @param {import("./tool.js").Subject} subject */
-  show({ ranges, limits, units }) {
-    const open = ranges
-      .map((range, i) => ({ ...range, i }))
-      .filter(({ type, i }) => type === "prismatic" && !limits?.[i]);
-    const shown = JSON.stringify([open, units.length]);
-    if (shown === this.shown) return;
-    this.shown = shown;
-    this.#fields.clear();
-    this.element.hidden = open.length === 0;
-    fill(
-      this.element,
-      open.map((joint) => this.#line(joint, units.length)),
-    );
-  }
-
-  /** The limits of every joint; null if a field holds no number. @param {import("./tool.js").Subject} subject */
-  limits({ types, limits }) {
-    const all = types.map((_, i) => {
-      const field = this.#fields.get(i);
-      return field
-        ? [cellValue(field.least.value.trim()), cellValue(field.greatest.value.trim())]
-        : (limits?.[i] ?? null);
-    });
-    return all.flat().every((value) => value === null || typeof value === "number") ? all : null;
-  }
-
-  /** @param {any} options @param {string} unit */
-  #line({ name, min, max, i }, unit) {
-    /** @param {string} id @param {string} label @param {any} value */
-    const field = (id, label, value) =>
-      el("input", {
-        id,
-        type: "text",
-        inputmode: "decimal",
-        autocomplete: "off",
-        value: plain(value, 3),
-        "aria-label": t(label, { name, unit }),
-        oninput: () => this.changed(),
-      });
-    const id = uniqueId("slide");
-    const least = /** @type {HTMLInputElement} */ (field(id, "playground-slide-least", min));
-    const greatest = /** @type {HTMLInputElement} */ (field(`${id}-greatest`, "playground-slide-greatest", max));
-    this.#fields.set(i, { least, greatest });
-    return el(
-      "div",
-      { class: "row" },
-      el("label", { for: id, text: t("playground-slide", { name }) }),
-      least,
-      "–",
-      greatest,
-      el("span", { class: "hint", text: unit }),
-    );
-  }
+/** @param {Wire.Vector[]} points @returns {import("../scene/model.js").Model} */
+function cloud(points) {
+  const items = /** @type {import("../scene/model.js").Item[]} */ ([
+    { kind: "points", at: { node: 0, at: [0, 0, 0] }, points, tone: "muted" },
+  ]);
+  return { nodes: [{ parent: -1, constant: identity() }], items, joints: 0 };
 }

@@ -12,7 +12,7 @@
  *
  * @typedef {{node: number, at: Vector}} Place a point that moves with a node
  * @typedef {"body" | "joint" | "own" | "own-joint" | "line" | "x" | "y" | "z" | "pick" | "plate" | "muted"
- *   | "lit" | "ghost" | "ghost-joint"} Tone
+ *   | "lit" | "ghost" | "ghost-joint" | "shade" | "shade-joint"} Tone
  *   the colours of the design; the style sheet says what they look like
  *
  * @typedef {{kind: "tube", from: Place, to: Place, radius: number, tone: Tone, pick?: string}
@@ -21,8 +21,10 @@
  *   | {kind: "ball", at: Place, radius: number, tone: Tone, pick?: string}
  *   | {kind: "line", from: Place, to: Place, tone: Tone, dashed?: boolean, pick?: string}
  *   | {kind: "arrow", from: Place, to: Place, radius: number, tone: Tone, pick?: string}
+ *   | {kind: "points", at: Place, points: Vector[], tone: Tone}
  *   | {kind: "label", at: Place, text: string, tone: Tone, sub?: string}} Item
- *   lengths are in the scene's unit; `pick` names what a click on the item means
+ *   lengths are in the scene's unit, a cloud's points in the coordinates of its node; `pick` names what a click on
+ *   the item means
  *
  * @typedef {{nodes: Node[], items: Item[], joints: number}} Model
  */
@@ -70,7 +72,11 @@ export function placesOf(item) {
 /** Every point that is drawn, in the scene. @param {Model} model @param {number[]} joints @returns {Vector[]} */
 export function drawnPoints(model, joints) {
   const found = poses(model, joints);
-  return model.items.flatMap((item) => placesOf(item).map((place) => position(found, place)));
+  return model.items.flatMap((item) =>
+    item.kind === "points"
+      ? item.points.map((at) => position(found, { node: item.at.node, at }))
+      : placesOf(item).map((place) => position(found, place)),
+  );
 }
 
 /** A model moved as a whole. @param {Model} model @param {Matrix} by @returns {Model} */
@@ -83,6 +89,12 @@ export function placed(model, by) {
 }
 
 const SIZES = ["radius", "length", "width"];
+
+/** A model that stands still at joint values. @param {Model} model @param {number[]} joints [rad or length] @returns {Model} */
+export function frozen(model, joints) {
+  const found = poses(model, joints);
+  return { ...model, nodes: found.map((constant) => ({ parent: -1, constant })), joints: 0 };
+}
 
 /** A model in another unit of length. @param {Model} model @param {number} factor @returns {Model} */
 export function scaled(model, factor) {
@@ -98,7 +110,8 @@ export function scaled(model, factor) {
         Object.entries(item).flatMap(([name, value]) => (SIZES.includes(name) ? [[name, length(value)]] : [])),
       );
       const places = "from" in item ? { from: point(item.from), to: point(item.to) } : { at: point(item.at) };
-      return /** @type {Item} */ ({ ...item, ...sizes, ...places });
+      const cloud = item.kind === "points" ? { points: item.points.map((each) => each.map(length)) } : {};
+      return /** @type {Item} */ ({ ...item, ...sizes, ...places, ...cloud });
     }),
   };
 }

@@ -13,7 +13,7 @@ const REACH = 14;
 export function pickAt(model, found, camera, x, y) {
   let best = null;
   for (const item of model.items) {
-    if (item.kind === "label" || !item.pick) continue;
+    if (item.kind === "label" || item.kind === "points" || !item.pick) continue;
     const ends = placesOf(item).map((place) => project(camera, position(found, place)));
     const from = ends[0];
     const to = ends[ends.length - 1];

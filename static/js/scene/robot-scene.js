@@ -2,7 +2,8 @@
  * `<robot-scene label="…">`: a robot in space, to be turned, zoomed and moved.
  *
  * Properties: `model` (see model.js), `overlay` (a model without joints that is drawn over it, and does not change
- * what the view shows), `joints` (values in radians and lengths). Methods: `describe(text)`, `picture()`, `enlarge()`.
+ * what the view shows), `joints` (values in radians and lengths). Methods: `layer(name, model)`, `describe(text)`,
+ * `picture()`, `enlarge()`.
  * Attributes: `label` (its name for screen readers), `renderer="svg"` (never use WebGL).
  * Events: `scene-pick` with `detail.id` when an item with a `pick` is clicked.
  *
@@ -22,7 +23,8 @@ import { toolbar } from "./toolbar.js";
 
 export class RobotScene extends HTMLElement {
   #model = emptyModel();
-  #overlay = emptyModel();
+  /** Models without joints that are drawn over the robot, by name. @type {Map<string, import("./model.js").Model>} */
+  #layers = new Map();
   #whole = emptyModel();
   /** @type {number[]} */
   #joints = [];
@@ -77,16 +79,33 @@ export class RobotScene extends HTMLElement {
 
   /** What is drawn over the model, in the scene's own coordinates. */
   get overlay() {
-    return this.#overlay;
+    return this.#layers.get("overlay") ?? emptyModel();
   }
 
   set overlay(overlay) {
-    this.#overlay = overlay;
+    this.layer("overlay", overlay);
+  }
+
+  /**
+   * Draws a model without joints over the robot, beside what is drawn over it under other names.
+   * @param {string} name @param {import("./model.js").Model | null} model null takes it away
+   */
+  layer(name, model) {
+    const before = this.#layers.get(name);
+    if (model?.items.length) this.#layers.set(name, model);
+    else if (!this.#layers.delete(name)) return;
+    if (!this.#touched && isWide(before) !== isWide(model)) this.#framed = false;
     this.#compose();
   }
 
+  /** Every point that is to be in the picture: the robot's, and those of clouds around it. */
+  #points() {
+    const clouds = [...this.#layers.values()].filter(isWide).flatMap((layer) => drawnPoints(layer, []));
+    return [...drawnPoints(this.#model, this.#joints), ...clouds];
+  }
+
   #compose() {
-    this.#whole = together([this.#model, this.#overlay]);
+    this.#whole = together([this.#model, ...this.#layers.values()]);
     this.#renderer?.setModel(this.#whole);
     this.#labelItems();
     this.#draw();
@@ -242,7 +261,7 @@ export class RobotScene extends HTMLElement {
       this.#frame = 0;
       this.#measure();
       if (!this.#framed) {
-        this.#camera = fitted(this.#camera, drawnPoints(this.#model, this.#joints));
+        this.#camera = fitted(this.#camera, this.#points());
         this.#framed = true;
       }
       const found = poses(this.#whole, this.#joints);
@@ -284,6 +303,11 @@ export class RobotScene extends HTMLElement {
     this.dataset.renderer = renderer;
     this.dispatchEvent(new CustomEvent("scene-ready", { detail: { renderer } }));
   }
+}
+
+/** Whether a layer reaches beyond the robot. @param {import("./model.js").Model | null | undefined} model */
+function isWide(model) {
+  return Boolean(model?.items.some(({ kind }) => kind === "points"));
 }
 
 let webgl = /** @type {boolean | null} */ (null);

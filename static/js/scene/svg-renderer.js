@@ -59,6 +59,8 @@ function shapesOf(item, found, camera) {
       const r = Math.max(2, item.radius * camera.scale);
       return [svg("circle", { cx: x.toFixed(1), cy: y.toFixed(1), r: r.toFixed(1), class: `fill-${item.tone}` })];
     }
+    case "points":
+      return [cloud(item, found, camera)];
     case "label":
       return [];
     default: {
@@ -68,6 +70,15 @@ function shapesOf(item, found, camera) {
       return [stroke(camera, a, b, wide * 1.12, "edge", item.kind), stroke(camera, a, b, wide, item.tone, item.kind)];
     }
   }
+}
+
+/** Every point as a stroke without length: its round cap is a dot. @param {any} item @param {Matrix[]} found @param {import("./camera.js").Camera} camera */
+function cloud(item, found, camera) {
+  const dots = item.points.map((/** @type {Vector} */ at) => {
+    const { x, y } = project(camera, position(found, { node: item.at.node, at }));
+    return `M${x.toFixed(1)} ${y.toFixed(1)}h0`;
+  });
+  return svg("path", { d: dots.join(""), class: `stroke-${item.tone} cloud`, "stroke-width": 2 });
 }
 
 /** @param {import("./camera.js").Camera} camera @param {Vector} from @param {Vector} to @param {number} width @param {string} tone */

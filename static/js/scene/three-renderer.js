@@ -14,6 +14,8 @@ import {
   MeshBasicMaterial,
   MeshLambertMaterial,
   OrthographicCamera,
+  Points,
+  PointsMaterial,
   Quaternion,
   Scene,
   SphereGeometry,
@@ -25,9 +27,10 @@ import { direction, position } from "./model.js";
 
 const UP = new Vector3(0, 1, 0);
 const LINE_PIXELS = 1.4;
+const POINT_PIXELS = 2;
 /** Joints of the student's robot are glass: the frames are inside them. */
 /** @type {Record<string, number>} */
-const GLASS = { "own-joint": 0.5, ghost: 0.45, "ghost-joint": 0.35 };
+const GLASS = { "own-joint": 0.5, ghost: 0.45, "ghost-joint": 0.35, shade: 0.35, "shade-joint": 0.25 };
 const FLAT = new Set(["line", "muted", "x", "y", "z", "pick", "lit"]);
 
 /** Shared shapes of size one, along y. */
@@ -53,18 +56,22 @@ export class ThreeRenderer {
     this.scene.add(this.group);
     /** @type {Map<string, MeshLambertMaterial | MeshBasicMaterial>} */
     this.materials = new Map();
-    /** @type {{item: import("./model.js").Item, parts: Mesh[]}[]} */
+    /** @type {{item: import("./model.js").Item, parts: (Mesh | Points)[]}[]} */
     this.drawn = [];
     this.size = "";
   }
 
   /** @param {import("./model.js").Model} model */
   setModel(model) {
+    for (const { item, parts } of this.drawn) if (item.kind === "points") dispose(/** @type {Points} */ (parts[0]));
     this.group.clear();
     this.drawn = model.items
       .filter((item) => item.kind !== "label")
       .map((item) => {
-        const parts = shapesFor(item).map((shape) => new Mesh(shape, this.material(item.tone)));
+        const parts =
+          item.kind === "points"
+            ? [this.cloud(item)]
+            : shapesFor(item).map((shape) => new Mesh(shape, this.material(item.tone)));
         this.group.add(...parts);
         return { item, parts };
       });
@@ -74,6 +81,22 @@ export class ThreeRenderer {
   takeColours() {
     const style = getComputedStyle(this.element);
     for (const [tone, material] of this.materials) material.color.set(colourOf(style, tone));
+    for (const { item, parts } of this.drawn) {
+      if (item.kind !== "points") continue;
+      const { material } = /** @type {Points<BufferGeometry, PointsMaterial>} */ (parts[0]);
+      material.color.set(colourOf(style, item.tone));
+    }
+  }
+
+  /** @param {Extract<import("./model.js").Item, {kind: "points"}>} item */
+  cloud(item) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(item.points.flat()), 3));
+    const color = colourOf(getComputedStyle(this.element), item.tone);
+    const size = POINT_PIXELS * Math.min(window.devicePixelRatio, 2);
+    const points = new Points(geometry, new PointsMaterial({ color, size, sizeAttenuation: false }));
+    points.matrixAutoUpdate = false;
+    return points;
   }
 
   /** @param {import("./matrix.js").Matrix[]} found @param {import("./camera.js").Camera} camera */
@@ -151,6 +174,10 @@ const turn = new Quaternion();
 
 /** @param {any} item @param {any} parts @param {import("./matrix.js").Matrix[]} found @param {import("./camera.js").Camera} camera */
 function place(item, parts, found, camera) {
+  if (item.kind === "points") {
+    if (item.at.node >= 0) parts[0].matrix.set(...found[item.at.node].flat());
+    return;
+  }
   if (!("from" in item)) {
     start.set(...position(found, item.at));
     if (item.kind === "ball") {
@@ -182,6 +209,12 @@ function place(item, parts, found, camera) {
     parts[1].scale.setScalar(radius);
   }
   set(parts[0], start.add(end).multiplyScalar(0.5), turn, radius, Math.max(length, 1e-9));
+}
+
+/** @param {Points} points */
+function dispose({ geometry, material }) {
+  geometry.dispose();
+  for (const each of [material].flat()) each.dispose();
 }
 
 /** @param {any} mesh @param {any} centre @param {any} rotation @param {number} wide @param {any} length */

@@ -1,0 +1,105 @@
+/**
+ * Plots by Observable Plot, loaded when the first one is wanted, each with the same numbers as a table beside it.
+ *
+ * Plot writes a style sheet into each drawing, which the content security policy refuses; its few rules stand in
+ * plots.css, and the element is taken out before the drawing enters the page.
+ */
+
+import { el, fill } from "./dom.js";
+import { t } from "./i18n.js";
+import { loadStyle } from "./page.js";
+
+const ROWS_AT_MOST = 200;
+
+/**
+ * @typedef {{caption: string, head: string[], rows: (string | number)[][]}} Numbers what a plot shows, as a table
+ * @typedef {typeof import("@observablehq/plot")} Plot
+ */
+
+/** @type {Promise<Plot> | null} */
+let loading = null;
+
+/** @returns {Promise<Plot>} */
+function library() {
+  loading ??= Promise.all([import("../vendor/plot/plot.js"), loadStyle("css/plots.css")]).then(
+    ([module]) => module.default,
+    (error) => {
+      loading = null;
+      throw error;
+    },
+  );
+  return loading;
+}
+
+/**
+ * A figure that draws itself as wide as it is, and again when its width changes.
+ * @param {string} label what the plot shows, for those who do not see it
+ * @param {(plot: Plot, width: number) => import("@observablehq/plot").PlotOptions} options at a width [px]
+ * @param {Numbers} numbers
+ * @returns {HTMLElement}
+ */
+export function figure(label, options, { caption, head, rows }) {
+  const drawing = el("div", { class: "plot-drawing" });
+  const table = el(
+    "table",
+    { class: "data plot-numbers" },
+    el("caption", { class: "visually-hidden", text: caption }),
+    el(
+      "thead",
+      {},
+      el(
+        "tr",
+        {},
+        head.map((text) => el("th", { scope: "col", text })),
+      ),
+    ),
+    el("tbody", {}, rows.slice(0, ROWS_AT_MOST).map(line)),
+  );
+  let drawn = 0;
+  const draw = async () => {
+    const width = Math.floor(drawing.clientWidth);
+    if (!width || width === drawn) return;
+    drawn = width;
+    const plot = await library();
+    const shape = plot.plot({ className: "plot", width, ...options(plot, width) });
+    for (const style of shape.querySelectorAll("style")) style.remove();
+    // Inside of an image nothing is announced; its groups keep their names for the style sheet.
+    for (const group of shape.querySelectorAll("g[aria-label]")) {
+      group.setAttribute("data-mark", group.getAttribute("aria-label") ?? "");
+      group.removeAttribute("aria-label");
+    }
+    const picture = shape.matches("svg") ? shape : shape.querySelector("svg");
+    picture?.setAttribute("role", "img");
+    picture?.setAttribute("aria-label", label);
+    fill(drawing, shape);
+  };
+  new ResizeObserver(() => {
+    draw().catch(() => fill(drawing, el("p", { class: "hint", text: t("form-unreachable") })));
+  }).observe(drawing);
+  return el(
+    "figure",
+    { class: "plot-figure" },
+    el("figcaption", { text: label }),
+    drawing,
+    el(
+      "details",
+      {},
+      el("summary", { text: t("playground-numbers") }),
+      el("div", { class: "scroller", tabindex: "0", role: "region", "aria-label": caption }, table),
+    ),
+  );
+}
+
+/** @param {(string | number)[]} cells the first one names the row */
+function line([name, ...values]) {
+  return el(
+    "tr",
+    {},
+    el("th", { scope: "row", text: String(name) }),
+    values.map((value) => el("td", { text: String(value) })),
+  );
+}
+
+/** Colours of curves that stay apart for every kind of colour vision and on either ground; dashes tell them apart, too. */
+export const CURVES = [1, 2, 3, 4, 5, 6, 7, 8].map((k) => `var(--curve-${k})`);
+export const DASHES = ["none", "7 3", "2 3", "9 3 2 3", "12 4", "4 2 1 2", "1 4", "14 3 4 3"];
