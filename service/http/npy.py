@@ -1,16 +1,16 @@
 """Arrays as `application/x-npy`: numpy's own file format, read without trust.
 
-The header is a Python literal; it is checked here before a byte of data is touched, and objects are never
-unpickled. Format: numpy.lib.format, versions 1.0 to 3.0.
+numpy reads the header, which is bounded, and says shape and type; they are held against the bytes that are
+there before an array is made of them, and objects are never unpickled. Format: numpy.lib.format, versions
+1.0 to 3.0.
 """
 
 from __future__ import annotations
 
-import ast
 import io
 import math
-import re
-from typing import Any
+import sys
+import tokenize
 
 import numpy as np
 from numpy.lib import format as npy_format
@@ -19,23 +19,20 @@ from numpy.typing import NDArray
 from kinematics.errors import Fault
 from service.http.problems import BodyError
 
-_MAGIC = b"\x93NUMPY"
-_LENGTH_BYTES = {(1, 0): 2, (2, 0): 4, (3, 0): 4}
 _LONGEST_HEADER = 4096
-_MOST_DIMENSIONS = 32
-_LARGEST_SIZE = 2**63 - 1
-_NUMBER = re.compile(r"[<>|=]?(f[248]|[iu][1248])")
-_OBJECT = re.compile(r"[<>|=]?O\d*")
-_RULES = {
-    "magic": "it must begin with \\x93NUMPY, a version and the length of the header",
-    "version": "its version must be 1.0, 2.0 or 3.0",
-    "length": f"its header must be complete, and at most {_LONGEST_HEADER} bytes long",
-    "literal": "its header must be a dictionary written in Python",
-    "keys": "its header must name descr, fortran_order and shape",
-    "order": "fortran_order must be True or False",
-    "shape": "its shape must be a tuple of sizes that an array can have",
+"""Bytes; what `numpy.save` writes of an array of numbers has 118."""
+_UNREADABLE = (
+    *(ValueError, TypeError, SyntaxError, OverflowError, MemoryError, RecursionError),
+    *(tokenize.TokenError, UserWarning),  # met where numpy tries a header as Python 2 wrote it
+)
+_READERS = {
+    (1, 0): npy_format.read_array_header_1_0,
+    (2, 0): npy_format.read_array_header_2_0,
+    (
+        3,
+        0,
+    ): npy_format.read_array_header_2_0,  # 3.0 differs in the names of fields, which numbers have none of
 }
-_KEYS = {"descr", "fortran_order", "shape"}
 
 
 def read_npy(body: bytes) -> NDArray[np.float64]:
@@ -46,11 +43,11 @@ def read_npy(body: bytes) -> NDArray[np.float64]:
     Raises:
         BodyError: not an npy file; a type that is not a number; a header whose shape is not that of the data.
     """
-    header, start = _header(body)
-    dtype = _dtype(header["descr"])
-    shape = _shape(header["shape"])
-    if type(header["fortran_order"]) is not bool:
-        raise _invalid("order")
+    shape, fortran, dtype, start = _header(body)
+    if dtype.hasobject:
+        raise BodyError(Fault(code="npy_object_refused"))
+    if dtype.kind not in "fiu":
+        raise BodyError(Fault(code="npy_type_unsupported", params={"type": str(dtype)[:40]}))
     promised, present = math.prod(shape) * dtype.itemsize, len(body) - start
     if promised != present:
         raise BodyError(
@@ -61,8 +58,8 @@ def read_npy(body: bytes) -> NDArray[np.float64]:
         )
     flat = np.frombuffer(body, dtype=dtype, offset=start)
     try:
-        array = flat.reshape(shape, order="F" if header["fortran_order"] else "C")
-    except ValueError:  # no data, because one size is 0; and another is absurd
+        array = flat.reshape(shape, order="F" if fortran else "C")
+    except (ValueError, OverflowError):  # no data, because one size is 0; and another is absurd
         raise _invalid("shape") from None
     return np.ascontiguousarray(array, dtype=np.float64).reshape(shape)
 
@@ -80,50 +77,23 @@ def npy_data(array: NDArray[np.float64]) -> memoryview:
     return flat.view(np.uint8).data
 
 
-def _header(body: bytes) -> tuple[dict[str, Any], int]:
-    if not body.startswith(_MAGIC) or len(body) < 10:
-        raise _invalid("magic")
-    version = (body[6], body[7])
-    size = _LENGTH_BYTES.get(version)
-    if size is None:
-        raise _invalid("version")
-    length = int.from_bytes(body[8 : 8 + size], "little")
-    start = 8 + size + length
-    if length > _LONGEST_HEADER or start > len(body):
-        raise _invalid("length")
+def _header(body: bytes) -> tuple[tuple[int, ...], bool, np.dtype[np.generic], int]:
+    """Return the shape, whether the order is Fortran's, the type, and where the data begins."""
+    stream = io.BytesIO(body)
     try:
-        header = ast.literal_eval(body[8 + size : start].decode("utf-8").strip())
-    except (ValueError, SyntaxError, TypeError, MemoryError, RecursionError):
-        raise _invalid("literal") from None
-    if not isinstance(header, dict) or set(header) != _KEYS:
-        raise _invalid("keys")
-    return header, start
-
-
-def _dtype(description: object) -> np.dtype[Any]:
-    if isinstance(description, str) and _NUMBER.fullmatch(description):
-        return np.dtype(description)
-    if isinstance(description, str) and _OBJECT.fullmatch(description):
-        raise BodyError(
-            Fault(
-                code="npy_object_refused",
-            )
-        )
-    shown = str(description)[:40]
-    raise BodyError(
-        Fault(
-            code="npy_type_unsupported",
-            params={"type": shown},
-        )
-    )
-
-
-def _shape(shape: object) -> tuple[int, ...]:
-    if not isinstance(shape, tuple) or len(shape) > _MOST_DIMENSIONS:
+        version = npy_format.read_magic(stream)
+    except ValueError:
+        raise _invalid("magic") from None
+    reader = _READERS.get(version)
+    if reader is None:
+        raise _invalid("version")
+    try:
+        shape, fortran, dtype = reader(stream, max_header_size=_LONGEST_HEADER)
+    except _UNREADABLE:
+        raise _invalid("header") from None
+    if any(type(size) is not int or not 0 <= size <= sys.maxsize for size in shape):
         raise _invalid("shape")
-    if not all(type(size) is int and 0 <= size <= _LARGEST_SIZE for size in shape):
-        raise _invalid("shape")
-    return shape
+    return shape, fortran, dtype, stream.tell()
 
 
 def _invalid(rule: str) -> BodyError:

@@ -82,10 +82,7 @@ error-npy_header_invalid =
     The body is not an npy file as numpy.save writes it: { $rule ->
         [magic] it must begin with \x93NUMPY, a version and the length of the header
         [version] its version must be 1.0, 2.0 or 3.0
-        [length] its header must be complete, and at most 4096 bytes long
-        [literal] its header must be a dictionary written in Python
-        [keys] its header must name descr, fortran_order and shape
-        [order] fortran_order must be True or False
+        [header] its header must be complete, at most 4096 bytes long, and name descr, fortran_order and shape
        *[shape] its shape must be a tuple of sizes that an array can have
     }.
 error-npy_length_mismatch = The npy header promises { $promised } bytes of data; { $present } follow it.

@@ -82,10 +82,7 @@ error-npy_header_invalid =
     El cuerpo no es un archivo npy como lo escribe numpy.save: { $rule ->
         [magic] debe empezar por \x93NUMPY, una versión y la longitud de la cabecera
         [version] su versión debe ser 1.0, 2.0 o 3.0
-        [length] su cabecera debe estar completa y tener como máximo 4096 bytes
-        [literal] su cabecera debe ser un diccionario escrito en Python
-        [keys] su cabecera debe nombrar descr, fortran_order y shape
-        [order] fortran_order debe ser True o False
+        [header] su cabecera debe estar completa, tener como máximo 4096 bytes y nombrar descr, fortran_order y shape
        *[shape] shape debe ser una tupla de dimensiones que pueda tener un array
     }.
 error-npy_length_mismatch = La cabecera npy promete { $promised } bytes de datos; le siguen { $present }.

@@ -82,10 +82,7 @@ error-npy_header_invalid =
     Le corps n’est pas un fichier npy tel que numpy.save l’écrit : { $rule ->
         [magic] il doit commencer par \x93NUMPY, une version et la longueur de l’en-tête
         [version] sa version doit être 1.0, 2.0 ou 3.0
-        [length] son en-tête doit être complet et compter au plus 4096 octets
-        [literal] son en-tête doit être un dictionnaire écrit en Python
-        [keys] son en-tête doit nommer descr, fortran_order et shape
-        [order] fortran_order doit valoir True ou False
+        [header] son en-tête doit être complet, compter au plus 4096 octets et nommer descr, fortran_order et shape
        *[shape] shape doit être un n-uplet de dimensions qu’un tableau peut avoir
     }.
 error-npy_length_mismatch = L’en-tête npy promet { $promised } octets de données ; il en suit { $present }.

@@ -82,10 +82,7 @@ error-npy_header_invalid =
     O corpo não é um ficheiro npy como numpy.save o escreve: { $rule ->
         [magic] tem de começar por \x93NUMPY, uma versão e o comprimento do cabeçalho
         [version] a versão tem de ser 1.0, 2.0 ou 3.0
-        [length] o cabeçalho tem de estar completo e ter no máximo 4096 bytes
-        [literal] o cabeçalho tem de ser um dicionário escrito em Python
-        [keys] o cabeçalho tem de indicar descr, fortran_order e shape
-        [order] fortran_order tem de ser True ou False
+        [header] o cabeçalho tem de estar completo, ter no máximo 4096 bytes e indicar descr, fortran_order e shape
        *[shape] shape tem de ser um tuplo de dimensões que um array possa ter
     }.
 error-npy_length_mismatch = O cabeçalho npy promete { $promised } bytes de dados; seguem-se { $present }.

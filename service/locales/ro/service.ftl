@@ -86,10 +86,7 @@ error-npy_header_invalid =
     Corpul nu este un fișier npy așa cum îl scrie numpy.save: { $rule ->
         [magic] trebuie să înceapă cu \x93NUMPY, versiunea și lungimea antetului
         [version] versiunea trebuie să fie 1.0, 2.0 sau 3.0
-        [length] antetul trebuie să fie complet și să aibă cel mult 4096 de octeți
-        [literal] antetul trebuie să fie un dicționar scris în Python
-        [keys] antetul trebuie să numească descr, fortran_order și shape
-        [order] fortran_order trebuie să fie True sau False
+        [header] antetul trebuie să fie complet, să aibă cel mult 4096 de octeți și să numească descr, fortran_order și shape
        *[shape] shape trebuie să fie un tuplu de dimensiuni pe care le poate avea un tablou
     }.
 error-npy_length_mismatch = Antetul npy promite { $promised } octeți de date; urmează { $present }.

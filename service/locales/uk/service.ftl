@@ -86,10 +86,7 @@ error-npy_header_invalid =
     Тіло запиту не є файлом npy, як його записує numpy.save: { $rule ->
         [magic] він має починатися з \x93NUMPY, версії та довжини заголовка
         [version] його версія має бути 1.0, 2.0 або 3.0
-        [length] його заголовок має бути повним і не довшим за 4096 байт
-        [literal] його заголовок має бути словником, записаним мовою Python
-        [keys] його заголовок має називати descr, fortran_order і shape
-        [order] fortran_order має бути True або False
+        [header] його заголовок має бути повним, не довшим за 4096 байт і називати descr, fortran_order і shape
        *[shape] shape має бути кортежем розмірів, які може мати масив
     }.
 error-npy_length_mismatch = Заголовок npy обіцяє { $promised } байт даних; за ним іде { $present }.
