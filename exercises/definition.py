@@ -86,6 +86,7 @@ class Exercise:
         samples: answers with the judgement that is expected of them.
         needs: dimensions that every right answer contains; the policy sees to it, and loading checks that.
         aliases: other names that students may use, with the dimension that each stands for.
+        remarks: the lecturer's own words on a misconception, by its code and by language.
     """
 
     id: str
@@ -106,7 +107,7 @@ class Exercise:
     needs: tuple[str, ...] = ()
     weights: Weights = field(default_factory=Weights)
     aliases: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
-    defaults: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    remarks: Mapping[str, Mapping[str, str]] = field(default_factory=lambda: MappingProxyType({}))
 
     @property
     def help(self) -> HelpLevel:

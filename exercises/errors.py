@@ -22,6 +22,10 @@ class ExerciseError(Exception):
         self.faults: tuple[Fault, ...] = (faults,) if isinstance(faults, Fault) else tuple(faults)
         super().__init__("\n".join(map(str, self.faults)))
 
+    def __reduce__(self) -> tuple[type[ExerciseError], tuple[tuple[Fault, ...]]]:
+        """Errors travel from worker processes with their faults."""
+        return type(self), (self.faults,)
+
     @property
     def code(self) -> str:
         """The code of the first fault."""

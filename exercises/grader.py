@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from exercises import grading
@@ -36,6 +37,7 @@ class Report:
         length_unit: unit of the answer's lengths.
         figure: how the key lies in the figure; with an accepted table only.
         departure: where the robot of a wrong table leaves the figure's; from the help level `kind` on.
+        remarks: the lecturer's own words, by language, on what was found.
     """
 
     verdict: Verdict | None
@@ -50,6 +52,7 @@ class Report:
     length_unit: LengthUnit
     figure: KeyPose | None
     departure: Departure | None = None
+    remarks: tuple[Mapping[str, str], ...] = ()
 
     @property
     def score(self) -> float:
@@ -102,6 +105,7 @@ def grade(
         length_unit=answer.length_unit,
         figure=_figure(instance) if context.own_correct else None,
         departure=_departure(instance, answer, verdict, level),
+        remarks=_remarks(exercise, verdict),
     )
 
 
@@ -120,6 +124,12 @@ def _departure(
     if verdict is None or answer.table is None or lowest((level, HelpLevel.KIND)) is not HelpLevel.KIND:
         return None
     return departure_of(instance, answer.table, verdict)
+
+
+def _remarks(exercise: Exercise, verdict: Verdict | None) -> tuple[Mapping[str, str], ...]:
+    """Return the lecturer's words on the most plausible repair; none where help keeps repairs back."""
+    codes = [edit.code for repair in (verdict.repairs[:1] if verdict else ()) for edit in repair.edits]
+    return tuple(exercise.remarks[code] for code in dict.fromkeys(codes) if code in exercise.remarks)
 
 
 def _figure(instance: Instance) -> KeyPose | None:

@@ -19,12 +19,14 @@ from exercises.definition import LANGUAGES, DrawnParameter, Exercise, Part
 from exercises.draws import read_draw
 from exercises.errors import DefinitionError, UnknownExerciseError
 from exercises.figures.figure_keys import read_figure
+from exercises.grading.misconceptions import repair_codes
 from exercises.parts.protocol import RobotFacts
 from exercises.parts.registry import part_type, part_types
 from exercises.policy_reading import read_policy, read_weights
 from exercises.reading import Reader
 from exercises.sample_reading import read_raw_table, read_samples
 from exercises.selftest.mistakes import MISTAKES
+from exercises.statements import LONGEST_STATEMENT, LONGEST_TITLE, text_faults
 from kinematics import catalogue
 from kinematics.cells import AngleUnit, ReadTable, read_table
 from kinematics.errors import Fault
@@ -99,57 +101,110 @@ def load_exercise(folder: Traversable) -> Exercise:
         folder: holds exercise.toml and a statement.<language>.md in one language or more; its name is the id.
 
     Raises:
+        DefinitionError: every fault that was found, each at (folder, file, key, …).
+    """
+    files = files_of_folder(folder)
+    try:
+        return read_exercise(folder.name, read_definition(files), read_statements(files))
+    except DefinitionError as error:
+        raise DefinitionError(fault.within(folder.name) for fault in error.faults) from error
+
+
+def read_exercise(exercise_id: str, definition: Mapping[str, Any], statements: Mapping[str, str]) -> Exercise:
+    """The exercise that a definition and its statements describe.
+
+    Args:
+        exercise_id: names it.
+        definition: the keys of exercise.toml.
+        statements: in Markdown, by language.
+
+    Raises:
         DefinitionError: every fault that was found, each at (file, key, …).
     """
     faults: list[Fault] = []
-    document = _document(folder)
-    statements = _statements(folder, faults)
-    exercise = _exercise(folder.name, Reader(document, (FILE,), faults), statements)
+    written = _statements(statements, faults)
+    exercise = _exercise(exercise_id, Reader(definition, (FILE,), faults), written)
     if exercise is not None and not faults:
         faults += inconsistencies(exercise)
     if faults or exercise is None:
-        raise DefinitionError(fault.within(folder.name) for fault in faults)
+        raise DefinitionError(faults)
     return exercise
 
 
-def _document(folder: Traversable) -> Mapping[str, Any]:
+def files_of_folder(folder: Traversable) -> Mapping[str, bytes]:
+    """The files of a folder that say something of its exercise, by name."""
+    found = folder.iterdir() if folder.is_dir() else ()
+    return {
+        file.name: file.read_bytes()
+        for file in found
+        if file.is_file() and (file.name == FILE or _STATEMENT.fullmatch(file.name))
+    }
+
+
+def read_definition(files: Mapping[str, bytes]) -> Mapping[str, Any]:
+    """The keys of exercise.toml, which is one of the files.
+
+    Raises:
+        DefinitionError: it is not there, or no TOML.
+    """
+    if FILE not in files:
+        raise DefinitionError(Fault(code="exercise_file_missing", where=(FILE,)))
     try:
-        return tomllib.loads((folder / FILE).read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        fault = Fault(code="exercise_file_missing", where=(folder.name, FILE))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        fault = Fault(
-            code="exercise_file_not_toml",
-            where=(folder.name, FILE),
-            params={"reason": str(error)},
-        )
-    raise DefinitionError(fault)
+        return tomllib.loads(files[FILE].decode())
+    except (
+        ValueError,
+        RecursionError,
+    ) as error:  # what is no TOML, no UTF-8, a number of endless digits, too deep
+        fault = Fault(code="exercise_file_not_toml", where=(FILE,), params={"reason": str(error)})
+        raise DefinitionError(fault) from error
 
 
-def _statements(folder: Traversable, faults: list[Fault]) -> Mapping[str, str]:
+def read_statements(files: Mapping[str, bytes]) -> Mapping[str, str]:
+    """The texts of the statements among the files, by language.
+
+    Raises:
+        DefinitionError: one is no UTF-8.
+    """
+    found: dict[str, str] = {}
+    for name in sorted(files):
+        if named := _STATEMENT.fullmatch(name):
+            try:
+                found[named[1]] = files[name].decode().strip()
+            except UnicodeDecodeError as error:
+                raise DefinitionError(Fault(code="statement_not_text", where=(name,))) from error
+    return found
+
+
+def statement_file(language: str) -> str:
+    """Return the name of the file that holds the statement in a language."""
+    return f"statement.{language}.md"
+
+
+def _statements(statements: Mapping[str, str], faults: list[Fault]) -> Mapping[str, str]:
     """Return the statements by language; one is enough."""
-    statements: dict[str, str] = {}
-    if folder.is_dir():
-        for file in sorted(folder.iterdir(), key=lambda entry: entry.name):
-            named = _STATEMENT.fullmatch(file.name)
-            text = file.read_text(encoding="utf-8").strip() if named else ""
-            if named and text:
-                statements[named[1]] = text
-            elif named:
-                faults.append(
-                    Fault(code="statement_missing", where=(file.name,), params={"language": named[1]})
-                )
-    if not statements and not faults:
-        name = f"statement.{LANGUAGES[0]}.md"
-        faults.append(Fault(code="statement_missing", where=(name,), params={"language": LANGUAGES[0]}))
-    return MappingProxyType(statements)
+    for language, text in statements.items():
+        name = statement_file(language)
+        if not _STATEMENT.fullmatch(name):
+            faults.append(Fault(code="exercise_key_unknown", where=(name,), params={"key": language}))
+        elif not text.strip():
+            faults.append(Fault(code="statement_missing", where=(name,), params={"language": language}))
+        else:
+            faults += (fault.within(name) for fault in text_faults(text, LONGEST_STATEMENT))
+    if not statements:
+        first = LANGUAGES[0]
+        where = (statement_file(first),)
+        faults.append(Fault(code="statement_missing", where=where, params={"language": first}))
+    return MappingProxyType(dict(statements))
 
 
 def _titles(reader: Reader, statements: Mapping[str, str]) -> Mapping[str, str]:
     """Return the titles by language; one is needed of which there is a statement, too."""
     inner = reader.table("title", needed=True)
     titles = {language: inner.text(language) for language in inner.values}
-    for language in titles:
+    for language, title in titles.items():
+        inner.faults.extend(
+            fault.within(*inner.where, language) for fault in text_faults(title, LONGEST_TITLE)
+        )
         if _LANGUAGE.fullmatch(language) is None:
             inner.fault("exercise_key_unknown", language, key=language)
     if reader.given("title") and statements and not titles.keys() & statements.keys():
@@ -167,6 +222,23 @@ def _aliases(reader: Reader, names: Mapping[str, object]) -> Mapping[str, str]:
                 inner.fault("alias_taken", "aliases", i, name=alias)
             aliases[alias] = inner.name(name)
     return MappingProxyType(aliases)
+
+
+def _remarks(reader: Reader) -> Mapping[str, Mapping[str, str]]:
+    """Return the lecturer's own words on misconceptions."""
+    remarks: dict[str, Mapping[str, str]] = {}
+    for code, inner in reader.tables("remarks"):
+        if code not in repair_codes():
+            inner.fault("misconception_unknown", name=code, known=", ".join(sorted(repair_codes())))
+        if not inner.values:
+            inner.fault("exercise_key_missing", "en", key="en")
+        remarks[code] = MappingProxyType({language: inner.text(language) for language in inner.values})
+        for language, text in remarks[code].items():
+            if _LANGUAGE.fullmatch(language) is None:
+                inner.fault("exercise_key_unknown", language, key=language)
+            found = text_faults(text, LONGEST_STATEMENT)
+            inner.faults.extend(fault.within(*inner.where, language) for fault in found)
+    return MappingProxyType(remarks)
 
 
 def _needs(reader: Reader, names: Mapping[str, object]) -> tuple[str, ...]:
@@ -196,6 +268,7 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
     limits = catalogue.robot(robot).limits if robot else None
     parts = _parts(reader, RobotFacts(joint_types=types, degrees=degrees, limits=limits))
     figure = read_figure(reader.table("figure"), types, degrees)
+    remarks = _remarks(reader)
     tests = reader.table("tests")
     misconceptions = tests.texts("misconceptions", default=())
     for i, code in enumerate(misconceptions):
@@ -230,6 +303,7 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
         needs=needs,
         weights=weights,
         aliases=aliases,
+        remarks=remarks,
     )
 
 

@@ -10,16 +10,38 @@ import re
 from collections.abc import Iterator
 from html import escape
 
+from kinematics.errors import Fault
+
+LONGEST_TITLE = 200
+LONGEST_STATEMENT = 20_000
+"""Characters; some ten pages."""
+
 _INLINE = re.compile(r"`([^`]+)`|\*\*([^*]+)\*\*|\*([^*\s](?:[^*]*[^*\s])?)\*")
 _NAME = re.compile(r"([A-Za-z]{1,3})_?([0-9]{0,2})")
 _HEADING = re.compile(r"(#{2,4}) +(.+)")
 _BULLET = re.compile(r"[-*] +(.+)")
 _NUMBERED = re.compile(r"[0-9]+[.)] +(.+)")
+_TAG = re.compile(r"<[A-Za-z/!?][^<>]{0,20}")
+_CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
+"""What no text needs; the last two ranges turn the direction of writing and make a text look like another."""
 
 
 def to_html(markdown: str) -> str:
     """The statement as HTML; no markup of the source survives but what is listed above."""
     return "\n".join(_blocks(markdown))
+
+
+def text_faults(text: str, longest: int) -> Iterator[Fault]:
+    """What a lecturer's text must not hold: HTML or SVG, control characters, more than so many characters.
+
+    None of it would ever be taken for markup; it would be shown as it stands, which nobody wants to read.
+    """
+    if len(text) > longest:
+        yield Fault(code="text_too_long", params={"limit": longest})
+    if found := _TAG.search(text):
+        yield Fault(code="text_markup", params={"found": found[0]})
+    if control := _CONTROL.search(text.replace("\r\n", "\n")):
+        yield Fault(code="text_control_character", params={"found": f"U+{ord(control[0]):04X}"})
 
 
 def variable_html(name: str) -> str:

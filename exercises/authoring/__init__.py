@@ -1,5 +1,9 @@
-"""Starting an exercise: from a catalogue robot, a table, axes or URDF to a folder that loads.
+"""Making exercises: from a robot, a table, drawn axes, an SCM chain or URDF to a draft and its folder.
 
-sources    what the exercise is about, in one form: a DH table with values
-scaffold   the folder: exercise.toml and statements to go on from
+sources       what an exercise is started from, in one form: a DH table with values
+axes_drawing  joint axes placed by coordinates, lengths and each other, and the table in these lengths
+scaffold      the draft of a new exercise, and its folder
+draft         an exercise as plain data; the reader of folders reads it
+toml_text     a definition as TOML, in one form
+archive       the folder as a zip file, in and out
 """

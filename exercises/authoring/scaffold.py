@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import Any
 
+from exercises.authoring.draft import ExerciseDraft, check_id, files_of_draft
 from exercises.authoring.sources import ExerciseSource
-from exercises.consistency import FILE
-from exercises.definition import LANGUAGES
 from exercises.errors import DefinitionError
-from kinematics.cells import AngleUnit, RawRow, read_table
+from kinematics.cells import AngleUnit, RawRow, RawTable, read_table
 from kinematics.errors import Fault
 from kinematics.table import JointType
 
@@ -60,72 +60,73 @@ def scaffold(exercise_id: str, source: ExerciseSource, into: Path) -> Path:
     Raises:
         DefinitionError: the id is no name of a folder, or the folder exists.
     """
-    if not exercise_id or not all(part.isalnum() for part in exercise_id.split("-")):
-        raise DefinitionError(
-            Fault(
-                code="exercise_id_invalid",
-                params={"id": exercise_id},
-            )
-        )
+    draft = started(exercise_id, source)
     folder = into / exercise_id
     if folder.exists():
         raise DefinitionError(Fault(code="exercise_exists", params={"id": exercise_id}))
     folder.mkdir(parents=True)
-    (folder / FILE).write_text(definition_text(exercise_id, source), encoding="utf-8")
-    names = ", ".join(f"*{name}*" for name in source.values)
-    for language in LANGUAGES:
-        text = STATEMENTS[language].format(names=f" {names}" if names else "")
-        (folder / f"statement.{language}.md").write_text(f"{text}\n", encoding="utf-8")
+    for name, content in files_of_draft(draft).items():
+        (folder / name).write_bytes(content)
     return folder
 
 
-def definition_text(exercise_id: str, source: ExerciseSource) -> str:
-    """The text of exercise.toml: everything that has to be said, with what may be said as comments."""
+def started(exercise_id: str, source: ExerciseSource) -> ExerciseDraft:
+    """The draft of a new exercise: everything that has to be said, in words that may stay.
+
+    Raises:
+        DefinitionError: the id is no name of a folder.
+    """
+    check_id(exercise_id)
     types = read_table(source.table).table.joint_types
-    blocks = [
-        "# See docs/authoring.md for every key.\nversion = 1",
-        f'robot = "{source.robot}"' if source.robot else "",
-        "[title]\n" + "\n".join(f'{k} = "{v.format(id=exercise_id)}"' for k, v in TITLES.items()),
-        "" if source.robot else _table(source),
-        '[policy]\ntool = "axis"',
-        "\n".join(_parameter(name, value, source.robot) for name, value in source.values.items()),
-        *_parts(types, source),
-        "# The figure follows from the table; docs/authoring.md tells how to draw it more finely.\n"
-        f"[figure]\nposture = {[0] * len(types)}\nview = {{ azimuth = -60, elevation = 24 }}",
-        "[tests]\nmisconceptions = [\n" + "".join(f'  "{code}",\n' for code in MISTAKES) + "]",
-    ]
-    return "\n\n".join(block for block in blocks if block) + "\n"
+    names = ", ".join(f"*{name}*" for name in source.values)
+    definition: dict[str, Any] = {
+        "version": 1,
+        **({"robot": source.robot} if source.robot else {}),
+        "title": {language: text.format(id=exercise_id) for language, text in TITLES.items()},
+        **({} if source.robot else {"reference": _reference(source.table)}),
+        "policy": {"tool": "axis"},
+        "parameters": {
+            name: _parameter(value, own=source.robot is None) for name, value in source.values.items()
+        },
+        "parts": _parts(types, source),
+        "figure": {"posture": [0] * len(types), "view": {"azimuth": -60, "elevation": 24}},
+        "tests": {"misconceptions": list(MISTAKES)},
+    }
+    if not source.values:
+        del definition["parameters"]
+    statements = {
+        language: text.format(names=f" {names}" if names else "") for language, text in STATEMENTS.items()
+    }
+    return ExerciseDraft(id=exercise_id, definition=definition, statements=statements)
 
 
-def _table(source: ExerciseSource) -> str:
-    table = source.table
-    rows = "".join(f"  {_row(row)},\n" for row in table.rows)
-    return (
-        f'[reference]\nconvention = "{table.convention}"\nangle_unit = "{table.angle_unit}"\n'
-        f'length_unit = "{table.length_unit}"\nrows = [\n{rows}]'
-    )
+def _reference(table: RawTable) -> dict[str, Any]:
+    return {
+        "convention": table.convention.value,
+        "angle_unit": table.angle_unit.value,
+        "length_unit": table.length_unit.value,
+        "rows": [_row(row) for row in table.rows],
+    }
 
 
-def _row(row: RawRow) -> str:
-    cells = {name: getattr(row, name) for name in ("alpha", "a", "d", "theta")}
-    written = ", ".join(f"{name} = {_cell(cell)}" for name, cell in cells.items())
-    return f'{{ joint = "{row.joint}", {written} }}' if row.joint else f"{{ {written} }}"
+def _row(row: RawRow) -> dict[str, Any]:
+    cells = {name: _cell(getattr(row, name)) for name in ("alpha", "a", "d", "theta")}
+    return {**({"joint": row.joint.value} if row.joint else {}), **cells}
 
 
-def _cell(cell: object) -> str:
+def _cell(cell: object) -> int | float | str:
+    """Return a cell as a number if it is one."""
     text = str(cell)
     try:
-        float(text)
+        number = float(text)
     except ValueError:
-        escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-        return f'"{escaped}"'
-    return text
+        return text
+    return int(number) if number.is_integer() else number
 
 
-def _parameter(name: str, value: float, robot: str | None) -> str:
-    start, stop, step = nice_range(value)
-    own = "" if robot else f"value = {value:g}\n"
-    return f"[parameters.{name}]\n{own}draw = {{ from = {start}, to = {stop}, step = {step} }}"
+def _parameter(value: float, *, own: bool) -> dict[str, Any]:
+    draw = dict(zip(("from", "to", "step"), map(_cell, nice_range(value)), strict=True))
+    return {**({"value": _cell(value)} if own else {}), "draw": draw}
 
 
 def nice_range(value: float) -> tuple[str, str, str]:
@@ -138,19 +139,18 @@ def nice_range(value: float) -> tuple[str, str, str]:
     return tuple(f"{number:.{digits}f}" for number in (middle - 3 * step, middle + 3 * step, step))  # type: ignore[return-value]
 
 
-def _parts(types: tuple[JointType, ...], source: ExerciseSource) -> list[str]:
+def _parts(types: tuple[JointType, ...], source: ExerciseSource) -> list[dict[str, Any]]:
     degrees = source.table.angle_unit is AngleUnit.DEG
     size = max((abs(value) for value in source.values.values()), default=1.0)
     turns = [30, 45, -60, 90, -30, 60]
     joints = [
-        f"{turns[i % len(turns)] if degrees else round(math.radians(turns[i % len(turns)]), 3)}"
+        _cell(turns[i % len(turns)] if degrees else round(math.radians(turns[i % len(turns)]), 3))
         if joint_type is JointType.REVOLUTE
-        else f"{size / 2:g}"
+        else _cell(f"{size / 2:g}")
         for i, joint_type in enumerate(types)
     ]
-    pose = f'[[parts]]\nkind = "pose"\npoints = 15\njoints = [{", ".join(joints)}]'
+    pose: dict[str, Any] = {"kind": "pose", "points": 15, "joints": joints}
     if JointType.PRISMATIC in types:
-        start, stop, step = nice_range(size / 2)
-        pose += f"\nslides = {{ from = {start}, to = {stop}, step = {step} }}"
+        pose["slides"] = _parameter(size / 2, own=False)["draw"]
     asked = (("table", 50), ("link_matrices", 20), ("transform", 15))
-    return [*(f'[[parts]]\nkind = "{kind}"\npoints = {points}' for kind, points in asked), pose]
+    return [*({"kind": kind, "points": points} for kind, points in asked), pose]

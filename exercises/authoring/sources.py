@@ -5,22 +5,31 @@ from __future__ import annotations
 import json
 import math
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
+from exercises.authoring.axes_drawing import in_named_lengths, read_drawing
 from exercises.errors import DefinitionError
 from exercises.reading import Reader
 from exercises.sample_reading import read_raw_table
 from exercises.selftest.typed import typed
 from kinematics import catalogue
-from kinematics.cells import AngleUnit, LengthUnit, RawTable, ReadTable, read_table
+from kinematics.cells import AngleUnit, Cell, LengthUnit, ParameterKind, RawTable, ReadTable, read_table
 from kinematics.errors import Fault, KinematicsError
-from kinematics.expressions import Expression, Number, Parameter, multiply, pi_times, rational_value
-from kinematics.frames.assignment import assign_frames
-from kinematics.frames.axes import JointAxis
+from kinematics.expressions import (
+    Expression,
+    Number,
+    Parameter,
+    multiply,
+    parameters_in,
+    pi_times,
+    rational_value,
+)
+from kinematics.scm import modified_dh_from_scm
+from kinematics.scm.chain_reading import ENTRIES, RawChain, read_chain
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable, SymbolicRow
 from kinematics.urdf import table_from_urdf
 
@@ -43,18 +52,60 @@ class ExerciseSource:
     robot: str | None = None
 
 
-def from_table_file(path: Path) -> ExerciseSource:
-    """A table in JSON (as the API takes it) or TOML, with the values of its parameters under `parameters`.
+def read_source(document: Mapping[str, Any], where: str = "source") -> ExerciseSource:
+    """What an exercise is to be about, from a document with one of the keys of `FORMS`.
 
-    Lengths that are plain numbers get the names of their columns, a2 or d4, so that the figure can show them.
+    Raises:
+        DefinitionError: every fault with its key.
+    """
+    faults: list[Fault] = []
+    reader = Reader(document, (where,), faults)
+    given = [form for form in FORMS if reader.given(form)]
+    reader.finish()
+    if len(given) != 1:
+        reader.fault("source_form", known=", ".join(FORMS))
+    if faults:
+        raise DefinitionError(faults)
+    form = given[0]
+    if form == "robot":
+        name = reader.text(form)
+        return from_robot(name) if not faults else _refuse(faults)
+    if form == "urdf":
+        text = reader.text(form)
+        return from_urdf(text, where) if not faults else _refuse(faults)
+    inner = reader.table(form)
+    if faults:
+        raise DefinitionError(faults)
+    return {"table": from_table, "axes": from_axes, "scm": from_scm}[form](inner)
+
+
+FORMS = ("robot", "table", "axes", "scm", "urdf")
+"""From what an exercise is started."""
+
+
+def _refuse(faults: Sequence[Fault]) -> NoReturn:
+    raise DefinitionError(faults)
+
+
+def from_table_file(path: Path) -> ExerciseSource:
+    """A table in JSON (as the API takes it) or TOML; see `from_table`.
 
     Raises:
         DefinitionError: the file cannot be read; every fault with its key.
     """
-    document = _document(path)
-    faults: list[Fault] = []
-    reader = Reader(document, (path.name,), faults)
-    parameters = {name: reader.table("parameters").number(name) for name in reader.table("parameters").values}
+    return from_table(Reader(_document(path), (path.name,), []))
+
+
+def from_table(reader: Reader) -> ExerciseSource:
+    """A DH table, with the values of its parameters under `parameters`.
+
+    Lengths that are plain numbers get the names of their columns, a2 or d4, so that the figure can show them.
+
+    Raises:
+        DefinitionError: every fault with its key.
+    """
+    given = reader.table("parameters")
+    parameters = {given.name(name): given.number(name) for name in given.values}
     raw = read_raw_table(reader)
     reader.finish()
     read = reader.guarded(lambda: read_table(raw)) if raw is not None else None
@@ -62,9 +113,9 @@ def from_table_file(path: Path) -> ExerciseSource:
         missing = [name for name in read.parameters if name not in parameters]
         for name in missing:
             reader.fault("parameter_missing", "parameters", name, name=name)
-    if faults or read is None:
-        raise DefinitionError(faults)
-    return _named(read, parameters)
+    if reader.faults or read is None:
+        raise DefinitionError(reader.faults)
+    return _named(read, {name: parameters[name] for name in read.parameters})
 
 
 def from_robot(robot_id: str) -> ExerciseSource:
@@ -74,76 +125,126 @@ def from_robot(robot_id: str) -> ExerciseSource:
         DefinitionError: the catalogue holds no such robot.
     """
     if robot_id not in catalogue.robot_ids():
-        ", ".join(catalogue.robot_ids())
-        raise DefinitionError(
-            Fault(
-                code="exercise_robot_unknown",
-                where=("robot",),
-                params={"robot": robot_id},
-            )
-        )
+        fault = Fault(code="exercise_robot_unknown", where=("robot",), params={"robot": robot_id[:100]})
+        raise DefinitionError(fault)
     found = catalogue.robot(robot_id)
     return ExerciseSource(table=found.raw, values=found.parameters, robot=robot_id)
 
 
 def from_axes_file(path: Path) -> ExerciseSource:
-    """Joint axes in JSON or TOML: `axes` with `joint`, `point` and `direction` each.
+    """Joint axes in JSON or TOML; see `from_axes`.
 
     Raises:
         DefinitionError: the file cannot be read; every fault with its key.
     """
-    document = _document(path)
-    faults: list[Fault] = []
-    reader = Reader(document, (path.name,), faults)
+    return from_axes(Reader(_document(path), (path.name,), []))
+
+
+def from_axes(reader: Reader) -> ExerciseSource:
+    """Joint axes as they are drawn: `axes` with `joint`, `point` and `direction` each, `lengths` with values.
+
+    Raises:
+        DefinitionError: every fault with its key.
+    """
     unit = reader.choice("length_unit", LengthUnit, LengthUnit.M)
-    axes = [
-        JointAxis(
-            joint=entry.choice("joint", JointType),
-            point=_three(entry, "point"),
-            direction=_three(entry, "direction"),
-        )
-        for entry in reader.entries("axes")
-    ]
+    drawing = read_drawing(reader)
     reader.finish()
-    if not axes:
-        reader.fault("exercise_key_missing", "axes", key="axes")
-    assigned = None if faults else reader.guarded(lambda: assign_frames(axes, Convention.MODIFIED), "axes")
-    if assigned is None:
-        raise DefinitionError(faults)
-    return from_numeric_table(assigned.table, unit)
+    table = None if reader.faults else reader.guarded(drawing.table, "axes")
+    if table is None:
+        raise DefinitionError(reader.faults)
+    return from_numeric_table(table, unit, in_named_lengths(drawing), drawing.lengths)
+
+
+def from_scm(reader: Reader) -> ExerciseSource:
+    """An SCM chain: `joints` with x, y, z, a, b, c each, `final` and `tool`, values under `parameters`.
+
+    Raises:
+        DefinitionError: every fault with its key.
+    """
+    given = reader.table("parameters")
+    parameters = {given.name(name): given.number(name) for name in given.values}
+    raw = RawChain(
+        joints=tuple(_six(entry) for entry in reader.entries("joints")),
+        final=_six(reader.table("final")),
+        tool=_six(reader.table("tool")),
+        angle_unit=reader.choice("angle_unit", AngleUnit, AngleUnit.DEG),
+        length_unit=reader.choice("length_unit", LengthUnit, LengthUnit.M),
+    )
+    reader.finish()
+    chain = None if reader.faults else reader.guarded(lambda: read_chain(raw))
+    table = None if chain is None else reader.guarded(lambda: modified_dh_from_scm(chain.chain))
+    if chain is not None:
+        for name in chain.parameters:
+            if name not in parameters:
+                reader.fault("parameter_missing", "parameters", name, name=name)
+    if chain is None or table is None or reader.faults:
+        raise DefinitionError(reader.faults)
+    read = ReadTable(
+        table=table,
+        angle_unit=chain.angle_unit,
+        length_unit=chain.length_unit,
+        parameters=chain.parameters,
+    )
+    return _named(read, {name: parameters[name] for name in chain.parameters})
 
 
 def from_urdf_file(path: Path) -> ExerciseSource:
-    """The one serial chain of a URDF description.
+    """The one serial chain of a URDF file.
 
     Raises:
         DefinitionError: the file cannot be read, or its chain is none that a DH table can hold.
     """
     try:
-        robot = table_from_urdf(path.read_text(encoding="utf-8"), Convention.MODIFIED)
-    except KinematicsError as error:
-        raise DefinitionError(fault.within(path.name) for fault in error.faults) from error
+        return from_urdf(path.read_text(encoding="utf-8"), path.name)
     except (OSError, UnicodeDecodeError) as error:
         raise DefinitionError(_unreadable(path, str(error))) from error
+
+
+def from_urdf(text: str, where: str) -> ExerciseSource:
+    """The one serial chain of a URDF description.
+
+    Raises:
+        DefinitionError: it is none, or its chain is none that a DH table can hold.
+    """
+    try:
+        robot = table_from_urdf(text, Convention.MODIFIED)
+    except KinematicsError as error:
+        raise DefinitionError(fault.within(where) for fault in error.faults) from error
     return from_numeric_table(robot.table, LengthUnit.M)
 
 
-def from_numeric_table(table: NumericTable, unit: LengthUnit) -> ExerciseSource:
-    """A table of numbers, in [rad] and a length unit; angles that are nearly nice become so."""
+def from_numeric_table(
+    table: NumericTable,
+    unit: LengthUnit,
+    named: Mapping[tuple[int, str], Expression] | None = None,
+    lengths: Mapping[str, float] | None = None,
+) -> ExerciseSource:
+    """A table of numbers, in [rad] and a length unit; angles that are nearly nice become so.
+
+    Args:
+        table: the numbers.
+        unit: of its lengths.
+        named: what is written in names instead, by row and cell.
+        lengths: values of these names.
+    """
+    written = named or {}
     rows = tuple(
         DHRow(
             joint=row.joint,
             theta=nice_angle(row.theta),
-            d=nice_length(row.d),
-            a=nice_length(row.a),
+            d=written.get((i, "d")) or nice_length(row.d),
+            a=written.get((i, "a")) or nice_length(row.a),
             alpha=nice_angle(row.alpha),
             sign=row.sign,
         )
-        for row in table.rows
+        for i, row in enumerate(table.rows)
     )
     symbolic = DHTable(convention=table.convention, rows=rows)
-    read = ReadTable(table=symbolic, angle_unit=AngleUnit.DEG, length_unit=unit, parameters={})
-    return _named(read, {})
+    used = {name for entry in written.values() for name in parameters_in(entry)}
+    values = {name: value for name, value in (lengths or {}).items() if name in used}
+    kinds = dict.fromkeys(values, ParameterKind.LENGTH)
+    read = ReadTable(table=symbolic, angle_unit=AngleUnit.DEG, length_unit=unit, parameters=kinds)
+    return _named(read, values)
 
 
 def nice_angle(angle: float) -> Expression:
@@ -169,8 +270,12 @@ def _named(read: ReadTable, parameters: Mapping[str, float]) -> ExerciseSource:
         d = row.d if row.joint is JointType.PRISMATIC else _name(row.d, f"d{i}", values)
         rows.append(DHRow(joint=row.joint, theta=row.theta, d=d, a=a, alpha=row.alpha, sign=row.sign))
     table = DHTable(convention=read.table.convention, rows=tuple(rows))
+    angles = any(kind is ParameterKind.ANGLE for kind in read.parameters.values())
     named = ReadTable(
-        table=table, angle_unit=AngleUnit.DEG, length_unit=read.length_unit, parameters=read.parameters
+        table=table,
+        angle_unit=read.angle_unit if angles else AngleUnit.DEG,
+        length_unit=read.length_unit,
+        parameters={**read.parameters, **dict.fromkeys(values, ParameterKind.LENGTH)},
     )
     return ExerciseSource(table=typed(named), values=values)
 
@@ -185,13 +290,18 @@ def _name(cell: Expression, name: str, values: dict[str, float]) -> Expression:
     return Parameter(name) if value > 0 else multiply((Number(Fraction(-1)), Parameter(name)))
 
 
-def _three(reader: Reader, key: str) -> tuple[float, float, float]:
-    entries = reader.exacts(key)
-    if len(entries) != 3:
-        reader.fault("exercise_value_type", key, key=key)
-        return 0.0, 0.0, 1.0
-    x, y, z = (float(entry) for entry in entries)
-    return x, y, z
+def _six(reader: Reader) -> dict[str, Cell]:
+    """The entries of a placement that are given."""
+    found: dict[str, Cell] = {}
+    for name in ENTRIES:
+        if reader.given(name):
+            value = reader.values[name]
+            if isinstance(value, bool) or not isinstance(value, int | float | str):
+                reader.fault("exercise_value_type", name, key=name)
+            else:
+                found[name] = value
+    reader.finish()
+    return found
 
 
 def _document(path: Path) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from random import Random
@@ -45,13 +45,24 @@ def check(exercise: Exercise, seeds: int, mistakes: int | None = None) -> Findin
         seeds: how many students' values, and how many ways to write the table.
         mistakes: how many of the listed mistakes are made for each seed; None: all of them.
     """
+    return check_values((None, *range(seeds)), exercise, mistakes)
+
+
+def check_values(seeds: Iterable[int | None], exercise: Exercise, mistakes: int | None = None) -> Findings:
+    """Test an exercise by itself with the values of some seeds, None being the usual values.
+
+    Args:
+        seeds: whose values.
+        exercise: the exercise.
+        mistakes: how many of the listed mistakes are made for each seed; None: all of them.
+    """
     findings = Findings(exercise.id)
     with_table = exercise.part(TABLE) is not None
-    for seed in (None, *range(seeds)):
+    for seed in seeds:
         rng = Random(f"{exercise.id} {seed}")  # noqa: S311 - tests want repeatable numbers
         with _crashes(findings, seed):
             instance = generate(exercise, seed)
-            _check_values(findings, instance)
+            _check_drawn(findings, instance)
             if with_table:
                 _check_right(findings, instance, rng)
                 _check_mistakes(findings, instance, rng, mistakes)
@@ -75,7 +86,7 @@ def _crashes(findings: Findings, seed: int | None) -> Iterator[None]:
         findings.fail("crash", seed=seed, reason=f"{type(error).__name__}: {error}")
 
 
-def _check_values(findings: Findings, instance: Instance) -> None:
+def _check_drawn(findings: Findings, instance: Instance) -> None:
     """A student's own values leave the structure as it is, and the figure can be drawn."""
     exercise = instance.exercise
     usual, own = (

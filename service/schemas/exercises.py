@@ -270,6 +270,7 @@ _BESIDE_THE_VERDICT: dict[str, Any] = {
         model_of(Departure) | None,
         Field(description="of a wrong table, from the help level `kind` on, where it can be drawn"),
     ),
+    "remarks": (list[str], Field(description="the lecturer's own words on what was found")),
 }
 GradedModel = create_model(
     "Graded",

@@ -43,7 +43,13 @@ def report_body(report: Report, language: str) -> dict[str, Any]:
         "version": report.version,
         "figure": report.figure,
         "departure": report.departure,
+        "remarks": [_in_language(texts, language) for texts in report.remarks],
     }
+
+
+def _in_language(texts: Mapping[str, str], language: str) -> str:
+    """Return a lecturer's words in the reader's language, else in English, else in any."""
+    return next(texts[found] for found in (language, "en", *texts) if found in texts)
 
 
 def _without_table(report: Report) -> dict[str, Any]:

@@ -36,6 +36,7 @@ export function verdictView(graded, { convention, focusRow }) {
     feedbackList(graded.feedback, focusRow),
     !graded.correct && graded.links.some(hasNews) ? linkTable(graded.links, focusRow) : null,
     repairList(graded.repairs, convention, focusRow),
+    (graded.remarks ?? []).map((/** @type {string} */ text) => el("p", { class: "notice lecturer-remark", text })),
   );
 }
 

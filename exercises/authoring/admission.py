@@ -1,0 +1,155 @@
+"""What a policy means for a robot: how many of the ways in which textbooks would write its table it accepts.
+
+Textbooks differ in five things: the convention, where frame 0 is put, where the last frame is put, where
+the joint variables are zero, and which way they count. Each is taken as the key has it and as another book
+would, in every combination; those that differ are judged by the checker itself. Where x points between the
+axes, and where the common normal of parallel axes is drawn, is free under every policy, and is not counted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import product
+
+from exercises.definition import Exercise
+from exercises.grading import accept
+from exercises.selftest.variants import modified_rows, some_lengths, standard_table
+from kinematics.cells import ReadTable
+from kinematics.chain import chain_of_table, size_of
+from kinematics.expressions import ZERO, Expression, add, pi_times
+from kinematics.table import Convention, DHTable, JointType, SymbolicRow, SymbolicTable, bind
+
+Rows = tuple[SymbolicRow, ...]
+Habit = Callable[[Rows, Expression], Rows]
+QUARTER = pi_times(Fraction(1, 2))
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class PolicyAdmission:
+    """How much a policy leaves free, for one robot.
+
+    Attributes:
+        choices: how many different tables textbooks would write.
+        admitted: how many of them the policy accepts.
+        free: what the policy leaves free: convention, base, tool, zero, direction.
+        fixed: what it fixes.
+    """
+
+    choices: int
+    admitted: int
+    free: tuple[str, ...]
+    fixed: tuple[str, ...]
+
+
+def policy_admission(exercise: Exercise, values: dict[str, float]) -> PolicyAdmission:
+    """Count the textbook choices that the exercise's policy accepts.
+
+    Args:
+        exercise: the exercise.
+        values: of its parameters; angles in [rad].
+    """
+    table = exercise.reference.table
+    usual = size_of(chain_of_table(bind(table, values))) / 4
+    by = some_lengths(table, usual)[-2]
+    admitted: dict[SymbolicTable, tuple[tuple[bool, ...], bool]] = {}
+    for changed, other in textbook_choices(table, by):
+        if other not in admitted:
+            read: ReadTable = replace(exercise.reference, table=other)
+            accepted = accept(exercise.reference, read, exercise.policy) is not None
+            admitted[other] = (changed, accepted)
+    verdicts = dict(admitted.values())
+    free = tuple(name for k, name in enumerate(HABITS) if _is_free(k, verdicts))
+    fixed = tuple(
+        name
+        for k, name in enumerate(HABITS)
+        if name not in free and any(_otherwise(k, changed) in verdicts for changed in verdicts)
+    )
+    count = sum(accepted for _, accepted in admitted.values())
+    return PolicyAdmission(choices=len(admitted), admitted=count, free=free, fixed=fixed)
+
+
+def textbook_choices(
+    table: SymbolicTable, by: Expression
+) -> Iterator[tuple[tuple[bool, ...], SymbolicTable]]:
+    """Yield what is done otherwise than in the key, and the table that it leads to.
+
+    Args:
+        table: the key.
+        by: a length by which origins are moved.
+    """
+    for changed in product((False, True), repeat=len(HABITS)):
+        rows = tuple(modified_rows(table))
+        for habit, applies in zip(HABITS.values(), changed, strict=True):
+            rows = habit(rows, by) if applies else rows
+        other = changed[0] is not (table.convention is Convention.STANDARD)
+        yield (
+            changed,
+            (standard_table(list(rows)) if other else DHTable(convention=Convention.MODIFIED, rows=rows)),
+        )
+
+
+def _is_free(k: int, verdicts: Mapping[tuple[bool, ...], bool]) -> bool:
+    """Return whether two tables that differ in one habit alone are both accepted."""
+    return any(ok and verdicts.get(_otherwise(k, changed), False) for changed, ok in verdicts.items())
+
+
+def _otherwise(k: int, changed: tuple[bool, ...]) -> tuple[bool, ...]:
+    return tuple(entry is not (i == k) for i, entry in enumerate(changed))
+
+
+def _same(rows: Rows, by: Expression) -> Rows:
+    """The convention is another way of writing the same rows."""
+    return rows
+
+
+def _base_elsewhere(rows: Rows, by: Expression) -> Rows:
+    """Frame 0 on frame 1, as in Craig; where it is there already, at the foot of the axis."""
+    first = rows[0]
+    if first.joint is JointType.FIXED:
+        return (replace(first, d=add((first.d, by))), *rows[1:])
+    slides = first.joint is JointType.PRISMATIC
+    moved = replace(first, alpha=ZERO, a=ZERO, d=first.d if slides else ZERO)
+    if moved != first:
+        return (moved, *rows[1:])
+    return (replace(first, a=by) if slides else replace(first, d=by), *rows[1:])
+
+
+def _end_elsewhere(rows: Rows, by: Expression) -> Rows:
+    """The last frame elsewhere along the last axis; without the tool, where a row leads to one."""
+    *before, last = rows
+    if last.joint is JointType.FIXED and before:
+        return tuple(before)
+    return (*before, replace(last, d=add((last.d, by)))) if last.joint is JointType.REVOLUTE else rows
+
+
+def _zero_elsewhere(rows: Rows, by: Expression) -> Rows:
+    """Joint 2 is zero a quarter turn, or a length, further on."""
+    i = _inner_joint(rows)
+    row = rows[i]
+    turns = row.joint is JointType.REVOLUTE
+    moved = replace(row, theta=add((row.theta, QUARTER))) if turns else replace(row, d=add((row.d, by)))
+    return (*rows[:i], moved, *rows[i + 1 :])
+
+
+def _other_direction(rows: Rows, by: Expression) -> Rows:
+    """Joint 2 counts the other way."""
+    i = _inner_joint(rows)
+    return (*rows[:i], replace(rows[i], sign=-rows[i].sign), *rows[i + 1 :])
+
+
+def _inner_joint(rows: Rows) -> int:
+    """Return the row of joint 2, or of the only one: what joint 1 does, a free frame 0 could undo."""
+    moving = [i for i, row in enumerate(rows) if row.joint is not JointType.FIXED]
+    return moving[min(1, len(moving) - 1)]
+
+
+HABITS: dict[str, Habit] = {
+    "convention": _same,
+    "base": _base_elsewhere,
+    "tool": _end_elsewhere,
+    "zero": _zero_elsewhere,
+    "direction": _other_direction,
+}
+"""In what textbooks differ, and how."""

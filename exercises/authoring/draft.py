@@ -1,0 +1,114 @@
+"""A draft: an exercise as its author holds it, in plain data, and as the files of a folder."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib.resources.abc import Traversable
+from typing import Any
+
+from exercises.authoring.toml_text import toml_text
+from exercises.consistency import FILE
+from exercises.definition import Exercise
+from exercises.errors import DefinitionError
+from exercises.loader import files_of_folder, read_definition, read_exercise, read_statements, statement_file
+from kinematics.errors import Fault
+
+LONGEST_ID = 60
+DEEPEST = 8
+"""A definition's tables and lists stand at most five deep; this leaves room and stops a bomb."""
+MOST_ENTRIES = 128
+"""Of a table or a list: twice the rows of the longest table."""
+MOST_VALUES = 5000
+"""Of a whole definition; the longest that is shipped has some three hundred."""
+_ID = re.compile(r"[A-Za-z0-9]+(-[A-Za-z0-9]+)*")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ExerciseDraft:
+    """An exercise as its author holds it; it need not be whole.
+
+    Attributes:
+        id: name of its folder.
+        definition: the keys of exercise.toml.
+        statements: in Markdown, by language.
+    """
+
+    id: str
+    definition: Mapping[str, Any]
+    statements: Mapping[str, str]
+
+
+def exercise_of_draft(draft: ExerciseDraft) -> Exercise:
+    """The exercise that a draft describes; what reads folders reads drafts.
+
+    Raises:
+        DefinitionError: every fault that was found, each at (file, key, …); an id or a size that no folder
+        has.
+    """
+    check_id(draft.id)
+    _check_size(draft.definition)
+    return read_exercise(draft.id, draft.definition, draft.statements)
+
+
+def draft_of_files(exercise_id: str, files: Mapping[str, bytes]) -> ExerciseDraft:
+    """The draft that the files of a folder hold.
+
+    Raises:
+        DefinitionError: exercise.toml is missing or no TOML, or a statement no text.
+    """
+    return ExerciseDraft(id=exercise_id, definition=read_definition(files), statements=read_statements(files))
+
+
+def draft_of_folder(folder: Traversable) -> ExerciseDraft:
+    """The draft that a folder holds.
+
+    Raises:
+        DefinitionError: exercise.toml is missing or no TOML, or a statement no text.
+    """
+    return draft_of_files(folder.name, files_of_folder(folder))
+
+
+def files_of_draft(draft: ExerciseDraft) -> dict[str, bytes]:
+    """The files of the folder that a draft describes; `draft_of_files` reads the same draft from them.
+
+    Raises:
+        DefinitionError: a value of the definition is none that TOML knows.
+    """
+    try:
+        files = {FILE: toml_text(draft.definition).encode()}
+    except ValueError as error:
+        fault = Fault(code="exercise_file_not_toml", where=(FILE,), params={"reason": str(error)})
+        raise DefinitionError(fault) from error
+    for language in sorted(draft.statements):
+        files[statement_file(language)] = f"{draft.statements[language].strip()}\n".encode()
+    return files
+
+
+def check_id(exercise_id: str) -> None:
+    """Refuse what is no name of a folder on every system.
+
+    Raises:
+        DefinitionError: it is not made of Latin letters, digits and single hyphens, or too long.
+    """
+    if len(exercise_id) > LONGEST_ID or not _ID.fullmatch(exercise_id):
+        raise DefinitionError(
+            Fault(code="exercise_id_invalid", where=("id",), params={"id": exercise_id[:80]})
+        )
+
+
+def _check_size(definition: Mapping[str, Any]) -> None:
+    """Refuse a definition that is deeper or larger than one about a robot can be."""
+    level: list[Any] = [definition]
+    values = 0
+    for _ in range(DEEPEST):
+        inner = [entry for node in level for entry in (node.values() if isinstance(node, Mapping) else node)]
+        values += len(inner)
+        if values > MOST_VALUES or any(len(node) > MOST_ENTRIES for node in level):
+            break
+        level = [entry for entry in inner if isinstance(entry, Mapping | list)]
+        if not level:
+            return
+    params = {"entries": MOST_ENTRIES, "values": MOST_VALUES, "deepest": DEEPEST}
+    raise DefinitionError(Fault(code="draft_too_large", where=(FILE,), params=params))
