@@ -42,11 +42,11 @@ _NEAR = 1e-7
 
 Vector3 = NDArray[np.float64]
 Values = Mapping[str, float]
-_Point = Callable[[Values, "list[_Placed]"], Vector3]
+_Point = Callable[[Values, "list[_DrawnAxis]"], Vector3]
 
 
 @dataclass(frozen=True, slots=True)
-class _Placed:
+class _DrawnAxis:
     point: Vector3
     direction: Vector3
 
@@ -64,18 +64,18 @@ class AxesDrawing:
 
     joints: tuple[JointType, ...]
     points: tuple[_Point, ...]
-    directions: tuple[Callable[[Values, list[_Placed], Vector3], Vector3], ...]
+    directions: tuple[Callable[[Values, list[_DrawnAxis], Vector3], Vector3], ...]
     lengths: Values
 
     def axes(self, lengths: Values | None = None) -> tuple[JointAxis, ...]:
         """The axes at values of the lengths; those of the drawing if none are given."""
         values = self.lengths if lengths is None else lengths
-        placed: list[_Placed] = []
+        placed: list[_DrawnAxis] = []
         for point, direction in zip(self.points, self.directions, strict=True):
             at = point(values, placed)
             along = direction(values, placed, at)
             size = float(np.linalg.norm(along))
-            placed.append(_Placed(at, along / size if size > 0 else along))
+            placed.append(_DrawnAxis(at, along / size if size > 0 else along))
         return tuple(
             JointAxis(joint=joint, point=_three(axis.point), direction=_three(axis.direction))
             for joint, axis in zip(self.joints, placed, strict=True)
@@ -138,7 +138,7 @@ def _point(reader: Reader, key: str, before: int, lengths: Values) -> _Point:
 
 def _direction(
     reader: Reader, before: int, lengths: Values
-) -> Callable[[Values, list[_Placed], Vector3], Vector3]:
+) -> Callable[[Values, list[_DrawnAxis], Vector3], Vector3]:
     if not isinstance(reader.values.get("direction"), dict):
         fixed = _coordinates(reader, "direction", lengths)
         return lambda values, axes, point: fixed(values)
