@@ -100,6 +100,7 @@ kill-campaign: $(VENV)/.dev ## kill -9 the service 100 times under load, on SQLi
 
 measure-courses: $(VENV)/.dev ## regrading and statistics of 2 000 students with 20 attempts each
 	$(PY) -m tests.lti.measuring
+	$(PY) -m tests.lti.storage_price
 
 browser: ## Chromium for the end-to-end tests (Debian; needs root)
 	apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium wrk

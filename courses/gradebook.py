@@ -8,7 +8,9 @@ before its message leaves. A sender leases a row; nobody else sends it until the
 from __future__ import annotations
 
 import secrets
-from dataclasses import replace
+from collections import defaultdict
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 from typing import Any
 
@@ -16,10 +18,9 @@ import sqlalchemy as sa
 
 from courses import records
 from courses.link_settings import read
-from courses.model import CourseSession, Grade, Link, ScoreToSend
-from courses.policies import Allowance, AttemptOutcome, counted, score_due
-from courses.records import UtcTime
-from courses.statements import upsert
+from courses.model import Link, ScoreToSend
+from courses.policies import Allowance, AttemptOutcome, Counted, counted, score_due
+from courses.statements import upsert_all
 from courses.storage import Store
 
 _OUTBOX = records.score_to_send
@@ -27,93 +28,173 @@ LEASE = timedelta(seconds=60)
 """Longer than sending may take with every time-out."""
 
 
-def regrade_person(connection: sa.Connection, session: CourseSession, now: datetime) -> Grade | None:
-    """Derive one student's grade anew and queue it if it changed; inside the transaction that changed it."""
-    return regrade_student(
-        connection,
-        session.link,
-        session.person.id,
-        session.allowance,
-        timedelta(seconds=session.longest),
-        now,
-        sends=session.person.subject is not None,
-    )
+@dataclass(frozen=True, kw_only=True, slots=True)
+class GradeChange:
+    """A student's grade as it was and as it is now.
+
+    Attributes:
+        sends: the platform knows who the student is, so that scores can be sent.
+        longest: longest extra time of any student of the link.
+        is_queued: the outbox has a row of the student and link.
+        submitted: when the attempt that counts was handed in; None: it stands in the database.
+    """
+
+    link: Link
+    person_id: int
+    sends: bool
+    longest: timedelta
+    before: Counted | None
+    grade: Counted
+    is_queued: bool
+    submitted: datetime | None
+
+    @property
+    def is_due(self) -> bool:
+        """Whether the gradebook has to hear of it."""
+        heard = self.is_queued and self.before is not None and self.before.worth == self.grade.worth
+        return self.sends and bool(self.link.line_item or self.link.line_items) and not heard
 
 
-def regrade_student(
+def store_changes(connection: sa.Connection, changes: Sequence[GradeChange], now: datetime) -> None:
+    """Write grades down and queue what the gradebook has to hear, in the transaction that changed them."""
+    new = [change for change in changes if change.grade != change.before]
+    if new:
+        table = records.grade
+        rows = [
+            {
+                "link_id": change.link.id,
+                "person_id": change.person_id,
+                "score": change.grade.worth,
+                "number": change.grade.number,
+            }
+            for change in new
+        ]
+        upsert_all(connection, table, ("link_id", "person_id"), rows)
+    due = [change for change in changes if change.is_due]
+    if due:
+        _queue(connection, due, now)
+
+
+def regrade(
     connection: sa.Connection,
     link: Link,
-    person_id: int,
-    allowance: Allowance,
-    longest: timedelta,
+    allowances: Mapping[int, Allowance],
+    unsent: Collection[int],
     now: datetime,
-    *,
-    sends: bool = True,
-) -> Grade | None:
-    """The counted score of one student, stored and queued for the gradebook if it changed."""
-    outcomes = effective_outcomes(connection, link.id, person_id)
-    chosen = counted(link.settings.policy, outcomes, allowance)
-    if chosen is None:
-        return None
-    new = Grade(link_id=link.id, person_id=person_id, score=chosen.worth, number=chosen.number)
-    table, key = records.grade, {"link_id": link.id, "person_id": person_id}
-    known = connection.execute(
-        sa.select(table.c.score, table.c.number).where(
-            table.c.link_id == link.id, table.c.person_id == person_id
+) -> None:
+    """Derive the grades of students anew from all their attempts, and queue those that changed.
+
+    Args:
+        connection: in the transaction that changed a rule or a score, with the students' rows locked.
+        link: with its rules.
+        allowances: of each student, by their ids.
+        unsent: students whose scores cannot be sent.
+        now: the time.
+    """
+    longest = longest_extra(connection, link.id)
+    outcomes = effective_outcomes(connection, link.id, list(allowances))
+    before, queued = _grades(connection, link.id), _queued(connection, link.id)
+    changes = []
+    for person_id, allowance in allowances.items():
+        made = outcomes.get(person_id, [])
+        grade = counted(link.settings.policy, made, allowance)
+        if grade is None:
+            continue
+        change = GradeChange(
+            link=link,
+            person_id=person_id,
+            sends=person_id not in unsent,
+            longest=longest,
+            before=before.get(person_id),
+            grade=grade,
+            is_queued=person_id in queued,
+            submitted=next(outcome.at for outcome in made if outcome.number == grade.number),
         )
-    ).first()
-    before = known.score if known else None
-    if known is None or (known.score, known.number) != (new.score, new.number):
-        upsert(connection, table, key, {"score": new.score, "number": new.number})
-    sends = sends and bool(link.line_item or link.line_items)
-    if sends and (before != new.score or not _is_queued(connection, new)):
-        released = link.released_at is not None
-        due = score_due(link.settings.policy, now, released=released, longest=longest)
-        submitted = next((o.at for o in outcomes if o.number == chosen.number), now)
-        _queue(connection, new, due, submitted)
-    return new
+        changes.append(change)
+    store_changes(connection, changes, now)
 
 
-def effective_outcomes(connection: sa.Connection, link_id: int, person_id: int) -> list[AttemptOutcome]:
-    """Outcomes of a student's attempts, each with the score that its last regrading gave it."""
+def longest_extra(connection: sa.Connection, link_id: int) -> timedelta:
+    """Longest extra time of any student of a link."""
+    table = records.participation
+    found = sa.select(sa.func.max(table.c.extra_seconds)).where(table.c.link_id == link_id)
+    return timedelta(seconds=connection.scalar(found) or 0)
+
+
+def _grades(connection: sa.Connection, link_id: int) -> dict[int, Counted]:
+    table = records.grade
+    wanted = sa.select(table.c.person_id, table.c.number, table.c.score).where(table.c.link_id == link_id)
+    return {
+        person: Counted(number=number, worth=worth) for person, number, worth in connection.execute(wanted)
+    }
+
+
+def _queued(connection: sa.Connection, link_id: int) -> frozenset[int]:
+    return frozenset(connection.scalars(sa.select(_OUTBOX.c.person_id).where(_OUTBOX.c.link_id == link_id)))
+
+
+def effective_outcomes(
+    connection: sa.Connection, link_id: int, people: Collection[int]
+) -> dict[int, list[AttemptOutcome]]:
+    """Outcomes of students' attempts by person, each with the score that its last regrading gave it."""
     attempt, regraded, run = records.attempt, records.regraded, records.regrading
-    latest = (
-        sa.select(regraded.c.score)
-        .join(run, run.c.id == regraded.c.regrading_id)
-        .where(regraded.c.attempt_id == attempt.c.id, run.c.applied.is_not(None))
-        .order_by(regraded.c.regrading_id.desc())
-        .limit(1)
-        .scalar_subquery()
-    )
     wanted = (
-        sa.select(attempt.c.number, attempt.c.at, sa.func.coalesce(latest, attempt.c.score))
-        .where(attempt.c.link_id == link_id, attempt.c.person_id == person_id)
+        sa.select(attempt.c.id, attempt.c.person_id, attempt.c.number, attempt.c.at, attempt.c.score)
+        .where(attempt.c.link_id == link_id)
         .order_by(attempt.c.number)
     )
-    return [AttemptOutcome(number=n, at=at, score=score) for n, at, score in connection.execute(wanted)]
+    again = (
+        sa.select(regraded.c.attempt_id, regraded.c.score)
+        .join(run, run.c.id == regraded.c.regrading_id)
+        .where(run.c.link_id == link_id, run.c.applied.is_not(None))
+        .order_by(regraded.c.regrading_id)
+    )
+    if len(people) == 1:
+        wanted = wanted.where(attempt.c.person_id.in_(people))
+    newest = {row.attempt_id: row.score for row in connection.execute(again)}
+    chosen = set(people)
+    found: dict[int, list[AttemptOutcome]] = defaultdict(list)
+    for attempt_id, person_id, number, at, score in connection.execute(wanted):
+        if person_id in chosen:
+            effective = newest.get(attempt_id, score)
+            found[person_id].append(AttemptOutcome(number=number, at=at, score=effective))
+    return found
 
 
-def _is_queued(connection: sa.Connection, grade: Grade) -> bool:
-    own = sa.and_(_OUTBOX.c.link_id == grade.link_id, _OUTBOX.c.person_id == grade.person_id)
-    return connection.execute(sa.select(sa.literal(1)).select_from(_OUTBOX).where(own)).first() is not None
+def _queue(connection: sa.Connection, changes: Sequence[GradeChange], now: datetime) -> None:
+    """Put scores into the outbox, in place of what it has of the same students; what is leased stays so."""
+    rows = []
+    for change in changes:
+        released = change.link.released_at is not None
+        rows.append(
+            {
+                "link_id": change.link.id,
+                "person_id": change.person_id,
+                "score": change.grade.worth,
+                "submitted_at": change.submitted or _handed_in(connection, change),
+                "due": score_due(change.link.settings.policy, now, released=released, longest=change.longest),
+                "tries": 0,
+                "dead": False,
+                "problem": None,
+                "revision": 1,
+            }
+        )
+    upsert_all(
+        connection,
+        _OUTBOX,
+        ("link_id", "person_id"),
+        rows,
+        lambda new: {
+            "due": sa.case((_OUTBOX.c.lease.is_(None), new.due), else_=_OUTBOX.c.due),
+            "revision": _OUTBOX.c.revision + 1,
+        },
+    )
 
 
-def _queue(connection: sa.Connection, grade: Grade, due: datetime | None, submitted: datetime) -> None:
-    key = {"link_id": grade.link_id, "person_id": grade.person_id}
-    changed: dict[str, Any] = {
-        "score": grade.score,
-        "submitted_at": submitted,
-        "due": due,
-        "tries": 0,
-        "dead": False,
-        "problem": None,
-    }
-    own = sa.and_(_OUTBOX.c.link_id == grade.link_id, _OUTBOX.c.person_id == grade.person_id)
-    in_flight = sa.case((_OUTBOX.c.lease.is_(None), sa.bindparam("at", due, UtcTime)), else_=_OUTBOX.c.due)
-    raised = sa.update(_OUTBOX).where(own)
-    raised = raised.values(**{**changed, "due": in_flight}, revision=_OUTBOX.c.revision + 1)
-    if connection.execute(raised).rowcount == 0:
-        upsert(connection, _OUTBOX, key, changed, {"revision": 1})
+def _handed_in(connection: sa.Connection, change: GradeChange) -> datetime | None:
+    table = records.attempt
+    same = (table.c.link_id == change.link.id, table.c.person_id == change.person_id)
+    return connection.scalar(sa.select(table.c.at).where(*same, table.c.number == change.grade.number))
 
 
 def lease_scores(store: Store, now: datetime, limit: int = 10) -> list[ScoreToSend]:

@@ -10,7 +10,7 @@ import sqlalchemy as sa
 
 from courses import records
 from courses.attempts import attempt_of
-from courses.gradebook import regrade_student, release_scores
+from courses.gradebook import regrade, release_scores
 from courses.link_settings import read, written
 from courses.model import Attempt, Link, LinkSettings
 from courses.policies import Allowance
@@ -89,29 +89,22 @@ def regrade_people(
 ) -> None:
     """Derive the grades of some people of a link anew, of all if none are named."""
     link = _link(connection.execute(sa.select(_LINK).where(_LINK.c.id == link_id)).one())
-    longest = connection.scalar(
-        sa.select(sa.func.max(_PART.c.extra_seconds)).where(_PART.c.link_id == link_id)
-    )
     wanted = (
         sa.select(_PART, records.person.c.subject)
         .join(records.person, records.person.c.id == _PART.c.person_id)
         .where(_PART.c.link_id == link_id, _PART.c.made > 0)
+        .order_by(_PART.c.person_id)
     )
     if people is not None:
         wanted = wanted.where(_PART.c.person_id.in_(list(people)))
-    for row in connection.execute(wanted.with_for_update(of=_PART)).all():
-        allowance = Allowance(
+    rows = connection.execute(wanted.with_for_update(of=_PART)).all()
+    allowances = {
+        row.person_id: Allowance(
             extra_time=timedelta(seconds=row.extra_seconds), extra_attempts=row.extra_attempts
         )
-        regrade_student(
-            connection,
-            link,
-            row.person_id,
-            allowance,
-            timedelta(seconds=longest or 0),
-            now,
-            sends=row.subject is not None,
-        )
+        for row in rows
+    }
+    regrade(connection, link, allowances, {row.person_id for row in rows if row.subject is None}, now)
 
 
 def _regrade_all(connection: sa.Connection, link_id: int, now: datetime) -> None:

@@ -172,16 +172,6 @@ class Draft:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Grade:
-    """The counted score of a student, 0 … 1; derived from attempts."""
-
-    link_id: int
-    person_id: int
-    score: float
-    number: int
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
 class ScoreToSend:
     """A score that is leased to one sender.
 

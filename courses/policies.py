@@ -157,6 +157,32 @@ def counted(
     return Counted(number=chosen.number, worth=worth(policy, chosen))
 
 
+def advanced(
+    policy: AttemptPolicy,
+    before: Counted | None,
+    outcome: AttemptOutcome,
+    allowance: Allowance = NO_ALLOWANCE,
+) -> Counted | None:
+    """What makes the grade after one more attempt: `counted` of all, from what it was of those before.
+
+    Args:
+        policy: the link's.
+        before: `counted` of the earlier attempts.
+        outcome: the newest attempt.
+        allowance: the student's.
+    """
+    latest = counted(policy, [outcome], allowance)
+    if before is None or latest is None:
+        return latest or before
+    match policy.counting:
+        case Counting.FIRST:
+            return before
+        case Counting.LAST:
+            return latest
+        case Counting.BEST:
+            return latest if latest.worth > before.worth else before
+
+
 def disclosed(
     policy: AttemptPolicy, made: int, now: datetime, *, released: bool, longest: timedelta = timedelta()
 ) -> Shown:

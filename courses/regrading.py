@@ -16,7 +16,7 @@ from typing import Any
 import sqlalchemy as sa
 
 from courses import records
-from courses.attempts import attempt_of, insert_findings
+from courses.attempts import attempt_of, finding_rows
 from courses.links import regrade_people
 from courses.model import Attempt
 from courses.refusals import unknown_record
@@ -153,9 +153,15 @@ def apply(store: Store, link_id: int, run: int, now: datetime) -> None:
         mine = _DONE.c.regrading_id == run
         changed = sa.select(_DONE.c.attempt_id, _DONE.c.report).where(mine, _DONE.c.report.is_not(None))
         finding = records.finding
-        for row in connection.execute(changed).all():
-            connection.execute(sa.delete(finding).where(finding.c.attempt_id == row.attempt_id))
-            insert_findings(connection, row.attempt_id, link_id, row.report["analysis"])
+        rows = connection.execute(changed).all()
+        connection.execute(
+            sa.delete(finding).where(finding.c.attempt_id.in_(changed.with_only_columns(_DONE.c.attempt_id)))
+        )
+        found = [
+            each for row in rows for each in finding_rows(row.attempt_id, link_id, row.report["analysis"])
+        ]
+        if found:
+            connection.execute(sa.insert(finding), found)
         earlier = _DONE.alias()
         before = sa.exists().where(
             earlier.c.attempt_id == _DONE.c.attempt_id, earlier.c.regrading_id != _DONE.c.regrading_id

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import sqlalchemy as sa
@@ -37,6 +37,30 @@ def upsert(
     else:
         statement = statement.on_conflict_do_nothing()
     connection.execute(statement)
+
+
+def upsert_all(
+    connection: sa.Connection,
+    table: sa.Table,
+    key: Sequence[str],
+    rows: Sequence[Mapping[str, Any]],
+    changed: Callable[[Any], Mapping[str, Any]] = lambda _: {},
+) -> None:
+    """Insert rows, or change those that have their keys.
+
+    Args:
+        connection: in a transaction that writes.
+        table: which.
+        key: columns that identify a row, under a unique constraint.
+        rows: what they hold from now on; all with the same columns.
+        changed: values of a row that was there, where they are not the new ones; given the new row's columns.
+    """
+    statement = _insert(connection, table)
+    new = {name: statement.excluded[name] for name in rows[0] if name not in key}
+    values = {**new, **changed(statement.excluded)}
+    connection.execute(
+        statement.on_conflict_do_update(index_elements=list(key), set_=values), [dict(row) for row in rows]
+    )
 
 
 def _insert(connection: sa.Connection, table: sa.Table) -> Any:

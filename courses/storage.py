@@ -8,18 +8,20 @@ from __future__ import annotations
 
 import fcntl
 import json
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+import psycopg
 import sqlalchemy as sa
 from alembic.config import Config
 from alembic.migration import MigrationContext
 from alembic.runtime.environment import EnvironmentContext
 from alembic.script import ScriptDirectory
 from sqlalchemy import event
-from sqlalchemy.exc import ArgumentError, SQLAlchemyError
+from sqlalchemy.exc import ArgumentError, DisconnectionError, SQLAlchemyError
 from sqlalchemy.pool import ConnectionPoolEntry
 
 from courses.records import metadata
@@ -32,7 +34,10 @@ BUSY_SECONDS = 30.0
 """How long a writer waits for another one on SQLite."""
 CONNECTIONS = 16
 _LOCK = 0x6672616D65776973  # "framewis", the advisory lock of migrations on PostgreSQL
+TRUSTED_SECONDS = 1.0
+"""A connection that was used so lately is not asked whether it still stands."""
 _WRITES = "writes"
+_USED = "used"
 
 
 class Store:
@@ -62,6 +67,12 @@ class Store:
         """A transaction that sees one state of the database."""
         with self.engine.connect() as connection, connection.begin():
             yield connection
+
+    @contextmanager
+    def asking(self) -> Iterator[sa.Connection]:
+        """A single query, which sees one state of the database by itself: no round trip but its own."""
+        with self.engine.connect() as connection:
+            yield connection.execution_options(isolation_level="AUTOCOMMIT")
 
     @contextmanager
     def writing(self) -> Iterator[sa.Connection]:
@@ -175,13 +186,32 @@ def _postgresql(url: str) -> sa.Engine:
     if address.get_backend_name() not in ("postgresql", "postgres"):
         raise StorageError(Fault(code="storage_address"))
     address = address.set(drivername="postgresql+psycopg")
-    return sa.create_engine(
-        address,
-        pool_size=CONNECTIONS,
-        max_overflow=CONNECTIONS,
-        pool_pre_ping=True,
-        json_serializer=_written,
+    engine = sa.create_engine(
+        address, pool_size=CONNECTIONS, max_overflow=CONNECTIONS, json_serializer=_written
     )
+    event.listen(engine, "checkin", _note_use)
+    event.listen(engine, "checkout", _check_idle)
+    return engine
+
+
+def _note_use(_: Any, record: ConnectionPoolEntry) -> None:
+    record.info[_USED] = time.monotonic()
+
+
+def _check_idle(connection: Any, record: ConnectionPoolEntry, _: Any) -> None:
+    """Replace a connection that has ended while it was idle; one that was just used costs no round trip.
+
+    Raises:
+        DisconnectionError: it has ended; the pool opens another.
+    """
+    now = time.monotonic()
+    if now - record.info.get(_USED, now) < TRUSTED_SECONDS:
+        return
+    try:
+        connection.execute("SELECT 1")
+        connection.rollback()
+    except psycopg.Error as error:
+        raise DisconnectionError from error
 
 
 def _sqlite(file: Path) -> sa.Engine:

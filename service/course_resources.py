@@ -6,14 +6,17 @@ import threading
 import time
 from datetime import UTC, datetime
 
-from courses.model import Platform, PlatformStatus
+from courses.enrolment import sessions_of
+from courses.model import Attempt, CourseSession, Platform, PlatformStatus
 from courses.platforms import StoredKey, add_key, platforms, remove_keys, stored_keys
 from courses.storage import Store, open_store
+from courses.submissions import JudgedSubmission, store_submissions
 from service.lti.fetching import Fetcher, origin_of
 from service.lti.platform_keys import PlatformKeys
 from service.lti.services import Services
 from service.lti.signing_keys import PUBLISHED_BEFORE, new_private_key, outdated, signing_key
 from service.settings import Settings
+from service.work.gathering import Gathering
 
 _ORIGINS_LIVE = 30.0
 
@@ -26,6 +29,8 @@ class CourseResources:
         fetcher: sends requests to platforms.
         platform_keys: their keys.
         services: their services.
+        sign_in: finds who is signed in by a token.
+        keep: stores a judged submission.
     """
 
     def __init__(self, settings: Settings) -> None:
@@ -33,11 +38,22 @@ class CourseResources:
         self.fetcher = Fetcher(frozenset(settings.lti_trusted_origins))
         self.platform_keys = PlatformKeys(self.fetcher)
         self.services = Services(self.fetcher, self.signing)
+        places = settings.grading_queue
+        self.sign_in: Gathering[str, CourseSession] = Gathering(
+            lambda tokens: sessions_of(self.store, tokens, now()), batches=1, places=places
+        )
+        self.keep: Gathering[JudgedSubmission, Attempt] = Gathering(
+            lambda submissions: store_submissions(self.store, submissions, now()),
+            batches=1,
+            places=places,
+        )
         self._lock = threading.Lock()
         self._origins: tuple[tuple[str, ...], float] = ((), float("-inf"))
 
     def close(self) -> None:
-        """End every connection."""
+        """Store what waits, and end every connection."""
+        self.sign_in.close()
+        self.keep.close()
         self.fetcher.close()
         self.store.close()
 

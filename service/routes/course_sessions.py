@@ -9,11 +9,11 @@ from typing import Any, TypeVar
 from fastapi import Response
 from pydantic import TypeAdapter
 
-from courses.attempts import attempt_numbered, attempts_of, draft_of, keep_draft, shown_now
-from courses.enrolment import end_session, redeem_code, session_of
+from courses.attempts import attempt_numbered, attempts_of, by_key, draft_of, keep_draft, shown_now
+from courses.enrolment import end_session, redeem_code
 from courses.model import CourseSession
 from courses.policies import Shown, counted
-from courses.refusals import SessionError
+from courses.refusals import AttemptError, SessionError
 from kinematics.errors import Fault
 from service.course_resources import CourseResources, now
 from service.http.languages import language_of
@@ -25,7 +25,7 @@ from service.wire.session_views import attempt_view, masked, session_view, store
 from service.wire.ungraded import answer_refused
 from service.wire.verdicts import encoded, report_body
 from service.work.limiters import WorkKind
-from service.work.session_grading import Grader, hand_in, with_exercise_rules
+from service.work.session_grading import Grader, judged_submission, with_exercise_rules
 
 router = api_router("courses", route_class=DirectRoute)
 router.include_in_schema = False
@@ -52,7 +52,7 @@ async def signed_in(request: ApiRequest) -> tuple[CourseResources, CourseSession
     if not field.lower().startswith(_BEARER):
         raise SessionError(Fault(code="session_expired"))
     token = field[len(_BEARER) :].strip()
-    session = await in_thread(request, session_of, courses.store, token, now())
+    session = await courses.sign_in(token)
     return courses, with_exercise_rules(resources_of(request).exercises, session)
 
 
@@ -111,11 +111,18 @@ async def submit(request: ApiRequest) -> Response:
         wire = validated(_ANSWER, typed)
         key = request.headers.get("idempotency-key", "")[:LONGEST_KEY] or None
         grader = grader_of(request)
-        work = partial(hand_in, courses.store, grader, session, wire, typed, key, language, form)
-        attempt, found = await resources_of(request).limiters[WorkKind.GRADING].run(work)
+        work = partial(judged_submission, grader, session, wire, typed, key, language, form)
+        try:
+            submission, found = await resources_of(request).limiters[WorkKind.GRADING].run(work)
+            attempt = await courses.keep(submission)
+            told = report_body(found, language) if attempt.at == submission.attempt.at else None
+        except AttemptError:  # the last attempt that there is may be sent again, with its key
+            known = await in_thread(request, by_key, courses.store, session, key) if key else None
+            if known is None:
+                raise
+            attempt, told = known, None
     shown = Shown(attempt.shown)
-    told = report_body(found, language) if found else stored_report(attempt.report, language)
-    report = masked(told, shown) or {}
+    report = masked(told or stored_report(attempt.report, language), shown) or {}
     return json_response({**report, "attempt": attempt.number, "shown": shown.value})
 
 

@@ -17,7 +17,7 @@ from service.messages import sentence
 from service.schemas.derived import SPOKEN, carries_sentences
 
 
-def encoded(body: dict[str, Any]) -> bytes:
+def encoded(body: dict[str, Any] | Report) -> bytes:
     """Return a body as JSON; records of the domain are written by their fields."""
     return orjson.dumps(body, default=_plain)
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
-from courses.attempts import store_attempt
 from courses.enrolment import Arrival, arrive, session_of
 from courses.model import Attempt, CourseSession, Platform, PlatformStatus, Role
 from courses.platforms import add_platform
 from courses.storage import Store
+from courses.submissions import JudgedSubmission, store_submission
 
 NOW = datetime(2027, 3, 1, 12, 0, tzinfo=UTC)
 
@@ -70,4 +70,5 @@ def submitted(
         score=score,
         correct=score == 1.0,
     )
-    return store_attempt(store, session, attempt, at, report)
+    judged = JudgedSubmission(session=session, attempt=attempt, analysis=report)
+    return store_submission(store, judged, at)

@@ -15,6 +15,7 @@ from courses.policies import (
     FeedbackTiming,
     Mode,
     Shown,
+    advanced,
     counted,
     disclosed,
     refusal,
@@ -67,6 +68,15 @@ def test_the_best_is_never_beaten_and_never_falls_with_one_more_attempt(policy, 
     if final:
         timely = [o for o in made if policy.closes is None or o.at <= policy.closes]
         assert final.worth == max(worth(policy, o) for o in timely)
+
+
+@given(policies, outcomes, extra)
+def test_a_grade_that_follows_attempt_by_attempt_is_the_grade_of_all(policy, made, more) -> None:
+    allowance = Allowance(extra_time=more)
+    grade = None
+    for n, outcome in enumerate(made, 1):
+        grade = advanced(policy, grade, outcome, allowance)
+        assert grade == counted(policy, made[:n], allowance)
 
 
 @given(policies, outcomes, extra)

@@ -20,11 +20,12 @@ from courses.model import CourseSession, LinkSettings, Role
 from courses.regrading import Scope, apply, begin, changes, rejudge
 from courses.statistics import link_statistics, misconceptions, unexplained
 from courses.storage import Store, open_store
+from courses.submissions import store_submission
 from exercises.loader import packaged
 from kinematics.cells import DEFAULT
 from service.course_resources import now
 from service.schemas.exercises import ExerciseAnswer
-from service.work.session_grading import Grader, hand_in
+from service.work.session_grading import Grader, judged_submission
 from tests.courses.classroom import platform
 from tests.web.driving import PUMA
 
@@ -92,7 +93,8 @@ def filled(store: Store, grader: Grader, students: int, attempts: int) -> Course
     for number, mistake in enumerate(MISTAKES):
         typed = answer(mistake)
         wire = ExerciseAnswer.model_validate(typed)
-        made.append(hand_in(store, grader, session, wire, typed, f"k{number}", "en")[0])
+        judged, _ = judged_submission(grader, session, wire, typed, f"k{number}", "en")
+        made.append(store_submission(store, judged, now()))
     at = now()
     with store.writing() as connection:
         findings = list(connection.execute(sa.select(records.finding)))

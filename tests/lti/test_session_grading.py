@@ -13,12 +13,13 @@ from courses.model import CourseSession, LinkSettings
 from courses.policies import AttemptPolicy
 from courses.refusals import AttemptError
 from courses.storage import Store, open_store
+from courses.submissions import store_submission
 from exercises.grading import HelpLevel
 from exercises.loader import Library
 from kinematics.cells import DEFAULT
 from service.course_resources import now
 from service.schemas.exercises import ExerciseAnswer
-from service.work.session_grading import Grader, hand_in, with_exercise_rules
+from service.work.session_grading import Grader, judged_submission, with_exercise_rules
 from tests.courses.classroom import joined
 from tests.exercises.folders import TWO_LINKS, folder
 
@@ -55,8 +56,8 @@ def wrong(store: Store, grader: Grader, session: CourseSession, **more: Any) -> 
     """How much a wrong answer was told."""
     typed = {**WRONG, **more}
     wire = ExerciseAnswer.model_validate(typed)
-    _, found = hand_in(store, grader, session, wire, typed, None, "en")
-    assert found is not None
+    judged, found = judged_submission(grader, session, wire, typed, None, "en")
+    store_submission(store, judged, now())
     assert not found.correct
     return found.help_level
 

@@ -1,0 +1,102 @@
+"""Work on many things at once: what comes while one batch is worked on makes the next one.
+
+Nobody waits for a batch to fill: under little load a batch is one thing, under much load it grows by itself,
+and what a transaction costs (round trips, the flush of its commit) is shared by all that wait for it.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+from collections import deque
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from typing import Generic, TypeVar
+
+from service.http.problems import busy
+
+MOST = 64
+"""Things in a batch: beyond some dozens each costs no less, and all wait for the last."""
+
+_Thing = TypeVar("_Thing")
+_Result = TypeVar("_Result")
+
+
+class Gathering(Generic[_Thing, _Result]):
+    """Gathers things into batches, each worked on in a thread."""
+
+    def __init__(
+        self, work: Callable[[Sequence[_Thing]], Sequence[_Result | Exception]], *, batches: int, places: int
+    ) -> None:
+        """Make a gathering.
+
+        Args:
+            work: returns for each thing its result, or what is to be raised for it.
+            batches: how many are worked on at the same time.
+            places: how many things may wait.
+        """
+        self._work = work
+        self._batches = batches
+        self._places = places
+        self._waiting: deque[tuple[_Thing, asyncio.Future[_Result]]] = deque()
+        self._running = 0
+        self._lock = threading.Lock()
+        self._threads = ThreadPoolExecutor(max_workers=batches, thread_name_prefix="gathering")
+
+    async def __call__(self, thing: _Thing) -> _Result:
+        """The result for one thing.
+
+        Raises:
+            BusyError: as many as may wait are waiting.
+        """
+        future: asyncio.Future[_Result] = asyncio.get_running_loop().create_future()
+        with self._lock:
+            if len(self._waiting) >= self._places:
+                raise busy()
+            self._waiting.append((thing, future))
+            starts = self._running < self._batches
+            self._running += starts
+        if starts:
+            self._threads.submit(self._run)
+        return await future
+
+    def close(self) -> None:
+        """Finish what waits, and end the threads."""
+        self._threads.shutdown(wait=True)
+
+    def _run(self) -> None:
+        while batch := self._next():
+            found = self._found([thing for thing, _ in batch])
+            answered = list(zip((future for _, future in batch), found, strict=True))
+            for loop in {future.get_loop() for future, _ in answered}:
+                mine = [each for each in answered if each[0].get_loop() is loop]
+                with suppress(RuntimeError):  # the loop has been closed: nobody waits
+                    loop.call_soon_threadsafe(_deliver, mine)
+
+    def _next(self) -> list[tuple[_Thing, asyncio.Future[_Result]]]:
+        with self._lock:
+            batch = [self._waiting.popleft() for _ in range(min(MOST, len(self._waiting)))]
+            if not batch:
+                self._running -= 1
+            return batch
+
+    def _found(self, things: list[_Thing]) -> Sequence[_Result | Exception]:
+        """The results of a batch; where it fails as a whole, those of its things one by one."""
+        try:
+            return self._work(things)
+        except Exception as error:
+            if len(things) == 1:
+                return [error]
+            return [result for thing in things for result in self._found([thing])]
+
+
+def _deliver(answered: Sequence[tuple[asyncio.Future[_Result], _Result | Exception]]) -> None:
+    """Give results to those who wait; whoever has gone gets none, and what was done stays done."""
+    for future, result in answered:
+        if future.done():
+            continue
+        if isinstance(result, Exception):
+            future.set_exception(result)
+        else:
+            future.set_result(result)

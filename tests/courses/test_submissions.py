@@ -1,0 +1,100 @@
+"""Submissions that are stored together become what they would have become one by one."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import sqlalchemy as sa
+
+from courses import records
+from courses.links import change_settings
+from courses.model import Attempt, CourseSession, LinkSettings
+from courses.policies import AttemptPolicy, Counting
+from courses.privacy import erase_person
+from courses.refusals import AttemptError, UnknownRecordError
+from courses.storage import Store
+from courses.submissions import JudgedSubmission, store_submissions
+from tests.courses.classroom import NOW, joined
+from tests.courses.test_attempts import WRONG
+
+HANDED_IN = (
+    ("ann", "a", 0.5), ("bob", "a", 0.2), ("ann", "b", 0.9), ("ann", "a", 1.0), ("eve", "a", 1.0),
+    ("ann", "c", 0.1), ("bob", "b", 0.2), ("ann", "d", 1.0), ("bob", "b", 0.7), ("ann", "b", 0.3),
+)  # fmt: skip
+"""Who hands in, with which idempotency key and what score; ann's fourth is one too many."""
+SPLITS = ((10,), (1,) * 10, (3, 4, 3), (7, 3))
+
+
+def judged(session: CourseSession, key: str, score: float) -> JudgedSubmission:
+    attempt = Attempt(
+        link_id=session.link.id,
+        person_id=session.person.id,
+        key=key,
+        at=NOW,
+        exercise_id="puma560",
+        version="1",
+        seed=None,
+        language="en",
+        answer={"said": key},
+        report=WRONG,
+        score=score,
+        correct=score == 1.0,
+    )
+    return JudgedSubmission(session=session, attempt=attempt, analysis=WRONG)
+
+
+def told(result: Attempt | Exception) -> tuple[Any, ...]:
+    return (result.code,) if isinstance(result, AttemptError) else (result.number, result.key, result.score)
+
+
+def rows(store: Store, link_id: int) -> list[Any]:
+    """Everything of a link that a grade or a gradebook depends on, by pseudonyms."""
+    found: list[Any] = []
+    with store.reading() as connection:
+        for table, names in (
+            (records.participation, ("made",)),
+            (records.attempt, ("number", "key", "score", "shown", "answer")),
+            (records.grade, ("score", "number")),
+            (records.score_to_send, ("score", "sent_revision")),
+            (records.finding.join(records.attempt), ()),
+        ):
+            if names:
+                wanted = sa.select(records.person.c.subject, *(table.c[name] for name in names))
+                wanted = wanted.join(records.person, records.person.c.id == table.c.person_id)
+                found.append(sorted(map(repr, connection.execute(wanted.where(table.c.link_id == link_id)))))
+            else:
+                own = records.attempt.c.link_id == link_id
+                found.append(connection.scalar(sa.select(sa.func.count()).select_from(table).where(own)))
+    return found
+
+
+@pytest.mark.parametrize("counting", Counting)
+def test_a_batch_is_what_its_submissions_are_one_by_one(store: Store, counting: Counting) -> None:
+    policy = AttemptPolicy(attempts=3, counting=counting, penalty=0.1)
+    outcomes = []
+    for number, split in enumerate(SPLITS):
+        here = {"resource": f"link-{number}", "line_item": f"https://lms.example.edu/items/{number}"}
+        link = joined(store, "teacher", **here).link
+        change_settings(store, link.id, LinkSettings(exercise_id="puma560", policy=policy), NOW)
+        sessions = {name: joined(store, name, **here) for name in ("ann", "bob", "eve")}
+        waiting = [judged(sessions[name], key, score) for name, key, score in HANDED_IN]
+        results: list[Attempt | Exception] = []
+        for size in split:
+            results += store_submissions(store, waiting[:size], NOW)
+            waiting = waiting[size:]
+        assert all(isinstance(each, AttemptError) or each.id for each in results)
+        outcomes.append(([told(each) for each in results], rows(store, link.id)))
+    assert outcomes[0][0] == [
+        (1, "a", 0.5), (1, "a", 0.2), (2, "b", 0.9), (1, "a", 0.5), (1, "a", 1.0),
+        (3, "c", 0.1), (2, "b", 0.2), ("attempts_used",), (2, "b", 0.2), (2, "b", 0.9),
+    ]  # fmt: skip
+    assert all(outcome == outcomes[0] for outcome in outcomes)
+
+
+def test_who_was_erased_meanwhile_spoils_nobody_elses_submission(store: Store) -> None:
+    ann, bob = joined(store, "ann"), joined(store, "bob")
+    erase_person(store, ann.person.key)
+    first, second = store_submissions(store, [judged(ann, "a", 1.0), judged(bob, "a", 1.0)], NOW)
+    assert isinstance(first, UnknownRecordError)
+    assert isinstance(second, Attempt)
