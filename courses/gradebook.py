@@ -314,6 +314,39 @@ def release_scores(connection: sa.Connection, link_id: int, now: datetime) -> No
     connection.execute(sa.update(_OUTBOX).where(held).values(due=now))
 
 
+@dataclass(frozen=True, kw_only=True, slots=True)
+class OutboxState:
+    """How the outbox is.
+
+    Attributes:
+        waiting: scores that are due, or were tried and will be again.
+        dead: scores that a platform has refused for good.
+        oldest: how long ago the oldest attempt of those that wait was handed in [s].
+    """
+
+    waiting: int
+    dead: int
+    oldest: float
+
+
+def outbox_state(store: Store, now: datetime) -> OutboxState:
+    """How the outbox is, for those who watch it."""
+    unsent = sa.and_(
+        _OUTBOX.c.revision > _OUTBOX.c.sent_revision,
+        _OUTBOX.c.dead.is_(False),
+        sa.or_(_OUTBOX.c.due <= now, _OUTBOX.c.tries > 0),
+    )
+    wanted = sa.select(
+        sa.func.count().filter(unsent),
+        sa.func.count().filter(_OUTBOX.c.dead.is_(True)),
+        sa.func.min(_OUTBOX.c.submitted_at).filter(unsent),
+    )
+    with store.asking() as connection:
+        waiting, dead, first = connection.execute(wanted).one()
+    oldest = 0.0 if first is None else max(0.0, (now - first).total_seconds())
+    return OutboxState(waiting=waiting, dead=dead, oldest=oldest)
+
+
 def keep_line_item(store: Store, link_id: int, line_item: str) -> None:
     """Remember the line item that was found, or made, for a link."""
     with store.writing() as connection:

@@ -34,7 +34,9 @@ from service.http.problems import (
     problem_of,
 )
 from service.http.routing import DirectRoute
+from service.http.tracing import TracingMiddleware, exporting
 from service.http.validation import request_error
+from service.metrics import Metrics
 from service.resources import Resources, resources_of
 from service.routes import routers
 from service.secret import installation_secret
@@ -47,6 +49,8 @@ _log = logging.getLogger("uvicorn.error")
 THREADS = 4
 """Threads for what has no limiter of its own, such as compressing: more of them would only wait for each
 other."""
+
+WATCH_SECONDS = 2.0
 
 DESCRIPTION = """\
 Denavit–Hartenberg kinematics over HTTP: a table and joint values in; poses, Jacobians, closed forms and other
@@ -108,6 +112,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         refuse=_refuse_in_link,
     )
     app.add_middleware(OuterMiddleware, settings=settings)
+    if settings.traces:
+        app.add_middleware(TracingMiddleware, provider=exporting(settings.traces))
     app.openapi = functools.cache(lambda: openapi.document(app, TAGS))  # type: ignore[method-assign]
     return app
 
@@ -121,20 +127,30 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     workers.warm()
     courses = app.state.resources.courses
     sender = ScoreSender(courses) if courses is not None else None
+    watching = asyncio.create_task(_watch(app.state.resources.metrics))
     if sender is not None:
         _log.info("Courses and attempts are stored in %s", courses.store.location)
         sender.start()
     try:
         yield
     finally:
+        watching.cancel()
         if sender is not None:
             await asyncio.to_thread(sender.stop)
         await asyncio.to_thread(app.state.resources.close)
 
 
+async def _watch(metrics: Metrics) -> None:
+    """Keep figures that another process of this server tells for this one."""
+    while True:
+        metrics.note_occupancy()
+        await asyncio.sleep(WATCH_SECONDS)
+
+
 def problem_response(request: Request, problem: Problem) -> Response:
     """The problem document in the caller's language."""
     language = language_for(request.headers.get("accept-language"))
+    resources_of(request).metrics.refused(problem.faults[0].code)
     settings = resources_of(request).settings
     body = problem.encoded(
         language, prefix=request.scope.get("root_path", ""), fault_limit=settings.fault_limit

@@ -7,6 +7,7 @@ import time
 from datetime import UTC, datetime
 
 from courses.enrolment import sessions_of
+from courses.gradebook import OutboxState, outbox_state
 from courses.model import Attempt, CourseSession, Platform, PlatformStatus
 from courses.platforms import StoredKey, add_key, platforms, remove_keys, stored_keys
 from courses.storage import Store, open_store
@@ -56,6 +57,10 @@ class CourseResources:
         self.keep.close()
         self.fetcher.close()
         self.store.close()
+
+    def outbox(self) -> OutboxState:
+        """How the outbox of scores is."""
+        return outbox_state(self.store, now())
 
     def keys(self) -> list[StoredKey]:
         """The tool's keys; the first one is made when it is first needed."""

@@ -15,6 +15,7 @@ from kinematics.errors import Fault
 from service.course_resources import CourseResources
 from service.http.problems import NotFoundError, RequestPart
 from service.http.uploads import UploadBudget
+from service.metrics import Metrics, Occupancy
 from service.receipts.keys import receipt_keys
 from service.settings import Settings
 from service.wire.answer_cache import AnswerCache
@@ -41,6 +42,7 @@ class Resources:
         callbacks: sends feedback that is asked for later.
         courses: the database and what comes with it; None where storage is switched off.
         uploads: the bytes of large bodies that are being received.
+        metrics: what the operator watches.
     """
 
     def __init__(self, settings: Settings) -> None:
@@ -55,6 +57,7 @@ class Resources:
         self.callbacks = Callbacks(settings.callback_hosts, self.receipt_keys.sign)
         self.courses = CourseResources(settings) if settings.storage == "on" else None
         self.uploads = UploadBudget(UPLOADS * settings.batch_body_limit)
+        self.metrics = Metrics(self._occupancy, self.courses.outbox if self.courses else None)
 
     def with_courses(self) -> CourseResources:
         """Return the resources of courses.
@@ -65,6 +68,12 @@ class Resources:
         if self.courses is None:
             raise NotFoundError(Fault(code="storage_off"), part=RequestPart.PATH)
         return self.courses
+
+    def _occupancy(self) -> Occupancy:
+        """What runs and waits: in threads by the kind of work, in processes by their lane."""
+        queues = {kind.value: limiter.queue for kind, limiter in self.limiters.items()}
+        queues |= {f"processes-{name.value}": lane.queue for name, lane in self.workers.lanes.items()}
+        return {name: (queue.running, queue.waiting) for name, queue in queues.items()}
 
     def close(self) -> None:
         """End worker processes and connections."""

@@ -48,6 +48,11 @@ class Settings(BaseSettings):
     workers: PositiveInt = Field(1, description="server processes")
     access_log: bool = Field(False, description="log a line for each request")
     log_format: LogFormat = Field(LogFormat.TEXT, description="how the log is written: text, or json")
+    metrics: Literal["on", "off"] = Field("on", description="tell Prometheus metrics at /metrics")
+    traces: str = Field(
+        "",
+        description="OpenTelemetry collector (OTLP over HTTP) for traces; needs the extra telemetry",
+    )
     shutdown_seconds: PositiveInt = Field(
         10, description="time that requests have to end when the server is told to stop [s]"
     )

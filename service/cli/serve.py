@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import shutil
 
 import uvicorn
 
@@ -10,6 +11,7 @@ from service.app import create_app
 from service.cli.environment import settings_of_environment
 from service.http.connections import server_options
 from service.logs import log_configuration
+from service.metrics import share_metrics
 from service.secret import share_secret
 
 _LARGEST_PORT = 65535
@@ -35,7 +37,11 @@ def _serve(options: argparse.Namespace) -> int:
     workers = settings.workers if options.workers is None else options.workers
     if workers > 1:
         share_secret()
-        uvicorn.run("service.app:create_app", factory=True, workers=workers, **chosen)  # type: ignore[arg-type]
+        figures = share_metrics()
+        try:
+            uvicorn.run("service.app:create_app", factory=True, workers=workers, **chosen)  # type: ignore[arg-type]
+        finally:
+            shutil.rmtree(figures, ignore_errors=True)
         return 0
     app = create_app(settings)
     try:

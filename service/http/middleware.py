@@ -23,10 +23,13 @@ from service.http.languages import language_for
 from service.http.problems import INTERNAL, PROBLEM_JSON, Problem
 from service.http.uploads import HELD, Upload, may_be_under_way
 from service.logs import log_access
+from service.metrics import UNMATCHED
 from service.settings import PREFIX, Settings
 from service.work.fair_queue import current_client
 
 REQUEST_ID = "request_id"
+ROUTE = "route_template"
+"""Where a scope says, once the request is over, which route served it: a template without names."""
 PEER = "peer"
 """Where a request's scope says which address the connection comes from: the client's, or a proxy's."""
 _SANE_REQUEST_ID = re.compile(rb"[A-Za-z0-9._:-]{1,64}")
@@ -106,8 +109,11 @@ class OuterMiddleware:
         finally:
             if HELD in scope:
                 scope["app"].state.resources.uploads.release(scope)
+            route = original[ROUTE] = _template(scope)
+            seconds = time.perf_counter() - begun
+            scope["app"].state.resources.metrics.requested(original["method"], route, status, seconds)
             if self._settings.access_log:
-                log_access(original, status, time.perf_counter() - begun, request_id.decode())
+                log_access(original["method"], route, status, seconds, request_id.decode())
 
     def _open(self, scope: Scope, fields: Mapping[bytes, bytes]) -> bytes:
         """Read what a proxy says about the request; name the request."""
@@ -144,6 +150,12 @@ class OuterMiddleware:
         ]
         await send({"type": "http.response.start", "status": INTERNAL, "headers": headers})
         await send({"type": "http.response.body", "body": body})
+
+
+def _template(scope: Scope) -> str:
+    """Return the path of the route that served a request, with names for what differs from call to call."""
+    path = getattr(scope.get("route"), "path", None)
+    return path if isinstance(path, str) else UNMATCHED
 
 
 def _place_under(scope: Scope, prefix: str) -> None:

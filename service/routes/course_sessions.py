@@ -116,6 +116,8 @@ async def submit(request: ApiRequest) -> Response:
             submission, found = await resources_of(request).limiters[WorkKind.GRADING].run(work)
             attempt = await courses.keep(submission)
             told = report_body(found, language) if attempt.at == submission.attempt.at else None
+            metrics = resources_of(request).metrics
+            metrics.graded(correct=attempt.correct, score=attempt.score, kept=True)
         except AttemptError:  # the last attempt that there is may be sent again, with its key
             known = await in_thread(request, by_key, courses.store, session, key) if key else None
             if known is None:

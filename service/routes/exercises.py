@@ -116,6 +116,7 @@ async def grade_answer(request: ApiRequest) -> Response:
     language = language_of(request)
     with answer_refused():
         report = await _judged(request)
+    resources_of(request).metrics.graded(correct=report.correct, score=report.score, kept=False)
     return _answer(encoded(report_body(report, language)), language, JSON)
 
 

@@ -57,6 +57,7 @@ async def grade_table(request: ApiRequest) -> Response:
         return await _many(request, body)
     with answer_refused():
         verdict = await _verdict(request)
+    request.resources.metrics.graded(correct=verdict.correct, score=verdict.score, kept=False)
     return BytesResponse(encoded(verdict_body(verdict, language_of(request))))
 
 

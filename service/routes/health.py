@@ -5,11 +5,19 @@ from __future__ import annotations
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Response
+from fastapi.responses import PlainTextResponse
+from prometheus_client import CONTENT_TYPE_LATEST
 from pydantic import Field
 
+from kinematics.errors import Fault
 from service import __version__
+from service.http.openapi import problems
+from service.http.problems import NotFoundError, RequestPart
 from service.resources import AppResources
 from service.schemas.base import Wire
+from service.work.limiters import WorkKind
+
+EXAMPLE = 'framewise_grades_total{kept="yes",outcome="right"} 2000.0'
 
 router = APIRouter(tags=["service"])
 
@@ -64,6 +72,24 @@ async def readyz(response: Response, resources: AppResources) -> Readiness:
     ready = all(lane.ready for lane in lanes.values())
     response.status_code = 200 if ready else 503
     return Readiness(status="ready" if ready else "starting", lanes=lanes)
+
+
+@router.get(
+    "/metrics",
+    summary="What is to be watched",
+    response_class=PlainTextResponse,
+    responses={200: {"content": {CONTENT_TYPE_LATEST: {"example": EXAMPLE}}}, **problems(404)},
+)
+async def metrics(resources: AppResources) -> Response:
+    """Figures in Prometheus's text format; they name nobody.
+
+    Latency by route, refusals by code, judgements by outcome, what runs and waits in each lane, and the
+    scores that wait to be sent.
+    """
+    if resources.settings.metrics == "off":
+        raise NotFoundError(Fault(code="address_unknown", params={"path": "/metrics"}), part=RequestPart.PATH)
+    told = await resources.limiters[WorkKind.COURSES].run(resources.metrics.exposition)
+    return Response(told, media_type=CONTENT_TYPE_LATEST, headers={"Cache-Control": "no-store"})
 
 
 @router.get("/version", summary="Which version answers?")
