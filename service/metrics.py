@@ -55,7 +55,7 @@ class Metrics:
             occupancy: tells what runs and waits in each lane of this process.
             outbox: asks for the state of the scores to send; None without storage.
         """
-        disable_created_metrics()
+        disable_created_metrics()  # type: ignore[no-untyped-call]
         self._occupancy = occupancy
         self._registry = CollectorRegistry()
         self._outbox = OutboxCollector(outbox) if outbox else None

@@ -149,7 +149,8 @@ async def _answered(request: Request, work: Callable[[], Response]) -> Response:
 def _refused(request: Request, error: ServiceError | KinematicsError) -> Response:
     """A problem document, or a page for people; logged with its code and no secret."""
     problem = problem_of(error, request.scope.get(REQUEST_ID, ""))
-    _log.warning("refused %s: %s (%s)", request.url.path, error.faults[0].code, problem.request_id)
+    route = request.scope["route"].path  # an address may hold an invitation's secret
+    _log.warning("refused %s: %s (%s)", route, error.faults[0].code, problem.request_id)
     if "text/html" not in request.headers.get("accept", ""):
         raise error
     fault = error.faults[0]
