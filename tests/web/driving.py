@@ -131,9 +131,14 @@ def submit(page: Page) -> Locator:
     return verdict
 
 
-def share(page: Page) -> str:
-    """The share of the points that the ring shows, such as "83 %"."""
-    return page.locator("#verdict .score-ring").inner_text()
+def points(page: Page) -> str:
+    """What the ring says, such as "17.5 of 100 points"."""
+    return page.locator("#verdict .score-ring").get_attribute("aria-label") or ""
+
+
+def all_right(page: Page) -> bool:
+    """Whether everything that was handed in is right: the ring is as green as its words."""
+    return "good" in (page.locator("#verdict .verdict-head").get_attribute("class") or "").split()
 
 
 def rows(convention: str, text: str) -> list[dict[str, str]]:
@@ -187,3 +192,10 @@ RX90: Table = {
         """,
     ),
 }
+
+
+def wrong(table: Table, row: int, **cells: str) -> dict[str, Any]:
+    """A table with some cells of a row changed; rows from 0."""
+    cells_of = [dict(entry) for entry in table["rows"]]
+    cells_of[row].update(cells)
+    return {**table, "rows": cells_of}

@@ -9,7 +9,7 @@ from playwright.sync_api import Page, expect
 
 from tests.web.answers import ANSWERS, link_matrices, pose, transform
 from tests.web.conftest import OpenPage
-from tests.web.driving import fill_matrix, fill_table, open_part, share, submit
+from tests.web.driving import all_right, fill_matrix, fill_table, open_part, submit
 
 
 def fill_everything(page: Page, answer: dict[str, Any]) -> None:
@@ -38,8 +38,8 @@ def test_from_an_empty_form_to_full_marks(open_page: OpenPage, exercise: str) ->
     submit(page)
     failed = page.locator("#verdict .part-report:has(.badge.bad), #verdict .part-report:has(.badge.warn)")
     assert failed.all_inner_texts() == []
-    assert share(page) == "100 %"
+    assert all_right(page)
     expect(page.locator("#verdict")).to_contain_text("Your table describes this robot.")
-    expect(page.locator("#verdict")).to_contain_text("100 of 100 points.")
+    expect(page.locator("#verdict")).to_contain_text("100 of 100 points")
     expect(page.locator("#verdict robot-scene")).to_be_visible()
     expect(page.locator("#history .badge.good")).to_have_text("100 of 100 points")

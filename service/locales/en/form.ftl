@@ -20,7 +20,7 @@ form-home-more = More
 form-home-playground = Any table: poses, Jacobians, closed forms, conversions.
 form-home-api = Programming interface
 form-home-api-text = The same over HTTP, as an OpenAPI document.
-form-home-best = Best score { $score } %
+form-home-best = Best: { $points } of { $total } points
 form-home-joints =
     { $joints ->
         [one] One joint
@@ -210,13 +210,9 @@ form-verdict-correct = Your table describes this robot.
 form-verdict-wrong = Your table describes another robot.
 form-verdict-all = Everything that you handed in is right.
 form-verdict-some = Not everything is right yet.
-form-total = { $points } of { $total } points.
-form-total-handed = { $points } of { $most } points for what you handed in; the exercise has { $total }.
-form-total-missing = Not handed in: { $parts }.
 form-verdict-outdated = You have changed your answer since.
 form-basis-proved = Proved: the identity holds for all joint values.
 form-basis-verified = Verified on many configurations.
-form-score = { $score } %
 form-links-caption = What is right in each row
 form-fact-twist = Twist α
 form-fact-length = Length a
@@ -291,3 +287,23 @@ form-ghost-text = In grey and orange the exercise's robot, in transparent red yo
 form-ghost-description = Your robot lies on the exercise's up to frame { $row }, which is marked: there they part.
 form-new = New
 form-new-done = A new, empty table.
+
+form-progress = What is done and what is left
+form-progress-open = still open
+form-progress-typed = not checked yet
+form-part-missing = not handed in
+form-part-empty = Nothing stands here yet.
+form-submit-part = Check this part
+form-points-for = A wrong table earns points for the facts that it has right: that each joint is there with its type, the twists, the lengths and the offsets. A joint that is missing costs most, a slipped sign least.
+form-help-steps = one step after another
+form-help-principle = The principle.
+form-help-worked = A worked step, on another robot.
+form-help-next = The next step of help comes with your next answer, once you have changed it.
+form-principle-twist = The twist α turns one z axis into the next, seen along the x axis that is perpendicular to both. Parallel z axes have 0° or 180°, perpendicular ones 90° or −90°; the right hand, its thumb along x, gives the sign.
+form-principle-length = The length a is the distance of two neighbouring z axes along their common normal, which is the x axis. It is 0 if and only if the two lines meet.
+form-principle-offset = The offset d is the distance along a z axis between two feet: where the common normal from the axis before arrives, and where the one to the next axis leaves. If neighbouring axes are parallel, you may choose where it stands, but only once.
+form-principle-joint = A revolute joint turns about its z axis, so its variable is θ; a prismatic joint slides along it, so its variable is d. Every joint has one row, in the order from the base to the tool.
+form-worked-twist = A shoulder whose first axis stands upright and whose second axis lies flat: the two z axes are perpendicular. With x pointing to you, the right hand turns z upright into z flat by −90° or by 90°, depending on the sense you gave z; so α = −90° or 90°, never 0.
+form-worked-length = Two links in a plane, 0.4 m and 0.3 m long: both joint axes stand upright, 0.4 m apart. Their common normal is the first link, so a = 0.4 m. In a wrist whose axes meet in one point, each a is 0.
+form-worked-offset = A shoulder stands 0.2 m to the side of the upright first axis, and the second axis is horizontal. Along the second axis, 0.2 m lie between the foot of the normal from the first axis and that of the normal to the third: d = 0.2 m, in the row of the second joint.
+form-worked-joint = A gantry moves its carriage along a rail and turns the gripper below it. The rail is a prismatic joint: its row has the variable in d and a number in θ. The gripper is a revolute joint: its row has the variable in θ and a number in d.

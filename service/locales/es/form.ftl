@@ -20,7 +20,7 @@ form-home-more = Más
 form-home-playground = Cualquier tabla: poses, jacobianos, formas simbólicas, conversiones.
 form-home-api = Interfaz de programación
 form-home-api-text = Lo mismo por HTTP, como documento OpenAPI.
-form-home-best = Mejor puntuación { $score } %
+form-home-best = Lo mejor: { $points } de { $total } puntos
 form-home-joints =
     { $joints ->
         [one] Una articulación
@@ -210,13 +210,9 @@ form-verdict-correct = Su tabla describe este robot.
 form-verdict-wrong = Su tabla describe otro robot.
 form-verdict-all = Todo lo que ha entregado está bien.
 form-verdict-some = Aún no está todo bien.
-form-total = { $points } de { $total } puntos.
-form-total-handed = { $points } de { $most } puntos por lo entregado; el ejercicio tiene { $total }.
-form-total-missing = Sin entregar: { $parts }.
 form-verdict-outdated = Desde entonces ha cambiado su respuesta.
 form-basis-proved = Demostrado: la identidad vale para todos los valores articulares.
 form-basis-verified = Verificado en muchas configuraciones.
-form-score = { $score } %
 form-links-caption = Lo que está bien en cada fila
 form-fact-twist = Torsión α
 form-fact-length = Longitud a
@@ -291,3 +287,23 @@ form-ghost-text = En gris y naranja, el robot del ejercicio; en rojo transparent
 form-ghost-description = Su robot coincide con el del ejercicio hasta el sistema { $row }, que está marcado: allí se separan.
 form-new = Nueva
 form-new-done = Una tabla nueva, vacía.
+
+form-progress = Lo que está hecho y lo que falta
+form-progress-open = sin responder
+form-progress-typed = sin comprobar
+form-part-missing = sin entregar
+form-part-empty = Aquí todavía no hay nada escrito.
+form-submit-part = Comprobar esta parte
+form-points-for = Una tabla incorrecta recibe puntos por lo que tiene bien: que cada articulación esté, con su tipo, las torsiones, las longitudes y los desplazamientos. Lo que más cuesta es una articulación que falta; lo que menos, un signo cambiado.
+form-help-steps = un paso tras otro
+form-help-principle = El principio.
+form-help-worked = Un paso resuelto, en otro robot.
+form-help-next = El siguiente paso de la ayuda llega con su próxima respuesta, cuando la haya cambiado.
+form-principle-twist = La torsión α lleva un eje z al siguiente, vista según el eje x, que es perpendicular a ambos. Los ejes z paralelos tienen 0° o 180°; los perpendiculares, 90° o −90°; la mano derecha, con el pulgar según x, da el signo.
+form-principle-length = La longitud a es la distancia entre dos ejes z vecinos medida en su normal común, que es el eje x. Vale 0 si y solo si las dos rectas se cortan.
+form-principle-offset = El desplazamiento d es la distancia sobre un eje z entre dos pies: donde llega la normal común desde el eje anterior y donde sale la que va al siguiente. Si los ejes vecinos son paralelos, puede elegir dónde se pone, pero una sola vez.
+form-principle-joint = Una articulación de rotación gira en torno a su eje z: su variable es θ. Una prismática se desliza según él: su variable es d. Cada articulación tiene una fila, en el orden de la base a la herramienta.
+form-worked-twist = Un hombro cuyo primer eje es vertical y cuyo segundo eje es horizontal: los dos ejes z son perpendiculares. Con x hacia usted, la mano derecha lleva el z vertical al horizontal con −90° o con 90°, según el sentido dado a z; así α = −90° o 90°, nunca 0.
+form-worked-length = Dos eslabones en un plano, de 0,4 m y 0,3 m: los dos ejes son verticales y distan 0,4 m. Su normal común es el primer eslabón: a = 0,4 m. En una muñeca cuyos ejes se cortan en un punto, cada a es 0.
+form-worked-offset = Un hombro está a 0,2 m al lado del primer eje, vertical, y el segundo eje es horizontal. Sobre el segundo eje hay 0,2 m entre el pie de la normal desde el primero y el de la normal al tercero: d = 0,2 m, en la fila de la segunda articulación.
+form-worked-joint = Un pórtico mueve su carro por un carril y gira la pinza que cuelga de él. El carril es una articulación prismática: su fila tiene la variable en d y un número en θ. La pinza es una articulación de rotación: la variable en θ y un número en d.

@@ -20,7 +20,7 @@ form-home-more = Autres pages
 form-home-playground = Un tableau quelconque : poses, jacobiennes, formes littérales, conversions.
 form-home-api = Interface de programmation
 form-home-api-text = La même chose par HTTP, en document OpenAPI.
-form-home-best = Meilleur score { $score } %
+form-home-best = Meilleur essai : { $points } points sur { $total }
 form-home-joints =
     { $joints ->
         [one] Une articulation
@@ -210,13 +210,9 @@ form-verdict-correct = Votre tableau décrit ce robot.
 form-verdict-wrong = Votre tableau décrit un autre robot.
 form-verdict-all = Tout ce que vous avez rendu est juste.
 form-verdict-some = Tout n’est pas encore juste.
-form-total = { $points } points sur { $total }.
-form-total-handed = { $points } points sur { $most } pour ce que vous avez rendu ; l’exercice en a { $total }.
-form-total-missing = Non rendu : { $parts }.
 form-verdict-outdated = Vous avez modifié votre réponse depuis.
 form-basis-proved = Prouvé : l’identité vaut pour toutes les valeurs articulaires.
 form-basis-verified = Vérifié sur de nombreuses configurations.
-form-score = { $score } %
 form-links-caption = Ce qui est juste dans chaque ligne
 form-fact-twist = Torsion α
 form-fact-length = Longueur a
@@ -291,3 +287,23 @@ form-ghost-text = En gris et orange, le robot de l’exercice ; en rouge transpa
 form-ghost-description = Votre robot coïncide avec celui de l’exercice jusqu’au repère { $row }, qui est marqué : là, ils se séparent.
 form-new = Nouveau
 form-new-done = Un nouveau tableau, vide.
+
+form-progress = Ce qui est fait et ce qui reste
+form-progress-open = à faire
+form-progress-typed = pas encore vérifié
+form-part-missing = non rendu
+form-part-empty = Rien n’est encore écrit ici.
+form-submit-part = Vérifier cette partie
+form-points-for = Un tableau faux gagne des points pour ce qu’il a de juste : que chaque articulation soit là avec son type, les torsions, les longueurs et les décalages. Une articulation qui manque coûte le plus, un signe qui a glissé le moins.
+form-help-steps = une étape après l’autre
+form-help-principle = Le principe.
+form-help-worked = Une étape traitée, sur un autre robot.
+form-help-next = L’étape suivante de l’aide vient avec votre prochaine réponse, une fois que vous l’aurez changée.
+form-principle-twist = La torsion α amène un axe z sur le suivant, vue le long de l’axe x, perpendiculaire aux deux. Des axes z parallèles ont 0° ou 180°, des axes perpendiculaires 90° ou −90° ; la main droite, le pouce selon x, donne le signe.
+form-principle-length = La longueur a est la distance de deux axes z voisins le long de leur normale commune, qui est l’axe x. Elle vaut 0 si et seulement si les deux droites se coupent.
+form-principle-offset = Le décalage d est la distance, le long d’un axe z, entre deux pieds : là où arrive la normale commune depuis l’axe précédent, et là où part celle vers l’axe suivant. Si des axes voisins sont parallèles, vous choisissez où il se place, mais une seule fois.
+form-principle-joint = Une articulation rotoïde tourne autour de son axe z : sa variable est θ. Une articulation prismatique glisse le long de son axe : sa variable est d. Chaque articulation a une ligne, de la base à l’outil.
+form-worked-twist = Une épaule dont le premier axe est vertical et le deuxième horizontal : les deux axes z sont perpendiculaires. Avec x vers vous, la main droite amène le z vertical sur l’horizontal par −90° ou 90°, selon le sens donné à z ; donc α = −90° ou 90°, jamais 0.
+form-worked-length = Deux corps dans un plan, longs de 0,4 m et 0,3 m : les deux axes sont verticaux, à 0,4 m l’un de l’autre. Leur normale commune est le premier corps, donc a = 0,4 m. Dans un poignet dont les axes se coupent en un point, chaque a vaut 0.
+form-worked-offset = Une épaule se trouve à 0,2 m à côté du premier axe, vertical, et le deuxième axe est horizontal. Le long du deuxième axe, il y a 0,2 m entre le pied de la normale venant du premier et celui de la normale vers le troisième : d = 0,2 m, dans la ligne de la deuxième articulation.
+form-worked-joint = Un portique déplace son chariot le long d’un rail et tourne la pince qui y pend. Le rail est une articulation prismatique : sa ligne a la variable en d et un nombre en θ. La pince est une articulation rotoïde : la variable en θ et un nombre en d.

@@ -20,7 +20,7 @@ form-home-more = Mais
 form-home-playground = Qualquer tabela: poses, jacobianos, formas simbólicas, conversões.
 form-home-api = Interface de programação
 form-home-api-text = O mesmo por HTTP, como documento OpenAPI.
-form-home-best = Melhor pontuação { $score } %
+form-home-best = Melhor: { $points } de { $total } pontos
 form-home-joints =
     { $joints ->
         [one] Uma junta
@@ -210,13 +210,9 @@ form-verdict-correct = A sua tabela descreve este robô.
 form-verdict-wrong = A sua tabela descreve outro robô.
 form-verdict-all = Tudo o que entregou está certo.
 form-verdict-some = Ainda nem tudo está certo.
-form-total = { $points } de { $total } pontos.
-form-total-handed = { $points } de { $most } pontos pelo que entregou; o exercício tem { $total }.
-form-total-missing = Por entregar: { $parts }.
 form-verdict-outdated = Entretanto alterou a sua resposta.
 form-basis-proved = Provado: a identidade vale para todos os valores das juntas.
 form-basis-verified = Verificado em muitas configurações.
-form-score = { $score } %
 form-links-caption = O que está certo em cada linha
 form-fact-twist = Torção α
 form-fact-length = Comprimento a
@@ -291,3 +287,23 @@ form-ghost-text = A cinzento e laranja, o robô do exercício; a vermelho transp
 form-ghost-description = O seu robô coincide com o do exercício até ao referencial { $row }, que está marcado: aí separam-se.
 form-new = Nova
 form-new-done = Uma tabela nova, vazia.
+
+form-progress = O que está feito e o que falta
+form-progress-open = por fazer
+form-progress-typed = por verificar
+form-part-missing = por entregar
+form-part-empty = Ainda não há nada escrito aqui.
+form-submit-part = Verificar esta parte
+form-points-for = Uma tabela errada ganha pontos pelo que tem certo: que cada junta esteja lá com o seu tipo, as torções, os comprimentos e os deslocamentos. O que mais custa é uma junta em falta; o que menos, um sinal trocado.
+form-help-steps = um passo de cada vez
+form-help-principle = O princípio.
+form-help-worked = Um passo resolvido, noutro robô.
+form-help-next = O passo seguinte da ajuda vem com a sua próxima resposta, depois de a ter alterado.
+form-principle-twist = A torção α leva um eixo z ao seguinte, vista ao longo do eixo x, perpendicular a ambos. Eixos z paralelos têm 0° ou 180°, perpendiculares 90° ou −90°; a mão direita, com o polegar segundo x, dá o sinal.
+form-principle-length = O comprimento a é a distância entre dois eixos z vizinhos ao longo da normal comum, que é o eixo x. É 0 se e só se as duas retas se cortam.
+form-principle-offset = O deslocamento d é a distância, ao longo de um eixo z, entre dois pés: onde chega a normal comum vinda do eixo anterior e onde parte a que vai para o seguinte. Se eixos vizinhos são paralelos, pode escolher onde fica, mas uma só vez.
+form-principle-joint = Uma junta de rotação roda em torno do seu eixo z: a variável é θ. Uma junta prismática desliza ao longo dele: a variável é d. Cada junta tem uma linha, pela ordem da base à ferramenta.
+form-worked-twist = Um ombro cujo primeiro eixo é vertical e cujo segundo eixo é horizontal: os dois eixos z são perpendiculares. Com x virado para si, a mão direita leva o z vertical ao horizontal com −90° ou 90°, conforme o sentido dado a z; logo α = −90° ou 90°, nunca 0.
+form-worked-length = Dois elos num plano, com 0,4 m e 0,3 m: os dois eixos são verticais, a 0,4 m um do outro. A normal comum é o primeiro elo, logo a = 0,4 m. Num punho cujos eixos se cortam num ponto, cada a é 0.
+form-worked-offset = Um ombro está 0,2 m ao lado do primeiro eixo, vertical, e o segundo eixo é horizontal. Ao longo do segundo eixo há 0,2 m entre o pé da normal vinda do primeiro e o da normal para o terceiro: d = 0,2 m, na linha da segunda junta.
+form-worked-joint = Um pórtico desloca o carro ao longo de uma calha e roda a garra por baixo. A calha é uma junta prismática: a sua linha tem a variável em d e um número em θ. A garra é uma junta de rotação: a variável em θ e um número em d.

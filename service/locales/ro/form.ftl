@@ -20,7 +20,7 @@ form-home-more = Mai mult
 form-home-playground = Orice tabel: poziționări, jacobieni, forme simbolice, conversii.
 form-home-api = Interfață de programare
 form-home-api-text = Același lucru prin HTTP, ca document OpenAPI.
-form-home-best = Cel mai bun scor { $score } %
+form-home-best = Cel mai bine: { $points } din { $total } puncte
 form-home-joints =
     { $joints ->
         [one] O cuplă
@@ -218,13 +218,9 @@ form-verdict-correct = Tabelul descrie acest robot.
 form-verdict-wrong = Tabelul descrie alt robot.
 form-verdict-all = Tot ce ați predat este corect.
 form-verdict-some = Încă nu totul este corect.
-form-total = { $points } din { $total } puncte.
-form-total-handed = { $points } din { $most } puncte pentru ce ați predat; exercițiul are { $total }.
-form-total-missing = Nepredate: { $parts }.
 form-verdict-outdated = Între timp ați modificat răspunsul.
 form-basis-proved = Demonstrat: identitatea are loc pentru toate valorile cuplelor.
 form-basis-verified = Verificat pentru multe configurații.
-form-score = { $score } %
 form-links-caption = Ce este corect în fiecare rând
 form-fact-twist = Torsiunea α
 form-fact-length = Lungimea a
@@ -300,3 +296,23 @@ form-ghost-text = Cu gri și portocaliu, robotul exercițiului; cu roșu transpa
 form-ghost-description = Robotul dumneavoastră se suprapune peste cel al exercițiului până la sistemul { $row }, care este marcat: acolo se despart.
 form-new = Nou
 form-new-done = Un tabel nou, gol.
+
+form-progress = Ce este făcut și ce a rămas
+form-progress-open = de făcut
+form-progress-typed = neverificat încă
+form-part-missing = nepredat
+form-part-empty = Aici nu este scris încă nimic.
+form-submit-part = Verifică această parte
+form-points-for = Un tabel greșit primește puncte pentru ce are corect: fiecare cuplă prezentă, cu tipul ei, torsiunile, lungimile și decalajele. Cel mai mult costă o cuplă care lipsește, cel mai puțin un semn schimbat.
+form-help-steps = pas cu pas
+form-help-principle = Principiul.
+form-help-worked = Un pas rezolvat, la alt robot.
+form-help-next = Următorul pas al ajutorului vine cu următorul răspuns, după ce l-ați schimbat.
+form-principle-twist = Torsiunea α duce o axă z în următoarea, privită de-a lungul axei x, care este perpendiculară pe amândouă. Axele z paralele au 0° sau 180°, cele perpendiculare 90° sau −90°; mâna dreaptă, cu degetul mare după x, dă semnul.
+form-principle-length = Lungimea a este distanța dintre două axe z vecine, măsurată pe normala lor comună, care este axa x. Este 0 dacă și numai dacă cele două drepte se taie.
+form-principle-offset = Decalajul d este distanța de-a lungul unei axe z între două picioare: unde sosește normala comună de la axa dinainte și unde pleacă cea spre axa următoare. Dacă axele vecine sunt paralele, puteți alege unde îl puneți, dar o singură dată.
+form-principle-joint = O cuplă de rotație se rotește în jurul axei sale z: variabila este θ. O cuplă de translație alunecă de-a lungul ei: variabila este d. Fiecare cuplă are un rând, în ordine de la bază la sculă.
+form-worked-twist = Un umăr a cărui primă axă este verticală, iar a doua orizontală: cele două axe z sunt perpendiculare. Cu x spre dumneavoastră, mâna dreaptă duce z vertical în cel orizontal cu −90° sau 90°, după sensul ales pentru z; deci α = −90° sau 90°, niciodată 0.
+form-worked-length = Două elemente într-un plan, de 0,4 m și 0,3 m: ambele axe sunt verticale, la 0,4 m una de alta. Normala lor comună este primul element, deci a = 0,4 m. La o încheietură ale cărei axe se taie într-un punct, fiecare a este 0.
+form-worked-offset = Un umăr se află la 0,2 m lateral de prima axă, verticală, iar a doua axă este orizontală. De-a lungul celei de-a doua axe sunt 0,2 m între piciorul normalei de la prima și cel al normalei spre a treia: d = 0,2 m, în rândul cuplei a doua.
+form-worked-joint = Un portal își mișcă căruciorul pe o șină și rotește griferul de sub el. Șina este o cuplă de translație: rândul ei are variabila în d și un număr în θ. Griferul este o cuplă de rotație: variabila în θ și un număr în d.

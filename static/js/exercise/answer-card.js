@@ -1,23 +1,29 @@
 /** Everything that is handed in: the table, and what else the exercise asks. */
 
-import { el, fill, uniqueId } from "../dom.js";
+import { announce, el, fill } from "../dom.js";
 import { newTable } from "../editor/model.js";
 import { t } from "../i18n.js";
 import { subscript, superscript } from "../numbers.js";
-import { keep, recall } from "../storage.js";
 import { AnswerForm, formPlace } from "./answer-form.js";
+import { Help } from "./help.js";
 import { MatrixField, MatrixListField, NumbersField, SchematicField } from "./part-fields.js";
+import { partName, pointsText, Progress } from "./progress.js";
 
 /** @typedef {{kind: string, points: number}} Part */
 
 export class AnswerCard {
   /**
    * @param {HTMLElement} place @param {any} exercise
-   * @param {{changed: (what: "table" | "part") => void, submit: () => void}} listeners
+   * @param {{changed: (what: "table" | "part") => void, submit: (kind?: string) => void, together?: boolean}} page
+   *   `submit` hands in everything, or one part; `together`: with one part goes all else that is ready, because what
+   *   is handed in counts as a whole
    */
-  constructor(place, exercise, { changed, submit }) {
+  constructor(place, exercise, { changed, submit, together = false }) {
     this.exercise = exercise;
     this.changed = changed;
+    this.together = together;
+    this.help = new Help(exercise);
+    this.progress = new Progress(exercise, (kind) => this.goTo(kind));
     this.editor = /** @type {any} */ (document.createElement("dh-table-editor"));
     this.editor.allowed = exercise.conventions;
     const { angle_unit: angleUnit, length_unit: lengthUnit } = exercise;
@@ -33,8 +39,15 @@ export class AnswerCard {
     this.button = el("button", { type: "submit", class: "primary", onclick: press, text: t("form-submit") });
     this.problem = el("div", { id: "submit-problem" });
     const table = exercise.parts.find((/** @type {any} */ { kind }) => kind === "table");
+    const several = this.parts.length > 1 || (this.parts.length > 0 && Boolean(table));
     this.sections = this.parts.map((/** @type {any} */ { part, field }) =>
-      section(part.kind, part, exercise, field.element, this.parts.length > 1 || Boolean(table)),
+      section(
+        part.kind,
+        part,
+        exercise,
+        several ? [field.element, this.#checkButton(part.kind, submit)] : field.element,
+        several,
+      ),
     );
     if (!table && this.sections.length === 1) this.sections[0].open = true;
     this.withTable = Boolean(table);
@@ -50,20 +63,62 @@ export class AnswerCard {
           }
         },
       },
-      table ? section("table", table, exercise, this.editor, this.parts.length > 0) : null,
+      table
+        ? section("table", table, exercise, [this.editor, several && this.#checkButton("table", submit)], several)
+        : null,
       this.sections,
       el(
         "div",
         { class: "row submit-row no-print" },
         this.button,
         el("span", { class: "hint", text: t("form-submit-hint") }),
-        helpChoice(exercise),
+        this.help.element(),
       ),
       this.problem,
     );
-    for (const { field } of this.parts) field.onchange = () => this.changed("part");
-    fill(place, form);
+    for (const { field } of this.parts) field.onchange = () => (this.showProgress(), this.changed("part"));
+    fill(place, form, this.progress.element);
     this.#resize();
+    this.showProgress();
+  }
+
+  /** What stands in each part, in the exercise's order. @returns {import("./progress.js").PartState[]} */
+  get states() {
+    const { key: _, ...table } = this.editor.table;
+    return this.exercise.parts.map((/** @type {Part} */ { kind }) => {
+      if (kind === "table") return { kind, touched: !this.editor.untouched, print: JSON.stringify(table) };
+      const found = this.parts.find((/** @type {any} */ { part }) => part.kind === kind);
+      return { kind, touched: found.field.touched, print: JSON.stringify(found.field.value) };
+    });
+  }
+
+  showProgress() {
+    this.progress.show(this.states);
+  }
+
+  /** Takes what was found of an answer. @param {Wire.Graded} graded @param {import("./progress.js").PartState[]} handed */
+  judged(graded, handed) {
+    this.progress.take(graded, handed);
+    this.showProgress();
+  }
+
+  /** Leads to a part, opened. @param {string} kind */
+  goTo(kind) {
+    if (kind === "table") return this.focus();
+    this.focusPart(kind, []);
+    document.getElementById(`part-${kind}`)?.scrollIntoView({ block: "nearest" });
+  }
+
+  /** @param {string} kind @param {(kind?: string) => void} submit */
+  #checkButton(kind, submit) {
+    const label = t("form-submit-part");
+    const press = () => submit(kind);
+    const name = `${label}: ${partName(kind)}`;
+    return el(
+      "p",
+      { class: "no-print" },
+      el("button", { type: "button", "aria-label": name, onclick: press, text: label }),
+    );
   }
 
   get table() {
@@ -88,6 +143,7 @@ export class AnswerCard {
       if (parts?.[part.kind]) field.state = parts[part.kind];
       if (field.touched) /** @type {HTMLDetailsElement} */ (this.sections[i]).open = true;
     });
+    this.showProgress();
   }
 
   /** @param {boolean} busy */
@@ -99,30 +155,47 @@ export class AnswerCard {
   }
 
   /**
-   * What is sent: the table, and whatever else was typed, and how much help is wanted. A table that nobody touched is left out where there
-   * is something else; null if the table has empty cells, which are then pointed out.
-   * @returns {Record<string, any> | null}
+   * What is sent, with how much help is wanted: everything that was typed, a table that nobody touched left out where
+   * there is something else; or one part, with the table if it is whole, and the parts that were judged before.
+   * @param {string | null} [kind] the part that is checked; null: everything
+   * @returns {Record<string, any> | null} null if something is missing, which is then pointed out
    */
-  request() {
+  request(kind = null) {
     if (this.button.getAttribute("aria-disabled") === "true") return null;
-    const open = this.parts.find(
-      (/** @type {any} */ { field }) => field instanceof SchematicField && field.missing.length,
-    );
+    const judged = this.progress.judged(this.states);
+    const asked = this.parts.filter((/** @type {any} */ { part, field }) => {
+      if (kind === null || part.kind === kind) return true;
+      return this.together ? field.touched && !field.missing?.length : judged.has(part.kind);
+    });
+    const open = asked.find((/** @type {any} */ { field }) => field.missing?.length);
     if (open) {
       open.field.showFaults(open.field.missing);
       this.focusPart(open.part.kind, open.field.missing[0].where);
       return null;
     }
-    const typed = this.parts
+    const typed = asked
       .map((/** @type {any} */ { part, field }) => [part.kind, field.value])
       .filter((/** @type {any} */ [, value]) => value !== null);
-    const others = { ...Object.fromEntries(typed), ...helpWanted(this.exercise) };
-    if (!this.withTable) return others;
-    const needsTable = "link_matrices" in others || !typed.length || !this.editor.untouched;
-    if (!needsTable) return others;
-    if (this.editor.complete) return { table: this.editor.table, ...others };
-    this.editor.showMissing();
-    return null;
+    /** @type {Record<string, any>} */
+    const others = Object.fromEntries(typed);
+    if (kind !== null && kind !== "table" && !(kind in others)) {
+      announce(t("form-part-empty"));
+      this.focusPart(kind, []);
+      return null;
+    }
+    const needsTable = this.withTable && ("link_matrices" in others || this.#needsTable(kind, typed));
+    const whole = this.withTable && this.editor.complete && !this.editor.untouched;
+    if (needsTable && !this.editor.complete) {
+      this.editor.showMissing();
+      return null;
+    }
+    const answer = needsTable || whole ? { table: this.editor.table, ...others } : others;
+    return { ...answer, ...this.help.wanted(answer) };
+  }
+
+  /** @param {string | null} kind @param {any[]} typed */
+  #needsTable(kind, typed) {
+    return kind === "table" || (kind === null && (!typed.length || !this.editor.untouched));
   }
 
   /** What the service understood. @param {import("../understanding.js").Answer} answer */
@@ -179,6 +252,7 @@ export class AnswerCard {
 
   #edited() {
     this.#resize();
+    this.showProgress();
     this.changed("table");
   }
 
@@ -215,11 +289,8 @@ export function unknownNames({ dimensions }, rows, parameters) {
 
 /** One thing that is asked. What comes besides the table is folded, so that a phone's page stays short. @param {string} kind @param {any} part @param {Wire.Exercise} exercise @param {any} content @param {any} several */
 function section(kind, part, exercise, content, several) {
-  const name = t(`form-part-${kind.replaceAll("_", "-")}`);
-  const share =
-    several && part
-      ? el("span", { class: "badge", text: t("form-points", { points: part.points, total: exercise.points }) })
-      : null;
+  const name = partName(kind);
+  const share = several && part ? el("span", { class: "badge", text: pointsText(part.points, exercise.points) }) : null;
   if (kind === "table") {
     const title = several ? el("h3", { class: "row" }, name, share) : null;
     return el("section", { class: "part", id: "part-table", "aria-label": name }, title, content);
@@ -231,36 +302,6 @@ function section(kind, part, exercise, content, several) {
     el("p", { class: "hint", text: part.task }),
     content,
   );
-}
-
-const LEVELS = ["verdict", "row", "kind", "repair"];
-
-/** Levels of help that an exercise allows, from the least. @param {Wire.Exercise} exercise */
-function levelsOf(exercise) {
-  return LEVELS.slice(0, LEVELS.indexOf(exercise.help) + 1);
-}
-
-/** Less help than the exercise allows, if the student wants less; kept for every exercise in this browser. @param {Wire.Exercise} exercise */
-function helpWanted(exercise) {
-  const wanted = recall("help", exercise.help);
-  return wanted !== exercise.help && levelsOf(exercise).includes(wanted) ? { help: wanted } : {};
-}
-
-/** @param {Wire.Exercise} exercise */
-function helpChoice(exercise) {
-  const levels = levelsOf(exercise);
-  if (levels.length < 2) return null;
-  const id = uniqueId("help");
-  const { help = exercise.help } = helpWanted(exercise);
-  const options = levels.map((value) =>
-    el("option", { value, selected: value === help, text: t(`form-help-${value}`) }),
-  );
-  const select = el(
-    "select",
-    { id, onchange: (event) => keep("help", event.target.value === exercise.help ? null : event.target.value) },
-    options,
-  );
-  return el("div", { class: "row help-choice" }, el("label", { for: id, text: t("form-help") }), select);
 }
 
 /** @param {any} part @param {Wire.Exercise} exercise */

@@ -2,19 +2,13 @@
 
 import { el, fill } from "../dom.js";
 import { language, t } from "../i18n.js";
-import { plain } from "../numbers.js";
-
-/** What an attempt earned, of all that the exercise has to give. @param {any} attempt */
-function pointsOf({ score, verdict }) {
-  const { points, max_points: total } = verdict?.total ?? { points: score * 100, max_points: 100 };
-  return t("form-points", { points: plain(points, 1), total: plain(total, 1) });
-}
+import { pointsText } from "./progress.js";
 
 /**
- * @param {HTMLElement} place @param {import("../attempts.js").Attempt[]} attempts
+ * @param {HTMLElement} place @param {import("../attempts.js").Attempt[]} attempts @param {number} total points of the exercise
  * @param {(attempt: import("../attempts.js").Attempt) => void} restore @param {() => void} clear
  */
-export function showHistory(place, attempts, restore, clear) {
+export function showHistory(place, attempts, total, restore, clear) {
   const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
   fill(
     place,
@@ -26,7 +20,10 @@ export function showHistory(place, attempts, restore, clear) {
         return el(
           "li",
           { class: "row", value: number },
-          el("span", { class: `badge ${attempt.correct ? "good" : "warn"}`, text: pointsOf(attempt) }),
+          el("span", {
+            class: `badge ${attempt.correct ? "good" : "warn"}`,
+            text: pointsText(attempt.score * total, total),
+          }),
           el("time", { datetime: attempt.at, text: when.format(new Date(attempt.at)) }),
           el("button", {
             type: "button",

@@ -6,7 +6,8 @@ import { api } from "../page.js";
 import { placeName } from "./answer-card.js";
 import { bothRobots } from "./both-robots.js";
 import { ghostRobot } from "./ghost.js";
-import { partView, shareOf, verdictView, verdictWord } from "./verdict-view.js";
+import { partName, pointsText } from "./progress.js";
+import { partView, verdictView, verdictWord } from "./verdict-view.js";
 
 export class VerdictCard {
   /** @type {ReturnType<typeof bothRobots> | null} */
@@ -28,10 +29,11 @@ export class VerdictCard {
   /**
    * @param {any} graded
    * @param {{exercise: any, answer: import("./answer-card.js").AnswerCard, convention: string,
-   *   table: any, drawn: Omit<import("../live-robot.js").Robot, "values"> | null, changed: boolean}} given
-   *   convention and robot of the table that was handed in; whether something was typed since
+   *   table: any, drawn: Omit<import("../live-robot.js").Robot, "values"> | null, changed: boolean,
+   *   further: HTMLElement | null, kind?: string}} given convention and robot of the table that was handed in; whether
+   *   something was typed since; what is said beyond the verdict; the part that was checked, if it was one alone
    */
-  show(graded, { exercise, answer, convention, table, drawn, changed }) {
+  show(graded, { exercise, answer, convention, table, drawn, changed, further, kind }) {
     this.#moving?.stop();
     this.card.classList.remove("outdated");
     this.card.hidden = false;
@@ -44,6 +46,7 @@ export class VerdictCard {
     fill(
       this.place,
       verdictView(graded, { convention, focusRow }),
+      further,
       this.#moving?.element,
       reasons,
       Object.values(others).map((report) =>
@@ -55,11 +58,12 @@ export class VerdictCard {
     );
     this.#moving?.describe();
     this.card.dataset.shown = String(Number(this.card.dataset.shown ?? 0) + 1);
-    announce(`${verdictWord(graded)} ${t("form-score", { score: Math.round(shareOf(graded) * 100) })}`);
+    announce(`${verdictWord(graded)} ${pointsText(graded.total.points, graded.total.max_points)}`);
     if (changed) return this.outdated();
     this.card.focus({ preventScroll: true });
     const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    this.card.scrollIntoView({ block: "nearest", behavior: calm ? "auto" : "smooth" });
+    const own = kind && kind !== "table" ? this.place.querySelector(`[data-kind="${kind}"]`) : null;
+    (own ?? this.card).scrollIntoView({ block: "nearest", behavior: calm ? "auto" : "smooth" });
   }
 }
 
@@ -87,9 +91,4 @@ async function addReasons(place, exercise, table, drawn) {
 /** @param {Wire.Exercise} exercise @param {string} kind */
 function partOf({ parts }, kind) {
   return parts.find((part) => part.kind === kind) ?? { kind, form: [] };
-}
-
-/** @param {string} kind */
-function partName(kind) {
-  return t(`form-part-${kind.replaceAll("_", "-")}`);
 }

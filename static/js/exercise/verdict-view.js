@@ -4,6 +4,7 @@ import { el, icon } from "../dom.js";
 import { t } from "../i18n.js";
 import { columnText } from "../editor/grid.js";
 import { plain } from "../numbers.js";
+import { partName, pointsText } from "./progress.js";
 
 const FACTS = ["twist", "length", "offset", "joint"];
 /** @type {Record<string, "check" | "cross">} */
@@ -16,15 +17,14 @@ const MARKS = { ok: "check", wrong: "cross", missing: "cross" };
  * @returns {HTMLElement}
  */
 export function verdictView(graded, { convention, focusRow }) {
-  const share = shareOf(graded);
-  const tone = share >= 1 ? "good" : share > 0 ? "partly" : "bad";
+  const tone = toneOf(graded);
   return el(
     "div",
     { class: "stack" },
     el(
       "div",
       { class: `verdict-head ${tone}` },
-      scoreRing(share),
+      scoreRing(graded.total),
       el(
         "div",
         {},
@@ -32,7 +32,7 @@ export function verdictView(graded, { convention, focusRow }) {
         graded.basis && graded.correct ? el("p", { class: "hint", text: t(`form-basis-${graded.basis}`) }) : null,
       ),
     ),
-    totalLine(graded),
+    totalLines(graded),
     feedbackList(graded.feedback, focusRow),
     !graded.correct && graded.links.some(hasNews) ? linkTable(graded.links, focusRow) : null,
     repairList(graded.repairs, convention, focusRow),
@@ -40,11 +40,12 @@ export function verdictView(graded, { convention, focusRow }) {
   );
 }
 
-/** What was earned of what could be earned with the parts that were handed in. @param {any} graded */
-export function shareOf(graded) {
+/** How what was handed in went: all right, partly, not at all. @param {any} graded */
+function toneOf(graded) {
   const parts = Object.values(graded.parts);
   const most = parts.reduce((sum, part) => sum + part.max_points, 0);
-  return most ? parts.reduce((sum, part) => sum + part.points, 0) / most : graded.score;
+  const share = most ? parts.reduce((sum, part) => sum + part.points, 0) / most : graded.score;
+  return share >= 1 ? "good" : share > 0 ? "partly" : "bad";
 }
 
 /** The verdict in a sentence. @param {any} graded */
@@ -53,17 +54,25 @@ export function verdictWord(graded) {
   return t(graded.correct ? "form-verdict-all" : "form-verdict-some");
 }
 
-/** What was earned: of what was handed in, which the ring shows, and of all there is. @param {any} options */
-function totalLine({ parts, total: { points, max_points: total, missing } }) {
-  const names = missing.map((/** @type {string} */ kind) => t(`form-part-${kind.replaceAll("_", "-")}`));
-  const most = Object.values(parts).reduce((sum, part) => sum + part.max_points, 0);
-  const counted = { points: plain(points, 1), most: plain(most, 1), total: plain(total, 1) };
-  return el(
-    "p",
-    { class: "hint" },
-    t(missing.length ? "form-total-handed" : "form-total", counted),
-    names.length ? ` ${t("form-total-missing", { parts: names.join(", ") })}` : null,
-  );
+/** The points: of the whole exercise, what those of a wrong table are for, and those of each part. @param {any} graded */
+function totalLines({ parts, basis, correct, total: { points, max_points: most, missing } }) {
+  const partly = basis !== null && !correct && parts.table?.points > 0;
+  const entries = Object.entries(parts).map(([kind, part]) => [
+    partName(kind),
+    pointsText(part.points, part.max_points),
+  ]);
+  for (const kind of missing) entries.push([partName(kind), t("form-part-missing")]);
+  return [
+    el("p", { class: "total" }, el("strong", { text: pointsText(points, most) })),
+    partly ? el("p", { class: "hint", text: t("form-points-for") }) : null,
+    entries.length > 1
+      ? el(
+          "ul",
+          { class: "hint part-points" },
+          entries.map(([name, said]) => el("li", { text: `${name}: ${said}` })),
+        )
+      : null,
+  ];
 }
 
 /** @param {any} link */
@@ -71,15 +80,15 @@ function hasNews(link) {
   return FACTS.some((fact) => link[fact] && link[fact] !== "hidden");
 }
 
-/** @param {number} score 0 … 1 */
-function scoreRing(score) {
-  const percent = Math.round(score * 100);
+/** @param {{points: number, max_points: number}} total */
+function scoreRing({ points, max_points: most }) {
   const ring = el(
     "div",
-    { class: "score-ring", role: "img", "aria-label": t("form-score", { score: percent }) },
-    el("span", { text: `${percent} %` }),
+    { class: "score-ring", role: "img", "aria-label": pointsText(points, most) },
+    el("span", { text: plain(points, 1) }),
+    el("small", { text: `/ ${plain(most, 1)}` }),
   );
-  ring.style.setProperty("--score", `${percent}%`);
+  ring.style.setProperty("--score", `${most ? (100 * points) / most : 0}%`);
   return ring;
 }
 
@@ -190,11 +199,10 @@ function repairList(repairs, convention, focusRow) {
  * @param {{nameOf: (where: (string | number)[]) => string, goTo: (where: (string | number)[]) => void}} places
  */
 export function partView(report, name, { nameOf, goTo }) {
-  const percent = Math.round(report.score * 100);
   const wrong = report.facts.filter(
     (/** @type {any} */ { finding: found }) => found === "wrong" || found === "missing",
   );
-  const tone = percent === 100 ? "good" : percent ? "warn" : "bad";
+  const tone = report.points >= report.max_points ? "good" : report.points > 0 ? "warn" : "bad";
   /** @param {any} options */
   const link = ({ where }) => {
     /** @param {any} event */
@@ -206,8 +214,8 @@ export function partView(report, name, { nameOf, goTo }) {
   };
   return el(
     "section",
-    { class: "part-report", "aria-label": name },
-    el("h3", {}, name, " ", el("span", { class: `badge ${tone}`, text: t("form-score", { score: percent }) })),
+    { class: "part-report", "aria-label": name, dataset: { kind: report.kind } },
+    el("h3", {}, name, " ", el("span", { class: `badge ${tone}`, text: pointsText(report.points, report.max_points) })),
     feedbackList(report.feedback, null),
     wrong.length ? el("p", { class: "hint" }, t("form-part-wrong"), wrong.map(link)) : null,
   );

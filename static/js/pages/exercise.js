@@ -50,6 +50,8 @@ async function run() {
     attempts = course.attempts;
     const asked = course.told.parts;
     if (asked.length) exercise.parts = exercise.parts.filter(({ kind }) => asked.includes(kind));
+    exercise.points = exercise.parts.reduce((sum, { points }) => sum + points, 0);
+    course.points = exercise.points;
   }
   arrangePictures();
   showFigure(exercise, {
@@ -76,7 +78,8 @@ async function run() {
       verdict.outdated();
       if (what === "table") follow();
     },
-    submit: () => submit(),
+    submit: (kind) => submit(kind),
+    together: course !== null,
   });
   connect(answer.editor, own);
   robot.addEventListener("reading", (event) => answer.showReading(/** @type {CustomEvent} */ (event).detail));
@@ -118,10 +121,11 @@ async function run() {
     if (asksTable) own.take(answer.table, options);
   }
 
-  async function submit() {
-    const request = answer.request();
+  /** @param {string} [kind] the part that is checked; everything, if it is left out */
+  async function submit(kind) {
+    const request = answer.request(kind);
     if (!request) return;
-    const handed = answer.state;
+    const { state: handed, states } = answer;
     const changed = () => JSON.stringify(answer.state) !== JSON.stringify(handed);
     answer.busy = true;
     try {
@@ -146,8 +150,12 @@ async function run() {
         (graded.certificate && graded.figure) || graded.departure
           ? await robotOf(api, request.table, valuesFor(request.table)).catch(() => null)
           : null;
+      answer.judged(graded, states);
+      const further = answer.help.further(graded, request);
+      if (graded.basis !== null) answer.help.judged(request, graded.correct);
       const { table } = request;
-      verdict.show(graded, { exercise, answer, convention: handed.table.convention, table, drawn, changed: changed() });
+      const { convention } = handed.table;
+      verdict.show(graded, { exercise, answer, convention, table, drawn, changed: changed(), further, kind });
       const wrong = firstWrong(graded);
       if (wrong !== null && !changed()) own.film.show(wrong.row - 1, wrong.cell);
       await listAttempts();
@@ -173,6 +181,7 @@ async function run() {
     showHistory(
       $("history"),
       list,
+      exercise.points,
       (attempt) => {
         restore(attempt.submission);
         keep(draftKey, answer.state);

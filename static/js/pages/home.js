@@ -3,6 +3,7 @@
 import { browserAttempts } from "../attempts.js";
 import { el, fill } from "../dom.js";
 import { language, t } from "../i18n.js";
+import { plain } from "../numbers.js";
 import { api, pageAddress, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 
@@ -23,7 +24,7 @@ async function run() {
 }
 
 /** @param {any} options */
-async function entry({ id, title, summary, joints, parts }) {
+async function entry({ id, title, summary, joints, points, parts }) {
   const attempts = await browserAttempts.list(id);
   const best = attempts.reduce((most, attempt) => Math.max(most, attempt.score), 0);
   return el(
@@ -49,7 +50,7 @@ async function entry({ id, title, summary, joints, parts }) {
         attempts.length
           ? el("span", {
               class: `badge ${best >= 1 ? "good" : "warn"}`,
-              text: t("form-home-best", { score: Math.round(best * 100) }),
+              text: t("form-home-best", { points: plain(best * points, 1), total: plain(points, 1) }),
             })
           : null,
         parts.includes("table")

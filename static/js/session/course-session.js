@@ -6,6 +6,7 @@
 import { Problem } from "../api.js";
 import { debounced, el, fill } from "../dom.js";
 import { language, t } from "../i18n.js";
+import { plain } from "../numbers.js";
 import { keep, recall } from "../storage.js";
 
 const KEPT = "framewise:session";
@@ -69,10 +70,17 @@ export class CourseSession {
   constructor(api, told) {
     this.#api = api;
     this.told = told;
+    this.total = 0;
     this.banner = el("section", { class: "card session-banner", "aria-label": t("session-heading") });
     this.draft = debounced((/** @type {unknown} */ state) => {
       this.#api.put("session/draft", state).catch(() => null);
     }, PAUSE);
+    this.#show();
+  }
+
+  /** What the exercise is worth; the banner says by it what counts. @param {number} total */
+  set points(total) {
+    this.total = total;
     this.#show();
   }
 
@@ -156,7 +164,10 @@ export class CourseSession {
       }),
       closes ? el("span", { text: t("session-closes", { when: when.format(new Date(closes)) }) }) : null,
       grade
-        ? el("span", { class: "badge good", text: t("session-grade", { score: Math.round(grade.score * 100) }) })
+        ? el("span", {
+            class: "badge good",
+            text: t("session-grade", { points: plain(grade.score * this.total, 1), total: plain(this.total, 1) }),
+          })
         : null,
       refusal ? el("span", { class: "badge warn", text: t("session-no-more") }) : null,
       back ? el("a", { href: back, target: "_top", text: t("session-back") }) : null,
