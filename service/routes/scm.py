@@ -33,8 +33,10 @@ from service.http.routing import ApiRequest, BytesResponse, api_router
 from service.schemas import scm as wire
 from service.schemas import scm_examples as examples
 from service.schemas.forward_kinematics import AxisAngleModel, Orientation
+from service.schemas.scm_products import ScmProductsAnswer, ScmProductsRequest
 from service.wire.chain_forms import ChainTask, Wanted, is_quick, written_chain
 from service.wire.fault_pointers import traced
+from service.wire.motion_products import products_task, written_products
 from service.wire.pose_matrices import pose_matrix
 from service.wire.prepared_chains import PreparedChain, prepared_chain, written_structure
 from service.work.workers import Lane
@@ -179,6 +181,26 @@ async def random_configuration(
         configurations=configurations,
         limits=limits,
     )
+
+
+@router.post(
+    "/scm/products",
+    response_model=ScmProductsAnswer,
+    response_model_exclude_none=True,
+    responses=_REFUSALS,
+    summary="Products of motions, compared",
+)
+async def products(
+    body: Annotated[ScmProductsRequest, Body(openapi_examples=examples.PRODUCTS)], request: ApiRequest
+) -> BytesResponse:
+    """HRX … HTZ, GEO, SCZIP, S2D and H2J of the toolbox, of motions and matrices of one's own.
+
+    Each product is formed exactly, written, given numbers where all that stands in it has a value, and
+    compared with the first as a function. So shifts along an axis and turns about it are seen to commute
+    (eq. 2.10 to 2.12), and other motions not to.
+    """
+    task = await request.in_turn(partial(products_task, body, request.settings.cell_limits))
+    return BytesResponse(await request.resources.workers.run(Lane.SLOW, written_products, task))
 
 
 async def _closed(body: wire.ClosedFormQuestion, wanted: Wanted, request: ApiRequest) -> BytesResponse:

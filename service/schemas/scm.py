@@ -38,7 +38,8 @@ class ListedPlacement(PlacementModel):
     """A placement that was written as the list of its entries."""
 
 
-def _by_name(value: Any) -> Any:
+def placement_by_name(value: Any) -> Any:
+    """Six entries by name, whether they came by name or in order."""
     if isinstance(value, list) and len(value) == len(ENTRIES):
         return ListedPlacement(**dict(zip(ENTRIES, value, strict=True)))
     if not isinstance(value, dict | PlacementModel):
@@ -49,7 +50,7 @@ def _by_name(value: Any) -> Any:
 _CELL = {"anyOf": [{"type": "number"}, {"type": "string", "minLength": 1, "maxLength": 200}]}
 SixEntries: TypeAlias = Annotated[
     PlacementModel,
-    BeforeValidator(_by_name),
+    BeforeValidator(placement_by_name),
     WithJsonSchema(
         {
             "description": "Trans(x, y, z) Rot_z(a) Rot_y(b) Rot_x(c): an object (left out means 0), "

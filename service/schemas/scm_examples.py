@@ -67,3 +67,35 @@ RANDOM_CONFIGURATION = _named(
     three_configurations={"chain": STANFORD, "parameters": LENGTHS, "count": 3, "seed": 1},
     within_limits={"robot": "twolink", "limits": [[-90, 90], [0, 120]]},
 )
+
+PRODUCTS = _named(
+    a_shift_along_x_and_a_turn_about_x_commute={
+        "products": [[{"x": "X"}, {"c": "C"}], [{"c": "C"}, {"x": "X"}]],
+    },
+    those_along_y_and_about_x_do_not={
+        "products": [[{"y": "Y"}, {"c": "C"}], [{"c": "C"}, {"y": "Y"}]],
+    },
+    a_matrix_of_ones_own_its_Jacobian_and_its_values={
+        "products": [
+            [
+                [
+                    ["cos(q1)", "-sin(q1)", 0, "L1*cos(q1)"],
+                    ["sin(q1)", "cos(q1)", 0, "L1*sin(q1)"],
+                    [0, 0, 1, 0],
+                    [0, 0, 0, 1],
+                ],
+                {"a": "q2"},
+                {"x": "L2"},
+            ],
+            [{"a": "q1"}, {"x": "L1"}, {"a": "q2"}, {"x": "L2"}],
+        ],
+        "parameters": {"L1": 0.4, "L2": 0.3},
+        "joints": [30, 45],
+        "angle_unit": "deg",
+        "jacobian": True,
+    },
+    two_frames_multiplied={
+        "products": [[[0.1, 0, 0.3, 90, 0, 0], [0, 0.2, 0, 0, 30, 0]]],
+        "angle_unit": "deg",
+    },
+)

@@ -14,6 +14,7 @@ from kinematics.cells.exact import snapped
 from kinematics.expressions import Expression, pi_times
 from kinematics.jacobian import JacobianFrame
 from kinematics.scm import ReadChain
+from kinematics.scm.products import ReadProducts
 from kinematics.se3 import check_transform
 from kinematics.symbolic.exact_poses import decimal, exact_pose
 from kinematics.symbolic.parameter_values import with_values
@@ -130,7 +131,9 @@ def _read(question: WritingQuestion, settings: Settings) -> ReadTable:
         return read_table(question.table.raw(), settings.cell_limits)
 
 
-def exact_values(read: ReadTable | ReadChain, given: Mapping[str, Any]) -> dict[str, Expression]:
+def exact_values(
+    read: ReadTable | ReadChain | ReadProducts, given: Mapping[str, Any]
+) -> dict[str, Expression]:
     """Given values as exact expressions: decimals as typed, degrees as multiples of π.
 
     Raises:

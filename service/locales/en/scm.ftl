@@ -16,3 +16,4 @@ error-scm_revolute_second_turn = Joint { $joint } turns about one axis only. Put
 error-scm_limits_reversed = Joint { $joint }: limits are [low, high], both finite and low not above high.
 error-chain_or_robot = Give either chain or robot, exactly one of them.
 error-scm_six_entries = Six entries are needed: the list [X, Y, Z, A, B, C], or an object with some of x, y, z, a, b, c; what is left out is 0.
+error-no_derivative = A joint variable stands in a function that is not differentiated here: write sines and cosines of it.

@@ -16,3 +16,4 @@ error-scm_revolute_second_turn = La articulación { $joint } gira alrededor de u
 error-scm_limits_reversed = Articulación { $joint }: los límites son [inferior, superior], ambos finitos y el inferior no mayor que el superior.
 error-chain_or_robot = Dé o bien chain o bien robot, exactamente uno de los dos.
 error-scm_six_entries = Hacen falta seis entradas: la lista [X, Y, Z, A, B, C] o un objeto con algunas de x, y, z, a, b, c; lo que falte vale 0.
+error-no_derivative = Una variable articular está dentro de una función que aquí no se deriva: escriba senos y cosenos de ella.

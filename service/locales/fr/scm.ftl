@@ -16,3 +16,4 @@ error-scm_revolute_second_turn = L’articulation { $joint } tourne autour d’u
 error-scm_limits_reversed = Articulation { $joint } : les limites sont [basse, haute], toutes deux finies, la basse ne dépassant pas la haute.
 error-chain_or_robot = Donnez soit chain, soit robot, exactement l’un des deux.
 error-scm_six_entries = Il faut six entrées : la liste [X, Y, Z, A, B, C], ou un objet avec certaines des clés x, y, z, a, b, c ; ce qui manque vaut 0.
+error-no_derivative = Une variable articulaire se trouve dans une fonction qui n’est pas dérivée ici : écrivez ses sinus et cosinus.

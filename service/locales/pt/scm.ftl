@@ -16,3 +16,4 @@ error-scm_revolute_second_turn = A junta { $joint } gira em torno de um único e
 error-scm_limits_reversed = Junta { $joint }: os limites são [inferior, superior], ambos finitos e o inferior não acima do superior.
 error-chain_or_robot = Forneça chain ou robot, exatamente um dos dois.
 error-scm_six_entries = São necessárias seis entradas: a lista [X, Y, Z, A, B, C] ou um objeto com algumas de x, y, z, a, b, c; o que faltar vale 0.
+error-no_derivative = Uma variável de junta está dentro de uma função que aqui não é derivada: escreva senos e cossenos dela.

@@ -16,3 +16,4 @@ error-scm_revolute_second_turn = Cupla { $joint } se rotește în jurul unei sin
 error-scm_limits_reversed = Cupla { $joint }: limitele sunt [jos, sus], ambele finite, cea de jos nedepășind-o pe cea de sus.
 error-chain_or_robot = Dați fie chain, fie robot, exact unul dintre ele.
 error-scm_six_entries = Sunt necesare șase intrări: lista [X, Y, Z, A, B, C] sau un obiect cu unele dintre x, y, z, a, b, c; ce lipsește este 0.
+error-no_derivative = O variabilă articulară se află într-o funcție care nu se derivează aici: scrieți sinusuri și cosinusuri ale ei.

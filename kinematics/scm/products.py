@@ -1,0 +1,270 @@
+"""Products of motions: elementary ones, frames, and matrices of one's own, in symbols.
+
+HRX … HTZ are placements with one entry, GEO(F) is a placement, GEO(A, B) a product of two; H2J differentiates
+a product, and two products are compared as functions of whatever stands in them.
+
+Source: seed 001 §2, eq. 2.1 to 2.5 (motions), 2.10 to 2.12 (products), 3.24 (H2J), table 1 (the toolbox).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.cells import DEFAULT, AngleUnit, Cell, LengthUnit, Limits, ParameterKind
+from kinematics.cells.entries import cell_meaning
+from kinematics.cells.meaning import Position
+from kinematics.cells.refusals import CellRefusal
+from kinematics.cells.variables import variable_index
+from kinematics.dh import MotionKind
+from kinematics.errors import DescriptionError, Fault, FormSizeError
+from kinematics.expressions import (
+    ONE,
+    ZERO,
+    Expression,
+    JointVariable,
+    evaluate,
+    joint_variables_in,
+    negate,
+    parameters_in,
+)
+from kinematics.jacobian import JacobianFrame
+from kinematics.scm.chain import Entry, Placement
+from kinematics.scm.differentiation import jacobian_by_differentiation
+from kinematics.scm.rows import RIGHT_ANGLE
+from kinematics.symbolic import Matrix, ProofStatus, canonical, compare, count_operations
+from kinematics.symbolic.motions import Motion
+from kinematics.symbolic.parameter_values import substitute
+from kinematics.symbolic.runs import Runs
+from kinematics.symbolic.writing import MatrixWriter
+
+RawMatrix: TypeAlias = Sequence[Sequence[Cell]]
+RawFactor: TypeAlias = Mapping[str, Cell] | RawMatrix
+Factor: TypeAlias = Placement | Matrix
+
+LARGEST_VARIABLE = 64
+"""The number of the last joint variable that a product may hold."""
+
+_IDENTITY: Matrix = tuple(tuple(ONE if i == j else ZERO for j in range(4)) for i in range(4))
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ReadProducts:
+    """Products, understood.
+
+    Attributes:
+        products: factors of each, exact; angles in [rad], lengths in `length_unit`.
+        angle_unit: the unit in which angle parameters are given.
+        length_unit: the unit of lengths.
+        parameters: what each parameter measures.
+        joints: kind of each joint variable that occurs, by its number: angle or length.
+    """
+
+    products: tuple[tuple[Factor, ...], ...]
+    angle_unit: AngleUnit
+    length_unit: LengthUnit
+    parameters: Mapping[str, ParameterKind]
+    joints: Mapping[int, ParameterKind]
+
+    @property
+    def n_joints(self) -> int:
+        """The largest number of a joint variable."""
+        return max(self.joints, default=0)
+
+
+def read_products(
+    raw: Sequence[Sequence[RawFactor]],
+    angle_unit: AngleUnit = AngleUnit.RAD,
+    length_unit: LengthUnit = LengthUnit.M,
+    limits: Limits = DEFAULT,
+) -> ReadProducts:
+    """The products that factors as handed in mean; q_i and θ_i are joint variables, other names parameters.
+
+    Args:
+        raw: for each product its factors: entries x, y, z, a, b, c by name, or a 4×4 of cells.
+        angle_unit: unit of plain numbers where an angle stands.
+        length_unit: unit of the lengths.
+        limits: how large a cell may be.
+
+    Raises:
+        DescriptionError: every fault, at ("products", i, k) and below it the entry, or row and column.
+    """
+    reader = _ProductReader(angle_unit, limits, [], {}, {})
+    products = tuple(
+        tuple(reader.factor(factor, ("products", i, k)) for k, factor in enumerate(factors))
+        for i, factors in enumerate(raw)
+    )
+    if reader.faults:
+        raise DescriptionError(reader.faults)
+    return ReadProducts(
+        products=products,
+        angle_unit=angle_unit,
+        length_unit=length_unit,
+        parameters=reader.kinds,
+        joints=reader.joints,
+    )
+
+
+def product_of(factors: Sequence[Factor]) -> Matrix:
+    """The product of motions as a 4×4 matrix: neighbours about and along one axis are added.
+
+    Source: seed 001 eq. 2.4 for a placement, 2.10 to 2.12 for neighbours.
+    """
+    product: Matrix | None = None
+    motions: list[Motion] = []
+    for factor in (*factors, _IDENTITY):
+        if isinstance(factor, Placement):
+            motions += _motions(factor)
+            continue
+        writer = MatrixWriter(product)
+        runs = Runs.of(writer.arena, motions).finished()
+        writer.know(runs)
+        product = writer.matrix(runs) if factor is _IDENTITY else writer.matrix(runs, writer.read(factor))
+        motions = []
+    return _IDENTITY if product is None else product
+
+
+def compare_matrices(left: Matrix, right: Matrix) -> ProofStatus:
+    """Whether two matrices are the same function of their variables and parameters."""
+    status = ProofStatus.PROVED
+    for one, other in zip(left[:3], right[:3], strict=True):
+        for a, b in zip(one, other, strict=True):
+            try:
+                found = compare(a, b)
+            except (FormSizeError, ZeroDivisionError):
+                found = ProofStatus.UNDECIDED
+            if found is ProofStatus.REFUTED:
+                return found
+            status = found if found is ProofStatus.UNDECIDED else status
+    return status
+
+
+def jacobian_of_product(product: Matrix, n_joints: int, frame: JacobianFrame) -> Matrix:
+    """H2J of any matrix of direct kinematics: J0 or Jn by differentiation, each entry as short as it can be.
+
+    Raises:
+        DescriptionError: a joint variable stands in a function of which no transform consists.
+
+    Source: seed 001 eq. 3.19, 3.24.
+    """
+    try:
+        J = jacobian_by_differentiation(product, n_joints, frame)
+    except ValueError:
+        raise DescriptionError(Fault(code="no_derivative", where=("products",))) from None
+    return tuple(tuple(_shorter(entry) for entry in row) for row in J)
+
+
+def _shorter(entry: Expression) -> Expression:
+    """The entry, or its normal form where that has fewer operations."""
+    try:
+        normal = canonical(entry).expression()
+    except (FormSizeError, ZeroDivisionError):
+        return entry
+    return normal if count_operations([normal]) < count_operations([entry]) else entry
+
+
+def names_left(matrix: Matrix) -> tuple[frozenset[str], frozenset[int]]:
+    """The parameters and the numbers of the joint variables in a matrix."""
+    entries = [entry for row in matrix for entry in row]
+    return (
+        frozenset().union(*map(parameters_in, entries)),
+        frozenset().union(*map(joint_variables_in, entries)),
+    )
+
+
+def matrix_with_values(matrix: Matrix, values: Mapping[str, Expression]) -> Matrix:
+    """S2D with some of the values: a matrix with parameters replaced.
+
+    Raises:
+        ZeroDivisionError: an entry now divides by zero.
+    """
+    return tuple(tuple(substitute(entry, values) for entry in row) for row in matrix)
+
+
+def matrix_in_numbers(matrix: Matrix, joints: Sequence[float]) -> NDArray[np.float64]:
+    """S2D: the (r, c) values of a matrix without parameters.
+
+    Args:
+        matrix: its entries.
+        joints: q_1 … q_n [rad, or length units].
+
+    Raises:
+        ParameterError: an entry has no finite value there.
+    """
+    values = [[float(evaluate(entry, {}, joints)) for entry in row] for row in matrix]
+    return np.array(values, dtype=np.float64) + 0.0
+
+
+def _motions(placement: Placement) -> Iterator[Motion]:
+    """Trans(x, y, z) Rot_z(A) Rot_y(B) Rot_x(C) as motions about and along x and z."""
+    back = negate(RIGHT_ANGLE)
+    yield Motion(MotionKind.SHIFT_X, placement.x)
+    yield Motion(MotionKind.TURN_Z, RIGHT_ANGLE)
+    yield Motion(MotionKind.SHIFT_X, placement.y)
+    yield Motion(MotionKind.TURN_Z, back)
+    yield Motion(MotionKind.SHIFT_Z, placement.z)
+    yield Motion(MotionKind.TURN_Z, placement.a)
+    if placement.b != ZERO:
+        yield Motion(MotionKind.TURN_X, back)
+        yield Motion(MotionKind.TURN_Z, placement.b)
+        yield Motion(MotionKind.TURN_X, RIGHT_ANGLE)
+    yield Motion(MotionKind.TURN_X, placement.c)
+
+
+@dataclass(slots=True)
+class _ProductReader:
+    angle_unit: AngleUnit
+    limits: Limits
+    faults: list[Fault]
+    kinds: dict[str, ParameterKind]
+    joints: dict[int, ParameterKind]
+
+    def factor(self, raw: RawFactor, where: tuple[str | int, ...]) -> Factor:
+        if isinstance(raw, Mapping):
+            cells = {entry: raw.get(entry.value, 0) for entry in Entry}
+            return Placement(
+                **{
+                    entry.value: self._cell(
+                        cell, Position.ANGLE if entry.is_turn else Position.LENGTH, (*where, entry.value)
+                    )
+                    for entry, cell in cells.items()
+                }
+            )
+        if len(raw) != 4 or any(len(row) != 4 for row in raw):
+            self.faults.append(Fault(code="matrix_not_4x4", where=where))
+            return _IDENTITY
+        rows = tuple(
+            tuple(
+                self._cell(cell, Position.LENGTH if k == 3 and i < 3 else Position.RATIO, (*where, i, k))
+                for k, cell in enumerate(row)
+            )
+            for i, row in enumerate(raw)
+        )
+        if rows[3] != _IDENTITY[3]:
+            self.faults.append(Fault(code="pose_bottom_row", where=(*where, 3)))
+        return rows
+
+    def _cell(self, cell: Cell, position: Position, where: tuple[str | int, ...]) -> Expression:
+        def variable_of(name: str) -> Expression | None:
+            index = variable_index(name)
+            return None if index is None else JointVariable(index)
+
+        try:
+            meaning = cell_meaning(cell, position, self.angle_unit, self.limits, variable_of)
+        except CellRefusal as refusal:
+            self.faults.append(refusal.at(*where))
+            return ZERO
+        for name, kind in meaning.kinds.items():
+            if self.kinds.setdefault(name, kind) is not kind:
+                self.faults.append(Fault(code="scm_parameter_two_kinds", where=where, params={"name": name}))
+        kind = ParameterKind.LENGTH if position is Position.LENGTH else ParameterKind.ANGLE
+        for index in joint_variables_in(meaning.expression):
+            if not 1 <= index <= LARGEST_VARIABLE:
+                params = {"limit": LARGEST_VARIABLE}
+                self.faults.append(Fault(code="number_too_large", where=where, params=params))
+            self.joints.setdefault(index, kind)
+        return meaning.expression
