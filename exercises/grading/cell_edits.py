@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 
-from exercises.grading.fitting import fitted_tables, fitting_values
-from exercises.grading.work import Apply, Change, Extent, Work, change, with_cell, with_row
+from exercises.grading.fitting import fitted_table
+from exercises.grading.work import Change, Extent, Work, with_row
 from kinematics.cells import AngleUnit
 from kinematics.equivalence import DirectionRule, ZeroRule
 from kinematics.expressions import Number, Parameter, Product
-from kinematics.table import JointType, NumericTable
+from kinematics.table import JointType
 
 RIGHT_ANGLES = (0.0, math.pi / 2, -math.pi / 2, math.pi)
 # A share of the robot: the arithmetic’s errors.
@@ -19,111 +19,92 @@ SAME = 1e-9
 TOO_LONG, TOO_SHORT = 2.0, 0.02
 
 
-def _set(row: int, cell: str, value: Callable[[float], float]) -> Apply:
-    """The edit that replaces a cell by a function of what stands there."""
-
-    def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
-        return (with_cell(table, row, cell, value(getattr(table.rows[row], cell))),)
-
-    return apply
-
-
-def _always(value: float) -> Callable[[float], float]:
-    return lambda _: value
-
-
-def _cell(code: str, row: int, cell: str, value: Callable[[float], float]) -> Change:
-    return change(code, _set(row, cell, value), extent=Extent.CELL, row=row, cell=cell)
+def _set(code: str, row: int, cell: str, value: float) -> Change:
+    return Change(code, Extent.CELL, row, cell, ((row, cell, value),))
 
 
 def alpha_sign(work: Work) -> Iterator[Change]:
     """α with the other sign."""
-    for i, row in enumerate(work.tables[0].rows):
+    for i, row in enumerate(work.table.rows):
         if abs(math.sin(row.alpha)) > work.policy.tolerance.angle:
-            yield _cell("alpha_sign", i, "alpha", lambda x: -x)
+            yield _set("alpha_sign", i, "alpha", -row.alpha)
 
 
 def alpha_value(work: Work) -> Iterator[Change]:
     """α another multiple of a right angle, or whatever the key's axes ask for."""
     near = work.policy.tolerance.angle
-    for i, row in enumerate(work.tables[0].rows):
+    for i, row in enumerate(work.table.rows):
         for angle in RIGHT_ANGLES:
             apart = abs(math.remainder(row.alpha - angle, 2 * math.pi))
             mirrored = abs(math.remainder(row.alpha + angle, 2 * math.pi))
             if apart > near and mirrored > near:
-                yield _cell("alpha_value", i, "alpha", _always(angle))
-        yield change("alpha_value", _fitted(work, i, "alpha"), extent=Extent.CELL, row=i, cell="alpha")
+                yield _set("alpha_value", i, "alpha", angle)
+        for angle in work.fits.get((i, "alpha"), ()):
+            yield _set("alpha_value", i, "alpha", angle)
 
 
 def sign_of_length(work: Work) -> Iterator[Change]:
     """A with the other sign."""
-    for i, row in enumerate(work.tables[0].rows):
+    for i, row in enumerate(work.table.rows):
         if row.a:
-            yield _cell("a_sign", i, "a", lambda x: -x)
+            yield _set("a_sign", i, "a", -row.a)
 
 
 def sign_of_offset(work: Work) -> Iterator[Change]:
     """D with the other sign."""
-    for i, row in enumerate(work.tables[0].rows):
+    for i, row in enumerate(work.table.rows):
         if row.d and (row.joint is not JointType.PRISMATIC or work.policy.zero is ZeroRule.FIGURE):
-            yield _cell("d_sign", i, "d", lambda x: -x)
+            yield _set("d_sign", i, "d", -row.d)
 
 
 def sign_of_variable(work: Work) -> Iterator[Change]:
     """The variable counted the other way."""
     if work.policy.direction is DirectionRule.FREE:
         return
-
-    def reversed_in(row: int) -> Apply:
-        def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
-            return (with_row(table, row, replace(table.rows[row], sign=-table.rows[row].sign)),)
-
-        return apply
-
-    for i, row in enumerate(work.tables[0].rows):
+    for i, row in enumerate(work.table.rows):
         if row.joint is not JointType.FIXED:
             cell = "theta" if row.joint is JointType.REVOLUTE else "d"
-            yield change("variable_sign", reversed_in(i), extent=Extent.CELL, row=i, cell=cell)
+            table = with_row(work.table, i, replace(row, sign=-row.sign))
+            yield Change("variable_sign", Extent.CELL, i, cell, table=table)
 
 
 def angle_in_degrees(work: Work) -> Iterator[Change]:
     """One angle of a table in radians was meant in degrees."""
     if work.answer.angle_unit is not AngleUnit.RAD:
         return
-    for i, cell in _angles(work):
-        if abs(getattr(work.tables[0].rows[i], cell)) > 1.0:
-            yield _cell("cell_in_degrees", i, cell, math.radians)
+    for i, cell, angle in _angles(work):
+        if abs(angle) > 1.0:
+            yield _set("cell_in_degrees", i, cell, math.radians(angle))
 
 
 def angle_in_radians(work: Work) -> Iterator[Change]:
     """One angle of a table in degrees was meant in radians."""
     if work.answer.angle_unit is not AngleUnit.DEG:
         return
-    for i, cell in _angles(work):
-        if 0 < abs(getattr(work.tables[0].rows[i], cell)) <= math.radians(2 * math.pi) + SAME:
-            yield _cell("cell_in_radians", i, cell, math.degrees)
+    for i, cell, angle in _angles(work):
+        if 0 < abs(angle) <= math.radians(2 * math.pi) + SAME:
+            yield _set("cell_in_radians", i, cell, math.degrees(angle))
 
 
-def _angles(work: Work) -> Iterator[tuple[int, str]]:
-    """Where an angle stands that matters."""
-    for i, row in enumerate(work.tables[0].rows):
-        yield i, "alpha"
+def _angles(work: Work) -> Iterator[tuple[int, str, float]]:
+    """The angles that matter."""
+    for i, row in enumerate(work.table.rows):
+        yield i, "alpha", row.alpha
         if row.joint is not JointType.REVOLUTE or work.policy.zero is ZeroRule.FIGURE:
-            yield i, "theta"
+            yield i, "theta", row.theta
 
 
 def theta_value(work: Work) -> Iterator[Change]:
     """θ turned by right angles, where it is no joint variable or the figure says where that is zero."""
-    for i, row in enumerate(work.tables[0].rows):
+    for i, row in enumerate(work.table.rows):
         if row.joint is JointType.REVOLUTE and work.policy.zero is ZeroRule.FREE:
             continue
         code = "theta_offset" if row.joint is JointType.REVOLUTE else "theta_value"
-        for angle in {*RIGHT_ANGLES, -row.theta}:
+        for angle in (*RIGHT_ANGLES, -row.theta):
             if abs(math.remainder(row.theta - angle, 2 * math.pi)) > work.policy.tolerance.angle:
-                apply = _set(i, "theta", _always(angle))
-                yield change(code, apply, extent=Extent.CELL, row=i, cell="theta")
-        if row.joint is not JointType.REVOLUTE:
-            yield change(code, _fitted(work, i, "theta"), extent=Extent.CELL, row=i, cell="theta")
+                yield _set(code, i, "theta", angle)
+        for angle in work.fits.get((i, "theta"), ()):
+            yield _set(code, i, "theta", angle)
 
 
 def length_value(work: Work) -> Iterator[Change]:
@@ -137,21 +118,18 @@ def offset_value(work: Work) -> Iterator[Change]:
 
 
 def _fitted_lengths(work: Work, cell: str) -> Iterator[Change]:
-    for i, row in enumerate(work.tables[0].rows):
-        if cell == "d" and row.joint is JointType.PRISMATIC:
-            continue
-        for value in fitting_values(work, work.tables[0], 0, i, cell):
-            code = _story(work, i, cell, value)
-            yield change(code, _near(work, i, cell, value), extent=Extent.CELL, row=i, cell=cell)
+    for i in range(len(work.table.rows)):
+        for value in work.fits.get((i, cell), ()):
+            yield _set(_story(work, i, cell, value), i, cell, value)
 
 
 def length_in_other_unit(work: Work) -> Iterator[Change]:
     """One length typed in millimetres or centimetres where metres are declared, or the reverse."""
-    for i, row in enumerate(work.tables[0].rows):
+    for i, row in enumerate(work.table.rows):
         for cell in ("a", "d"):
             if not getattr(row, cell) or (cell == "d" and row.joint is JointType.PRISMATIC):
                 continue
-            here, size = abs(getattr(row, cell)), work.references[0].size
+            here, size = abs(getattr(row, cell)), work.reference.size
             ratios = (
                 (0.001, 0.01)
                 if here > TOO_LONG * size
@@ -160,36 +138,29 @@ def length_in_other_unit(work: Work) -> Iterator[Change]:
                 else ()
             )
             for ratio in ratios:
-                yield _cell("cell_length_unit", i, cell, _times(ratio))
-
-
-def _times(ratio: float) -> Callable[[float], float]:
-    return lambda x: x * ratio
+                yield _set("cell_length_unit", i, cell, getattr(row, cell) * ratio)
 
 
 def any_cell(work: Work) -> Iterator[Change]:
     """A cell as the whole robot asks for, where no single fact of it shows the value."""
-    for i, row in enumerate(work.tables[0].rows):
+    for i, row in enumerate(work.table.rows):
         cells = ["a", "alpha"]
         if row.joint is not JointType.PRISMATIC:
             cells.append("d")
         if row.joint is not JointType.REVOLUTE:
             cells.append("theta")
         for cell in cells:
-            for table in fitted_tables(work, work.tables[0], 0, ((i, cell),)):
+            table = fitted_table(work, work.table, ((i, cell),))
+            if table is not None:
                 value = getattr(table.rows[i], cell)
                 code = f"{cell}_value" if cell in ("alpha", "theta") else _story(work, i, cell, value)
-                yield change(code, _fitted_to_all(work, i, cell), extent=Extent.CELL, row=i, cell=cell)
-
-
-def _fitted_to_all(work: Work, row: int, cell: str) -> Apply:
-    return lambda table, draw: fitted_tables(work, table, draw, ((row, cell),))
+                yield _set(code, i, cell, value)
 
 
 def _story(work: Work, row: int, cell: str, value: float) -> str:
     """What happened to a length that stands there instead of `value`."""
-    here = getattr(work.tables[0].rows[row], cell)
-    scale = work.references[0].size * max(work.policy.tolerance.length, SAME)
+    here = getattr(work.table.rows[row], cell)
+    scale = work.reference.size * max(work.policy.tolerance.length, SAME)
     if abs(value) <= scale:
         return f"{cell}_not_zero"
     if abs(here) <= scale:
@@ -219,22 +190,6 @@ def _is_a_name(work: Work, row: int, cell: str) -> bool:
 
 def _is_some_name(work: Work, value: float) -> bool:
     return any(
-        abs(abs(value) - abs(known)) <= 1e-6 * abs(known) for known in work.comparison.draws[0].values()
+        abs(abs(value) - abs(known)) <= 1e-6 * abs(known)
+        for known in work.comparison.draws[work.draw].values()
     )
-
-
-def _fitted(work: Work, row: int, cell: str) -> Apply:
-    def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
-        return [with_cell(table, row, cell, x) for x in fitting_values(work, table, draw, row, cell)]
-
-    return apply
-
-
-def _near(work: Work, row: int, cell: str, value: float) -> Apply:
-    """At the first draw the value found; at others, whichever of those that fit there."""
-
-    def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
-        values = [value] if draw == 0 else fitting_values(work, table, draw, row, cell)
-        return [with_cell(table, row, cell, x) for x in values]
-
-    return apply

@@ -7,57 +7,51 @@ or to a per cent of itself if that is more.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
 from exercises.grading.typed import Place
-from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
-from kinematics.equivalence.invariants import FLOOR, Invariant, Measure, axes_of, invariants_of
+from kinematics.equivalence.batches import Variation, axes_of_tables
+from kinematics.equivalence.invariants import FLOOR, Invariants, invariants_of
 from kinematics.equivalence.reference import Reference
-from kinematics.table import DHTable, NumericTable
+from kinematics.table import NumericTable
+
+Floats = NDArray[np.float64]
 
 PER_CENT = 0.01
 """The share of itself by which a length or an angle may be off, whatever its digits."""
-ANGULAR = (Measure.ANGLE, Measure.TURN)
 SECOND_ORDER = 1.25
 """What the digits do at first order, and room for what they do beyond it."""
 
 
 def beyond_digits(
     reference: Reference, table: NumericTable, steps: Mapping[Place, float], policy: Policy, share: float
-) -> list[Invariant]:
-    """The invariants of the key that the typed digits of a table do not explain.
+) -> Invariants | None:
+    """The invariants of the key that the typed digits of a table do not explain; None if they explain all.
 
     Args:
         reference: the key.
-        table: the answer, as it was meant.
+        table: the answer, as it was meant, with as many joints.
         steps: half a unit of the last place of its decimals.
         policy: what the answer is held to.
         share: by which part of itself an invariant may be off.
     """
-    axes = axes_of(chain_of_table(table), policy)
-    off = {
-        invariant: abs(invariant.measured(axes) - invariant.value) - floor_of(invariant, reference)
-        for invariant in invariants_of(reference, policy)
-    }
-    far = [invariant for invariant, excess in off.items() if excess > share * abs(invariant.value)]
-    if not far or not steps:
-        return far
-    reaches = _reaches(far, table, steps, policy)
-    return [
-        invariant
-        for invariant, reach in zip(far, reaches, strict=True)
-        if off[invariant] > SECOND_ORDER * reach
-    ]
+    invariants = invariants_of(reference, policy)
+    own = invariants.sizes(invariants.values)[:, 0]
+    floor = floors(invariants, reference)
+    off = np.abs(_sizes(invariants, table, {}, policy)[:, 0] - own) - floor
+    far = off > share * own
+    if far.any() and steps:
+        far &= off > SECOND_ORDER * _reaches(_sizes(invariants, table, steps, policy))
+    return invariants.some(np.flatnonzero(far).tolist()) if far.any() else None
 
 
-def floor_of(invariant: Invariant, reference: Reference) -> float:
-    """What the arithmetic may do to an invariant."""
-    return FLOOR * (1.0 if invariant.measure in ANGULAR else reference.size)
+def floors(invariants: Invariants, reference: Reference) -> Floats:
+    """What the arithmetic may do to invariants, (q,)."""
+    return FLOOR * np.array([1.0 if shape.is_angle else reference.size for shape in invariants.shapes])
 
 
 def tightened(
@@ -66,7 +60,7 @@ def tightened(
     steps: Mapping[Place, float],
     policy: Policy,
     share: float,
-) -> tuple[Invariant, ...]:
+) -> Invariants:
     """The invariants of the key, each with the slack that the digits of an answer leave it.
 
     Args:
@@ -77,50 +71,40 @@ def tightened(
         share: by which part of itself an invariant may be off.
     """
     invariants = invariants_of(reference, policy)
-    reaches = [0.0] * len(invariants)
+    reaches = np.zeros(len(invariants.shapes))
     if table is not None and steps:
         alike = table.joint_types == reference.table.joint_types
         reaches = (
-            _reaches(invariants, table, steps, policy) if alike else _largest(invariants, reference, steps)
+            _reaches(_sizes(invariants, table, steps, policy))
+            if alike
+            else _largest(invariants, reference, steps)
         )
-    found = []
-    for invariant, reach in zip(invariants, reaches, strict=True):
-        slack = max(share * abs(invariant.value), SECOND_ORDER * reach) + floor_of(invariant, reference)
-        found.append(replace(invariant, slack=min(invariant.slack, slack)))
-    return tuple(found)
+    own = invariants.sizes(invariants.values)[:, 0]
+    slacks = np.maximum(share * own, SECOND_ORDER * reaches) + floors(invariants, reference)
+    return invariants.held_to(slacks[:, None])
 
 
-def _largest(
-    invariants: Sequence[Invariant], reference: Reference, steps: Mapping[Place, float]
-) -> list[float]:
+def _largest(invariants: Invariants, reference: Reference, steps: Mapping[Place, float]) -> Floats:
     """How far invariants may move at the most, whatever the table: angles at the longest of levers."""
     lengths = sum(step for (_, cell), step in steps.items() if cell in ("a", "d"))
     angles = sum(step for (_, cell), step in steps.items() if cell in ("alpha", "theta"))
-    return [
-        angles if invariant.measure in ANGULAR else lengths + angles * reference.size
-        for invariant in invariants
-    ]
+    return np.array(
+        [angles if shape.is_angle else lengths + angles * reference.size for shape in invariants.shapes]
+    )
 
 
-def _reaches(
-    invariants: Sequence[Invariant], table: NumericTable, steps: Mapping[Place, float], policy: Policy
-) -> list[float]:
-    """How far invariants may move when every decimal moves by half a unit of its last place."""
-
-    def measured(of: NumericTable) -> NDArray[np.float64]:
-        axes = axes_of(chain_of_table(of), policy)
-        return np.array([invariant.measured(axes) for invariant in invariants])
-
-    here = measured(table)
-    total = np.zeros(len(invariants))
+def _sizes(
+    invariants: Invariants, table: NumericTable, steps: Mapping[Place, float], policy: Policy
+) -> Floats:
+    """The sizes of a table's invariants as it stands, and with every decimal half a unit up, and down."""
+    variations: list[Variation] = [(0, ())]
     for (i, cell), step in steps.items():
-        moved = [np.abs(measured(_with(table, i, cell, sign * step)) - here) for sign in (1.0, -1.0)]
-        total += np.maximum(*moved)
-    found: list[float] = total.tolist()
-    return found
+        here = getattr(table.rows[i], cell)
+        variations += (0, ((i, cell, here + step),)), (0, ((i, cell, here - step),))
+    return invariants.sizes(invariants.measured(axes_of_tables((table,), variations, policy)))
 
 
-def _with(table: NumericTable, row: int, cell: str, change: float) -> NumericTable:
-    rows = list(table.rows)
-    rows[row] = replace(rows[row], **{cell: getattr(rows[row], cell) + change})
-    return DHTable(convention=table.convention, rows=tuple(rows))
+def _reaches(sizes: Floats) -> Floats:
+    """How far invariants may move when every decimal moves by half a unit of its last place."""
+    moved = np.abs(sizes[:, 1:] - sizes[:, :1])
+    return np.asarray(np.maximum(moved[:, 0::2], moved[:, 1::2]).sum(axis=1), dtype=np.float64)

@@ -93,7 +93,7 @@ def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy:
         answer=tables[1],
         comparison=comparison,
         policy=strict,
-        tables=comparison.meant,
+        table=comparison.meant[0],
         references=references,
         invariants=tuple(
             tightened(reference, answer, comparison.steps, strict, share)
@@ -106,7 +106,7 @@ def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy:
 def _told(
     decision: Decision, repairs: Sequence[Repaired], work: Work, policy: Policy, level: HelpLevel
 ) -> tuple[tuple[LinkFinding, ...], tuple[Feedback, ...]]:
-    key, answer = work.references[0].table, work.tables[0]
+    key, answer = work.reference.table, work.table
     wrong = wrong_facts(decision, repairs, answer)
     feedback = feedback_of(decision, repairs, wrong, key, answer, policy, level)
     return link_findings(answer, wrong, decision, repairs, level), feedback

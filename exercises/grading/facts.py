@@ -10,12 +10,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.chain import Axis
+from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.groups import outside
-from kinematics.equivalence.invariants import Invariant, Measure
+from kinematics.equivalence.invariants import Invariants, Measure, Shape
 from kinematics.se3 import Vector, cross, norm, unit
+
+Floats = NDArray[np.float64]
 
 # Axes less than this apart [rad] count as parallel: rounded entries turn them by less, mistakes by more.
 NEARLY = 0.01
@@ -64,13 +69,9 @@ class Facts:
     """
 
     axes: Sequence[Axis]
-    invariants: Sequence[Invariant]
+    invariants: Invariants
     fixed: tuple[bool, bool]
     weights: Weights
-
-    @cached_property
-    def _own(self) -> list[float]:
-        return [invariant.oriented(self.axes)[0] for invariant in self.invariants]
 
     def wrong(self, axes: Sequence[Axis]) -> float:
         """The weight of the facts that an answer does not have.
@@ -78,109 +79,105 @@ class Facts:
         Args:
             axes: its joint axes between base and tool, as those of the key.
         """
-        ours, theirs = len(self.axes) - 2, len(axes) - 2
-        shift = theirs - ours
-        aligned = _Aligned(self, axes, shift)
-        splits = range(min(ours, theirs) + 1) if shift else range(1)
-        return min(aligned.wrong(split) for split in splits) + self.weights.joint * max(shift, 0)
-
-
-class _Aligned:
-    """An answer's axes beside the key's: joint i is joint i up to the split, and after it joint i + shift."""
-
-    def __init__(self, facts: Facts, axes: Sequence[Axis], shift: int) -> None:
-        self._facts, self._axes, self._shift = facts, axes, shift
-        self._costs: dict[tuple[int, int], tuple[float, float] | None] = {}
-
-    def wrong(self, split: int) -> float:
-        """The weight of the facts that are wrong or lost, for the best directions of the axes."""
-        facts, last = self._facts, len(self._facts.axes) - 1
-        if not self._shift:
-            split = last
-        places = [self._place(i, split) for i in range(last + 1)]
-        lost = sum(self._type_cost(i, place) for i, place in enumerate(places[1:-1], 1))
-        single = [[0.0, 0.0] for _ in places]
-        pairs = [[0.0, 0.0] for _ in places]
-        for k, invariant in enumerate(facts.invariants):
-            cost = self._cost(k, invariant, places)
-            i, j = invariant.axes[0], invariant.axes[1]
-            if cost is None:
-                lost += facts.weights.of(invariant.measure)
-            elif invariant.measure is Measure.OFFSET:
-                single[j] = [single[j][0] + cost[0], single[j][1] + cost[1]]
-            elif j == i + 1 and invariant.measure is not Measure.TURN:
-                pairs[j] = [pairs[j][0] + cost[0], pairs[j][1] + cost[1]]
-            else:
-                lost += min(cost)
-        return lost + self._best_directions(single, pairs)
-
-    def _best_directions(self, single: list[list[float]], pairs: list[list[float]]) -> float:
-        """The least of the sums of costs, over which way every axis points: a forward sweep."""
-        best = [single[0][0], float("inf") if self._facts.fixed[0] else single[0][1]]
-        for here, pair in list(zip(single, pairs, strict=True))[1:]:
-            ways = [[best[s] + pair[s ^ t] for s in (0, 1)] for t in (0, 1)]
-            best = [min(ways[t]) + here[t] for t in (0, 1)]
-        return best[0] if self._facts.fixed[1] else min(best)
-
-    def _place(self, i: int, split: int) -> int | None:
-        """The answer's axis that stands for the key's axis i; None if it is missing."""
-        last = len(self._facts.axes) - 1
-        if i == last:
-            return len(self._axes) - 1
-        if i <= split:
-            return i
-        return i + self._shift if i + self._shift > split else None
-
-    def _type_cost(self, i: int, place: int | None) -> float:
-        if place is not None and self._axes[place].prismatic is self._facts.axes[i].prismatic:
-            return 0.0
-        return self._facts.weights.joint
-
-    def _cost(self, k: int, invariant: Invariant, places: Sequence[int | None]) -> tuple[float, float] | None:
-        """What an invariant costs with the axes as they point, and with one reversed; None if it is lost."""
-        span = range(min(invariant.axes), max(invariant.axes) + 1)
-        shifts = {None if (place := places[i]) is None else place - i for i in span}
-        if len(shifts) > 1 or (shift := shifts.pop()) is None:
-            return None
-        if (k, shift) not in self._costs:
-            self._costs[k, shift] = self._measured(k, invariant, shift)
-        return self._costs[k, shift]
-
-    def _measured(self, k: int, invariant: Invariant, shift: int) -> tuple[float, float] | None:
-        ours, theirs = self._facts.axes, self._axes
-        alike = all(ours[i].prismatic is theirs[i + shift].prismatic for i in invariant.axes)
-        if invariant.measure is not Measure.ANGLE and not (alike and self._is_defined(invariant, shift)):
-            return None
-        weight = self._facts.weights.of(invariant.measure)
-        moved = Invariant(
-            invariant.measure, tuple(i + shift for i in invariant.axes), invariant.value, invariant.slack
+        shift = len(axes) - len(self.axes)
+        splits = range(min(len(axes), len(self.axes)) - 1) if shift else range(1)
+        return min(self._wrong(axes, _places(len(self.axes), len(axes), split)) for split in splits) + (
+            self.weights.joint * max(shift, 0)
         )
-        fits = [abs(value - self._facts._own[k]) <= invariant.slack for value in moved.oriented(theirs)]
-        sign = self._facts.weights.sign * weight
-        costs = [0.0 if fits[s] else sign if fits[1 - s] else weight for s in (0, 1)]
-        return costs[0], costs[1]
 
-    def _is_defined(self, invariant: Invariant, shift: int) -> bool:
+    def _wrong(self, axes: Sequence[Axis], places: Sequence[int | None]) -> float:
+        """The weight of the facts that are wrong or lost, the answer's axes being those at some places."""
+        ours, weights = self.axes, self.weights
+        beside = [ours[i] if place is None else axes[place] for i, place in enumerate(places)]
+        lost = weights.joint * sum(
+            place is None or beside[i].prismatic is not ours[i].prismatic
+            for i, place in enumerate(places[1:-1], 1)
+        )
+        batch = axis_batch([beside])
+        fits = self.invariants.fits(self.invariants.measured(batch))
+        shapes = self.invariants.shapes
+        worth = np.array([weights.of(shape.measure) for shape in shapes], dtype=np.float64)[:, None]
+        has = np.array([self._has(shape, beside, places) for shape in shapes], dtype=bool)[:, None]
+        sign = np.where(fits[0] | fits[1], weights.sign, 1.0)
+        costs = np.array([np.where(fit & has, 0.0, np.where(has, sign, 1.0) * worth) for fit in fits])
+        return lost + float(least_cost(shapes, len(ours), costs, self.fixed)[0])
+
+    def _has(self, shape: Shape, axes: Sequence[Axis], places: Sequence[int | None]) -> bool:
+        """Whether an invariant means in the answer what it means in the key."""
+        span = range(min(shape.axes), max(shape.axes) + 1)
+        if (
+            len({None if (place := places[i]) is None else place - i for i in span}) > 1
+            or places[span[0]] is None
+        ):
+            return False
+        if shape.measure is Measure.ANGLE:
+            return True
+        alike = all(self.axes[i].prismatic is axes[i].prismatic for i in shape.axes)
+        return alike and self._is_defined(shape, axes, span)
+
+    def _is_defined(self, shape: Shape, axes: Sequence[Axis], span: range) -> bool:
         """Whether a length means in the answer what it means in the key, whatever frames were chosen.
 
         An offset runs along parallel axes between axes that are not; a distance beside sliders disregards the
         directions of all axes in between.
         """
-        ours, theirs = self._facts.axes, self._axes
-        span = range(min(invariant.axes), max(invariant.axes) + 1)
-        if invariant.measure is Measure.OFFSET:
-            pairs = {(i, i + 1) for i in span[:-1]} | {(invariant.axes[2], invariant.axes[3])}
+        if shape.measure is Measure.OFFSET:
+            pairs = {(i, i + 1) for i in span[:-1]} | {(shape.axes[2], shape.axes[3])}
             return all(
-                _are_parallel(theirs[i + shift], theirs[j + shift]) is _are_parallel(ours[i], ours[j])
-                for i, j in pairs
+                _are_parallel(axes[i], axes[j]) is _are_parallel(self.axes[i], self.axes[j]) for i, j in pairs
             )
-        if invariant.measure is Measure.DISTANCE:
+        if shape.measure is Measure.DISTANCE:
             basis: tuple[Vector, ...] = ()
-            for i in invariant.axes[2:]:
-                rest = outside(theirs[i + shift].direction, basis)
+            for i in shape.axes[2:]:
+                rest = outside(axes[i].direction, basis)
                 basis = (*basis, unit(rest)) if norm(rest) > NEARLY else basis
-            return all(norm(outside(theirs[i + shift].direction, basis)) <= NEARLY for i in span)
+            return all(norm(outside(axes[i].direction, basis)) <= NEARLY for i in span)
         return True
+
+
+def _places(ours: int, theirs: int, split: int) -> list[int | None]:
+    """For each axis of the key the answer's: the same up to the split, and after it shifted to the end."""
+    shift = theirs - ours
+    if not shift:
+        return list(range(ours))
+    shifted = [i if i <= split else i + shift if i + shift > split else None for i in range(ours)]
+    return [*shifted[:-1], theirs - 1]
+
+
+def least_cost(
+    shapes: Sequence[Shape], axes: int, costs: Floats, fixed: tuple[bool, bool] = (False, False)
+) -> Floats:
+    """The least that invariants cost, over which way every axis points: a forward sweep along the chain.
+
+    Args:
+        shapes: the invariants.
+        axes: how many axes there are, base and tool among them.
+        costs: (2, q, k) what each costs with the axes as they point, and with one of them turned round.
+        fixed: of base and tool, whether the axis may not be turned round.
+
+    Returns:
+        (k,) the sums.
+    """
+    alone, pairs = np.zeros((axes, len(shapes))), np.zeros((axes, len(shapes)))
+    free = []
+    for q, shape in enumerate(shapes):
+        i, j = shape.axes[:2]
+        if shape.measure is Measure.OFFSET:
+            alone[j, q] = 1.0
+        elif shape.measure is not Measure.TURN and j == i + 1:
+            pairs[j, q] = 1.0
+        else:
+            free.append(q)
+    single, double = alone @ costs, pairs @ costs
+    best = single[:, 0].copy()
+    if fixed[0]:
+        best[1] = np.inf
+    for j in range(1, axes):
+        same, other = double[0, j], double[1, j]
+        ways = np.minimum(best[0] + same, best[1] + other), np.minimum(best[0] + other, best[1] + same)
+        best = np.array(ways) + single[:, j]
+    least = best[0] if fixed[1] else best.min(axis=0)
+    return np.asarray(least + costs[:, free].min(axis=0).sum(axis=0), dtype=np.float64)
 
 
 def _are_parallel(one: Axis, other: Axis) -> bool:

@@ -62,7 +62,7 @@ def wrong_facts(
     """
     if repairs:
         changes = equally_good(repairs) or repairs[0].changes
-        cells = {place for change in changes for place in change.touched}
+        cells = {place for change in changes for place in change.places}
         return frozenset((row, _fact(table, row, cell)) for row, cell in cells)
     return frozenset(
         (m.row, _FACT_OF_KIND[m.kind])
@@ -80,14 +80,12 @@ def equally_good(repairs: Sequence[Repaired]) -> tuple[Change, ...]:
     singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
     if not singles or singles[0] is not repairs[0].changes[0] or singles[0].extent is not Extent.CELL:
         return ()
-    first = singles[0].edit
+    first = singles[0]
     if first.row is None:
         return ()
     if first.code in _SIGNS:
-        return tuple(change for change in singles if change.edit.code in _SIGNS)
-    return tuple(
-        change for change in singles if (change.edit.code, change.edit.cell) == (first.code, first.cell)
-    )
+        return tuple(change for change in singles if change.code in _SIGNS)
+    return tuple(change for change in singles if (change.code, change.cell) == (first.code, first.cell))
 
 
 def _fact(table: NumericTable, row: int, cell: str) -> str:
@@ -112,7 +110,7 @@ def link_findings(
     if not told_from(level, HelpLevel.ROW):
         return ()
     missing = {
-        change.touched[0][0] for r in repairs[:1] for change in r.changes if change.edit.code in MISSING_ROWS
+        change.places[0][0] for r in repairs[:1] for change in r.changes if change.code in MISSING_ROWS
     }
     judged = (
         bool(repairs)
@@ -173,7 +171,7 @@ def _in_place(
         return
     alike = equally_good(repairs)
     if len(alike) > 1:
-        if alike[0].edit.code in _SIGNS and told_from(level, HelpLevel.KIND):
+        if alike[0].code in _SIGNS and told_from(level, HelpLevel.KIND):
             yield from _signs(alike)
         else:
             yield from _facts(wrong, table, level)
@@ -183,7 +181,7 @@ def _in_place(
         if edit.code in _ROW_EDITS:
             yield Feedback(code=_ROW_EDITS[edit.code], row=edit.row, params=edit.params)
         elif edit.row is not None:
-            places = frozenset((row, _fact(table, row, cell)) for row, cell in change.touched)
+            places = frozenset((row, _fact(table, row, cell)) for row, cell in change.places)
             yield from _facts(places, table, level)
         elif told_from(level, HelpLevel.KIND):
             yield Feedback(code=_THROUGHOUT[edit.code])
@@ -194,7 +192,7 @@ def _in_place(
 def _signs(changes: Sequence[Change]) -> Iterator[Feedback]:
     """Row by row, the cells of which one has the wrong sign."""
     for row in sorted({change.edit.row or 0 for change in changes}):
-        cells = ", ".join(_SIGNS[change.edit.code] for change in changes if change.edit.row == row)
+        cells = ", ".join(_SIGNS[change.code] for change in changes if change.edit.row == row)
         yield Feedback(code="sign_wrong", row=row, params={"row": row, "cells": cells})
 
 

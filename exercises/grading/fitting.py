@@ -2,22 +2,28 @@
 
 In a length cell the square of every invariant length is a quadratic polynomial, in an angle cell the cosine
 between two axes is A + B cos x + C sin x: three evaluations give the function, and it is solved in closed
-form.
+form. All cells of all tables are evaluated at once.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
+from typing import NamedTuple
 
-from exercises.grading.work import Work, with_cell
+import numpy as np
+from numpy.typing import NDArray
+
+from exercises.grading.typed import Place
+from exercises.grading.work import Work
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
+from kinematics.equivalence.batches import CellChange, Variation, axes_of_tables
 from kinematics.equivalence.cell_fitting import fitted_cells
 from kinematics.equivalence.diagnosis import likely_signs
-from kinematics.equivalence.invariants import Invariant, Measure
-from kinematics.equivalence.meter import PER_ALIGNMENT, PER_INVARIANT
+from kinematics.equivalence.invariants import Invariants, Measure
+from kinematics.equivalence.meter import PER_ALIGNMENT, per_batch
 from kinematics.equivalence.reference import Reference
 from kinematics.table import NumericTable
 
@@ -31,84 +37,133 @@ NEGLIGIBLE = 1e-9
 MOST_STRAINED = 4
 # Choices of the axes’ directions that are tried, the best first.
 MOST_SIGNS = 4
+# [rad] Three evaluations round the circle give A + B cos x + C sin x.
+THIRD = 2.0 * math.pi / 3.0
+# [rad] By how much a turn about a slider is tried to change.
+SMALL_TURN = 1e-3
+ANGLES = ("alpha", "theta")
 
 
-def fitting_values(work: Work, table: NumericTable, draw: int, row: int, cell: str) -> list[float]:
-    """Values of a cell, other than the one it has, that make an invariant fit which does not.
+class Unsolved(NamedTuple):
+    """A table, and the cells for which values are wanted that fit.
+
+    Attributes:
+        number: the table's number among those at hand.
+        cells: what has been changed in it.
+        places: the cells to be solved for, each by itself.
+    """
+
+    number: int
+    cells: tuple[CellChange, ...]
+    places: Sequence[Place]
+
+
+def measured(
+    work: Work, tables: Sequence[NumericTable], variations: Sequence[Variation]
+) -> NDArray[np.float64]:
+    """(q, k) the invariants of tables in which some cells are changed, as their axes point."""
+    invariants = work.invariants[work.draw]
+    rows = max(len(table.rows) for table in tables)
+    work.meter.charge(per_batch(len(variations), rows + len(invariants.shapes)))
+    return invariants.measured(axes_of_tables(tables, variations, work.policy))
+
+
+def fitting_values(
+    work: Work, tables: Sequence[NumericTable], wanted: Sequence[Unsolved]
+) -> list[dict[Place, list[float]]]:
+    """Values of cells, other than those they have, that make an invariant fit which does not.
 
     Args:
         work: the key and its invariants.
-        table: the table.
-        draw: number of the parameter draw.
-        row: the row, counted from 0.
-        cell: "a", "d", "alpha" or "theta".
+        tables: the tables, with the key's types of joints.
+        wanted: the cells.
     """
-    if table.joint_types != work.references[draw].table.joint_types:
+    invariants, scale = work.invariants[work.draw], work.reference.size
+    variations: list[Variation] = []
+    for unsolved in wanted:
+        variations.append((unsolved.number, unsolved.cells))
+        for place in unsolved.places:
+            here = _entry(tables, unsolved, place)
+            around = [here - scale, here + scale]
+            if place[1] in ANGLES:
+                around = [0.0, THIRD, -THIRD, here + SMALL_TURN]
+            variations += [(unsolved.number, (*unsolved.cells, (*place, value))) for value in around]
+    found = measured(work, tables, variations)
+    functions = _Functions(invariants, found, scale)
+    solved: list[dict[Place, list[float]]] = []
+    column = 0
+    for unsolved in wanted:
+        own, column = column, column + 1
+        solved.append({})
+        strained = functions.strained(own)
+        for place in unsolved.places:
+            angular = place[1] in ANGLES
+            if strained:
+                here = _entry(tables, unsolved, place)
+                values = functions.solved(strained, own, column, here, angular=angular)
+                solved[-1][place] = [0.0 if abs(x) < NEGLIGIBLE * scale else x for x in values]
+            column += 4 if angular else 2
+    return solved
+
+
+def _entry(tables: Sequence[NumericTable], unsolved: Unsolved, place: Place) -> float:
+    row, name = place
+    for i, cell, value in reversed(unsolved.cells):
+        if (i, cell) == place:
+            return value
+    entry: float = getattr(tables[unsolved.number].rows[row], name)
+    return entry
+
+
+class _Functions:
+    """How invariants depend on cells, from their values at a few."""
+
+    def __init__(self, invariants: Invariants, found: NDArray[np.float64], scale: float) -> None:
+        self._scale = scale
+        self._measures = [shape.measure for shape in invariants.shapes]
+        self._targets: list[float] = invariants.sizes(invariants.values)[:, 0].tolist()
+        twists = np.array([measure is Measure.ANGLE for measure in self._measures])[:, None]
+        self._values: list[list[float]] = np.where(twists, np.cos(found), found * found).T.tolist()
+        strains = invariants.strains(found)
+        self._strains = strains.T
+        self._worst = np.argsort(-strains, axis=0, kind="stable")[:MOST_STRAINED].T
+
+    def strained(self, column: int) -> list[int]:
+        """The invariants that fit least at a column, the worst first."""
+        strains = self._strains[column]
+        return [k for k in self._worst[column].tolist() if strains[k] > OFF]
+
+    def solved(
+        self, strained: Sequence[int], own: int, first: int, here: float, *, angular: bool
+    ) -> list[float]:
+        """Values of a cell with which the worst of the strained invariants that it changes fits.
+
+        Args:
+            strained: the invariants.
+            own: the column in which the cell is what it is.
+            first: the first of those in which it is something else.
+            here: what it is.
+            angular: it is an angle.
+        """
+        for k in strained:
+            measure, target = self._measures[k], self._targets[k]
+            around = [values[k] for values in self._values[first : first + (4 if angular else 2)]]
+            found: list[float] = []
+            if not angular and measure in (Measure.DISTANCE, Measure.OFFSET):
+                found = list(_lengths(around[0], self._values[own][k], around[1], target, here, self._scale))
+            elif angular and measure is Measure.ANGLE:
+                found = list(_angles(around, math.cos(target)))
+            elif angular and measure is Measure.TURN:
+                found = list(_turns(self._values[own][k], around[3], here, target))
+            if found:
+                return found
         return []
-    axes = work.axes(table)
-    work.meter.charge(PER_INVARIANT * len(work.invariants[draw]))
-    strained = sorted(
-        (
-            (strain, k)
-            for k, invariant in enumerate(work.invariants[draw])
-            if (strain := invariant.strain(axes)) > OFF
-        ),
-        reverse=True,
-    )
-    scale = work.references[draw].size
-    for _, k in strained[:MOST_STRAINED]:
-        solutions = _solutions(work, table, work.invariants[draw][k], row, cell, scale)
-        found = [0.0 if abs(value) < NEGLIGIBLE * scale else value for value in solutions]
-        if found:
-            return found
-    return []
 
 
-def fitted_tables(
-    work: Work, table: NumericTable, draw: int, places: Sequence[tuple[int, str]]
-) -> list[NumericTable]:
-    """The table with some cells changed so that it fits the key as a whole.
-
-    Args:
-        work: the key.
-        table: the table.
-        draw: number of the parameter draw.
-        places: rows, counted from 0, and cells.
-    """
-    reference = work.references[draw]
-    if table.joint_types != reference.table.joint_types:
-        return []
-    work.meter.charge(PER_ALIGNMENT * 16 * len(table.joint_rows))
-    for signs in _likely_signs(reference, table, work.policy)[:MOST_SIGNS]:
-        found = fitted_cells(reference, table, places, signs, work.policy.tolerance, work.meter)
-        if found is not None:
-            return [found]
-    return []
-
-
-@lru_cache(maxsize=256)
-def _likely_signs(reference: Reference, table: NumericTable, policy: Policy) -> list[tuple[int, ...]]:
-    return likely_signs(reference, chain_of_table(table), policy)
-
-
-def _solutions(
-    work: Work, table: NumericTable, invariant: Invariant, row: int, cell: str, scale: float
+def _lengths(
+    below: float, middle: float, above: float, target: float, here: float, scale: float
 ) -> Iterator[float]:
-    def value(x: float) -> float:
-        return invariant.signed(work.axes(with_cell(table, row, cell, x)))
-
-    if cell in ("alpha", "theta"):
-        if invariant.measure is Measure.ANGLE:
-            yield from _angles(value, math.cos(invariant.value))
-        elif invariant.measure is Measure.TURN:
-            yield from _turns(value, getattr(table.rows[row], cell), invariant.value)
-    elif invariant.measure in (Measure.DISTANCE, Measure.OFFSET):
-        yield from _lengths(value, invariant.value, getattr(table.rows[row], cell), scale)
-
-
-def _lengths(value: Callable[[float], float], target: float, here: float, scale: float) -> Iterator[float]:
-    """Solutions of value(x) = target², value being a quadratic polynomial."""
-    below, middle, above = value(here - scale), value(here), value(here + scale)
+    """Solutions of y(x) = target², y being quadratic, from its values a scale below, here and above."""
     a = (above - 2.0 * middle + below) / (2.0 * scale * scale)
     b = (above - below) / (2.0 * scale)
     if abs(a) < INFLUENCE:
@@ -122,13 +177,11 @@ def _lengths(value: Callable[[float], float], target: float, here: float, scale:
             return
 
 
-def _angles(value: Callable[[float], float], target: float) -> Iterator[float]:
-    """Solutions of value(x) = ±target, value being A + B cos x + C sin x."""
-    third = 2.0 * math.pi / 3.0
-    y = [value(0.0), value(third), value(-third)]
-    a = sum(y) / 3.0
-    b = (2.0 * y[0] - y[1] - y[2]) / 3.0
-    c = (y[1] - y[2]) / math.sqrt(3.0)
+def _angles(around: Sequence[float], target: float) -> Iterator[float]:
+    """Solutions of y(x) = ±target, y being A + B cos x + C sin x, from its values at 0 and ±120°."""
+    a = (around[0] + around[1] + around[2]) / 3.0
+    b = (2.0 * around[0] - around[1] - around[2]) / 3.0
+    c = (around[1] - around[2]) / math.sqrt(3.0)
     size = math.hypot(b, c)
     if size < INFLUENCE:
         return
@@ -138,15 +191,38 @@ def _angles(value: Callable[[float], float], target: float) -> Iterator[float]:
         if abs(cosine) > 1.0 + INFLUENCE:
             continue
         spread = math.acos(max(-1.0, min(1.0, cosine)))
-        for x in {phase + spread, phase - spread}:
+        for x in dict.fromkeys((phase + spread, phase - spread)):
             yield math.remainder(x, 2.0 * math.pi)
 
 
-def _turns(value: Callable[[float], float], here: float, target: float) -> Iterator[float]:
+def _turns(square: float, beside: float, here: float, target: float) -> Iterator[float]:
     """Angles about a slider, found from the present one: it enters the turn as plus or minus itself."""
-    now, step = math.sqrt(value(here)), 1e-3
-    if abs(math.sqrt(value(here + step)) - now) < INFLUENCE:
+    now = math.sqrt(square)
+    if abs(math.sqrt(beside) - now) < INFLUENCE:
         return
     for change in (target - now, -target - now, target + now, now - target):
         for half in (0.0, math.pi):
             yield math.remainder(here + change + half, 2.0 * math.pi)
+
+
+def fitted_table(work: Work, table: NumericTable, places: Sequence[Place]) -> NumericTable | None:
+    """The table with some cells changed so that it fits the key as a whole; None if they cannot.
+
+    Args:
+        work: the key.
+        table: the table.
+        places: rows, counted from 0, and cells.
+    """
+    if not work.has_the_joints(table):
+        return None
+    work.meter.charge(PER_ALIGNMENT * 16 * len(table.joint_rows))
+    for signs in _likely_signs(work.reference, table, work.policy)[:MOST_SIGNS]:
+        found = fitted_cells(work.reference, table, places, signs, work.policy.tolerance, work.meter)
+        if found is not None:
+            return found
+    return None
+
+
+@lru_cache(maxsize=256)
+def _likely_signs(reference: Reference, table: NumericTable, policy: Policy) -> list[tuple[int, ...]]:
+    return likely_signs(reference, chain_of_table(table), policy)

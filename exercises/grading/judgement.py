@@ -66,7 +66,7 @@ def _refuted(comparison: Comparison, policy: Policy) -> Decision | None:
     reference = prepared(key).beside(chain)
     free = mechanism_only(policy)
     far = beyond_digits(reference, answer, comparison.steps, free, share_of(comparison))
-    if not far:
+    if far is None:
         return None
     found = diagnose(reference, answer, chain, policy)
     if all(mismatch.kind is Kind.PRECISION for mismatch in found):
@@ -89,7 +89,7 @@ def _held_to_digits(
         chain = chain_of_table(answer)
         reference = prepared(key).beside(chain)
         far = beyond_digits(reference, answer, comparison.steps, policy, share)
-        if far:
+        if far is not None:
             found = mismatches_of(far, reference, answer, chain, policy)
             return Decision(certificate=None, mismatches=found, same_robot=False)
     return decision

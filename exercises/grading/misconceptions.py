@@ -7,7 +7,7 @@ The order is that of likelihood; where several edits explain a wrong answer, the
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from exercises.grading.cell_edits import (
     alpha_sign,
@@ -170,11 +170,18 @@ CATALOGUE: tuple[Misconception, ...] = (
 )
 
 
+RANKS = {
+    code: rank
+    for rank, entry in reversed(list(enumerate(CATALOGUE)))
+    for code in (*entry.told_as, entry.code)
+}
+"""The place of what is told in the catalogue; the earlier, the likelier."""
+
+
 def changes_of(work: Work) -> Iterator[Change]:
     """Every change of the catalogue that may be made to a table."""
-    for rank, misconception in enumerate(CATALOGUE):
-        for change in misconception.changes(work):
-            yield replace(change, rank=rank)
+    for misconception in CATALOGUE:
+        yield from misconception.changes(work)
 
 
 def repair_codes() -> frozenset[str]:

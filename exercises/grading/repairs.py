@@ -2,26 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import chain, islice
 
 from exercises.grading.cell_edits import any_cell
-from exercises.grading.misconceptions import changes_of
+from exercises.grading.misconceptions import RANKS
 from exercises.grading.row_edits import any_row_left_out
+from exercises.grading.trials import Trial, tried, tried_unchanged
 from exercises.grading.work import Change, Extent, Work, after
 from kinematics.equivalence.meter import WorkExhaustedError
 from kinematics.equivalence.search import Effort
 from kinematics.table import NumericTable
 
-# Some three tenths of a second: see `kinematics.equivalence.meter`. The first round, and fitting cells to the
-# whole robot, may use no more than their share, so that what comes after is tried as well.
+# Some three tenths of a second: see `kinematics.equivalence.meter`. Fitting cells to the whole robot may use
+# no more than its share, so that what comes after is tried as well.
 MOST_WORK = 260_000
-WORK_OF_FIRST_EDITS = 120_000
 WORK_OF_FITTING = 100_000
 # A bound of the work: every one of them is followed by all the edits there are.
 MOST_FIRST_EDITS = 24
+# A bound of what is held in memory at once: tables that are tried together, times their rows.
+MOST_ROWS_TOGETHER = 160
 # More explanations than these explain nothing.
 MOST_REPAIRS = 6
 # a single edit adds or removes one joint
@@ -35,22 +37,12 @@ class Repaired:
     changes: tuple[Change, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Trial:
-    """A change tried on the first draw: the table it leads to, and how many invariants still fail."""
-
-    change: Change
-    table: NumericTable
-    failing: int | None
-
-
 def find_repairs(work: Work) -> tuple[Repaired, ...]:
     """The repairs of a wrong table, smallest and likeliest first; of two edits only if no one edit helps.
 
     The search is bounded by the work that the meter of `work` grants.
     """
-    apart = abs(work.tables[0].n_joints - work.references[0].table.n_joints)
-    if apart > MOST_JOINTS_APART:
+    if abs(work.excess) > MOST_JOINTS_APART:
         return ()
     found: list[Repaired] = []
     with suppress(WorkExhaustedError):
@@ -61,17 +53,8 @@ def find_repairs(work: Work) -> tuple[Repaired, ...]:
 
 def _found(work: Work) -> Iterator[Repaired]:
     """Single edits, by growing effort; if there are none, pairs."""
-    trials: list[Trial] = []
-    with work.meter.at_most(WORK_OF_FIRST_EDITS):
-        for trial in _tried(work, changes_of(work)):
-            trials.append(trial)  # noqa: PERF402 - those made before the work runs out count
-    trials.sort(
-        key=lambda trial: (
-            trial.change.extent.value,
-            _fills_a_zero(trial.change, work.tables[0]),
-            trial.change.rank,
-        )
-    )
+    (trials,) = tried([work])
+    trials.sort(key=lambda trial: _likelihood(trial.change, work.table))
     found = False
     for effort in Effort:
         for change in _helping(work, trials, effort):
@@ -79,96 +62,87 @@ def _found(work: Work) -> Iterator[Repaired]:
             yield Repaired((change,))
         if found:
             return
-    if work.one_edit_might_mend(work.tables[0]):
+    here = tried_unchanged(work)
+    if here is None or here.meets:
         for change in _fitted(work):
             found = True
             yield Repaired((change,))
     if not found:
-        yield from _pairs(work, trials)
+        yield from _pairs(work, trials, None if here is None else here.failing)
 
 
-def _fitted(work: Work) -> Iterator[Change]:
-    """Single edits found by fitting a cell to the whole robot."""
+def _fitted(work: Work, slips: Collection[tuple[object, ...]] | None = None) -> Iterator[Change]:
+    """Single edits found by fitting a cell to the whole robot; those made before the work runs out count."""
+    made: list[Change] = []
     with work.meter.at_most(WORK_OF_FITTING):
-        fitted = _tried(work, chain(any_cell(work), any_row_left_out(work)))
-        yield from _helping(work, fitted, Effort.REFINED)
+        for change in chain(any_cell(work), any_row_left_out(work)):
+            made.append(change)  # noqa: PERF402
+    yield from _helping(work, tried([work], lambda _: iter(made), slips)[0], Effort.REFINED)
+
+
+def _likelihood(change: Change, table: NumericTable) -> tuple[float, bool, int]:
+    """What edits are sorted by, the likeliest first."""
+    return change.extent.value, _fills_a_zero(change, table), RANKS[change.code]
 
 
 def _fills_a_zero(change: Change, table: NumericTable) -> bool:
     """Whether a change of one cell puts a length where none was typed; a typed one is likelier wrong."""
-    if change.extent is not Extent.CELL or len(change.touched) != 1:
+    if change.extent is not Extent.CELL or change.row is None or change.cell not in ("a", "d"):
         return False
-    row, cell = change.touched[0]
-    return cell in ("a", "d") and row < len(table.rows) and getattr(table.rows[row], cell) == 0.0
-
-
-def _tried(work: Work, changes: Iterable[Change]) -> Iterator[Trial]:
-    """The changes, tried on the first draw."""
-    known: dict[NumericTable, int | None] = {}
-    for change in changes:
-        for table in change.apply(work.tables[0], 0):
-            if table == work.tables[0]:
-                continue
-            if table not in known:
-                known[table] = work.failing(table)
-            yield Trial(change, table, known[table])
+    return change.row < len(table.rows) and getattr(table.rows[change.row], change.cell) == 0.0
 
 
 def _helping(work: Work, trials: Iterable[Trial], effort: Effort) -> Iterator[Change]:
     """The changes that make the table right at every draw; each place of an edit once."""
     told: set[tuple[str, int | None, str | None]] = set()
     for trial in trials:
-        edit = trial.change.edit
-        place = (edit.code, edit.row, edit.cell)
-        if trial.failing or trial.failing is None or place in told:
+        change = trial.change
+        place = (change.code, change.row, change.cell)
+        if not trial.might or place in told:
             continue
-        if work.accepts(trial.table, 0, effort) and _at_other_draws(work, (trial.change,), effort):
+        if work.accepts(change, effort) and (work.draw or _at_other_draws(work, (change,), effort)):
             told.add(place)
-            yield trial.change
+            yield change
 
 
-def _at_other_draws(work: Work, changes: tuple[Change, ...], effort: Effort) -> bool:
-    return all(
-        any(work.accepts(table, draw, effort) for table in _applied(changes, work.tables[draw], draw))
-        for draw in range(1, len(work.tables))
-    )
+def _at_other_draws(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
+    return all(_mends(work.at(draw), changes, effort) for draw in range(1, len(work.references)))
 
 
-def _applied(changes: tuple[Change, ...], table: NumericTable, draw: int) -> Iterator[NumericTable]:
-    if not changes:
-        yield table
-        return
-    for edited in changes[0].apply(table, draw):
-        yield from _applied(changes[1:], edited, draw)
+def _mends(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
+    """Whether the slips undone here make the table right, with the values that fit here."""
+    slips = {changes[0].slip}
+    (trials,) = tried([work], slips=slips)
+    if len(changes) > 1:
+        return any(_mends(work.edited(trial.change), changes[1:], effort) for trial in trials)
+    if any(trial.might and work.accepts(trial.change, effort) for trial in trials):
+        return True
+    return effort is Effort.REFINED and any(True for _ in _fitted(work, slips))
 
 
-def _pairs(work: Work, trials: list[Trial]) -> Iterator[Repaired]:
+def _pairs(work: Work, trials: Sequence[Trial], before: int | None) -> Iterator[Repaired]:
     """Two edits: first one that brings the table nearer to the key, then each that might finish."""
-    before = work.failing(work.tables[0])
-    first = [trial for trial in trials if _is_nearer(trial.failing, before)]
-    first.sort(key=lambda trial: (trial.failing, trial.change.rank))
+    first = [trial for trial in trials if trial.meets and _is_nearer(trial.failing, before)]
+    first.sort(key=lambda trial: (trial.failing, RANKS[trial.change.code]))
     told: set[frozenset[tuple[str, int | None, str | None]]] = set()
-    for trial in first[:MOST_FIRST_EDITS]:
-        if not work.one_edit_might_mend(trial.table):
-            continue
-        half = replace(work, tables=(trial.table, *work.tables[1:]))
-        rest = [
-            other
-            for other in _tried(half, changes_of(half))
-            if other.failing == 0 and not set(other.change.touched) & set(trial.change.touched)
-        ]
-        for other in rest:
-            places = frozenset((c.edit.code, c.edit.row, c.edit.cell) for c in (trial.change, other.change))
-            if places in told:
-                continue
-            changes = (trial.change, other.change)
-            if work.accepts(other.table, 0, Effort.PLAIN) and _at_other_draws(work, changes, Effort.PLAIN):
-                told.add(places)
-                shown = (trial.change, after(trial.change, other.change))
-                yield Repaired(tuple(sorted(shown, key=lambda c: c.edit.row or 0)))
+    together = max(MOST_ROWS_TOGETHER // len(work.table.rows), 1)
+    for start in range(0, MOST_FIRST_EDITS, together):
+        some = first[start : min(start + together, MOST_FIRST_EDITS)]
+        halves = [work.edited(trial.change) for trial in some]
+        for trial, half, rest in zip(some, halves, tried(halves), strict=True):
+            touched = set(trial.change.places)
+            for other in rest:
+                if not other.might or touched & set(other.change.places):
+                    continue
+                changes = (trial.change, other.change)
+                places = frozenset((c.code, c.row, c.cell) for c in changes)
+                if places in told or not half.accepts(other.change, Effort.PLAIN):
+                    continue
+                if _at_other_draws(work, changes, Effort.PLAIN):
+                    told.add(places)
+                    shown = (trial.change, after(*changes))
+                    yield Repaired(tuple(sorted(shown, key=lambda c: -1 if c.row is None else c.row)))
 
 
-def _is_nearer(failing: int | None, before: int | None) -> bool:
-    if failing is None:
-        return False
+def _is_nearer(failing: int, before: int | None) -> bool:
     return before is None or failing < before or failing == before == 0

@@ -12,7 +12,7 @@ from exercises.grading.work import Change, Extent, Work
 from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import BaseRule, Decision, DirectionRule, Kind, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.decision import convention_fits
-from kinematics.equivalence.invariants import Invariant, axes_of
+from kinematics.equivalence.invariants import Invariants, axes_of
 from kinematics.equivalence.reference import Reference
 from kinematics.se3 import ORIGIN, Z_AXIS
 
@@ -36,7 +36,7 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
         work: the answer as it was meant, and the key.
         weights: what facts and slips are worth.
     """
-    reference = work.references[0]
+    reference = work.reference
     nothing = _of_nothing(reference, work.policy, weights)
     if not nothing:
         return 0.0
@@ -49,12 +49,12 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
 def _cost(changes: Sequence[Change], weights: Weights) -> float:
     """What the slips cost that changes undo, in facts."""
     of_extent = {Extent.CELL: 1.0, Extent.ROW: weights.row, Extent.TABLE: weights.table}
-    return sum(weights.sign if change.edit.code in SIGNS else of_extent[change.extent] for change in changes)
+    return sum(weights.sign if change.code in SIGNS else of_extent[change.extent] for change in changes)
 
 
 def _lost(decision: Decision, work: Work, weights: Weights) -> float:
     """The weight of the facts that are wrong, and of the rules that are not kept."""
-    policy, reference, table = work.policy, work.references[0], work.tables[0]
+    policy, reference, table = work.policy, work.reference, work.table
     facts = _facts(reference, work.invariants[0], policy, weights)
     axes = axes_of(chain_of_table(table), policy)
     wrong = facts.wrong(axes) if axes else _of_nothing(reference, policy, weights)
@@ -66,7 +66,7 @@ def _lost(decision: Decision, work: Work, weights: Weights) -> float:
     return wrong + weights.rule * (rules)
 
 
-def _facts(reference: Reference, invariants: Sequence[Invariant], policy: Policy, weights: Weights) -> Facts:
+def _facts(reference: Reference, invariants: Invariants, policy: Policy, weights: Weights) -> Facts:
     fixed = policy.base is BaseRule.FRAME, policy.tool is ToolRule.FRAME
     return Facts(axes_of(reference.chain, policy), invariants, fixed, weights)
 

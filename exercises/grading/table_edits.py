@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import replace
 from itertools import combinations
 
 from exercises.grading.substitution import substituted
-from exercises.grading.work import Apply, Change, Extent, Work, change, with_rows
+from exercises.grading.work import Change, Extent, Work, with_rows
 from kinematics.cells import AngleUnit
 from kinematics.errors import ParameterError
 from kinematics.expressions import Parameter
@@ -20,28 +21,23 @@ SMALLEST_EXTENT, LARGEST_EXTENT = 0.05, 300.0
 CLEARLY_DEGREES = 2 * math.pi
 
 
-def _every_row(edit: Callable[[NumericRow], NumericRow]) -> Apply:
-    def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
-        return (with_rows(table, map(edit, table.rows)),)
-
-    return apply
+def _whole(work: Work, code: str, table: NumericTable, cells: tuple[str, ...], **params: str) -> Change:
+    touched = tuple((i, cell) for i in range(len(work.table.rows)) for cell in cells)
+    return Change(code, Extent.TABLE, table=table, touched=touched, params=tuple(params.items()))
 
 
-def _whole(work: Work, code: str, apply: Apply, cells: tuple[str, ...], **params: str) -> Change:
-    touched = tuple((i, cell) for i in range(len(work.tables[0].rows)) for cell in cells)
-    return change(code, apply, extent=Extent.TABLE, touched=touched, params=params)
+def _every_row(
+    work: Work, code: str, edit: Callable[[NumericRow], NumericRow], cells: tuple[str, ...], **params: str
+) -> Change:
+    return _whole(work, code, with_rows(work.table, map(edit, work.table.rows)), cells, **params)
 
 
 def other_convention(work: Work) -> Iterator[Change]:
     """The other convention declared."""
     other = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
-    declared = work.tables[0].convention
-
-    def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
-        return (DHTable(convention=other[table.convention], rows=table.rows),)
-
-    params = {"declared": declared.value, "meant": other[declared].value}
-    yield change("convention", apply, extent=Extent.TABLE, params=params)
+    declared = work.table.convention
+    table = DHTable(convention=other[declared], rows=work.table.rows)
+    yield _whole(work, "convention", table, (), declared=declared.value, meant=other[declared].value)
 
 
 def all_in_degrees(work: Work) -> Iterator[Change]:
@@ -53,7 +49,7 @@ def all_in_degrees(work: Work) -> Iterator[Change]:
         return math.radians(angle) if abs(angle) > CLEARLY_DEGREES else angle
 
     for unit in (math.radians, large):
-        yield _whole(work, "angles_in_degrees", _every_row(_angles(unit)), ("alpha",))
+        yield _every_row(work, "angles_in_degrees", _angles(unit), ("alpha",))
 
 
 def all_in_radians(work: Work) -> Iterator[Change]:
@@ -65,7 +61,7 @@ def all_in_radians(work: Work) -> Iterator[Change]:
         return math.degrees(angle) if abs(angle) <= math.radians(CLEARLY_DEGREES) + 1e-9 else angle
 
     for unit in (math.degrees, small):
-        yield _whole(work, "angles_in_radians", _every_row(_angles(unit)), ("alpha",))
+        yield _every_row(work, "angles_in_radians", _angles(unit), ("alpha",))
 
 
 def _angles(unit: Callable[[float], float]) -> Callable[[NumericRow], NumericRow]:
@@ -78,47 +74,38 @@ def all_in_other_length_unit(work: Work) -> Iterator[Change]:
     def scaled(ratio: float) -> Callable[[NumericRow], NumericRow]:
         return lambda row: replace(row, a=row.a * ratio, d=row.d * ratio)
 
-    extent = sum(abs(row.a) + abs(row.d) for row in work.tables[0].rows)
+    extent = sum(abs(row.a) + abs(row.d) for row in work.table.rows)
     for ratio in LENGTH_RATIOS:
-        if not SMALLEST_EXTENT < extent * ratio / work.references[0].size < LARGEST_EXTENT:
+        if not SMALLEST_EXTENT < extent * ratio / work.reference.size < LARGEST_EXTENT:
             continue
-        yield _whole(work, "length_unit", _every_row(scaled(ratio)), ("a", "d"))
+        yield _every_row(work, "length_unit", scaled(ratio), ("a", "d"))
 
 
 def all_twists_turned_round(work: Work) -> Iterator[Change]:
     """Every α with the other sign."""
-    turned = sum(abs(math.sin(row.alpha)) > work.policy.tolerance.angle for row in work.tables[0].rows)
+    turned = sum(abs(math.sin(row.alpha)) > work.policy.tolerance.angle for row in work.table.rows)
     if turned > 1:
-        edit = _every_row(lambda row: replace(row, alpha=-row.alpha))
-        yield _whole(work, "twists_all_reversed", edit, ("alpha",))
+        yield _every_row(work, "twists_all_reversed", lambda row: replace(row, alpha=-row.alpha), ("alpha",))
 
 
 def columns_a_row_late(work: Work) -> Iterator[Change]:
     """A and α moved up by a row."""
-
-    def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
-        rows = table.rows
-        following = (*rows[1:], replace(rows[-1], a=0.0, alpha=0.0))
-        return (
-            with_rows(
-                table, (replace(r, a=n.a, alpha=n.alpha) for r, n in zip(rows, following, strict=True))
-            ),
-        )
-
-    yield _whole(work, "columns_late", apply, ("alpha", "a"))
+    rows = work.table.rows
+    yield _moved(work, "columns_late", (*rows[1:], replace(rows[-1], a=0.0, alpha=0.0)))
 
 
 def columns_a_row_early(work: Work) -> Iterator[Change]:
     """A and α moved down by a row."""
+    rows = work.table.rows
+    yield _moved(work, "columns_early", (replace(rows[0], a=0.0, alpha=0.0), *rows[:-1]))
 
-    def apply(table: NumericTable, draw: int) -> Iterable[NumericTable]:
-        rows = table.rows
-        before = (replace(rows[0], a=0.0, alpha=0.0), *rows[:-1])
-        return (
-            with_rows(table, (replace(r, a=b.a, alpha=b.alpha) for r, b in zip(rows, before, strict=True))),
-        )
 
-    yield _whole(work, "columns_early", apply, ("alpha", "a"))
+def _moved(work: Work, code: str, sources: tuple[NumericRow, ...]) -> Change:
+    rows = (
+        replace(row, a=source.a, alpha=source.alpha)
+        for row, source in zip(work.table.rows, sources, strict=True)
+    )
+    return _whole(work, code, with_rows(work.table, rows), ("alpha", "a"))
 
 
 EXCHANGES = (("a", "alpha"), ("a", "d"), ("alpha", "d"))
@@ -146,7 +133,7 @@ def columns_exchanged(work: Work) -> Iterator[Change]:
 
     for one, other in EXCHANGES:
         params = {"one": SYMBOLS[one], "other": SYMBOLS[other]}
-        yield _whole(work, "columns_exchanged", _every_row(exchanged(one, other)), (one, other), **params)
+        yield _every_row(work, "columns_exchanged", exchanged(one, other), (one, other), **params)
 
 
 def parameter_misnamed(work: Work) -> Iterator[Change]:
@@ -157,7 +144,7 @@ def parameter_misnamed(work: Work) -> Iterator[Change]:
     for name in unknown:
         for other in unused:
             if kinds[other] is work.answer.parameters[name]:
-                yield _renamed(work, "parameter_misnamed", {name: other}, name)
+                yield from _renamed(work, "parameter_misnamed", {name: other}, name)
 
 
 def parameters_swapped(work: Work) -> Iterator[Change]:
@@ -165,25 +152,20 @@ def parameters_swapped(work: Work) -> Iterator[Change]:
     used = [name for name in work.answer.parameters if name in work.key.parameters]
     for one, other in combinations(used, 2):
         if work.key.parameters[one] is work.key.parameters[other]:
-            yield _renamed(work, "parameters_swapped", {one: other, other: one}, one, other=other)
+            yield from _renamed(work, "parameters_swapped", {one: other, other: one}, one, other=other)
 
 
-def _renamed(work: Work, code: str, names: dict[str, str], name: str, **params: str) -> Change:
-    table = substituted(
-        work.comparison.meant_table, lambda found: Parameter(names[found]) if found in names else None
-    )
+def _renamed(work: Work, code: str, names: dict[str, str], name: str, **params: str) -> Iterator[Change]:
+    exact = work.comparison.meant_table
+    table = substituted(exact, lambda found: Parameter(names[found]) if found in names else None)
     touched = tuple(
         (i, cell)
-        for i, (old, new) in enumerate(zip(work.comparison.meant_table.rows, table.rows, strict=True))
+        for i, (old, new) in enumerate(zip(exact.rows, table.rows, strict=True))
         for cell in ("alpha", "a", "d")
         if getattr(old, cell) != getattr(new, cell)
     )
-
-    def apply(_: NumericTable, draw: int) -> Iterable[NumericTable]:
-        try:
-            return (bind(table, work.comparison.draws[draw]),)
-        except ParameterError:
-            return ()
-
-    extent = Extent.CELL if code == "parameter_misnamed" else Extent.ROW
-    return change(code, apply, extent=extent, touched=touched, params={"name": name, **params})
+    with suppress(ParameterError):
+        numbers = bind(table, work.comparison.draws[work.draw])
+        extent = Extent.CELL if code == "parameter_misnamed" else Extent.ROW
+        shown = (("name", name), *params.items())
+        yield Change(code, extent, table=numbers, touched=touched, params=shown)

@@ -2,29 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from enum import Enum
-from typing import TypeAlias
+from typing import NamedTuple
 
 from exercises.grading.comparison import Comparison
+from exercises.grading.typed import Place
 from exercises.grading.verdict import Edit, ParamValue
 from kinematics.cells import ReadTable
-from kinematics.chain import Axis, chain_of_table
+from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
+from kinematics.equivalence.batches import CellChange
 from kinematics.equivalence.decision import certify, convention_fits
-from kinematics.equivalence.invariants import Invariant, axes_of
-from kinematics.equivalence.meter import PER_INVARIANT, PER_ROW, Meter
+from kinematics.equivalence.invariants import Invariants
+from kinematics.equivalence.meter import PER_ROW, Meter
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.search import Effort
 from kinematics.table import DHTable, NumericRow, NumericTable
 
 WORK_OF_ONE_EDIT = 30_000
 """What deciding whether one edit mends the table may cost: no single one uses up the search."""
-REACH_OF_A_ROW = 1
-"""Two rows exchanged, the widest of the edits in a row, change the links before, between and after them."""
-Apply: TypeAlias = Callable[[NumericTable, int], Iterable[NumericTable]]
-"""From a table and the number of the parameter draw to the tables that the edit may lead to; mostly one."""
+ROW_CELLS = ("alpha", "a", "d", "joint")
 
 
 class Extent(Enum):
@@ -35,105 +34,123 @@ class Extent(Enum):
     TABLE = 1.5
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Change:
-    """A misconception undone in one place.
+class Change(NamedTuple):
+    """A misconception undone in one place of a table.
 
     Attributes:
-        edit: what to tell.
-        apply: the edit itself.
+        code: the misconception, as it is told.
         extent: how much it spoiled.
-        touched: the rows (counted from 0) and cells that it changes.
-        rank: place of the misconception in the catalogue; the earlier, the likelier.
+        row: the row that it concerns, counted from 0, if it is one.
+        cell: the cell, if it is one.
+        cells: what stands in which cells afterwards.
+        table: what they are changed in, if it is no longer the table itself.
+        touched: the places that it changes, if not just that row or cell.
+        params: values for the sentence.
+        unsolved: cells of the row that may be given values that fit.
     """
 
-    edit: Edit
-    apply: Apply
+    code: str
     extent: Extent
-    touched: tuple[tuple[int, str], ...]
-    rank: int = 0
+    row: int | None = None
+    cell: str | None = None
+    cells: tuple[CellChange, ...] = ()
+    table: NumericTable | None = None
+    touched: tuple[Place, ...] = ()
+    params: tuple[tuple[str, ParamValue], ...] = ()
+    unsolved: tuple[str, ...] = ()
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        """The rows, counted from 0, and cells that it changes."""
+        if self.touched or self.row is None:
+            return self.touched
+        return ((self.row, self.cell),) if self.cell else tuple((self.row, name) for name in ROW_CELLS)
+
+    @property
+    def edit(self) -> Edit:
+        """What to tell; rows are counted from 1 there."""
+        params: dict[str, ParamValue] = dict(self.params)
+        if self.row is not None:
+            params.setdefault("row", self.row + 1)
+        return Edit(
+            code=self.code, row=None if self.row is None else self.row + 1, cell=self.cell, params=params
+        )
+
+    @property
+    def slip(self) -> tuple[object, ...]:
+        """What is the same at every draw: the cell; or the misconception and where."""
+        if self.extent is Extent.CELL and self.row is not None:
+            return self.row, self.cell
+        return self.code, self.row, self.cell, self.params
+
+    def of(self, table: NumericTable) -> NumericTable:
+        """The table that a table becomes."""
+        found = table if self.table is None else self.table
+        for row, cell, value in self.cells:
+            found = with_cell(found, row, cell, value)
+        return found
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Work:
-    """The tables that edits are tried on.
+    """The table that edits are tried on.
 
     Attributes:
         key: the key as read.
         answer: the answer as read.
         comparison: both with numbers.
         policy: what the answer is held to.
-        tables: the answer at each draw, as it was meant, perhaps with an edit made already.
         references: the key at each draw, prepared; at the answer's size, if it has none.
         invariants: what no choice of frames changes, at each draw, as nearly as the answer must have it.
         meter: counts what trying edits costs.
+        table: the answer at one draw, as it was meant, perhaps with an edit made already.
+        draw: that draw.
+        fits: for cells, other values that make an invariant fit which does not.
     """
 
     key: ReadTable
     answer: ReadTable
     comparison: Comparison
     policy: Policy
-    tables: tuple[NumericTable, ...]
     references: tuple[Reference, ...]
-    invariants: tuple[tuple[Invariant, ...], ...]
+    invariants: tuple[Invariants, ...]
     meter: Meter
+    table: NumericTable
+    draw: int = 0
+    fits: Mapping[Place, list[float]] = field(default_factory=dict)
 
-    def axes(self, table: NumericTable) -> list[Axis]:
-        """The axes that the invariants are measured between."""
-        self.meter.charge(PER_ROW * len(table.rows))
-        return axes_of(chain_of_table(table), self.policy)
+    @property
+    def reference(self) -> Reference:
+        """The key at the draw."""
+        return self.references[self.draw]
 
-    def failing(self, table: NumericTable, draw: int = 0) -> int | None:
-        """How many invariants a table does not share with the key; None if its joints are others already."""
-        if table.joint_types != self.references[draw].table.joint_types:
-            return None
-        axes = self.axes(table)
-        self.meter.charge(PER_INVARIANT * len(self.invariants[draw]))
-        return sum(not invariant.fits(axes) for invariant in self.invariants[draw])
+    @property
+    def excess(self) -> int:
+        """How many joints the table has more than the key."""
+        return self.table.n_joints - self.reference.table.n_joints
 
-    def one_edit_might_mend(self, table: NumericTable, draw: int = 0) -> bool:
-        """Whether all invariants that a table does not share with the key meet at one place of the chain.
+    def has_the_joints(self, table: NumericTable | None = None) -> bool:
+        """Whether the table, or another, has the key's types of joints in order."""
+        return (table or self.table).joint_types == self.reference.table.joint_types
 
-        An edit in a row changes how the axes before it lie to those after it; what it leaves alone, it cannot
-        mend.
-        """
-        if table.joint_types != self.references[draw].table.joint_types:
-            return True
-        axes = self.axes(table)
-        self.meter.charge(PER_INVARIANT * len(self.invariants[draw]))
-        failing = [invariant.axes for invariant in self.invariants[draw] if not invariant.fits(axes)]
-        first, last = max(map(min, failing), default=0), min(map(max, failing), default=0)
-        return first - last <= REACH_OF_A_ROW
+    def at(self, draw: int) -> Work:
+        """The answer at another draw."""
+        return replace(self, draw=draw, table=self.comparison.meant[draw], fits={})
 
-    def accepts(self, table: NumericTable, draw: int, effort: Effort) -> bool:
-        """Whether a table is right, at one draw."""
+    def edited(self, change: Change) -> Work:
+        """The table with an edit made."""
+        return replace(self, table=change.of(self.table), fits={})
+
+    def accepts(self, change: Change, effort: Effort) -> bool:
+        """Whether an edit makes the table right, at this draw."""
+        table = change.of(self.table)
         if not convention_fits(table.convention, self.policy.convention):
             return False
         self.meter.charge(PER_ROW * len(table.rows))
         chain = chain_of_table(table)
         with self.meter.at_most(WORK_OF_ONE_EDIT):
-            return certify((self.references[draw],), (chain,), self.policy, effort, self.meter) is not None
+            return certify((self.reference,), (chain,), self.policy, effort, self.meter) is not None
         return False
-
-
-def change(
-    code: str,
-    apply: Apply,
-    *,
-    extent: Extent,
-    row: int | None = None,
-    cell: str | None = None,
-    touched: Sequence[tuple[int, str]] = (),
-    params: Mapping[str, ParamValue] | None = None,
-) -> Change:
-    """A change; rows counted from 0 here, and from 1 in what is told."""
-    if not touched and row is not None:
-        touched = ((row, cell),) if cell else tuple((row, name) for name in ("alpha", "a", "d", "joint"))
-    shown: dict[str, ParamValue] = dict(params or {})
-    if row is not None:
-        shown.setdefault("row", row + 1)
-    edit = Edit(code=code, row=None if row is None else row + 1, cell=cell, params=shown)
-    return Change(edit=edit, apply=apply, extent=extent, touched=tuple(touched))
 
 
 def after(first: Change, second: Change) -> Change:
@@ -145,27 +162,24 @@ def after(first: Change, second: Change) -> Change:
     """
 
     def origin(row: int) -> int:
-        place = first.touched[0][0] if first.touched else 0
-        if first.edit.code in ("row_missing", "fixed_row_missing"):
+        place = first.places[0][0] if first.places else 0
+        if first.code in ("row_missing", "fixed_row_missing"):
             return row - 1 if row > place else row
-        if first.edit.code == "row_extra":
+        if first.code == "row_extra":
             return row + 1 if row >= place else row
-        if first.edit.code == "rows_swapped":
-            swapped = tuple(dict.fromkeys(row for row, _ in first.touched))
+        if first.code == "rows_swapped":
+            swapped = tuple(dict.fromkeys(row for row, _ in first.places))
             return dict(zip(swapped, swapped[::-1], strict=True)).get(row, row)
         return row
 
-    params = dict(second.edit.params)
-    for name in ("row", "other", "place"):
-        if isinstance(number := params.get(name), int):
-            params[name] = origin(number - 1) + 1
-    if isinstance(number := params.get("after"), int) and number:
-        params["after"] = origin(number - 1) + 1
-    row = None if second.edit.row is None else origin(second.edit.row - 1) + 1
-    return replace(
-        second,
-        edit=replace(second.edit, row=row, params=params),
-        touched=tuple((origin(row), cell) for row, cell in second.touched),
+    def number(name: str, value: ParamValue) -> ParamValue:
+        moves = name in ("other", "place") or (name == "after" and value)
+        return origin(value - 1) + 1 if moves and isinstance(value, int) else value
+
+    return second._replace(
+        row=None if second.row is None else origin(second.row),
+        touched=tuple((origin(row), cell) for row, cell in second.places),
+        params=tuple((name, number(name, value)) for name, value in second.params),
     )
 
 

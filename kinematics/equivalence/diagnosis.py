@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
+
+import numpy as np
 
 from kinematics.chain import Axis, Chain
 from kinematics.equivalence.alignment import Alignment, align
+from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.groups import Group, Rotations, departure
-from kinematics.equivalence.invariants import Invariant, Measure, axes_of
+from kinematics.equivalence.invariants import Invariants, Measure, axes_of
 from kinematics.equivalence.plan import Plan, Step
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.reference import Reference
@@ -95,28 +97,21 @@ _KIND_OF_MEASURE = {
 
 
 def mismatches_of(
-    invariants: Sequence[Invariant],
-    reference: Reference,
-    table: NumericTable,
-    submission: Chain,
-    policy: Policy,
+    invariants: Invariants, reference: Reference, table: NumericTable, submission: Chain, policy: Policy
 ) -> tuple[Mismatch, ...]:
     """Invariants that a submission does not share with the reference, as what does not fit."""
-    axes = axes_of(submission, policy)
+    sizes = invariants.sizes(invariants.measured(axis_batch([axes_of(submission, policy)])))
+    off = np.abs(sizes - invariants.sizes(invariants.values))[:, 0].tolist()
     last = len(reference.chain.axes)
     found = []
-    for invariant in invariants:
-        joint, kind = invariant.axes[1], _KIND_OF_MEASURE[invariant.measure]
-        off = abs(invariant.measured(axes) - invariant.value)
-        angular = invariant.measure in (Measure.ANGLE, Measure.TURN)
+    for shape, apart in zip(invariants.shapes, off, strict=True):
+        joint, kind = shape.axes[1], _KIND_OF_MEASURE[shape.measure]
         if joint > last:
             joint, kind = last, Kind.TOOL
-        elif invariant.axes[0] == 0 and kind is not Kind.OFFSET:
+        elif shape.axes[0] == 0 and kind is not Kind.OFFSET:
             kind = Kind.BASE
-        mismatch = Mismatch(
-            kind=kind, joint=joint, angle=off if angular else 0.0, length=0.0 if angular else off
-        )
-        found.append(_placed(mismatch, table))
+        angle, length = (apart, 0.0) if shape.is_angle else (0.0, apart)
+        found.append(_placed(Mismatch(kind=kind, joint=joint, angle=angle, length=length), table))
     return tuple(found)
 
 

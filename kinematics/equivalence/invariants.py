@@ -1,38 +1,29 @@
-"""Facts of a chain that no choice of frames changes: cheap, and enough to see that an edit cannot help.
+"""Facts of a chain that no choice of frames changes, measured of many tables at once.
 
 Between neighbouring axes the angle and the distance (sliders between them disregarded); along a run of
 parallel axes the distance between the common normals before and after; about a slider the angle between its
-neighbours. All are taken without their signs, so they are necessary for equivalence, not sufficient.
+neighbours. Their sizes are necessary for equivalence, not sufficient; with their signs, and each axis turned
+round as it suits best (`exercises.grading.facts`), hardly anything wrong is left.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.chain import Axis, Chain
+from kinematics.equivalence.batches import AxisBatch, axis_batch
 from kinematics.equivalence.groups import outside
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule
 from kinematics.equivalence.reference import Reference
-from kinematics.se3 import (
-    ORIGIN,
-    Z_AXIS,
-    Vector,
-    angle_between,
-    cross,
-    dot,
-    norm,
-    plus,
-    position,
-    rejection,
-    scale,
-    subtract,
-    unit,
-    z_axis,
-)
+from kinematics.se3 import ORIGIN, Z_AXIS, Vector, cross, norm, position, unit, z_axis
 
 # A sine, and below: the arithmetic leaves 1e-16, and what is nearer to parallel has its normal hundreds of
 # thousands of robots away.
@@ -58,63 +49,87 @@ class Measure(StrEnum):
     TURN = "turn"
 
 
-@dataclass(frozen=True, slots=True)
-class Invariant:
-    """One invariant of the reference.
+Floats = NDArray[np.float64]
+
+
+class Shape(NamedTuple):
+    """What an invariant measures, and between which axes.
 
     Attributes:
-        measure: what it measures.
-        axes: the axes it is measured between; see `axes_of` for how the ends are counted.
-        value: the reference's value.
-        slack: how far a submission's may be off.
+        measure: what.
+        axes: the numbers of the axes among those of `axes_of`: of an angle both; of a distance both, and
+            those whose directions are disregarded; of an offset the axis before, the first and the last of
+            the run, and the axis after; of a turn the axis before, the slider, and the axis after.
     """
 
     measure: Measure
     axes: tuple[int, ...]
-    value: float
-    slack: float
 
-    def measured(self, axes: Sequence[Axis]) -> float:
-        """The submission's value."""
-        return _MEASURES[self.measure](axes, self.axes)
+    @property
+    def reverses(self) -> bool:
+        """Whether the value has a sign, or the angle a supplement, that goes with the axes' directions."""
+        if self.measure is Measure.DISTANCE:
+            return set(self.axes[2:]) == set(self.axes[:2])
+        return self.measure is not Measure.TURN
 
-    def signed(self, axes: Sequence[Axis]) -> float:
-        """A function of the submission that is smooth where `measured` has a kink.
+    @property
+    def is_angle(self) -> bool:
+        """Whether it is an angle [rad], and no length."""
+        return self.measure in (Measure.ANGLE, Measure.TURN)
 
-        The square of a length; of an angle the cosine, with the sign that the axes happen to have.
-        """
-        if self.measure is Measure.ANGLE:
-            return dot(axes[self.axes[0]].direction, axes[self.axes[1]].direction)
-        return self.measured(axes) ** 2
 
-    def oriented(self, axes: Sequence[Axis]) -> tuple[float, float]:
-        """The submission's value with its sign, and what it would be if one of its axes were reversed.
+@dataclass(frozen=True, eq=False)
+class Invariants:
+    """The invariants of a reference.
 
-        Lengths about sliders, and angles about them, have no sign here.
-        """
-        i, j = self.axes[:2]
-        if self.measure is Measure.ANGLE:
-            angle = angle_between(axes[i].direction, axes[j].direction)
-            return angle, math.pi - angle
-        value = self.measured(axes)
-        if self.measure is Measure.OFFSET:
-            before, first, final, after = (axes[k] for k in self.axes)
-            value = dot(first.direction, subtract(_foot(final, after), _foot(first, before)))
-            return value, -value
-        if self.measure is Measure.DISTANCE and set(self.axes[2:]) == {i, j}:
-            normal = cross(axes[i].direction, axes[j].direction)
-            if dot(normal, subtract(axes[j].point, axes[i].point)) < 0.0:
-                value = -value
-            return value, -value
-        return value, value
+    Attributes:
+        shapes: what they are.
+        values: (q, 1) what they are in the reference, as its axes point.
+        slacks: (q, 1) how far a submission's may be off.
+    """
 
-    def strain(self, axes: Sequence[Axis]) -> float:
-        """How far the submission's value is off, in units of what it may be off."""
-        return abs(self.measured(axes) - self.value) / self.slack
+    shapes: tuple[Shape, ...]
+    values: Floats
+    slacks: Floats
 
-    def fits(self, axes: Sequence[Axis]) -> bool:
-        """Whether the submission's value is near enough."""
-        return self.strain(axes) <= 1.0
+    @property
+    def spans(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """(q, 1) each: the first and the last axis that an invariant concerns."""
+        gauge = _gauge(self.shapes)
+        return gauge.first, gauge.last
+
+    def measured(self, axes: AxisBatch) -> Floats:
+        """(q, k) what they are in submissions, as their axes point."""
+        return measured(self.shapes, axes)
+
+    def reversed(self, found: Floats) -> Floats:
+        """(q, k) what the measured values would be if one of the axes were turned round."""
+        gauge = _gauge(self.shapes)
+        return np.where(gauge.reverses, np.where(gauge.twists, math.pi, 0.0) - found, found)
+
+    def sizes(self, found: Floats) -> Floats:
+        """(q, k) the measured values whichever way axes point: angles up to π/2, lengths without signs."""
+        gauge = _gauge(self.shapes)
+        return np.where(gauge.twists, np.minimum(found, math.pi - found), np.abs(found))
+
+    def strains(self, found: Floats) -> Floats:
+        """(q, k) how far the sizes of the measured values are off, in units of what they may be."""
+        return np.asarray(np.abs(self.sizes(found) - self.sizes(self.values)) / self.slacks)
+
+    def fits(self, found: Floats) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """(q, k) which of the measured values fit; and which would if one of their axes were turned round."""
+        return (
+            np.abs(found - self.values) <= self.slacks,
+            np.abs(self.reversed(found) - self.values) <= self.slacks,
+        )
+
+    def some(self, which: Sequence[int]) -> Invariants:
+        """Some of them."""
+        return Invariants(tuple(self.shapes[i] for i in which), self.values[which], self.slacks[which])
+
+    def held_to(self, slacks: Floats) -> Invariants:
+        """The same with other slacks, (q, 1), where these are smaller."""
+        return replace(self, slacks=np.minimum(self.slacks, slacks))
 
 
 def axes_of(chain: Chain, policy: Policy) -> list[Axis]:
@@ -132,10 +147,10 @@ def axes_of(chain: Chain, policy: Policy) -> list[Axis]:
 
 
 @lru_cache(maxsize=4096)
-def invariants_of(reference: Reference, policy: Policy) -> tuple[Invariant, ...]:
+def invariants_of(reference: Reference, policy: Policy) -> Invariants:
     """The invariants of a reference, and of the frames that a policy fixes."""
     axes = axes_of(reference.chain, policy)
-    found: list[Invariant] = []
+    found: list[tuple[Shape, float]] = []
     fixed_base = policy.base in (BaseRule.ORIGIN, BaseRule.FRAME)
     fixed_tool = policy.tool in (ToolRule.POINT, ToolRule.FRAME)
     first = 0 if fixed_base else 1
@@ -144,13 +159,16 @@ def invariants_of(reference: Reference, policy: Policy) -> tuple[Invariant, ...]
         found += _between(axes, i, last, reference.size, policy)
     for i in range(first if fixed_base else first + 1, last):
         found += _along(axes, i, last, reference.size, policy)
-    return tuple(found)
+    shapes = tuple(shape for shape, _ in found)
+    slacks = np.array([slack for _, slack in found], dtype=np.float64)[:, None]
+    return Invariants(shapes, measured(shapes, axis_batch([axes])), slacks)
 
 
-def _between(axes: Sequence[Axis], i: int, last: int, size: float, policy: Policy) -> list[Invariant]:
-    """Between an axis and the next, and the next that is no slider."""
-    angle_slack = SLACK * policy.tolerance.angle + FLOOR
-    found = [_invariant(Measure.ANGLE, axes, (i, i + 1), angle_slack)]
+def _between(
+    axes: Sequence[Axis], i: int, last: int, size: float, policy: Policy
+) -> list[tuple[Shape, float]]:
+    """Between an axis and the next, and the next that is no slider; each with its slack."""
+    found = [(Shape(Measure.ANGLE, (i, i + 1)), SLACK * policy.tolerance.angle + FLOOR)]
     k = i + 1
     while k < last and axes[k].prismatic:
         k += 1
@@ -159,7 +177,7 @@ def _between(axes: Sequence[Axis], i: int, last: int, size: float, policy: Polic
     spanning, steepness = _spanning(axes, (i, *range(k, i, -1)))
     if len(spanning) < DIMENSIONS:
         slack = (SLACK * policy.tolerance.length + FLOOR) * size / steepness
-        found.append(_invariant(Measure.DISTANCE, axes, (i, k, *spanning), slack))
+        found.append((Shape(Measure.DISTANCE, (i, k, *spanning)), slack))
     return found
 
 
@@ -177,7 +195,7 @@ def _spanning(axes: Sequence[Axis], candidates: Sequence[int]) -> tuple[tuple[in
     return tuple(chosen), max(steepness, STEEPEST)
 
 
-def _along(axes: Sequence[Axis], i: int, last: int, size: float, policy: Policy) -> list[Invariant]:
+def _along(axes: Sequence[Axis], i: int, last: int, size: float, policy: Policy) -> list[tuple[Shape, float]]:
     """Along the run of parallel axes that begins with axis i, or about the slider i.
 
     A point that the policy fixes is its own foot at its end of the run.
@@ -201,66 +219,139 @@ def _along(axes: Sequence[Axis], i: int, last: int, size: float, policy: Policy)
     if j == last and last != len(axes) - 1:
         return []
     slack = (SLACK * policy.tolerance.length + FLOOR) * size / min(sine, other)
-    return [_invariant(Measure.OFFSET, axes, (before, i, j, after), slack)]
+    return [(Shape(Measure.OFFSET, (before, i, j, after)), slack)]
 
 
-def _about(axes: Sequence[Axis], i: int, sine: float, policy: Policy) -> list[Invariant]:
+def _about(axes: Sequence[Axis], i: int, sine: float, policy: Policy) -> list[tuple[Shape, float]]:
     other = norm(cross(axes[i].direction, axes[i + 1].direction))
     if other < STEEPEST:
         return []
     slack = SLACK * policy.tolerance.angle / (sine * other) + FLOOR
-    return [_invariant(Measure.TURN, axes, (i - 1, i, i + 1), slack)]
+    return [(Shape(Measure.TURN, (i - 1, i, i + 1)), slack)]
 
 
 def _parallel(one: Axis, other: Axis) -> bool:
     return norm(cross(one.direction, other.direction)) < PARALLEL
 
 
-def _invariant(measure: Measure, axes: Sequence[Axis], which: tuple[int, ...], slack: float) -> Invariant:
-    return Invariant(measure, which, _MEASURES[measure](axes, which), slack)
+@dataclass(frozen=True, eq=False, slots=True)
+class _Gauge:
+    """Invariants by what they measure: places in the list, and numbers of axes, for arrays of them at once.
+
+    Attributes:
+        reverses: (q, 1) which have a sign, or a supplement.
+        twists: (q, 1) which are angles between two axes.
+        first: (q, 1) the first axis that each concerns.
+        last: (q, 1) the last.
+        kinds: of each measure, with and without signs, its invariants' places in the list, and the axes'
+            numbers, (axes, how many).
+    """
+
+    reverses: NDArray[np.bool_]
+    twists: NDArray[np.bool_]
+    first: NDArray[np.intp]
+    last: NDArray[np.intp]
+    kinds: dict[tuple[Measure, int, bool], tuple[list[int], NDArray[np.intp]]]
 
 
-def _angle(axes: Sequence[Axis], which: tuple[int, ...]) -> float:
-    one, other = axes[which[0]].direction, axes[which[1]].direction
-    return math.atan2(norm(cross(one, other)), abs(dot(one, other)))
+@lru_cache(maxsize=1024)
+def _gauge(shapes: tuple[Shape, ...]) -> _Gauge:
+    kinds: dict[tuple[Measure, int, bool], list[int]] = {}
+    for place, shape in enumerate(shapes):
+        kinds.setdefault((shape.measure, len(shape.axes), shape.reverses), []).append(place)
+    return _Gauge(
+        reverses=np.array([shape.reverses for shape in shapes], dtype=bool)[:, None],
+        twists=np.array([shape.measure is Measure.ANGLE for shape in shapes], dtype=bool)[:, None],
+        first=np.array([min(shape.axes) for shape in shapes], dtype=np.intp)[:, None],
+        last=np.array([max(shape.axes) for shape in shapes], dtype=np.intp)[:, None],
+        kinds={
+            kind: (places, np.array([shapes[place].axes for place in places], dtype=np.intp).T)
+            for kind, places in kinds.items()
+        },
+    )
 
 
-def _distance(axes: Sequence[Axis], which: tuple[int, ...]) -> float:
+def measured(shapes: tuple[Shape, ...], axes: AxisBatch) -> Floats:
+    """(q, k) invariants of many chains, as their axes point.
+
+    Angles between axes are in [0, π]; lengths between two axes and offsets have signs, other lengths and the
+    angles about sliders have none.
+    """
+    found = np.empty((len(shapes), axes.directions.shape[2]))
+    for (measure, _, signed), (places, numbers) in _gauge(shapes).kinds.items():
+        how = _signed_distances if signed and measure is Measure.DISTANCE else _MEASURES[measure]
+        found[places] = how(axes.directions[:, numbers], axes.points[:, numbers])
+    return found
+
+
+# Every measure takes directions and points of the axes, (3, axes, invariants, k), to values (invariants, k).
+
+
+def _dots(u: Floats, v: Floats) -> Floats:
+    return np.asarray(u[0] * v[0] + u[1] * v[1] + u[2] * v[2], dtype=np.float64)
+
+
+def _crosses(u: Floats, v: Floats) -> Floats:
+    return np.array(cross((u[0], u[1], u[2]), (v[0], v[1], v[2])), dtype=np.float64)
+
+
+def _norms(v: Floats) -> Floats:
+    return np.asarray(np.sqrt(_dots(v, v)), dtype=np.float64)
+
+
+def _angles(directions: Floats, _: Floats) -> Floats:
+    one, other = directions[:, 0], directions[:, 1]
+    return np.arctan2(_norms(_crosses(one, other)), _dots(one, other))
+
+
+def _distances(directions: Floats, points: Floats) -> Floats:
     """What is left of the displacement from one axis to the other outside the directions that span it."""
-    one, other, *spanning = which
-    basis: list[Vector] = []
-    for k in spanning:
-        rest = outside(axes[k].direction, tuple(basis))
-        if norm(rest) > PARALLEL:
-            basis.append(unit(rest))
-    return norm(outside(subtract(axes[other].point, axes[one].point), tuple(basis)))
+    gap = points[:, 1] - points[:, 0]
+    first = directions[:, 2]
+    across = gap - _dots(gap, first) * first
+    if directions.shape[1] == 3:
+        return _norms(across)
+    normal = _crosses(first, directions[:, 3])
+    sine = _norms(normal)
+    steep = sine > PARALLEL
+    beside = np.abs(_dots(normal, gap)) / np.where(steep, sine, 1.0)
+    return np.asarray(np.where(steep, beside, _norms(across)), dtype=np.float64)
 
 
-def _offset(axes: Sequence[Axis], which: tuple[int, ...]) -> float:
-    before, first, final, after = (axes[k] for k in which)
-    return abs(dot(first.direction, subtract(_foot(final, after), _foot(first, before))))
+def _signed_distances(directions: Floats, points: Floats) -> Floats:
+    """The same between two axes that are not parallel: from the first to the other, along d_1 × d_2."""
+    gap = points[:, 1] - points[:, 0]
+    normal = _crosses(directions[:, 0], directions[:, 1])
+    return np.asarray(_distances(directions, points) * np.where(_dots(normal, gap) < 0.0, -1.0, 1.0))
 
 
-def _foot(axis: Axis, other: Axis) -> Vector:
-    """Where the common normal with another axis stands on an axis."""
-    across_both = cross(axis.direction, other.direction)
-    square = dot(across_both, across_both)
-    if square < PARALLEL**2:
-        return axis.point
-    gap = subtract(other.point, axis.point)
-    along = dot(cross(gap, other.direction), across_both) / square
-    return plus(axis.point, scale(axis.direction, along))
+def _offsets(directions: Floats, points: Floats) -> Floats:
+    """Along a run of parallel axes, from the normal before it to the normal behind it."""
+    first = directions[:, 1]
+    start = _feet(directions[:, 1], points[:, 1], directions[:, 0], points[:, 0])
+    end = _feet(directions[:, 2], points[:, 2], directions[:, 3], points[:, 3])
+    return _dots(first, end - start)
 
 
-def _turn(axes: Sequence[Axis], which: tuple[int, ...]) -> float:
-    before, slider, after = (axes[k].direction for k in which)
-    one, other = rejection(before, slider), rejection(after, slider)
-    return math.atan2(norm(cross(one, other)), abs(dot(one, other)))
+def _feet(direction: Floats, point: Floats, other: Floats, through: Floats) -> Floats:
+    """Where the common normals with other axes stand on axes; some point where there is no one normal."""
+    normal = _crosses(direction, other)
+    square = _dots(normal, normal)
+    steep = square >= PARALLEL**2
+    along = _dots(_crosses(through - point, other), normal) / np.where(steep, square, 1.0)
+    return point + np.where(steep, along, 0.0) * direction
 
 
-_MEASURES: dict[Measure, Callable[[Sequence[Axis], tuple[int, ...]], float]] = {
-    Measure.ANGLE: _angle,
-    Measure.DISTANCE: _distance,
-    Measure.OFFSET: _offset,
-    Measure.TURN: _turn,
+def _turns(directions: Floats, _: Floats) -> Floats:
+    before, slider, after = directions[:, 0], directions[:, 1], directions[:, 2]
+    one = before - _dots(before, slider) * slider
+    other = after - _dots(after, slider) * slider
+    return np.arctan2(_norms(_crosses(one, other)), np.abs(_dots(one, other)))
+
+
+_MEASURES = {
+    Measure.ANGLE: _angles,
+    Measure.DISTANCE: _distances,
+    Measure.OFFSET: _offsets,
+    Measure.TURN: _turns,
 }

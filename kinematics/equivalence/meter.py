@@ -9,11 +9,17 @@ from dataclasses import dataclass
 # What the steps cost, in units of about a microsecond of the processor on which they were measured (2026);
 # only their ratios matter for what a bound means.
 PER_ROW = 3
-PER_INVARIANT = 2
 PER_ALIGNMENT = 60
 PER_CERTIFICATE = 150
 PER_ROUND = 1500
 PER_DESCENT = 3000
+PER_BATCH = 400
+ROWS_TOGETHER = 16
+
+
+def per_batch(tables: int, rows: int) -> int:
+    """What it costs to try tables all at once, with so many rows and invariants each."""
+    return PER_BATCH + tables * rows // ROWS_TOGETHER
 
 
 class WorkExhaustedError(Exception):

@@ -1,0 +1,194 @@
+"""Every edit of the catalogue tried on a table, all at once, against what no choice of frames changes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import replace
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from exercises.grading.facts import least_cost
+from exercises.grading.fitting import ANGLES, Unsolved, fitting_values, measured
+from exercises.grading.misconceptions import changes_of
+from exercises.grading.work import Change, Extent, Work
+from kinematics.equivalence import BaseRule, ToolRule
+from kinematics.equivalence.batches import Variation
+from kinematics.table import JointType, NumericTable
+
+REACH_OF_A_ROW = 1
+"""Two rows exchanged, the widest of the edits in a row, change the links before, between and after them."""
+FAR = 10**6
+"""Behind the last axis of any chain."""
+Catalogue: TypeAlias = Callable[[Work], Iterator[Change]]
+
+
+class Trial(NamedTuple):
+    """A change, and what of the key the table it leads to does not have.
+
+    Attributes:
+        change: the change.
+        failing: how many invariants still fail, whichever way the axes point.
+        might: none fails, and the axes can be turned so that their signs agree: it may be the robot.
+        meets: all that fail meet at one place of the chain, so that one edit more might mend them.
+    """
+
+    change: Change
+    failing: int
+    might: bool
+    meets: bool
+
+
+UNCHANGED = Change("", Extent.CELL)
+
+
+def tried(
+    works: Sequence[Work],
+    catalogue: Catalogue = changes_of,
+    slips: Collection[tuple[object, ...]] | None = None,
+) -> list[list[Trial]]:
+    """The edits of a catalogue, tried on tables.
+
+    Args:
+        works: tables for one key, at the same draw.
+        catalogue: the edits that may be made to a table.
+        slips: which of them; all, if left out.
+
+    Returns:
+        For every table the edits with which its joints are those of the key.
+    """
+    if not works:
+        return []
+    fits = _fits(works)
+    made = [
+        (number, change)
+        for number, work in enumerate(works)
+        for change in catalogue(replace(work, fits=fits[number]))
+        if (slips is None or change.slip in slips) and work.has_the_joints(change.table)
+    ]
+    trials: list[list[Trial]] = [[] for _ in works]
+    while made:
+        batch = _Batch(works, made)
+        for (number, _), trial in zip(made, batch.trials(), strict=True):
+            if trial is not None:
+                trials[number].append(trial)
+        made = list(batch.solved())
+    return trials
+
+
+def tried_unchanged(work: Work) -> Trial | None:
+    """A table as it stands; None if its joints are not those of the key."""
+    return _Batch((work,), [(0, UNCHANGED)]).trials()[0] if work.has_the_joints() else None
+
+
+def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
+    """Values that fit, for every cell of the tables that have the key's joints."""
+    wanted = [
+        Unsolved(number, (), _cells(work.table)) for number, work in enumerate(works) if work.has_the_joints()
+    ]
+    found: list[dict[tuple[int, str], list[float]]] = [{} for _ in works]
+    if wanted:
+        tables = [work.table if work.has_the_joints() else works[wanted[0].number].table for work in works]
+        for unsolved, values in zip(wanted, fitting_values(works[0], tables, wanted), strict=True):
+            found[unsolved.number] = values
+    return found
+
+
+def _cells(table: NumericTable) -> list[tuple[int, str]]:
+    """The cells that are no variable's."""
+    return [
+        (i, cell)
+        for i, row in enumerate(table.rows)
+        for cell in ("a", "d", "alpha", "theta")
+        if not (cell == "d" and row.joint is JointType.PRISMATIC)
+        and not (cell == "theta" and row.joint is JointType.REVOLUTE)
+    ]
+
+
+class _Batch:
+    """Changes of tables, measured all at once."""
+
+    def __init__(self, works: Sequence[Work], made: Sequence[tuple[int, Change]]) -> None:
+        self._works, self._made = works, made
+        self._tables: list[NumericTable] = []
+        numbers: dict[int, int] = {}
+        self._variations: list[Variation] = []
+        for number, change in made:
+            table = works[number].table if change.table is None else change.table
+            if id(table) not in numbers:
+                numbers[id(table)] = len(self._tables)
+                self._tables.append(table)
+            self._variations.append((numbers[id(table)], change.cells))
+        work = works[0]
+        self._invariants = work.invariants[work.draw]
+        self._found = measured(work, self._tables, self._variations)
+        self._failing = self._invariants.strains(self._found) > 1.0
+        first, last = self._invariants.spans
+        self._first = np.where(self._failing, first, 0).max(axis=0, initial=0)
+        self._last = np.where(self._failing, last, FAR).min(axis=0, initial=FAR)
+
+    def trials(self) -> list[Trial | None]:
+        """What came of each change; None where a row was put in that does not fit there."""
+        counts = self._failing.sum(axis=0)
+        might = self._might(counts == 0)
+        meets = self._first - self._last <= REACH_OF_A_ROW
+        return [
+            Trial(change, failing, together, one_place) if fits else None
+            for (_, change), failing, together, one_place, fits in zip(
+                self._made,
+                counts.tolist(),
+                might.tolist(),
+                meets.tolist(),
+                self._fits_elsewhere(),
+                strict=True,
+            )
+        ]
+
+    def _might(self, fitting: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Which of the candidates may be the robot, signs and all."""
+        which = np.flatnonzero(fitting)
+        found = np.zeros(fitting.shape, dtype=bool)
+        if which.size:
+            work = self._works[0]
+            costs = ~np.array(self._invariants.fits(self._found[:, which]))
+            fixed = work.policy.base is BaseRule.FRAME, work.policy.tool is ToolRule.FRAME
+            axes = len(work.reference.chain.axes) + 2
+            found[which] = least_cost(self._invariants.shapes, axes, costs.astype(float), fixed) == 0.0
+        return found
+
+    def _fits_elsewhere(self) -> list[bool]:
+        """Whether everything fits that has nothing to do with the row put in and its neighbours."""
+        found = []
+        first, last = self._first.tolist(), self._last.tolist()
+        for k, (_, change) in enumerate(self._made):
+            if change.code != "row_missing":
+                found.append(True)
+                continue
+            assert change.row is not None
+            joint = self._tables[self._variations[k][0]].joint_rows.index(change.row) + 1
+            found.append(first[k] <= joint + 1 and last[k] >= joint - 1)
+        return found
+
+    def solved(self) -> Iterator[tuple[int, Change]]:
+        """The changes that put a value that fits in one more of their unsolved cells."""
+        fits = self._fits_elsewhere()
+        open_ones = [k for k, (_, change) in enumerate(self._made) if change.unsolved and fits[k]]
+        wanted = [
+            Unsolved(
+                self._variations[k][0],
+                change.cells,
+                [(change.row or 0, cell) for cell in change.unsolved],
+            )
+            for k in open_ones
+            for change in (self._made[k][1],)
+        ]
+        if not wanted:
+            return
+        solutions = fitting_values(self._works[0], self._tables, wanted)
+        for k, values in zip(open_ones, solutions, strict=True):
+            number, change = self._made[k]
+            for (row, cell), found in values.items():
+                left = tuple(c for c in change.unsolved if c != cell and (cell in ANGLES or c not in ANGLES))
+                for value in found:
+                    yield number, change._replace(cells=(*change.cells, (row, cell, value)), unsolved=left)
