@@ -13,7 +13,7 @@ from exercises.grading.comparison import Comparison
 from exercises.grading.digits import tightened
 from exercises.grading.facts import Weights
 from exercises.grading.findings import feedback_of, link_findings, told_repairs, wrong_facts
-from exercises.grading.judgement import IMPRECISE, policy_of, share_of
+from exercises.grading.judgement import IMPRECISE, REFUTED, diagnosed, policy_of, share_of
 from exercises.grading.repairs import MOST_WORK, Repaired, find_repairs
 from exercises.grading.score import score_of
 from exercises.grading.verdict import Edit, Feedback, HelpLevel, LinkFinding, ParamValue, Repair
@@ -68,6 +68,11 @@ def explanation(
             repairs = find_repairs(work)
     except Exception:
         _LOG.exception("no repairs")
+    try:
+        if decision is REFUTED and not repairs:
+            decision = diagnosed(comparison, policy)
+    except Exception:
+        _LOG.exception("no diagnosis")
     try:
         score = score_of(decision, repairs, work, weights)
     except Exception:

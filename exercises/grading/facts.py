@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 from kinematics.chain import Axis
 from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.groups import outside
-from kinematics.equivalence.invariants import Invariants, Measure, Shape
+from kinematics.equivalence.invariants import Invariants
+from kinematics.equivalence.measures import Measure, Shape
 from kinematics.se3 import Vector, cross, norm, unit
 
 Floats = NDArray[np.float64]
@@ -81,26 +82,39 @@ class Facts:
         """
         shift = len(axes) - len(self.axes)
         splits = range(min(len(axes), len(self.axes)) - 1) if shift else range(1)
-        return min(self._wrong(axes, _places(len(self.axes), len(axes), split)) for split in splits) + (
-            self.weights.joint * max(shift, 0)
-        )
+        placings = [_places(len(self.axes), len(axes), split) for split in splits]
+        besides = [
+            [self.axes[i] if place is None else axes[place] for i, place in enumerate(places)]
+            for places in placings
+        ]
+        lost = [self._lost(*one) for one in zip(besides, placings, strict=True)]
+        weights, shapes = self.weights, self.invariants.shapes
+        fits = self.invariants.fits(self.invariants.measured(axis_batch(besides)))
+        worth = np.array([weights.of(shape.measure) for shape in shapes], dtype=np.float64)[:, None]
+        has = np.ones(fits[0].shape, dtype=bool)
+        if shift or np.any(~(fits[0] | fits[1])[self._twists]) or not self._alike(axes):
+            for q, shape in enumerate(shapes):
+                has[q] = [self._has(shape, *one) for one in zip(besides, placings, strict=True)]
+        sign = np.where(has & (fits[0] | fits[1]), weights.sign, 1.0) * worth
+        costs = np.array([np.where(fit & has, 0.0, sign) for fit in fits])
+        least = least_cost(shapes, len(self.axes), costs, self.fixed)
+        return float((least + lost).min()) + weights.joint * max(shift, 0)
 
-    def _wrong(self, axes: Sequence[Axis], places: Sequence[int | None]) -> float:
-        """The weight of the facts that are wrong or lost, the answer's axes being those at some places."""
-        ours, weights = self.axes, self.weights
-        beside = [ours[i] if place is None else axes[place] for i, place in enumerate(places)]
-        lost = weights.joint * sum(
+    @property
+    def _twists(self) -> list[int]:
+        """The places of the angles between neighbouring axes; where all fit, lengths mean what they mean."""
+        return [q for q, shape in enumerate(self.invariants.shapes) if shape.measure is Measure.ANGLE]
+
+    def _alike(self, axes: Sequence[Axis]) -> bool:
+        return all(one.prismatic is other.prismatic for one, other in zip(self.axes, axes, strict=True))
+
+    def _lost(self, beside: Sequence[Axis], places: Sequence[int | None]) -> float:
+        """The weight of the joints that are missing or of another type."""
+        ours = self.axes
+        return self.weights.joint * sum(
             place is None or beside[i].prismatic is not ours[i].prismatic
             for i, place in enumerate(places[1:-1], 1)
         )
-        batch = axis_batch([beside])
-        fits = self.invariants.fits(self.invariants.measured(batch))
-        shapes = self.invariants.shapes
-        worth = np.array([weights.of(shape.measure) for shape in shapes], dtype=np.float64)[:, None]
-        has = np.array([self._has(shape, beside, places) for shape in shapes], dtype=bool)[:, None]
-        sign = np.where(fits[0] | fits[1], weights.sign, 1.0)
-        costs = np.array([np.where(fit & has, 0.0, np.where(has, sign, 1.0) * worth) for fit in fits])
-        return lost + float(least_cost(shapes, len(ours), costs, self.fixed)[0])
 
     def _has(self, shape: Shape, axes: Sequence[Axis], places: Sequence[int | None]) -> bool:
         """Whether an invariant means in the answer what it means in the key."""

@@ -22,7 +22,8 @@ from kinematics.equivalence import Policy
 from kinematics.equivalence.batches import CellChange, Variation, axes_of_tables
 from kinematics.equivalence.cell_fitting import fitted_cells
 from kinematics.equivalence.diagnosis import likely_signs
-from kinematics.equivalence.invariants import Invariants, Measure
+from kinematics.equivalence.invariants import Invariants
+from kinematics.equivalence.measures import Measure
 from kinematics.equivalence.meter import PER_ALIGNMENT, per_batch
 from kinematics.equivalence.reference import Reference
 from kinematics.table import NumericTable

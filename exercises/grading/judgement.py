@@ -10,10 +10,15 @@ from kinematics.chain import chain_of_table
 from kinematics.equivalence import Decision, Kind, Mismatch, Policy, decide_draws
 from kinematics.equivalence.decision import EXACT, convention_fits, mechanism_only
 from kinematics.equivalence.diagnosis import diagnose, mismatches_of
+from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.results import Certificate
 
 IMPRECISE = Decision(certificate=None, mismatches=(Mismatch(kind=Kind.PRECISION),), same_robot=False)
+
+"""Every fact is right by itself, and only their small errors together are too much."""
+REFUTED = Decision(certificate=None, mismatches=(), same_robot=False)
+"""A length or an angle is wrong, whatever frames were chosen; what does not fit is found by `diagnosed`."""
 
 
 def policy_of(comparison: Comparison, policy: Policy) -> Policy:
@@ -42,9 +47,8 @@ def judged(comparison: Comparison, policy: Policy) -> Decision:
         if typed_exactly or not meant.accepted:
             return meant
         return _or_imprecise(decide_draws(comparison.references, comparison.submissions, policy))
-    refuted = _refuted(comparison, policy)
-    if refuted is not None:
-        return refuted
+    if _is_refuted(comparison, policy):
+        return REFUTED
     typed = decide_draws(comparison.references, comparison.submissions, policy)
     if typed.certificate is not None:
         return _held_to_digits(comparison, typed, typed.certificate, policy)
@@ -54,24 +58,34 @@ def judged(comparison: Comparison, policy: Policy) -> Decision:
     return IMPRECISE if meant.accepted else meant
 
 
-def _refuted(comparison: Comparison, policy: Policy) -> Decision | None:
-    """The decision on an answer of which a length or an angle is wrong, whatever frames were chosen.
+def _is_refuted(comparison: Comparison, policy: Policy) -> bool:
+    """Whether a length or an angle of an answer is wrong, whatever frames were chosen.
 
     Nothing is searched for then: no certificate stands, and none of the mirror image.
     """
     key, answer = comparison.references[0], comparison.meant[0]
     if key.joint_types != answer.joint_types or not convention_fits(answer.convention, policy.convention):
-        return None
+        return False
+    return _beyond_digits(comparison, mechanism_only(policy)) is not None
+
+
+def _beyond_digits(comparison: Comparison, policy: Policy, draw: int = 0) -> Invariants | None:
+    answer = comparison.meant[draw]
+    reference = prepared(comparison.references[draw]).beside(chain_of_table(answer))
+    return beyond_digits(reference, answer, comparison.steps, policy, share_of(comparison))
+
+
+def diagnosed(comparison: Comparison, policy: Policy) -> Decision:
+    """What does not fit in an answer of which a length or an angle is wrong."""
+    answer = comparison.meant[0]
     chain = chain_of_table(answer)
-    reference = prepared(key).beside(chain)
-    free = mechanism_only(policy)
-    far = beyond_digits(reference, answer, comparison.steps, free, share_of(comparison))
-    if far is None:
-        return None
+    reference = prepared(comparison.references[0]).beside(chain)
     found = diagnose(reference, answer, chain, policy)
     if all(mismatch.kind is Kind.PRECISION for mismatch in found):
-        found = mismatches_of(far, reference, answer, chain, free)
-    return Decision(certificate=None, mismatches=found, same_robot=False)
+        free = mechanism_only(policy)
+        far = _beyond_digits(comparison, free)
+        found = found if far is None else mismatches_of(far, reference, answer, chain, free)
+    return replace(REFUTED, mismatches=found)
 
 
 def _or_imprecise(decision: Decision) -> Decision:
@@ -84,12 +98,10 @@ def _held_to_digits(
     """The decision, unless a length or an angle is off by more than its digits explain, at any draw."""
     if certificate.residual <= EXACT.length:
         return decision
-    share = share_of(comparison)
-    for key, answer in zip(comparison.references, comparison.meant, strict=True):
-        chain = chain_of_table(answer)
-        reference = prepared(key).beside(chain)
-        far = beyond_digits(reference, answer, comparison.steps, policy, share)
+    for draw, (key, answer) in enumerate(zip(comparison.references, comparison.meant, strict=True)):
+        far = _beyond_digits(comparison, policy, draw)
         if far is not None:
-            found = mismatches_of(far, reference, answer, chain, policy)
-            return Decision(certificate=None, mismatches=found, same_robot=False)
+            chain = chain_of_table(answer)
+            found = mismatches_of(far, prepared(key).beside(chain), answer, chain, policy)
+            return replace(REFUTED, mismatches=found)
     return decision

@@ -10,7 +10,8 @@ from exercises.grading.cell_edits import RIGHT_ANGLES
 from exercises.grading.fitting import fitted_table
 from exercises.grading.work import ROW_CELLS, Change, Extent, Work, with_row, with_rows
 from kinematics.equivalence import ToolRule
-from kinematics.table import CELLS, DHRow, JointType, NumericTable
+from kinematics.equivalence.batches import CellChange
+from kinematics.table import DHRow, JointType, NumericRow, NumericTable
 
 # In longer tables only neighbouring rows are exchanged.
 MOST_ROWS_FOR_ALL_PAIRS = 8
@@ -71,16 +72,20 @@ def rows_swapped(work: Work) -> Iterator[Change]:
     for i, j in combinations(range(len(rows)), 2):
         if rows[i] == rows[j] or (j > i + 1 and len(rows) > MOST_ROWS_FOR_ALL_PAIRS):
             continue
-        cells = tuple(
-            (k, cell, getattr(rows[other], cell)) for k, other in ((i, j), (j, i)) for cell in CELLS
-        )
+        cells: tuple[CellChange, ...] = ()
         table = None
         if (rows[i].joint, rows[i].sign) != (rows[j].joint, rows[j].sign):
             order = list(rows)
             order[i], order[j] = order[j], order[i]
-            cells, table = (), with_rows(work.table, order)
+            table = with_rows(work.table, order)
+        else:
+            cells = (*_as_in(j, rows[i]), *_as_in(i, rows[j]))
         touched = tuple((k, cell) for k in (i, j) for cell in ROW_CELLS)
         yield Change("rows_swapped", Extent.ROW, i, None, cells, table, touched, (("other", j + 1),))
+
+
+def _as_in(place: int, row: NumericRow) -> tuple[CellChange, ...]:
+    return (place, "alpha", row.alpha), (place, "a", row.a), (place, "d", row.d), (place, "theta", row.theta)
 
 
 def row_too_many(work: Work) -> Iterator[Change]:

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
 from itertools import combinations
 
 from exercises.grading.substitution import substituted
-from exercises.grading.work import Change, Extent, Work, with_rows
+from exercises.grading.work import Change, Extent, Work
 from kinematics.cells import AngleUnit
 from kinematics.errors import ParameterError
 from kinematics.expressions import Parameter
-from kinematics.table import Convention, DHTable, JointType, NumericRow, NumericTable, bind
+from kinematics.table import Convention, DHTable, JointType, NumericRow, bind
 
 LENGTH_RATIOS = (1000.0, 0.001, 100.0, 0.01, 10.0, 0.1)
 SMALLEST_EXTENT, LARGEST_EXTENT = 0.05, 300.0
@@ -21,15 +20,17 @@ SMALLEST_EXTENT, LARGEST_EXTENT = 0.05, 300.0
 CLEARLY_DEGREES = 2 * math.pi
 
 
-def _whole(work: Work, code: str, table: NumericTable, cells: tuple[str, ...], **params: str) -> Change:
-    touched = tuple((i, cell) for i in range(len(work.table.rows)) for cell in cells)
-    return Change(code, Extent.TABLE, table=table, touched=touched, params=tuple(params.items()))
-
-
 def _every_row(
-    work: Work, code: str, edit: Callable[[NumericRow], NumericRow], cells: tuple[str, ...], **params: str
+    work: Work, code: str, edit: Callable[[NumericRow], Mapping[str, float]], **params: str
 ) -> Change:
-    return _whole(work, code, with_rows(work.table, map(edit, work.table.rows)), cells, **params)
+    """The cells of every row as functions of what stands in the row."""
+    return _throughout(code, [edit(row) for row in work.table.rows], **params)
+
+
+def _throughout(code: str, rows: Sequence[Mapping[str, float]], **params: str) -> Change:
+    cells = tuple((i, cell, value) for i, row in enumerate(rows) for cell, value in row.items())
+    touched = tuple((i, cell) for i, cell, _ in cells if cell != "theta")
+    return Change(code, Extent.TABLE, cells=cells, touched=touched, params=tuple(params.items()))
 
 
 def other_convention(work: Work) -> Iterator[Change]:
@@ -37,7 +38,8 @@ def other_convention(work: Work) -> Iterator[Change]:
     other = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
     declared = work.table.convention
     table = DHTable(convention=other[declared], rows=work.table.rows)
-    yield _whole(work, "convention", table, (), declared=declared.value, meant=other[declared].value)
+    params = (("declared", declared.value), ("meant", other[declared].value))
+    yield Change("convention", Extent.TABLE, table=table, params=params)
 
 
 def all_in_degrees(work: Work) -> Iterator[Change]:
@@ -49,7 +51,7 @@ def all_in_degrees(work: Work) -> Iterator[Change]:
         return math.radians(angle) if abs(angle) > CLEARLY_DEGREES else angle
 
     for unit in (math.radians, large):
-        yield _every_row(work, "angles_in_degrees", _angles(unit), ("alpha",))
+        yield _every_row(work, "angles_in_degrees", _angles(unit))
 
 
 def all_in_radians(work: Work) -> Iterator[Change]:
@@ -61,51 +63,48 @@ def all_in_radians(work: Work) -> Iterator[Change]:
         return math.degrees(angle) if abs(angle) <= math.radians(CLEARLY_DEGREES) + 1e-9 else angle
 
     for unit in (math.degrees, small):
-        yield _every_row(work, "angles_in_radians", _angles(unit), ("alpha",))
+        yield _every_row(work, "angles_in_radians", _angles(unit))
 
 
-def _angles(unit: Callable[[float], float]) -> Callable[[NumericRow], NumericRow]:
-    return lambda row: replace(row, alpha=unit(row.alpha), theta=unit(row.theta))
+def _angles(unit: Callable[[float], float]) -> Callable[[NumericRow], Mapping[str, float]]:
+    return lambda row: {"alpha": unit(row.alpha), "theta": unit(row.theta)}
 
 
 def all_in_other_length_unit(work: Work) -> Iterator[Change]:
     """All lengths in millimetres where metres are declared, and the like."""
 
-    def scaled(ratio: float) -> Callable[[NumericRow], NumericRow]:
-        return lambda row: replace(row, a=row.a * ratio, d=row.d * ratio)
+    def scaled(ratio: float) -> Callable[[NumericRow], Mapping[str, float]]:
+        return lambda row: {"a": row.a * ratio, "d": row.d * ratio}
 
     extent = sum(abs(row.a) + abs(row.d) for row in work.table.rows)
     for ratio in LENGTH_RATIOS:
         if not SMALLEST_EXTENT < extent * ratio / work.reference.size < LARGEST_EXTENT:
             continue
-        yield _every_row(work, "length_unit", scaled(ratio), ("a", "d"))
+        yield _every_row(work, "length_unit", scaled(ratio))
 
 
 def all_twists_turned_round(work: Work) -> Iterator[Change]:
     """Every α with the other sign."""
     turned = sum(abs(math.sin(row.alpha)) > work.policy.tolerance.angle for row in work.table.rows)
     if turned > 1:
-        yield _every_row(work, "twists_all_reversed", lambda row: replace(row, alpha=-row.alpha), ("alpha",))
+        yield _every_row(work, "twists_all_reversed", lambda row: {"alpha": -row.alpha})
 
 
 def columns_a_row_late(work: Work) -> Iterator[Change]:
     """A and α moved up by a row."""
-    rows = work.table.rows
-    yield _moved(work, "columns_late", (*rows[1:], replace(rows[-1], a=0.0, alpha=0.0)))
+    yield _throughout("columns_late", [*map(_along_x, work.table.rows[1:]), NOTHING_ALONG_X])
 
 
 def columns_a_row_early(work: Work) -> Iterator[Change]:
     """A and α moved down by a row."""
-    rows = work.table.rows
-    yield _moved(work, "columns_early", (replace(rows[0], a=0.0, alpha=0.0), *rows[:-1]))
+    yield _throughout("columns_early", [NOTHING_ALONG_X, *map(_along_x, work.table.rows[:-1])])
 
 
-def _moved(work: Work, code: str, sources: tuple[NumericRow, ...]) -> Change:
-    rows = (
-        replace(row, a=source.a, alpha=source.alpha)
-        for row, source in zip(work.table.rows, sources, strict=True)
-    )
-    return _whole(work, code, with_rows(work.table, rows), ("alpha", "a"))
+NOTHING_ALONG_X = {"alpha": 0.0, "a": 0.0}
+
+
+def _along_x(row: NumericRow) -> Mapping[str, float]:
+    return {"alpha": row.alpha, "a": row.a}
 
 
 EXCHANGES = (("a", "alpha"), ("a", "d"), ("alpha", "d"))
@@ -119,21 +118,21 @@ def columns_exchanged(work: Work) -> Iterator[Change]:
     """
     unit = 180.0 / math.pi if work.answer.angle_unit is AngleUnit.DEG else 1.0
 
-    def exchanged(one: str, other: str) -> Callable[[NumericRow], NumericRow]:
-        def edit(row: NumericRow) -> NumericRow:
+    def exchanged(one: str, other: str) -> Callable[[NumericRow], Mapping[str, float]]:
+        def edit(row: NumericRow) -> Mapping[str, float]:
             if row.joint is JointType.PRISMATIC and "d" in (one, other):
-                return row
+                return {}
             typed = {cell: getattr(row, cell) * (unit if cell == "alpha" else 1.0) for cell in (one, other)}
             changed = {one: typed[other], other: typed[one]}
             if "alpha" in changed:
                 changed["alpha"] /= unit
-            return replace(row, **changed)
+            return changed
 
         return edit
 
     for one, other in EXCHANGES:
         params = {"one": SYMBOLS[one], "other": SYMBOLS[other]}
-        yield _every_row(work, "columns_exchanged", exchanged(one, other), (one, other), **params)
+        yield _every_row(work, "columns_exchanged", exchanged(one, other), **params)
 
 
 def parameter_misnamed(work: Work) -> Iterator[Change]:

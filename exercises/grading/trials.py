@@ -21,6 +21,8 @@ REACH_OF_A_ROW = 1
 """Two rows exchanged, the widest of the edits in a row, change the links before, between and after them."""
 FAR = 10**6
 """Behind the last axis of any chain."""
+DIGITS = 9
+"""Values that agree so far [rad or length] are the same solution."""
 Catalogue: TypeAlias = Callable[[Work], Iterator[Change]]
 
 
@@ -70,10 +72,11 @@ def tried(
     trials: list[list[Trial]] = [[] for _ in works]
     while made:
         batch = _Batch(works, made)
-        for (number, _), trial in zip(made, batch.trials(), strict=True):
+        found = batch.trials()
+        for (number, _), trial in zip(made, found, strict=True):
             if trial is not None:
                 trials[number].append(trial)
-        made = list(batch.solved())
+        made = batch.solved(found)
     return trials
 
 
@@ -170,25 +173,36 @@ class _Batch:
             found.append(first[k] <= joint + 1 and last[k] >= joint - 1)
         return found
 
-    def solved(self) -> Iterator[tuple[int, Change]]:
-        """The changes that put a value that fits in one more of their unsolved cells."""
-        fits = self._fits_elsewhere()
-        open_ones = [k for k, (_, change) in enumerate(self._made) if change.unsolved and fits[k]]
+    def solved(self, trials: Sequence[Trial | None]) -> list[tuple[int, Change]]:
+        """The changes that put a value that fits in one more of their unsolved cells; each table once."""
+        unsolved = [k for k, trial in enumerate(trials) if trial is not None and trial.change.unsolved]
         wanted = [
             Unsolved(
                 self._variations[k][0],
                 change.cells,
                 [(change.row or 0, cell) for cell in change.unsolved],
             )
-            for k in open_ones
+            for k in unsolved
             for change in (self._made[k][1],)
         ]
         if not wanted:
-            return
-        solutions = fitting_values(self._works[0], self._tables, wanted)
-        for k, values in zip(open_ones, solutions, strict=True):
+            return []
+        known = {self._content(number, change) for number, change in self._made}
+        made = []
+        for k, values in zip(unsolved, fitting_values(self._works[0], self._tables, wanted), strict=True):
             number, change = self._made[k]
             for (row, cell), found in values.items():
                 left = tuple(c for c in change.unsolved if c != cell and (cell in ANGLES or c not in ANGLES))
                 for value in found:
-                    yield number, change._replace(cells=(*change.cells, (row, cell, value)), unsolved=left)
+                    solved = change._replace(cells=(*change.cells, (row, cell, value)), unsolved=left)
+                    content = self._content(number, solved)
+                    if content not in known:
+                        known.add(content)
+                        made.append((number, solved))
+        return made
+
+    @staticmethod
+    def _content(number: int, change: Change) -> tuple[object, ...]:
+        """What a change leads to, but for rounding errors."""
+        cells = {(row, cell): round(value, DIGITS) for row, cell, value in change.cells}
+        return number, id(change.table), *cells.items()

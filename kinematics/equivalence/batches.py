@@ -30,6 +30,7 @@ Variation = tuple[int, Sequence[CellChange]]
 # Where the numbers of a cell stand among the six of a row: cos α, sin α, a, cos θ, sin θ, d.
 _PLACE = {"alpha": 0, "a": 2, "theta": 3, "d": 5}
 _ALONG_X = ("alpha", "a")
+_NOTHING = (1.0, 0.0, 0.0)
 
 
 class AxisBatch(NamedTuple):
@@ -61,7 +62,7 @@ def axes_of_tables(
     """The axes of `axes_of`, for tables in which some cells are changed.
 
     Args:
-        tables: tables with the same number of joints, one or more.
+        tables: tables with the same number of joints.
         variations: the candidates.
         policy: what is fixed at the ends.
 
@@ -70,11 +71,12 @@ def axes_of_tables(
     """
     directions, points, ends = _carried(_cells(tables, variations))
     which = [number for number, _ in variations]
-    rows = np.array([table.joint_rows for table in tables]).T[:, which]
-    signs = np.array([[table.rows[i].sign for i in table.joint_rows] for table in tables]).T[:, which]
+    joints = len(tables), len(tables[0].joint_rows)
+    rows = np.array([table.joint_rows for table in tables], dtype=np.intp).reshape(joints).T[:, which]
+    signs = np.array([[table.rows[i].sign for i in table.joint_rows] for table in tables], dtype=np.float64)
     n, k = rows.shape
     found = AxisBatch(np.zeros((3, n + 2, k)), np.zeros((3, n + 2, k)))
-    found.directions[:, 1:-1] = directions[:, rows, np.arange(k)] * signs
+    found.directions[:, 1:-1] = directions[:, rows, np.arange(k)] * signs.reshape(joints).T[:, which]
     found.points[:, 1:-1] = points[:, rows, np.arange(k)]
     found.points[:, -1] = ends[1]
     if policy.base is BaseRule.FRAME:
@@ -89,12 +91,7 @@ def _cells(tables: Sequence[NumericTable], variations: Sequence[Variation]) -> F
     """The six numbers of every row in the order of a modified table, (6, rows, k)."""
     lower = [table.convention is Convention.STANDARD for table in tables]
     length = max(len(table.rows) + down for table, down in zip(tables, lower, strict=True))
-    plain = np.zeros((6, length, len(tables)))
-    plain[0] = plain[3] = 1.0
-    for number, (table, down) in enumerate(zip(tables, lower, strict=True)):
-        for i, row in enumerate(table.rows):
-            plain[:3, i + down, number] = (*cos_sin(row.alpha), row.a)
-            plain[3:, i, number] = (*cos_sin(row.theta), row.d)
+    plain = np.array([_plain(table, length) for table in tables], dtype=np.float64).transpose(2, 1, 0)
     cells = plain[:, :, [number for number, _ in variations]]
     places: list[tuple[int, int, int]] = []
     values: list[float] = []
@@ -111,6 +108,17 @@ def _cells(tables: Sequence[NumericTable], variations: Sequence[Variation]) -> F
         p, r, k = np.array(places).T
         cells[p, r, k] = values
     return cells
+
+
+def _plain(table: NumericTable, length: int) -> list[tuple[float, ...]]:
+    """The six numbers of so many rows: a table's, and such that change nothing."""
+    along_x = [(*cos_sin(row.alpha), row.a) for row in table.rows]
+    along_z = [(*cos_sin(row.theta), row.d) for row in table.rows]
+    if table.convention is Convention.STANDARD:
+        along_x.insert(0, _NOTHING)
+    along_x += [_NOTHING] * (length - len(along_x))
+    along_z += [_NOTHING] * (length - len(along_z))
+    return [(*x, *z) for x, z in zip(along_x, along_z, strict=True)]
 
 
 def _carried(cells: Floats) -> tuple[Floats, Floats, tuple[Floats, Floats]]:

@@ -11,7 +11,8 @@ from kinematics.chain import Axis, Chain
 from kinematics.equivalence.alignment import Alignment, align
 from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.groups import Group, Rotations, departure
-from kinematics.equivalence.invariants import Invariants, Measure, axes_of
+from kinematics.equivalence.invariants import Invariants, axes_of
+from kinematics.equivalence.measures import Measure
 from kinematics.equivalence.plan import Plan, Step
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.reference import Reference

@@ -11,9 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,13 +19,11 @@ from numpy.typing import NDArray
 from kinematics.chain import Axis, Chain
 from kinematics.equivalence.batches import AxisBatch, axis_batch
 from kinematics.equivalence.groups import outside
+from kinematics.equivalence.measures import PARALLEL, Measure, Shape, gauge_of, measured
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule
 from kinematics.equivalence.reference import Reference
 from kinematics.se3 import ORIGIN, Z_AXIS, Vector, cross, norm, position, unit, z_axis
 
-# A sine, and below: the arithmetic leaves 1e-16, and what is nearer to parallel has its normal hundreds of
-# thousands of robots away.
-PARALLEL = 1e-7
 # In units of the tolerance of the end frame: the rounded entries of six joints may all add up in one
 # invariant.
 SLACK = 6.0
@@ -40,42 +36,7 @@ STEEPEST = 0.02
 DIMENSIONS = 3
 
 
-class Measure(StrEnum):
-    """What an invariant measures."""
-
-    ANGLE = "angle"
-    DISTANCE = "distance"
-    OFFSET = "offset"
-    TURN = "turn"
-
-
 Floats = NDArray[np.float64]
-
-
-class Shape(NamedTuple):
-    """What an invariant measures, and between which axes.
-
-    Attributes:
-        measure: what.
-        axes: the numbers of the axes among those of `axes_of`: of an angle both; of a distance both, and
-            those whose directions are disregarded; of an offset the axis before, the first and the last of
-            the run, and the axis after; of a turn the axis before, the slider, and the axis after.
-    """
-
-    measure: Measure
-    axes: tuple[int, ...]
-
-    @property
-    def reverses(self) -> bool:
-        """Whether the value has a sign, or the angle a supplement, that goes with the axes' directions."""
-        if self.measure is Measure.DISTANCE:
-            return set(self.axes[2:]) == set(self.axes[:2])
-        return self.measure is not Measure.TURN
-
-    @property
-    def is_angle(self) -> bool:
-        """Whether it is an angle [rad], and no length."""
-        return self.measure in (Measure.ANGLE, Measure.TURN)
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,7 +56,7 @@ class Invariants:
     @property
     def spans(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
         """(q, 1) each: the first and the last axis that an invariant concerns."""
-        gauge = _gauge(self.shapes)
+        gauge = gauge_of(self.shapes)
         return gauge.first, gauge.last
 
     def measured(self, axes: AxisBatch) -> Floats:
@@ -104,12 +65,12 @@ class Invariants:
 
     def reversed(self, found: Floats) -> Floats:
         """(q, k) what the measured values would be if one of the axes were turned round."""
-        gauge = _gauge(self.shapes)
+        gauge = gauge_of(self.shapes)
         return np.where(gauge.reverses, np.where(gauge.twists, math.pi, 0.0) - found, found)
 
     def sizes(self, found: Floats) -> Floats:
         """(q, k) the measured values whichever way axes point: angles up to π/2, lengths without signs."""
-        gauge = _gauge(self.shapes)
+        gauge = gauge_of(self.shapes)
         return np.where(gauge.twists, np.minimum(found, math.pi - found), np.abs(found))
 
     def strains(self, found: Floats) -> Floats:
@@ -150,6 +111,8 @@ def axes_of(chain: Chain, policy: Policy) -> list[Axis]:
 def invariants_of(reference: Reference, policy: Policy) -> Invariants:
     """The invariants of a reference, and of the frames that a policy fixes."""
     axes = axes_of(reference.chain, policy)
+    if not axes:
+        return Invariants((), np.empty((0, 1)), np.empty((0, 1)))
     found: list[tuple[Shape, float]] = []
     fixed_base = policy.base in (BaseRule.ORIGIN, BaseRule.FRAME)
     fixed_tool = policy.tool in (ToolRule.POINT, ToolRule.FRAME)
@@ -232,126 +195,3 @@ def _about(axes: Sequence[Axis], i: int, sine: float, policy: Policy) -> list[tu
 
 def _parallel(one: Axis, other: Axis) -> bool:
     return norm(cross(one.direction, other.direction)) < PARALLEL
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class _Gauge:
-    """Invariants by what they measure: places in the list, and numbers of axes, for arrays of them at once.
-
-    Attributes:
-        reverses: (q, 1) which have a sign, or a supplement.
-        twists: (q, 1) which are angles between two axes.
-        first: (q, 1) the first axis that each concerns.
-        last: (q, 1) the last.
-        kinds: of each measure, with and without signs, its invariants' places in the list, and the axes'
-            numbers, (axes, how many).
-    """
-
-    reverses: NDArray[np.bool_]
-    twists: NDArray[np.bool_]
-    first: NDArray[np.intp]
-    last: NDArray[np.intp]
-    kinds: dict[tuple[Measure, int, bool], tuple[list[int], NDArray[np.intp]]]
-
-
-@lru_cache(maxsize=1024)
-def _gauge(shapes: tuple[Shape, ...]) -> _Gauge:
-    kinds: dict[tuple[Measure, int, bool], list[int]] = {}
-    for place, shape in enumerate(shapes):
-        kinds.setdefault((shape.measure, len(shape.axes), shape.reverses), []).append(place)
-    return _Gauge(
-        reverses=np.array([shape.reverses for shape in shapes], dtype=bool)[:, None],
-        twists=np.array([shape.measure is Measure.ANGLE for shape in shapes], dtype=bool)[:, None],
-        first=np.array([min(shape.axes) for shape in shapes], dtype=np.intp)[:, None],
-        last=np.array([max(shape.axes) for shape in shapes], dtype=np.intp)[:, None],
-        kinds={
-            kind: (places, np.array([shapes[place].axes for place in places], dtype=np.intp).T)
-            for kind, places in kinds.items()
-        },
-    )
-
-
-def measured(shapes: tuple[Shape, ...], axes: AxisBatch) -> Floats:
-    """(q, k) invariants of many chains, as their axes point.
-
-    Angles between axes are in [0, π]; lengths between two axes and offsets have signs, other lengths and the
-    angles about sliders have none.
-    """
-    found = np.empty((len(shapes), axes.directions.shape[2]))
-    for (measure, _, signed), (places, numbers) in _gauge(shapes).kinds.items():
-        how = _signed_distances if signed and measure is Measure.DISTANCE else _MEASURES[measure]
-        found[places] = how(axes.directions[:, numbers], axes.points[:, numbers])
-    return found
-
-
-# Every measure takes directions and points of the axes, (3, axes, invariants, k), to values (invariants, k).
-
-
-def _dots(u: Floats, v: Floats) -> Floats:
-    return np.asarray(u[0] * v[0] + u[1] * v[1] + u[2] * v[2], dtype=np.float64)
-
-
-def _crosses(u: Floats, v: Floats) -> Floats:
-    return np.array(cross((u[0], u[1], u[2]), (v[0], v[1], v[2])), dtype=np.float64)
-
-
-def _norms(v: Floats) -> Floats:
-    return np.asarray(np.sqrt(_dots(v, v)), dtype=np.float64)
-
-
-def _angles(directions: Floats, _: Floats) -> Floats:
-    one, other = directions[:, 0], directions[:, 1]
-    return np.arctan2(_norms(_crosses(one, other)), _dots(one, other))
-
-
-def _distances(directions: Floats, points: Floats) -> Floats:
-    """What is left of the displacement from one axis to the other outside the directions that span it."""
-    gap = points[:, 1] - points[:, 0]
-    first = directions[:, 2]
-    across = gap - _dots(gap, first) * first
-    if directions.shape[1] == 3:
-        return _norms(across)
-    normal = _crosses(first, directions[:, 3])
-    sine = _norms(normal)
-    steep = sine > PARALLEL
-    beside = np.abs(_dots(normal, gap)) / np.where(steep, sine, 1.0)
-    return np.asarray(np.where(steep, beside, _norms(across)), dtype=np.float64)
-
-
-def _signed_distances(directions: Floats, points: Floats) -> Floats:
-    """The same between two axes that are not parallel: from the first to the other, along d_1 × d_2."""
-    gap = points[:, 1] - points[:, 0]
-    normal = _crosses(directions[:, 0], directions[:, 1])
-    return np.asarray(_distances(directions, points) * np.where(_dots(normal, gap) < 0.0, -1.0, 1.0))
-
-
-def _offsets(directions: Floats, points: Floats) -> Floats:
-    """Along a run of parallel axes, from the normal before it to the normal behind it."""
-    first = directions[:, 1]
-    start = _feet(directions[:, 1], points[:, 1], directions[:, 0], points[:, 0])
-    end = _feet(directions[:, 2], points[:, 2], directions[:, 3], points[:, 3])
-    return _dots(first, end - start)
-
-
-def _feet(direction: Floats, point: Floats, other: Floats, through: Floats) -> Floats:
-    """Where the common normals with other axes stand on axes; some point where there is no one normal."""
-    normal = _crosses(direction, other)
-    square = _dots(normal, normal)
-    steep = square >= PARALLEL**2
-    along = _dots(_crosses(through - point, other), normal) / np.where(steep, square, 1.0)
-    return point + np.where(steep, along, 0.0) * direction
-
-
-def _turns(directions: Floats, _: Floats) -> Floats:
-    before, slider, after = directions[:, 0], directions[:, 1], directions[:, 2]
-    one = before - _dots(before, slider) * slider
-    other = after - _dots(after, slider) * slider
-    return np.arctan2(_norms(_crosses(one, other)), np.abs(_dots(one, other)))
-
-
-_MEASURES = {
-    Measure.ANGLE: _angles,
-    Measure.DISTANCE: _distances,
-    Measure.OFFSET: _offsets,
-    Measure.TURN: _turns,
-}

@@ -12,7 +12,8 @@ import pytest
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import BaseRule, Policy, ToolRule
 from kinematics.equivalence.batches import CellChange, axes_of_tables
-from kinematics.equivalence.invariants import Measure, axes_of, invariants_of
+from kinematics.equivalence.invariants import axes_of, invariants_of
+from kinematics.equivalence.measures import Measure
 from kinematics.equivalence.reference import prepared
 from kinematics.table import CELLS, Convention, DHRow, DHTable, JointType, NumericTable
 from tests.kinematics.equivalence.campaign import references

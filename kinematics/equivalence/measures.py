@@ -1,0 +1,204 @@
+"""What is measured of many chains at once: angles and lengths between their axes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.equivalence.batches import AxisBatch
+from kinematics.se3 import cross
+
+Floats = NDArray[np.float64]
+
+# A sine, and below: the arithmetic leaves 1e-16, and what is nearer to parallel has its normal hundreds of
+# thousands of robots away.
+PARALLEL = 1e-7
+
+
+class Measure(StrEnum):
+    """What an invariant measures."""
+
+    ANGLE = "angle"
+    DISTANCE = "distance"
+    OFFSET = "offset"
+    TURN = "turn"
+
+
+class Shape(NamedTuple):
+    """What an invariant measures, and between which axes.
+
+    Attributes:
+        measure: what.
+        axes: the numbers of the axes among those of `axes_of`: of an angle both; of a distance both, and
+            those whose directions are disregarded; of an offset the axis before, the first and the last of
+            the run, and the axis after; of a turn the axis before, the slider, and the axis after.
+    """
+
+    measure: Measure
+    axes: tuple[int, ...]
+
+    @property
+    def reverses(self) -> bool:
+        """Whether the value has a sign, or the angle a supplement, that goes with the axes' directions."""
+        if self.measure is Measure.DISTANCE:
+            return set(self.axes[2:]) == set(self.axes[:2])
+        return self.measure is not Measure.TURN
+
+    @property
+    def is_angle(self) -> bool:
+        """Whether it is an angle [rad], and no length."""
+        return self.measure in (Measure.ANGLE, Measure.TURN)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Gauge:
+    """Invariants as arrays: their places in the list, and what they are measured between.
+
+    Attributes:
+        reverses: (q, 1) which have a sign, or a supplement.
+        twists: (q, 1) which are angles between two axes.
+        first: (q, 1) the first axis that each concerns.
+        last: (q, 1) the last.
+        pairs: (2, p) pairs of axes of which it takes the common normal.
+        angles: places of the angles, and numbers of their pairs.
+        normals: places of the distances along common normals, and numbers of their pairs.
+        offsets: places of the offsets, and numbers of the pairs (first, before) and (last, after).
+        others: of what has no sign its places, and (axes, how many) the axes' numbers, by measure and how
+            many axes each has.
+    """
+
+    reverses: NDArray[np.bool_]
+    twists: NDArray[np.bool_]
+    first: NDArray[np.intp]
+    last: NDArray[np.intp]
+    pairs: NDArray[np.intp]
+    angles: tuple[list[int], list[int]]
+    normals: tuple[list[int], list[int]]
+    offsets: tuple[list[int], list[int], list[int]]
+    others: dict[tuple[Measure, int], tuple[list[int], NDArray[np.intp]]]
+
+
+@lru_cache(maxsize=1024)
+def gauge_of(shapes: tuple[Shape, ...]) -> Gauge:
+    """The invariants as arrays; remembered, for they are those of a key."""
+    numbers: dict[tuple[int, int], int] = {}
+    angles: tuple[list[int], list[int]] = [], []
+    normals: tuple[list[int], list[int]] = [], []
+    offsets: tuple[list[int], list[int], list[int]] = [], [], []
+    others: dict[tuple[Measure, int], list[int]] = {}
+
+    def pair(i: int, j: int) -> int:
+        return numbers.setdefault((i, j), len(numbers))
+
+    for place, (shape, axes) in enumerate((shape, shape.axes) for shape in shapes):
+        if shape.measure is Measure.ANGLE:
+            angles[0].append(place)
+            angles[1].append(pair(axes[0], axes[1]))
+        elif shape.measure is Measure.OFFSET:
+            offsets[0].append(place)
+            offsets[1].append(pair(axes[1], axes[0]))
+            offsets[2].append(pair(axes[2], axes[3]))
+        elif shape.reverses:
+            normals[0].append(place)
+            normals[1].append(pair(axes[0], axes[1]))
+        else:
+            others.setdefault((shape.measure, len(axes)), []).append(place)
+    return Gauge(
+        reverses=np.array([shape.reverses for shape in shapes], dtype=bool)[:, None],
+        twists=np.array([shape.measure is Measure.ANGLE for shape in shapes], dtype=bool)[:, None],
+        first=np.array([min(shape.axes) for shape in shapes], dtype=np.intp)[:, None],
+        last=np.array([max(shape.axes) for shape in shapes], dtype=np.intp)[:, None],
+        pairs=np.array(list(numbers), dtype=np.intp).reshape(-1, 2).T,
+        angles=angles,
+        normals=normals,
+        offsets=offsets,
+        others={
+            kind: (places, np.array([shapes[place].axes for place in places], dtype=np.intp).T)
+            for kind, places in others.items()
+        },
+    )
+
+
+def measured(shapes: tuple[Shape, ...], axes: AxisBatch) -> Floats:
+    """(q, k) invariants of many chains, as their axes point.
+
+    Angles between axes are in [0, π]; lengths between two axes and offsets have signs, other lengths and the
+    angles about sliders have none.
+    """
+    gauge = gauge_of(shapes)
+    found = np.empty((len(shapes), axes.directions.shape[2]))
+    if gauge.pairs.size:
+        _along_normals(gauge, axes, found)
+    for (measure, _), (places, numbers) in gauge.others.items():
+        how = _turns if measure is Measure.TURN else _distances
+        found[places] = how(axes.directions[:, numbers], axes.points[:, numbers])
+    return found
+
+
+def _along_normals(gauge: Gauge, axes: AxisBatch, found: Floats) -> None:
+    """Measure what common normals tell: angles, distances, and offsets between their feet.
+
+    With s = |z_1 × z_2| and the gap g from the first axis to the second, the foot on the first stands
+    (g·z_1 - (g·z_2)(z_1·z_2)) / s² from its point; where axes are parallel, any point will do.
+    """
+    one, other = axes.directions[:, gauge.pairs[0]], axes.directions[:, gauge.pairs[1]]
+    gap = axes.points[:, gauge.pairs[1]] - axes.points[:, gauge.pairs[0]]
+    normal, cosine = _crosses(one, other), _dots(one, other)
+    square = _dots(normal, normal)
+    sine = np.sqrt(square)
+    steep = sine > PARALLEL
+    places, which = gauge.angles
+    found[places] = np.arctan2(sine[which], cosine[which])
+    along = _dots(gap, one)
+    places, which = gauge.normals
+    if places:
+        across = np.sqrt(np.maximum(_dots(gap, gap)[which] - along[which] ** 2, 0.0))
+        beside = _dots(normal[:, which], gap[:, which]) / np.where(steep[which], sine[which], 1.0)
+        found[places] = np.where(steep[which], beside, across)
+    places, start, end = gauge.offsets
+    if places:
+        feet = np.where(steep, (along - _dots(gap, other) * cosine) / np.where(steep, square, 1.0), 0.0)
+        first, last = gauge.pairs[0][start], gauge.pairs[0][end]
+        run = axes.points[:, last] - axes.points[:, first] + feet[end] * axes.directions[:, last]
+        found[places] = _dots(axes.directions[:, first], run) - feet[start]
+
+
+def _dots(u: Floats, v: Floats) -> Floats:
+    return np.asarray(u[0] * v[0] + u[1] * v[1] + u[2] * v[2], dtype=np.float64)
+
+
+def _crosses(u: Floats, v: Floats) -> Floats:
+    return np.array(cross((u[0], u[1], u[2]), (v[0], v[1], v[2])), dtype=np.float64)
+
+
+def _norms(v: Floats) -> Floats:
+    return np.asarray(np.sqrt(_dots(v, v)), dtype=np.float64)
+
+
+def _distances(directions: Floats, points: Floats) -> Floats:
+    """What is left of the displacement from one axis to the other outside the directions that span it.
+
+    Of directions and points of the axes, (3, axes, invariants, k).
+    """
+    gap, first = points[:, 1] - points[:, 0], directions[:, 2]
+    across = gap - _dots(gap, first) * first
+    if directions.shape[1] == 3:
+        return _norms(across)
+    normal = _crosses(first, directions[:, 3])
+    sine = _norms(normal)
+    steep = sine > PARALLEL
+    beside = np.abs(_dots(normal, gap)) / np.where(steep, sine, 1.0)
+    return np.asarray(np.where(steep, beside, _norms(across)), dtype=np.float64)
+
+
+def _turns(directions: Floats, _: Floats) -> Floats:
+    """The angle about a slider between the axes before and behind it; the same arrays."""
+    before, slider, after = directions[:, 0], directions[:, 1], directions[:, 2]
+    one = before - _dots(before, slider) * slider
+    other = after - _dots(after, slider) * slider
+    return np.arctan2(_norms(_crosses(one, other)), np.abs(_dots(one, other)))
