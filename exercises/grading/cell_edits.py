@@ -25,7 +25,7 @@ def _set(code: str, row: int, cell: str, value: float) -> Change:
 
 def alpha_sign(work: Work) -> Iterator[Change]:
     """α with the other sign."""
-    for i, row in enumerate(work.table.rows):
+    for i, row in work.rows:
         if abs(math.sin(row.alpha)) > work.policy.tolerance.angle:
             yield _set("alpha_sign", i, "alpha", -row.alpha)
 
@@ -33,7 +33,7 @@ def alpha_sign(work: Work) -> Iterator[Change]:
 def alpha_value(work: Work) -> Iterator[Change]:
     """α another multiple of a right angle, or whatever the key's axes ask for."""
     near = work.policy.tolerance.angle
-    for i, row in enumerate(work.table.rows):
+    for i, row in work.rows:
         for angle in RIGHT_ANGLES:
             apart = abs(math.remainder(row.alpha - angle, 2 * math.pi))
             mirrored = abs(math.remainder(row.alpha + angle, 2 * math.pi))
@@ -45,14 +45,14 @@ def alpha_value(work: Work) -> Iterator[Change]:
 
 def sign_of_length(work: Work) -> Iterator[Change]:
     """A with the other sign."""
-    for i, row in enumerate(work.table.rows):
+    for i, row in work.rows:
         if row.a:
             yield _set("a_sign", i, "a", -row.a)
 
 
 def sign_of_offset(work: Work) -> Iterator[Change]:
     """D with the other sign."""
-    for i, row in enumerate(work.table.rows):
+    for i, row in work.rows:
         if row.d and (row.joint is not JointType.PRISMATIC or work.policy.zero is ZeroRule.FIGURE):
             yield _set("d_sign", i, "d", -row.d)
 
@@ -61,7 +61,7 @@ def sign_of_variable(work: Work) -> Iterator[Change]:
     """The variable counted the other way."""
     if work.policy.direction is DirectionRule.FREE:
         return
-    for i, row in enumerate(work.table.rows):
+    for i, row in work.rows:
         if row.joint is not JointType.FIXED:
             cell = "theta" if row.joint is JointType.REVOLUTE else "d"
             table = with_row(work.table, i, replace(row, sign=-row.sign))
@@ -88,7 +88,7 @@ def angle_in_radians(work: Work) -> Iterator[Change]:
 
 def _angles(work: Work) -> Iterator[tuple[int, str, float]]:
     """The angles that matter."""
-    for i, row in enumerate(work.table.rows):
+    for i, row in work.rows:
         yield i, "alpha", row.alpha
         if row.joint is not JointType.REVOLUTE or work.policy.zero is ZeroRule.FIGURE:
             yield i, "theta", row.theta
@@ -96,7 +96,7 @@ def _angles(work: Work) -> Iterator[tuple[int, str, float]]:
 
 def theta_value(work: Work) -> Iterator[Change]:
     """θ turned by right angles, where it is no joint variable or the figure says where that is zero."""
-    for i, row in enumerate(work.table.rows):
+    for i, row in work.rows:
         if row.joint is JointType.REVOLUTE and work.policy.zero is ZeroRule.FREE:
             continue
         code = "theta_offset" if row.joint is JointType.REVOLUTE else "theta_value"
@@ -118,14 +118,14 @@ def offset_value(work: Work) -> Iterator[Change]:
 
 
 def _fitted_lengths(work: Work, cell: str) -> Iterator[Change]:
-    for i in range(len(work.table.rows)):
+    for i, _ in work.rows:
         for value in work.fits.get((i, cell), ()):
             yield _set(_story(work, i, cell, value), i, cell, value)
 
 
 def length_in_other_unit(work: Work) -> Iterator[Change]:
     """One length typed in millimetres or centimetres where metres are declared, or the reverse."""
-    for i, row in enumerate(work.table.rows):
+    for i, row in work.rows:
         for cell in ("a", "d"):
             if not getattr(row, cell) or (cell == "d" and row.joint is JointType.PRISMATIC):
                 continue
@@ -143,7 +143,7 @@ def length_in_other_unit(work: Work) -> Iterator[Change]:
 
 def any_cell(work: Work) -> Iterator[Change]:
     """A cell as the whole robot asks for, where no single fact of it shows the value."""
-    for i, row in enumerate(work.table.rows):
+    for i, row in work.rows:
         cells = ["a", "alpha"]
         if row.joint is not JointType.PRISMATIC:
             cells.append("d")

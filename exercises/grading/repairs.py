@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain, islice
 
 from exercises.grading.cell_edits import any_cell
@@ -53,7 +53,8 @@ def find_repairs(work: Work) -> tuple[Repaired, ...]:
 
 def _found(work: Work) -> Iterator[Repaired]:
     """Single edits, by growing effort; if there are none, pairs."""
-    (trials,) = tried([work])
+    here = tried_unchanged(work)
+    (trials,) = tried([work if here is None else replace(work, reach=here.reach)])
     trials.sort(key=lambda trial: _likelihood(trial.change, work.table))
     found = False
     for effort in Effort:
@@ -62,13 +63,20 @@ def _found(work: Work) -> Iterator[Repaired]:
             yield Repaired((change,))
         if found:
             return
-    here = tried_unchanged(work)
-    if here is None or here.meets:
+    if _says_little(work, here):
         for change in _fitted(work):
             found = True
             yield Repaired((change,))
     if not found:
-        yield from _pairs(work, trials, None if here is None else here.failing)
+        yield from _pairs(work, here)
+
+
+def _says_little(work: Work, here: Trial | None) -> bool:
+    """Whether a wrong cell may show in no single invariant: beside sliders, and in a rule about the ends."""
+    if here is not None and not here.meets:
+        return False
+    sliders = any(axis.prismatic for axis in work.reference.chain.axes)
+    return sliders or (here is not None and here.failing == 0)
 
 
 def _fitted(work: Work, slips: Collection[tuple[object, ...]] | None = None) -> Iterator[Change]:
@@ -120,15 +128,16 @@ def _mends(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
     return effort is Effort.REFINED and any(True for _ in _fitted(work, slips))
 
 
-def _pairs(work: Work, trials: Sequence[Trial], before: int | None) -> Iterator[Repaired]:
+def _pairs(work: Work, here: Trial | None) -> Iterator[Repaired]:
     """Two edits: first one that brings the table nearer to the key, then each that might finish."""
-    first = [trial for trial in trials if trial.meets and _is_nearer(trial.failing, before)]
+    before = None if here is None else here.failing
+    first = [trial for trial in tried([work])[0] if trial.meets and _is_nearer(trial.failing, before)]
     first.sort(key=lambda trial: (trial.failing, RANKS[trial.change.code]))
     told: set[frozenset[tuple[str, int | None, str | None]]] = set()
     together = max(MOST_ROWS_TOGETHER // len(work.table.rows), 1)
     for start in range(0, MOST_FIRST_EDITS, together):
         some = first[start : min(start + together, MOST_FIRST_EDITS)]
-        halves = [work.edited(trial.change) for trial in some]
+        halves = [work.edited(trial.change, trial.reach) for trial in some]
         for trial, half, rest in zip(some, halves, tried(halves), strict=True):
             touched = set(trial.change.places)
             for other in rest:

@@ -25,7 +25,7 @@ UNSOLVED = {
 
 def cells_swapped(work: Work) -> Iterator[Change]:
     """A and d of a row exchanged."""
-    for i, row in enumerate(work.table.rows):
+    for i, row in work.rows:
         if row.a != row.d and row.joint is not JointType.PRISMATIC:
             cells = ((i, "a", row.d), (i, "d", row.a))
             yield Change("a_d_swapped", Extent.ROW, i, cells=cells, touched=((i, "a"), (i, "d")))
@@ -71,6 +71,8 @@ def rows_swapped(work: Work) -> Iterator[Change]:
     rows = work.table.rows
     for i, j in combinations(range(len(rows)), 2):
         if rows[i] == rows[j] or (j > i + 1 and len(rows) > MOST_ROWS_FOR_ALL_PAIRS):
+            continue
+        if not work.is_near(i, j):
             continue
         cells: tuple[CellChange, ...] = ()
         table = None

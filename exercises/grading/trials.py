@@ -33,13 +33,18 @@ class Trial(NamedTuple):
         change: the change.
         failing: how many invariants still fail, whichever way the axes point.
         might: none fails, and the axes can be turned so that their signs agree: it may be the robot.
-        meets: all that fail meet at one place of the chain, so that one edit more might mend them.
+        reach: what an edit must have to do with that mends all that fail: joints from … to.
     """
 
     change: Change
     failing: int
     might: bool
-    meets: bool
+    reach: tuple[int, int]
+
+    @property
+    def meets(self) -> bool:
+        """Whether all that fail meet at one place of the chain, so that one edit more might mend them."""
+        return self.reach[0] - self.reach[1] <= -REACH_OF_A_ROW
 
 
 UNCHANGED = Change("", Extent.CELL)
@@ -88,7 +93,7 @@ def tried_unchanged(work: Work) -> Trial | None:
 def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
     """Values that fit, for every cell of the tables that have the key's joints."""
     wanted = [
-        Unsolved(number, (), _cells(work.table)) for number, work in enumerate(works) if work.has_the_joints()
+        Unsolved(number, (), _cells(work)) for number, work in enumerate(works) if work.has_the_joints()
     ]
     found: list[dict[tuple[int, str], list[float]]] = [{} for _ in works]
     if wanted:
@@ -98,11 +103,11 @@ def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
     return found
 
 
-def _cells(table: NumericTable) -> list[tuple[int, str]]:
-    """The cells that are no variable's."""
+def _cells(work: Work) -> list[tuple[int, str]]:
+    """The cells in reach that are no variable's."""
     return [
         (i, cell)
-        for i, row in enumerate(table.rows)
+        for i, row in work.rows
         for cell in ("a", "d", "alpha", "theta")
         if not (cell == "d" and row.joint is JointType.PRISMATIC)
         and not (cell == "theta" and row.joint is JointType.REVOLUTE)
@@ -135,14 +140,14 @@ class _Batch:
         """What came of each change; None where a row was put in that does not fit there."""
         counts = self._failing.sum(axis=0)
         might = self._might(counts == 0)
-        meets = self._first - self._last <= REACH_OF_A_ROW
         return [
-            Trial(change, failing, together, one_place) if fits else None
-            for (_, change), failing, together, one_place, fits in zip(
+            Trial(change, failing, agree, (first - REACH_OF_A_ROW, last + REACH_OF_A_ROW)) if fits else None
+            for (_, change), failing, agree, first, last, fits in zip(
                 self._made,
                 counts.tolist(),
                 might.tolist(),
-                meets.tolist(),
+                self._first.tolist(),
+                self._last.tolist(),
                 self._fits_elsewhere(),
                 strict=True,
             )

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
+from functools import cached_property
+from itertools import accumulate
 from typing import NamedTuple
 
 from exercises.grading.comparison import Comparison
@@ -19,10 +21,11 @@ from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.meter import PER_ROW, Meter
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.search import Effort
-from kinematics.table import DHTable, NumericRow, NumericTable
+from kinematics.table import DHTable, JointType, NumericRow, NumericTable
 
 WORK_OF_ONE_EDIT = 30_000
 """What deciding whether one edit mends the table may cost: no single one uses up the search."""
+EVERYWHERE = (0, 10**6)
 ROW_CELLS = ("alpha", "a", "d", "joint")
 
 
@@ -106,6 +109,7 @@ class Work:
         table: the answer at one draw, as it was meant, perhaps with an edit made already.
         draw: that draw.
         fits: for cells, other values that make an invariant fit which does not.
+        reach: what an edit has to do with, to mend all that is wrong: joints from … to, counted from 1.
     """
 
     key: ReadTable
@@ -118,6 +122,7 @@ class Work:
     table: NumericTable
     draw: int = 0
     fits: Mapping[Place, list[float]] = field(default_factory=dict)
+    reach: tuple[int, int] = EVERYWHERE
 
     @property
     def reference(self) -> Reference:
@@ -129,17 +134,36 @@ class Work:
         """How many joints the table has more than the key."""
         return self.table.n_joints - self.reference.table.n_joints
 
+    def is_near(self, first: int, last: int | None = None) -> bool:
+        """Whether an edit in a row, or in rows from … to, may mend all that is wrong.
+
+        An edit changes how the axes before it lie to those after it; what it leaves alone, it cannot mend.
+        """
+        start, end = self.reach
+        counts = self._joints
+        return start <= counts[first if last is None else last] and counts[first] <= end
+
+    @cached_property
+    def _joints(self) -> list[int]:
+        """For every row the number of joints up to it."""
+        return list(accumulate(row.joint is not JointType.FIXED for row in self.table.rows))
+
+    @property
+    def rows(self) -> Iterator[tuple[int, NumericRow]]:
+        """The rows in which an edit may mend all that is wrong, and their numbers, from 0."""
+        return ((i, row) for i, row in enumerate(self.table.rows) if self.is_near(i))
+
     def has_the_joints(self, table: NumericTable | None = None) -> bool:
         """Whether the table, or another, has the key's types of joints in order."""
         return (table or self.table).joint_types == self.reference.table.joint_types
 
     def at(self, draw: int) -> Work:
         """The answer at another draw."""
-        return replace(self, draw=draw, table=self.comparison.meant[draw], fits={})
+        return replace(self, draw=draw, table=self.comparison.meant[draw], fits={}, reach=EVERYWHERE)
 
-    def edited(self, change: Change) -> Work:
-        """The table with an edit made."""
-        return replace(self, table=change.of(self.table), fits={})
+    def edited(self, change: Change, reach: tuple[int, int] = EVERYWHERE) -> Work:
+        """The table with an edit made, and what another has to do with then."""
+        return replace(self, table=change.of(self.table), fits={}, reach=reach)
 
     def accepts(self, change: Change, effort: Effort) -> bool:
         """Whether an edit makes the table right, at this draw."""
