@@ -12,7 +12,18 @@ from playwright.sync_api import Page, expect
 from tests.exercises.packaged import table_ids
 from tests.web.conftest import LANGUAGES, OpenPage
 from tests.web.driving import Held
-from tests.web.walking import assigned, at_random, by_lecture, first, frame_button, go_to, last, ready, walk
+from tests.web.walking import (
+    assigned,
+    at_random,
+    by_lecture,
+    first,
+    frame_button,
+    go_to,
+    last,
+    offered,
+    ready,
+    walk,
+)
 
 EXERCISES = sorted(table_ids)
 
@@ -77,7 +88,9 @@ def test_a_broken_rule_is_named_at_the_end_of_the_step_and_not_before(open_page:
         expect(frame_button(page, frame)).to_have_class(re.compile("step-whole"))
     expect(page.locator(".notice-problem")).to_have_count(0)
     page.locator("#frame button.primary").click()
-    expect(page.locator("fieldset.choices .notice-problem")).to_have_text("z must lie along axis 1.")
+    expect(page.locator("fieldset.choices .notice-problem")).to_have_text(
+        "z must lie along axis 1, because joint 1 turns about this z or slides along it."
+    )
     expect(page.get_by_role("button", name="Frame 0: breaks a rule")).to_be_visible()
     option(page, "along axis 1")
     expect(page.locator(".notice-problem")).to_have_count(0)
@@ -191,3 +204,112 @@ def test_accessible_with_a_broken_rule(
     expect(page.locator(".notice-problem").first).to_be_visible()
     assert_accessible(page)
     assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
+
+
+def tip_of(page: Page, option_index: int) -> list[float]:
+    """A place in the window where an arrow or a point alone would be picked."""
+    found = page.evaluate(
+        """(wanted) => {
+          const scene = document.querySelector("robot-scene");
+          const box = scene.viewport.getBoundingClientRect();
+          const places = [];
+          for (let y = 4; y < box.height; y += 4) for (let x = 4; x < box.width; x += 4)
+            if (scene.pickedAt(x, y) === String(wanted)) places.push([box.x + x, box.y + y]);
+          return places[Math.floor(places.length / 2)] ?? null;
+        }""",
+        option_index,
+    )
+    assert found is not None
+    return found  # type: ignore[no-any-return]
+
+
+def test_an_arrow_is_dragged_onto_another_direction(open_page: OpenPage) -> None:
+    """What is dragged lights the nearest choice on the way; where it is dropped, it is chosen."""
+    page = open_page("/trainer/scara")
+    ready(page)
+    expect(page.locator("robot-scene")).to_have_attribute("data-drawn", re.compile(r"\d"))
+    start, end = tip_of(page, 1), tip_of(page, 2)
+    page.evaluate(
+        """() => document.querySelector("robot-scene").addEventListener("scene-drag",
+          (event) => (window.dragged = [...(window.dragged ?? []), event.detail.id]))"""
+    )
+    page.mouse.move(*start)
+    page.mouse.down()
+    page.mouse.move(*end, steps=6)
+    page.mouse.up()
+    dragged = page.evaluate("window.dragged")
+    assert dragged[0] == "1"
+    assert dragged[-2:] == ["2", None]
+    expect(frame_button(page, 0)).to_have_class(re.compile("step-whole"))
+    go_to(page, 0)
+    expect(page.locator("fieldset.choices input").nth(2)).to_be_checked()
+
+
+def test_an_option_lights_its_arrow(open_page: OpenPage) -> None:
+    page = open_page(
+        "/trainer/scara",
+        before=lambda page: page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null"),
+    )
+    ready(page)
+    lit = page.locator("robot-scene svg .stroke-lit")
+    expect(lit).to_have_count(0)
+    page.locator("label.choice").nth(1).hover()
+    expect(lit).not_to_have_count(0)
+    page.locator("label.choice input").nth(3).focus()
+    page.locator("#trainer h1").hover()
+    expect(lit).to_have_count(0)
+
+
+def test_a_finished_step_says_why_it_is_right(open_page: OpenPage, web: str) -> None:
+    page = open_page("/trainer/twolink")
+    ready(page)
+    frames = assigned(page, web, exercise_of(page, web, "twolink"))
+    for frame in range(len(frames)):
+        go_to(page, frame)
+        chosen = page.locator("fieldset.choices input").nth(by_lecture(frames)(frame, "z", offered(page)))
+        chosen.evaluate("input => input.click()")
+        expect(frame_button(page, frame)).to_have_class(re.compile("step-whole"))
+    page.locator("#frame button.primary").click()
+    expect(page.locator("#why")).to_contain_text("z of frame i−1 along axis i, because row i")
+
+
+def test_numbers_stand_clear_of_other_joints(open_page: OpenPage, web: str) -> None:
+    """In the usual view no joint's number is seen on another joint's body, for any robot."""
+    page = open_page("/trainer/onelink")
+    for name in EXERCISES:
+        figure = exercise_of(page, web, name)["figure"]
+        clear = page.evaluate(
+            """async (figure) => {
+              const scene = `${document.documentElement.dataset.assets}/js/scene/`;
+              const at = (path) => new URL(scene + path, location.href);
+              const { figureRobot } = await import(at("robots.js"));
+              const { project, fitted, VIEWS } = await import(at("camera.js"));
+              const { poses, position, direction, drawnPoints } = await import(at("model.js"));
+              const model = figureRobot(figure, { dimensions: false });
+              const found = poses(model, []);
+              const start = { ...VIEWS.corner, scale: 1, target: [0, 0, 0], width: 400, height: 400 };
+              const camera = fitted(start, drawnPoints(model, []));
+              const seen = (point) => project(camera, point);
+              const bodies = model.items.filter(({ tone }) => tone === "joint").map((item, i) => {
+                const axis = direction(found, item.at.node, item.axis);
+                const middle = position(found, item.at);
+                const end = (s) => seen(middle.map((value, k) => value + s * item.length / 2 * axis[k]));
+                const wide = (item.radius ?? item.width / 2) * camera.scale;
+                return { joint: i + 1, from: end(-1), to: end(1), wide };
+              });
+              const names = model.items.filter(({ kind, text }) => kind === "label" && /^\\d+$/.test(text));
+              const others = ({ text }) => bodies.filter(({ joint }) => String(joint) !== text);
+              const room = (name, { from, to, wide }) => {
+                const p = seen(position(found, name.at));
+                const [dx, dy] = [to.x - from.x, to.y - from.y];
+                const along = ((p.x - from.x) * dx + (p.y - from.y) * dy) / (dx * dx + dy * dy || 1);
+                const share = Math.max(0, Math.min(1, along));
+                return Math.hypot(p.x - from.x - share * dx, p.y - from.y - share * dy) - wide;
+              };
+              return names.flatMap((name) =>
+                others(name).filter((body) => room(name, body) < 0).map(({ joint }) => [name.text, joint])
+              );
+            }""",
+            figure,
+        )
+        assert clear == [], name

@@ -1,14 +1,14 @@
 # Frame assignment: its rules and refusals.
 
-rule-z_not_along_axis = z must lie along axis { $axis }.
-rule-origin_not_on_axis = The origin must stand on axis { $axis }.
-rule-origin_not_on_common_normal = The origin must stand where the common normal of axes { $first } and { $second } meets the axis of this frame.
-rule-origin_not_at_intersection = Axes { $first } and { $second } intersect: the origin belongs at their point of intersection.
-rule-x_not_across_z = x must be at right angles to z.
-rule-x_not_along_common_normal = x must lie along the common normal of axes { $first } and { $second }.
-rule-x_not_across_both_axes = x must be at right angles to both axes { $first } and { $second }.
-rule-first_x_misses_axis = x of the first frame must cross axis { $axis } at right angles.
-rule-last_x_misses_axis = x of the last frame must cross axis { $axis } at right angles.
+rule-z_not_along_axis = z must lie along axis { $axis }, because joint { $axis } turns about this z or slides along it.
+rule-origin_not_on_axis = The origin must stand on axis { $axis }, because z of this frame lies along it.
+rule-origin_not_on_common_normal = The origin must stand where the common normal of axes { $first } and { $second } meets the axis of this frame, because a is measured along that normal.
+rule-origin_not_at_intersection = Axes { $first } and { $second } intersect: the origin belongs at their point of intersection, because a is zero there.
+rule-x_not_across_z = x must be at right angles to z, because the axes of a frame are at right angles.
+rule-x_not_along_common_normal = x must lie along the common normal of axes { $first } and { $second }, because a is measured along x, and it is the shortest distance of the axes.
+rule-x_not_across_both_axes = x must be at right angles to both axes { $first } and { $second }, because α turns one into the other about x.
+rule-first_x_misses_axis = x of the first frame must cross axis { $axis } at right angles, because its row has only a and α, along and about x, to get there.
+rule-last_x_misses_axis = x of the last frame must cross axis { $axis } at right angles, because its row has only a and α, along and about x, to get from there.
 rule-z_reversed = z points against the positive direction of joint axis { $axis }. That is allowed; the joint variable then enters with a minus sign.
 rule-x_reversed = x points from axis { $second } to axis { $first }. That is allowed; the link length then becomes negative.
 rule-offset_could_vanish = With another origin on this axis, d{ $joint } would be zero.

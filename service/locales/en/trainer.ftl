@@ -7,7 +7,7 @@ trainer-back = Back to the exercise
 trainer-frames = Frames
 trainer-table = The table that follows
 trainer-scene = Axes and frames
-trainer-click = Click a point or an arrow to choose it; the lists do the same.
+trainer-click = Click or drag an arrow or a point to choose it; the lists do the same.
 trainer-complete = Every frame obeys the convention: the table is complete.
 trainer-unfinished = A row appears as soon as both of its frames are complete and break no rule.
 trainer-status =
@@ -58,6 +58,13 @@ trainer-check = Check this step
 trainer-onward = Go on
 trainer-restart = Start again
 trainer-step-done = This step is right.
+trainer-why-z =
+    Every z lies along the axis of the joint that it belongs to: { $convention ->
+        [standard] z of frame i−1 along axis i, because row i turns by θ and slides by d about and along z of frame i−1.
+       *[modified] z of frame i along axis i, because row i ends with θ and d about and along z of frame i.
+    }
+trainer-why-origin = Every origin stands where the common normal meets its axis, because a is measured from there along x.
+trainer-why-x = Every x lies along a common normal or across both axes, because a and α are measured along and about it.
 trainer-open-choice = Frame { $frame } has no choice yet.
 trainer-point-missed = The origin of frame { $frame } belongs at the marked point { $point }.
 trainer-read = Press a row’s number: the picture shows how its four numbers carry one frame into the next.

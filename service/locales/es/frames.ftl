@@ -1,14 +1,14 @@
 # Asignación de sistemas: reglas y rechazos.
 
-rule-z_not_along_axis = z debe estar a lo largo del eje { $axis }.
-rule-origin_not_on_axis = El origen debe estar sobre el eje { $axis }.
-rule-origin_not_on_common_normal = El origen debe estar donde la normal común de los ejes { $first } y { $second } corta el eje de este sistema.
-rule-origin_not_at_intersection = Los ejes { $first } y { $second } se cortan: el origen va en su punto de intersección.
-rule-x_not_across_z = x debe ser perpendicular a z.
-rule-x_not_along_common_normal = x debe estar a lo largo de la normal común de los ejes { $first } y { $second }.
-rule-x_not_across_both_axes = x debe ser perpendicular a ambos ejes { $first } y { $second }.
-rule-first_x_misses_axis = x del primer sistema debe cortar el eje { $axis } en ángulo recto.
-rule-last_x_misses_axis = x del último sistema debe cortar el eje { $axis } en ángulo recto.
+rule-z_not_along_axis = z debe estar a lo largo del eje { $axis }, porque la articulación { $axis } gira alrededor de este z o se desliza a lo largo de él.
+rule-origin_not_on_axis = El origen debe estar sobre el eje { $axis }, porque z de este sistema va a lo largo de él.
+rule-origin_not_on_common_normal = El origen debe estar donde la normal común de los ejes { $first } y { $second } corta el eje de este sistema, porque a se mide sobre esa normal.
+rule-origin_not_at_intersection = Los ejes { $first } y { $second } se cortan: el origen va en su punto de intersección, porque allí a es cero.
+rule-x_not_across_z = x debe ser perpendicular a z, porque los ejes de un sistema son perpendiculares.
+rule-x_not_along_common_normal = x debe estar a lo largo de la normal común de los ejes { $first } y { $second }, porque a se mide a lo largo de x y es la distancia más corta entre los ejes.
+rule-x_not_across_both_axes = x debe ser perpendicular a ambos ejes { $first } y { $second }, porque α gira uno sobre el otro alrededor de x.
+rule-first_x_misses_axis = x del primer sistema debe cortar el eje { $axis } en ángulo recto, porque su fila solo tiene a y α, a lo largo y alrededor de x, para llegar allí.
+rule-last_x_misses_axis = x del último sistema debe cortar el eje { $axis } en ángulo recto, porque su fila solo tiene a y α, a lo largo y alrededor de x, para venir de allí.
 rule-z_reversed = z apunta contra el sentido positivo del eje { $axis }. Está permitido; la variable articular entra entonces con signo menos.
 rule-x_reversed = x apunta del eje { $second } al eje { $first }. Está permitido; la longitud del eslabón resulta entonces negativa.
 rule-offset_could_vanish = Con otro origen en este eje, d{ $joint } sería cero.

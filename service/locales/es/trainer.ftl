@@ -7,7 +7,7 @@ trainer-back = Volver al ejercicio
 trainer-frames = Sistemas de referencia
 trainer-table = La tabla que resulta
 trainer-scene = Ejes y sistemas
-trainer-click = Pulse un punto o una flecha para elegir; las listas hacen lo mismo.
+trainer-click = Haga clic en una flecha o un punto, o arrástrelo, para elegirlo; las listas hacen lo mismo.
 trainer-complete = Todos los sistemas cumplen la convención: la tabla está completa.
 trainer-unfinished = Una fila aparece en cuanto sus dos sistemas están completos y no incumplen ninguna regla.
 trainer-status =
@@ -58,6 +58,13 @@ trainer-check = Comprobar este paso
 trainer-onward = Continuar
 trainer-restart = Empezar de nuevo
 trainer-step-done = Este paso es correcto.
+trainer-why-z =
+    Cada z está a lo largo del eje de la articulación que le corresponde: { $convention ->
+        [standard] z del sistema i−1 a lo largo del eje i, porque la fila i gira θ y avanza d respecto a z del sistema i−1.
+       *[modified] z del sistema i a lo largo del eje i, porque la fila i termina con θ y d respecto a z del sistema i.
+    }
+trainer-why-origin = Cada origen está donde la normal común corta su eje, porque desde allí se mide a a lo largo de x.
+trainer-why-x = Cada x va por una normal común o perpendicular a ambos ejes, porque a y α se miden a lo largo y alrededor de él.
 trainer-open-choice = El sistema { $frame } aún no tiene elección.
 trainer-point-missed = El origen del sistema { $frame } debe estar en el punto marcado { $point }.
 trainer-read = Pulse el número de una fila: la imagen muestra cómo sus cuatro números llevan un sistema al siguiente.

@@ -7,7 +7,7 @@ trainer-back = Retour à l’exercice
 trainer-frames = Repères
 trainer-table = Le tableau qui en découle
 trainer-scene = Axes et repères
-trainer-click = Cliquez un point ou une flèche pour choisir ; les listes font de même.
+trainer-click = Cliquez sur une flèche ou un point, ou faites-le glisser, pour le choisir ; les listes font de même.
 trainer-complete = Tous les repères respectent la convention : le tableau est complet.
 trainer-unfinished = Une ligne apparaît dès que ses deux repères sont complets et n’enfreignent aucune règle.
 trainer-status =
@@ -58,6 +58,13 @@ trainer-check = Vérifier cette étape
 trainer-onward = Continuer
 trainer-restart = Recommencer
 trainer-step-done = Cette étape est juste.
+trainer-why-z =
+    Chaque z est porté par l’axe de son articulation : { $convention ->
+        [standard] z du repère i−1 par l’axe i, car la ligne i tourne de θ et avance de d par rapport à z du repère i−1.
+       *[modified] z du repère i par l’axe i, car la ligne i se termine par θ et d par rapport à z du repère i.
+    }
+trainer-why-origin = Chaque origine est là où la normale commune rencontre son axe, car a se mesure à partir de là le long de x.
+trainer-why-x = Chaque x est porté par une normale commune ou perpendiculaire aux deux axes, car a et α se mesurent le long et autour de lui.
 trainer-open-choice = Le repère { $frame } n’a pas encore de choix.
 trainer-point-missed = L’origine du repère { $frame } doit être au point marqué { $point }.
 trainer-read = Appuyez sur le numéro d’une ligne : l’image montre comment ses quatre nombres mènent d’un repère au suivant.

@@ -1,14 +1,14 @@
 # Atribuição de referenciais: regras e recusas.
 
-rule-z_not_along_axis = z deve estar ao longo do eixo { $axis }.
-rule-origin_not_on_axis = A origem deve estar sobre o eixo { $axis }.
-rule-origin_not_on_common_normal = A origem deve estar onde a normal comum dos eixos { $first } e { $second } encontra o eixo deste referencial.
-rule-origin_not_at_intersection = Os eixos { $first } e { $second } cruzam-se: a origem fica no ponto de interseção.
-rule-x_not_across_z = x deve ser perpendicular a z.
-rule-x_not_along_common_normal = x deve estar ao longo da normal comum dos eixos { $first } e { $second }.
-rule-x_not_across_both_axes = x deve ser perpendicular a ambos os eixos { $first } e { $second }.
-rule-first_x_misses_axis = x do primeiro referencial deve cruzar o eixo { $axis } em ângulo reto.
-rule-last_x_misses_axis = x do último referencial deve cruzar o eixo { $axis } em ângulo reto.
+rule-z_not_along_axis = z deve estar ao longo do eixo { $axis }, porque a junta { $axis } roda em torno deste z ou desliza ao longo dele.
+rule-origin_not_on_axis = A origem deve estar sobre o eixo { $axis }, porque z deste referencial está ao longo dele.
+rule-origin_not_on_common_normal = A origem deve estar onde a normal comum dos eixos { $first } e { $second } encontra o eixo deste referencial, porque a se mede sobre essa normal.
+rule-origin_not_at_intersection = Os eixos { $first } e { $second } cruzam-se: a origem fica no ponto de interseção, porque aí a é zero.
+rule-x_not_across_z = x deve ser perpendicular a z, porque os eixos de um referencial são perpendiculares.
+rule-x_not_along_common_normal = x deve estar ao longo da normal comum dos eixos { $first } e { $second }, porque a se mede ao longo de x e é a menor distância entre os eixos.
+rule-x_not_across_both_axes = x deve ser perpendicular a ambos os eixos { $first } e { $second }, porque α roda um até ao outro em torno de x.
+rule-first_x_misses_axis = x do primeiro referencial deve cruzar o eixo { $axis } em ângulo reto, porque a sua linha só tem a e α, ao longo e em torno de x, para lá chegar.
+rule-last_x_misses_axis = x do último referencial deve cruzar o eixo { $axis } em ângulo reto, porque a sua linha só tem a e α, ao longo e em torno de x, para de lá vir.
 rule-z_reversed = z aponta contra o sentido positivo do eixo { $axis }. É permitido; a variável da junta entra então com sinal negativo.
 rule-x_reversed = x aponta do eixo { $second } para o eixo { $first }. É permitido; o comprimento do elo fica então negativo.
 rule-offset_could_vanish = Com outra origem neste eixo, d{ $joint } seria zero.

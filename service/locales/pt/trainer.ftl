@@ -7,7 +7,7 @@ trainer-back = Voltar ao exercício
 trainer-frames = Referenciais
 trainer-table = A tabela que resulta
 trainer-scene = Eixos e referenciais
-trainer-click = Clique num ponto ou numa seta para escolher; as listas fazem o mesmo.
+trainer-click = Clique numa seta ou num ponto, ou arraste-o, para o escolher; as listas fazem o mesmo.
 trainer-complete = Todos os referenciais obedecem à convenção: a tabela está completa.
 trainer-unfinished = Uma linha aparece assim que ambos os seus referenciais estão completos e não violam nenhuma regra.
 trainer-status =
@@ -58,6 +58,13 @@ trainer-check = Verificar este passo
 trainer-onward = Continuar
 trainer-restart = Recomeçar
 trainer-step-done = Este passo está certo.
+trainer-why-z =
+    Cada z está ao longo do eixo da junta que lhe corresponde: { $convention ->
+        [standard] z do referencial i−1 ao longo do eixo i, porque a linha i roda θ e avança d em relação a z do referencial i−1.
+       *[modified] z do referencial i ao longo do eixo i, porque a linha i termina com θ e d em relação a z do referencial i.
+    }
+trainer-why-origin = Cada origem está onde a normal comum encontra o seu eixo, porque a se mede a partir daí ao longo de x.
+trainer-why-x = Cada x está numa normal comum ou perpendicular a ambos os eixos, porque a e α se medem ao longo e em torno dele.
 trainer-open-choice = O referencial { $frame } ainda não tem escolha.
 trainer-point-missed = A origem do referencial { $frame } deve ficar no ponto marcado { $point }.
 trainer-read = Prima o número de uma linha: a imagem mostra como os seus quatro números levam um referencial ao seguinte.

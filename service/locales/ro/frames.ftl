@@ -1,14 +1,14 @@
 # Atașarea sistemelor: reguli și refuzuri.
 
-rule-z_not_along_axis = z trebuie să fie de-a lungul axei { $axis }.
-rule-origin_not_on_axis = Originea trebuie să se afle pe axa { $axis }.
-rule-origin_not_on_common_normal = Originea trebuie să fie acolo unde perpendiculara comună a axelor { $first } și { $second } întâlnește axa acestui sistem.
-rule-origin_not_at_intersection = Axele { $first } și { $second } se intersectează: originea se pune în punctul lor de intersecție.
-rule-x_not_across_z = x trebuie să fie perpendiculară pe z.
-rule-x_not_along_common_normal = x trebuie să fie de-a lungul perpendicularei comune a axelor { $first } și { $second }.
-rule-x_not_across_both_axes = x trebuie să fie perpendiculară pe ambele axe { $first } și { $second }.
-rule-first_x_misses_axis = x al primului sistem trebuie să intersecteze axa { $axis } în unghi drept.
-rule-last_x_misses_axis = x al ultimului sistem trebuie să intersecteze axa { $axis } în unghi drept.
+rule-z_not_along_axis = z trebuie să fie de-a lungul axei { $axis }, deoarece cupla { $axis } se rotește în jurul acestui z sau alunecă de-a lungul lui.
+rule-origin_not_on_axis = Originea trebuie să se afle pe axa { $axis }, deoarece z al acestui sistem este de-a lungul ei.
+rule-origin_not_on_common_normal = Originea trebuie să fie acolo unde perpendiculara comună a axelor { $first } și { $second } întâlnește axa acestui sistem, deoarece a se măsoară pe acea perpendiculară.
+rule-origin_not_at_intersection = Axele { $first } și { $second } se intersectează: originea se pune în punctul lor de intersecție, deoarece acolo a este zero.
+rule-x_not_across_z = x trebuie să fie perpendiculară pe z, deoarece axele unui sistem sunt perpendiculare.
+rule-x_not_along_common_normal = x trebuie să fie de-a lungul perpendicularei comune a axelor { $first } și { $second }, deoarece a se măsoară de-a lungul lui x și este cea mai scurtă distanță dintre axe.
+rule-x_not_across_both_axes = x trebuie să fie perpendiculară pe ambele axe { $first } și { $second }, deoarece α rotește una peste cealaltă în jurul lui x.
+rule-first_x_misses_axis = x al primului sistem trebuie să intersecteze axa { $axis } în unghi drept, deoarece rândul lui are doar a și α, de-a lungul și în jurul lui x, ca să ajungă acolo.
+rule-last_x_misses_axis = x al ultimului sistem trebuie să intersecteze axa { $axis } în unghi drept, deoarece rândul lui are doar a și α, de-a lungul și în jurul lui x, ca să vină de acolo.
 rule-z_reversed = z este opus sensului pozitiv al axei { $axis }. Este permis; variabila cuplei apare atunci cu semnul minus.
 rule-x_reversed = x este îndreptată de la axa { $second } spre axa { $first }. Este permis; lungimea elementului devine atunci negativă.
 rule-offset_could_vanish = Cu altă origine pe această axă, d{ $joint } ar fi zero.

@@ -7,7 +7,7 @@ trainer-back = Înapoi la exercițiu
 trainer-frames = Sisteme de coordonate
 trainer-table = Tabelul care rezultă
 trainer-scene = Axe și sisteme
-trainer-click = Faceți clic pe un punct sau pe o săgeată pentru a alege; listele fac același lucru.
+trainer-click = Apăsați pe o săgeată sau pe un punct, ori trageți-l, ca să-l alegeți; listele fac același lucru.
 trainer-complete = Toate sistemele respectă convenția: tabelul este complet.
 trainer-unfinished = Un rând apare de îndată ce ambele sale sisteme sunt complete și nu încalcă nicio regulă.
 trainer-status =
@@ -59,6 +59,13 @@ trainer-check = Verifică acest pas
 trainer-onward = Continuă
 trainer-restart = Începe din nou
 trainer-step-done = Acest pas este corect.
+trainer-why-z =
+    Fiecare z este de-a lungul axei cuplei sale: { $convention ->
+        [standard] z al sistemului i−1 de-a lungul axei i, deoarece rândul i rotește cu θ și deplasează cu d față de z al sistemului i−1.
+       *[modified] z al sistemului i de-a lungul axei i, deoarece rândul i se încheie cu θ și d față de z al sistemului i.
+    }
+trainer-why-origin = Fiecare origine este acolo unde perpendiculara comună întâlnește axa ei, deoarece de acolo se măsoară a de-a lungul lui x.
+trainer-why-x = Fiecare x este pe o perpendiculară comună sau perpendiculară pe ambele axe, deoarece a și α se măsoară de-a lungul și în jurul ei.
 trainer-open-choice = Sistemul { $frame } nu are încă o alegere.
 trainer-point-missed = Originea sistemului { $frame } trebuie să fie în punctul marcat { $point }.
 trainer-read = Apăsați numărul unui rând: imaginea arată cum cele patru numere duc un sistem în următorul.

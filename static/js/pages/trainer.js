@@ -12,7 +12,7 @@ import { emptyModel } from "../scene/model.js";
 import { across, cross, dot, minus, norm, plus, times, unit } from "../scene/matrix.js";
 import { keep, recall } from "../storage.js";
 import { candidateText, findingNotice, showChooser } from "../trainer/chooser.js";
-import { picture } from "../trainer/picture.js";
+import { litModel, picture } from "../trainer/picture.js";
 import { backTo, choose, isFull, onward, partOf, same, shuffled, start, STEPS, wire } from "../trainer/steps.js";
 import { middlesOf, namedRow, rowToPoint, tableView } from "../trainer/table.js";
 import { METRES } from "../units.js";
@@ -29,6 +29,8 @@ class Trainer {
   #running = 0;
   /** The frame whose list is shown: a choice is for that one. */
   shown = -1;
+  /** Why the step before is right. */
+  why = "";
   /** @type {Judged | null} */
   judged = null;
   /** @type {Wire.Candidate[]} */
@@ -46,12 +48,16 @@ class Trainer {
     /** @type {State} */
     this.state =
       kept.frames?.length === fresh.frames.length && exercise.conventions.includes(kept.convention) ? kept : fresh;
-    this.scene = el("robot-scene", { label: t("trainer-scene") });
+    this.scene = el("robot-scene", { label: t("trainer-scene"), grabs: true });
     fill($("scene"), this.scene, el("p", { class: "hint", text: t("trainer-click") }));
     this.scene.describe(`${this.figure.description} ${t("form-scene-keys")}`);
     this.scene.addEventListener("scene-pick", (event) =>
       this.#picked(Number(/** @type {CustomEvent} */ (event).detail.id)),
     );
+    this.scene.addEventListener("scene-drag", (event) => {
+      const { id: index } = /** @type {CustomEvent} */ (event).detail;
+      this.#point(index === null ? null : (this.candidates[Number(index)] ?? null));
+    });
     this.body = el("div", { class: "stack" });
     fill($("frame"), this.body);
     this.#convention();
@@ -69,6 +75,7 @@ class Trainer {
   /** Takes a new state, asks the service about it and shows both. @param {State} state */
   async become(state) {
     cancelAnimationFrame(this.#running);
+    if (state.step !== this.state.step && STEPS.indexOf(state.step) < STEPS.indexOf(this.state.step)) this.why = "";
     this.state = state;
     keep(draft, state);
     $("frame").setAttribute("aria-busy", "true");
@@ -94,6 +101,7 @@ class Trainer {
     this.candidates = part ? shuffled(judged.frames[state.frame].candidates[part], `${id}:${state.frame}`, part) : [];
     const normals = state.step === "normals" || state.step === "origin" ? normalsOf(judged) : [];
     this.scene.overlay = emptyModel();
+    this.#point(null);
     this.scene.model = picture(
       this.figure,
       state,
@@ -102,6 +110,7 @@ class Trainer {
       normals.map(({ ends }) => ends),
     );
     this.#steps();
+    this.#because();
     this.#frames(part);
     if (part) this.#choices(part);
     else if (state.step === "normals") fill(this.body, normalsList(this.axes.length, normals), this.#buttons(null));
@@ -126,6 +135,7 @@ class Trainer {
       candidates: this.candidates,
       findings,
       choose: (vector) => this.#choose(vector),
+      point: (candidate) => this.#point(candidate),
     });
     if (this.buttons && (!this.buttons.contains(document.activeElement) || !focused))
       fill(this.buttons, this.#buttons(part));
@@ -147,6 +157,13 @@ class Trainer {
     if (!reachable || same(origin, this.point.at)) return [];
     const message = t("trainer-point-missed", { frame, point: this.point.name });
     return [{ rule: "point_missed", part: "origin", severity: "broken", params: {}, message }];
+  }
+
+  /** Why what was chosen in the step before is right. */
+  #because() {
+    const place = $("why");
+    place.hidden = !this.why;
+    if (this.why) fill(place, el("p", { class: "notice notice-good", text: `${t("trainer-step-done")} ${this.why}` }));
   }
 
   /** The steps; those before the present one can be gone back to. */
@@ -226,7 +243,8 @@ class Trainer {
       );
       return this.become({ ...this.state, checked: true, frame: broken });
     }
-    announce(t("trainer-step-done"));
+    this.why = part ? t(`trainer-why-${part}`, { convention: this.state.convention }) : "";
+    announce(`${t("trainer-step-done")} ${this.why}`);
     return this.become(onward(this.state));
   }
 
@@ -301,6 +319,13 @@ class Trainer {
     };
     this.#running = requestAnimationFrame(tick);
     return undefined;
+  }
+
+  /** Lights a candidate in the picture. @param {Wire.Candidate | null} candidate */
+  #point(candidate) {
+    const part = partOf(this.state.step);
+    const lit = candidate && part ? litModel(this.figure, this.state, candidate, part) : null;
+    this.scene.layer("candidate", lit);
   }
 
   /** @param {Wire.Vector} vector */

@@ -12,9 +12,11 @@ const PAN = 24;
 
 /**
  * @param {HTMLElement} view
- * @param {{camera: () => Camera, change: (camera: Camera) => void, reset: () => void, click: (event: PointerEvent) => void}} scene
+ * @param {{camera: () => Camera, change: (camera: Camera) => void, reset: () => void, click: (event: PointerEvent) => void,
+ *   grab: (event: PointerEvent) => boolean, drag: (event: PointerEvent) => void, drop: (event: PointerEvent) => void}} scene
+ *   `grab` says whether something is taken hold of; it is then dragged and dropped instead of the view being turned
  */
-export function listenTo(view, { camera, change, reset, click }) {
+export function listenTo(view, { camera, change, reset, click, grab, drag, drop }) {
   view.addEventListener("keydown", (event) => key(event, camera(), change, reset));
   view.addEventListener(
     "wheel",
@@ -29,9 +31,13 @@ export function listenTo(view, { camera, change, reset, click }) {
   /** @type {Map<number, {x: number, y: number}>} */
   const fingers = new Map();
   let moved = 0;
+  let held = -1;
+  // A finger that holds something does not scroll the page.
+  view.addEventListener("touchstart", (event) => held >= 0 && event.preventDefault(), { passive: false });
   view.addEventListener("pointerdown", (event) => {
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     if (fingers.size === 1) moved = 0;
+    if (fingers.size === 1 && event.button === 0 && grab(event)) held = event.pointerId;
     view.setPointerCapture(event.pointerId);
   });
   view.addEventListener("pointermove", (event) => {
@@ -42,7 +48,8 @@ export function listenTo(view, { camera, change, reset, click }) {
     moved += Math.abs(dx) + Math.abs(dy);
     const before = spread(fingers);
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    if (fingers.size === 2) {
+    if (event.pointerId === held) drag(event);
+    else if (fingers.size === 2) {
       const near = before > 0 ? zoomed(camera(), spread(fingers) / before) : camera();
       change(panned(near, dx / 2, dy / 2));
     } else if (event.shiftKey || event.buttons === 4) change(panned(camera(), dx, dy));
@@ -50,6 +57,10 @@ export function listenTo(view, { camera, change, reset, click }) {
   });
   const lift = (/** @type {PointerEvent} */ event) => {
     if (!fingers.delete(event.pointerId)) return;
+    if (event.pointerId === held) {
+      held = -1;
+      return drop(event);
+    }
     if (event.type === "pointerup" && moved < CLICK) click(event);
   };
   view.addEventListener("pointerup", lift);

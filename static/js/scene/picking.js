@@ -8,9 +8,10 @@ const REACH = 14;
 /**
  * @param {import("./model.js").Model} model @param {import("./matrix.js").Matrix[]} found poses of its nodes
  * @param {import("./camera.js").Camera} camera @param {number} x [px] @param {number} y [px]
+ * @param {number} [reach] [px] how far from the item the point may be
  * @returns {string | null} the item's `pick`
  */
-export function pickAt(model, found, camera, x, y) {
+export function pickAt(model, found, camera, x, y, reach = REACH) {
   let best = null;
   for (const item of model.items) {
     if (item.kind === "label" || item.kind === "points" || !item.pick) continue;
@@ -20,7 +21,7 @@ export function pickAt(model, found, camera, x, y) {
     const thickness = "radius" in item ? item.radius * camera.scale : 0;
     const distance = Math.max(0, distanceToSegment(x, y, from, to) - thickness);
     const near = Math.max(from.near, to.near);
-    if (distance > REACH) continue;
+    if (distance > reach) continue;
     if (!best || distance < best.distance - 2 || (distance < best.distance + 2 && near > best.near)) {
       best = { pick: item.pick, distance, near };
     }

@@ -4,8 +4,10 @@
  * Properties: `model` (see model.js), `overlay` (a model without joints that is drawn over it, and does not change
  * what the view shows), `joints` (values in radians and lengths). Methods: `layer(name, model)`, `describe(text)`,
  * `picture()`, `enlarge()`.
- * Attributes: `label` (its name for screen readers), `renderer="svg"` (never use WebGL).
- * Events: `scene-pick` with `detail.id` when an item with a `pick` is clicked.
+ * Attributes: `label` (its name for screen readers), `renderer="svg"` (never use WebGL), `grabs` (items with a `pick` can
+ * be dragged from one to another).
+ * Events: `scene-pick` with `detail.id` when an item with a `pick` is clicked, or something is dropped on it;
+ * `scene-drag` with `detail.id` of the item that is nearest while something is dragged, null when it is dropped.
  *
  * It draws as SVG at once, and with WebGL as soon as that is loaded, if the browser has it.
  */
@@ -173,6 +175,12 @@ export class RobotScene extends HTMLElement {
       change: (/** @type {import("./camera.js").Camera} */ camera) => this.#change(camera),
       reset: (/** @type {string} */ view = "corner") => this.reset(view),
       click: (/** @type {PointerEvent} */ event) => this.#click(event),
+      grab: (/** @type {PointerEvent} */ event) => this.hasAttribute("grabs") && this.#drag(event, undefined),
+      drag: (/** @type {PointerEvent} */ event) => void this.#drag(event, Infinity),
+      drop: (/** @type {PointerEvent} */ event) => {
+        this.#tell("scene-drag", null);
+        if (event.type === "pointerup") this.#click(event, Infinity);
+      },
       enlarge: () => this.enlarge(),
       record: () => this.#record(),
     };
@@ -212,16 +220,33 @@ export class RobotScene extends HTMLElement {
     announce(t("form-scene-recorded"));
   }
 
-  /** @param {PointerEvent} event */
-  #click(event) {
-    const box = this.viewport.getBoundingClientRect();
-    const id = this.pickedAt(event.clientX - box.left, event.clientY - box.top);
-    if (id) this.dispatchEvent(new CustomEvent("scene-pick", { detail: { id }, bubbles: true }));
+  /** @param {PointerEvent} event @param {number} [reach] [px] */
+  #click(event, reach) {
+    const id = this.#pickedBy(event, reach);
+    if (id) this.#tell("scene-pick", id);
   }
 
-  /** What a click at a point of the picture means. @param {number} x [px] @param {number} y [px] @returns {string | null} */
-  pickedAt(x, y) {
-    return pickAt(this.#whole, poses(this.#whole, this.#joints), this.#camera, x, y);
+  /** Whether there is something to drag to. @param {PointerEvent} event @param {number} [reach] [px] */
+  #drag(event, reach) {
+    const id = this.#pickedBy(event, reach);
+    if (id) this.#tell("scene-drag", id);
+    return id !== null;
+  }
+
+  /** @param {string} name @param {string | null} id */
+  #tell(name, id) {
+    this.dispatchEvent(new CustomEvent(name, { detail: { id }, bubbles: true }));
+  }
+
+  /** @param {PointerEvent} event @param {number} [reach] [px] */
+  #pickedBy(event, reach) {
+    const box = this.viewport.getBoundingClientRect();
+    return this.pickedAt(event.clientX - box.left, event.clientY - box.top, reach);
+  }
+
+  /** What a click at a point of the picture means. @param {number} x [px] @param {number} y [px] @param {number} [reach] [px] @returns {string | null} */
+  pickedAt(x, y, reach) {
+    return pickAt(this.#whole, poses(this.#whole, this.#joints), this.#camera, x, y, reach);
   }
 
   /** @param {import("./camera.js").Camera} camera */

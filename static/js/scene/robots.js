@@ -12,6 +12,7 @@
  * @typedef {import("./model.js").Tone} Tone
  */
 
+import { directions, VIEWS } from "./camera.js";
 import { triad } from "./model.js";
 import { piecesOf } from "./bodies.js";
 import {
@@ -159,7 +160,11 @@ export function figureRobot(figure, { dimensions = true } = {}) {
     const ends = { from: bodyPlace(world, body, from), to: bodyPlace(world, body, to) };
     model.items.push({ kind: "tube", ...ends, radius: size * SIZE.tube * 1.4, tone: "body" });
   }
-  const names = namePlaces(world, size);
+  const names = namePlaces(
+    world,
+    size,
+    (figure.points ?? []).map(({ at }) => at),
+  );
   figure.axes.forEach((axis, i) => model.items.push(...axisItems(axis, 2 * i, size, names[i])));
   if (figure.ground) {
     const at = { node: -1, at: figure.ground.at };
@@ -205,11 +210,13 @@ function bodyPlace(world, body, point) {
 }
 
 /**
- * Where the number of each joint stands, in its node's coordinates: at the end of its axis, unless that is on another
- * joint's body or another number; then at the other end or beside the joint, wherever there is most room.
- * @param {Matrix[]} world poses of the axes, z along them @param {number} size @returns {Vector[]}
+ * Where the number of each joint stands, in its node's coordinates: at the end of its axis, unless it would be seen on
+ * another joint's body, another number or a marked point from the usual corner; then at the other end or beside the
+ * joint, wherever there is most room.
+ * @param {Matrix[]} world poses of the axes, z along them @param {number} size @param {Vector[]} [marks] points with names
+ * @returns {Vector[]}
  */
-export function namePlaces(world, size) {
+export function namePlaces(world, size, marks = []) {
   const end = size * SIZE.axis * 1.12;
   const beside = size * SIZE.joint * 3;
   /** @type {Vector[]} */
@@ -221,27 +228,35 @@ export function namePlaces(world, size) {
     [0, beside, 0],
     [0, -beside, 0],
   ];
-  /** @type {Vector[]} */
-  const taken = [];
+  const taken = marks.map(seen);
   return world.map((pose, i) => {
     const others = world.filter((_, k) => k !== i);
     const room = (/** @type {Vector} */ at) => {
-      const place = apply(pose, at);
+      const place = seen(apply(pose, at));
       const bodies = others.map((other) => distanceToBody(place, other, size));
       return Math.min(...bodies, ...taken.map((name) => norm(minus(name, place))), Infinity);
     };
     const rooms = candidates.map(room);
     const free = rooms.findIndex((found) => found > size * SIZE.name);
     const best = candidates[free >= 0 ? free : rooms.indexOf(Math.max(...rooms))];
-    taken.push(apply(pose, best));
+    taken.push(seen(apply(pose, best)));
     return best;
   });
 }
 
-/** How far a point is from the middle line of a joint's body. @param {Vector} point @param {Matrix} pose @param {number} size */
-function distanceToBody(point, pose, size) {
-  const [x, y, z] = apply(inverse(pose), point);
-  return Math.hypot(x, y, Math.max(0, Math.abs(z) - (size * SIZE.jointLength) / 2));
+const CORNER = directions({ ...VIEWS.corner, scale: 1, target: [0, 0, 0], width: 0, height: 0 });
+
+/** A point as it is seen from the usual corner: to the right and up. @param {Vector} point @returns {Vector} */
+const seen = (point) => [dot(point, CORNER.right), dot(point, CORNER.up), 0];
+
+/** How far a place in the picture is from the middle line of a joint's body. @param {Vector} place @param {Matrix} pose @param {number} size */
+function distanceToBody(place, pose, size) {
+  const half = (size * SIZE.jointLength) / 2;
+  const [low, high] = [-half, half].map((z) => seen(apply(pose, [0, 0, z])));
+  const way = minus(high, low);
+  const length = dot(way, way);
+  const share = length > 0 ? Math.max(0, Math.min(1, dot(minus(place, low), way) / length)) : 0;
+  return norm(minus(place, plus(low, times(way, share))));
 }
 
 /** @param {Wire.Figure["axes"][number]} axis @param {number} node @param {number} size @param {Vector} name @returns {Item[]} */

@@ -8,13 +8,14 @@ import { same } from "./steps.js";
 /**
  * @param {HTMLElement} place
  * @param {{state: import("./steps.js").State, part: "z" | "origin" | "x", candidates: Wire.Candidate[],
- *   findings: Wire.Finding[], choose: (vector: Wire.Vector) => void}} view
+ *   findings: Wire.Finding[], choose: (vector: Wire.Vector) => void, point: (candidate: Wire.Candidate | null) => void}} view
+ *   `point` lights the candidate in the picture whose option is pointed at or has the focus
  */
-export function showChooser(place, { state, part, candidates, findings, choose }) {
+export function showChooser(place, { state, part, candidates, findings, choose, point }) {
   const shownNow = JSON.stringify([state.frame, part, candidates]);
   if (place.dataset.shown !== shownNow) {
     const focused = document.activeElement instanceof HTMLInputElement ? document.activeElement.dataset.choice : "";
-    fill(place, optionsOf(state.frame, part, candidates, choose));
+    fill(place, optionsOf(state.frame, part, candidates, { choose, point }));
     place.dataset.shown = shownNow;
     if (focused)
       /** @type {HTMLElement | null} */ (place.querySelector(`[data-choice="${focused}"]`))?.focus({
@@ -27,8 +28,11 @@ export function showChooser(place, { state, part, candidates, findings, choose }
   if (status) fill(status, findings.map(findingNotice));
 }
 
-/** @param {number} frame @param {"z" | "origin" | "x"} part @param {Wire.Candidate[]} candidates @param {(vector: Wire.Vector) => void} choose */
-function optionsOf(frame, part, candidates, choose) {
+/**
+ * @param {number} frame @param {"z" | "origin" | "x"} part @param {Wire.Candidate[]} candidates
+ * @param {{choose: (vector: Wire.Vector) => void, point: (candidate: Wire.Candidate | null) => void}} actions
+ */
+function optionsOf(frame, part, candidates, { choose, point }) {
   const group = uniqueId("choice");
   return el(
     "fieldset",
@@ -37,8 +41,10 @@ function optionsOf(frame, part, candidates, choose) {
     candidates.map((candidate, i) =>
       el(
         "label",
-        { class: "choice" },
+        { class: "choice", onpointerenter: () => point(candidate), onpointerleave: () => point(null) },
         el("input", {
+          onfocus: () => point(candidate),
+          onblur: () => point(null),
           type: "radio",
           name: group,
           dataset: { choice: String(i) },

@@ -8,7 +8,7 @@ import { same } from "./steps.js";
 /** @typedef {import("../scene/model.js").Model} Model */
 /** @typedef {import("../scene/model.js").Item} Item */
 
-const SIZE = { triad: 0.16, pick: 0.018, direction: 0.24, coordinates: 0.12, z: 0.2 };
+const SIZE = { triad: 0.16, pick: 0.018, direction: 0.24, coordinates: 0.26, z: 0.2 };
 
 /**
  * @param {Wire.Figure} figure
@@ -76,6 +76,22 @@ function normalsModel(normals, size) {
       ),
   );
   return { nodes: [{ parent: -1, constant: identity() }], items, joints: 0 };
+}
+
+/**
+ * One candidate, lit: while its option is pointed at, or while something is dragged to it.
+ * @param {Wire.Figure} figure @param {import("./steps.js").State} state @param {Wire.Candidate} candidate
+ * @param {import("./steps.js").Part} part @returns {Model}
+ */
+export function litModel(figure, state, candidate, part) {
+  const { nodes, items } = choicesModel(figure, state, [candidate], part);
+  const larger = items.map((item) => ({
+    ...item,
+    ...("radius" in item ? { radius: item.radius * 1.5 } : {}),
+    tone: "lit",
+    pick: undefined,
+  }));
+  return { nodes, items: /** @type {Item[]} */ (larger), joints: 0 };
 }
 
 /** @param {Wire.Figure} figure @param {import("./steps.js").State} state @param {Wire.Candidate[]} candidates @param {import("./steps.js").Part | null} part @returns {Model} */
