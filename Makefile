@@ -5,12 +5,14 @@ PORT ?= 8000
 VENV := .venv
 PEERS := .venv-peers
 DESCRIPTIONS := .venv-descriptions
+RUNNERS := .venv-runners
+RUNNERS_LOCK := tests/service/adapters/requirements-runners
 PY := $(VENV)/bin/python
 PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
 export MUED_URL MUED_AUTHORIZATION
 
-.PHONY: help serve test mued test-clone campaign kill-campaign measure-courses explore lint descriptions bench lock browser proxy clean vendor picture exercise check-exercises
+.PHONY: help serve test mued test-clone campaign kill-campaign measure-courses explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -58,6 +60,8 @@ lock: $(VENV)/.dev ## renew the hash locks from pyproject.toml
 	$(PY) -m uv pip compile tests/kinematics/urdf/requirements-descriptions.txt --constraint requirements-dev.lock \
 	    --universal --generate-hashes --no-header --no-annotate --python-version 3.11 --quiet \
 	    -o tests/kinematics/urdf/requirements-descriptions.lock
+	$(PY) -m uv pip compile $(RUNNERS_LOCK).txt pyproject.toml --constraint requirements.lock --universal \
+	    --generate-hashes --no-header --no-annotate --python-version 3.11 --quiet -o $(RUNNERS_LOCK).lock
 
 bench: $(PEERS)/.peers ## measure beside the peers, write docs/performance.md (ONLY="forward jacobian": some)
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=1 $(PEERS)/bin/python -m bench $(ONLY)
@@ -85,6 +89,16 @@ $(DESCRIPTIONS)/.installed: tests/kinematics/urdf/requirements-descriptions.lock
 
 descriptions: $(DESCRIPTIONS)/.installed ## every chain of the published robot descriptions against Pinocchio (a minute)
 	$(DESCRIPTIONS)/bin/python -m tests.kinematics.urdf.descriptions $(ARGS)
+
+$(RUNNERS)/bin/python:
+	$(PYTHON) -m venv $(RUNNERS)
+
+$(RUNNERS)/.installed: $(RUNNERS_LOCK).lock | $(RUNNERS)/bin/python
+	$(RUNNERS)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes -r $<
+	@touch $@
+
+runners: $(RUNNERS)/.installed ## nbgrader and Otter themselves run the examples of docs/lms/examples (a minute)
+	$(RUNNERS)/bin/python -m tests.service.adapters.published_runners
 
 campaign: $(VENV)/.dev ## the checker against two million tables, valid and wrong (half an hour; ARGS="--valid 100000": some)
 	$(PY) -m tests.kinematics.equivalence $(ARGS)
@@ -117,4 +131,4 @@ static/vendor/.complete: package.json package-lock.json tools/vendor.py | $(VENV
 	$(PY) tools/vendor.py
 
 clean: ## remove everything that make built
-	rm -rf $(VENV) .venv-peers .venv-descriptions node_modules static/vendor build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis
+	rm -rf $(VENV) .venv-peers .venv-descriptions .venv-runners node_modules static/vendor build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis
