@@ -19,6 +19,7 @@ from starlette.routing import Match
 from kinematics.errors import Fault, KinematicsError
 from service import __version__
 from service.http import openapi
+from service.http.idempotency import IdempotencyMiddleware
 from service.http.languages import language_for
 from service.http.link_guard import LinkGuard
 from service.http.metering import MeteringMiddleware
@@ -72,6 +73,13 @@ TAGS = (
 )
 
 
+_EXPOSED = (
+    "X-Request-Id", "Content-Language", "Idempotency-Replayed",
+    "Retry-After", "RateLimit-Limit", "RateLimit-Remaining", "RateLimit-Reset",
+)  # fmt: skip
+"""Headers that scripts of other origins may read."""
+
+
 def create_app(settings: Settings | None = None) -> FastAPI:
     """The service with the given settings; those of the environment if left out."""
     settings = settings or Settings()
@@ -95,21 +103,22 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_exception_handler(ServiceError, _refuse)
     app.add_exception_handler(RequestValidationError, _refuse_invalid)
     app.add_exception_handler(HTTPException, _refuse_http)
+    app.add_middleware(IdempotencyMiddleware, refuse=_refuse_at_the_door)
+    if settings.api_keys or settings.cost_per_minute:
+        app.add_middleware(MeteringMiddleware, settings=settings, refuse=_refuse_at_the_door)
     if origins := settings.calling_origins:
         app.add_middleware(
             CORSMiddleware,
             allow_origins=list(origins),
             allow_methods=["GET", "POST"],
             allow_headers=["*"],
-            expose_headers=["X-Request-Id", "Content-Language"],
+            expose_headers=list(_EXPOSED),
         )
-    if settings.api_keys or settings.cost_per_minute:
-        app.add_middleware(MeteringMiddleware, settings=settings)
     app.add_middleware(
         LinkGuard,
         secret=installation_secret(settings),
         library=app.state.resources.exercises,
-        refuse=_refuse_in_link,
+        refuse=_refuse_at_the_door,
     )
     app.add_middleware(OuterMiddleware, settings=settings)
     if settings.traces:
@@ -164,7 +173,7 @@ def problem_response(request: Request, problem: Problem) -> Response:
     return Response(body, problem.status, headers, PROBLEM_JSON)
 
 
-def _refuse_in_link(request: Request, error: ServiceError) -> Response:
+def _refuse_at_the_door(request: Request, error: ServiceError) -> Response:
     return problem_response(request, problem_of(error, request.scope.get(REQUEST_ID, "")))
 
 

@@ -8,24 +8,24 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Callable
 from datetime import UTC, datetime
 
 from limits import RateLimitItemPerMinute
 from limits.storage import MemoryStorage
 from limits.strategies import SlidingWindowCounterRateLimiter
+from starlette.requests import Request
+from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from kinematics.errors import Fault
 from service.http.api_keys import PREFIX, ApiKey, KeyFile, KeyScope
-from service.http.languages import language_for
 from service.http.problems import (
-    PROBLEM_JSON,
     ForbiddenError,
     RateError,
     RequestPart,
     ServiceError,
     UnauthorizedError,
-    problem_of,
 )
 from service.settings import Settings
 
@@ -45,6 +45,11 @@ _COSTS = {
 """What a call costs beside one of forward kinematics: the ratios of their times, rounded."""
 _BODY_UNIT = 64 * 1024
 """Bytes of a body that cost as much as a call of forward kinematics."""
+_ONE_ANSWER, _ANSWER_UNIT = 4 * 1024, 512
+"""Bytes of a body with one answer and its key, and of each further answer: six rows take 400. Many submissions in
+one body cost about as much as each by itself."""
+_UNSAID = 1024 * 1024
+"""Bytes for which a body is counted that comes without Content-Length."""
 _SCOPES = {"grade": KeyScope.GRADE, "evaluate": KeyScope.GRADE, "receipts": KeyScope.GRADE}
 _SAME_ORIGIN = b"same-origin"
 _READING = ("GET", "HEAD", "OPTIONS")
@@ -53,22 +58,25 @@ _READING = ("GET", "HEAD", "OPTIONS")
 class MeteringMiddleware:
     """Refuse callers without a valid key, and callers that ask for too much."""
 
-    def __init__(self, app: ASGIApp, settings: Settings) -> None:
+    def __init__(
+        self, app: ASGIApp, settings: Settings, refuse: Callable[[Request, ServiceError], Response]
+    ) -> None:
         self._app = app
+        self._refuse = refuse
         self._settings = settings
         self._keys = KeyFile(settings.api_keys) if settings.api_keys else None
         self._limiter = SlidingWindowCounterRateLimiter(MemoryStorage())
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one connection."""
-        if scope["type"] != "http" or not _is_api(scope["path"]):
+        if scope["type"] != "http" or not _is_api(path_of(scope)):
             await self._app(scope, receive, send)
             return
         try:
             key = self._key(scope)
             told = self._count(scope, key)
         except ServiceError as error:
-            await _refuse(error, scope, send)
+            await self._refuse(Request(scope), error)(scope, receive, send)
             return
 
         async def send_with_limits(message: Message) -> None:
@@ -96,7 +104,7 @@ class MeteringMiddleware:
         key = self._keys.find(text)
         if key is None or not key.is_valid(datetime.now(UTC)):
             raise _unauthorized("api_key_invalid")
-        needed = _scope_of(scope["path"], scope["method"])
+        needed = _scope_of(path_of(scope), scope["method"])
         if needed not in key.scopes:
             params = {"needed": needed.value, "scopes": tuple(found.value for found in key.scopes)}
             fault = Fault(code="api_key_scope", where=("Authorization",), params=params)
@@ -126,15 +134,27 @@ class MeteringMiddleware:
         return [(name.lower().encode(), str(value).encode()) for name, value in headers.items()]
 
 
+def path_of(scope: Scope) -> str:
+    """Return a request's path below the prefix under which a proxy serves us."""
+    path: str = scope["path"]
+    return path.removeprefix(scope.get("root_path", ""))
+
+
 def _is_api(path: str) -> bool:
     return path.startswith("/api/") or path in ("/evaluate", "/evaluate/lambda-feedback")
 
 
 def _cost(scope: Scope) -> int:
-    cost = max((_COSTS.get(step, 1) for step in scope["path"].split("/")), default=1)
-    length = dict(scope["headers"]).get(b"content-length", b"0")
-    size = int(length) if length.isdigit() and len(length) < 16 else 0
-    return cost * (1 + size // _BODY_UNIT) if scope["method"] == "POST" else 1
+    """Return what a request costs: that of its call, once for every unit of its body."""
+    steps = path_of(scope).split("/")
+    cost = max((_COSTS.get(step, 1) for step in steps), default=1)
+    if scope["method"] != "POST":
+        return 1
+    length = dict(scope["headers"]).get(b"content-length", b"")
+    size = int(length) if length.isdigit() and len(length) < 16 else _UNSAID
+    if _SCOPES.keys() & set(steps):
+        return cost * (1 + max(size - _ONE_ANSWER, 0) // _ANSWER_UNIT)
+    return cost * (1 + size // _BODY_UNIT)
 
 
 def _scope_of(path: str, method: str) -> KeyScope:
@@ -146,14 +166,3 @@ def _scope_of(path: str, method: str) -> KeyScope:
 def _unauthorized(code: str) -> UnauthorizedError:
     fault = Fault(code=code, where=("Authorization",))
     return UnauthorizedError(fault, part=RequestPart.HEADER, headers={"WWW-Authenticate": "Bearer"})
-
-
-async def _refuse(error: ServiceError, scope: Scope, send: Send) -> None:
-    problem = problem_of(error, scope.get("request_id", ""))
-    accepted = dict(scope["headers"]).get(b"accept-language")
-    language = language_for(accepted.decode("latin-1") if accepted else None)
-    body = problem.encoded(language, prefix=scope.get("root_path", ""))
-    headers = {"content-type": PROBLEM_JSON, "content-language": language, **problem.headers}
-    written = [(name.lower().encode(), str(value).encode("latin-1")) for name, value in headers.items()]
-    await send({"type": "http.response.start", "status": problem.status, "headers": written})
-    await send({"type": "http.response.body", "body": body})

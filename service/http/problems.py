@@ -11,6 +11,8 @@
     ├── MediaTypeError       the body comes in a form that is not read
     ├── RequestError         the body is well formed and does not say what is needed
     ├── UnauthorizedError    the caller is not believed
+    ├── ConflictError        the same is under way already
+    ├── RateError            the caller asks for more than its share
     ├── BusyError            no slot is free; try again later
     └── UnavailableError     the server itself is in trouble; try again later
 
@@ -120,6 +122,10 @@ class ForbiddenError(ServiceError):
     """The caller is known, and may not do this."""
 
 
+class ConflictError(ServiceError):
+    """The same is under way already."""
+
+
 class RateError(ServiceError):
     """The caller asks for more than its share; it may try again later."""
 
@@ -152,6 +158,7 @@ STATUS: dict[type[Exception], int] = {
     MediaTypeError: 415,
     RequestError: 422,
     UnauthorizedError: 401,
+    ConflictError: 409,
     RateError: 429,
     KinematicsError: 422,
     BusyError: 503,

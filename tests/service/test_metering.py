@@ -126,3 +126,44 @@ def test_the_command(
     capsys.readouterr()
     assert main(["keys", "list"]) == 0
     assert "revoked" in capsys.readouterr().out
+
+
+def test_a_prefix_opens_no_way_around_keys_and_limits(key_file: Path) -> None:
+    KeyFile(key_file).add(tuple(KeyScope))
+    with running(Settings(api_keys=key_file, prefix="/dh")) as url:
+        for path in ("/dh/api/v1/forward-kinematics", "/api/v1/forward-kinematics"):
+            assert httpx.post(f"{url}{path}", json=FORWARD, timeout=120).status_code == 401
+    with running(Settings(cost_per_minute=100, prefix="/dh")) as url:
+        answer = httpx.post(f"{url}/dh/api/v1/forward-kinematics", json=FORWARD, timeout=120)
+        assert answer.headers["ratelimit-remaining"] == "99"
+
+
+def test_many_submissions_cost_as_much_as_each_by_itself() -> None:
+    table = {"convention": "standard", "rows": [{**TABLE["rows"][0], "a": 1.0 + i / 7} for i in range(6)]}
+    with running(Settings(cost_per_minute=10_000)) as url, httpx.Client(base_url=url, timeout=120) as client:
+        body = {"reference": table, "submissions": [table] * 100}
+        many = client.post("/api/v1/grade", json=body)
+        assert 10_000 - int(many.headers["ratelimit-remaining"]) >= 5 * 50
+        unsaid = client.post("/api/v1/grade", content=iter([b'{"reference": 1}']), headers={
+            "Content-Type": "application/json"
+        })  # fmt: skip
+        spent = int(many.headers["ratelimit-remaining"]) - int(unsaid.headers["ratelimit-remaining"])
+        assert spent > 1000
+
+
+def test_a_page_of_another_origin_can_read_what_is_left() -> None:
+    origin = {"Origin": "https://course.example"}
+    settings = Settings(cost_per_minute=5, cors_origins=("https://course.example",))
+    with running(settings) as url, httpx.Client(base_url=url, headers=origin, timeout=120) as client:
+        asked = {"Access-Control-Request-Method": "POST", "Access-Control-Request-Headers": "content-type"}
+        answers = [
+            client.post("/api/v1/grade", json={"reference": TABLE, "submission": TABLE}) for _ in range(2)
+        ]
+        assert [answer.status_code for answer in answers] == [200, 429]
+        assert client.options("/api/v1/grade", headers=asked).status_code == 200
+        for answer in answers:
+            assert answer.headers["access-control-allow-origin"] == "https://course.example"
+            assert "RateLimit-Remaining" in answer.headers["access-control-expose-headers"]
+        assert {"retry-after", "ratelimit-limit", "ratelimit-remaining", "ratelimit-reset"} <= set(
+            answers[1].headers
+        )

@@ -1,7 +1,7 @@
 """The example folders of nbgrader and Otter, each run by its host's own published program: `make runners`.
 
-An assignment is released, a right and a wrong answer are handed in, and the host grades them: a right one gets
-all marks, a wrong one some. What the example earns by the documented contract alone is in `test_examples`.
+An assignment is released, a right and a wrong answer are handed in, and the host grades them: a right one
+gets all marks, a wrong one some. `test_examples` holds the same folders against their documented contracts.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ def nbgrader(folder: Path) -> dict[str, float]:
     example = EXAMPLES / "nbgrader" / "two-link.ipynb"
     (folder / "source" / "links").mkdir(parents=True)
     shutil.copy(example, folder / "source" / "links")
-    config = f'c = get_config()\nc.CourseDirectory.course_id = "robotics"\nc.CourseDirectory.root = {str(folder)!r}\n'
-    (folder / "nbgrader_config.py").write_text(config)
+    config = f"c.CourseDirectory.course_id = 'robotics'\nc.CourseDirectory.root = {str(folder)!r}\n"
+    (folder / "nbgrader_config.py").write_text(f"c = get_config()\n{config}")
     run(folder, "nbgrader", "generate_assignment", "links")
     released = json.loads((folder / "release" / "links" / example.name).read_text())
     for student, alpha in ANSWERS.items():
