@@ -46,10 +46,8 @@ _COSTS = {
 _BODY_UNIT = 64 * 1024
 """Bytes of a body that cost as much as a call of forward kinematics."""
 _ONE_ANSWER, _ANSWER_UNIT = 4 * 1024, 512
-"""Bytes of a body with one answer and its key, and of each further answer: six rows take 400. Many submissions in
-one body cost about as much as each by itself."""
-_UNSAID = 1024 * 1024
-"""Bytes for which a body is counted that comes without Content-Length."""
+"""Bytes of a body with one answer and its key, and of each further answer (six rows take 400): many
+submissions in one body cost about as much as each by itself."""
 _SCOPES = {"grade": KeyScope.GRADE, "evaluate": KeyScope.GRADE, "receipts": KeyScope.GRADE}
 _SAME_ORIGIN = b"same-origin"
 _READING = ("GET", "HEAD", "OPTIONS")
@@ -72,19 +70,37 @@ class MeteringMiddleware:
         if scope["type"] != "http" or not _is_api(path_of(scope)):
             await self._app(scope, receive, send)
             return
+        told: list[tuple[bytes, bytes]] = []
         try:
             key = self._key(scope)
-            told = self._count(scope, key)
+            most = (key.cost_per_minute if key else None) or self._settings.cost_per_minute
+            caller = key.id if key else (scope.get("client") or ("",))[0]
+            if most:
+                told = self._charge(caller, _cost(scope, _said_size(scope) or 0), most)
         except ServiceError as error:
             await self._refuse(Request(scope), error)(scope, receive, send)
             return
+        size = 0
+
+        async def receive_charged() -> Message:
+            """Charge a body as it comes: it did not say how long it is."""
+            nonlocal size, told
+            message = await receive()
+            before = _cost(scope, size)
+            size += len(message.get("body", b""))
+            if more := _cost(scope, size) - before:
+                told = self._charge(caller, more, most)
+            return message
 
         async def send_with_limits(message: Message) -> None:
             if message["type"] == "http.response.start":
-                message["headers"] = [*message.get("headers", ()), *told]
+                given = {name for name, _ in message.get("headers", ())}
+                added = [field for field in told if field[0] not in given]
+                message["headers"] = [*message.get("headers", ()), *added]
             await send(message)
 
-        await self._app(scope, receive, send_with_limits if told else send)
+        unsaid = most and scope["method"] == "POST" and _said_size(scope) is None
+        await self._app(scope, receive_charged if unsaid else receive, send_with_limits if told else send)
 
     def _key(self, scope: Scope) -> ApiKey | None:
         """Return the caller's key; None where none is needed.
@@ -95,7 +111,7 @@ class MeteringMiddleware:
         if self._keys is None or not self._keys.all():
             return None
         fields = dict(scope["headers"])
-        given = fields.get(b"authorization", b"").decode("latin-1").partition("Bearer ")[2].strip()
+        given = fields.get(b"authorization", b"").decode("latin-1").rpartition(" ")[2]
         text = given if given.startswith(PREFIX) else fields.get(b"x-api-key", b"").decode("latin-1")
         if not text:
             if fields.get(b"sec-fetch-site") == _SAME_ORIGIN or scope["method"] in _READING:
@@ -111,27 +127,26 @@ class MeteringMiddleware:
             raise ForbiddenError(fault, part=RequestPart.HEADER)
         return key
 
-    def _count(self, scope: Scope, key: ApiKey | None) -> list[tuple[bytes, bytes]]:
-        """Count what a call costs; return the headers that say what is left."""
-        most = (key.cost_per_minute if key else None) or self._settings.cost_per_minute
-        if not most:
-            return []
+    def _charge(self, caller: str, cost: int, most: int) -> list[tuple[bytes, bytes]]:
+        """Count what a call costs; return the headers that say what is left.
+
+        Raises:
+            RateError: it is more than is left.
+        """
         limit = RateLimitItemPerMinute(most)
-        caller = key.id if key else (scope.get("client") or ("",))[0]
-        cost = min(_cost(scope), most)
-        allowed = self._limiter.hit(limit, caller, cost=cost)
+        allowed = self._limiter.hit(limit, caller, cost=min(cost, most))
         window = self._limiter.get_window_stats(limit, caller)
         wait = max(1, math.ceil(window.reset_time - time.time()))
         headers = {
-            "RateLimit-Limit": most,
-            "RateLimit-Remaining": max(window.remaining, 0),
-            "RateLimit-Reset": wait,
+            "ratelimit-limit": most,
+            "ratelimit-remaining": max(window.remaining, 0),
+            "ratelimit-reset": wait,
         }
         if not allowed:
             fault = Fault(code="rate_exceeded", params={"limit": most, "seconds": wait})
             told = {name: str(value) for name, value in headers.items()}
             raise RateError(fault, headers={**told, "Retry-After": str(wait)})
-        return [(name.lower().encode(), str(value).encode()) for name, value in headers.items()]
+        return [(name.encode(), str(value).encode()) for name, value in headers.items()]
 
 
 def path_of(scope: Scope) -> str:
@@ -144,14 +159,18 @@ def _is_api(path: str) -> bool:
     return path.startswith("/api/") or path in ("/evaluate", "/evaluate/lambda-feedback")
 
 
-def _cost(scope: Scope) -> int:
-    """Return what a request costs: that of its call, once for every unit of its body."""
+def _said_size(scope: Scope) -> int | None:
+    """Return the length that a request says its body has; None if it says none."""
+    length = dict(scope["headers"]).get(b"content-length", b"")
+    return int(length) if length.isdigit() and len(length) < 16 else None
+
+
+def _cost(scope: Scope, size: int) -> int:
+    """Return what a request costs with so many bytes of body."""
     steps = path_of(scope).split("/")
-    cost = max((_COSTS.get(step, 1) for step in steps), default=1)
     if scope["method"] != "POST":
         return 1
-    length = dict(scope["headers"]).get(b"content-length", b"")
-    size = int(length) if length.isdigit() and len(length) < 16 else _UNSAID
+    cost = max((_COSTS.get(step, 1) for step in steps), default=1)
     if _SCOPES.keys() & set(steps):
         return cost * (1 + max(size - _ONE_ANSWER, 0) // _ANSWER_UNIT)
     return cost * (1 + size // _BODY_UNIT)

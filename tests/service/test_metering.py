@@ -139,16 +139,29 @@ def test_a_prefix_opens_no_way_around_keys_and_limits(key_file: Path) -> None:
 
 
 def test_many_submissions_cost_as_much_as_each_by_itself() -> None:
-    table = {"convention": "standard", "rows": [{**TABLE["rows"][0], "a": 1.0 + i / 7} for i in range(6)]}
+    rows = [{"alpha": 0, "a": 1.0 + i / 7, "d": 0, "theta": f"q{i}"} for i in range(1, 7)]
+    table = {"convention": "standard", "rows": rows}
     with running(Settings(cost_per_minute=10_000)) as url, httpx.Client(base_url=url, timeout=120) as client:
         body = {"reference": table, "submissions": [table] * 100}
         many = client.post("/api/v1/grade", json=body)
+        assert many.status_code == 200
         assert 10_000 - int(many.headers["ratelimit-remaining"]) >= 5 * 50
-        unsaid = client.post("/api/v1/grade", content=iter([b'{"reference": 1}']), headers={
-            "Content-Type": "application/json"
-        })  # fmt: skip
-        spent = int(many.headers["ratelimit-remaining"]) - int(unsaid.headers["ratelimit-remaining"])
-        assert spent > 1000
+        left = int(many.headers["ratelimit-remaining"])
+        pieces = many.request.content
+        headers = {"Content-Type": "application/json"}
+        unsaid = client.post("/api/v1/grade", content=iter([pieces[:9000], pieces[9000:]]), headers=headers)
+        assert unsaid.status_code == 200
+        assert left - int(unsaid.headers["ratelimit-remaining"]) == 10_000 - left
+
+
+def test_a_body_that_says_no_length_is_refused_where_the_limit_is_reached() -> None:
+    with running(Settings(cost_per_minute=50)) as url, httpx.Client(base_url=url, timeout=120) as client:
+        pieces = iter([b'{"reference": "', *([b"x" * 4096] * 8), b'"}'])
+        headers = {"Content-Type": "application/json"}
+        refused = client.post("/api/v1/grade", content=pieces, headers=headers)
+        assert refused.status_code == 429
+        assert refused.headers["retry-after"]
+        assert refused.headers.get_list("ratelimit-limit") == ["50"]
 
 
 def test_a_page_of_another_origin_can_read_what_is_left() -> None:
