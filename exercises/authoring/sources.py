@@ -309,7 +309,8 @@ def _document(path: Path) -> dict[str, Any]:
         text = path.read_text(encoding="utf-8")
         document = json.loads(text) if path.suffix == ".json" else tomllib.loads(text)
     except (OSError, ValueError) as error:
-        raise DefinitionError(_unreadable(path, str(error))) from error
+        reason = getattr(error, "strerror", None) or str(error)
+        raise DefinitionError(_unreadable(path, reason)) from error
     if not isinstance(document, dict):
         raise DefinitionError(_unreadable(path, "it holds no table of keys"))
     return document

@@ -7,11 +7,9 @@ import sys
 from datetime import UTC, datetime, timedelta
 
 from kinematics.errors import Fault
-from service.cli.environment import settings_of_environment
+from service.cli.environment import count, settings_of_environment
 from service.http.api_keys import KeyFile, KeyScope
 from service.http.problems import RequestError
-
-_NOT_FOUND = 1
 
 
 def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -22,8 +20,8 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     made = commands.add_parser("add", help="make a key; its text is shown this once")
     made.add_argument("--scope", nargs="+", choices=tuple(KeyScope), default=list(KeyScope))
     made.add_argument("--note", default="", help="whose it is")
-    made.add_argument("--days", type=int, help="days after which it is refused")
-    made.add_argument("--cost-per-minute", type=int, help="its own limit")
+    made.add_argument("--days", type=count, help="days after which it is refused")
+    made.add_argument("--cost-per-minute", type=count, help="its own limit")
     made.set_defaults(run=_add)
 
     listed = commands.add_parser("list", help="all keys")
@@ -67,4 +65,6 @@ def _list(options: argparse.Namespace) -> int:
 
 
 def _revoke(options: argparse.Namespace) -> int:
-    return 0 if _file().revoke(options.id) else _NOT_FOUND
+    if not _file().revoke(options.id):
+        raise RequestError(Fault(code="api_key_unknown", params={"id": options.id}))
+    return 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from importlib import import_module
@@ -53,11 +54,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = _parser(modules).parse_args(given)
     run: Callable[[argparse.Namespace], int] = options.run
     try:
-        return run(options)
+        return _flushed(run(options))
     except (ExerciseError, KinematicsError, ServiceError) as error:
-        for fault in error.faults:
-            sys.stderr.write(f"framewise: {told(fault, options.lang)}\n")
-        return UNUSABLE
+        faults = error.faults
+    except BrokenPipeError:  # what reads us, such as head, has had enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return FAILED
+    except OSError as error:
+        params = {"file": str(error.filename or "–"), "reason": error.strerror or str(error)}
+        faults = (Fault(code="file_unusable", params=params),)
+    for fault in faults:
+        sys.stderr.write(f"framewise: {told(fault, options.lang)}\n")
+    return UNUSABLE
+
+
+def _flushed(status: int) -> int:
+    """Return the status once everything is written, so that a reader that is gone is noticed here."""
+    sys.stdout.flush()
+    return status
 
 
 def told(fault: Fault, language: str) -> str:

@@ -1,7 +1,8 @@
-"""The settings that a command finds in its environment."""
+"""What commands share: the settings of the environment, and options that count something."""
 
 from __future__ import annotations
 
+import argparse
 import difflib
 import os
 import sys
@@ -39,3 +40,10 @@ def _nearest(name: str, known: Iterable[str]) -> str:
     names = [setting.removeprefix(_PREFIX) for setting in known]
     nearest = difflib.get_close_matches(name.removeprefix(_PREFIX), names, n=1)
     return f"; did you mean {_PREFIX}{nearest[0]}?" if nearest else ""
+
+
+def count(text: str) -> int:
+    """Return the number that an option counts with: 1 or more."""
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"a whole number from 1 on is needed, not {text}")
+    return int(text)

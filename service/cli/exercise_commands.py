@@ -21,7 +21,7 @@ from exercises.instance import generate
 from exercises.loader import ROOT, Library, load_exercise
 from exercises.selftest.checks import check
 from exercises.selftest.findings import Failure, Findings
-from service.cli.environment import settings_of_environment
+from service.cli.environment import count, settings_of_environment
 from service.messages import sentence
 from service.wire.exercise_views import figure_file
 
@@ -40,7 +40,7 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
     checked = commands.add_parser("check", help="let exercises test themselves")
     checked.add_argument("exercise", nargs="*", help="ids or folders; all exercises, if none is named")
-    checked.add_argument("--seeds", type=int, default=SEEDS, help="students' values to try (%(default)s)")
+    checked.add_argument("--seeds", type=count, default=SEEDS, help="students' values to try (%(default)s)")
     checked.set_defaults(run=_check)
 
     drawn = commands.add_parser("figure", help="draw the figure of an exercise")

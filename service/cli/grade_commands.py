@@ -19,7 +19,7 @@ from service.adapters.hand_ins import count_files, hand_ins
 from service.adapters.hosts import HOSTS
 from service.adapters.hosts.assignment import Assignment
 from service.adapters.table_files import TableSettings
-from service.cli.environment import settings_of_environment
+from service.cli.environment import count, settings_of_environment
 from service.messages import sentence
 
 _JSON = "json"
@@ -37,7 +37,7 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     parser.add_argument("--points", type=float, help="what the assignment is worth, with --for")
     parser.add_argument("--format", choices=(*GradebookFormat, _JSON), default=GradebookFormat.CSV)
     parser.add_argument("--output", type=Path, help="file of marks; standard output, if it is not named")
-    parser.add_argument("--jobs", type=int, help="processes (all cores)")
+    parser.add_argument("--jobs", type=count, help="processes (all cores)")
     parser.add_argument(
         "--per-student", action="store_true", help="the student's name is the seed of the values"
     )
@@ -127,5 +127,5 @@ def _with_progress(marks: Iterable[Mark], files: int) -> Iterator[Mark]:
 def _summarise(counted: _Counted, language: str) -> None:
     counts = {"right": counted.right, "wrong": counted.wrong, "ungraded": counted.ungraded}
     sys.stderr.write(f"{sentence(language, 'grade-summary', counts)}\n")
-    for code, count in counted.found.most_common(10):
-        sys.stderr.write(f"  {count:6} {code}\n")
+    for code, times in counted.found.most_common(10):
+        sys.stderr.write(f"  {times:6} {code}\n")

@@ -8,7 +8,7 @@ import shutil
 import uvicorn
 
 from service.app import create_app
-from service.cli.environment import settings_of_environment
+from service.cli.environment import count, settings_of_environment
 from service.http.connections import server_options
 from service.logs import log_configuration
 from service.metrics import share_metrics
@@ -22,7 +22,7 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     parser = subparsers.add_parser("serve", help="serve until interrupted")
     parser.add_argument("--host", help="address to listen on (FRAMEWISE_HOST)")
     parser.add_argument("--port", type=_port, help="port to listen on (FRAMEWISE_PORT)")
-    parser.add_argument("--workers", type=int, help="processes (FRAMEWISE_WORKERS)")
+    parser.add_argument("--workers", type=count, help="processes (FRAMEWISE_WORKERS)")
     parser.set_defaults(run=_serve)
 
 

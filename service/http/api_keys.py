@@ -13,6 +13,9 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
+from kinematics.errors import Fault
+from service.http.problems import UnavailableError
+
 PREFIX = "fwk_"
 _BYTES = 32
 
@@ -63,6 +66,8 @@ class ApiKey:
 class KeyFile:
     """The keys of an installation, read again when the file changes.
 
+    Every method raises UnavailableError for a file that cannot be understood: then nobody gets in.
+
     Args:
         path: JSON file that `framewise keys` writes.
     """
@@ -106,10 +111,13 @@ class KeyFile:
         except FileNotFoundError:
             return {}
         if stamp != self._stamp:
-            document = json.loads(self._path.read_text(encoding="utf-8"))
-            found = [
-                ApiKey(**{**entry, "scopes": tuple(map(KeyScope, entry["scopes"]))}) for entry in document
-            ]
+            try:
+                document = json.loads(self._path.read_text(encoding="utf-8"))
+                found = [
+                    ApiKey(**{**entry, "scopes": tuple(map(KeyScope, entry["scopes"]))}) for entry in document
+                ]
+            except (ValueError, TypeError, KeyError) as error:
+                raise key_file_unreadable(self._path, error) from error
             self._keys = {key.digest: key for key in found}
             self._stamp = stamp
         return self._keys
@@ -120,6 +128,12 @@ class KeyFile:
             json.dump([asdict(key) for key in keys], stream, indent=2)
         draft.replace(self._path)
         self._stamp = -1
+
+
+def key_file_unreadable(path: Path, error: Exception) -> UnavailableError:
+    """Return the refusal of a file that holds no keys, or cannot be understood."""
+    params = {"file": path.name, "reason": str(error)}
+    return UnavailableError(Fault(code="key_file_unreadable", params=params))
 
 
 def digest_of(text: str) -> str:

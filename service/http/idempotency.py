@@ -45,7 +45,7 @@ _Refuse: TypeAlias = Callable[[Request, ServiceError], Response]
 
 
 @dataclass(slots=True)
-class _Answer:
+class _GivenAnswer:
     """An answer, while it is given and after."""
 
     begun: float = field(default_factory=time.monotonic)
@@ -66,7 +66,7 @@ class IdempotencyMiddleware:
     def __init__(self, app: ASGIApp, refuse: _Refuse) -> None:
         self._app = app
         self._refuse = refuse
-        self._answers: OrderedDict[_Slot, _Answer] = OrderedDict()
+        self._answers: OrderedDict[_Slot, _GivenAnswer] = OrderedDict()
         self._bytes = 0
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -96,7 +96,7 @@ class IdempotencyMiddleware:
         except ServiceError as error:
             await self._refuse(Request(scope), error)(scope, receive, send)
 
-    def _known(self, slot: _Slot) -> _Answer | None:
+    def _known(self, slot: _Slot) -> _GivenAnswer | None:
         oldest = time.monotonic() - LONGEST_KEPT
         while self._answers and next(iter(self._answers.values())).begun < oldest:
             self._forget(next(iter(self._answers)))
@@ -104,7 +104,7 @@ class IdempotencyMiddleware:
 
     async def _answer(self, slot: _Slot, scope: Scope, receive: Receive, send: Send) -> None:
         """Have a request answered, and keep the answer if it is final and came to its end."""
-        answer = self._answers[slot] = _Answer()
+        answer = self._answers[slot] = _GivenAnswer()
         digest = hashlib.sha256()
         read = False
 
@@ -133,7 +133,7 @@ class IdempotencyMiddleware:
             if not answer.asked:
                 self._answers.pop(slot, None)
 
-    def _keep(self, slot: _Slot, answer: _Answer, asked: bytes) -> None:
+    def _keep(self, slot: _Slot, answer: _GivenAnswer, asked: bytes) -> None:
         """Keep a whole answer, before its caller has the end of it and may ask again."""
         if answer.size > LARGEST_ANSWER:
             return
@@ -177,7 +177,7 @@ async def _digest(receive: Receive) -> bytes:
             return digest.digest()
 
 
-async def _replay(answer: _Answer, send: Send) -> None:
+async def _replay(answer: _GivenAnswer, send: Send) -> None:
     assert answer.start is not None
     headers = [*answer.start["headers"], (b"idempotency-replayed", b"true")]
     await send({**answer.start, "headers": headers})

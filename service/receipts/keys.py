@@ -15,8 +15,12 @@ from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 from cryptography.hazmat.primitives.hashes import SHA256
 from cryptography.hazmat.primitives.kdf.hkdf import HKDF
 from joserfc import jws
+from joserfc.errors import JoseError
 from joserfc.jwk import OKPKey
 
+from kinematics.errors import Fault
+from service.http.api_keys import key_file_unreadable
+from service.http.problems import RequestError
 from service.secret import installation_secret
 from service.settings import Settings
 
@@ -88,15 +92,17 @@ def read_keys(path: Path) -> ReceiptKeys:
     """Read the keys of a file that `rotate` wrote.
 
     Raises:
-        ValueError: the file is no JWK Set of Ed25519 private keys.
+        UnavailableError: the file is no JWK Set of Ed25519 private keys.
     """
-    document = json.loads(path.read_text(encoding="utf-8"))
-    entries = document.get("keys") if isinstance(document, dict) else None
-    if not isinstance(entries, list) or not entries:
-        raise ValueError(f"{path} holds no keys")
-    keys = tuple(OKPKey.import_key(entry) for entry in entries)
-    if any(key.as_dict(private=True).get("crv") != "Ed25519" or not key.is_private for key in keys):
-        raise ValueError(f"{path} holds a key that is no Ed25519 private key")
+    try:
+        entries = json.loads(path.read_text(encoding="utf-8"))["keys"]
+        keys = tuple(OKPKey.import_key(entry) for entry in entries)
+    except (ValueError, TypeError, KeyError, JoseError) as error:
+        raise key_file_unreadable(path, error) from error
+    if not keys or any(
+        key.as_dict(private=True).get("crv") != "Ed25519" or not key.is_private for key in keys
+    ):
+        raise key_file_unreadable(path, ValueError("Ed25519, private"))
     return ReceiptKeys(keys=keys)
 
 
@@ -106,8 +112,14 @@ def rotate(path: Path, retire: Sequence[str] = ()) -> ReceiptKeys:
     Args:
         path: the file; it is made if it is missing, readable by its owner alone.
         retire: kids whose receipts are to be refused from now on.
+
+    Raises:
+        RequestError: the file holds no key of such a kid; it stays as it is.
+        UnavailableError: the file cannot be understood.
     """
     old = read_keys(path).keys if path.exists() else ()
+    if unknown := [kid for kid in retire if kid not in {key.kid for key in old}]:
+        raise RequestError(Fault(code="receipt_kid_unknown", params={"id": unknown[0], "file": path.name}))
     keys = (_key(Ed25519PrivateKey.generate()), *(key for key in old if key.kid not in retire))
     document = {"keys": [key.as_dict(private=True) for key in keys]}
     draft = path.with_name(f"{path.name}.{os.getpid()}.{time.monotonic_ns()}")

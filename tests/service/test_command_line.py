@@ -5,6 +5,8 @@ from __future__ import annotations
 import csv
 import io
 import json
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -66,3 +68,77 @@ def test_receipts_are_verified_and_keys_renewed(
     (folder / "eve.txt").write_text(token[:-1] + ("A" if token[-1] != "A" else "B"))
     assert main(["receipts", "verify", str(folder)]) == 1
     assert capsys.readouterr().out.count("✓") == 1
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["receipts", "verify", "{}/nowhere"],
+        ["grade", "{}/a.csv", "--exercise", "twolink", "--jobs", "1", "--output", "{}/no/marks.csv"],
+        ["receipts", "rotate", "{}/no/keys.json"],
+    ],
+)
+def test_a_file_that_cannot_be_used_is_named(
+    arguments: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "a.csv").write_text(RIGHT)
+    assert main([argument.replace("{}", str(tmp_path)) for argument in arguments]) == 2
+    told = capsys.readouterr().err
+    assert "file_unusable" in told
+    assert str(tmp_path) in told
+
+
+@pytest.mark.parametrize("text", ["{", "[]x", '[{"id": 1}]', '{"keys": [{}]}', '{"keys": []}', "5"])
+def test_a_file_that_holds_no_keys_is_refused(
+    text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    broken = tmp_path / "keys.json"
+    broken.write_text(text)
+    monkeypatch.setenv("FRAMEWISE_API_KEYS", str(broken))
+    assert main(["receipts", "rotate", str(broken)]) == 2
+    assert "key_file_unreadable" in capsys.readouterr().err
+    assert main(["keys", "list"]) == 2
+    assert "key_file_unreadable" in capsys.readouterr().err
+    assert broken.read_text() == text
+
+
+def test_a_key_that_is_not_there_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    keys = tmp_path / "keys.json"
+    monkeypatch.setenv("FRAMEWISE_API_KEYS", str(keys))
+    assert main(["keys", "revoke", "fwk_none"]) == 2
+    assert "api_key_unknown" in capsys.readouterr().err
+    receipts = tmp_path / "receipts.json"
+    assert main(["receipts", "rotate", str(receipts)]) == 0
+    before = receipts.read_text()
+    assert main(["receipts", "rotate", str(receipts), "--retire", "none"]) == 2
+    assert "receipt_kid_unknown" in capsys.readouterr().err
+    assert receipts.read_text() == before
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["grade", "x", "--jobs", "0"],
+        ["keys", "add", "--days", "-3"],
+        ["keys", "add", "--cost-per-minute", "0"],
+    ],
+)
+def test_what_is_counted_is_counted_from_one(
+    arguments: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        main(arguments)
+    assert "a whole number from 1 on" in capsys.readouterr().err
+
+
+def test_a_reader_that_has_had_enough_is_no_error() -> None:
+    """As in `framewise exercises list | head -1`."""
+    with subprocess.Popen(
+        [sys.executable, "-m", "service", "exercises", "list"], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as listing:
+        assert listing.stdout is not None
+        assert listing.stderr is not None
+        listing.stdout.close()
+        assert listing.stderr.read() == b""

@@ -122,7 +122,7 @@ def test_the_command(
     (key,) = KeyFile(key_file).all()
     assert KeyFile(key_file).find(text) == key
     assert main(["keys", "revoke", key.id]) == 0
-    assert main(["keys", "revoke", "fwk_nobody"]) == 1
+    assert main(["keys", "revoke", "fwk_nobody"]) == 2
     capsys.readouterr()
     assert main(["keys", "list"]) == 0
     assert "revoked" in capsys.readouterr().out
@@ -180,3 +180,13 @@ def test_a_page_of_another_origin_can_read_what_is_left() -> None:
         assert {"retry-after", "ratelimit-limit", "ratelimit-remaining", "ratelimit-reset"} <= set(
             answers[1].headers
         )
+
+
+def test_a_key_file_that_cannot_be_understood_lets_nobody_in(key_file: Path) -> None:
+    key_file.write_text("{")
+    with running(Settings(api_keys=key_file)) as url:
+        refused = httpx.post(f"{url}/api/v1/forward-kinematics", json=FORWARD, timeout=120)
+        assert refused.status_code == 503
+        assert refused.json()["code"] == "key_file_unreadable"
+        key_file.unlink()
+        assert httpx.post(f"{url}/api/v1/forward-kinematics", json=FORWARD, timeout=120).status_code == 200

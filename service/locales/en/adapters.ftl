@@ -3,6 +3,7 @@
 error-file_too_large = { $file } is larger than { $limit } bytes; a table takes a few kilobytes.
 error-file_missing = There is no file or folder { $file }.
 error-file_unreadable = { $file } cannot be read: { $reason }.
+error-file_unusable = { $file } cannot be read or written: { $reason }.
 error-file_type_unknown = { $file } is of a type that is not read here. Read are { $known }.
 error-file_without_table = { $file } holds no DH table. A table has the columns theta, d, a and alpha.
 error-files_too_many = { $file } holds more than { $limit } files.
@@ -15,6 +16,9 @@ error-function_call_invalid = The body of a call has `response`, `answer` and `p
 error-callback_not_allowed = The operator of this service does not allow feedback to be sent to this address.
 error-version_not_supported = This version of the evaluation API is not spoken here; { $supported } is.
 
+error-api_key_unknown = There is no key { $id }.
+error-key_file_unreadable = { $file } is no file of keys that can be used: { $reason }.
+error-receipt_kid_unknown = { $file } holds no key { $id }.
 error-receipt_malformed = This is not a receipt, or not all of it. Copy it from its first character to its last.
 error-receipt_key_unknown = The receipt was signed with a key that this service does not have. Ask the service that issued it.
 error-receipt_altered = The receipt was changed after it was issued.

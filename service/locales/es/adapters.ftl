@@ -3,6 +3,7 @@
 error-file_too_large = { $file } ocupa más de { $limit } bytes; una tabla ocupa unos pocos kilobytes.
 error-file_missing = No existe ningún fichero ni carpeta { $file }.
 error-file_unreadable = No se puede leer { $file }: { $reason }.
+error-file_unusable = No se puede leer o escribir { $file }: { $reason }.
 error-file_type_unknown = { $file } es de un tipo que aquí no se lee. Se leen { $known }.
 error-file_without_table = { $file } no contiene ninguna tabla DH. Una tabla tiene las columnas theta, d, a y alpha.
 error-files_too_many = { $file } contiene más de { $limit } ficheros.
@@ -15,6 +16,9 @@ error-function_call_invalid = El cuerpo de una llamada tiene `response`, `answer
 error-callback_not_allowed = El operador de este servicio no permite enviar comentarios a esa dirección.
 error-version_not_supported = Aquí no se habla esa versión de la API de evaluación; sí { $supported }.
 
+error-api_key_unknown = No hay ninguna clave { $id }.
+error-key_file_unreadable = { $file } no es un archivo de claves utilizable: { $reason }.
+error-receipt_kid_unknown = { $file } no contiene ninguna clave { $id }.
 error-receipt_malformed = Esto no es un resguardo, o no está entero. Cópialo desde el primer carácter hasta el último.
 error-receipt_key_unknown = El resguardo se firmó con una clave que este servicio no tiene. Pregunta al servicio que lo emitió.
 error-receipt_altered = El resguardo se modificó después de emitirse.

@@ -3,6 +3,7 @@
 error-file_too_large = { $file } dépasse { $limit } octets ; un tableau tient en quelques kilooctets.
 error-file_missing = Il n’y a ni fichier ni dossier { $file }.
 error-file_unreadable = { $file } ne peut pas être lu : { $reason }.
+error-file_unusable = { $file } ne peut être ni lu ni écrit : { $reason }.
 error-file_type_unknown = { $file } est d’un type qui n’est pas lu ici. Sont lus : { $known }.
 error-file_without_table = { $file } ne contient aucun tableau DH. Un tableau a les colonnes theta, d, a et alpha.
 error-files_too_many = { $file } contient plus de { $limit } fichiers.
@@ -15,6 +16,9 @@ error-function_call_invalid = Le corps d’un appel contient `response`, `answer
 error-callback_not_allowed = L’exploitant de ce service ne permet pas d’envoyer de retour à cette adresse.
 error-version_not_supported = Cette version de l’API d’évaluation n’est pas prise en charge ici ; l’est { $supported }.
 
+error-api_key_unknown = Il n’y a pas de clé { $id }.
+error-key_file_unreadable = { $file } n’est pas un fichier de clés utilisable : { $reason }.
+error-receipt_kid_unknown = { $file } ne contient pas de clé { $id }.
 error-receipt_malformed = Ce n’est pas un récépissé, ou pas un récépissé entier. Copiez-le du premier caractère au dernier.
 error-receipt_key_unknown = Le récépissé a été signé avec une clé que ce service n’a pas. Demandez au service qui l’a délivré.
 error-receipt_altered = Le récépissé a été modifié après sa délivrance.

@@ -3,6 +3,7 @@
 error-file_too_large = { $file } ocupa mais de { $limit } bytes; uma tabela ocupa poucos quilobytes.
 error-file_missing = Não existe nenhum ficheiro nem pasta { $file }.
 error-file_unreadable = Não é possível ler { $file }: { $reason }.
+error-file_unusable = Não é possível ler ou escrever { $file }: { $reason }.
 error-file_type_unknown = { $file } é de um tipo que não é lido aqui. São lidos { $known }.
 error-file_without_table = { $file } não contém nenhuma tabela DH. Uma tabela tem as colunas theta, d, a e alpha.
 error-files_too_many = { $file } contém mais de { $limit } ficheiros.
@@ -15,6 +16,9 @@ error-function_call_invalid = O corpo de uma chamada tem `response`, `answer` e 
 error-callback_not_allowed = O operador deste serviço não permite enviar comentários para este endereço.
 error-version_not_supported = Esta versão da API de avaliação não é suportada aqui; é suportada { $supported }.
 
+error-api_key_unknown = Não há nenhuma chave { $id }.
+error-key_file_unreadable = { $file } não é um ficheiro de chaves utilizável: { $reason }.
+error-receipt_kid_unknown = { $file } não contém nenhuma chave { $id }.
 error-receipt_malformed = Isto não é um recibo, ou não está completo. Copie-o do primeiro ao último carácter.
 error-receipt_key_unknown = O recibo foi assinado com uma chave que este serviço não tem. Pergunte ao serviço que o emitiu.
 error-receipt_altered = O recibo foi alterado depois de emitido.

@@ -3,6 +3,7 @@
 error-file_too_large = { $file } depășește { $limit } octeți; un tabel ocupă câțiva kiloocteți.
 error-file_missing = Nu există niciun fișier sau dosar { $file }.
 error-file_unreadable = { $file } nu poate fi citit: { $reason }.
+error-file_unusable = { $file } nu poate fi citit sau scris: { $reason }.
 error-file_type_unknown = { $file } este de un tip care nu se citește aici. Se citesc { $known }.
 error-file_without_table = { $file } nu conține niciun tabel DH. Un tabel are coloanele theta, d, a și alpha.
 error-files_too_many = { $file } conține mai mult de { $limit } fișiere.
@@ -15,6 +16,9 @@ error-function_call_invalid = Corpul unui apel are `response`, `answer` și `par
 error-callback_not_allowed = Operatorul acestui serviciu nu permite trimiterea de comentarii la această adresă.
 error-version_not_supported = Această versiune a API-ului de evaluare nu este suportată aici; este suportată { $supported }.
 
+error-api_key_unknown = Nu există cheia { $id }.
+error-key_file_unreadable = { $file } nu este un fișier de chei utilizabil: { $reason }.
+error-receipt_kid_unknown = { $file } nu conține cheia { $id }.
 error-receipt_malformed = Aceasta nu este o adeverință sau nu este întreagă. Copiați-o de la primul până la ultimul caracter.
 error-receipt_key_unknown = Adeverința a fost semnată cu o cheie pe care acest serviciu nu o are. Întrebați serviciul care a emis-o.
 error-receipt_altered = Adeverința a fost modificată după emitere.

@@ -3,6 +3,7 @@
 error-file_too_large = { $file } займає понад { $limit } байтів; таблиця займає кілька кілобайтів.
 error-file_missing = Файлу чи теки { $file } немає.
 error-file_unreadable = { $file } не вдається прочитати: { $reason }.
+error-file_unusable = { $file } неможливо прочитати або записати: { $reason }.
 error-file_type_unknown = Файли такого типу, як { $file }, тут не читаються. Читаються { $known }.
 error-file_without_table = { $file } не містить таблиці DH. Таблиця має стовпці theta, d, a та alpha.
 error-files_too_many = { $file } містить понад { $limit } файлів.
@@ -15,6 +16,9 @@ error-function_call_invalid = Тіло виклику має `response`, `answer
 error-callback_not_allowed = Оператор цієї служби не дозволяє надсилати відгуки на цю адресу.
 error-version_not_supported = Ця версія API оцінювання тут не підтримується; підтримується { $supported }.
 
+error-api_key_unknown = Ключа { $id } немає.
+error-key_file_unreadable = { $file } не є придатним файлом ключів: { $reason }.
+error-receipt_kid_unknown = У { $file } немає ключа { $id }.
 error-receipt_malformed = Це не квитанція або не вся квитанція. Скопіюйте її від першого символу до останнього.
 error-receipt_key_unknown = Квитанцію підписано ключем, якого ця служба не має. Зверніться до служби, що її видала.
 error-receipt_altered = Квитанцію змінено після видачі.

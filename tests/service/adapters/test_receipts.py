@@ -14,7 +14,7 @@ import pytest
 from joserfc import jws
 from joserfc.jwk import OctKey, OKPKey
 
-from service.http.problems import RequestError
+from service.http.problems import RequestError, UnavailableError
 from service.receipts.checking import receipts_in
 from service.receipts.keys import ReceiptKeys, keys_of_secret, read_keys, rotate
 from service.receipts.receipt import TYPE, PartScore, Receipt, answer_hash, issue, verify
@@ -124,7 +124,7 @@ def test_a_file_without_private_keys_is_no_key_file(tmp_path: Path) -> None:
     file = tmp_path / "keys.json"
     for text in ("{}", '{"keys": []}', json.dumps({"keys": [KEYS.signing.as_dict(private=False)]})):
         file.write_text(text)
-        with pytest.raises(ValueError, match="key"):
+        with pytest.raises(UnavailableError, match="key_file_unreadable"):
             read_keys(file)
 
 
