@@ -152,6 +152,12 @@ def migrate(store: Store) -> None:
             environment.run_migrations()
 
 
+def revision_of(store: Store) -> str:
+    """The revision of the database's schema; "" for an empty database."""
+    with store.reading() as connection:
+        return MigrationContext.configure(connection).get_current_revision() or ""
+
+
 def configuration() -> Config:
     """Alembic's configuration: where the history is."""
     config = Config()

@@ -7,6 +7,7 @@ import functools
 import logging
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from datetime import timedelta
 
 from anyio import to_thread
 from fastapi import FastAPI, Request, Response
@@ -42,6 +43,7 @@ from service.resources import Resources, resources_of
 from service.routes import routers
 from service.secret import installation_secret
 from service.settings import Settings
+from service.work.retention import Retention
 from service.work.score_sender import ScoreSender
 from service.work.thread_switching import switch_threads_often
 from service.work.workers import Workers
@@ -136,17 +138,30 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     workers.warm()
     courses = app.state.resources.courses
     sender = ScoreSender(courses) if courses is not None else None
+    retention = _retention(app.state.resources)
     watching = asyncio.create_task(_watch(app.state.resources.metrics))
     if sender is not None:
         _log.info("Courses and attempts are stored in %s", courses.store.location)
         sender.start()
+    if retention is not None:
+        retention.start()
     try:
         yield
     finally:
         watching.cancel()
-        if sender is not None:
-            await asyncio.to_thread(sender.stop)
+        for thread in (sender, retention):
+            if thread is not None:
+                await asyncio.to_thread(thread.stop)
         await asyncio.to_thread(app.state.resources.close)
+
+
+def _retention(resources: Resources) -> Retention | None:
+    """What removes old data every day, where there is any and nobody else does it."""
+    settings, courses = resources.settings, resources.courses
+    if courses is None or settings.purge == "by_hand":
+        return None
+    people, log = timedelta(days=settings.people_days), timedelta(days=settings.access_days)
+    return Retention(courses.store, people=people, log=log)
 
 
 async def _watch(metrics: Metrics) -> None:

@@ -124,6 +124,10 @@ class Settings(BaseSettings):
     )
     access_days: PositiveInt = Field(400, description="how long lines of the audit log are kept [day]")
 
+    purge: Literal["daily", "by_hand"] = Field(
+        "daily", description="when what is older than that is removed; by_hand: by framewise people purge"
+    )
+
     exercise_folders: Annotated[tuple[Path, ...], NoDecode] = Field(
         (), description="folders with exercises of your own; one of them goes before a packaged one of its id"
     )

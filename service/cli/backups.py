@@ -1,4 +1,4 @@
-"""`framewise backup`, `framewise restore`: the whole database in one file, and back."""
+"""`framewise backup`, `restore`, `migrate`: the database in a file and back, and at the newest schema."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from courses.backup import back_up, restore
-from courses.storage import Store, open_store
+from courses.storage import Store, open_store, revision_of
 from service.cli.environment import settings_of_environment
 
 
 def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Declare `backup` and `restore`."""
+    """Declare `backup`, `restore` and `migrate`."""
     for name, text, run in (
         ("backup", "write courses and attempts to a file, while the service runs", _back_up),
         ("restore", "put a backup into an empty database", _restore),
@@ -22,6 +22,8 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         parser = subparsers.add_parser(name, help=text)
         parser.add_argument("file", type=Path)
         parser.set_defaults(run=run)
+    migrating = subparsers.add_parser("migrate", help="bring the database to the newest schema, and end")
+    migrating.set_defaults(run=_migrate)
 
 
 @contextmanager
@@ -46,4 +48,10 @@ def _restore(options: argparse.Namespace) -> int:
     with opened_store() as store:
         count = restore(store, options.file)
         sys.stdout.write(f"{store.location}: {count} rows from {options.file}\n")
+    return 0
+
+
+def _migrate(_: argparse.Namespace) -> int:
+    with opened_store() as store:
+        sys.stdout.write(f"{store.location}: {revision_of(store)}\n")
     return 0

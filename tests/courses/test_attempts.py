@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import itertools
 import threading
-from datetime import timedelta
+import time
+from datetime import UTC, datetime, timedelta
 
 import pytest
 
@@ -26,6 +27,7 @@ from courses.statistics import (
     unexplained,
 )
 from courses.storage import Store
+from service.work.retention import Retention
 from tests.courses.classroom import NOW, joined, platform, submitted
 
 
@@ -299,3 +301,23 @@ def test_what_is_old_is_purged(store: Store) -> None:
     assert export_person(store, young.person.key)
     with pytest.raises(UnknownRecordError):
         export_person(store, old.person.key)
+
+
+def test_what_is_old_is_purged_every_day_without_being_told(store: Store) -> None:
+    today = datetime.now(UTC)
+    old = joined(store, "old", at=today - timedelta(days=5)).person.key
+    young = joined(store, "young", at=today).person.key
+    retention = Retention(store, people=timedelta(days=1), log=timedelta(days=1), first=0.01)
+    retention.start()
+    deadline = time.monotonic() + 60
+    while known(store, old) and time.monotonic() < deadline:
+        time.sleep(0.02)
+    retention.stop()
+    assert (known(store, old), known(store, young)) == (False, True)
+
+
+def known(store: Store, key: str) -> bool:
+    try:
+        return bool(export_person(store, key))
+    except UnknownRecordError:
+        return False
