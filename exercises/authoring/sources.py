@@ -15,7 +15,7 @@ from exercises.authoring.axes_drawing import in_named_lengths, read_drawing
 from exercises.errors import DefinitionError
 from exercises.reading import Reader
 from exercises.sample_reading import read_raw_table
-from exercises.selftest.typed import typed
+from exercises.written_table import written_table
 from kinematics import catalogue
 from kinematics.cells import AngleUnit, Cell, LengthUnit, ParameterKind, RawTable, ReadTable, read_table
 from kinematics.errors import Fault, KinematicsError
@@ -277,7 +277,7 @@ def _named(read: ReadTable, parameters: Mapping[str, float]) -> ExerciseSource:
         length_unit=read.length_unit,
         parameters={**read.parameters, **dict.fromkeys(values, ParameterKind.LENGTH)},
     )
-    return ExerciseSource(table=typed(named), values=values)
+    return ExerciseSource(table=written_table(named), values=values)
 
 
 def _name(cell: Expression, name: str, values: dict[str, float]) -> Expression:

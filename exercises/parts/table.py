@@ -14,7 +14,7 @@ from exercises.parts.context import Context
 from exercises.parts.protocol import TABLE, PartTask, PartType, Reading
 from exercises.parts.report import Credit, PartReport, judged
 from exercises.selftest.mistakes import MISTAKES
-from exercises.selftest.typed import typed
+from exercises.written_table import written_table
 from kinematics.cells import RawTable, ReadTable, read_table
 
 
@@ -52,7 +52,7 @@ class DHTablePart(PartType[Part, RawTable, ReadTable]):
     def right(self, part: Part, context: Context) -> RawTable:
         """Return the student's own table."""
         assert context.own is not None
-        return typed(context.own)
+        return written_table(context.own)
 
     def wrong(self, part: Part, context: Context, rng: Random) -> Iterator[tuple[str, RawTable]]:
         """Yield the misconceptions that the exercise lists, each made in one place."""
@@ -60,7 +60,7 @@ class DHTablePart(PartType[Part, RawTable, ReadTable]):
         for code in context.instance.exercise.misconceptions:
             ways = list(MISTAKES[code](context.own))
             if ways:
-                yield code, typed(rng.choice(ways))
+                yield code, written_table(rng.choice(ways))
 
     @property
     def misconceptions(self) -> tuple[str, ...]:

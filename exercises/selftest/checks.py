@@ -25,7 +25,7 @@ from exercises.selftest.answers import answer_from, context_of, is_refused, judg
 from exercises.selftest.findings import Findings
 from exercises.selftest.mistakes import MISTAKES
 from exercises.selftest.robustness import check_robustness
-from exercises.selftest.typed import typed
+from exercises.written_table import written_table
 from kinematics.cells import AngleUnit, ParameterKind, RawRow, RawTable, ReadTable, in_length_unit
 from kinematics.chain import chain_of_table, size_of
 from kinematics.forward import forward_kinematics
@@ -106,12 +106,12 @@ def _check_drawn(findings: Findings, instance: Instance) -> None:
 def _check_right(findings: Findings, instance: Instance, rng: Random) -> None:
     """The key itself, and the key as others would have written it."""
     for read in (instance.exercise.reference, other_frames(instance, rng)):
-        verdict = judged_answer(instance, RawAnswer(table=typed(read))).verdict
+        verdict = judged_answer(instance, RawAnswer(table=written_table(read))).verdict
         assert verdict is not None
-        findings.expect("right", verdict.correct, table=typed(read))
+        findings.expect("right", verdict.correct, table=written_table(read))
         if verdict.correct:
             holds = certificate_holds(instance, read, verdict, rng)
-            findings.expect("certificate", holds, table=typed(read))
+            findings.expect("certificate", holds, table=written_table(read))
 
 
 def _check_mistakes(findings: Findings, instance: Instance, rng: Random, most: int | None) -> None:
@@ -122,7 +122,7 @@ def _check_mistakes(findings: Findings, instance: Instance, rng: Random, most: i
         if not ways:
             continue
         wrong = rng.choice(ways)
-        raw = typed(wrong)
+        raw = written_table(wrong)
         if is_refused(instance.exercise, raw):
             findings.passed["refused"] += 1  # a slide of joint 1 beside a length d1, say
             continue
@@ -186,7 +186,7 @@ def told_at_most(instance: Instance) -> bool:
 
 def _check_invalid(findings: Findings, exercise: Exercise) -> None:
     """What is malformed is refused, not graded."""
-    for name, raw in malformed(typed(exercise.reference)):
+    for name, raw in malformed(written_table(exercise.reference)):
         findings.expect("invalid", is_refused(exercise, raw), name=name)
 
 

@@ -25,7 +25,7 @@ from exercises.parts.protocol import TABLE
 from exercises.selftest.answers import judged_answer, other_frames
 from exercises.selftest.findings import Findings
 from exercises.selftest.mistakes import MISTAKES
-from exercises.selftest.typed import typed
+from exercises.written_table import written_table
 from kinematics.cells import ParameterKind, RawTable, ReadTable
 from kinematics.errors import KinematicsError
 from kinematics.expressions import Expression, Number, evaluate, pi_fraction, pi_times
@@ -45,15 +45,15 @@ def check_robustness(findings: Findings, instance: Instance, rng: Random, mistak
     for rule in ToolRule:
         strict = _held_to(instance, replace(instance.exercise.policy, tool=rule))
         right = other_frames(strict, rng)
-        verdict = _verdict(findings, strict, typed(right))
+        verdict = _verdict(findings, strict, written_table(right))
         if verdict is not None:
-            findings.expect("tool_rule", verdict.correct, rule=rule.value, table=typed(right))
+            findings.expect("tool_rule", verdict.correct, rule=rule.value, table=written_table(right))
             _check_rounded(findings, strict, right)
     strictest = _held_to(instance, strictest_policy(instance.exercise.policy))
     for case in (instance, strictest):
         base = case.exercise.reference if case is strictest else read
         for wrong in islice(pairs(case.exercise, base, rng), PAIRS if mistakes is None else 1):
-            if _verdict(findings, case, typed(wrong)) is not None:
+            if _verdict(findings, case, written_table(wrong)) is not None:
                 findings.passed["pair"] += 1
 
 
@@ -109,10 +109,10 @@ def _check_rounded(findings: Findings, instance: Instance, read: ReadTable) -> N
     numbers = None if angles else rounded(instance, read)
     if numbers is None:
         return
-    verdict = _verdict(findings, instance, typed(numbers))
+    verdict = _verdict(findings, instance, written_table(numbers))
     if verdict is not None:
         rule = instance.exercise.policy.tool.value
-        findings.expect("rounded", verdict.correct, digits=DIGITS, rule=rule, table=typed(numbers))
+        findings.expect("rounded", verdict.correct, digits=DIGITS, rule=rule, table=written_table(numbers))
 
 
 def _held_to(instance: Instance, policy: Policy) -> Instance:

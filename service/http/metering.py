@@ -39,6 +39,7 @@ _COSTS = {
     "receipts": 5,
     "assign-frames": 2,
     "check-frames": 2,
+    "check-inverse-kinematics": 10,
     "rotations": 2,
     "check-rotation": 1,
 }

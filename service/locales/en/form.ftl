@@ -167,6 +167,7 @@ form-part-workspace = Workspace
 form-part-orientation = Orientation
 form-part-rotation-check = Rotation or not
 form-part-frame-chain = Chain of frames
+form-part-inverse-kinematics = Inverse kinematics
 form-part-wrong = To look at again:
 form-radius-inner = Inner radius
 form-radius-outer = Outer radius

@@ -101,3 +101,72 @@ error-frames_not_connected = The known poses do not lead from frame { $start } t
 
 error-one_notation = Give the orientation in one notation: { $known }.
 error-expected_not_rotation = The expected matrix is no rotation.
+
+field-solutions = Joint values
+field-combinations = If infinitely many: what stays the same along them (coefficients)
+option-finite = is reached by these joint values only
+option-infinite = is reached by infinitely many; these are some of them
+option-out_of_reach = is not reached: it lies out of reach
+option-joint_limits = is not reached within the limits of the joints
+given-target = The pose
+given-target-position = The position of the last origin
+given-table = The DH table, { $convention ->
+    [modified] modified
+   *[standard] standard
+} convention
+
+task-inverse-kinematics =
+    { $variables ->
+        [own] Which values of your own joint variables bring the last frame to this place in frame 0?
+       *[given] The table of the robot is given. Which joint values bring its last frame to this place in frame 0?
+    } { $solutions ->
+        [one] One solution is enough.
+       *[all] Give all of them; full turns do not count.
+    } { $reach ->
+        [position] Only the position of the last origin matters, in { $unit }.
+       *[pose] Position in { $unit } and orientation both matter.
+    }
+
+feedback-joints_right = The answer is right and complete.
+feedback-joints_searched = For this pose the solutions were found by search; there may be more than these.
+feedback-joints_need_table = The joint values are those of your own variables: hand in a table that is right, too.
+feedback-claim_wrong = That is not so: count again how many joint values reach this pose, if any.
+feedback-joints_wrong = Row { $row } does not reach the pose.
+feedback-joints_twice = Rows { $other } and { $row } differ by full turns only: they are one solution.
+feedback-joints_missing =
+    { $count ->
+        [one] One solution is missing.
+       *[other] { $count } solutions are missing.
+    }
+feedback-branch_shoulder =
+    { $count ->
+        [one] The arm may also reach backwards over its shoulder.
+       *[other] The arm may also reach backwards over its shoulder, in { $count } ways that are missing.
+    }
+feedback-branch_elbow =
+    { $count ->
+        [one] The elbow may also bend the other way.
+       *[other] The elbow may also bend the other way, in { $count } ways that are missing.
+    }
+feedback-branch_wrist =
+    { $count ->
+        [one] The wrist may also be flipped.
+       *[other] The wrist may also be flipped, in { $count } ways that are missing.
+    }
+feedback-branch_other =
+    { $count ->
+        [one] There is another branch of solutions.
+       *[other] There are { $count } other branches of solutions.
+    }
+feedback-joints_quadrant = Row { $row }: q{ $joint } lies in the wrong quadrant, half a turn away. Take atan2 instead of atan.
+feedback-joints_sign = Row { $row }: q{ $joint } has the wrong sign.
+feedback-joints_degrees = Row { $row }: degrees were taken for radians, or the reverse.
+feedback-joints_swapped = Row { $row }: q{ $joint } is 90° minus what it should be; the arguments of atan2 have changed places.
+feedback-joints_position_only = Row { $row } reaches the position, but not the orientation.
+feedback-joints_orientation_only = Row { $row } reaches the orientation, but not the position.
+feedback-joints_limits = Row { $row } reaches the pose with joint { $joint } beyond its limit.
+feedback-joints_family_missing = The pose is singular: say which combination of joint variables stays the same along the solutions.
+feedback-joints_combination_wrong = Combination { $row } does not stay the same along the solutions.
+error-pose_frames_free = The pose is given in frame 0 and for the last frame: the policy has to fix both, base = "frame" and tool = "frame".
+error-joint_row_length = A row holds one value for each joint: { $expected } are needed, and { $given } were given.
+error-joint_rows_empty = Give the joint values that reach the pose.

@@ -167,6 +167,7 @@ form-part-workspace = Espacio de trabajo
 form-part-orientation = Orientación
 form-part-rotation-check = Rotación o no
 form-part-frame-chain = Cadena de sistemas
+form-part-inverse-kinematics = Cinemática inversa
 form-part-wrong = Por revisar:
 form-radius-inner = Radio interior
 form-radius-outer = Radio exterior

@@ -101,3 +101,72 @@ error-frames_not_connected = Las poses conocidas no llevan del sistema { $start 
 
 error-one_notation = Dé la orientación en una sola notación: { $known }.
 error-expected_not_rotation = La matriz esperada no es una rotación.
+
+field-solutions = Valores articulares
+field-combinations = Si son infinitas: lo que permanece igual en ellas (coeficientes)
+option-finite = se alcanza solo con estos valores articulares
+option-infinite = se alcanza con infinitos valores; estos son algunos
+option-out_of_reach = no se alcanza: está fuera del espacio de trabajo
+option-joint_limits = no se alcanza dentro de los límites articulares
+given-target = La pose
+given-target-position = La posición del último origen
+given-table = La tabla DH, convención { $convention ->
+    [modified] modificada
+   *[standard] estándar
+}
+
+task-inverse-kinematics =
+    { $variables ->
+        [own] ¿Qué valores de sus propias variables articulares llevan el último sistema a este lugar en el sistema 0?
+       *[given] Se da la tabla del robot. ¿Qué valores articulares llevan su último sistema a este lugar en el sistema 0?
+    } { $solutions ->
+        [one] Basta una solución.
+       *[all] Dé todas; las vueltas completas no cuentan.
+    } { $reach ->
+        [position] Solo importa la posición del último origen, en { $unit }.
+       *[pose] Importan la posición, en { $unit }, y la orientación.
+    }
+
+feedback-joints_right = La respuesta es correcta y completa.
+feedback-joints_searched = Para esta pose las soluciones se hallaron por búsqueda; puede haber más.
+feedback-joints_need_table = Los valores articulares son los de sus propias variables: entregue también una tabla correcta.
+feedback-claim_wrong = No es así: cuente otra vez cuántos valores articulares alcanzan esta pose, si hay alguno.
+feedback-joints_wrong = La fila { $row } no alcanza la pose.
+feedback-joints_twice = Las filas { $other } y { $row } se diferencian solo en vueltas completas: son una misma solución.
+feedback-joints_missing =
+    { $count ->
+        [one] Falta una solución.
+       *[other] Faltan { $count } soluciones.
+    }
+feedback-branch_shoulder =
+    { $count ->
+        [one] El brazo también puede llegar hacia atrás, con el otro hombro.
+       *[other] El brazo también puede llegar hacia atrás, con el otro hombro: faltan { $count } maneras.
+    }
+feedback-branch_elbow =
+    { $count ->
+        [one] El codo también puede doblarse hacia el otro lado.
+       *[other] El codo también puede doblarse hacia el otro lado: faltan { $count } maneras.
+    }
+feedback-branch_wrist =
+    { $count ->
+        [one] La muñeca también puede estar volteada.
+       *[other] La muñeca también puede estar volteada: faltan { $count } maneras.
+    }
+feedback-branch_other =
+    { $count ->
+        [one] Hay otra rama de soluciones.
+       *[other] Hay otras { $count } ramas de soluciones.
+    }
+feedback-joints_quadrant = Fila { $row }: q{ $joint } está en el cuadrante equivocado, a media vuelta. Use atan2 en lugar de atan.
+feedback-joints_sign = Fila { $row }: q{ $joint } tiene el signo equivocado.
+feedback-joints_degrees = Fila { $row }: se tomaron grados por radianes, o al revés.
+feedback-joints_swapped = Fila { $row }: q{ $joint } es 90° menos lo que debería; se intercambiaron los argumentos de atan2.
+feedback-joints_position_only = La fila { $row } alcanza la posición, pero no la orientación.
+feedback-joints_orientation_only = La fila { $row } alcanza la orientación, pero no la posición.
+feedback-joints_limits = La fila { $row } alcanza la pose con la articulación { $joint } fuera de su límite.
+feedback-joints_family_missing = La pose es singular: diga qué combinación de variables articulares permanece igual en las soluciones.
+feedback-joints_combination_wrong = La combinación { $row } no permanece igual en las soluciones.
+error-pose_frames_free = La pose se da en el sistema 0 y para el último: la política debe fijar ambos, base = "frame" y tool = "frame".
+error-joint_row_length = Una fila contiene un valor por articulación: se necesitan { $expected } y se dieron { $given }.
+error-joint_rows_empty = Dé los valores articulares que alcanzan la pose.

@@ -167,6 +167,7 @@ form-part-workspace = Espace de travail
 form-part-orientation = Orientation
 form-part-rotation-check = Rotation ou non
 form-part-frame-chain = Chaîne de repères
+form-part-inverse-kinematics = Cinématique inverse
 form-part-wrong = À revoir :
 form-radius-inner = Rayon intérieur
 form-radius-outer = Rayon extérieur

@@ -101,3 +101,72 @@ error-frames_not_connected = Les poses connues ne mènent pas du repère { $star
 
 error-one_notation = Donnez l'orientation dans une seule notation : { $known }.
 error-expected_not_rotation = La matrice attendue n'est pas une rotation.
+
+field-solutions = Valeurs articulaires
+field-combinations = S'il y en a une infinité : ce qui y reste constant (coefficients)
+option-finite = n'est atteinte qu'avec ces valeurs articulaires
+option-infinite = est atteinte d'une infinité de façons ; en voici quelques-unes
+option-out_of_reach = n'est pas atteinte : elle est hors d'atteinte
+option-joint_limits = n'est pas atteinte dans les limites des articulations
+given-target = La pose
+given-target-position = La position de la dernière origine
+given-table = Le tableau DH, convention { $convention ->
+    [modified] modifiée
+   *[standard] standard
+}
+
+task-inverse-kinematics =
+    { $variables ->
+        [own] Quelles valeurs de vos propres variables articulaires amènent le dernier repère à cette place dans le repère 0 ?
+       *[given] Le tableau du robot est donné. Quelles valeurs articulaires amènent son dernier repère à cette place dans le repère 0 ?
+    } { $solutions ->
+        [one] Une solution suffit.
+       *[all] Donnez-les toutes ; les tours complets ne comptent pas.
+    } { $reach ->
+        [position] Seule compte la position de la dernière origine, en { $unit }.
+       *[pose] Comptent la position, en { $unit }, et l'orientation.
+    }
+
+feedback-joints_right = La réponse est juste et complète.
+feedback-joints_searched = Pour cette pose, les solutions ont été trouvées par recherche ; il peut y en avoir d'autres.
+feedback-joints_need_table = Les valeurs articulaires sont celles de vos propres variables : rendez aussi un tableau juste.
+feedback-claim_wrong = Ce n'est pas le cas : recomptez combien de valeurs articulaires atteignent cette pose, s'il y en a.
+feedback-joints_wrong = La ligne { $row } n'atteint pas la pose.
+feedback-joints_twice = Les lignes { $other } et { $row } ne diffèrent que de tours complets : c'est une seule solution.
+feedback-joints_missing =
+    { $count ->
+        [one] Il manque une solution.
+       *[other] Il manque { $count } solutions.
+    }
+feedback-branch_shoulder =
+    { $count ->
+        [one] Le bras peut aussi passer en arrière, par l'autre épaule.
+       *[other] Le bras peut aussi passer en arrière, par l'autre épaule : il manque { $count } façons.
+    }
+feedback-branch_elbow =
+    { $count ->
+        [one] Le coude peut aussi plier de l'autre côté.
+       *[other] Le coude peut aussi plier de l'autre côté : il manque { $count } façons.
+    }
+feedback-branch_wrist =
+    { $count ->
+        [one] Le poignet peut aussi être retourné.
+       *[other] Le poignet peut aussi être retourné : il manque { $count } façons.
+    }
+feedback-branch_other =
+    { $count ->
+        [one] Il y a une autre branche de solutions.
+       *[other] Il y a { $count } autres branches de solutions.
+    }
+feedback-joints_quadrant = Ligne { $row } : q{ $joint } est dans le mauvais quadrant, à un demi-tour. Prenez atan2 au lieu de atan.
+feedback-joints_sign = Ligne { $row } : q{ $joint } a le mauvais signe.
+feedback-joints_degrees = Ligne { $row } : des degrés ont été pris pour des radians, ou l'inverse.
+feedback-joints_swapped = Ligne { $row } : q{ $joint } vaut 90° moins ce qu'il faut ; les arguments de atan2 ont été échangés.
+feedback-joints_position_only = La ligne { $row } atteint la position, mais pas l'orientation.
+feedback-joints_orientation_only = La ligne { $row } atteint l'orientation, mais pas la position.
+feedback-joints_limits = La ligne { $row } atteint la pose avec l'articulation { $joint } au-delà de sa limite.
+feedback-joints_family_missing = La pose est singulière : dites quelle combinaison des variables articulaires reste constante le long des solutions.
+feedback-joints_combination_wrong = La combinaison { $row } ne reste pas constante le long des solutions.
+error-pose_frames_free = La pose est donnée dans le repère 0 et pour le dernier : la politique doit fixer les deux, base = "frame" et tool = "frame".
+error-joint_row_length = Une ligne contient une valeur par articulation : il en faut { $expected }, et { $given } ont été données.
+error-joint_rows_empty = Donnez les valeurs articulaires qui atteignent la pose.

@@ -167,6 +167,7 @@ form-part-workspace = Espaço de trabalho
 form-part-orientation = Orientação
 form-part-rotation-check = Rotação ou não
 form-part-frame-chain = Cadeia de sistemas
+form-part-inverse-kinematics = Cinemática inversa
 form-part-wrong = A rever:
 form-radius-inner = Raio interior
 form-radius-outer = Raio exterior

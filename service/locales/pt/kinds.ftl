@@ -101,3 +101,72 @@ error-frames_not_connected = As poses conhecidas não levam do sistema { $start 
 
 error-one_notation = Dê a orientação em uma só notação: { $known }.
 error-expected_not_rotation = A matriz esperada não é uma rotação.
+
+field-solutions = Valores das juntas
+field-combinations = Se forem infinitas: o que permanece igual nelas (coeficientes)
+option-finite = é alcançada somente com estes valores das juntas
+option-infinite = é alcançada com infinitos valores; estes são alguns
+option-out_of_reach = não é alcançada: está fora do espaço de trabalho
+option-joint_limits = não é alcançada dentro dos limites das juntas
+given-target = A pose
+given-target-position = A posição da última origem
+given-table = A tabela DH, convenção { $convention ->
+    [modified] modificada
+   *[standard] padrão
+}
+
+task-inverse-kinematics =
+    { $variables ->
+        [own] Que valores das suas próprias variáveis das juntas levam o último sistema a este lugar no sistema 0?
+       *[given] É dada a tabela do robô. Que valores das juntas levam seu último sistema a este lugar no sistema 0?
+    } { $solutions ->
+        [one] Basta uma solução.
+       *[all] Dê todas; voltas completas não contam.
+    } { $reach ->
+        [position] Só importa a posição da última origem, em { $unit }.
+       *[pose] Importam a posição, em { $unit }, e a orientação.
+    }
+
+feedback-joints_right = A resposta está certa e completa.
+feedback-joints_searched = Para esta pose as soluções foram achadas por busca; pode haver mais.
+feedback-joints_need_table = Os valores são os das suas próprias variáveis: entregue também uma tabela certa.
+feedback-claim_wrong = Não é assim: conte de novo quantos valores das juntas alcançam esta pose, se houver algum.
+feedback-joints_wrong = A linha { $row } não alcança a pose.
+feedback-joints_twice = As linhas { $other } e { $row } diferem só por voltas completas: são uma só solução.
+feedback-joints_missing =
+    { $count ->
+        [one] Falta uma solução.
+       *[other] Faltam { $count } soluções.
+    }
+feedback-branch_shoulder =
+    { $count ->
+        [one] O braço também pode alcançar por trás, com o outro ombro.
+       *[other] O braço também pode alcançar por trás, com o outro ombro: faltam { $count } maneiras.
+    }
+feedback-branch_elbow =
+    { $count ->
+        [one] O cotovelo também pode dobrar para o outro lado.
+       *[other] O cotovelo também pode dobrar para o outro lado: faltam { $count } maneiras.
+    }
+feedback-branch_wrist =
+    { $count ->
+        [one] O punho também pode estar virado.
+       *[other] O punho também pode estar virado: faltam { $count } maneiras.
+    }
+feedback-branch_other =
+    { $count ->
+        [one] Há outro ramo de soluções.
+       *[other] Há outros { $count } ramos de soluções.
+    }
+feedback-joints_quadrant = Linha { $row }: q{ $joint } está no quadrante errado, a meia volta. Use atan2 em vez de atan.
+feedback-joints_sign = Linha { $row }: q{ $joint } tem o sinal errado.
+feedback-joints_degrees = Linha { $row }: tomaram-se graus por radianos, ou o contrário.
+feedback-joints_swapped = Linha { $row }: q{ $joint } é 90° menos o que deveria; os argumentos de atan2 foram trocados.
+feedback-joints_position_only = A linha { $row } alcança a posição, mas não a orientação.
+feedback-joints_orientation_only = A linha { $row } alcança a orientação, mas não a posição.
+feedback-joints_limits = A linha { $row } alcança a pose com a junta { $joint } além do limite.
+feedback-joints_family_missing = A pose é singular: diga qual combinação das variáveis das juntas permanece igual nas soluções.
+feedback-joints_combination_wrong = A combinação { $row } não permanece igual nas soluções.
+error-pose_frames_free = A pose é dada no sistema 0 e para o último: a política deve fixar os dois, base = "frame" e tool = "frame".
+error-joint_row_length = Uma linha contém um valor por junta: são necessários { $expected }, e foram dados { $given }.
+error-joint_rows_empty = Dê os valores das juntas que alcançam a pose.

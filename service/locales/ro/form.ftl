@@ -172,6 +172,7 @@ form-part-workspace = Spațiu de lucru
 form-part-orientation = Orientare
 form-part-rotation-check = Rotație sau nu
 form-part-frame-chain = Lanț de sisteme
+form-part-inverse-kinematics = Cinematica inversă
 form-part-wrong = De revăzut:
 form-radius-inner = Raza interioară
 form-radius-outer = Raza exterioară

@@ -101,3 +101,73 @@ error-frames_not_connected = Pozele cunoscute nu duc de la sistemul { $start } l
 
 error-one_notation = Dați orientarea într-o singură notație: { $known }.
 error-expected_not_rotation = Matricea așteptată nu este o rotație.
+
+field-solutions = Valorile cuplelor
+field-combinations = Dacă sunt o infinitate: ce rămâne neschimbat de-a lungul lor (coeficienți)
+option-finite = se atinge numai cu aceste valori ale cuplelor
+option-infinite = se atinge într-o infinitate de feluri; acestea sunt câteva
+option-out_of_reach = nu se atinge: se află în afara spațiului de lucru
+option-joint_limits = nu se atinge în limitele cuplelor
+given-target = Poza
+given-target-position = Poziția ultimei origini
+given-table = Tabelul DH, convenția { $convention ->
+    [modified] modificată
+   *[standard] standard
+}
+
+task-inverse-kinematics =
+    { $variables ->
+        [own] Ce valori ale variabilelor dumneavoastră aduc ultimul sistem în acest loc din sistemul 0?
+       *[given] Tabelul robotului este dat. Ce valori ale cuplelor aduc ultimul său sistem în acest loc din sistemul 0?
+    } { $solutions ->
+        [one] Ajunge o soluție.
+       *[all] Dați-le pe toate; rotațiile complete nu contează.
+    } { $reach ->
+        [position] Contează numai poziția ultimei origini, în { $unit }.
+       *[pose] Contează și poziția, în { $unit }, și orientarea.
+    }
+
+feedback-joints_right = Răspunsul este corect și complet.
+feedback-joints_searched = Pentru această poză soluțiile au fost găsite prin căutare; pot exista și altele.
+feedback-joints_need_table = Valorile sunt cele ale variabilelor dumneavoastră: predați și un tabel corect.
+feedback-claim_wrong = Nu este așa: numărați din nou câte valori ale cuplelor ating această poză, dacă există.
+feedback-joints_wrong = Rândul { $row } nu atinge poza.
+feedback-joints_twice = Rândurile { $other } și { $row } diferă doar prin rotații complete: sunt o singură soluție.
+feedback-joints_missing =
+    { $count ->
+        [one] Lipsește o soluție.
+        [few] Lipsesc { $count } soluții.
+       *[other] Lipsesc { $count } de soluții.
+    }
+feedback-branch_shoulder =
+    { $count ->
+        [one] Brațul poate ajunge și pe la spate, cu celălalt umăr.
+       *[other] Brațul poate ajunge și pe la spate, cu celălalt umăr: lipsesc { $count } moduri.
+    }
+feedback-branch_elbow =
+    { $count ->
+        [one] Cotul se poate îndoi și în partea cealaltă.
+       *[other] Cotul se poate îndoi și în partea cealaltă: lipsesc { $count } moduri.
+    }
+feedback-branch_wrist =
+    { $count ->
+        [one] Încheietura poate fi și răsucită.
+       *[other] Încheietura poate fi și răsucită: lipsesc { $count } moduri.
+    }
+feedback-branch_other =
+    { $count ->
+        [one] Mai există o ramură de soluții.
+       *[other] Mai există { $count } ramuri de soluții.
+    }
+feedback-joints_quadrant = Rândul { $row }: q{ $joint } se află în cadranul greșit, la o jumătate de rotație. Folosiți atan2 în loc de atan.
+feedback-joints_sign = Rândul { $row }: q{ $joint } are semnul greșit.
+feedback-joints_degrees = Rândul { $row }: gradele au fost luate drept radiani, sau invers.
+feedback-joints_swapped = Rândul { $row }: q{ $joint } este 90° minus cât ar trebui; argumentele lui atan2 au fost schimbate între ele.
+feedback-joints_position_only = Rândul { $row } atinge poziția, dar nu și orientarea.
+feedback-joints_orientation_only = Rândul { $row } atinge orientarea, dar nu și poziția.
+feedback-joints_limits = Rândul { $row } atinge poza cu cupla { $joint } dincolo de limita ei.
+feedback-joints_family_missing = Poza este singulară: spuneți ce combinație a variabilelor rămâne neschimbată de-a lungul soluțiilor.
+feedback-joints_combination_wrong = Combinația { $row } nu rămâne neschimbată de-a lungul soluțiilor.
+error-pose_frames_free = Poza este dată în sistemul 0 și pentru ultimul: regulile trebuie să le fixeze pe amândouă, base = "frame" și tool = "frame".
+error-joint_row_length = Un rând conține câte o valoare pentru fiecare cuplă: trebuie { $expected }, s-au dat { $given }.
+error-joint_rows_empty = Dați valorile cuplelor care ating poza.

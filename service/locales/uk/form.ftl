@@ -177,6 +177,7 @@ form-part-workspace = Робоча зона
 form-part-orientation = Орієнтація
 form-part-rotation-check = Поворот чи ні
 form-part-frame-chain = Ланцюг систем
+form-part-inverse-kinematics = Обернена кінематика
 form-part-wrong = Варто переглянути:
 form-radius-inner = Внутрішній радіус
 form-radius-outer = Зовнішній радіус

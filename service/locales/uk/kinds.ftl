@@ -101,3 +101,72 @@ error-frames_not_connected = Відомі пози не ведуть від си
 
 error-one_notation = Задайте орієнтацію в одній формі: { $known }.
 error-expected_not_rotation = Очікувана матриця не є поворотом.
+
+field-solutions = Значення у зчленуваннях
+field-combinations = Якщо їх безліч: що вздовж них не змінюється (коефіцієнти)
+option-finite = досягається лише за цих значень у зчленуваннях
+option-infinite = досягається безліччю способів; ось деякі з них
+option-out_of_reach = не досягається: вона поза робочою зоною
+option-joint_limits = не досягається в межах рухів зчленувань
+given-target = Поза
+given-target-position = Положення останнього початку координат
+given-table = Таблиця ДХ, { $convention ->
+    [modified] модифікована
+   *[standard] стандартна
+} угода
+
+task-inverse-kinematics =
+    { $variables ->
+        [own] За яких значень ваших власних змінних остання система займе це місце в системі 0?
+       *[given] Таблицю робота задано. За яких значень у зчленуваннях його остання система займе це місце в системі 0?
+    } { $solutions ->
+        [one] Досить одного розв'язку.
+       *[all] Наведіть усі; повні оберти не рахуються.
+    } { $reach ->
+        [position] Важливе лише положення останнього початку координат, у { $unit }.
+       *[pose] Важливі й положення, у { $unit }, і орієнтація.
+    }
+
+feedback-joints_right = Відповідь правильна й повна.
+feedback-joints_searched = Для цієї пози розв'язки знайдено пошуком; можуть бути й інші.
+feedback-joints_need_table = Значення стосуються ваших власних змінних: здайте також правильну таблицю.
+feedback-claim_wrong = Це не так: порахуйте ще раз, скільки значень у зчленуваннях дають цю позу, якщо такі є.
+feedback-joints_wrong = Рядок { $row } не дає цієї пози.
+feedback-joints_twice = Рядки { $other } і { $row } відрізняються лише повними обертами: це один розв'язок.
+feedback-joints_missing =
+    { $count ->
+        [one] Бракує { $count } розв'язку.
+       *[other] Бракує { $count } розв'язків.
+    }
+feedback-branch_shoulder =
+    { $count ->
+        [one] Маніпулятор може дотягтися й назад, через інше плече.
+       *[other] Маніпулятор може дотягтися й назад, через інше плече: бракує способів: { $count }.
+    }
+feedback-branch_elbow =
+    { $count ->
+        [one] Лікоть може згинатися й в інший бік.
+       *[other] Лікоть може згинатися й в інший бік: бракує способів: { $count }.
+    }
+feedback-branch_wrist =
+    { $count ->
+        [one] Зап'ястя може бути й перевернутим.
+       *[other] Зап'ястя може бути й перевернутим: бракує способів: { $count }.
+    }
+feedback-branch_other =
+    { $count ->
+        [one] Є ще одна гілка розв'язків.
+       *[other] Є інші гілки розв'язків: { $count }.
+    }
+feedback-joints_quadrant = Рядок { $row }: q{ $joint } лежить не в тій чверті, на пів оберту. Беріть atan2 замість atan.
+feedback-joints_sign = Рядок { $row }: q{ $joint } має неправильний знак.
+feedback-joints_degrees = Рядок { $row }: градуси сприйнято як радіани або навпаки.
+feedback-joints_swapped = Рядок { $row }: q{ $joint } дорівнює 90° мінус потрібне; аргументи atan2 поміняно місцями.
+feedback-joints_position_only = Рядок { $row } дає положення, але не орієнтацію.
+feedback-joints_orientation_only = Рядок { $row } дає орієнтацію, але не положення.
+feedback-joints_limits = Рядок { $row } дає позу, але зчленування { $joint } виходить за межу.
+feedback-joints_family_missing = Поза сингулярна: укажіть, яка комбінація змінних не змінюється вздовж розв'язків.
+feedback-joints_combination_wrong = Комбінація { $row } змінюється вздовж розв'язків.
+error-pose_frames_free = Позу задано в системі 0 і для останньої: правила мають фіксувати обидві, base = "frame" і tool = "frame".
+error-joint_row_length = Рядок містить по одному значенню на зчленування: потрібно { $expected }, наведено { $given }.
+error-joint_rows_empty = Наведіть значення у зчленуваннях, що дають цю позу.

@@ -11,7 +11,7 @@ import pytest
 from exercises.grading import Policy, ToolRule, grade
 from exercises.grading.typed import COARSEST_ANGLE, half_steps, meant
 from exercises.instance import generate
-from exercises.selftest.typed import typed
+from exercises.written_table import written_table
 from kinematics.cells import AngleUnit, read_table
 from kinematics.expressions import pi_times
 from kinematics.table import JointType
@@ -50,7 +50,7 @@ def test_a_wrong_name_is_wrong_whatever_was_drawn(change: tuple[int, int, Cell],
 
 def test_two_names_exchanged_throughout_are_wrong_for_every_student() -> None:
     ssrms = exercise("ssrms")
-    raw = typed(ssrms.reference)
+    raw = written_table(ssrms.reference)
     exchanged = str.maketrans({"3": "4", "4": "3"})
     rows = tuple(
         replace(row, d=row.d.translate(exchanged) if "d" in str(row.d) else row.d) for row in raw.rows

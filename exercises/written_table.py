@@ -8,7 +8,7 @@ from kinematics.expressions import ZERO
 from kinematics.table import JointType, SymbolicRow
 
 
-def typed(read: ReadTable) -> RawTable:
+def written_table(read: ReadTable) -> RawTable:
     """A table as it would be typed."""
     rows: list[RawRow] = []
     for i, row in enumerate(read.table.rows):

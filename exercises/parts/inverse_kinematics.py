@@ -1,0 +1,444 @@
+"""Joint values that reach a pose: one solution, all of them, infinitely many with their condition, or none.
+
+Without a table among the parts the key is given, and the pose is that of its frames. With one, the pose is
+given in the frames that the policy fixes, and the joint values are those of the student's own variables: they
+are carried over to the key's by the certificate of the accepted table.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from fractions import Fraction
+from random import Random
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from exercises.definition import Exercise, Part
+from exercises.draws import Draw, Picker, read_draw
+from exercises.grading import BaseRule, Feedback, Finding, HelpLevel, ToolRule, accept
+from exercises.instance import Instance
+from exercises.parts.context import Context
+from exercises.parts.given_table import given_table
+from exercises.parts.joint_draws import drawn_joints, in_radians, key_numbers
+from exercises.parts.number_cells import read_numbers_of
+from exercises.parts.protocol import (
+    TABLE,
+    FieldShape,
+    FormField,
+    GivenNumbers,
+    Length,
+    PartTask,
+    PartType,
+    Reading,
+    RobotFacts,
+)
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.reading import Reader
+from kinematics.answers.joint_answers import (
+    USUAL_TOLERANCE,
+    Branch,
+    JointAnswer,
+    JointClaim,
+    JointMistake,
+    JointQuestion,
+    JointVerdict,
+    in_other_frames,
+    joint_question,
+    judge_joints,
+)
+from kinematics.cells import AngleUnit, Cell
+from kinematics.cells.meaning import Position
+from kinematics.errors import Fault
+from kinematics.forward import forward_kinematics
+from kinematics.inverse import ArmReach, solver_of
+from kinematics.se3 import Transform
+from kinematics.table import JointType
+
+DECIMALS = 4
+MOST_ROWS = 20
+"""Configurations in an answer: an arm of six joints has sixteen at most."""
+OUT = 3.0
+"""How many times as far away a pose is put that cannot be reached: no arm of the catalogue folds so much."""
+ConfigurationRow = Annotated[tuple[Cell, ...], Length(least=1, most=12)]
+
+
+class PoseCase(StrEnum):
+    """What the pose of a student is.
+
+    REACHED: that of the drawn joint values. OUT_OF_REACH: the same orientation, too far away.
+    """
+
+    REACHED = "reached"
+    OUT_OF_REACH = "out_of_reach"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class JointAnswerCells:
+    """Joint values that reach a pose.
+
+    Attributes:
+        claim: finite (the rows are the solutions), infinite (infinitely many, the rows are some),
+            out_of_reach or joint_limits (none, because …).
+        solutions: rows of joint values q1 … qn.
+        combinations: of infinitely many solutions, which combinations stay the same along them: rows of
+            coefficients of q1 … qn, such as 0 0 0 1 0 1 where only q4 + q6 counts.
+    """
+
+    claim: JointClaim
+    solutions: Annotated[tuple[ConfigurationRow, ...], Length(least=0, most=MOST_ROWS)] = ()
+    combinations: Annotated[tuple[ConfigurationRow, ...], Length(least=0, most=4)] = ()
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class InverseKinematicsPart(Part):
+    """A pose whose joint values are asked.
+
+    Attributes:
+        joints: the joint values where no seed is given [the exercise's units].
+        draws: per joint, from where a student's own value is drawn, or None.
+        cases: what the pose may be; drawn.
+        every: all solutions are asked, not one.
+        reach: what of the last frame has to reach the pose.
+        tolerance: of positions as a share of the robot's size, and of angles [rad].
+    """
+
+    joints: tuple[Fraction, ...]
+    draws: tuple[Draw | None, ...]
+    cases: tuple[PoseCase, ...]
+    every: bool
+    reach: ArmReach
+    tolerance: float
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class DrawnPose:
+    """What is drawn for one student: the joint values, and what becomes of their pose."""
+
+    joints: tuple[Fraction, ...]
+    case: PoseCase
+
+
+class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, JointAnswer]):
+    """Inverse kinematics."""
+
+    kind = "inverse_kinematics"
+    raw: ClassVar = JointAnswerCells
+    meaning = "the joint values that reach the pose of the task"
+    disclosures: ClassVar = {
+        "joints_wrong": Disclosure(level=HelpLevel.ROW),
+        "joints_twice": Disclosure(level=HelpLevel.ROW),
+        "joints_missing": Disclosure(level=HelpLevel.ROW),
+        **{f"branch_{branch.value}": Disclosure(level=HelpLevel.KIND) for branch in Branch},
+        **{f"joints_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in JointMistake},
+        "joints_family_missing": Disclosure(level=HelpLevel.KIND),
+        "joints_combination_wrong": Disclosure(level=HelpLevel.ROW),
+        "claim_wrong": Disclosure(level=HelpLevel.ROW),
+    }
+
+    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> InverseKinematicsPart:
+        """Return the part with its pose and what is asked of it."""
+        n = len(robot.joint_types)
+        joints = reader.exacts("joints")
+        if len(joints) != n:
+            reader.fault("joints_wrong_length", "joints", expected=n)
+            joints = (Fraction(0),) * n
+        turns, slides = read_draw(reader, "turns"), read_draw(reader, "slides")
+        own = {
+            int(name[1:]): read_draw(reader, name)
+            for name in (f"q{i + 1}" for i in range(n))
+            if reader.given(name)
+        }
+        usual = tuple(slides if found is JointType.PRISMATIC else turns for found in robot.joint_types)
+        known = set(PoseCase)
+        cases = []
+        for i, name in enumerate(reader.texts("cases", default=(PoseCase.REACHED.value,))):
+            if name in known:
+                cases.append(PoseCase(name))
+            else:
+                reader.fault("exercise_value_unknown", "cases", i, key="cases", known=", ".join(PoseCase))
+        return InverseKinematicsPart(
+            kind=self.kind,
+            points=points,
+            joints=joints,
+            draws=tuple(own.get(i + 1, way) for i, way in enumerate(usual)),
+            cases=tuple(cases) or (PoseCase.REACHED,),
+            every=reader.choice("solutions", _Asked, _Asked.ALL) is _Asked.ALL,
+            reach=reader.choice("reach", ArmReach, ArmReach.POSE),
+            tolerance=reader.number("tolerance", USUAL_TOLERANCE),
+        )
+
+    def inconsistencies(self, part: InverseKinematicsPart, exercise: Exercise) -> Iterator[Fault]:
+        """Yield a fault where students choose the frames in which the pose would have to be given."""
+        policy = exercise.policy
+        free = policy.base is not BaseRule.FRAME or policy.tool is not ToolRule.FRAME
+        if exercise.part(TABLE) is not None and free:
+            yield Fault(code="pose_frames_free", where=("kind",))
+        if part.reach is ArmReach.AXIS:
+            yield Fault(
+                code="exercise_value_unknown",
+                where=("reach",),
+                params={"key": "reach", "known": "pose, position"},
+            )
+
+    def draw(self, part: InverseKinematicsPart, exercise: Exercise, picker: Picker) -> DrawnPose:
+        """Return the student's joint values, and what becomes of their pose."""
+        joints = drawn_joints(part.joints, part.draws, picker, self.kind)
+        return DrawnPose(joints=joints, case=picker.choice(part.cases, f"{self.kind} case"))
+
+    def task(self, part: InverseKinematicsPart, instance: Instance) -> PartTask:
+        """Show the pose, and the key if no table is asked; ask for joint values."""
+        exercise = instance.exercise
+        unit = "°" if exercise.angle_unit is AngleUnit.DEG else "rad"
+        labels = tuple(
+            f"q{i} [{exercise.length_unit.value if kind is JointType.PRISMATIC else unit}]"
+            for i, kind in enumerate(exercise.reference.table.joint_types, 1)
+        )
+        pose = np.round(_target(part, instance), DECIMALS) + 0.0
+        position = part.reach is ArmReach.POSITION
+        shown = [tuple(row) for row in pose.tolist()]
+        numbers = GivenNumbers(
+            name="target-position" if position else "target",
+            labels=("x", "y", "z") if position else (),
+            rows=(tuple(row[3] for row in shown[:3]),) if position else tuple(shown),
+        )
+        own = exercise.part(TABLE) is not None
+        claims = tuple(claim.value for claim in JointClaim if claim is not JointClaim.JOINT_LIMITS)
+        names = tuple(f"q{i}" for i in range(1, len(labels) + 1))
+        return PartTask(
+            message="task-inverse-kinematics",
+            values={
+                "solutions": "all" if part.every else "one",
+                "reach": part.reach.value,
+                "variables": "own" if own else "given",
+                "unit": exercise.length_unit.value,
+            },
+            form=(
+                FormField(name="claim", shape=FieldShape.CHOICE, options=claims),
+                FormField(
+                    name="solutions",
+                    shape=FieldShape.LIST,
+                    labels=labels,
+                    rows=MOST_ROWS if part.every else 1,
+                ),
+                FormField(name="combinations", shape=FieldShape.LIST, labels=names, rows=4),
+            ),
+            numbers=(numbers,) if own else (given_table(instance), numbers),
+        )
+
+    def read(self, raw: JointAnswerCells, reading: Reading) -> JointAnswer | None:
+        """Return the rows in [rad] and in the exercise's length unit."""
+        before = len(reading.faults)
+        types = reading.instance.exercise.reference.table.joint_types
+        rows = []
+        for i, row in enumerate(raw.solutions):
+            if len(row) != len(types):
+                params = {"expected": len(types), "given": len(row)}
+                reading.fault("joint_row_length", self.kind, "solutions", i, **params)
+                continue
+            found = [
+                read_numbers_of(
+                    (cell,),
+                    Position.LENGTH if kind is JointType.PRISMATIC else Position.ANGLE,
+                    reading,
+                    self.kind,
+                    "solutions",
+                    i,
+                    k,
+                )
+                for k, (cell, kind) in enumerate(zip(row, types, strict=True))
+            ]
+            rows.append(tuple(value[0] for value in found if value is not None))
+        combinations = []
+        for i, row in enumerate(raw.combinations):
+            if len(row) != len(types):
+                params = {"expected": len(types), "given": len(row)}
+                reading.fault("joint_row_length", self.kind, "combinations", i, **params)
+                continue
+            read = read_numbers_of(row, Position.RATIO, reading, self.kind, "combinations", i)
+            combinations.append(read or ())
+        if raw.claim in (JointClaim.FINITE, JointClaim.INFINITE) and not raw.solutions:
+            reading.fault("joint_rows_empty", self.kind, "solutions")
+        if len(reading.faults) > before:
+            return None
+        return JointAnswer(claim=raw.claim, rows=tuple(rows), combinations=tuple(combinations))
+
+    def grade(self, part: InverseKinematicsPart, answer: JointAnswer, context: Context) -> PartReport:
+        """Judge the rows by the robot, carried over from the student's own variables if there is a table."""
+        if context.instance.exercise.part(TABLE) is not None and not context.own_correct:
+            return judged(part, 0.0, Credit.NONE, feedback=(Feedback(code="joints_need_table"),))
+        found = judge_joints(_question(part, context.instance), _in_key(answer, context))
+        facts = [
+            Fact(where=("solutions", i), finding=Finding.OK if row.right else Finding.WRONG)
+            for i, row in enumerate(found.rows)
+        ]
+        facts += [
+            Fact(where=("combinations", i), finding=Finding.OK if holds else Finding.WRONG)
+            for i, holds in enumerate(found.combinations)
+        ]
+        if found.missing or (found.share < 1.0 and answer.claim is not found.expected):
+            facts.append(Fact(where=("claim",), finding=Finding.MISSING if found.missing else Finding.WRONG))
+        feedback = tuple(joint_feedback(found, answer))
+        return judged(part, found.share, Credit.KEY, correct=found.right, facts=facts, feedback=feedback)
+
+    def right(self, part: InverseKinematicsPart, context: Context) -> JointAnswerCells:
+        """Return every solution with the condition of each family, in the student's own variables."""
+        question = _question(part, context.instance)
+        expected = question.expected
+        if expected in (JointClaim.OUT_OF_REACH, JointClaim.JOINT_LIMITS):
+            return JointAnswerCells(claim=expected)
+        own = _certified(context)
+        rows = [found.joints for found in question.found.solutions[: None if part.every else 1]]
+        combinations = {
+            tuple(combination)
+            for found in question.found.solutions
+            if found.family is not None and found.family.direction is not None
+            for combination in [_combination(found.family.direction)]
+            if combination is not None
+        }
+        answer = JointAnswer(claim=expected, rows=tuple(rows), combinations=tuple(sorted(combinations)))
+        if own is not None:
+            signs, offsets = own
+            answer = replace(
+                answer,
+                rows=tuple(
+                    tuple(s * q + d for s, q, d in zip(signs, row, offsets, strict=True)) for row in rows
+                ),
+                combinations=tuple(
+                    tuple(s * c for s, c in zip(signs, row, strict=True)) for row in answer.combinations
+                ),
+            )
+        return _written(answer, context.instance)
+
+    def wrong(
+        self, part: InverseKinematicsPart, context: Context, rng: Random
+    ) -> Iterator[tuple[str, JointAnswerCells]]:
+        """Yield an answer with a joint half a turn off, one that lacks a solution, and one that says none."""
+        right = self.right(part, context)
+        if not right.solutions:
+            return
+        first = right.solutions[0]
+        turning = [
+            i for i, kind in enumerate(context.reference.table.joint_types) if kind is JointType.REVOLUTE
+        ]
+        half = 180 if context.instance.exercise.angle_unit is AngleUnit.DEG else math.pi
+        off = (*first[: turning[0]], float(first[turning[0]]) + half, *first[turning[0] + 1 :])
+        yield "joints_wrong", replace(right, solutions=(off, *right.solutions[1:]))
+        if part.every and len(right.solutions) > 1 and right.claim is JointClaim.FINITE:
+            yield "joints_missing", replace(right, solutions=right.solutions[1:])
+        yield "claim_wrong", JointAnswerCells(claim=JointClaim.OUT_OF_REACH)
+
+
+class _Asked(StrEnum):
+    """How many solutions are asked."""
+
+    ALL = "all"
+    ONE = "one"
+
+
+def _target(part: InverseKinematicsPart, instance: Instance) -> Transform:
+    """Return the student's pose in the key's frames; lengths in the exercise's unit."""
+    drawn: DrawnPose = instance.drawn[part.kind]
+    joints = in_radians(instance.exercise, drawn.joints)
+    pose = forward_kinematics(key_numbers(instance), joints).transform.copy()
+    if drawn.case is PoseCase.OUT_OF_REACH:
+        numbers = key_numbers(instance)
+        far = sum(abs(row.a) + abs(row.d) for row in numbers.rows) + sum(
+            abs(value)
+            for value, kind in zip(joints, instance.exercise.reference.table.joint_types, strict=True)
+            if kind is JointType.PRISMATIC
+        )
+        length = float(np.linalg.norm(pose[:3, 3]))
+        direction = pose[:3, 3] / length if length > 1e-6 * far else np.array([1.0, 0.0, 0.0])
+        pose[:3, 3] = OUT * far * direction
+    return pose
+
+
+def _question(part: InverseKinematicsPart, instance: Instance) -> JointQuestion:
+    solver = solver_of(key_numbers(instance), reach=part.reach)
+    target = _target(part, instance)
+    return joint_question(solver, target, every=part.every, tolerance=part.tolerance, reach=part.reach)
+
+
+def _certified(context: Context) -> tuple[tuple[int, ...], tuple[float, ...]] | None:
+    """Return σ and δ of the student's accepted table [rad, the exercise's length unit]; None without one."""
+    verdict = context.verdict
+    if verdict is None and context.own is not None and context.instance.exercise.part(TABLE) is not None:
+        verdict = accept(context.reference, context.own, context.policy, context.parameters)
+    certificate = None if verdict is None else verdict.certificate
+    if certificate is None:
+        return None
+    degrees = context.angle_unit is AngleUnit.DEG
+    offsets = tuple(
+        offset / context.unit_ratio
+        if kind is JointType.PRISMATIC
+        else math.radians(offset)
+        if degrees
+        else offset
+        for offset, kind in zip(certificate.joint_offsets, context.reference.table.joint_types, strict=True)
+    )
+    return certificate.joint_signs, offsets
+
+
+def _in_key(answer: JointAnswer, context: Context) -> JointAnswer:
+    own = _certified(context)
+    return answer if own is None else in_other_frames(answer, *own)
+
+
+def _combination(direction: tuple[float, ...]) -> tuple[float, ...] | None:
+    """Return the coefficients that a straight family of two joints keeps; None of other families."""
+    moving = [i for i, rate in enumerate(direction) if abs(rate) > 1e-9]
+    if len(moving) != 2:
+        return None
+    i, k = moving
+    return tuple(direction[k] if j == i else -direction[i] if j == k else 0.0 for j in range(len(direction)))
+
+
+def _written(answer: JointAnswer, instance: Instance) -> JointAnswerCells:
+    """Return an answer in the exercise's units, rounded as on paper."""
+    degrees = instance.exercise.angle_unit is AngleUnit.DEG
+    types = instance.exercise.reference.table.joint_types
+    rows = tuple(
+        tuple(
+            round(math.degrees(value) if degrees and kind is JointType.REVOLUTE else value, DECIMALS)
+            for value, kind in zip(row, types, strict=True)
+        )
+        for row in answer.rows
+    )
+    return JointAnswerCells(claim=answer.claim, solutions=rows, combinations=answer.combinations)
+
+
+def joint_feedback(found: JointVerdict, answer: JointAnswer) -> Iterator[Feedback]:
+    """Yield what to say of an answer, the most important first."""
+    if found.right:
+        yield Feedback(code="joints_right")
+        if not found.complete:
+            yield Feedback(code="joints_searched")
+        return
+    if answer.claim is not found.expected:
+        yield Feedback(code="claim_wrong", params={"claim": found.expected.value})
+    seen: dict[int, int] = {}
+    for i, row in enumerate(found.rows, 1):
+        if not row.right:
+            yield Feedback(code="joints_wrong", params={"row": i})
+            if row.mistake is not None:
+                yield Feedback(code=f"joints_{row.mistake.value}", params={"row": i, "joint": row.joint or 0})
+        elif row.solution in seen and found.expected is JointClaim.FINITE:
+            yield Feedback(code="joints_twice", params={"row": i, "other": seen[row.solution]})
+        elif row.solution is not None:
+            seen[row.solution] = i
+    if found.missing:
+        yield Feedback(code="joints_missing", params={"count": len(found.missing)})
+        for branch in dict.fromkeys(found.missing):
+            yield Feedback(code=f"branch_{branch.value}", params={"count": found.missing.count(branch)})
+    if found.combination_missing:
+        yield Feedback(code="joints_family_missing")
+    for i, holds in enumerate(found.combinations, 1):
+        if not holds:
+            yield Feedback(code="joints_combination_wrong", params={"row": i})
+
+
+PART = InverseKinematicsType()

@@ -1,0 +1,467 @@
+"""Joint values that reach a pose: is an answer right, and are all of them there?
+
+A row of joint values is right when F(q) is the target, to within a tolerance of positions (as a share of the
+arm's size) and angles; revolute joints count modulo 2π. All are there when every solution of the complete set
+of `kinematics.inverse` has its row. Where solutions form a family, a row is one member of it, and a
+combination c·q that is fixed on the family says which others belong: every row q + t d with c·d = 0, over the
+joints that stand in c, is then computed and has to reach the target, too.
+
+Answers in other frames are carried over by a certificate: q = σ∘(q_s − δ), T = B⁻¹ T_s E⁻¹, and a combination
+c_s·q_s = (c_s∘σ)·q + constant.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from kinematics.chain import Chain, chain_of_table, size_of
+from kinematics.inverse import ArmReach, IKSolution, InverseKinematics, Solver, UnreachableReason
+from kinematics.inverse.results import IKStatus, Isolation
+from kinematics.se3 import Floats, Transform
+
+USUAL_TOLERANCE = 0.005
+"""Of positions as a share of the arm's size, and of angles [rad]."""
+STEPS = (0.7, 2.1, -1.3)
+"""How far along a family an answer's condition is tried [rad or shares of the arm's size]: on no symmetry."""
+PARALLEL = 1e-6
+"""Sine of the angle [rad] below which neighbouring axes count as parallel, to tell elbows from shoulders."""
+
+
+class JointClaim(StrEnum):
+    """What an answer says of a pose.
+
+    FINITE: the rows are its solutions. INFINITE: there are infinitely many, and the rows are members of them.
+    OUT_OF_REACH: none, for the pose is too far or too near. JOINT_LIMITS: none within the joints' limits.
+    """
+
+    FINITE = "finite"
+    INFINITE = "infinite"
+    OUT_OF_REACH = "out_of_reach"
+    JOINT_LIMITS = "joint_limits"
+
+
+class Branch(StrEnum):
+    """How a missing solution differs from the nearest one that was found.
+
+    SHOULDER: the arm reaches backwards. ELBOW: the elbow bends the other way. WRIST: the wrist is flipped.
+    OTHER: otherwise.
+    """
+
+    SHOULDER = "shoulder"
+    ELBOW = "elbow"
+    WRIST = "wrist"
+    OTHER = "other"
+
+
+class JointMistake(StrEnum):
+    """What a wrong row of joint values is.
+
+    QUADRANT: one joint is half a turn off, as atan gives it for atan2. SIGN: one joint turns the wrong way.
+    DEGREES: degrees were taken for radians or the reverse. SWAPPED: one joint is π/2 − q, the arguments of
+    atan2 exchanged. POSITION_ONLY: the position is reached and the orientation is not. ORIENTATION_ONLY: the
+    reverse. LIMITS: the pose is reached beyond a joint's limit.
+    """
+
+    QUADRANT = "quadrant"
+    SIGN = "sign"
+    DEGREES = "degrees"
+    SWAPPED = "swapped"
+    POSITION_ONLY = "position_only"
+    ORIENTATION_ONLY = "orientation_only"
+    LIMITS = "limits"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class JointAnswer:
+    """An answer, in the variables and the frames of the arm that it is judged by.
+
+    Attributes:
+        claim: what it says of the pose.
+        rows: configurations [rad, or the table's length].
+        combinations: coefficients c of combinations c·q that are fixed along a family.
+    """
+
+    claim: JointClaim
+    rows: tuple[tuple[float, ...], ...] = ()
+    combinations: tuple[tuple[float, ...], ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RowVerdict:
+    """What is said of one row.
+
+    Attributes:
+        right: it reaches the target within the limits.
+        solution: which solution it is, an index into the complete set; None if it is wrong.
+        joint: the joint, counted from 1, that a mistake is about.
+        mistake: what a wrong row is, if a usual slip explains it.
+    """
+
+    right: bool
+    solution: int | None = None
+    joint: int | None = None
+    mistake: JointMistake | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class JointVerdict:
+    """What is said of an answer.
+
+    Attributes:
+        right: everything that was asked is there, and nothing is wrong.
+        share: of what was asked, 0 … 1.
+        expected: what is true of the pose.
+        rows: on each row.
+        missing: how each solution without a row differs from the nearest one that was found.
+        combination_missing: a family has a member, but not its condition.
+        combinations: which of the combinations hold along a family.
+        complete: the solutions are known to be all; false: all that a search found.
+    """
+
+    right: bool
+    share: float
+    expected: JointClaim
+    rows: tuple[RowVerdict, ...] = ()
+    missing: tuple[Branch, ...] = ()
+    combination_missing: bool = False
+    combinations: tuple[bool, ...] = ()
+    complete: bool = True
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class JointQuestion:
+    """A pose and all that reaches it.
+
+    Attributes:
+        solver: the arm, with its limits.
+        chain: the same arm, to evaluate configurations.
+        target: (4, 4) the pose.
+        found: every solution.
+        every: all solutions are asked, not one.
+        tolerance: of positions as a share of the arm's size, and of angles [rad].
+        reach: what of the tool has to reach the target: its pose, or its position alone.
+    """
+
+    solver: Solver
+    chain: Chain
+    target: Transform
+    found: InverseKinematics
+    every: bool = True
+    tolerance: float = USUAL_TOLERANCE
+    reach: ArmReach = ArmReach.POSE
+
+    @property
+    def size(self) -> float:
+        """Typical length of the arm."""
+        return size_of(self.chain) or 1.0
+
+    @property
+    def expected(self) -> JointClaim:
+        """What is true of the pose."""
+        if self.found.status is IKStatus.UNREACHABLE:
+            limits = self.found.reason is UnreachableReason.JOINT_LIMITS
+            return JointClaim.JOINT_LIMITS if limits else JointClaim.OUT_OF_REACH
+        families = any(found.isolation is Isolation.CONTINUUM for found in self.found.solutions)
+        return JointClaim.INFINITE if families else JointClaim.FINITE
+
+
+def joint_question(
+    solver: Solver,
+    target: Transform,
+    *,
+    every: bool = True,
+    tolerance: float = USUAL_TOLERANCE,
+    reach: ArmReach = ArmReach.POSE,
+) -> JointQuestion:
+    """Return a pose with all that reaches it.
+
+    Args:
+        solver: the arm with its limits (`kinematics.inverse.solver_of`), made for the same reach.
+        target: (4, 4) pose of the tool.
+        every: all solutions are asked, not one.
+        tolerance: of positions as a share of the arm's size, and of angles [rad].
+        reach: what of the tool has to reach the target: its pose, or its position alone.
+
+    Raises:
+        PoseError: the target is no rigid motion, or too far away to be computed with.
+    """
+    chain = chain_of_table(solver.table, solver.base, solver.tool)
+    return JointQuestion(
+        solver=solver,
+        chain=chain,
+        target=target,
+        found=solver.solve(target),
+        every=every,
+        tolerance=tolerance,
+        reach=reach,
+    )
+
+
+def judge_joints(question: JointQuestion, answer: JointAnswer) -> JointVerdict:
+    """Judge an answer against the complete set.
+
+    Args:
+        question: the pose, and what reaches it.
+        answer: in the variables of the question's arm.
+    """
+    expected = question.expected
+    if expected in (JointClaim.OUT_OF_REACH, JointClaim.JOINT_LIMITS):
+        right = answer.claim is expected
+        none = answer.claim in (JointClaim.OUT_OF_REACH, JointClaim.JOINT_LIMITS)
+        return JointVerdict(right=right, share=1.0 if right else 0.5 * none, expected=expected)
+    rows = _judged_rows(question, answer.rows)
+    good = [row for row in rows if row.right]
+    if not question.every:
+        right = bool(rows) and len(good) == len(rows) and answer.claim not in _NONE
+        return JointVerdict(right=right, share=float(right), expected=expected, rows=rows)
+    solutions = question.found.solutions
+    valid = tuple(_combination_holds(question, answer, rows, c) for c in answer.combinations)
+    covered = {k for k in range(len(solutions)) if _covered(question, answer, rows, valid, k)}
+    touched = {row.solution for row in good}
+    missing = tuple(
+        _branch(question, solutions[k], [solutions[j] for j in sorted(covered)])
+        for k in range(len(solutions))
+        if k not in covered and k not in touched
+    )
+    right = (
+        answer.claim is expected and len(covered) == len(solutions) and len(good) == len(rows) and all(valid)
+    )
+    share = max(0, len(covered) - (len(rows) - len(good))) / len(solutions)
+    return JointVerdict(
+        right=right,
+        share=1.0 if right else min(share, 0.95),
+        expected=expected,
+        rows=rows,
+        missing=missing,
+        combination_missing=bool(touched - covered),
+        combinations=valid,
+        complete=question.found.complete,
+    )
+
+
+_CHANGES = (
+    (JointMistake.QUADRANT, 1.0, math.pi),
+    (JointMistake.SIGN, -1.0, 0.0),
+    (JointMistake.SWAPPED, -1.0, math.pi / 2),
+)
+"""Of one joint value q ↦ sign·q + shift."""
+_NONE = (JointClaim.OUT_OF_REACH, JointClaim.JOINT_LIMITS)
+
+
+def _pose(question: JointQuestion, row: Sequence[float]) -> Transform:
+    pose: Transform = question.chain.poses(np.array([row], dtype=np.float64))[0]
+    return pose
+
+
+def _errors(question: JointQuestion, pose: Transform) -> tuple[bool, bool]:
+    """Return whether position and orientation of a pose are those of the target."""
+    target = question.target
+    position = float(np.linalg.norm(pose[:3, 3] - target[:3, 3])) <= question.tolerance * question.size
+    if question.reach is ArmReach.POSITION:
+        return position, True
+    chord = float(np.linalg.norm(pose[:3, :3] - target[:3, :3])) / math.sqrt(8.0)
+    return position, 2.0 * math.asin(min(1.0, chord)) <= question.tolerance
+
+
+def _reaches(question: JointQuestion, row: Sequence[float]) -> bool:
+    return all(math.isfinite(value) for value in row) and all(_errors(question, _pose(question, row)))
+
+
+def _judged_rows(question: JointQuestion, rows: Sequence[Sequence[float]]) -> tuple[RowVerdict, ...]:
+    """Judge the rows: each has to reach the target, whatever the solver found."""
+    if not rows:
+        return ()
+    poses = question.chain.poses(np.array(rows, dtype=np.float64))
+    return tuple(_row(question, row, pose) for row, pose in zip(rows, poses, strict=True))
+
+
+def _row(question: JointQuestion, row: Sequence[float], pose: Transform) -> RowVerdict:
+    if all(_errors(question, pose)):
+        joint = next(_beyond_limits(question, row), None)
+        if joint is not None:
+            return RowVerdict(right=False, joint=joint, mistake=JointMistake.LIMITS)
+        return RowVerdict(right=True, solution=_nearest(question, row))
+    joint, mistake = _slip(question, row)
+    return RowVerdict(right=False, joint=joint, mistake=mistake)
+
+
+def _beyond_limits(question: JointQuestion, row: Sequence[float]) -> Iterator[int]:
+    """Yield the joints, from 1, that no number of full turns brings within their limits."""
+    box, slack = question.solver.box, question.tolerance
+    for i, (value, axis) in enumerate(zip(row, question.chain.axes, strict=True)):
+        low, high = float(box.low[i]) - slack, float(box.high[i]) + slack
+        if not axis.prismatic and math.isfinite(low):
+            value = low + (value - low) % math.tau
+        elif not axis.prismatic and math.isfinite(high):
+            value = high - (high - value) % math.tau
+        if not low <= value <= high:
+            yield i + 1
+
+
+def _slip(question: JointQuestion, row: Sequence[float]) -> tuple[int | None, JointMistake | None]:
+    """Return what makes a wrong row right, joint by joint, if anything does."""
+    turning = [i for i, axis in enumerate(question.chain.axes) if not axis.prismatic]
+    tried = [
+        (mistake, i, [*row[:i], sign * row[i] + shift, *row[i + 1 :]])
+        for mistake, sign, shift in _CHANGES
+        for i in turning
+    ]
+    for unit in (math.degrees, math.radians):
+        turned = [unit(value) if i in turning else value for i, value in enumerate(row)]
+        if all(math.isfinite(value) for value in turned):
+            tried.append((JointMistake.DEGREES, -1, turned))
+    poses = question.chain.poses(np.array([changed for _, _, changed in tried], dtype=np.float64))
+    for (mistake, i, _), pose in zip(tried, poses, strict=True):
+        if np.isfinite(pose).all() and all(_errors(question, pose)):
+            return (i + 1 if i >= 0 else None), mistake
+    position, orientation = _errors(question, _pose(question, row))
+    if position or orientation:
+        return None, JointMistake.POSITION_ONLY if position else JointMistake.ORIENTATION_ONLY
+    return None, None
+
+
+def _apart(question: JointQuestion, row: Iterable[float], other: Iterable[float]) -> float:
+    """Return the largest difference of two configurations, turns left out; slides as shares of the size."""
+    return max(
+        abs(a - b) / question.size if axis.prismatic else abs(math.remainder(a - b, math.tau))
+        for a, b, axis in zip(row, other, question.chain.axes, strict=True)
+    )
+
+
+def _members(found: IKSolution) -> tuple[tuple[float, ...], ...]:
+    members = () if found.family is None else found.family.members
+    return (found.joints, *members)
+
+
+def _nearest(question: JointQuestion, row: Sequence[float]) -> int:
+    """Return which solution, or family, a row that reaches the target is."""
+    distances = [
+        min(_off(question, found, member, row) for member in _members(found))
+        for found in question.found.solutions
+    ]
+    return int(np.argmin(distances))
+
+
+def _off(question: JointQuestion, found: IKSolution, member: Sequence[float], row: Sequence[float]) -> float:
+    """Return how far a row is from a solution; along a straight family nothing counts."""
+    family = found.family
+    if family is None or family.direction is None:
+        return _apart(question, row, member)
+    direction = family.direction
+    k = max(range(len(direction)), key=lambda i: abs(direction[i]))
+    t = (row[k] - member[k]) / direction[k]
+    along = [value + t * rate for value, rate in zip(member, direction, strict=True)]
+    return _apart(question, row, along)
+
+
+def _combination_holds(
+    question: JointQuestion,
+    answer: JointAnswer,
+    rows: Sequence[RowVerdict],
+    combination: Sequence[float],
+) -> bool:
+    """Return whether a combination describes the family of some row."""
+    return any(
+        verdict.right and _describes(question, row, combination)
+        for row, verdict in zip(answer.rows, rows, strict=True)
+    )
+
+
+def _describes(question: JointQuestion, row: Sequence[float], combination: Sequence[float]) -> bool:
+    """Return whether every configuration with the same c·q, other joints as they are, reaches the target."""
+    joints = [i for i, value in enumerate(combination) if value]
+    directions = _free(combination, joints, len(row))
+    if not directions:
+        return False
+    for direction in directions:
+        for step in STEPS:
+            scale = step * (question.size if question.chain.axes[joints[0]].prismatic else 1.0)
+            if not _reaches(question, [q + scale * d for q, d in zip(row, direction, strict=True)]):
+                return False
+    return True
+
+
+def _free(combination: Sequence[float], joints: Sequence[int], n: int) -> list[Floats]:
+    """Return directions d with c·d = 0 over the joints of c, as many as are independent."""
+    pivot = max(joints, key=lambda i: abs(combination[i]))
+    found = []
+    for i in joints:
+        if i != pivot:
+            direction = np.zeros(n)
+            direction[i], direction[pivot] = 1.0, -combination[i] / combination[pivot]
+            found.append(direction)
+    return found
+
+
+def _covered(
+    question: JointQuestion,
+    answer: JointAnswer,
+    rows: Sequence[RowVerdict],
+    valid: Sequence[bool],
+    k: int,
+) -> bool:
+    """Return whether a solution has its row, and a straight family its condition besides."""
+    own = [row for row, verdict in zip(answer.rows, rows, strict=True) if verdict.solution == k]
+    family = question.found.solutions[k].family
+    if not own or family is None or family.direction is None:
+        return bool(own)
+    direction = np.array(family.direction)
+    return any(
+        holds
+        and abs(float(np.dot(c, direction)))
+        <= 1e-6 * float(np.linalg.norm(c)) * float(np.linalg.norm(direction))
+        and any(_describes(question, row, c) for row in own)
+        for c, holds in zip(answer.combinations, valid, strict=True)
+    )
+
+
+def _branch(question: JointQuestion, missing: IKSolution, others: Sequence[IKSolution]) -> Branch:
+    """Return how a solution differs from the one among others that is most like it."""
+    if not others:
+        return Branch.OTHER
+    axes = question.chain.axes
+    n = len(axes)
+    elbow = next(
+        (
+            i
+            for i in range(n - 1)
+            if not axes[i].prismatic
+            and not axes[i + 1].prismatic
+            and np.linalg.norm(np.cross(axes[i].direction, axes[i + 1].direction)) < PARALLEL
+        ),
+        None,
+    )
+
+    def same(other: IKSolution, i: int) -> bool:
+        apart = missing.joints[i] - other.joints[i]
+        return abs(apart if axes[i].prismatic else math.remainder(apart, math.tau)) < 1e-6
+
+    alike = max(others, key=lambda other: sum(same(other, i) for i in range(n)))
+    if n >= 3 and all(same(alike, i) for i in range(n - 3)) and n > 3:
+        return Branch.WRIST
+    if elbow is None:
+        return Branch.OTHER
+    return Branch.ELBOW if all(same(alike, i) for i in range(elbow)) else Branch.SHOULDER
+
+
+def in_other_frames(answer: JointAnswer, signs: Sequence[int], offsets: Sequence[float]) -> JointAnswer:
+    """Return an answer in the key's variables: q = σ∘(q_s − δ), and c = c_s∘σ.
+
+    Args:
+        answer: in the variables of an accepted table.
+        signs: σ of its certificate.
+        offsets: δ of its certificate [rad, or a length].
+    """
+    n = len(signs)
+    return JointAnswer(
+        claim=answer.claim,
+        rows=tuple(
+            tuple(s * (q - d) for s, q, d in zip(signs, row, offsets, strict=True)) for row in answer.rows
+        ),
+        combinations=tuple(tuple(row[i] * signs[i] for i in range(n)) for row in answer.combinations),
+    )

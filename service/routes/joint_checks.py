@@ -1,0 +1,55 @@
+"""Joint values that somebody says reach a pose."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Annotated, Any
+
+from fastapi import Body
+
+from service.http.languages import language_of
+from service.http.openapi import problems
+from service.http.routing import ApiRequest, api_router
+from service.schemas import examples
+from service.schemas.joint_answers import CheckInverseKinematicsAnswer, CheckInverseKinematicsRequest
+from service.wire.joint_checks import checked_joints
+from service.work.limiters import WorkKind
+
+router = api_router("kinematics")
+
+_EXAMPLES: dict[str, Any] = {
+    "two links, one of the two elbows": {
+        "table": examples.TWO_LINKS,
+        "parameters": {"L1": 0.5, "L2": 0.3},
+        "target": [[1, 0, 0, 0.5], [0, 1, 0, 0.3], [0, 0, 1, 0], [0, 0, 0, 1]],
+        "position_only": True,
+        "solutions": [[0, 1.5707963]],
+    },
+    "out of reach": {
+        "table": examples.TWO_LINKS,
+        "parameters": {"L1": 0.5, "L2": 0.3},
+        "target": [[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
+        "claim": "out_of_reach",
+    },
+}
+
+
+@router.post(
+    "/check-inverse-kinematics",
+    summary="Do these joint values reach the pose, and are they all?",
+    responses=problems(400, 413, 415, 422, 503),
+)
+async def check_inverse_kinematics(
+    body: Annotated[CheckInverseKinematicsRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    request: ApiRequest,
+) -> CheckInverseKinematicsAnswer:
+    """Each row is judged by the forward kinematics, full turns left out, and the rows by the complete set.
+
+    Of a singular pose the condition is asked: which combination of joint values is fixed on the family. With
+    `own`, joint values and pose are those of the answerer's own table; they are carried over by the
+    certificate (σ, δ, B, E) of that table. Branches that are missing and wrong quadrants are named.
+    """
+    resources, limits = request.resources, request.settings.cell_limits
+    robot = await request.in_turn(partial(resources.robots.prepare, body))
+    work = partial(checked_joints, body, robot, limits, language_of(request))
+    return await resources.limiters[WorkKind.GRADING].run(work)

@@ -1,0 +1,33 @@
+"""What is said of an answer, as a code and as a sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from pydantic import Field
+
+from exercises.grading import Feedback
+from service.messages import sentence
+from service.schemas.base import Wire
+
+
+class SpokenFeedback(Wire):
+    """Something that is said of an answer."""
+
+    code: str = Field(description="stable identifier, in snake_case")
+    params: dict[str, str | int | float] = Field(description="the values in the sentence")
+    message: str = Field(description="the sentence, in the caller's language")
+
+
+def spoken(feedback: Iterable[Feedback], language: str) -> list[SpokenFeedback]:
+    """Return feedback with its sentences."""
+    return [
+        SpokenFeedback(
+            code=entry.code,
+            params={
+                name: value for name, value in entry.params.items() if isinstance(value, str | int | float)
+            },
+            message=sentence(language, f"feedback-{entry.code}", entry.params) or entry.code,
+        )
+        for entry in feedback
+    ]

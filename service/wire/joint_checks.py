@@ -1,0 +1,132 @@
+"""Answers about inverse kinematics between the wire and the domain."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from exercises.grading import Feedback, Policy, ToolRule
+from exercises.parts.inverse_kinematics import joint_feedback
+from kinematics.answers.joint_answers import JointAnswer, in_other_frames, joint_question, judge_joints
+from kinematics.cells import Limits, bind_parameters, in_length_unit, read_table
+from kinematics.chain import chain_of_table
+from kinematics.equivalence import Certificate
+from kinematics.equivalence.decision import certify
+from kinematics.equivalence.reference import prepared
+from kinematics.errors import Fault, JointValueError
+from kinematics.inverse import ArmReach, solver_of
+from kinematics.se3 import check_transform, inverse_transform
+from service.http.problems import located
+from service.schemas.joint_answers import (
+    CheckInverseKinematicsAnswer,
+    CheckInverseKinematicsRequest,
+    JointRowVerdict,
+)
+from service.schemas.joint_limits import domain_limits
+from service.schemas.spoken import spoken
+from service.wire.fault_pointers import traced
+from service.wire.pose_matrices import pose_matrix
+from service.wire.prepared_robots import PreparedRobot
+
+ROUNDED = 2e-3
+"""How far a target may be from a rigid motion: three decimals."""
+
+
+def checked_joints(
+    request: CheckInverseKinematicsRequest, robot: PreparedRobot, limits: Limits, language: str
+) -> CheckInverseKinematicsAnswer:
+    """Return what is said of joint values for a pose.
+
+    Raises:
+        KinematicsError: a malformed table, pose, limits or row; every fault at its place.
+    """
+    units = _units(request, robot)
+    target = check_transform(
+        pose_matrix(request.target, robot.angle, "target"), where=("target",), tolerance=ROUNDED
+    )
+    left, _, right = np.linalg.svd(target[:3, :3])
+    target[:3, :3] = left @ right
+    own = None if request.own is None else _certificate(request, robot, limits)
+    if request.own is not None and own is None:
+        return _refused(robot, language)
+    answer = JointAnswer(
+        claim=request.claim,
+        rows=tuple(_row(row, units, "solutions", i) for i, row in enumerate(request.solutions)),
+        combinations=tuple(
+            _row(row, (1.0,) * len(units), "combinations", i) for i, row in enumerate(request.combinations)
+        ),
+    )
+    if own is not None:
+        answer = in_other_frames(answer, own.joint_signs, own.joint_offsets)
+        target = inverse_transform(own.base) @ target @ inverse_transform(own.tool)
+    reach = ArmReach.POSITION if request.position_only else ArmReach.POSE
+    with traced(request):
+        ranges = domain_limits(request.limits, robot.joint_units)
+        solver = solver_of(robot.table, limits=ranges, reach=reach)
+        question = joint_question(
+            solver, target, every=request.every, tolerance=request.tolerance, reach=reach
+        )
+    found = judge_joints(question, answer)
+    return CheckInverseKinematicsAnswer.model_validate(
+        {
+            **robot.units,
+            "correct": found.right,
+            "score": found.share,
+            "expected": found.expected,
+            "complete": found.complete,
+            "rows": [JointRowVerdict(correct=row.right, solution=row.solution) for row in found.rows],
+            "combinations": list(found.combinations),
+            "own_accepted": None if own is None else True,
+            "base": None if own is None else own.base.tolist(),
+            "tool": None if own is None else own.tool.tolist(),
+            "feedback": spoken(joint_feedback(found, answer), language),
+        }
+    )
+
+
+def _certificate(
+    request: CheckInverseKinematicsRequest, robot: PreparedRobot, limits: Limits
+) -> Certificate | None:
+    """Return how the answerer's own table agrees with the robot; None if it is another one."""
+    assert request.own is not None
+    with located("own"):
+        read = in_length_unit(read_table(request.own.raw(), limits), robot.read.length_unit)
+        known = {name: value for name, value in request.parameters.items() if name in read.parameters}
+        table = bind_parameters(read, known)
+    policy = Policy(tool=ToolRule.FREE)
+    return certify([prepared(robot.table)], [chain_of_table(table)], policy)
+
+
+def _refused(robot: PreparedRobot, language: str) -> CheckInverseKinematicsAnswer:
+    """Return what is said where the answerer's own table is another robot."""
+    return CheckInverseKinematicsAnswer.model_validate(
+        {
+            **robot.units,
+            "correct": False,
+            "score": 0.0,
+            "expected": None,
+            "complete": True,
+            "rows": [],
+            "combinations": [],
+            "own_accepted": False,
+            "base": None,
+            "tool": None,
+            "feedback": spoken((Feedback(code="joints_need_table"),), language),
+        }
+    )
+
+
+def _units(request: CheckInverseKinematicsRequest, robot: PreparedRobot) -> tuple[float, ...]:
+    """Return what one unit of each joint value is in [rad], or in the robot's length unit."""
+    if request.own is None:
+        return robot.joint_units
+    angle = np.pi / 180 if request.own.angle_unit.value == "deg" else 1.0
+    ratio = float(request.own.length_unit.metres_per_unit / robot.read.length_unit.metres_per_unit)
+    turns = [kind.value == "revolute" for kind in robot.table.joint_types]
+    return tuple(float(angle) if turning else ratio for turning in turns)
+
+
+def _row(row: list[float], units: tuple[float, ...], field: str, i: int) -> tuple[float, ...]:
+    if len(row) != len(units):
+        params = {"expected": len(units), "given": len(row)}
+        raise JointValueError(Fault(code="joint_row_length", where=(field, i), params=params))
+    return tuple(value * unit for value, unit in zip(row, units, strict=True))

@@ -1,0 +1,134 @@
+"""Joint values that reach a pose: right ones however they are written, families, none, and usual slips."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from kinematics.answers.joint_answers import (
+    Branch,
+    JointAnswer,
+    JointClaim,
+    JointMistake,
+    joint_question,
+    judge_joints,
+)
+from kinematics.inverse import ArmReach, solver_of
+from tests.kinematics.answers.joint_values import campaign, product, robot
+
+PUMA = robot("puma560")
+Q = (0.3, -0.5, 0.4, 0.6, 0.7, -0.2)
+
+
+def asked(q=Q, table=PUMA, **options):
+    return joint_question(solver_of(table), product(table, q), **options)
+
+
+def finite(*rows):
+    return JointAnswer(claim=JointClaim.FINITE, rows=tuple(tuple(row) for row in rows))
+
+
+def test_right_answers_written_differently_are_accepted_and_wrong_ones_refused() -> None:
+    right, wrong, misjudged = campaign(60)
+    assert (right, wrong) == (120, 300)
+    assert misjudged == []
+
+
+@pytest.mark.parametrize(
+    ("joint", "value", "mistake"),
+    [
+        (1, Q[0] + math.pi, JointMistake.QUADRANT),
+        (4, -Q[3], JointMistake.SIGN),
+        (6, math.pi / 2 - Q[5], JointMistake.SWAPPED),
+    ],
+)
+def test_a_slip_in_one_joint_is_told(joint, value, mistake) -> None:
+    row = [*Q[: joint - 1], value, *Q[joint:]]
+    found = judge_joints(asked(every=False), finite(row))
+    assert not found.right
+    assert (found.rows[0].joint, found.rows[0].mistake) == (joint, mistake)
+
+
+def test_degrees_and_half_of_a_pose_are_told() -> None:
+    degrees = judge_joints(asked(every=False), finite([math.degrees(q) for q in Q]))
+    assert degrees.rows[0].mistake is JointMistake.DEGREES
+    turned = judge_joints(asked(every=False), finite([*Q[:5], Q[5] + 0.5]))
+    assert turned.rows[0].mistake is JointMistake.POSITION_ONLY
+    found = judge_joints(asked(every=False), finite([q + 0.4 for q in Q]))
+    assert found.rows[0].mistake is None
+
+
+def test_missing_branches_are_named() -> None:
+    question = asked()
+    rows = [found.joints for found in question.found.solutions]
+    assert len(rows) == 8
+    for k in range(8):
+        found = judge_joints(question, finite(*rows[:k], *rows[k + 1 :]))
+        assert found.missing == (Branch.WRIST,)
+        assert found.share == pytest.approx(7 / 8)
+    without = [row for row in rows if abs(math.remainder(row[0] - Q[0], math.tau)) < 1e-6]
+    found = judge_joints(question, finite(*without))
+    assert set(found.missing) == {Branch.SHOULDER}
+    one_elbow = [row for row in without if abs(math.remainder(row[1] - Q[1], math.tau)) < 1e-6]
+    assert Branch.ELBOW in judge_joints(question, finite(*one_elbow)).missing
+
+
+def test_a_stretched_wrist_is_answered_with_its_condition() -> None:
+    question = asked((*Q[:4], 0.0, Q[5]))
+    assert question.expected is JointClaim.INFINITE
+    rows = tuple(found.joints for found in question.found.solutions)
+    condition = (0.0, 0.0, 0.0, 2.0, 0.0, 2.0)
+    answer = JointAnswer(claim=JointClaim.INFINITE, rows=rows, combinations=(condition,))
+    assert judge_joints(question, answer).right
+    elsewhere = tuple(
+        (*row[:3], row[3] + 1, row[4], row[5] - 1) if abs(row[4]) < 1e-9 else row for row in rows
+    )
+    assert judge_joints(question, replace(answer, rows=elsewhere)).right
+    other = judge_joints(question, replace(answer, combinations=((0, 0, 0, 1, 0, -1),)))
+    assert not other.right
+    assert other.combinations == (False,)
+    assert judge_joints(question, replace(answer, combinations=())).combination_missing
+    assert not judge_joints(question, replace(answer, claim=JointClaim.FINITE)).right
+    assert not judge_joints(question, replace(answer, rows=rows[1:])).right or len(rows) == 1
+
+
+def test_a_pose_that_cannot_be_reached() -> None:
+    target = product(PUMA, Q)
+    target[:3, 3] *= 9
+    question = joint_question(solver_of(PUMA), target)
+    assert question.expected is JointClaim.OUT_OF_REACH
+    assert judge_joints(question, JointAnswer(claim=JointClaim.OUT_OF_REACH)).right
+    assert judge_joints(question, JointAnswer(claim=JointClaim.JOINT_LIMITS)).share == 0.5
+    assert judge_joints(question, finite(Q)).share == 0
+
+
+def test_limits_are_counted_modulo_full_turns() -> None:
+    narrow = [(q - 0.1, q + 0.1) for q in Q]
+    question = joint_question(solver_of(PUMA, limits=narrow), product(PUMA, Q))
+    assert judge_joints(question, finite([q + math.tau for q in Q])).right
+    flipped = [*Q[:3], Q[3] + math.pi, -Q[4], Q[5] + math.pi]
+    found = judge_joints(question, finite(flipped))
+    assert found.rows[0].mistake is JointMistake.LIMITS
+    away = [(q + 1, q + 1.1) for q in Q]
+    question = joint_question(solver_of(PUMA, limits=away), product(PUMA, Q))
+    assert judge_joints(question, JointAnswer(claim=JointClaim.JOINT_LIMITS)).right
+
+
+def test_a_stretched_arm_has_one_solution() -> None:
+    table = robot("twolink")
+    reach = ArmReach.POSITION
+    question = joint_question(solver_of(table, reach=reach), product(table, (0.4, 0.0)), reach=reach)
+    assert judge_joints(question, finite((0.4, 0.0))).right
+    assert judge_joints(question, finite((0.4 - math.tau, math.tau))).right
+
+
+@pytest.mark.parametrize("value", [1e308, -1e300, 1e-300])
+def test_no_joint_value_is_too_large_to_be_judged(value) -> None:
+    question = asked()
+    assert not judge_joints(question, finite([value] * 6)).right
+    answer = JointAnswer(claim=JointClaim.INFINITE, rows=(Q,), combinations=((value,) * 6,))
+    assert not judge_joints(question, answer).right
+    assert np.isfinite(judge_joints(question, answer).share)

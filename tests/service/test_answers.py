@@ -1,0 +1,126 @@
+"""Calls that judge by meaning, over HTTP."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import httpx
+import pytest
+
+TARGET = [[0, 0, 1, 0.5], [0, -1, 0, 0.2], [1, 0, 0, 0.3], [0, 0, 0, 1]]
+
+
+def post(client: httpx.Client, path: str, body: Any, language: str = "en") -> Any:
+    answer = client.post(f"/api/v1/{path}", json=body, headers={"Accept-Language": language})
+    assert answer.status_code == 200, answer.text
+    return answer.json()
+
+
+def test_all_notations_of_an_orientation_are_accepted_as_answers(client: httpx.Client) -> None:
+    given = {"angles": [30, 45, -60], "axes": "XYZ", "turning": "fixed"}
+    found = post(client, "rotations", {"orientation": given, "angle_unit": "deg"})
+    assert found["is_rotation"]
+    assert len(found["sequences"]) == 24
+    answers = [
+        {"matrix": found["matrix"]},
+        {"quaternion": [-value for value in found["quaternion"]]},
+        {"axis": [-value for value in found["axis"]], "angle": 360 - found["angle"]},
+        *(
+            {"triples": entry["triples"], "axes": entry["axes"], "turning": entry["turning"]}
+            for entry in found["sequences"]
+        ),
+    ]
+    for answer in answers:
+        body = {"expected": given, "answer": answer, "angle_unit": "deg", "every": True}
+        assert post(client, "check-rotation", body) == {"correct": True, "score": 1, "mistakes": []}
+
+
+def test_gimbal_lock_is_told_with_its_family(client: httpx.Client) -> None:
+    given = {"angles": [20, 90, 10]}
+    found = post(client, "rotations", {"orientation": given, "angle_unit": "deg"})
+    entry = next(e for e in found["sequences"] if (e["axes"], e["turning"]) == ("ZYX", "current"))
+    assert entry["family"] == {"middle": 90, "combination": "difference", "value": pytest.approx(10)}
+    for answer, right in ((entry["family"], True), ({**entry["family"], "value": 20}, False)):
+        body = {"expected": given, "answer": {"family": answer}, "angle_unit": "deg", "every": True}
+        assert post(client, "check-rotation", body)["correct"] is right
+
+
+@pytest.mark.parametrize(
+    ("path", "body", "code", "pointer"),
+    [
+        ("rotations", {"orientation": {}}, "one_notation", "/orientation"),
+        (
+            "rotations",
+            {"orientation": {"angles": [1, 2, 3], "axes": "XXY"}},
+            "euler_axes_unknown",
+            "/orientation/axes",
+        ),
+        (
+            "rotations",
+            {"orientation": {"quaternion": [0, 0, 0, 0]}},
+            "quaternion_length",
+            "/orientation/quaternion",
+        ),
+        ("rotations", {"orientation": {"axis": [0, 0, 1]}}, "axis_and_angle", "/orientation/angle"),
+        (
+            "check-rotation",
+            {"expected": {"matrix": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}, "answer": {"angles": [0, 0, 0]}},
+            "expected_not_rotation",
+            "/expected/matrix",
+        ),
+        (
+            "check-inverse-kinematics",
+            {"robot": "puma560", "target": TARGET, "solutions": [[1, 2]]},
+            "joint_row_length",
+            "/solutions/0",
+        ),
+    ],
+)
+def test_what_cannot_be_judged_is_refused_with_its_place(
+    client: httpx.Client, path: str, body: Any, code: str, pointer: str
+) -> None:
+    answer = client.post(f"/api/v1/{path}", json=body)
+    assert (answer.status_code, answer.json()["code"], answer.json()["pointer"]) == (422, code, pointer)
+
+
+def test_the_solutions_of_a_pose_are_all_right_in_any_frames(client: httpx.Client) -> None:
+    solved = post(client, "inverse-kinematics", {"robot": "puma560", "target": TARGET})
+    rows = [solution["joints"] for solution in solved["solutions"]]
+    question = {"robot": "puma560", "target": TARGET}
+    found = post(client, "check-inverse-kinematics", {**question, "solutions": rows})
+    assert found["correct"], found
+    short = post(client, "check-inverse-kinematics", {**question, "solutions": rows[1:]}, "fr")
+    assert not short["correct"]
+    assert [entry["code"] for entry in short["feedback"]] == ["joints_missing", "branch_wrist"]
+    assert "poignet" in short["feedback"][1]["message"]
+
+
+def test_joint_values_of_ones_own_table_are_carried_over_by_its_certificate(client: httpx.Client) -> None:
+    """The same arm in the other convention, with a variable reversed, a zero moved and a raised frame 0."""
+    key = {
+        "convention": "standard",
+        "angle_unit": "deg",
+        "rows": [
+            {"theta": "q1", "d": 0, "a": 0.5, "alpha": 0},
+            {"theta": "q2", "d": 0, "a": 0.3, "alpha": 0},
+        ],
+    }
+    own = {
+        "convention": "modified",
+        "angle_unit": "deg",
+        "rows": [
+            {"alpha": 180, "a": 0, "d": -0.2, "theta": "q1"},
+            {"alpha": 0, "a": 0.5, "d": 0, "theta": "q2 + 90"},
+            {"joint": "fixed", "alpha": 0, "a": 0.3, "d": 0, "theta": 0},
+        ],
+    }
+    pose = post(client, "forward-kinematics", {"table": own, "joints": [-25, -130]})["transform"]
+    body = {"table": key, "own": own, "target": pose, "solutions": [[-25, -130]], "every": False}
+    found = post(client, "check-inverse-kinematics", body)
+    assert found["own_accepted"]
+    assert found["correct"], found
+    wrong = post(client, "check-inverse-kinematics", {**body, "solutions": [[25, -130]]})
+    assert not wrong["correct"]
+    stranger = {**own, "rows": [*own["rows"][:1], {**own["rows"][1], "a": 0.4}, own["rows"][2]]}
+    found = post(client, "check-inverse-kinematics", {**body, "own": stranger})
+    assert (found["own_accepted"], found["correct"]) == (False, False)
