@@ -17,7 +17,7 @@ from exercises.parts.protocol import TABLE
 from exercises.parts.registry import part_type
 from exercises.selftest.answers import context_of, judged_answer, other_frames
 from exercises.selftest.mistakes import MISTAKES
-from exercises.selftest.typed import typed
+from exercises.written_table import written_table
 from kinematics.cells import RawTable, ReadTable
 from kinematics.errors import KinematicsError
 
@@ -62,12 +62,12 @@ def right_answers(exercise: Exercise, count: int) -> tuple[RehearsedAnswer, ...]
         count: how many at most; where little is free there are fewer.
     """
     instance = generate(exercise)
-    found = {typed(exercise.reference): exercise.reference}
+    found = {written_table(exercise.reference): exercise.reference}
     for k in range(TRIES * count):
         if len(found) == count:
             break
         read = other_frames(instance, Random(f"{exercise.id} right {k}"))  # noqa: S311 - repeatable
-        found.setdefault(typed(read), read)
+        found.setdefault(written_table(read), read)
     return tuple(_rehearsed(instance, table, read, None) for table, read in found.items())
 
 
@@ -79,7 +79,7 @@ def usual_mistakes(exercise: Exercise) -> tuple[RehearsedAnswer, ...]:
     instance = generate(exercise)
     found: list[RehearsedAnswer] = []
     for code, make in MISTAKES.items():
-        answers = (_rehearsed(instance, typed(read), read, code) for read in make(exercise.reference))
+        answers = (_rehearsed(instance, written_table(read), read, code) for read in make(exercise.reference))
         first = next((answer for answer in answers if not answer.correct), None)
         if first is not None:
             found.append(first)
