@@ -12,7 +12,13 @@ from dataclasses import dataclass, replace
 from exercises.grading.comparison import Comparison
 from exercises.grading.digits import tightened
 from exercises.grading.facts import Weights
-from exercises.grading.findings import feedback_of, link_findings, told_repairs, wrong_facts
+from exercises.grading.findings import (
+    equally_good,
+    feedback_of,
+    link_findings,
+    told_repairs,
+    wrong_facts,
+)
 from exercises.grading.judgement import IMPRECISE, REFUTED, diagnosed, policy_of, share_of
 from exercises.grading.repairs import MOST_WORK, Repaired, find_repairs
 from exercises.grading.score import score_of
@@ -112,9 +118,10 @@ def _told(
     decision: Decision, repairs: Sequence[Repaired], work: Work, policy: Policy, level: HelpLevel
 ) -> tuple[tuple[LinkFinding, ...], tuple[Feedback, ...]]:
     key, answer = work.reference.table, work.table
-    wrong = wrong_facts(decision, repairs, answer)
-    feedback = feedback_of(decision, repairs, wrong, key, answer, policy, level)
-    return link_findings(answer, wrong, decision, repairs, level), feedback
+    alike = equally_good(repairs, answer, key)
+    wrong = wrong_facts(decision, repairs, alike, answer)
+    feedback = feedback_of(decision, repairs, alike, wrong, key, answer, policy, level)
+    return link_findings(answer, wrong, decision, repairs, alike, level), feedback
 
 
 def without_idle_rows(read: ReadTable) -> tuple[ReadTable, tuple[int, ...]]:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 
 from exercises.grading.repairs import Repaired
 from exercises.grading.verdict import Edit, Feedback, Finding, HelpLevel, LinkFinding, ParamValue, Repair
-from exercises.grading.work import Change, Extent
+from exercises.grading.work import Change
 from kinematics.equivalence import Decision, Kind, Mismatch, Policy
 from kinematics.table import JointType, NumericTable
 
@@ -48,21 +49,25 @@ _CODE_OF_FACT = {
 }
 
 
+TURN = 2.0 * math.pi
+SAME = 0.01
+"""[rad], and a share of a length: the per cent by which an entry may be off, whatever its digits."""
+
+
 def told_from(level: HelpLevel, needed: HelpLevel) -> bool:
     """Whether a help level lets through what needs at least another one."""
     return LEVELS.index(level) >= LEVELS.index(needed)
 
 
 def wrong_facts(
-    decision: Decision, repairs: Sequence[Repaired], table: NumericTable
+    decision: Decision, repairs: Sequence[Repaired], alike: Sequence[Change], table: NumericTable
 ) -> frozenset[tuple[int, str]]:
     """The wrong facts as (row counted from 0, fact): of the likeliest repair, else of the diagnosis.
 
     Where other cells would mend the table as well, nobody can say which one is wrong, and all of them count.
     """
     if repairs:
-        changes = equally_good(repairs) or repairs[0].changes
-        cells = {place for change in changes for place in change.places}
+        cells = {place for change in alike or repairs[0].changes for place in change.places}
         return frozenset((row, _fact(table, row, cell)) for row, cell in cells)
     return frozenset(
         (m.row, _FACT_OF_KIND[m.kind])
@@ -71,21 +76,38 @@ def wrong_facts(
     )
 
 
-def equally_good(repairs: Sequence[Repaired]) -> tuple[Change, ...]:
-    """The edits of single cells that explain an answer as well as the likeliest one does, and that one.
+def equally_good(repairs: Sequence[Repaired], table: NumericTable, key: NumericTable) -> tuple[Change, ...]:
+    """The single edits that explain an answer as well as the likeliest one does, and that one.
 
     A mirrored arm has one handedness that is wrong, and as many signs that set it right, in one row or in
-    several; an offset along parallel axes may be wrong in any of their rows.
+    several; an offset along parallel axes may be wrong in any of their rows. Edits of a cell are as good as
+    one another, and edits of a row; what concerns the table throughout is told as the likeliest alone. A
+    length that was typed is likelier wrong than a zero, where with that the frames are the key's own.
     """
     singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
-    if not singles or singles[0] is not repairs[0].changes[0] or singles[0].extent is not Extent.CELL:
+    if not singles or singles[0] is not repairs[0].changes[0] or singles[0].row is None:
         return ()
-    first = singles[0]
-    if first.row is None:
-        return ()
-    if first.code in _SIGNS:
-        return tuple(change for change in singles if change.code in _SIGNS)
-    return tuple(change for change in singles if (change.code, change.cell) == (first.code, first.cell))
+    best = singles[0]
+    alike = [change for change in singles if change.extent is best.extent and change.row is not None]
+    if not best.fills_a_zero(table) and _has_frames_of(best.of(table), key):
+        alike = [change for change in alike if not change.fills_a_zero(table)]
+    return tuple(alike)
+
+
+def _has_frames_of(table: NumericTable, key: NumericTable) -> bool:
+    """Whether a table is another but for signs and the zeros of the variables."""
+    if table.convention is not key.convention or len(table.rows) != len(key.rows):
+        return False
+    return all(
+        row.joint is other.joint
+        and abs(abs(math.remainder(row.alpha, TURN)) - abs(math.remainder(other.alpha, TURN))) <= SAME
+        and all(
+            abs(abs(getattr(row, cell)) - abs(getattr(other, cell))) <= SAME * abs(getattr(other, cell))
+            for cell in ("a", "d")
+            if cell == "a" or row.joint is not JointType.PRISMATIC
+        )
+        for row, other in zip(table.rows, key.rows, strict=True)
+    )
 
 
 def _fact(table: NumericTable, row: int, cell: str) -> str:
@@ -104,14 +126,14 @@ def link_findings(
     wrong: frozenset[tuple[int, str]],
     decision: Decision,
     repairs: Sequence[Repaired],
+    alike: Sequence[Change],
     level: HelpLevel,
 ) -> tuple[LinkFinding, ...]:
     """Row by row, as far as the help level tells."""
     if not told_from(level, HelpLevel.ROW):
         return ()
-    missing = {
-        change.places[0][0] for r in repairs[:1] for change in r.changes if change.code in MISSING_ROWS
-    }
+    told = alike or [change for repair in repairs[:1] for change in repair.changes]
+    missing = {change.places[0][0] for change in told if change.code in MISSING_ROWS}
     judged = (
         bool(repairs)
         or decision.same_robot
@@ -142,6 +164,7 @@ def all_right(table: NumericTable) -> tuple[LinkFinding, ...]:
 def feedback_of(
     decision: Decision,
     repairs: Sequence[Repaired],
+    alike: Sequence[Change],
     wrong: frozenset[tuple[int, str]],
     key: NumericTable,
     table: NumericTable,
@@ -158,35 +181,45 @@ def feedback_of(
     if not repairs and told_from(level, HelpLevel.ROW) and _lacks_precision(decision):
         told.append(Feedback(code="entries_imprecise"))
     if told_from(level, HelpLevel.ROW):
-        told += _in_place(wrong, repairs, table, level)
+        told += _in_place(wrong, repairs, alike, table, level)
     return tuple(told)
 
 
 def _in_place(
-    wrong: frozenset[tuple[int, str]], repairs: Sequence[Repaired], table: NumericTable, level: HelpLevel
+    wrong: frozenset[tuple[int, str]],
+    repairs: Sequence[Repaired],
+    alike: Sequence[Change],
+    table: NumericTable,
+    level: HelpLevel,
 ) -> Iterator[Feedback]:
     """Where something is wrong, and from `kind` on what: by the likeliest repair, else by the diagnosis."""
     if not repairs:
         yield from _facts(wrong, table, level)
         return
-    alike = equally_good(repairs)
+    if len(alike) > 1 and all(change.code in _SIGNS for change in alike) and told_from(level, HelpLevel.KIND):
+        told = list(_signs(alike))
+    else:
+        found = [entry for change in alike or repairs[0].changes for entry in _of(change, table, level)]
+        told = list({(entry.code, entry.row, entry.params.get("other")): entry for entry in found}.values())
     if len(alike) > 1:
-        if alike[0].code in _SIGNS and told_from(level, HelpLevel.KIND):
-            yield from _signs(alike)
-        else:
-            yield from _facts(wrong, table, level)
-        return
-    for change in repairs[0].changes:
-        edit = change.edit
-        if edit.code in _ROW_EDITS:
-            yield Feedback(code=_ROW_EDITS[edit.code], row=edit.row, params=edit.params)
-        elif edit.row is not None:
-            places = frozenset((row, _fact(table, row, cell)) for row, cell in change.places)
-            yield from _facts(places, table, level)
-        elif told_from(level, HelpLevel.KIND):
-            yield Feedback(code=_THROUGHOUT[edit.code])
-        else:
-            yield Feedback(code="whole_table")
+        told.sort(key=lambda entry: entry.row or 0)
+        if len(told) > 1:
+            yield Feedback(code="one_of_these")
+    yield from told
+
+
+def _of(change: Change, table: NumericTable, level: HelpLevel) -> Iterator[Feedback]:
+    """What is told of one edit."""
+    edit = change.edit
+    if edit.code in _ROW_EDITS:
+        yield Feedback(code=_ROW_EDITS[edit.code], row=edit.row, params=edit.params)
+    elif edit.row is not None:
+        places = frozenset((row, _fact(table, row, cell)) for row, cell in change.places)
+        yield from _facts(places, table, level)
+    elif told_from(level, HelpLevel.KIND):
+        yield Feedback(code=_THROUGHOUT[edit.code])
+    else:
+        yield Feedback(code="whole_table")
 
 
 def _signs(changes: Sequence[Change]) -> Iterator[Feedback]:

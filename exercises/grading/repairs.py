@@ -26,6 +26,8 @@ MOST_FIRST_EDITS = 24
 MOST_ROWS_TOGETHER = 160
 # More explanations than these explain nothing.
 MOST_REPAIRS = 6
+# A convention is declared once: likelier wrong than a row, less likely than a cell.
+DECLARED = (Extent.CELL.value + Extent.ROW.value) / 2
 # a single edit adds or removes one joint
 MOST_JOINTS_APART = 2
 
@@ -90,14 +92,8 @@ def _fitted(work: Work, slips: Collection[tuple[object, ...]] | None = None) -> 
 
 def _likelihood(change: Change, table: NumericTable) -> tuple[float, bool, int]:
     """What edits are sorted by, the likeliest first."""
-    return change.extent.value, _fills_a_zero(change, table), RANKS[change.code]
-
-
-def _fills_a_zero(change: Change, table: NumericTable) -> bool:
-    """Whether a change of one cell puts a length where none was typed; a typed one is likelier wrong."""
-    if change.extent is not Extent.CELL or change.row is None or change.cell not in ("a", "d"):
-        return False
-    return change.row < len(table.rows) and getattr(table.rows[change.row], change.cell) == 0.0
+    extent = DECLARED if change.code == "convention" else change.extent.value
+    return extent, change.fills_a_zero(table), RANKS[change.code]
 
 
 def _helping(work: Work, trials: Iterable[Trial], effort: Effort) -> Iterator[Change]:

@@ -86,6 +86,12 @@ class Change(NamedTuple):
             return self.row, self.cell
         return self.code, self.row, self.cell, self.params
 
+    def fills_a_zero(self, table: NumericTable) -> bool:
+        """Whether it puts a length where none was typed; a typed one is likelier wrong."""
+        if self.extent is not Extent.CELL or self.row is None or self.cell not in ("a", "d"):
+            return False
+        return self.row < len(table.rows) and getattr(table.rows[self.row], self.cell) == 0.0
+
     def of(self, table: NumericTable) -> NumericTable:
         """The table that a table becomes."""
         found = table if self.table is None else self.table

@@ -56,6 +56,7 @@ feedback-names_asked = The robot's dimensions have no values here. Write their n
 
 ## A wrong answer: its rows
 
+feedback-one_of_these = Only one of the following is the mistake; the table alone does not show which.
 feedback-row_wrong = Row { $row } is not right.
 feedback-twist_wrong = Row { $row }: the twist α, the angle between two neighbouring z axes, is not right.
 feedback-length_wrong = Row { $row }: the length a, the distance between two neighbouring z axes, is not right.

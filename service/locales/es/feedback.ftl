@@ -56,6 +56,7 @@ feedback-names_asked = Las dimensiones del robot no tienen valores aquí. Escrib
 
 ## Una respuesta incorrecta: sus filas
 
+feedback-one_of_these = Solo uno de los siguientes puntos es el error; la tabla por sí sola no muestra cuál.
 feedback-row_wrong = La fila { $row } no es correcta.
 feedback-twist_wrong = Fila { $row }: la torsión α, el ángulo entre dos ejes z vecinos, no es correcta.
 feedback-length_wrong = Fila { $row }: la longitud a, la distancia entre dos ejes z vecinos, no es correcta.

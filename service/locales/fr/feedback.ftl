@@ -56,6 +56,7 @@ feedback-names_asked = Les cotes du robot n’ont pas de valeur ici. Écrivez le
 
 ## Une réponse fausse : ses lignes
 
+feedback-one_of_these = Une seule des remarques suivantes désigne l'erreur ; le tableau seul ne montre pas laquelle.
 feedback-row_wrong = La ligne { $row } n’est pas juste.
 feedback-twist_wrong = Ligne { $row } : l’angle de torsion α, entre deux axes z voisins, n’est pas juste.
 feedback-length_wrong = Ligne { $row } : la longueur a, distance entre deux axes z voisins, n’est pas juste.

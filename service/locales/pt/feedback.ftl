@@ -56,6 +56,7 @@ feedback-names_asked = As dimensões do robô não têm valores aqui. Escreva os
 
 ## Uma resposta errada: as linhas
 
+feedback-one_of_these = Apenas um dos pontos seguintes é o erro; a tabela, por si só, não mostra qual.
 feedback-row_wrong = A linha { $row } não está certa.
 feedback-twist_wrong = Linha { $row }: a torção α, o ângulo entre dois eixos z vizinhos, não está certa.
 feedback-length_wrong = Linha { $row }: o comprimento a, a distância entre dois eixos z vizinhos, não está certo.

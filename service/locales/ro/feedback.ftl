@@ -57,6 +57,7 @@ feedback-names_asked = Dimensiunile robotului nu au valori aici. Scrieți numele
 
 ## Un răspuns greșit: rândurile
 
+feedback-one_of_these = Doar una dintre observațiile următoare este greșeala; tabelul singur nu arată care.
 feedback-row_wrong = Rândul { $row } nu este corect.
 feedback-twist_wrong = Rândul { $row }: unghiul de încrucișare α, dintre două axe z vecine, nu este corect.
 feedback-length_wrong = Rândul { $row }: lungimea a, distanța dintre două axe z vecine, nu este corectă.

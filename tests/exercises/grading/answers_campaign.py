@@ -221,7 +221,8 @@ def _junk(rows: int, rng: Random) -> list[DHRow[float]]:
 def accused_rows(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
     """One mistake in a six-joint robot, at the help level `row`: the rows that are accused hold it.
 
-    Failures are mistakes for which no accused row holds it.
+    Failures are mistakes for which no accused row holds it; a right row that is accused alone is one of them.
+    Where another edit mends the table as well, its row is named beside the mistaken one, never instead of it.
     """
     rng = Random(f"accused {block}")
     known = [(name, table) for name, table in catalogue() if table.n_joints == SIX_JOINTS]
@@ -241,10 +242,11 @@ def accused_rows(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
         outcome.kinds[mutation.kind] += 1
         accused = {entry.row for entry in verdict.feedback if entry.row}
         accused |= {entry.params.get("other") for entry in verdict.feedback}
+        rows = sorted(row for row in accused if isinstance(row, int))
+        outcome.kinds[f"{len(rows)} rows named"] += 1
         if accused & set(mutation.rows):
             outcome.right_row += 1
         else:
-            rows = sorted(row for row in accused if isinstance(row, int))
             outcome.failures.append(
                 f"{mutation.kind} in {mutation.rows} told as {rows}: {name}, block {block}"
             )

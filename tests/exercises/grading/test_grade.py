@@ -563,3 +563,26 @@ def test_entries_that_are_right_one_by_one_but_too_imprecise() -> None:
     assert verdict.score >= 0.8
     told = grade(KEY, read("standard", typed), strict, help_level=HelpLevel.VERDICT)
     assert codes(told) == ["not_equivalent"]
+
+
+def test_in_frames_of_ones_own_an_offset_is_wrong_in_any_row_of_parallel_axes() -> None:
+    """D₂ + d₃ is what counts: each of the two rows is named, and neither alone."""
+    split = with_cells(PUMA, (2, 2, 0.4), (3, 2, "d3 - 0.4"))
+    assert grade(KEY, read("standard", split), USUAL, VALUES).correct
+    for row, cell in ((2, 0.9), (3, "d3 + 0.7")):
+        answer = read("standard", with_cells(split, (row, 2, cell)))
+        verdict = grade(KEY, answer, USUAL, VALUES, HelpLevel.ROW)
+        assert codes(verdict) == ["not_equivalent", "one_of_these", "row_wrong", "row_wrong"]
+        assert {entry.row for entry in verdict.feedback if entry.row} == {2, 3}
+
+
+def test_a_convention_is_declared_wrong_sooner_than_rows_are_exchanged() -> None:
+    """A SCARA's table in the modified convention, declared as a standard one."""
+    key = read("modified", [(0, 0, "L0", "q1"), (0, "L1", 0, "q2"), ("pi", "L2", "q3", 0), (0, 0, 0, "q4")])
+    values = {"L0": 0.5, "L1": 0.4, "L2": 0.3}
+    answer = read(
+        "standard", [(0, 0, "L0", "q1"), (0, "L1", 0, "q2"), ("pi", "L2", "q3", 0), (0, 0, 0, "q4")]
+    )
+    verdict = grade(key, answer, USUAL, values)
+    assert [edit.code for edit in verdict.repairs[0].edits] == ["convention"]
+    assert "rows_out_of_order" not in codes(verdict)
