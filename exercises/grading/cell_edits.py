@@ -141,8 +141,13 @@ def length_in_other_unit(work: Work) -> Iterator[Change]:
                 yield _set("cell_length_unit", i, cell, getattr(row, cell) * ratio)
 
 
-def any_cell(work: Work) -> Iterator[Change]:
-    """A cell as the whole robot asks for, where no single fact of it shows the value."""
+def any_cell(work: Work, choice: int) -> Iterator[Change]:
+    """A cell as the whole robot asks for, where no single fact of it shows the value.
+
+    Args:
+        work: the table.
+        choice: see `fitted_table`.
+    """
     for i, row in work.rows:
         cells = ["a", "alpha"]
         if row.joint is not JointType.PRISMATIC:
@@ -150,7 +155,7 @@ def any_cell(work: Work) -> Iterator[Change]:
         if row.joint is not JointType.REVOLUTE:
             cells.append("theta")
         for cell in cells:
-            table = fitted_table(work, work.table, ((i, cell),))
+            table = fitted_table(work, work.table, ((i, cell),), choice)
             if table is not None:
                 value = getattr(table.rows[i], cell)
                 code = f"{cell}_value" if cell in ("alpha", "theta") else _story(work, i, cell, value)

@@ -206,22 +206,24 @@ def _turns(square: float, beside: float, here: float, target: float) -> Iterator
             yield math.remainder(here + change + half, 2.0 * math.pi)
 
 
-def fitted_table(work: Work, table: NumericTable, places: Sequence[Place]) -> NumericTable | None:
+def fitted_table(
+    work: Work, table: NumericTable, places: Sequence[Place], choice: int
+) -> NumericTable | None:
     """The table with some cells changed so that it fits the key as a whole; None if they cannot.
 
     Args:
         work: the key.
         table: the table.
         places: rows, counted from 0, and cells.
+        choice: which of the choices of the axes' directions is taken, the best first; below MOST_SIGNS.
     """
     if not work.has_the_joints(table):
         return None
-    work.meter.charge(PER_ALIGNMENT * 16 * len(table.joint_rows))
-    for signs in _likely_signs(work.reference, table, work.policy)[:MOST_SIGNS]:
-        found = fitted_cells(work.reference, table, places, signs, work.policy.tolerance, work.meter)
-        if found is not None:
-            return found
-    return None
+    signs = _likely_signs(work.reference, table, work.policy)
+    if choice >= len(signs):
+        return None
+    work.meter.charge(PER_ALIGNMENT * len(table.joint_rows))
+    return fitted_cells(work.reference, table, places, signs[choice], work.policy.tolerance, work.meter)
 
 
 @lru_cache(maxsize=256)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from itertools import chain, islice
+from itertools import islice
 
 from exercises.grading.cell_edits import any_cell
+from exercises.grading.fitting import MOST_SIGNS
 from exercises.grading.misconceptions import RANKS
 from exercises.grading.row_edits import any_row_left_out
 from exercises.grading.trials import Trial, tried, tried_unchanged
@@ -16,10 +17,12 @@ from kinematics.equivalence.meter import WorkExhaustedError
 from kinematics.equivalence.search import Effort
 from kinematics.table import NumericTable
 
-# Some three tenths of a second: see `kinematics.equivalence.meter`. Fitting cells to the whole robot may use
-# no more than its share, so that what comes after is tried as well.
+# Some three tenths of a second: see `kinematics.equivalence.meter`. Each way to a single
+# edit may use no more than its share, so that what comes after is tried as well; fitting cells to the whole
+# robot leaves some of it for deciding on what was found.
 MOST_WORK = 260_000
-WORK_OF_FITTING = 100_000
+WORK_OF_ONE_WAY = 180_000
+WORK_OF_FITTING = 120_000
 # A bound of the work: every one of them is followed by all the edits there are.
 MOST_FIRST_EDITS = 24
 # A bound of what is held in memory at once: tables that are tried together, times their rows.
@@ -58,19 +61,19 @@ def _found(work: Work) -> Iterator[Repaired]:
     here = tried_unchanged(work)
     (trials,) = tried([work if here is None else replace(work, reach=here.reach)])
     trials.sort(key=lambda trial: _likelihood(trial.change, work.table))
-    found = False
-    for effort in Effort:
-        for change in _helping(work, trials, effort):
-            found = True
-            yield Repaired((change,))
+    ways = [_helping(work, trials, Effort.PLAIN)]
+    if _says_little(work, here):
+        ways.append(_fitted(work))
+    ways.append(_helping(work, trials, Effort.REFINED))
+    for way in ways:
+        found = False
+        with work.meter.at_most(WORK_OF_ONE_WAY):
+            for change in way:
+                found = True
+                yield Repaired((change,))
         if found:
             return
-    if _says_little(work, here):
-        for change in _fitted(work):
-            found = True
-            yield Repaired((change,))
-    if not found:
-        yield from _pairs(work, here)
+    yield from _pairs(work, here)
 
 
 def _says_little(work: Work, here: Trial | None) -> bool:
@@ -85,8 +88,9 @@ def _fitted(work: Work, slips: Collection[tuple[object, ...]] | None = None) -> 
     """Single edits found by fitting a cell to the whole robot; those made before the work runs out count."""
     made: list[Change] = []
     with work.meter.at_most(WORK_OF_FITTING):
-        for change in chain(any_cell(work), any_row_left_out(work)):
-            made.append(change)  # noqa: PERF402
+        for choice in range(MOST_SIGNS):
+            made += any_cell(work, choice)
+            made += any_row_left_out(work, choice)
     yield from _helping(work, tried([work], lambda _: iter(made), slips)[0], Effort.REFINED)
 
 

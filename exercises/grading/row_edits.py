@@ -141,11 +141,16 @@ def _with_blank(table: NumericTable, place: int, joint: JointType) -> NumericTab
     return with_rows(table, (*table.rows[:place], blank, *table.rows[place:]))
 
 
-def any_row_left_out(work: Work) -> Iterator[Change]:
-    """A row put in as the whole robot asks for, where no single fact of it shows its cells."""
+def any_row_left_out(work: Work, choice: int) -> Iterator[Change]:
+    """A row put in as the whole robot asks for, where no single fact of it shows its cells.
+
+    Args:
+        work: the table.
+        choice: see `fitted_table`.
+    """
     for place, joint in _places(work):
         for change in _put_in(work, "row_missing", place, joint, RIGHT_ANGLES):
             cells = ("alpha", "a", "theta" if joint is JointType.PRISMATIC else "d")
-            table = fitted_table(work, change.of(work.table), [(place, cell) for cell in cells])
+            table = fitted_table(work, change.of(work.table), [(place, cell) for cell in cells], choice)
             if table is not None:
                 yield change._replace(cells=(), table=table, unsolved=())
