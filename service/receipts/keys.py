@@ -99,9 +99,7 @@ def read_keys(path: Path) -> ReceiptKeys:
         keys = tuple(OKPKey.import_key(entry) for entry in entries)
     except (ValueError, TypeError, KeyError, JoseError) as error:
         raise key_file_unreadable(path, error) from error
-    if not keys or any(
-        key.as_dict(private=True).get("crv") != "Ed25519" or not key.is_private for key in keys
-    ):
+    if not keys or not all(key.is_private and key.as_dict().get("crv") == "Ed25519" for key in keys):
         raise key_file_unreadable(path, ValueError("Ed25519, private"))
     return ReceiptKeys(keys=keys)
 
