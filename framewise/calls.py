@@ -5,10 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
+from urllib.parse import quote
 
 Json: TypeAlias = dict[str, Any]
 Table: TypeAlias = Mapping[str, Any]
 Matrix: TypeAlias = Sequence[Sequence[float]]
+Joints: TypeAlias = Sequence[float]
+Chain: TypeAlias = Mapping[str, Any] | str
+"""An SCM chain, or the id of a robot of the catalogue."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -30,34 +34,36 @@ class ApiCall:
 
 def forward_kinematics(
     robot: Table | str,
-    joints: Sequence[float] | Sequence[Sequence[float]],
+    joints: Joints | Sequence[Joints],
     *,
-    parameters: Mapping[str, float] | None = None,
     parts: Sequence[str] | None = None,
+    **options: Any,
 ) -> ApiCall:
     """Return poses: ⁰T_N, link transforms, frames (POST /forward-kinematics).
 
     Args:
         robot: a table, or the id of a robot of the catalogue.
         joints: one configuration, or a list of them [units of the table].
-        parameters: values of the table's names.
         parts: what to return; everything if left out.
+        options: further members of the body, as the API describes them: `parameters`, `base`, `tool` ….
     """
-    return _of_robot("forward-kinematics", robot, joints=joints, parameters=parameters, parts=parts)
+    return _of_robot("forward-kinematics", robot, joints=joints, parts=parts, **options)
 
 
-def jacobian(
-    robot: Table | str, joints: Sequence[float], *, parameters: Mapping[str, float] | None = None
-) -> ApiCall:
+def jacobian(robot: Table | str, joints: Joints, **options: Any) -> ApiCall:
     """Return J0 and Jn, rank and manipulability (POST /jacobian)."""
-    return _of_robot("jacobian", robot, joints=joints, parameters=parameters)
+    return _of_robot("jacobian", robot, joints=joints, **options)
 
 
-def inverse_kinematics(
-    robot: Table | str, target: Matrix, *, parameters: Mapping[str, float] | None = None
-) -> ApiCall:
-    """Return the joint values that reach a pose, and whether those are all (POST /inverse-kinematics)."""
-    return _of_robot("inverse-kinematics", robot, target=target, parameters=parameters)
+def inverse_kinematics(robot: Table | str, target: Matrix | None = None, **options: Any) -> ApiCall:
+    """Return the joint values that reach a pose, and whether those are all (POST /inverse-kinematics).
+
+    Args:
+        robot: a table, or the id of a robot of the catalogue.
+        target: the pose as a 4×4 matrix; or `targets`, `position`, `quaternion`, `axis` as options.
+        options: further members of the body: `limits`, `start`, `tolerance` ….
+    """
+    return _of_robot("inverse-kinematics", robot, target=target, **options)
 
 
 def symbolic(
@@ -65,15 +71,111 @@ def symbolic(
     *,
     formats: Sequence[str] | None = None,
     parts: Sequence[str] | None = None,
-    parameters: Mapping[str, float] | None = None,
+    **options: Any,
 ) -> ApiCall:
     """Return closed forms in the given formats (POST /symbolic)."""
-    return _of_robot("symbolic", robot, formats=formats, parts=parts, parameters=parameters)
+    return _of_robot("symbolic", robot, formats=formats, parts=parts, **options)
 
 
-def robots() -> ApiCall:
+def rates(robot: Table | str, joints: Joints, **options: Any) -> ApiCall:
+    """Return velocities, accelerations and the forces that hold a wrench (POST /rates).
+
+    Args:
+        robot: a table, or the id of a robot of the catalogue.
+        joints: the configuration.
+        options: `rates`, `accelerations`, `wrench`, `parameters`, `base`, `tool`.
+    """
+    return _of_robot("rates", robot, joints=joints, **options)
+
+
+def trajectory(robot: Table | str, start: Joints, end: Joints, **options: Any) -> ApiCall:
+    """Return a motion between two configurations, with its velocities (POST /trajectory)."""
+    return _of_robot("trajectory", robot, start=start, end=end, **options)
+
+
+def workspace(robot: Table | str, **options: Any) -> ApiCall:
+    """Return what a robot reaches (POST /workspace)."""
+    return _of_robot("workspace", robot, **options)
+
+
+def understand(table: Table, *, parameters: Mapping[str, float] | None = None) -> ApiCall:
+    """Return how a table is read, cell by cell (POST /understand)."""
+    return _post("understand", table=dict(table), parameters=parameters)
+
+
+def convert(to: str | Mapping[str, Any], **source: Any) -> ApiCall:
+    """Return a robot in another description (POST /convert).
+
+    Args:
+        to: the description that is wanted.
+        source: what is given, one of `table`, `robot`, `scm`, `poe`, `urdf`, and further members of the body.
+    """
+    return _post("convert", to=to, **source)
+
+
+def assign_frames(axes: Sequence[Mapping[str, Any]], convention: str, **options: Any) -> ApiCall:
+    """Return DH frames on joint axes, with the table that follows (POST /assign-frames)."""
+    return _post("assign-frames", axes=list(axes), convention=convention, **options)
+
+
+def check_frames(
+    axes: Sequence[Mapping[str, Any]],
+    convention: str,
+    frames: Sequence[Mapping[str, Any]],
+    **options: Any,
+) -> ApiCall:
+    """Return which rules of a convention frames break (POST /check-frames)."""
+    return _post("check-frames", axes=list(axes), convention=convention, frames=list(frames), **options)
+
+
+def rotations(orientation: Mapping[str, Any], **options: Any) -> ApiCall:
+    """Return an orientation in every representation (POST /rotations)."""
+    return _post("rotations", orientation=dict(orientation), **options)
+
+
+def check_rotation(expected: Mapping[str, Any], answer: Any, **options: Any) -> ApiCall:
+    """Return whether an orientation is the expected one (POST /check-rotation)."""
+    return _post("check-rotation", expected=dict(expected), answer=answer, **options)
+
+
+def scm_forward_kinematics(chain: Chain, **options: Any) -> ApiCall:
+    """Return the transforms of an SCM chain (POST /scm/forward-kinematics)."""
+    return _of_chain("forward-kinematics", chain, **options)
+
+
+def scm_inverse_transform(chain: Chain, **options: Any) -> ApiCall:
+    """Return the inverse of an SCM chain's transform (POST /scm/inverse-transform)."""
+    return _of_chain("inverse-transform", chain, **options)
+
+
+def scm_jacobian(chain: Chain, **options: Any) -> ApiCall:
+    """Return the Jacobian of an SCM chain (POST /scm/jacobian)."""
+    return _of_chain("jacobian", chain, **options)
+
+
+def scm_inverse_kinematics(chain: Chain, target: Any, **options: Any) -> ApiCall:
+    """Return the joint values with which an SCM chain reaches a pose (POST /scm/inverse-kinematics)."""
+    return _of_chain("inverse-kinematics", chain, target=target, **options)
+
+
+def scm_random_configuration(chain: Chain, **options: Any) -> ApiCall:
+    """Return random joint values of an SCM chain within its limits (POST /scm/random-configuration)."""
+    return _of_chain("random-configuration", chain, **options)
+
+
+def scm_products(products: Sequence[Any], **options: Any) -> ApiCall:
+    """Return products of motions of one's own (POST /scm/products)."""
+    return _post("scm/products", products=list(products), **options)
+
+
+def robots(*, language: str | None = None) -> ApiCall:
     """Return the robots of the catalogue (GET /robots)."""
-    return ApiCall(method="GET", path="robots")
+    return ApiCall(method="GET", path="robots", query={"lang": language})
+
+
+def robot(robot_id: str, *, language: str | None = None) -> ApiCall:
+    """Return a robot of the catalogue (GET /robots/{robot_id})."""
+    return ApiCall(method="GET", path=f"robots/{_step(robot_id)}", query={"lang": language})
 
 
 def exercises(*, language: str | None = None) -> ApiCall:
@@ -82,64 +184,117 @@ def exercises(*, language: str | None = None) -> ApiCall:
 
 
 def exercise(exercise_id: str, *, seed: str | None = None, language: str | None = None) -> ApiCall:
-    """Return an exercise with one student's values (GET /exercises/{id})."""
-    return ApiCall(method="GET", path=f"exercises/{exercise_id}", query={"seed": seed, "lang": language})
+    """Return an exercise with one student's values (GET /exercises/{exercise_id})."""
+    query = {"seed": seed, "lang": language}
+    return ApiCall(method="GET", path=f"exercises/{_step(exercise_id)}", query=query)
 
 
-def grade(
-    reference: Table,
-    submission: Table,
+def figure(exercise_id: str, *, seed: str | None = None, language: str | None = None) -> ApiCall:
+    """Return an exercise's figure as SVG (GET /exercises/{exercise_id}/figure.svg)."""
+    query = {"seed": seed, "lang": language}
+    return ApiCall(method="GET", path=f"exercises/{_step(exercise_id)}/figure.svg", query=query)
+
+
+def scorm_package(
+    exercise_id: str,
     *,
-    policy: Mapping[str, Any] | None = None,
-    parameters: Mapping[str, float] | None = None,
+    version: str = "1.2",
+    language: str | None = None,
     help_level: str | None = None,
+    per_student: bool = False,
+    passing: float | None = None,
 ) -> ApiCall:
-    """Return the verdict on a table by a key of your own (POST /grade)."""
-    body = {"reference": dict(reference), "submission": dict(submission)}
-    return ApiCall(
-        method="POST", path="grade", body=body | _given(policy=policy, parameters=parameters, help=help_level)
-    )
+    """Return an exercise as a SCORM package (GET /exercises/{exercise_id}/scorm.zip).
+
+    Args:
+        exercise_id: the exercise.
+        version: "1.2" or "2004".
+        language: of the page.
+        help_level: less help than the exercise allows.
+        per_student: whether every student gets values of their own.
+        passing: share of the points from which on the LMS is told "passed".
+    """
+    query = {
+        "version": version,
+        "lang": language,
+        "help": help_level,
+        "per_student": "true" if per_student else None,
+        "pass": None if passing is None else str(passing),
+    }
+    return ApiCall(method="GET", path=f"exercises/{_step(exercise_id)}/scorm.zip", query=query)
+
+
+def grade(reference: Table, submission: Table, **options: Any) -> ApiCall:
+    """Return the verdict on a table by a key of your own (POST /grade).
+
+    Args:
+        reference: the key.
+        submission: the answer.
+        options: `policy`, `parameters`, `help`.
+    """
+    return _post("grade", reference=dict(reference), submission=dict(submission), **options)
+
+
+def grade_all(reference: Table, submissions: Sequence[Table], **options: Any) -> ApiCall:
+    """Return the verdicts on many tables by one key, in their order (POST /grade).
+
+    One that cannot be graded has a problem document in the place of its verdict.
+    """
+    return _post("grade", reference=dict(reference), submissions=list(map(dict, submissions)), **options)
 
 
 def grade_exercise(exercise_id: str, answer: Mapping[str, Any], *, language: str | None = None) -> ApiCall:
-    """Return what is said of an answer (POST /exercises/{id}/grade).
+    """Return what is said of an answer (POST /exercises/{exercise_id}/grade).
 
     Args:
         exercise_id: the exercise.
         answer: `table` and further parts, `seed`, `help`.
         language: of the sentences.
     """
-    path = f"exercises/{exercise_id}/grade"
+    path = f"exercises/{_step(exercise_id)}/grade"
     return ApiCall(method="POST", path=path, body=dict(answer), query={"lang": language})
 
 
-def grade_all(
-    reference: Table,
-    submissions: Sequence[Table],
-    *,
-    policy: Mapping[str, Any] | None = None,
-    parameters: Mapping[str, float] | None = None,
-    help_level: str | None = None,
-) -> ApiCall:
-    """Return the verdicts on many tables by one key, in their order (POST /grade).
+def receipt(exercise_id: str, answer: Mapping[str, Any], name: str) -> ApiCall:
+    """Return the receipt of an answer (POST /exercises/{exercise_id}/receipts).
 
-    One that cannot be graded has a problem document in the place of its verdict.
+    Args:
+        exercise_id: the exercise.
+        answer: as for `grade_exercise`.
+        name: the student's, as it is to stand there.
     """
-    body = {"reference": dict(reference), "submissions": [dict(table) for table in submissions]}
-    return ApiCall(
-        method="POST", path="grade", body=body | _given(policy=policy, parameters=parameters, help=help_level)
-    )
+    return _post(f"exercises/{_step(exercise_id)}/receipts", **{**answer, "name": name})
 
 
 def verify_receipts(receipts: Sequence[str]) -> ApiCall:
     """Return what receipts say, and which of them are not ours (POST /receipts/verify)."""
-    return ApiCall(method="POST", path="receipts/verify", body={"receipts": list(receipts)})
+    return _post("receipts/verify", receipts=list(receipts))
+
+
+def receipt_keys() -> ApiCall:
+    """Return the public keys of receipts, a JWK Set (GET /receipts/keys)."""
+    return ApiCall(method="GET", path="receipts/keys")
+
+
+def problem(code: str) -> ApiCall:
+    """Return what a code of a refusal means (GET /problems/{code})."""
+    return ApiCall(method="GET", path=f"problems/{_step(code)}")
+
+
+def _step(name: str) -> str:
+    return quote(name, safe="")
 
 
 def _of_robot(path: str, robot: Table | str, **members: Any) -> ApiCall:
     named = {"robot": robot} if isinstance(robot, str) else {"table": dict(robot)}
-    return ApiCall(method="POST", path=path, body={**named, **_given(**members)})
+    return _post(path, **named, **members)
 
 
-def _given(**members: Any) -> Json:
-    return {name: value for name, value in members.items() if value is not None}
+def _of_chain(path: str, chain: Chain, **members: Any) -> ApiCall:
+    named = {"robot": chain} if isinstance(chain, str) else {"chain": dict(chain)}
+    return _post(f"scm/{path}", **named, **members)
+
+
+def _post(path: str, **members: Any) -> ApiCall:
+    given = {name: value for name, value in members.items() if value is not None}
+    return ApiCall(method="POST", path=path, body=given)

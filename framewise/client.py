@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Coroutine, Mapping
+import json
+from collections.abc import AsyncIterator, Callable, Coroutine, Iterator, Mapping
 from types import TracebackType
 from typing import Any, Concatenate, ParamSpec
 
@@ -16,6 +17,8 @@ _Arguments = ParamSpec("_Arguments")
 
 API = "/api/v1/"
 _TIMEOUT_SECONDS = 60.0
+"""Seconds that a call may take: more than a closed form may wait for its turn and then compute."""
+_NDJSON = {"Accept": "application/x-ndjson"}
 
 
 class ProblemError(Exception):
@@ -52,6 +55,48 @@ def _later(
     @functools.wraps(describe)
     async def method(self: AsyncClient, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> Json:
         return await self.send(describe(*args, **kwargs))
+
+    return method
+
+
+def _now_bytes(
+    describe: Callable[_Arguments, ApiCall],
+) -> Callable[Concatenate[Client, _Arguments], bytes]:
+    @functools.wraps(describe)
+    def method(self: Client, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> bytes:
+        return self.fetch(describe(*args, **kwargs))
+
+    return method
+
+
+def _later_bytes(
+    describe: Callable[_Arguments, ApiCall],
+) -> Callable[Concatenate[AsyncClient, _Arguments], Coroutine[Any, Any, bytes]]:
+    @functools.wraps(describe)
+    async def method(self: AsyncClient, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> bytes:
+        return await self.fetch(describe(*args, **kwargs))
+
+    return method
+
+
+def _now_one_by_one(
+    describe: Callable[_Arguments, ApiCall],
+) -> Callable[Concatenate[Client, _Arguments], Iterator[Json]]:
+    @functools.wraps(describe)
+    def method(self: Client, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> Iterator[Json]:
+        return self.stream(describe(*args, **kwargs))
+
+    return method
+
+
+def _later_one_by_one(
+    describe: Callable[_Arguments, ApiCall],
+) -> Callable[Concatenate[AsyncClient, _Arguments], AsyncIterator[Json]]:
+    @functools.wraps(describe)
+    def method(
+        self: AsyncClient, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs
+    ) -> AsyncIterator[Json]:
+        return self.stream(describe(*args, **kwargs))
 
     return method
 
@@ -100,17 +145,50 @@ class Client:
         """
         return _answer(self._http.request(**_request(call)))
 
+    def fetch(self, call: ApiCall) -> bytes:
+        """Send a call and return what comes, such as a picture or a package; raises as `send` does."""
+        return _accepted(self._http.request(**_request(call))).content
+
+    def stream(self, call: ApiCall) -> Iterator[Json]:
+        """Send a call and yield its answers as they come, line by line; raises as `send` does."""
+        with self._http.stream(**_request(call), headers=_NDJSON) as response:
+            if not response.is_success:
+                response.read()
+            yield from map(json.loads, _accepted(response).iter_lines())
+
     forward_kinematics = _now(calls.forward_kinematics)
     jacobian = _now(calls.jacobian)
     inverse_kinematics = _now(calls.inverse_kinematics)
     symbolic = _now(calls.symbolic)
+    rates = _now(calls.rates)
+    trajectory = _now(calls.trajectory)
+    workspace = _now(calls.workspace)
+    understand = _now(calls.understand)
+    convert = _now(calls.convert)
+    assign_frames = _now(calls.assign_frames)
+    check_frames = _now(calls.check_frames)
+    rotations = _now(calls.rotations)
+    check_rotation = _now(calls.check_rotation)
+    scm_forward_kinematics = _now(calls.scm_forward_kinematics)
+    scm_inverse_transform = _now(calls.scm_inverse_transform)
+    scm_jacobian = _now(calls.scm_jacobian)
+    scm_inverse_kinematics = _now(calls.scm_inverse_kinematics)
+    scm_random_configuration = _now(calls.scm_random_configuration)
+    scm_products = _now(calls.scm_products)
     robots = _now(calls.robots)
+    robot = _now(calls.robot)
     exercises = _now(calls.exercises)
     exercise = _now(calls.exercise)
     grade = _now(calls.grade)
     grade_all = _now(calls.grade_all)
     grade_exercise = _now(calls.grade_exercise)
+    receipt = _now(calls.receipt)
     verify_receipts = _now(calls.verify_receipts)
+    receipt_keys = _now(calls.receipt_keys)
+    problem = _now(calls.problem)
+    figure = _now_bytes(calls.figure)
+    scorm_package = _now_bytes(calls.scorm_package)
+    grade_each = _now_one_by_one(calls.grade_all)
 
 
 class AsyncClient:
@@ -149,17 +227,51 @@ class AsyncClient:
         """
         return _answer(await self._http.request(**_request(call)))
 
+    async def fetch(self, call: ApiCall) -> bytes:
+        """Send a call and return what comes, such as a picture or a package; raises as `send` does."""
+        return _accepted(await self._http.request(**_request(call))).content
+
+    async def stream(self, call: ApiCall) -> AsyncIterator[Json]:
+        """Send a call and yield its answers as they come, line by line; raises as `send` does."""
+        async with self._http.stream(**_request(call), headers=_NDJSON) as response:
+            if not response.is_success:
+                await response.aread()
+            async for line in _accepted(response).aiter_lines():
+                yield json.loads(line)
+
     forward_kinematics = _later(calls.forward_kinematics)
     jacobian = _later(calls.jacobian)
     inverse_kinematics = _later(calls.inverse_kinematics)
     symbolic = _later(calls.symbolic)
+    rates = _later(calls.rates)
+    trajectory = _later(calls.trajectory)
+    workspace = _later(calls.workspace)
+    understand = _later(calls.understand)
+    convert = _later(calls.convert)
+    assign_frames = _later(calls.assign_frames)
+    check_frames = _later(calls.check_frames)
+    rotations = _later(calls.rotations)
+    check_rotation = _later(calls.check_rotation)
+    scm_forward_kinematics = _later(calls.scm_forward_kinematics)
+    scm_inverse_transform = _later(calls.scm_inverse_transform)
+    scm_jacobian = _later(calls.scm_jacobian)
+    scm_inverse_kinematics = _later(calls.scm_inverse_kinematics)
+    scm_random_configuration = _later(calls.scm_random_configuration)
+    scm_products = _later(calls.scm_products)
     robots = _later(calls.robots)
+    robot = _later(calls.robot)
     exercises = _later(calls.exercises)
     exercise = _later(calls.exercise)
     grade = _later(calls.grade)
     grade_all = _later(calls.grade_all)
     grade_exercise = _later(calls.grade_exercise)
+    receipt = _later(calls.receipt)
     verify_receipts = _later(calls.verify_receipts)
+    receipt_keys = _later(calls.receipt_keys)
+    problem = _later(calls.problem)
+    figure = _later_bytes(calls.figure)
+    scorm_package = _later_bytes(calls.scorm_package)
+    grade_each = _later_one_by_one(calls.grade_all)
 
 
 def _headers(api_key: str | None, language: str | None) -> dict[str, str]:
@@ -173,9 +285,14 @@ def _request(call: ApiCall) -> dict[str, Any]:
 
 
 def _answer(response: httpx.Response) -> Json:
+    answer: Json = _accepted(response).json()
+    return answer
+
+
+def _accepted(response: httpx.Response) -> httpx.Response:
+    """Return a response that is no refusal."""
     if response.is_success:
-        answer: Json = response.json()
-        return answer
+        return response
     try:
         document = response.json()
     except ValueError:
