@@ -2,6 +2,7 @@
 
 CourseError
 ├── StorageError        the database cannot be used
+│   └── StorageUnavailableError  it could be, and will be again
 ├── UnknownRecordError  there is no such link, attempt or person
 ├── AttemptError        the policy takes no attempt now
 └── SessionError        nobody is signed in by this token, or not with the role that is needed
@@ -18,6 +19,18 @@ class CourseError(KinematicsError):
 
 class StorageError(CourseError):
     """The database cannot be used."""
+
+
+class StorageUnavailableError(StorageError):
+    """The database does not answer, or takes nothing: it is gone, full, read-only or overrun.
+
+    Attributes:
+        is_gone: whether the next request would fare the same.
+    """
+
+    def __init__(self, *, is_gone: bool) -> None:
+        super().__init__(Fault(code="storage_unavailable"))
+        self.is_gone = is_gone
 
 
 class UnknownRecordError(CourseError):

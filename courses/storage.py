@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import fcntl
 import json
+import logging
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -21,11 +22,18 @@ from alembic.migration import MigrationContext
 from alembic.runtime.environment import EnvironmentContext
 from alembic.script import ScriptDirectory
 from sqlalchemy import event
-from sqlalchemy.exc import ArgumentError, DisconnectionError, SQLAlchemyError
+from sqlalchemy.exc import (
+    ArgumentError,
+    DisconnectionError,
+    InterfaceError,
+    OperationalError,
+    SQLAlchemyError,
+)
+from sqlalchemy.exc import TimeoutError as PoolTimeoutError
 from sqlalchemy.pool import ConnectionPoolEntry
 
 from courses.records import metadata
-from courses.refusals import StorageError
+from courses.refusals import StorageError, StorageUnavailableError
 from kinematics.errors import Fault
 
 MIGRATIONS = Path(__file__).resolve().parent / "migrations"
@@ -34,10 +42,13 @@ BUSY_SECONDS = 30.0
 """How long a writer waits for another one on SQLite."""
 CONNECTIONS = 16
 _LOCK = 0x6672616D65776973  # "framewis", the advisory lock of migrations on PostgreSQL
+CONNECT_SECONDS = 5
+"""How long PostgreSQL may take to answer a new connection."""
 TRUSTED_SECONDS = 1.0
 """A connection that was used so lately is not asked whether it still stands."""
 _WRITES = "writes"
 _USED = "used"
+_log = logging.getLogger("framewise.storage")
 
 
 class Store:
@@ -65,19 +76,19 @@ class Store:
     @contextmanager
     def reading(self) -> Iterator[sa.Connection]:
         """A transaction that sees one state of the database."""
-        with self.engine.connect() as connection, connection.begin():
+        with _answering(), self.engine.connect() as connection, connection.begin():
             yield connection
 
     @contextmanager
     def asking(self) -> Iterator[sa.Connection]:
         """A single query, which sees one state of the database by itself: no round trip but its own."""
-        with self.engine.connect() as connection:
+        with _answering(), self.engine.connect() as connection:
             yield connection.execution_options(isolation_level="AUTOCOMMIT")
 
     @contextmanager
     def writing(self) -> Iterator[sa.Connection]:
         """A transaction that changes something; on SQLite there is one at a time."""
-        with self.engine.connect() as connection:
+        with _answering(), self.engine.connect() as connection:
             connection = connection.execution_options(**{_WRITES: True})
             with connection.begin():
                 yield connection
@@ -85,6 +96,21 @@ class Store:
     def close(self) -> None:
         """End every connection."""
         self.engine.dispose()
+
+
+@contextmanager
+def _answering() -> Iterator[None]:
+    """Tell a database that is in trouble from a program that is wrong.
+
+    Raises:
+        StorageUnavailableError: the database is gone, full, read-only or overrun.
+    """
+    try:
+        yield
+    except (OperationalError, InterfaceError, DisconnectionError, PoolTimeoutError) as error:
+        _log.error("the database does not answer: %s", _reason(error))
+        undone = isinstance(getattr(error, "orig", None), psycopg.errors.TransactionRollback)
+        raise StorageUnavailableError(is_gone=not undone) from error
 
 
 def open_store(url: str, folder: Path) -> Store:
@@ -104,6 +130,9 @@ def open_store(url: str, folder: Path) -> Store:
     except SQLAlchemyError as error:
         store.close()
         raise _unusable(store, error) from error
+    except StorageUnavailableError as error:
+        store.close()
+        raise _unusable(store, error.__cause__) from error
     except StorageError:
         store.close()
         raise
@@ -193,7 +222,11 @@ def _postgresql(url: str) -> sa.Engine:
         raise StorageError(Fault(code="storage_address"))
     address = address.set(drivername="postgresql+psycopg")
     engine = sa.create_engine(
-        address, pool_size=CONNECTIONS, max_overflow=CONNECTIONS, json_serializer=_written
+        address,
+        pool_size=CONNECTIONS,
+        max_overflow=CONNECTIONS,
+        connect_args={"connect_timeout": CONNECT_SECONDS},
+        json_serializer=_written,
     )
     event.listen(engine, "checkin", _note_use)
     event.listen(engine, "checkout", _check_idle)
@@ -250,6 +283,11 @@ def _written(value: object) -> str:
     return json.dumps(value, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
 
 
-def _unusable(store: Store, error: SQLAlchemyError) -> StorageError:
-    reason = str(getattr(error, "orig", None) or type(error).__name__).splitlines()[0]
-    return StorageError(Fault(code="storage_unusable", params={"location": store.location, "reason": reason}))
+def _unusable(store: Store, error: BaseException | None) -> StorageError:
+    params = {"location": store.location, "reason": _reason(error)}
+    return StorageError(Fault(code="storage_unusable", params=params))
+
+
+def _reason(error: BaseException | None) -> str:
+    """What the database says, in one line."""
+    return str(getattr(error, "orig", None) or type(error).__name__).splitlines()[0]

@@ -10,6 +10,7 @@ from courses.enrolment import sessions_of
 from courses.gradebook import OutboxState, outbox_state
 from courses.model import Attempt, CourseSession, Platform, PlatformStatus
 from courses.platforms import StoredKey, add_key, platforms, remove_keys, stored_keys
+from courses.refusals import StorageUnavailableError
 from courses.storage import Store, open_store
 from courses.submissions import JudgedSubmission, store_submissions
 from service.lti.fetching import Fetcher, origin_of
@@ -20,6 +21,7 @@ from service.settings import Settings
 from service.work.gathering import Gathering
 
 _ORIGINS_LIVE = 30.0
+_ANSWER_LIVES = 2.0
 
 
 class CourseResources:
@@ -41,14 +43,19 @@ class CourseResources:
         self.services = Services(self.fetcher, self.signing)
         places = settings.grading_queue
         self.sign_in: Gathering[str, CourseSession] = Gathering(
-            lambda tokens: sessions_of(self.store, tokens, now()), batches=1, places=places
+            lambda tokens: sessions_of(self.store, tokens, now()),
+            batches=1,
+            places=places,
+            gives_up=_database_is_gone,
         )
         self.keep: Gathering[JudgedSubmission, Attempt] = Gathering(
             lambda submissions: store_submissions(self.store, submissions, now()),
             batches=1,
             places=places,
+            gives_up=_database_is_gone,
         )
         self._lock = threading.Lock()
+        self._answered = (True, float("-inf"))
         self._origins: tuple[tuple[str, ...], float] = ((), float("-inf"))
 
     def close(self) -> None:
@@ -61,6 +68,22 @@ class CourseResources:
     def outbox(self) -> OutboxState:
         """How the outbox of scores is."""
         return outbox_state(self.store, now())
+
+    def answers(self) -> bool:
+        """Whether the database answers; asked at most every two seconds."""
+        with self._lock:
+            known, until = self._answered
+            if time.monotonic() < until:
+                return known
+        try:
+            with self.store.asking() as connection:
+                connection.exec_driver_sql("SELECT 1")
+            found = True
+        except StorageUnavailableError:
+            found = False
+        with self._lock:
+            self._answered = (found, time.monotonic() + _ANSWER_LIVES)
+        return found
 
     def keys(self) -> list[StoredKey]:
         """The tool's keys; the first one is made when it is first needed."""
@@ -104,6 +127,10 @@ class CourseResources:
 def now() -> datetime:
     """The time."""
     return datetime.now(UTC)
+
+
+def _database_is_gone(error: Exception) -> bool:
+    return isinstance(error, StorageUnavailableError) and error.is_gone
 
 
 def _new_key(made: datetime, *, at_once: bool) -> StoredKey:

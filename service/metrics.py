@@ -26,9 +26,9 @@ from prometheus_client.core import GaugeMetricFamily
 from prometheus_client.metrics_core import Metric
 from prometheus_client.multiprocess import MultiProcessCollector, mark_process_dead
 from prometheus_client.registry import Collector
-from sqlalchemy.exc import SQLAlchemyError
 
 from courses.gradebook import OutboxState
+from courses.refusals import StorageUnavailableError
 from service import __version__
 
 SHARED = "PROMETHEUS_MULTIPROC_DIR"
@@ -147,7 +147,7 @@ class OutboxCollector(Collector):
             if time.monotonic() >= self._until:
                 try:
                     self._found = self._ask()
-                except SQLAlchemyError:
+                except StorageUnavailableError:
                     self._found = None
                 self._until = time.monotonic() + OUTBOX_SECONDS
             return self._found

@@ -33,6 +33,7 @@ from courses.refusals import (
     NoExerciseError,
     SessionError,
     StaffOnlyError,
+    StorageUnavailableError,
     UnknownRecordError,
 )
 from kinematics.errors import Fault, KinematicsError
@@ -167,6 +168,7 @@ STATUS: dict[type[Exception], int] = {
     UnknownRecordError: 404,
     NoExerciseError: 404,
     AttemptError: 409,
+    StorageUnavailableError: 503,
     UnavailableError: 503,
 }
 INTERNAL = 500
@@ -255,10 +257,14 @@ def problem_of(error: ServiceError | KinematicsError, request_id: str = "") -> P
         status=status_of(error),
         faults=error.faults,
         part=own.part if own else RequestPart.BODY,
-        headers=own.headers if own else {},
+        headers=own.headers if own else _headers(error),
         members=own.members if own else {},
         request_id=request_id,
     )
+
+
+def _headers(error: ServiceError | KinematicsError) -> Mapping[str, str]:
+    return {"Retry-After": str(RETRY_SECONDS)} if isinstance(error, StorageUnavailableError) else {}
 
 
 def json_pointer(where: Iterable[str | int]) -> str:

@@ -39,8 +39,9 @@ class LaneState(Wire):
 class Readiness(Wire):
     """Whether requests should be sent here."""
 
-    status: Literal["ready", "starting"]
+    status: Literal["ready", "starting", "impaired"]
     lanes: Annotated[dict[str, LaneState], Field(description="worker processes, by the name of their lane")]
+    storage: Literal["up", "down", "off"] = Field(description="whether the database answers")
 
 
 class Version(Wire):
@@ -60,18 +61,25 @@ async def livez(response: Response) -> Health:
 
 @router.get("/readyz", summary="Should requests be sent here?", responses={503: {"model": Readiness}})
 async def readyz(response: Response, resources: AppResources) -> Readiness:
-    """Asks each lane for its worker processes; those that have died are started again.
+    """Asks each lane for its worker processes, and the database; processes that have died are started again.
 
-    While one is being started, the answer is 503 with the same document.
+    While one is being started, and while the database does not answer, the answer is 503 with this document.
     """
     response.headers["Cache-Control"] = "no-store"
     lanes = {
         name.value: LaneState(ready=lane.heal(), running=lane.queue.running, waiting=lane.queue.waiting)
         for name, lane in resources.workers.lanes.items()
     }
-    ready = all(lane.ready for lane in lanes.values())
-    response.status_code = 200 if ready else 503
-    return Readiness(status="ready" if ready else "starting", lanes=lanes)
+    storage: Literal["up", "down", "off"] = "off"
+    if resources.courses is not None:
+        answers = await resources.limiters[WorkKind.COURSES].run(resources.courses.answers)
+        storage = "up" if answers else "down"
+    started = all(lane.ready for lane in lanes.values())
+    response.status_code = 200 if started and storage != "down" else 503
+    status: Literal["ready", "starting", "impaired"] = "ready" if started else "starting"
+    return Readiness(
+        status="impaired" if started and storage == "down" else status, lanes=lanes, storage=storage
+    )
 
 
 @router.get(

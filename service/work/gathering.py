@@ -27,7 +27,12 @@ class Gathering(Generic[_Thing, _Result]):
     """Gathers things into batches, each worked on in a thread."""
 
     def __init__(
-        self, work: Callable[[Sequence[_Thing]], Sequence[_Result | Exception]], *, batches: int, places: int
+        self,
+        work: Callable[[Sequence[_Thing]], Sequence[_Result | Exception]],
+        *,
+        batches: int,
+        places: int,
+        gives_up: Callable[[Exception], bool] = lambda _: False,
     ) -> None:
         """Make a gathering.
 
@@ -35,8 +40,10 @@ class Gathering(Generic[_Thing, _Result]):
             work: returns for each thing its result, or what is to be raised for it.
             batches: how many are worked on at the same time.
             places: how many things may wait.
+            gives_up: whether a batch that failed so would fail thing by thing, too.
         """
         self._work = work
+        self._gives_up = gives_up
         self._batches = batches
         self._places = places
         self._waiting: deque[tuple[_Thing, asyncio.Future[_Result]]] = deque()
@@ -86,8 +93,8 @@ class Gathering(Generic[_Thing, _Result]):
         try:
             return self._work(things)
         except Exception as error:
-            if len(things) == 1:
-                return [error]
+            if len(things) == 1 or self._gives_up(error):
+                return [error] * len(things)
             return [result for thing in things for result in self._found([thing])]
 
 

@@ -13,6 +13,7 @@ from datetime import timedelta
 from sqlalchemy.exc import SQLAlchemyError
 
 from courses.privacy import purge
+from courses.refusals import StorageUnavailableError
 from courses.storage import Store
 from service.course_resources import now
 
@@ -51,6 +52,9 @@ class Retention:
             pause = DAY
             try:
                 removed = purge(self._store, now(), people=self._people, log=self._log)
+            except StorageUnavailableError:
+                pause = self._first
+                continue
             except SQLAlchemyError:
                 _log.exception("what is old could not be removed")
                 continue

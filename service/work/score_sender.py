@@ -16,6 +16,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from courses.gradebook import bumped, delivered, keep_line_item, lease_scores, postponed, undeliverable
 from courses.model import Platform, ScoreToSend
 from courses.platforms import platform_by_id
+from courses.refusals import StorageUnavailableError
 from service.course_resources import CourseResources, now
 from service.lti.launch_errors import PlatformError
 from service.lti.scores import (
@@ -62,6 +63,8 @@ class ScoreSender:
             try:
                 while not self._stop.is_set() and self.send_due():
                     pass
+            except StorageUnavailableError:
+                continue  # logged where it was found; the database may be back at the next look
             except SQLAlchemyError:
                 _log.exception("the outbox cannot be read")
 

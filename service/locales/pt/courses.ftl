@@ -9,6 +9,7 @@ problem-title-409 = Agora não
 error-storage_folder = A pasta de dados { $folder } não pode ser usada: { $reason }. Indique em FRAMEWISE_DATA_FOLDER uma pasta onde se possa escrever, ou ponha FRAMEWISE_STORAGE em off.
 error-storage_address = FRAMEWISE_DATABASE_URL não designa uma base de dados PostgreSQL. Tem a forma postgresql://utilizador:palavra-passe@servidor/base.
 error-storage_unusable = A base de dados { $location } não pode ser usada: { $reason }.
+error-storage_unavailable = A base de dados não responde neste momento. O que já foi confirmado está a salvo. Envie de novo dentro de alguns segundos.
 error-schema_newer = Os dados foram escritos por uma versão mais recente do programa (esquema { $found }; esta versão conhece { $known }). Instale a versão mais recente.
 error-storage_not_empty = Uma cópia de segurança só é reposta numa base de dados vazia; a relação { $table } já contém linhas.
 error-backup_unreadable = { $file } não pode ser lido nem escrito como cópia de segurança: { $reason }.

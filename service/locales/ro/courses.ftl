@@ -9,6 +9,7 @@ problem-title-409 = Nu acum
 error-storage_folder = Dosarul de date { $folder } nu poate fi folosit: { $reason }. Puneți în FRAMEWISE_DATA_FOLDER un dosar în care se poate scrie sau FRAMEWISE_STORAGE pe off.
 error-storage_address = FRAMEWISE_DATABASE_URL nu numește o bază de date PostgreSQL. Are forma postgresql://utilizator:parolă@server/bază.
 error-storage_unusable = Baza de date { $location } nu poate fi folosită: { $reason }.
+error-storage_unavailable = Baza de date nu răspunde acum. Ce a fost confirmat până acum este în siguranță. Trimiteți din nou peste câteva secunde.
 error-schema_newer = Datele au fost scrise de o versiune mai nouă a programului (schema { $found }; această versiune cunoaște { $known }). Instalați versiunea mai nouă.
 error-storage_not_empty = O copie de siguranță se restaurează numai într-o bază de date goală; relația { $table } are deja rânduri.
 error-backup_unreadable = { $file } nu poate fi citit sau scris ca o copie de siguranță: { $reason }.

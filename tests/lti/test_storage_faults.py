@@ -1,0 +1,193 @@
+"""The database goes and comes back, is full, or takes nothing: what was acknowledged stays, and no 500."""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+import threading
+import time
+import uuid
+from collections.abc import Iterator
+from pathlib import Path
+from urllib.parse import parse_qs, urlsplit
+
+import httpx
+import pytest
+import sqlalchemy as sa
+from sqlalchemy import event
+
+from courses import records
+from courses.enrolment import Arrival, arrive
+from courses.model import Role
+from courses.refusals import StorageError, StorageUnavailableError
+from courses.storage import Store, open_store
+from service.course_resources import now
+from service.settings import Settings
+from tests.courses.classroom import joined, platform, submitted
+from tests.databases import new_database
+from tests.live_service import running
+from tests.lti.test_launches import RIGHT
+
+
+class Cable:
+    """A TCP address that leads to PostgreSQL's socket, and can be cut."""
+
+    def __init__(self, url: str) -> None:
+        asked = sa.make_url(url)
+        folder = asked.query.get("host") or parse_qs(urlsplit(url).query)["host"][0]
+        (self._socket,) = Path(str(folder)).glob(".s.PGSQL.*[0-9]")
+        self._listener = socket.create_server(("127.0.0.1", 0))
+        self._open: list[socket.socket] = []
+        self._whole = True
+        port = self._listener.getsockname()[1]
+        self.url = asked.set(host="127.0.0.1", port=port, query={}).render_as_string(hide_password=False)
+        threading.Thread(target=self._accept, daemon=True).start()
+
+    def _accept(self) -> None:
+        with contextlib.suppress(OSError):
+            while True:
+                near, _ = self._listener.accept()
+                if not self._whole:
+                    near.close()
+                    continue
+                far = socket.socket(socket.AF_UNIX)
+                far.connect(str(self._socket))
+                self._open += [near, far]
+                for ends in ((near, far), (far, near)):
+                    threading.Thread(target=self._carry, args=ends, daemon=True).start()
+
+    @staticmethod
+    def _carry(source: socket.socket, sink: socket.socket) -> None:
+        with contextlib.suppress(OSError):
+            while data := source.recv(65536):
+                sink.sendall(data)
+        for end in (source, sink):
+            with contextlib.suppress(OSError):
+                end.shutdown(socket.SHUT_RDWR)
+
+    def cut(self) -> None:
+        self._whole = False
+        for end in self._open:
+            with contextlib.suppress(OSError):
+                end.shutdown(socket.SHUT_RDWR)
+
+    def mend(self) -> None:
+        self._whole = True
+
+    def close(self) -> None:
+        self.cut()
+        self._listener.close()
+        for end in self._open:
+            end.close()
+
+
+@pytest.fixture
+def cable(postgresql: str) -> Iterator[Cable]:
+    with new_database(postgresql) as url:
+        made = Cable(url)
+        yield made
+        made.close()
+
+
+def test_a_database_that_goes_and_comes_back_loses_nothing(cable: Cable, tmp_path: Path) -> None:
+    store = open_store(cable.url, tmp_path)
+    told = {"role": Role.LEARNER, "deployment": "1", "context": "c", "resource": "r"}
+    arrival = Arrival(platform=platform(store), subject="s", exercise_id="puma560", **told)
+    token, _ = arrive(store, arrival, now())
+    acknowledged: list[str] = []
+    with running(Settings(storage="on", database_url=cable.url, data_folder=tmp_path)) as origin:
+        client = httpx.Client(base_url=origin, timeout=120, trust_env=False)
+        client.headers["Authorization"] = f"Bearer {token}"
+
+        def submit(key: str) -> httpx.Response:
+            answer = client.post("/api/v1/session/attempts", json=RIGHT, headers={"Idempotency-Key": key})
+            if answer.status_code == 200:
+                acknowledged.append(key)
+            return answer
+
+        for _ in range(3):
+            lost = uuid.uuid4().hex
+            assert submit(uuid.uuid4().hex).status_code == 200
+            cable.cut()
+            for _ in range(3):
+                refused = submit(lost)
+                assert (refused.status_code, refused.json()["code"]) == (503, "storage_unavailable")
+                assert int(refused.headers["retry-after"]) >= 1
+            assert client.get("/livez").status_code == 200
+            assert eventually_ready(client) == (503, "down")
+            alone = client.post("/api/v1/exercises/puma560/grade", json=RIGHT)
+            assert alone.json()["correct"]
+            assert "framewise_storage_up 0" in client.get("/metrics").text
+            cable.mend()
+            deadline = time.monotonic() + 60
+            while submit(lost).status_code != 200:
+                assert time.monotonic() < deadline
+                time.sleep(0.1)
+            assert eventually_ready(client) == (200, "up")
+        client.close()
+    with store.reading() as connection:
+        keys = list(connection.scalars(sa.select(records.attempt.c.key)))
+    assert sorted(keys) == sorted(set(acknowledged))
+    store.close()
+
+
+def eventually_ready(client: httpx.Client) -> tuple[int, str]:
+    """The state two seconds later, when what was known is asked again."""
+    time.sleep(2.1)
+    answer = client.get("/readyz")
+    return answer.status_code, answer.json()["storage"]
+
+
+@contextlib.contextmanager
+def pragma(store: Store, text: str, back: str) -> Iterator[None]:
+    """Every connection under a pragma; a new one after it."""
+
+    def apply(connection: object, *_: object) -> None:
+        connection.execute(text)  # type: ignore[attr-defined]
+
+    store.engine.dispose()
+    event.listen(store.engine, "connect", apply)
+    try:
+        yield
+    finally:
+        event.remove(store.engine, "connect", apply)
+        store.engine.dispose()
+        with store.writing() as connection:
+            connection.exec_driver_sql(back)
+
+
+@pytest.mark.parametrize(
+    ("text", "back"),
+    [
+        pytest.param("PRAGMA max_page_count = 1", "PRAGMA max_page_count = 1000000", id="disk full"),
+        pytest.param("PRAGMA query_only = ON", "PRAGMA query_only = OFF", id="read only"),
+    ],
+)
+def test_a_disk_that_takes_nothing_refuses_and_loses_nothing(tmp_path: Path, text: str, back: str) -> None:
+    store = open_store("", tmp_path)
+    session = joined(store)
+    first = submitted(store, session, 0.5, key="first", answer={"long": "x" * 10_000})
+    with pragma(store, text, back):
+        for n in range(3):
+            with pytest.raises(StorageUnavailableError):
+                submitted(store, session, 0.5, key=f"lost-{n}", answer={"long": "x" * 100_000})
+    second = submitted(store, session, 1.0, key="second")
+    assert (first.number, second.number) == (1, 2)
+    with store.reading() as connection:
+        assert connection.scalar(sa.text("PRAGMA integrity_check")) == "ok"
+    store.close()
+
+
+def test_a_folder_that_cannot_be_written_is_said_at_the_start(tmp_path: Path) -> None:
+    with pytest.raises(StorageError, match="storage_folder"):
+        open_store("", Path("/proc/framewise"))
+    (tmp_path / "file").touch()
+    with pytest.raises(StorageError, match="storage_folder"):
+        open_store("", tmp_path / "file")
+
+
+def test_a_database_that_is_not_there_is_said_at_the_start(tmp_path: Path) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    with pytest.raises(StorageError, match="storage_unusable"):
+        open_store(f"postgresql://nobody:secret@127.0.0.1:{port}/none", tmp_path)
