@@ -289,6 +289,15 @@ regraded = sa.Table(
     sa.Column("report", sa.JSON(none_as_null=True)),
 )
 
+publication = sa.Table(
+    "publication",
+    metadata,
+    sa.Column("address", PlainText, primary_key=True),
+    sa.Column("digest", PlainText, nullable=False),
+    sa.Column("content", PlainText, nullable=False),
+    sa.Column("published", UtcTime, nullable=False),
+)
+
 access = sa.Table(
     "access",
     metadata,

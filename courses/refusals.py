@@ -5,6 +5,7 @@ CourseError
 │   └── StorageUnavailableError  it could be, and will be again
 ├── UnknownRecordError  there is no such link, attempt or person
 ├── AttemptError        the policy takes no attempt now
+├── PublicationError    no more exercises can be published here
 └── SessionError        nobody is signed in by this token, or not with the role that is needed
 """
 
@@ -50,6 +51,10 @@ class StaffOnlyError(CourseError):
 
     def __init__(self) -> None:
         super().__init__(Fault(code="staff_only"))
+
+
+class PublicationError(CourseError):
+    """No more exercises can be published here."""
 
 
 class NoExerciseError(CourseError):

@@ -70,6 +70,7 @@ TAGS = (
     {"name": "robots", "description": "The robots of the source documents."},
     {"name": "scm", "description": "The Sistema Coordenado Móvel."},
     {"name": "exercises", "description": "Exercises, and the judgement of answers."},
+    {"name": "authoring", "description": "Making exercises."},
     {"name": "receipts", "description": "What a student takes away from a verdict, signed."},
     {"name": "service", "description": "About the service itself."},
 )

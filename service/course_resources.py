@@ -10,9 +10,12 @@ from courses.enrolment import sessions_of
 from courses.gradebook import OutboxState, outbox_state
 from courses.model import Attempt, CourseSession, Platform, PlatformStatus
 from courses.platforms import StoredKey, add_key, platforms, remove_keys, stored_keys
+from courses.publications import published
 from courses.refusals import StorageUnavailableError
 from courses.storage import Store, open_store
 from courses.submissions import JudgedSubmission, store_submissions
+from exercises.definition import Exercise
+from exercises.loader import read_exercise
 from service.lti.fetching import Fetcher, origin_of
 from service.lti.platform_keys import PlatformKeys
 from service.lti.services import Services
@@ -22,6 +25,8 @@ from service.work.gathering import Gathering
 
 _ORIGINS_LIVE = 30.0
 _ANSWER_LIVES = 2.0
+PUBLISHED_KEPT = 512
+"""Published exercises that are kept as read: some tens of megabytes."""
 
 
 class CourseResources:
@@ -56,6 +61,7 @@ class CourseResources:
         )
         self._lock = threading.Lock()
         self._answered = (True, float("-inf"))
+        self._published: dict[str, Exercise] = {}
         self._origins: tuple[tuple[str, ...], float] = ((), float("-inf"))
 
     def close(self) -> None:
@@ -84,6 +90,17 @@ class CourseResources:
         with self._lock:
             self._answered = (found, time.monotonic() + _ANSWER_LIVES)
         return found
+
+    def published(self, address: str) -> Exercise | None:
+        """Return the published exercise at an address; it never changes, so it is read once."""
+        if address not in self._published:
+            draft = published(self.store, address)
+            if draft is None:
+                return None
+            while len(self._published) >= PUBLISHED_KEPT:
+                self._published.pop(next(iter(self._published)))
+            self._published[address] = read_exercise(address, draft.definition, draft.statements)
+        return self._published[address]
 
     def keys(self) -> list[StoredKey]:
         """The tool's keys; the first one is made when it is first needed."""

@@ -47,7 +47,9 @@ class Resources:
 
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
-        self.exercises = Library(settings.exercise_folders)
+        self.courses = CourseResources(settings) if settings.storage == "on" else None
+        shelf = self.courses.published if self.courses is not None else None
+        self.exercises = Library(settings.exercise_folders, shelf)
         self.exercises.read_all()
         self.robots = RobotCache(settings)
         self.symbolic_answers = AnswerCache()
@@ -55,7 +57,6 @@ class Resources:
         self.workers = Workers(settings)
         self.receipt_keys = receipt_keys(settings)
         self.callbacks = Callbacks(settings.callback_hosts, self.receipt_keys.sign)
-        self.courses = CourseResources(settings) if settings.storage == "on" else None
         self.uploads = UploadBudget(UPLOADS * settings.batch_body_limit)
         self.metrics = Metrics(self._occupancy, self.courses.outbox if self.courses else None)
 

@@ -43,7 +43,7 @@ class PolicyAdmission:
     fixed: tuple[str, ...]
 
 
-def policy_admission(exercise: Exercise, values: dict[str, float]) -> PolicyAdmission:
+def policy_admission(exercise: Exercise, values: Mapping[str, float]) -> PolicyAdmission:
     """Count the textbook choices that the exercise's policy accepts.
 
     Args:

@@ -15,7 +15,8 @@ from exercises.errors import DefinitionError
 from exercises.loader import files_of_folder, read_definition, read_exercise, read_statements, statement_file
 from kinematics.errors import Fault
 
-LONGEST_ID = 60
+LONGEST_ID = 48
+"""An address of a published version adds a part of its digest, and stays within 64 characters."""
 DEEPEST = 8
 """A definition's tables and lists stand at most five deep; this leaves room and stops a bomb."""
 MOST_ENTRIES = 128

@@ -6,7 +6,7 @@ import json
 import math
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, NoReturn
@@ -28,6 +28,7 @@ from kinematics.expressions import (
     pi_times,
     rational_value,
 )
+from kinematics.frames.axes import JointAxis
 from kinematics.scm import modified_dh_from_scm
 from kinematics.scm.chain_reading import ENTRIES, RawChain, read_chain
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable, SymbolicRow
@@ -45,11 +46,13 @@ class ExerciseSource:
         table: the key as it is typed; its lengths have names.
         values: the value of each name [the table's length unit].
         robot: id of the catalogue robot, if it is one; then table and values follow from it.
+        axes: the joint axes in space, where they were drawn.
     """
 
     table: RawTable
     values: Mapping[str, float]
     robot: str | None = None
+    axes: tuple[JointAxis, ...] = ()
 
 
 def read_source(document: Mapping[str, Any], where: str = "source") -> ExerciseSource:
@@ -128,7 +131,7 @@ def from_robot(robot_id: str) -> ExerciseSource:
         fault = Fault(code="exercise_robot_unknown", where=("robot",), params={"robot": robot_id[:100]})
         raise DefinitionError(fault)
     found = catalogue.robot(robot_id)
-    return ExerciseSource(table=found.raw, values=found.parameters, robot=robot_id)
+    return ExerciseSource(table=found.raw, values=dict(found.parameters), robot=robot_id)
 
 
 def from_axes_file(path: Path) -> ExerciseSource:
@@ -152,7 +155,8 @@ def from_axes(reader: Reader) -> ExerciseSource:
     table = None if reader.faults else reader.guarded(drawing.table, "axes")
     if table is None:
         raise DefinitionError(reader.faults)
-    return from_numeric_table(table, unit, in_named_lengths(drawing), drawing.lengths)
+    source = from_numeric_table(table, unit, in_named_lengths(drawing), drawing.lengths)
+    return replace(source, axes=drawing.axes())
 
 
 def from_scm(reader: Reader) -> ExerciseSource:

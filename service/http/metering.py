@@ -37,6 +37,7 @@ _COSTS = {
     "grade": 5,
     "evaluate": 5,
     "receipts": 5,
+    "author": 20,
     "assign-frames": 2,
     "check-frames": 2,
     "check-inverse-kinematics": 10,

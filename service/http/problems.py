@@ -31,6 +31,7 @@ import orjson
 from courses.refusals import (
     AttemptError,
     NoExerciseError,
+    PublicationError,
     SessionError,
     StaffOnlyError,
     StorageUnavailableError,
@@ -167,6 +168,7 @@ STATUS: dict[type[Exception], int] = {
     StaffOnlyError: 403,
     UnknownRecordError: 404,
     NoExerciseError: 404,
+    PublicationError: 503,
     AttemptError: 409,
     StorageUnavailableError: 503,
     UnavailableError: 503,

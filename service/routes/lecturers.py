@@ -301,7 +301,7 @@ async def answer_deep_link(request: ApiRequest) -> Response:
     exercise_id = _known_exercise(request, body.get("exercise"))
     settings = read(exercise_id, body)
     exercise = asked_exercise(resources_of(request).exercises, settings)
-    title = exercise.titles[language_of(request)]
+    title = exercise.title(language_of(request))
     root = own_root(request, resources_of(request).settings.public_url)
 
     def work() -> dict[str, str]:

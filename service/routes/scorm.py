@@ -59,7 +59,7 @@ async def scorm_package(
     what = ScormPackage(
         version=version,
         identifier=found.id,
-        title=found.titles[language],
+        title=found.title(language),
         language=language,
         url=f"{page}?{urlencode(query)}",
         per_student=per_student,

@@ -27,6 +27,11 @@ def verdict_body(verdict: Verdict, language: str) -> dict[str, Any]:
     return _fields(verdict, language)
 
 
+def record_body(record: Any, language: str) -> dict[str, Any]:
+    """Return a record with its sentences as `encoded` takes it."""
+    return _fields(record, language)
+
+
 def report_body(report: Report, language: str) -> dict[str, Any]:
     """Return a report on all that was handed in: the verdict on the table, with the parts beside it."""
     return {

@@ -308,3 +308,5 @@ form-worked-twist = A shoulder whose first axis stands upright and whose second 
 form-worked-length = Two links in a plane, 0.4 m and 0.3 m long: both joint axes stand upright, 0.4 m apart. Their common normal is the first link, so a = 0.4 m. In a wrist whose axes meet in one point, each a is 0.
 form-worked-offset = A shoulder stands 0.2 m to the side of the upright first axis, and the second axis is horizontal. Along the second axis, 0.2 m lie between the foot of the normal from the first axis and that of the normal to the third: d = 0.2 m, in the row of the second joint.
 form-worked-joint = A gantry moves its carriage along a rail and turns the gripper below it. The rail is a prismatic joint: its row has the variable in d and a number in θ. The gripper is a revolute joint: its row has the variable in θ and a number in d.
+form-home-author = Make an exercise
+form-home-author-text = For lecturers: about the arm in your own book, in a quarter of an hour.

@@ -95,3 +95,4 @@ lecturer-applied = The new scores count and are sent.
 lecturer-choose-title = Choose an exercise
 lecturer-choose-text = The link is put into your course; its rules can be changed later.
 lecturer-insert = Put into the course
+lecturer-choose-own = Make an exercise of your own

@@ -308,3 +308,5 @@ form-worked-twist = Un hombro cuyo primer eje es vertical y cuyo segundo eje es 
 form-worked-length = Dos eslabones en un plano, de 0,4 m y 0,3 m: los dos ejes son verticales y distan 0,4 m. Su normal común es el primer eslabón: a = 0,4 m. En una muñeca cuyos ejes se cortan en un punto, cada a es 0.
 form-worked-offset = Un hombro está a 0,2 m al lado del primer eje, vertical, y el segundo eje es horizontal. Sobre el segundo eje hay 0,2 m entre el pie de la normal desde el primero y el de la normal al tercero: d = 0,2 m, en la fila de la segunda articulación.
 form-worked-joint = Un pórtico mueve su carro por un carril y gira la pinza que cuelga de él. El carril es una articulación prismática: su fila tiene la variable en d y un número en θ. La pinza es una articulación de rotación: la variable en θ y un número en d.
+form-home-author = Crear un ejercicio
+form-home-author-text = Para docentes: sobre el brazo de su propio libro, en un cuarto de hora.

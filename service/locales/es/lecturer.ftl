@@ -95,3 +95,4 @@ lecturer-applied = Las nuevas puntuaciones cuentan y se envían.
 lecturer-choose-title = Elija un ejercicio
 lecturer-choose-text = El enlace se pone en su curso; sus reglas se pueden cambiar después.
 lecturer-insert = Poner en el curso
+lecturer-choose-own = Crear un ejercicio propio

@@ -308,3 +308,5 @@ form-worked-twist = Une épaule dont le premier axe est vertical et le deuxième
 form-worked-length = Deux corps dans un plan, longs de 0,4 m et 0,3 m : les deux axes sont verticaux, à 0,4 m l’un de l’autre. Leur normale commune est le premier corps, donc a = 0,4 m. Dans un poignet dont les axes se coupent en un point, chaque a vaut 0.
 form-worked-offset = Une épaule se trouve à 0,2 m à côté du premier axe, vertical, et le deuxième axe est horizontal. Le long du deuxième axe, il y a 0,2 m entre le pied de la normale venant du premier et celui de la normale vers le troisième : d = 0,2 m, dans la ligne de la deuxième articulation.
 form-worked-joint = Un portique déplace son chariot le long d’un rail et tourne la pince qui y pend. Le rail est une articulation prismatique : sa ligne a la variable en d et un nombre en θ. La pince est une articulation rotoïde : la variable en θ et un nombre en d.
+form-home-author = Créer un exercice
+form-home-author-text = Pour les enseignants : sur le bras de votre propre livre, en un quart d'heure.

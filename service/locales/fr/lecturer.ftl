@@ -95,3 +95,4 @@ lecturer-applied = Les nouvelles notes comptent et sont envoyées.
 lecturer-choose-title = Choisissez un exercice
 lecturer-choose-text = Le lien est placé dans votre cours ; ses règles peuvent être changées plus tard.
 lecturer-insert = Placer dans le cours
+lecturer-choose-own = Créer votre propre exercice

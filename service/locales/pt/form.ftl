@@ -308,3 +308,5 @@ form-worked-twist = Um ombro cujo primeiro eixo é vertical e cujo segundo eixo 
 form-worked-length = Dois elos num plano, com 0,4 m e 0,3 m: os dois eixos são verticais, a 0,4 m um do outro. A normal comum é o primeiro elo, logo a = 0,4 m. Num punho cujos eixos se cortam num ponto, cada a é 0.
 form-worked-offset = Um ombro está 0,2 m ao lado do primeiro eixo, vertical, e o segundo eixo é horizontal. Ao longo do segundo eixo há 0,2 m entre o pé da normal vinda do primeiro e o da normal para o terceiro: d = 0,2 m, na linha da segunda junta.
 form-worked-joint = Um pórtico desloca o carro ao longo de uma calha e roda a garra por baixo. A calha é uma junta prismática: a sua linha tem a variável em d e um número em θ. A garra é uma junta de rotação: a variável em θ e um número em d.
+form-home-author = Criar um exercício
+form-home-author-text = Para docentes: sobre o braço do seu próprio livro, num quarto de hora.

@@ -95,3 +95,4 @@ lecturer-applied = As novas classificações contam e são enviadas.
 lecturer-choose-title = Escolha um exercício
 lecturer-choose-text = A ligação é posta na sua disciplina; as regras podem mudar-se depois.
 lecturer-insert = Pôr na disciplina
+lecturer-choose-own = Criar um exercício próprio

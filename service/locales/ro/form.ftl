@@ -317,3 +317,5 @@ form-worked-twist = Un umăr a cărui primă axă este verticală, iar a doua or
 form-worked-length = Două elemente într-un plan, de 0,4 m și 0,3 m: ambele axe sunt verticale, la 0,4 m una de alta. Normala lor comună este primul element, deci a = 0,4 m. La o încheietură ale cărei axe se taie într-un punct, fiecare a este 0.
 form-worked-offset = Un umăr se află la 0,2 m lateral de prima axă, verticală, iar a doua axă este orizontală. De-a lungul celei de-a doua axe sunt 0,2 m între piciorul normalei de la prima și cel al normalei spre a treia: d = 0,2 m, în rândul cuplei a doua.
 form-worked-joint = Un portal își mișcă căruciorul pe o șină și rotește griferul de sub el. Șina este o cuplă de translație: rândul ei are variabila în d și un număr în θ. Griferul este o cuplă de rotație: variabila în θ și un număr în d.
+form-home-author = Creați un exercițiu
+form-home-author-text = Pentru profesori: despre brațul din cartea dumneavoastră, într-un sfert de oră.

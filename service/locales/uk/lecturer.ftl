@@ -96,3 +96,4 @@ lecturer-applied = Нові оцінки зараховано й надсила�
 lecturer-choose-title = Виберіть вправу
 lecturer-choose-text = Посилання додається до вашого курсу; його правила можна змінити пізніше.
 lecturer-insert = Додати до курсу
+lecturer-choose-own = Створити власну вправу

@@ -3,17 +3,27 @@
 import { el, fill } from "../dom.js";
 import { t } from "../i18n.js";
 import { settingsForm } from "../lecturer/settings-form.js";
-import { api, startPage } from "../page.js";
+import { api, pageAddress, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 
 const place = /** @type {HTMLElement} */ (document.getElementById("choose"));
 
 async function run() {
-  const choice = new URLSearchParams(location.hash.slice(1)).get("choice") ?? "";
+  const asked = new URLSearchParams(location.hash.slice(1));
+  const choice = asked.get("choice") ?? "";
   const { exercises } = await api.get("exercises");
+  const published = asked.get("exercise");
+  if (published) exercises.unshift(entryOf(await api.get(`exercises/${encodeURIComponent(published)}`)));
   const problem = el("div", {});
-  const form = settingsForm(exercises, { points: 10 }, send, t("lecturer-insert"));
-  fill(place, el("p", { class: "hint", text: t("lecturer-choose-text") }), form, problem);
+  const form = settingsForm(exercises, { points: 10, exercise: published ?? "" }, send, t("lecturer-insert"));
+  const own = pageAddress(`author#choice=${encodeURIComponent(choice)}`);
+  fill(
+    place,
+    el("p", { class: "hint", text: t("lecturer-choose-text") }),
+    el("p", {}, el("a", { href: own, text: t("lecturer-choose-own") })),
+    form,
+    problem,
+  );
 
   /** @param {any} settings */
   async function send(settings) {
@@ -28,6 +38,11 @@ async function run() {
       fill(problem, problemNotice(error));
     }
   }
+}
+
+/** An exercise that stands in no list, as an entry of it. @param {any} exercise */
+function entryOf({ id, title, parts }) {
+  return { id, title, parts: parts.map((/** @type {any} */ { kind }) => kind) };
 }
 
 startPage(run);

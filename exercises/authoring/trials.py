@@ -1,0 +1,90 @@
+"""What is tried with a draft, as one call each: plain data in and out, for a process of its own."""
+
+from __future__ import annotations
+
+from exercises.authoring.admission import PolicyAdmission, policy_admission
+from exercises.authoring.draft import ExerciseDraft, exercise_of_draft
+from exercises.consistency import FILE
+from exercises.definition import Exercise
+from exercises.drawings import figure_svg, values
+from exercises.errors import DefinitionError
+from exercises.instance import generate
+from exercises.needs import unneeded_dimensions
+from exercises.parts.protocol import TABLE
+from exercises.selftest.checks import check_values
+from exercises.selftest.findings import Findings
+from exercises.selftest.rehearsal import RehearsedAnswer, right_answers, usual_mistakes
+from kinematics.errors import Fault
+
+MOST_ROWS = 16
+"""Of a draft's table: twice those of the longest arm in the documents. A folder may have more."""
+MOST_ANSWERS = 20
+SOME_MISTAKES = 6
+"""So many of the listed mistakes are made for each seed: a round stays below some seconds."""
+
+
+def trial(draft: ExerciseDraft) -> PolicyAdmission:
+    """Do once what every look at a draft needs, so that its cost is known; return what the policy admits.
+
+    Raises:
+        DefinitionError: every fault of the draft.
+    """
+    exercise = _read(draft)
+    instance = generate(exercise)
+    figure_svg(instance, title=draft.id, description="", language="en")
+    unneeded_dimensions(exercise)
+    return policy_admission(exercise, values(instance))
+
+
+def self_test(draft: ExerciseDraft, seed: int | None) -> Findings:
+    """One round of the exercise's own tests, with the values of one seed.
+
+    Raises:
+        DefinitionError: every fault of the draft.
+    """
+    return check_values((seed,), _read(draft), SOME_MISTAKES)
+
+
+def rehearsed_right(draft: ExerciseDraft, count: int) -> tuple[RehearsedAnswer, ...]:
+    """Right answers that look different.
+
+    Raises:
+        DefinitionError: every fault of the draft, or it asks for no table.
+    """
+    return right_answers(_with_table(draft), min(count, MOST_ANSWERS))
+
+
+def rehearsed_mistakes(draft: ExerciseDraft) -> tuple[RehearsedAnswer, ...]:
+    """Every misconception about the draft's robot, with what it earns.
+
+    Raises:
+        DefinitionError: every fault of the draft, or it asks for no table.
+    """
+    return usual_mistakes(_with_table(draft))
+
+
+def check_rows(draft: ExerciseDraft) -> None:
+    """Refuse a table that is longer than any arm.
+
+    Raises:
+        DefinitionError: it has too many rows.
+    """
+    reference = draft.definition.get("reference")
+    rows = reference.get("rows") if isinstance(reference, dict) else None
+    if isinstance(rows, list) and len(rows) > MOST_ROWS:
+        params = {"count": len(rows), "limit": MOST_ROWS}
+        raise DefinitionError(
+            Fault(code="draft_too_many_rows", where=(FILE, "reference", "rows"), params=params)
+        )
+
+
+def _read(draft: ExerciseDraft) -> Exercise:
+    check_rows(draft)
+    return exercise_of_draft(draft)
+
+
+def _with_table(draft: ExerciseDraft) -> Exercise:
+    exercise = _read(draft)
+    if exercise.part(TABLE) is None:
+        raise DefinitionError(Fault(code="draft_without_table", where=(FILE, "parts")))
+    return exercise

@@ -1,0 +1,23 @@
+"""The page on which exercises are made."""
+
+from __future__ import annotations
+
+from fastapi import APIRouter, Request, Response
+
+from service.web.responses import page_response
+from service.web.shell import Page
+
+router = APIRouter(include_in_schema=False)
+
+AUTHOR = Page(
+    name="author",
+    title="author-title",
+    rooms=("author", "exercises"),
+    styles=("scene", "editor", "exercise", "playground", "author"),
+)
+
+
+@router.get("/author")
+async def author(request: Request) -> Response:
+    """A page for lecturers: make an exercise from a robot, look at it, try it, take it along."""
+    return page_response(request, AUTHOR)

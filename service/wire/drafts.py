@@ -1,0 +1,122 @@
+"""Drafts as JSON: what is read, shown and refused of them, in the caller's language."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import fields
+from functools import lru_cache
+from typing import Any
+
+import orjson
+
+from exercises.authoring.admission import PolicyAdmission
+from exercises.authoring.draft import ExerciseDraft, exercise_of_draft
+from exercises.consistency import FILE
+from exercises.definition import Exercise
+from exercises.errors import DefinitionError
+from exercises.instance import generate
+from exercises.selftest.findings import Failure, Findings
+from exercises.selftest.rehearsal import RehearsedAnswer
+from exercises.statements import to_html
+from exercises.written_table import written_table
+from kinematics.errors import Fault
+from service.http.problems import RequestError
+from service.messages import sentence
+from service.wire.exercise_views import exercise_view, figure_file
+from service.wire.verdicts import record_body
+
+KEPT = 64
+"""Drafts that are kept as read: an author looks at one again and again."""
+
+
+@contextmanager
+def draft_refused() -> Iterator[None]:
+    """Faults of a draft, told by their place in the request."""
+    try:
+        yield
+    except DefinitionError as error:
+        raise RequestError([_placed(fault) for fault in error.faults]) from error
+
+
+def _placed(fault: Fault) -> Fault:
+    """Return the fault at its place in the body: a file is a member of the draft."""
+    head, *rest = (*fault.where, "")[:1] + fault.where[1:] if fault.where else ("",)
+    if head == FILE:
+        return _at(fault, "draft", "definition", *rest)
+    if isinstance(head, str) and head.startswith("statement."):
+        return _at(fault, "draft", "statements", head.split(".")[1], *rest)
+    if head == "id":
+        return _at(fault, "draft", "id")
+    return fault
+
+
+def _at(fault: Fault, *where: str | int) -> Fault:
+    return Fault(code=fault.code, where=where, params=fault.params)
+
+
+def exercise_of(draft: ExerciseDraft) -> Exercise:
+    """Return the exercise of a draft; one that was read before is not read again.
+
+    Raises:
+        DefinitionError: every fault of the draft.
+    """
+    return _exercise_of(draft.id, orjson.dumps([draft.definition, draft.statements]))
+
+
+@lru_cache(maxsize=KEPT)
+def _exercise_of(exercise_id: str, content: bytes) -> Exercise:
+    definition, statements = orjson.loads(content)
+    return exercise_of_draft(ExerciseDraft(id=exercise_id, definition=definition, statements=statements))
+
+
+def draft_body(draft: ExerciseDraft) -> dict[str, Any]:
+    """A draft."""
+    return {"draft": {"id": draft.id, "definition": draft.definition, "statements": draft.statements}}
+
+
+def preview_body(draft: ExerciseDraft, admission: PolicyAdmission, language: str) -> dict[str, Any]:
+    """A draft as students will see it, and what its policy leaves free."""
+    exercise = exercise_of(draft)
+    instance = generate(exercise)
+    return {
+        "exercise": exercise_view(instance, language),
+        "figure": figure_file(instance, language).decode(),
+        "statements": {name: to_html(text) for name, text in exercise.statements.items()},
+        "policy": {
+            **{entry.name: getattr(admission, entry.name) for entry in fields(admission)},
+            "message": sentence(
+                language,
+                "author-policy-admits",
+                {"choices": admission.choices, "admitted": admission.admitted},
+            )
+            or "",
+        },
+        "key": written_table(exercise.reference),
+    }
+
+
+def self_test_body(findings: Findings, seed: int | None, language: str) -> dict[str, Any]:
+    """What a round of the self-test found."""
+    return {
+        "seed": seed,
+        "passed": findings.passed.total(),
+        "failures": _lines(findings.failures, language),
+        "warnings": _lines(findings.warnings, language),
+    }
+
+
+def _lines(found: Sequence[Failure], language: str) -> list[dict[str, Any]]:
+    return [
+        {
+            "check": failure.check,
+            "params": dict(failure.params),
+            "message": sentence(language, f"check-{failure.check}", failure.params) or failure.check,
+        }
+        for failure in found
+    ]
+
+
+def rehearsal_body(answers: Sequence[RehearsedAnswer], language: str) -> dict[str, Any]:
+    """Rehearsed answers with what a student is told."""
+    return {"answers": [record_body(answer, language) for answer in answers]}

@@ -1,0 +1,121 @@
+/** Where an exercise goes: a folder, the service's store, a SCORM package, a course, a link; and where one comes from. */
+
+import { copyText } from "../clipboard.js";
+import { Problem } from "../api.js";
+import { announce, el, fill } from "../dom.js";
+import { language, t } from "../i18n.js";
+import { pageAddress, root } from "../page.js";
+import { problemNotice } from "../problem.js";
+import { linkTo } from "./draft-store.js";
+import { field, textField } from "./fields.js";
+
+/** @param {import("../api.js").Api} api @param {import("./draft-store.js").DraftStore} store */
+export function takeAlong(api, store) {
+  const name = el("div", {});
+  const told = el("div", { class: "stack", role: "status" });
+  const choice = new URLSearchParams(location.hash.slice(1)).get("choice");
+
+  /** @param {() => Promise<any>} work */
+  const attempt = (work) => async () => {
+    try {
+      fill(told, await work());
+    } catch (error) {
+      fill(told, problemNotice(error));
+    }
+  };
+
+  const download = attempt(async () => {
+    const archive = await sent(api, "author/folder.zip", JSON.stringify({ draft: store.draft }), "application/json");
+    const link = el("a", { download: `${store.draft?.id}.zip` });
+    link.href = URL.createObjectURL(await archive.blob());
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    return el("p", { text: t("author-downloaded") });
+  });
+
+  const publish = attempt(async () => {
+    const { id } = await api.post("author/publish", { draft: store.draft });
+    return publishedView(id, choice);
+  });
+
+  const share = attempt(async () => {
+    const address = await linkTo(location.href, { draft: store.draft, source: store.source });
+    history.replaceState(history.state, "", address);
+    const text = t((await copyText(address)) ? "author-link-copied" : "form-copy-failed");
+    announce(text);
+    return el("p", { text });
+  });
+
+  const file = el("input", {
+    type: "file",
+    accept: ".zip,application/zip",
+    onchange: async (event) => {
+      const [archive] = event.target.files;
+      if (!archive) return;
+      await attempt(async () => {
+        const answer = await sent(api, "author/import", archive, "application/zip");
+        store.load((await answer.json()).draft, null);
+        return el("p", { text: t("author-imported") });
+      })();
+      event.target.value = "";
+    },
+  });
+
+  const button = (/** @type {string} */ id, /** @type {any} */ onclick, /** @type {string} */ kind = "") =>
+    el("button", { type: "button", class: kind, onclick, text: t(id) });
+  const actions = el(
+    "div",
+    { class: "row" },
+    button("author-download", download, "primary"),
+    button("author-publish", publish),
+    button("author-link", share),
+  );
+  const element = el(
+    "div",
+    { class: "stack" },
+    name,
+    actions,
+    told,
+    field(t("author-import"), file, t("author-import-hint")),
+  );
+  return {
+    element,
+    fill: () => fill(name, textField(store, t("author-id"), ["id"], { spellcheck: "false", maxlength: "48" })),
+    show: () => undefined,
+  };
+}
+
+/** @param {string} id @param {string | null} choice the code of a platform that asked for a link */
+function publishedView(id, choice) {
+  const scorm = (/** @type {string} */ version) =>
+    el("a", {
+      href: `${root}api/v1/exercises/${id}/scorm.zip?version=${version}&lang=${language}`,
+      text: `SCORM ${version}`,
+    });
+  const insert = choice ? `${root}lti/choose?lang=${language}#choice=${encodeURIComponent(choice)}&exercise=${id}` : "";
+  return el(
+    "div",
+    { class: "stack author-published" },
+    el("p", { class: "notice notice-good", text: t("author-published") }),
+    el(
+      "p",
+      {},
+      el("a", { href: pageAddress(`exercises/${id}`), text: t("author-open") }),
+      " · ",
+      scorm("1.2"),
+      " · ",
+      scorm("2004"),
+    ),
+    insert ? el("p", {}, el("a", { class: "button primary", href: insert, text: t("author-insert") })) : null,
+    el("p", { class: "hint", text: t("author-lti-hint") }),
+    el("p", {}, el("code", { text: `exercise=${id}` })),
+  );
+}
+
+/** A call whose body or answer is no JSON. @param {import("../api.js").Api} api @param {string} path @param {BodyInit} body @param {string} type */
+async function sent(api, path, body, type) {
+  const headers = { "Content-Type": type, "Accept-Language": language };
+  const answer = await fetch(api.address(path), { method: "POST", headers, body, credentials: "omit" });
+  if (!answer.ok) throw new Problem(answer.status, await answer.json().catch(() => ({})));
+  return answer;
+}

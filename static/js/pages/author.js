@@ -1,0 +1,147 @@
+/** The page on which an exercise is made: on the left what it is, on the right how it looks and whether it holds. */
+
+import { Latest } from "../api.js";
+import { DraftStore, workIn } from "../author/draft-store.js";
+import { figureSection, helpSection, partsSection, policySection, valuesSection } from "../author/asked.js";
+import { Start } from "../author/start.js";
+import { takeAlong } from "../author/take-along.js";
+import { textsSection } from "../author/texts.js";
+import { asStudent, rightAnswers, SelfTest, wrongAnswers } from "../author/trials.js";
+import { announce, debounced, el, fill, iconButton } from "../dom.js";
+import { t } from "../i18n.js";
+import { api, startPage } from "../page.js";
+import { problemNotice } from "../problem.js";
+
+/** Milliseconds without a change until the draft is looked at, and until it is tested. */
+const REST = 350;
+const LONG_REST = 1500;
+
+/** @param {string} id */
+const $ = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+
+class AuthorPage {
+  #latest = new Latest();
+
+  constructor() {
+    this.store = new DraftStore();
+    this.start = new Start(api, this.store, () => announce(t("author-started")));
+    this.selfTest = new SelfTest(api, this.store);
+    /** @type {any} */
+    this.view = null;
+    /** @type {Record<string, {element: HTMLElement, fill: () => void, show: (view: any) => void}>} */
+    this.sections = {
+      texts: textsSection(this.store),
+      parts: partsSection(this.store),
+      policy: policySection(this.store),
+      values: valuesSection(this.store),
+      help: helpSection(this.store),
+      figure: figureSection(this.store),
+      take: takeAlong(api, this.store),
+    };
+    this.look = debounced(() => this.#look(), REST);
+    this.test = debounced(() => this.selfTest.run(), LONG_REST);
+  }
+
+  build() {
+    fill($("author-start"), this.start.element);
+    for (const [name, { element }] of Object.entries(this.sections))
+      fill($(name === "figure" ? "author-figure-fields" : `author-${name}`), element);
+    this.undo = iconButton("undo", t("form-undo"), () => this.store.undo());
+    this.redo = iconButton("redo", t("form-redo"), () => this.store.redo());
+    fill($("author-tools"), this.undo, this.redo);
+    fill($("author-selftest"), this.selfTest.element);
+    fill($("author-right"), rightAnswers(api, this.store));
+    fill($("author-wrong"), wrongAnswers(api, this.store));
+    fill(
+      $("author-try"),
+      asStudent(api, this.store, () => this.view),
+    );
+    this.store.addEventListener("draft", (event) => this.#changed(/** @type {CustomEvent} */ (event).detail.whole));
+    document.addEventListener("keydown", (event) => this.#keys(event));
+  }
+
+  /** The draft of the address, else the one that was here last. */
+  async restore() {
+    const work = await workIn(location.hash);
+    if (work?.draft) this.store.load(work.draft, work.source);
+    else if (!this.store.restore()) this.start.show("robot");
+    if (this.store.draft) this.start.resume();
+  }
+
+  /** @param {boolean} whole */
+  #changed(whole) {
+    const { draft } = this.store;
+    for (const card of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-needs-draft]")))
+      card.hidden = !draft;
+    this.undo?.toggleAttribute("disabled", !this.store.canUndo);
+    this.redo?.toggleAttribute("disabled", !this.store.canRedo);
+    if (!draft) return;
+    if (whole) for (const section of Object.values(this.sections)) section.fill();
+    $("author-saved").textContent = t("author-saved");
+    this.selfTest.outdated();
+    this.look();
+  }
+
+  async #look() {
+    try {
+      const answer = await this.#latest.run((signal) =>
+        api.post("author/preview", { draft: this.store.draft }, { signal }),
+      );
+      if (!answer) return;
+      this.view = answer.value;
+      fill($("author-problem"));
+      this.#markFaults([]);
+      for (const section of Object.values(this.sections)) section.show(this.view);
+      showFigure(this.view);
+      this.test();
+    } catch (error) {
+      if (error instanceof Error && error.name === "AbortError") return;
+      fill($("author-problem"), problemNotice(error));
+      this.#markFaults(/** @type {any} */ (error).faults ?? []);
+    }
+  }
+
+  /** Marks the fields that a refusal speaks of. @param {import("../api.js").Fault[]} faults */
+  #markFaults(faults) {
+    const places = faults.map(({ pointer }) => pointer.replace(/^\/draft\//, ""));
+    for (const input of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-path]"))) {
+      const wrong = places.includes(input.dataset.path ?? "");
+      if (wrong) input.setAttribute("aria-invalid", "true");
+      else input.removeAttribute("aria-invalid");
+    }
+  }
+
+  /** Undo and redo of the whole draft; inside a text the browser's own go first. @param {KeyboardEvent} event */
+  #keys(event) {
+    const target = /** @type {HTMLElement} */ (event.target);
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || target.closest("input, textarea, dh-table-editor")) return;
+    const key = event.key.toLowerCase();
+    if (key === "y" || (key === "z" && event.shiftKey)) this.store.redo();
+    else if (key === "z") this.store.undo();
+    else return;
+    event.preventDefault();
+  }
+}
+
+/** @param {any} view */
+function showFigure({ figure, exercise }) {
+  const image = /** @type {HTMLImageElement} */ ($("author-figure"));
+  const before = image.src;
+  image.src = URL.createObjectURL(new Blob([figure], { type: "image/svg+xml" }));
+  image.alt = exercise.figure.description;
+  image.hidden = false;
+  if (before.startsWith("blob:")) URL.revokeObjectURL(before);
+  fill($("author-name"), exercise.title);
+  fill(
+    $("author-dimensions"),
+    exercise.dimensions.map((/** @type {any} */ { name, value, unit }) =>
+      el("li", { text: `${name} = ${value} ${unit}` }),
+    ),
+  );
+}
+
+startPage(async () => {
+  const page = new AuthorPage();
+  page.build();
+  await page.restore();
+});
