@@ -21,7 +21,7 @@ from exercises.grading.findings import (
 )
 from exercises.grading.judgement import IMPRECISE, REFUTED, diagnosed, policy_of, share_of
 from exercises.grading.repairs import MOST_WORK, Repaired, find_repairs
-from exercises.grading.score import score_of
+from exercises.grading.score import lost, score_of
 from exercises.grading.verdict import Edit, Feedback, HelpLevel, LinkFinding, ParamValue, Repair
 from exercises.grading.work import Work
 from kinematics.cells import ReadTable
@@ -89,6 +89,36 @@ def explanation(
         _LOG.exception("no findings")
         repairs = ()
     return Explanation(score=score, links=links, feedback=feedback, repairs=told_repairs(repairs, level))
+
+
+def clearest(
+    decisions: Sequence[Decision],
+    ways: Sequence[Comparison],
+    tables: tuple[ReadTable, ReadTable],
+    policy: Policy,
+) -> int:
+    """In which way a wrong answer is best taken: the right robot if it is that, else with least wrong in it.
+
+    One wrong name among numbers so leaves the numbers what they are: values of names.
+
+    Args:
+        decisions: what was decided.
+        ways: the ways in which the answer may be meant.
+        tables: the key and the answer as read.
+        policy: what the answer is held to.
+    """
+    right = [i for i, decision in enumerate(decisions) if decision.same_robot]
+    if right or len(ways) == 1:
+        return min(right, default=0)
+    try:
+        off = [
+            lost(decision, work_on(way, tables, policy), Weights())
+            for decision, way in zip(decisions, ways, strict=True)
+        ]
+    except Exception:
+        _LOG.exception("no way is clearer than another")
+        return 0
+    return off.index(min(off))
 
 
 def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy: Policy) -> Work:

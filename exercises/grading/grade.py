@@ -7,7 +7,7 @@ from functools import lru_cache
 
 from exercises.grading.certificate_report import certificate_report
 from exercises.grading.comparison import Comparison, comparisons
-from exercises.grading.explanation import explanation, renumbered, without_idle_rows
+from exercises.grading.explanation import clearest, explanation, renumbered, without_idle_rows
 from exercises.grading.facts import Weights
 from exercises.grading.findings import all_right
 from exercises.grading.frames import explained
@@ -115,7 +115,7 @@ def _decided(
         if decision.accepted:
             return _accepted(decision, way, submission)
         decisions.append(decision)
-    best = next((i for i, decision in enumerate(decisions) if decision.same_robot), 0)
+    best = clearest(decisions, ways, (reference, submission), policy)
     return decisions[best], ways[best]
 
 

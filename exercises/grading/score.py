@@ -40,10 +40,10 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
     nothing = _of_nothing(reference, work.policy, weights)
     if not nothing:
         return 0.0
-    lost = max(weights.sign, _lost(decision, work, weights))
+    off = max(weights.sign, lost(decision, work, weights))
     if repairs and len(repairs[0].changes) == 1:
-        lost = min(lost, _cost(repairs[0].changes, weights))
-    return round(min(max(1.0 - lost / nothing, 0.0), HIGHEST_PARTIAL), DECIMALS)
+        off = min(off, _cost(repairs[0].changes, weights))
+    return round(min(max(1.0 - off / nothing, 0.0), HIGHEST_PARTIAL), DECIMALS)
 
 
 def _cost(changes: Sequence[Change], weights: Weights) -> float:
@@ -52,7 +52,7 @@ def _cost(changes: Sequence[Change], weights: Weights) -> float:
     return sum(weights.sign if change.code in SIGNS else of_extent[change.extent] for change in changes)
 
 
-def _lost(decision: Decision, work: Work, weights: Weights) -> float:
+def lost(decision: Decision, work: Work, weights: Weights) -> float:
     """The weight of the facts that are wrong, and of the rules that are not kept."""
     policy, reference, table = work.policy, work.reference, work.table
     facts = _facts(reference, work.invariants[0], policy, weights)

@@ -586,3 +586,21 @@ def test_a_convention_is_declared_wrong_sooner_than_rows_are_exchanged() -> None
     verdict = grade(key, answer, USUAL, values)
     assert [edit.code for edit in verdict.repairs[0].edits] == ["convention"]
     assert "rows_out_of_order" not in codes(verdict)
+
+
+@pytest.mark.parametrize("name", ["x", "a2"])
+def test_one_wrong_name_among_numbers_accuses_no_number(name: str) -> None:
+    """Whether the exercise knows the name or not, the numbers stand for what they are the values of."""
+    answer = read("standard", with_cells(numbers(PUMA, 4), (4, 2, name)))
+    verdict = grade(KEY, answer, USUAL, VALUES)
+    assert [(e.code, e.row) for e in verdict.feedback if e.row] == [("offset_wrong", 4)]
+    assert [edit.row for repair in verdict.repairs for edit in repair.edits] == [4]
+
+
+def test_a_sign_that_is_free_is_not_accused() -> None:
+    """Z₃ may point either way if d₄ follows: turned round, with d₄ wrong besides, d₄ alone is wrong."""
+    turned = with_cells(PUMA, (3, 0, "pi/2"), (4, 0, "-pi/2"), (4, 2, "-d4"))
+    assert grade(KEY, read("standard", turned), USUAL, VALUES).correct
+    wrong = with_cells(turned, (4, 2, "-a2"))
+    verdict = grade(KEY, read("standard", wrong), USUAL, VALUES)
+    assert [(e.code, e.row) for e in verdict.feedback if e.row] == [("offset_wrong", 4)]
