@@ -17,7 +17,8 @@ from playwright.sync_api import Browser
 
 from tools.web import chromium, service
 
-PAGES = ("/", "/exercises/puma560", "/playground", "/trainer/puma560")
+PAGES = ("/", "/exercises/puma560", "/playground", "/trainer/puma560", "/lesson")
+TYPED = "/exercises/puma560"
 SLOW_DOWN = 4
 ROUNDS = 5
 SETTLED = 3500
@@ -66,6 +67,40 @@ def visit(browser: Browser, address: str) -> dict[str, float]:
     return {**times, "bytes": bytes_}
 
 
+FIRST_LINK = """async () => {
+  const scene = document.querySelector("#own robot-scene");
+  const frame = () => new Promise((done) => requestAnimationFrame(done));
+  const typed = await new Promise((done) =>
+    document.addEventListener("input", (event) => event.target.id.endsWith("-d") && done(event.timeStamp)));
+  let drawn = scene.dataset.drawn;
+  while ((scene.model.frames?.length ?? 0) < 2) {
+    drawn = scene.dataset.drawn;
+    await frame();
+  }
+  while (scene.dataset.drawn === drawn) await frame();
+  return performance.now() - typed;
+}"""
+
+
+def first_link(browser: Browser, address: str) -> float:
+    """From the last character of the first row to the frame that shows its link [ms]."""
+    context = browser.new_context(viewport={"width": 1280, "height": 800})
+    page = context.new_page()
+    page.goto(address)
+    page.locator("html[data-ready=true]").wait_for(state="attached")
+    page.locator("#own robot-scene[data-renderer]").wait_for(state="attached")
+    session = context.new_cdp_session(page)
+    session.send("Emulation.setCPUThrottlingRate", {"rate": SLOW_DOWN})
+    row = page.locator("dh-table-editor tbody tr").first
+    for cell in ("alpha", "a"):
+        row.locator(f"input[id$='-{cell}']").press_sequentially("0")
+    page.evaluate(f"() => {{ window.firstLink = ({FIRST_LINK})(); }}")
+    row.locator("input[id$='-d']").press_sequentially("0")
+    found: float = page.evaluate("() => window.firstLink")
+    context.close()
+    return found
+
+
 def measure() -> dict[str, dict[str, float]]:
     """Medians by page."""
     with service() as origin, chromium() as browser:
@@ -74,6 +109,8 @@ def measure() -> dict[str, dict[str, float]]:
         for path in PAGES:
             visits = [visit(browser, f"{origin}{path}?lang=en") for _ in range(ROUNDS)]
             found[path] = {name: statistics.median(one[name] for one in visits) for name in visits[0]}
+        drawn = [first_link(browser, f"{origin}{TYPED}?lang=en") for _ in range(ROUNDS)]
+        found[TYPED]["drawn"] = statistics.median(drawn)
         return found
 
 

@@ -21,7 +21,7 @@ import { degrees, radians } from "./numbers.js";
 import { reach, tableRobot } from "./scene/robots.js";
 import { Understanding } from "./understanding.js";
 
-const TYPING_PAUSE = 60;
+const TYPING_PAUSE = 30;
 const DRAGGING_PAUSE = 60;
 
 /**

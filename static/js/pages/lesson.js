@@ -4,7 +4,9 @@ import "../scene/robot-scene.js";
 import { el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { radians, shown } from "../numbers.js";
-import { startPage } from "../page.js";
+import { robotOf } from "../live-robot.js";
+import { api, startPage } from "../page.js";
+import { problemNotice } from "../problem.js";
 import { ORDER, still, stepsOf } from "../scene/film.js";
 import { identity } from "../scene/matrix.js";
 import { triad } from "../scene/model.js";
@@ -19,9 +21,10 @@ const place = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document
 
 /**
  * A slider with its name and value.
- * @param {string} label @param {{min: number, max: number, value: number, unit: string}} range @param {(value: number) => void} changed
+ * @param {string} label @param {{min: number, max: number, step: number, value: number, unit: string}} range
+ * @param {(value: number) => void} changed
  */
-function slider(label, { min, max, value, unit }, changed) {
+function slider(label, { min, max, step, value, unit }, changed) {
   const id = uniqueId("slider");
   const text = el("output", { for: id, text: `${shown(value, 2)}${unit}` });
   /** @type {HTMLInputElement} */
@@ -30,7 +33,7 @@ function slider(label, { min, max, value, unit }, changed) {
     type: "range",
     min,
     max,
-    step: (max - min) / 60,
+    step,
     value: String(value),
     oninput: () => {
       text.textContent = `${shown(Number(input.value), 2)}${unit}`;
@@ -48,21 +51,32 @@ function fourNumbers() {
   const scenes = ["standard", "modified"].map((convention) => {
     const scene = el("robot-scene", { label: t(`lesson-demo-${convention}`) });
     scene.model = base();
-    const order = ORDER[convention].map((cell) => LETTERS[cell]).join(" → ");
+    const letters = ORDER[convention].map((cell) => el("span", { text: LETTERS[cell] }));
     scene.describe(`${t(`lesson-${convention}`)} ${t("form-scene-keys")}`);
     return {
       convention,
       scene,
+      letters,
       element: el(
         "figure",
         {},
-        el("figcaption", {}, el("strong", { text: t(`lesson-demo-${convention}`) }), ` ${order}`),
+        el(
+          "figcaption",
+          {},
+          el("strong", { text: t(`lesson-demo-${convention}`) }),
+          el(
+            "span",
+            { class: "lesson-order" },
+            letters.flatMap((letter, k) => (k ? [" → ", letter] : [letter])),
+          ),
+        ),
         scene,
       ),
     };
   });
   const show = () => {
-    for (const { convention, scene } of scenes) {
+    for (const { convention, scene, letters } of scenes) {
+      letters.forEach((letter, k) => letter.classList.toggle("lit", k === Math.ceil(phase) - 1));
       const row = /** @type {any} */ ({ joint: "fixed", sign: 1, values });
       scene.overlay = still(stepsOf(convention, row, 0), phase, identity(), { size: SIZE, index: 0 });
     }
@@ -71,9 +85,9 @@ function fourNumbers() {
     values[name] = value * factor;
     show();
   };
-  const turn = { min: -180, max: 180, unit: "°" };
-  const slide = { min: -1, max: 1, unit: "" };
-  const motion = slider(t("lesson-step"), { min: 0, max: 4, value: 4, unit: "" }, (value) => {
+  const turn = { min: -180, max: 180, step: 5, unit: "°" };
+  const slide = { min: -1, max: 1, step: 0.05, unit: "" };
+  const motion = slider(t("lesson-step"), { min: 0, max: 4, step: 0.05, value: 4, unit: "" }, (value) => {
     phase = value;
     show();
   });
@@ -116,12 +130,12 @@ function twoAxes() {
     scene,
     slider(
       t("lesson-distance"),
-      { min: 0, max: 1, value: distance, unit: "" },
+      { min: 0, max: 1, step: 0.05, value: distance, unit: "" },
       (value) => ((distance = value), show()),
     ),
     slider(
       t("lesson-twist"),
-      { min: -180, max: 180, value: 50, unit: "°" },
+      { min: -180, max: 180, step: 5, value: 50, unit: "°" },
       (value) => ((twist = radians(value)), show()),
     ),
   );
@@ -153,7 +167,42 @@ function axesModel(distance, twist) {
   return { nodes: [{ parent: -1, constant: identity() }], items, joints: 0 };
 }
 
-startPage(() => {
+/** The same arm twice, with and without something added to its second variable: zero is elsewhere, the robot the same. */
+async function zeroPosition() {
+  const arms = await Promise.all(
+    ["q2", "q2 + 90"].map(async (theta) => {
+      const rows = ["q1", theta].map((cell) => ({ joint: "revolute", alpha: "0", a: "1", d: "0", theta: cell }));
+      const table = { convention: "standard", angle_unit: "deg", length_unit: "m", rows };
+      const label = t("lesson-zero-demo", { theta: theta.replace("q2", "θ₂") });
+      const scene = el("robot-scene", { label });
+      scene.describe(`${t("lesson-zero-text")} ${t("form-scene-keys")}`);
+      const robot = await robotOf(api, table, {});
+      if (robot) scene.model = robot.model;
+      scene.joints = [0, 0];
+      scene.reset("top");
+      return { scene, element: el("figure", {}, el("figcaption", {}, el("strong", { text: label })), scene) };
+    }),
+  );
+  const turn = slider("θ₂", { min: -180, max: 180, step: 5, value: 0, unit: "°" }, (value) => {
+    for (const { scene } of arms) {
+      scene.joints = [0, radians(value)];
+      scene.settle();
+    }
+  });
+  fill(
+    place("two-zeros"),
+    el("p", { text: t("lesson-zero-try") }),
+    el(
+      "div",
+      { class: "two-columns" },
+      arms.map(({ element }) => element),
+    ),
+    turn,
+  );
+}
+
+startPage(async () => {
   fourNumbers();
   twoAxes();
+  await zeroPosition().catch((error) => fill(place("two-zeros"), problemNotice(error)));
 });

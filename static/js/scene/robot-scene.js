@@ -133,6 +133,8 @@ export class RobotScene extends HTMLElement {
     Object.assign(this.#camera, VIEWS[view]);
     this.#framed = false;
     this.#touched = false;
+    const choice = this.querySelector("select");
+    if (choice) choice.value = view;
     this.#draw();
   }
 

@@ -33,6 +33,11 @@ const POINT_PIXELS = 2;
 const GLASS = { "own-joint": 0.5, ghost: 0.45, "ghost-joint": 0.35, shade: 0.35, "shade-joint": 0.25 };
 const FLAT = new Set(["line", "muted", "x", "y", "z", "pick", "lit"]);
 
+/** What a typed row is drawn with: one tone of each kind of material. @type {import("./model.js").Tone[]} */
+const TYPED = ["own", "own-joint", "lit"];
+/** Too small to be seen, too large to be left out. */
+const SPECK = 1e-6;
+
 /** Shared shapes of size one, along y. */
 const SHAPES = {
   cylinder: new CylinderGeometry(1, 1, 1, 28),
@@ -59,6 +64,17 @@ export class ThreeRenderer {
     /** @type {{item: import("./model.js").Item, parts: (Mesh | Points)[]}[]} */
     this.drawn = [];
     this.size = "";
+    this.warm = false;
+  }
+
+  /** Has every kind of material compiled, unseen: the first link that somebody types need not wait for that. */
+  warmUp() {
+    this.warm = true;
+    const specks = TYPED.map((tone) => new Mesh(SHAPES.cylinder, this.material(tone)));
+    for (const speck of specks) speck.scale.setScalar(SPECK);
+    this.scene.add(...specks);
+    this.renderer.render(this.scene, this.camera);
+    this.scene.remove(...specks);
   }
 
   /** @param {import("./model.js").Model} model */
@@ -103,6 +119,7 @@ export class ThreeRenderer {
   draw(found, camera) {
     for (const { item, parts } of this.drawn) place(item, parts, found, camera);
     this.aim(camera);
+    if (!this.warm) this.warmUp();
     this.renderer.render(this.scene, this.camera);
   }
 
