@@ -14,9 +14,9 @@ ABOUT = """
 Chromium, processor slowed down 4 times, 412×915 px, nothing cached, service on the same machine; medians of
 five visits. "Stands" is the first contentful paint; "answers" is the first frame after every control works.
 Bytes are those of the compressed transfer with its headers, fonts left out, scrolled to the end so that the
-3-D scene is loaded as well. "First link drawn" is from the last character of a table's first row to the frame
-that shows its link, on a page that has been loaded. WebGL runs on the processor here (SwiftShader). The peer is
-the promise; a ratio of 1 or more keeps it.
+3-D scene is loaded as well. "First link drawn" is from the last character of a table's first row to the
+frame that shows its link, on a page that has been loaded. WebGL runs on the processor here (SwiftShader). The
+peer is the promise; a ratio of 1 or more keeps it.
 """
 
 ROOT = Path(__file__).resolve().parent.parent

@@ -95,3 +95,50 @@ def test_no_violation_in_another_language_on_a_phone(
     put_table(page, SCARA)
     submit(page)
     assert_accessible(page)
+
+
+PAGES = ("/", "/exercises/puma560", "/playground", "/trainer/puma560", "/lesson")
+WIDTHS = (320, 390, 640, 768, 1280, 1920)
+"""640 is 1280 at 200 % zoom."""
+
+
+@pytest.mark.parametrize("path", PAGES)
+def test_no_violation_at_any_width_in_any_colours(
+    open_page: OpenPage, assert_accessible: Check, path: str
+) -> None:
+    page = open_page(path)
+    page.evaluate("document.querySelectorAll('main details').forEach((details) => (details.open = true))")
+    for width in WIDTHS:
+        page.set_viewport_size({"width": width, "height": 844})
+        assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth"), width
+        page.emulate_media(color_scheme="light", forced_colors="none")
+        assert_accessible(page)
+        page.emulate_media(color_scheme="dark")
+        assert_accessible(page)
+        page.emulate_media(color_scheme="light", forced_colors="active")
+        assert_accessible(page)
+
+
+SMALL_TARGETS = """() => {
+  const tiny = new CSSStyleSheet();
+  tiny.replaceSync("body * { font-size: 1px !important; line-height: 1 !important; }");
+  document.adoptedStyleSheets = [tiny];
+  const inText = (element) => element.matches("a") && getComputedStyle(element).display === "inline";
+  const targets = "main :is(button, select, input, textarea, summary, a[href]), .bar :is(a, summary)";
+  return [...document.querySelectorAll(targets)]
+    .filter((element) => element.checkVisibility({ visibilityProperty: true }) && !inText(element))
+    .map((element) => {
+      const box = (element.closest("label") ?? element).getBoundingClientRect();
+      return [element.outerHTML.slice(0, 120), Math.round(box.width), Math.round(box.height)];
+    })
+    .filter(([, width, height]) => width < 24 || height < 24);
+}"""
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+@pytest.mark.parametrize("path", PAGES)
+def test_targets_are_large_enough_whatever_the_font(open_page: OpenPage, path: str, width: int) -> None:
+    """With glyphs of one pixel, what is left of a target is what the style sheet sees to by itself."""
+    page = open_page(path, width=width)
+    page.evaluate("document.querySelectorAll('main details').forEach((details) => (details.open = true))")
+    assert page.evaluate(SMALL_TARGETS) == []
