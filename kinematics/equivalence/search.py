@@ -33,8 +33,11 @@ from kinematics.se3 import IDENTITY, Motion, compose, inverse, move, rotate
 LIMIT = 3.0
 LIMIT_PER_AMPLIFICATION = 0.1
 WIDEST = 0.3
-# [rad], and a share of the robot: what the arithmetic leaves after the axes of a long chain.
-FLOOR = 1e-7
+# [rad], and a share of the robot: what alignments leave of the errors of the arithmetic where several axes in
+# a row are parallel but for 1e-4, and turns and slides are found from them. Verification decides.
+FLOOR = 1e-4
+# [rad], and a share of the robot: motions that are the same.
+SAME = 1e-7
 # [rad], and a share of the robot: from farther off refinement does not come back.
 FAR_OFF = 0.5
 # Alignments; a robot of twelve joints needs some forty.
@@ -217,8 +220,8 @@ class Search:
         visited = self.seen.setdefault((index, depth), [])
         if visited:
             group = plan.steps[depth].group
-            limit_angle = max(self.policy.tolerance.angle, FLOOR)
-            limit_length = max(self.policy.tolerance.length, FLOOR) * self.references[0].size
+            limit_angle = max(self.policy.tolerance.angle, SAME)
+            limit_length = max(self.policy.tolerance.length, SAME) * self.references[0].size
             for other, its_misfit in visited:
                 if its_misfit > misfit + AS_GOOD:
                     continue
