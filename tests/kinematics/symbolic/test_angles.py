@@ -1,0 +1,85 @@
+"""Angles as sums, exact where they can be, and the roots that write their cosines."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from fractions import Fraction
+
+import pytest
+
+from kinematics.expressions import (
+    Function,
+    JointVariable,
+    Parameter,
+    add,
+    call,
+    evaluate,
+    multiply,
+    number,
+    pi_times,
+    power,
+)
+from kinematics.symbolic import canonical, same_function
+from kinematics.symbolic.angles import angle_of, cosine_and_sine
+from kinematics.symbolic.form_reader import FormReader
+from kinematics.symbolic.roots import basis_terms, has_large_prime, square_free
+
+L1, ALPHA, BETA = map(Parameter, ("L1", "alpha", "beta"))
+q1, q2 = JointVariable(1), JointVariable(2)
+
+
+@pytest.mark.parametrize("steps", range(-30, 31))
+def test_every_multiple_of_a_twelfth_of_pi_is_exact(steps: int) -> None:
+    angle = angle_of(pi_times(Fraction(steps, 12)))
+    cosine, sine = cosine_and_sine(angle)
+    assert evaluate(cosine) == pytest.approx(math.cos(steps * math.pi / 12), abs=1e-14)
+    assert evaluate(sine) == pytest.approx(math.sin(steps * math.pi / 12), abs=1e-14)
+    assert angle.half_turns == 1 - (1 - Fraction(steps, 12)) % 2
+
+
+def test_an_arc_that_is_a_known_angle_is_one() -> None:
+    sixth = call(Function.ASIN, number("1/2"))
+    assert angle_of(sixth).half_turns == Fraction(1, 6)
+    assert angle_of(multiply((number(3), sixth))).quarter_turns == 1
+    assert angle_of(call(Function.ATAN2, number(-1), number(1))).half_turns == Fraction(-1, 4)
+    assert angle_of(call(Function.ACOS, number(1))).is_nothing
+    assert FormReader().half_turns(call(Function.ASIN, number("1/3"))) is None
+    unknown = angle_of(call(Function.ASIN, number("1/3")))
+    assert not unknown.is_nothing
+    assert unknown.quarter_turns is None
+
+
+def test_parts_are_added_with_their_weights_and_what_moves_comes_first() -> None:
+    product = multiply((ALPHA, BETA))
+    angle = angle_of(add((multiply((number(2), product)), ALPHA, q2, multiply((number(-1), q1)))))
+    assert dict(angle.parts) == {product: 2, ALPHA: 1, q2: 1, q1: -1}
+    assert [part for part, _ in angle.parts[:2]] == [q1, q2]
+    assert (angle.weight_of(1), angle.weight_of(2), angle.weight_of(3)) == (-1, 1, 0)
+    assert angle.plus(angle, -1).is_nothing
+
+
+@pytest.mark.parametrize("denominator", [1, 2, 4, 8, 9, 15, 25, 27, 30, 31, 37, 72, 77, 120, 360, 961, 1001])
+def test_a_root_of_unity_is_the_sum_of_its_basis(denominator: int) -> None:
+    for numerator in (1, 7, denominator - 1):
+        turn = Fraction(numerator, denominator)
+        written = sum(weight * cmath.exp(2j * math.pi * float(part)) for part, weight in basis_terms(turn))
+        assert written == pytest.approx(cmath.exp(2j * math.pi * float(turn)), abs=1e-12)
+    assert has_large_prime(Fraction(1, denominator)) == (denominator == 37)
+
+
+@pytest.mark.parametrize("value", [1, 12, 18, 49, 72, 97, 5040, 2**10 * 3**5 * 11, 10007**2, 10007 * 10009])
+def test_a_square_and_distinct_primes_make_the_number(value: int) -> None:
+    root, primes, certain = square_free(value)
+    assert root**2 * math.prod(primes) == value
+    assert len(set(primes)) == len(primes)
+    assert certain == (value != 10007 * 10009)
+
+
+def test_a_reciprocal_of_a_sum_is_written_with_its_content_outside() -> None:
+    twice = power(add((multiply((number(2), L1)), multiply((number(4), ALPHA)))), -1)
+    once = multiply((number("1/2"), power(add((L1, multiply((number(2), ALPHA)))), -1)))
+    assert same_function(twice, once)
+    assert canonical(twice) == canonical(once)
+    inverse = power(add((number(1), call(Function.SQRT, number(5)))), -1)
+    assert same_function(multiply((inverse, add((number(1), call(Function.SQRT, number(5)))))), number(1))
