@@ -8,7 +8,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from courses.model import Access, CourseSession
+from courses.model import CourseSession
 from courses.records import access
 from courses.storage import Store
 
@@ -34,22 +34,3 @@ def log_access(
                 details=dict(details or {}),
             )
         )
-
-
-def accesses(store: Store, *, subject: str | None = None, limit: int = 1000) -> list[Access]:
-    """The newest lines of the log, those of one person if named."""
-    wanted = sa.select(access).order_by(access.c.id.desc()).limit(limit)
-    if subject is not None:
-        wanted = wanted.where(access.c.subject == subject)
-    with store.reading() as connection:
-        return [
-            Access(
-                at=row.at,
-                actor=row.actor,
-                action=row.action,
-                subject=row.subject,
-                link_id=row.link_id,
-                details=row.details,
-            )
-            for row in connection.execute(wanted)
-        ]

@@ -18,6 +18,7 @@ from service.http.uploads import UploadBudget
 from service.metrics import Metrics, Occupancy
 from service.receipts.keys import receipt_keys
 from service.settings import Settings
+from service.web.assets import Assets, static_root
 from service.wire.answer_cache import AnswerCache
 from service.wire.prepared_robots import RobotCache
 from service.work.callbacks import Callbacks
@@ -42,6 +43,7 @@ class Resources:
         callbacks: sends feedback that is asked for later.
         courses: the database and what comes with it; None where storage is switched off.
         uploads: the bytes of large bodies that are being received.
+        assets: the files that pages are made of.
         metrics: what the operator watches.
     """
 
@@ -58,6 +60,7 @@ class Resources:
         self.receipt_keys = receipt_keys(settings)
         self.callbacks = Callbacks(settings.callback_hosts, self.receipt_keys.sign)
         self.uploads = UploadBudget(UPLOADS * settings.batch_body_limit)
+        self.assets = Assets(settings.static_directory or static_root())
         self.metrics = Metrics(self._occupancy, self.courses.outbox if self.courses else None)
 
     def with_courses(self) -> CourseResources:

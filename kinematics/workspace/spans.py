@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from kinematics.errors import Fault, JointValueError
+from kinematics.inverse.arm import low_discrepancy
 from kinematics.inverse.limits import JointLimits, read_limits
 from kinematics.inverse.search import one_turn
 from kinematics.table import JointType, NumericTable
@@ -40,15 +41,5 @@ def joint_spans(table: NumericTable, limits: JointLimits | None) -> Array:
 
 
 def spread(spans: Array, count: int) -> Array:
-    """(count, n) configurations that fill the ranges evenly, always the same ones.
-
-    Source: M. Roberts, The unreasonable effectiveness of quasirandom sequences (2018): the additive sequence
-    of the generalised golden ratio.
-    """
-    n = len(spans)
-    ratio = 1.5
-    for _ in range(64):
-        ratio = (1.0 + ratio) ** (1.0 / (n + 1))
-    steps = ratio ** -np.arange(1.0, n + 1)
-    part = (0.5 + np.arange(1, count + 1)[:, None] * steps) % 1.0
-    return np.asarray(spans[:, 0] + part * (spans[:, 1] - spans[:, 0]))
+    """(count, n) configurations that fill the ranges evenly, always the same ones."""
+    return np.asarray(spans[:, 0] + low_discrepancy(count, len(spans)) * (spans[:, 1] - spans[:, 0]))

@@ -47,12 +47,6 @@ class ContentItem:
         return item
 
 
-def takes_links(settings: Mapping[str, Any]) -> bool:
-    """Whether the platform takes links to resources."""
-    types = settings.get("accept_types")
-    return not isinstance(types, list) or "ltiResourceLink" in types
-
-
 def takes_line_items(settings: Mapping[str, Any]) -> bool:
     """Whether links may come with line items; what does not say otherwise takes them."""
     return settings.get("accept_lineitem") is not False

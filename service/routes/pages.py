@@ -11,7 +11,7 @@ from exercises.errors import UnknownExerciseError
 from exercises.statements import to_html
 from service.messages import LOCALES, languages
 from service.resources import resources_of
-from service.web.responses import assets, missing_page, page_language, page_response, text_response
+from service.web.responses import missing_page, page_language, page_response, text_response
 from service.web.shell import Page
 
 router = APIRouter(include_in_schema=False)
@@ -58,7 +58,7 @@ async def exercise_page(request: Request, exercise_id: str) -> Response:
 @router.get("/static/{version}/{name:path}")
 async def static_file(request: Request, version: str, name: str) -> Response:
     """A file of the form. Under the current version's address it may be kept for ever."""
-    store = assets(resources_of(request).settings.static_directory)
+    store = resources_of(request).assets
     asset = store.get(name, request.headers.get("accept-encoding", ""))
     if asset is None:
         return Response(status_code=404, headers={"Cache-Control": "no-cache"})
@@ -77,9 +77,9 @@ async def static_file(request: Request, version: str, name: str) -> Response:
 
 
 @lru_cache(maxsize=64)
-def _messages(language: str, rooms: tuple[str, ...]) -> str:
+def _messages(language: str, rooms: frozenset[str]) -> str:
     paths = sorted((LOCALES / language).glob("*.ftl"))
-    return "\n".join(path.read_text(encoding="utf-8") for path in paths if not rooms or path.stem in rooms)
+    return "\n".join(path.read_text(encoding="utf-8") for path in paths if path.stem in rooms)
 
 
 @router.get("/locales/{language}.ftl")
@@ -87,6 +87,7 @@ async def messages(request: Request, language: str, rooms: str = "") -> Response
     """The messages of a language, the same that the API answers with; `?rooms=form+feedback` picks files."""
     if language not in languages():
         return Response(status_code=404, headers={"Cache-Control": "no-cache"})
-    text = _messages(language, tuple(rooms.split()))
+    files = frozenset(path.stem for path in (LOCALES / language).glob("*.ftl"))
+    text = _messages(language, files.intersection(rooms.split()) if rooms else files)
     headers = {"Cache-Control": "no-cache", "Access-Control-Allow-Origin": "*"}
     return text_response(request, text, "text/plain; charset=utf-8", headers)

@@ -5,8 +5,7 @@ from __future__ import annotations
 import gzip
 import hashlib
 from collections.abc import Mapping
-from functools import cache, lru_cache
-from pathlib import Path
+from functools import lru_cache
 
 from fastapi import Request, Response
 
@@ -15,7 +14,6 @@ from service.http.negotiation import weighted
 from service.messages import languages, sentence
 from service.resources import resources_of
 from service.settings import Settings
-from service.web.assets import Assets, static_root
 from service.web.shell import Page, render
 
 
@@ -50,12 +48,6 @@ def content_security_policy(
     )
 
 
-@cache
-def assets(root: Path | None) -> Assets:
-    """The served files: the folder named by the settings, or the packaged one."""
-    return Assets(root or static_root())
-
-
 def page_language(request: Request) -> str:
     """The language that the address asks for (`?lang=`), or the browser."""
     asked = request.query_params.get("lang", "")
@@ -81,14 +73,15 @@ def page_response(
         in_any_frame: whether anybody may frame it.
         form_action: where its forms may go.
     """
-    settings, courses = resources_of(request).settings, resources_of(request).courses
+    resources = resources_of(request)
+    settings, courses = resources.settings, resources.courses
     platforms = courses.frame_origins() if courses is not None else ()
     language = page_language(request)
 
     def translate(identifier: str) -> str:
         return sentence(language, identifier) or identifier
 
-    store = assets(settings.static_directory)
+    store = resources.assets
     text = render(
         page,
         language=language,

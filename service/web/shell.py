@@ -16,18 +16,10 @@ from functools import lru_cache
 from pathlib import Path
 from urllib.parse import urlencode
 
+from service.messages import languages, sentence
+
 TEMPLATES = Path(__file__).resolve().parent / "templates"
 FIELD = re.compile(r"\$\{(?P<value>\.)?(?P<name>[a-z][a-z0-9_-]*)(?P<safe>!)?\}")
-
-LANGUAGE_NAMES: Mapping[str, str] = {
-    "en": "English",
-    "ro": "Română",
-    "pt": "Português",
-    "fr": "Français",
-    "uk": "Українська",
-    "es": "Español",
-}
-"""Languages of the form, each under its own name, in the order of the switch."""
 
 Translate = Callable[[str], str]
 
@@ -87,7 +79,7 @@ def render(
 
     Args:
         page: which kind.
-        language: one of LANGUAGE_NAMES.
+        language: one that has a folder of messages.
         version: the assets' version.
         modules: what the page's module imports, to be fetched at once.
         translate: message id → text in that language.
@@ -108,7 +100,7 @@ def render(
             "body": body,
             "styles": "".join(_style(own["assets"], name) for name in page.styles),
             "preload": "".join(_preload(own["assets"], name) for name in modules),
-            "language": LANGUAGE_NAMES[language],
+            "language": _own_name(language),
             "languages": _language_links(language, query),
         },
     )
@@ -125,10 +117,16 @@ def _preload(assets: str, name: str) -> str:
 def _language_links(language: str, query: Sequence[tuple[str, str]]) -> str:
     """A link to this page in every language, with the rest of its query."""
     links = []
-    for code, name in LANGUAGE_NAMES.items():
+    for code in languages():
         address = html.escape("?" + urlencode([*query, ("lang", code)]))
         current = ' aria-current="true"' if code == language else ""
         links.append(
-            f'<li><a href="{address}" lang="{code}" hreflang="{code}"{current}>{html.escape(name)}</a></li>'
+            f'<li><a href="{address}" lang="{code}" hreflang="{code}"{current}>'
+            f"{html.escape(_own_name(code))}</a></li>"
         )
     return "".join(links)
+
+
+def _own_name(language: str) -> str:
+    """Return the name that a language gives itself."""
+    return sentence(language, "language-name") or language

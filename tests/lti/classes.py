@@ -10,7 +10,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from typing import Any
-from urllib.parse import parse_qs, urlsplit
+from urllib.parse import parse_qs
 
 import httpx
 
@@ -148,8 +148,3 @@ def eventually(check: Callable[[], Any], patience: float = 30.0) -> Any:
             return found
         time.sleep(0.05)
     return check()
-
-
-def state_of(login: httpx.Response) -> str:
-    """The state in a login's redirect."""
-    return parse_qs(urlsplit(login.headers["location"]).query)["state"][0]

@@ -11,9 +11,9 @@ from urllib.parse import urljoin
 import httpx
 import pytest
 
+from service.messages import sentence
 from service.settings import Settings
 from service.web.assets import Assets
-from service.web.shell import LANGUAGE_NAMES
 from tests.live_service import running
 from tests.web.conftest import LANGUAGES
 
@@ -26,8 +26,11 @@ def client(web: str) -> Iterator[httpx.Client]:
         yield connected
 
 
-def test_every_language_of_the_messages_has_a_name() -> None:
-    assert set(LANGUAGE_NAMES) == set(LANGUAGES)
+def test_every_language_of_the_messages_has_a_name(client: httpx.Client) -> None:
+    names = {sentence(language, "language-name") for language in LANGUAGES}
+    assert len(names) == len(LANGUAGES)
+    page = client.get("/").text
+    assert all(f">{name}</a>" in page for name in names)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

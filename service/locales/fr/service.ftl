@@ -100,3 +100,5 @@ error-idempotency_key_reused = Cette Idempotency-Key a déjà servi pour une aut
 error-rate_exceeded = Il a été demandé plus de { $limit } par minute, compté selon le coût. Réessayez dans { $seconds } s.
 error-setting_missing = Le réglage { $name } manque.
 problem-title-429 = Trop à la fois
+
+language-name = Français

@@ -100,3 +100,5 @@ error-idempotency_key_reused = Esta Idempotency-Key já foi usada para outro ped
 error-rate_exceeded = Foi pedido mais do que { $limit } por minuto, contado pelo custo. Tente de novo daqui a { $seconds } s.
 error-setting_missing = Falta a definição { $name }.
 problem-title-429 = Demasiado de uma só vez
+
+language-name = Português

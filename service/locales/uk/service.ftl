@@ -104,3 +104,5 @@ error-idempotency_key_reused = Цей Idempotency-Key уже використа�
 error-rate_exceeded = Запитано більше, ніж { $limit } за хвилину, з урахуванням вартості. Спробуйте ще раз за { $seconds } с.
 error-setting_missing = Бракує налаштування { $name }.
 problem-title-429 = Забагато за один раз
+
+language-name = Українська

@@ -98,7 +98,7 @@ class Plan {
     const choice = (values, property) =>
       segmented({
         name: uniqueId(property),
-        label: t(`playground-${property}`),
+        label: t(property === "quantity" ? "playground-quantity" : "playground-scaling"),
         value: this[property],
         options: values.map((value) => ({ value, label: t(`playground-${property}-${value}`) })),
         onchange: (value) => {

@@ -25,7 +25,7 @@ from kinematics.equivalence import (
     rounding_tolerance,
 )
 from kinematics.equivalence.reference import prepared
-from kinematics.table import DHTable, NumericTable, bind
+from kinematics.table import NumericTable, bind
 from tests.kinematics.equivalence.evaluation import evaluated
 from tests.kinematics.equivalence.generators import random_robot, random_valid_table, rounded
 from tests.kinematics.equivalence.mutations import mutations
@@ -204,10 +204,3 @@ def size_beside(reference: NumericTable, table: NumericTable) -> float:
     lengths = [abs(length) for row in table.rows for length in (row.a, row.d)]
     key = prepared(reference)
     return (sum(lengths) or 1.0) if key.scaleless else key.size
-
-
-def order_swapped(table: NumericTable, i: int, j: int) -> NumericTable:
-    """The table with two rows exchanged."""
-    rows = list(table.rows)
-    rows[i], rows[j] = rows[j], rows[i]
-    return DHTable(convention=table.convention, rows=tuple(rows))
