@@ -94,13 +94,13 @@ class Plan {
         this.changed();
       },
     });
-    /** @param {string[]} values @param {"quantity" | "scaling"} property */
-    const choice = (values, property) =>
+    /** @param {string[]} values @param {"quantity" | "scaling"} property @param {(value: string) => string} told */
+    const choice = (values, property, told) =>
       segmented({
         name: uniqueId(property),
         label: t(property === "quantity" ? "playground-quantity" : "playground-scaling"),
         value: this[property],
-        options: values.map((value) => ({ value, label: t(`playground-${property}-${value}`) })),
+        options: values.map((value) => ({ value, label: told(value) })),
         onchange: (value) => {
           this[property] = value;
           this.changed();
@@ -115,9 +115,9 @@ class Plan {
         { class: "row" },
         el("label", { for: id, text: t("playground-duration") }),
         el("span", { class: "joint-number" }, duration, el("span", { class: "hint", text: "s" })),
-        choice(SCALINGS, "scaling"),
+        choice(SCALINGS, "scaling", (value) => t(`playground-scaling-${value}`)),
       ),
-      choice(QUANTITIES, "quantity"),
+      choice(QUANTITIES, "quantity", (value) => t(`playground-quantity-${value}`)),
     );
     this.#show();
   }
