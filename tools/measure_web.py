@@ -17,7 +17,7 @@ from playwright.sync_api import Browser
 
 from tools.web import chromium, service
 
-PAGES = ("/", "/exercises/puma560", "/playground", "/trainer/puma560", "/lesson")
+PAGES = ("/", "/exercises/puma560", "/playground", "/trainer/puma560", "/lesson", "/author")
 TYPED = "/exercises/puma560"
 SLOW_DOWN = 4
 ROUNDS = 5

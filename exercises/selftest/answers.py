@@ -18,6 +18,7 @@ from exercises.parts.registry import part_type
 from exercises.selftest.variants import some_lengths, variant
 from kinematics.cells import RawTable, ReadTable
 from kinematics.chain import chain_of_table, size_of
+from kinematics.expressions import Expression, rational_value
 from kinematics.table import bind
 
 
@@ -47,8 +48,15 @@ def other_frames(instance: Instance, rng: Random) -> ReadTable:
     exercise = instance.exercise
     usual = size_of(chain_of_table(bind(exercise.reference.table, values(instance)))) / 4
     lengths = some_lengths(exercise.reference.table, usual)
-    table = variant(exercise.reference.table, exercise.policy, lengths, rng)
+    # A number that happens to be a dimension's value would be taken for the dimension.
+    told_apart = tuple(entry for entry in lengths if not _is_value(entry, instance))
+    table = variant(exercise.reference.table, exercise.policy, told_apart or lengths, rng)
     return replace(exercise.reference, table=table)
+
+
+def _is_value(length: Expression, instance: Instance) -> bool:
+    number = rational_value(length)
+    return number is not None and abs(number) in {abs(value) for value in instance.exact.values()}
 
 
 def judged_answer(instance: Instance, raw: RawAnswer) -> Report:

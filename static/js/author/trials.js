@@ -126,11 +126,14 @@ function mistake(store, answer, remarked) {
     const others = listed().filter((/** @type {string} */ entry) => entry !== answer.misconception);
     store.set(["definition", "tests", "misconceptions"], on ? [...others, answer.misconception] : others);
   };
-  const said = told.map((/** @type {any} */ entry) => entry.message).join(" ");
+  const said = answer.refused
+    ? t("author-wrong-name", { code: answer.misconception })
+    : told.map((/** @type {any} */ entry) => entry.message).join(" ") ||
+      t("author-wrong-untold", { code: answer.misconception });
   return el(
     "details",
     { class: "author-mistake", dataset: { misconception: answer.misconception } },
-    el("summary", {}, el("span", { text: said || t("author-wrong-untold") }), " ", el("strong", { text: marks })),
+    el("summary", {}, el("span", { text: said }), " ", el("strong", { text: marks })),
     tableOf(answer.table),
     tick(t("author-wrong-tested"), listed().includes(answer.misconception), codes),
     own,
@@ -173,12 +176,13 @@ export function asStudent(api, store, view) {
     const verdict = new VerdictCard(card, body);
     const answer = new AnswerCard(form, exercise, {
       changed: () => verdict.outdated(),
-      submit: () => submit(),
+      submit: (kind) => submit(kind),
     });
     fill(place, form, problem, card);
 
-    async function submit() {
-      const request = answer.request();
+    /** @param {string} [kind] one part alone */
+    async function submit(kind) {
+      const request = answer.request(kind);
       if (!request) return;
       answer.busy = true;
       try {
@@ -194,6 +198,7 @@ export function asStudent(api, store, view) {
           drawn: null,
           changed: false,
           further: null,
+          kind,
         });
       } catch (error) {
         fill(problem, problemNotice(error));

@@ -76,7 +76,7 @@ class AuthorPage {
     this.undo?.toggleAttribute("disabled", !this.store.canUndo);
     this.redo?.toggleAttribute("disabled", !this.store.canRedo);
     if (!draft) return;
-    if (whole) for (const section of Object.values(this.sections)) section.fill();
+    if (whole) keepingFocus(() => Object.values(this.sections).forEach((section) => section.fill()));
     $("author-saved").textContent = t("author-saved");
     this.selfTest.outdated();
     this.look();
@@ -121,6 +121,18 @@ class AuthorPage {
     else return;
     event.preventDefault();
   }
+}
+
+/** Builds fields anew; whoever was typing in one goes on in its successor. @param {() => void} build */
+function keepingFocus(build) {
+  const before = /** @type {HTMLInputElement | null} */ (document.activeElement);
+  const path = before?.dataset?.path;
+  const [start, end] = [before?.selectionStart ?? null, before?.selectionEnd ?? null];
+  build();
+  if (!path || before?.isConnected) return;
+  const after = /** @type {HTMLInputElement | null} */ (document.querySelector(`[data-path="${CSS.escape(path)}"]`));
+  after?.focus({ preventScroll: true });
+  if (after?.setSelectionRange && start !== null) after.setSelectionRange(start, end);
 }
 
 /** @param {any} view */

@@ -1,0 +1,326 @@
+"""A lecturer's own robot, in the browser alone: drawn, from a table, from URDF; by mouse and by keyboard."""
+
+from __future__ import annotations
+
+import io
+import json
+import re
+import zipfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from exercises.authoring.archive import draft_of_archive
+from exercises.authoring.draft import exercise_of_draft
+from exercises.selftest.checks import check_values
+from service.schemas.examples_authoring import TWO_LINKS
+from service.settings import Settings
+from tests.live_service import running
+from tests.web.conftest import LANGUAGES, OpenPage, Watch
+from tests.web.driving import put_table
+
+PATIENCE = 90_000
+UR5 = {"d1": "0.0892", "a2": "0.425", "a3": "0.392", "d4": "0.1093", "d5": "0.0948"}
+URDF = """<robot name="arm">
+  <link name="base"/><link name="upper"/><link name="lower"/><link name="hand"/>
+  <joint name="waist" type="revolute"><parent link="base"/><child link="upper"/><origin xyz="0 0 0.3"/>
+    <axis xyz="0 0 1"/><limit lower="-3" upper="3" effort="1" velocity="1"/></joint>
+  <joint name="shoulder" type="revolute"><parent link="upper"/><child link="lower"/><origin xyz="0.1 0 0.2"/>
+    <axis xyz="0 1 0"/><limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
+  <joint name="elbow" type="revolute"><parent link="lower"/><child link="hand"/><origin xyz="0.4 0 0"/>
+    <axis xyz="0 1 0"/><limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
+</robot>"""
+
+
+@pytest.fixture(scope="module")
+def stored(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """A service that can publish."""
+    folder = tmp_path_factory.mktemp("data")
+    with running(Settings(storage="on", data_folder=folder, symbolic_seconds=60.0)) as origin:
+        yield origin
+
+
+def start_with(page: Page, way: str) -> None:
+    page.locator(f"#author-start input[value={way}]").check(force=True)
+
+
+def place(page: Page, name: str) -> Locator:
+    return page.locator(f"[data-field='{name}']")
+
+
+def green(page: Page) -> None:
+    """The self-test runs by itself and is green."""
+    expect(page.locator(".author-selftest")).to_have_attribute("data-state", "passed", timeout=PATIENCE)
+
+
+def downloaded(page: Page) -> bytes:
+    with page.expect_download(timeout=PATIENCE) as caught:
+        page.get_by_role("button", name="Download the folder").click()
+    return Path(caught.value.path()).read_bytes()
+
+
+def holds(archive: bytes, name: str, joints: int) -> None:
+    """What was downloaded is an exercise, and passes its own tests outside of the browser, too."""
+    draft = draft_of_archive(archive)
+    assert draft.id == name
+    exercise = exercise_of_draft(draft)
+    assert exercise.reference.table.n_joints == joints
+    assert not check_values((None, 1), exercise, 3).failures
+
+
+def add_axis(page: Page) -> None:
+    page.get_by_role("button", name="Add an axis").click()
+
+
+def test_an_arm_of_six_axes_is_drawn(open_page: OpenPage) -> None:
+    page = open_page("/author")
+    start_with(page, "axes")
+    expect(page.locator("robot-scene")).to_have_attribute("data-drawn", re.compile(r"\d+"))
+    add_axis(page)
+    place(page, "point").select_option("on")
+    place(page, "at").fill("d1")
+    place(page, "direction").select_option("perpendicular 1")
+    add_axis(page)
+    place(page, "by-x").fill("a2")
+    add_axis(page)
+    place(page, "by-x").fill("a3")
+    place(page, "by-y").fill("-d4")
+    add_axis(page)
+    place(page, "direction").select_option("opposite 1")
+    add_axis(page)
+    place(page, "point").select_option("on")
+    place(page, "on-axis").select_option("5")
+    place(page, "at").fill("d5")
+    place(page, "direction").select_option("parallel 2")
+    for name, value in UR5.items():
+        place(page, f"length-{name}").fill(value)
+    table = page.locator("#author-start table")
+    expect(table).to_contain_text("a3")
+    expect(table.locator("tbody tr")).to_have_count(6)
+    page.locator("[data-path='definition/title/en']").fill("The arm of chapter 3")
+    page.locator("[data-path=id]").fill("chapter-3")
+    green(page)
+    expect(page.locator("#author-policy")).to_contain_text("Of the 32 ways")
+    archive = downloaded(page)
+    holds(archive, "chapter-3", 6)
+    rows = draft_of_archive(archive).definition["reference"]["rows"]
+    assert [(row["a"], row["d"]) for row in rows] == [
+        (0, "d1"),
+        (0, 0),
+        ("a2", 0),
+        ("a3", "d4"),
+        (0, "d5"),
+        (0, 0),
+    ]
+
+
+def test_an_axis_is_placed_with_the_mouse(open_page: OpenPage) -> None:
+    """A click on an arrow turns the chosen axis, a click on another axis's point moves it there."""
+    page = open_page("/author")
+    start_with(page, "axes")
+    scene = page.locator("robot-scene")
+    expect(scene).to_have_attribute("data-drawn", re.compile(r"\d+"))
+    expect(page.locator("#author-start table")).to_be_visible(timeout=PATIENCE)
+    before = place(page, "direction").input_value()
+    box = scene.locator(".scene-view").bounding_box()
+    assert box is not None
+    seen = set()
+    for x in range(3, 18):
+        for y in range(3, 18):
+            point = (box["x"] + box["width"] * x / 20, box["y"] + box["height"] * y / 20)
+            identifier = page.evaluate(
+                "([x, y]) => { const scene = document.querySelector('robot-scene');"
+                " const box = scene.viewport.getBoundingClientRect();"
+                " return scene.pickedAt(x - box.left, y - box.top); }",
+                list(point),
+            )
+            if identifier and identifier.split()[0] not in seen and identifier.split()[0] != "select":
+                seen.add(identifier.split()[0])
+                page.mouse.click(*point)
+                page.wait_for_timeout(300)
+    assert {"grid", "along"} <= seen
+    moved = [place(page, f"point-{axis}").input_value() for axis in "xyz"]
+    assert place(page, "direction").input_value() != before or moved != ["0", "0", "0"]
+
+
+def test_a_scara_from_a_table(open_page: OpenPage, watch: Watch) -> None:
+    watch.allow("422")  # the names' values are asked for
+    page = open_page("/author")
+    start_with(page, "table")
+    expect(page.locator("dh-table-editor table")).to_be_visible()
+    rows = [
+        {"joint": "revolute", "theta": "q1", "d": "L0", "a": "L1", "alpha": "0"},
+        {"joint": "revolute", "theta": "q2", "d": "0", "a": "L2", "alpha": "180"},
+        {"joint": "prismatic", "theta": "0", "d": "d3", "a": "0", "alpha": "0"},
+        {"joint": "revolute", "theta": "q4", "d": "0", "a": "0", "alpha": "0"},
+    ]
+    put_table(page, {"convention": "standard", "rows": rows})
+    page.get_by_role("button", name="Start with this robot").click()
+    for name, value in {"L0": "0.4", "L1": "0.35", "L2": "0.25"}.items():
+        page.locator(f"[data-path='definition/parameters/{name}/value']").fill(value)
+    page.locator("[data-path='definition/policy/tool']").select_option("free")
+    green(page)
+    holds(downloaded(page), "my-robot", 4)
+
+
+def test_an_arm_from_urdf(open_page: OpenPage) -> None:
+    page = open_page("/author")
+    start_with(page, "urdf")
+    page.get_by_role("textbox", name="URDF").fill(URDF)
+    page.get_by_role("button", name="Start with this robot").click()
+    green(page)
+    page.get_by_role("button", name="Show ten right answers").click()
+    expect(page.locator("#author-right table")).to_have_count(10, timeout=PATIENCE)
+    page.get_by_role("button", name="Show the commonest wrong").click()
+    expect(page.locator(".author-mistake").first).to_be_visible(timeout=PATIENCE)
+    holds(downloaded(page), "my-robot", 3)
+
+
+def kept(page: Page) -> None:
+    """Put two links into the browser as if they had been written there before."""
+    work = json.dumps({"draft": TWO_LINKS, "source": None})
+    page.evaluate("text => localStorage.setItem('framewise:author', text)", work)
+    page.reload()
+    page.locator("html[data-ready=true]").wait_for()
+
+
+def test_a_draft_stays_in_the_browser_and_in_its_link(open_page: OpenPage) -> None:
+    page = open_page("/author")
+    kept(page)
+    title = page.locator("[data-path='definition/title/en']")
+    title.fill("Two links, written over")
+    page.get_by_role("button", name="Copy a link to the draft").click()
+    page.wait_for_url(re.compile("#draft="))
+    link = page.url
+    page.evaluate("localStorage.clear()")
+    page.goto("about:blank")
+    page.goto(link)
+    page.locator("html[data-ready=true]").wait_for()
+    expect(title).to_have_value("Two links, written over")
+
+
+def test_undo_takes_back_and_redo_brings_again(open_page: OpenPage) -> None:
+    page = open_page("/author")
+    kept(page)
+    points = page.locator("[data-path='definition/parts/0/points']")
+    points.fill("25")
+    expect(page.locator("#author-parts")).to_contain_text("25 points")
+    page.get_by_role("button", name="Undo").click()
+    expect(points).to_have_value("10")
+    page.get_by_role("button", name="Redo").click()
+    expect(points).to_have_value("25")
+
+
+def test_a_fault_is_told_at_its_field(open_page: OpenPage, watch: Watch) -> None:
+    watch.allow("422")
+    page = open_page("/author")
+    kept(page)
+    title = page.locator("[data-path='definition/title/en']")
+    title.fill("<svg onload=alert(1)>")
+    expect(title).to_have_attribute("aria-invalid", "true")
+    expect(page.locator("#author-problem")).to_contain_text("markup")
+    title.fill("Two links")
+    expect(title).not_to_have_attribute("aria-invalid", "true")
+
+
+def test_the_exercise_is_tried_as_a_student(open_page: OpenPage) -> None:
+    page = open_page("/author")
+    kept(page)
+    green(page)
+    page.get_by_role("button", name="Show the commonest wrong").click()
+    first = page.locator(".author-mistake textarea").first
+    page.locator(".author-mistake:has(textarea) summary").first.click()
+    code = first.get_attribute("data-remark")
+    first.fill("My own words.")
+    page.get_by_role("button", name="Try it as a student").click()
+    page.locator("#author-try dh-table-editor table").wait_for()
+    rows = [
+        {"joint": "revolute", "theta": "q1", "d": "0", "a": "L1", "alpha": "0"},
+        {"joint": "revolute", "theta": "q2", "d": "0", "a": "L2", "alpha": "0"},
+    ]
+    put_table(page, {"convention": "standard", "rows": rows})
+    page.locator("#author-try button[type=submit]").click()
+    expect(page.locator("#verdict .score-ring")).to_have_attribute(
+        "aria-label", "10 of 10 points", timeout=PATIENCE
+    )
+    assert code
+
+
+def test_an_imported_folder_opens(open_page: OpenPage) -> None:
+    page = open_page("/author")
+    kept(page)
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as archive:
+        for file in (Path(__file__).parents[2] / "exercises" / "definitions" / "scara").iterdir():
+            archive.writestr(f"scara/{file.name}", file.read_bytes())
+    chosen = {"name": "scara.zip", "mimeType": "application/zip", "buffer": stream.getvalue()}
+    page.locator("#author-take input[type=file]").set_input_files(chosen)  # type: ignore[arg-type]
+    expect(page.locator("[data-path=id]")).to_have_value("scara", timeout=PATIENCE)
+    with zipfile.ZipFile(io.BytesIO(downloaded(page))) as again:
+        for file in (Path(__file__).parents[2] / "exercises" / "definitions" / "scara").iterdir():
+            assert again.read(f"scara/{file.name}") == file.read_bytes()
+
+
+def test_a_draft_is_published_and_opens_as_an_exercise(open_page: OpenPage, stored: str) -> None:
+    page = open_page("/author")
+    page.goto(f"{stored}/author?lang=en")
+    page.locator("html[data-ready=true]").wait_for()
+    kept(page)
+    page.get_by_role("button", name="Publish on this service").click()
+    page.locator(".author-published").get_by_role("link", name="Open the exercise").click(timeout=PATIENCE)
+    page.wait_for_url(re.compile("/exercises/two-links-[0-9a-f]{12}"))
+    expect(page.locator("#exercise-title")).to_have_text("Two links")
+
+
+def test_the_whole_flow_by_keyboard(open_page: OpenPage) -> None:
+    """Start, draw two axes with a named length, name the exercise and take it along, with keys alone."""
+    page = open_page("/author")
+    page.locator("#author-start input[value=robot]").focus()
+    page.keyboard.press("ArrowRight")
+    expect(place(page, "point")).to_be_visible()
+    page.get_by_role("button", name="Add an axis").focus()
+    page.keyboard.press("Enter")
+    expect(page.locator(".author-axes [aria-pressed=true]")).to_contain_text("2")
+    place(page, "by-x").focus()
+    page.keyboard.press("Control+a")
+    page.keyboard.type("L1")
+    expect(place(page, "length-L1")).to_be_visible()
+    place(page, "direction").focus()
+    page.keyboard.type("along +z")
+    page.locator("[data-path=id]").focus()
+    page.keyboard.press("Control+a")
+    page.keyboard.type("by-keys")
+    green(page)
+    page.get_by_role("button", name="Download the folder").focus()
+    with page.expect_download(timeout=PATIENCE) as caught:
+        page.keyboard.press("Enter")
+    holds(Path(caught.value.path()).read_bytes(), "by-keys", 2)
+
+
+@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
+@pytest.mark.parametrize("width", [320, 1280])
+def test_nothing_keeps_anybody_out(
+    open_page: OpenPage, assert_accessible: Callable[[Page], None], dark: bool, width: int
+) -> None:
+    page = open_page("/author", dark=dark, width=width)
+    assert_accessible(page)
+    start_with(page, "axes")
+    expect(page.locator("#author-start table")).to_be_visible(timeout=PATIENCE)
+    add_axis(page)
+    green(page)
+    page.get_by_role("button", name="Show the commonest wrong").click()
+    page.locator(".author-mistake").first.wait_for()
+    page.evaluate("document.querySelectorAll('main details').forEach((details) => (details.open = true))")
+    assert_accessible(page)
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_page_speaks_every_language(open_page: OpenPage, language: str) -> None:
+    page = open_page("/author", lang=language)
+    start_with(page, "axes")
+    expect(page.locator("#author-start table")).to_be_visible(timeout=PATIENCE)
+    green(page)
+    assert not re.findall(r"\bauthor-[a-z-]+|\bform-[a-z-]+", page.locator("main").inner_text())
