@@ -288,7 +288,7 @@ def test_the_whole_flow_by_keyboard(open_page: OpenPage) -> None:
     page.keyboard.type("L1")
     expect(place(page, "length-L1")).to_be_visible()
     place(page, "direction").focus()
-    page.keyboard.type("along +z")
+    page.keyboard.press("ArrowDown")  # from parallel to opposite
     page.locator("[data-path=id]").focus()
     page.keyboard.press("Control+a")
     page.keyboard.type("by-keys")
