@@ -7,17 +7,22 @@ import statistics
 import time
 from collections.abc import Callable
 from random import Random
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from bench import Better, Outcome, measured, race
+
+if TYPE_CHECKING:
+    from exercises.grading import Policy, Verdict
+    from kinematics.cells import ReadTable
 
 TITLE = "The checker"
 ABOUT = """
 Six-joint robots of the catalogue. *Deciding* is from two parsed tables in numbers to a verified certificate;
 each table is another random valid one, drawn from the axes. Its peer is what an automatic grader usually
 does: compare ⁰T_N with the key's at 64 configurations, which accepts only the key's own frames. *Verdicts
-with repairs* are on wrong tables, each with one mistake of the catalogue; there the peer is the bar.
+with repairs* are on wrong tables, each with one mistake of the catalogue, or two; there the peer is the bar.
 """
 
 TABLES = 300
@@ -78,24 +83,31 @@ def _explaining() -> list[Outcome]:
 
     policy = Policy(tool=ToolRule.FREE)
     rng = Random(2)
-    times: list[float] = []
+    once: list[float] = []
+    twice: list[float] = []
     mended = wrong = 0
-    for _, key in catalogue() * 3:
+    for _, key in [robot for robot in catalogue() if robot[1].n_joints == 6] * 3:
         table = drawn_by_hand(key, rng)
         assert table is not None
+        reference = written(key)
         for mutation in rng.sample(made := mutations(table, rng), min(8, len(made))):
-            answer, reference = written(mutation.table), written(key)
-            start = time.perf_counter()
-            verdict = grade(reference, answer, policy)
+            seconds, verdict = _graded(grade, reference, written(mutation.table), policy)
             if not verdict.correct:
-                times.append(time.perf_counter() - start)
+                once.append(seconds)
                 wrong += 1
                 mended += is_mended(mutation, verdict.repairs)
+            second = rng.choice(mutations(mutation.table, rng))
+            seconds, verdict = _graded(grade, reference, written(second.table), policy)
+            if not verdict.correct:
+                twice.append(seconds)
     share = 100.0 * mended / wrong
     return [
-        _against_the_bar("verdict with repairs on a wrong table: median", _median(times), 50e-3),
+        _against_the_bar("verdict with repairs, six joints, one mistake: mean", statistics.mean(once), 2e-3),
         _against_the_bar(
-            "verdict with repairs on a wrong table: 99th percentile", _percentile(times), 300e-3
+            "verdict with repairs, six joints, two mistakes: mean", statistics.mean(twice), 8e-3
+        ),
+        _against_the_bar(
+            "verdict with repairs, six joints: 99th percentile of both", _percentile(once + twice), 40e-3
         ),
         measured(
             f"{wrong} single mistakes mended, in the right row",
@@ -107,6 +119,14 @@ def _explaining() -> list[Outcome]:
             bar=1.0,
         ),
     ]
+
+
+def _graded(
+    grade: Callable[..., Verdict], reference: ReadTable, answer: ReadTable, policy: Policy
+) -> tuple[float, Verdict]:
+    start = time.perf_counter()
+    verdict = grade(reference, answer, policy)
+    return time.perf_counter() - start, verdict
 
 
 def _times(works: list[Callable[[], object]]) -> list[float]:
