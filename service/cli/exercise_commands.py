@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import argparse
 import sys
-from importlib.resources.abc import Traversable
 from pathlib import Path
 
+from exercises.authoring.archive import draft_of_archive
+from exercises.authoring.draft import exercise_of_draft
 from exercises.authoring.scaffold import scaffold
 from exercises.authoring.sources import (
     ExerciseSource,
@@ -39,7 +40,9 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     listed.set_defaults(run=_list)
 
     checked = commands.add_parser("check", help="let exercises test themselves")
-    checked.add_argument("exercise", nargs="*", help="ids or folders; all exercises, if none is named")
+    checked.add_argument(
+        "exercise", nargs="*", help="ids, folders or zip files of folders; all exercises, if none is named"
+    )
     checked.add_argument("--seeds", type=count, default=SEEDS, help="students' values to try (%(default)s)")
     checked.set_defaults(run=_check)
 
@@ -125,5 +128,7 @@ def _library() -> Library:
 
 
 def _found(name: str) -> Exercise:
-    folder: Traversable = Path(name)
+    folder = Path(name)
+    if folder.suffix == ".zip" and folder.is_file():
+        return exercise_of_draft(draft_of_archive(folder.read_bytes()))
     return load_exercise(folder) if (folder / FILE).is_file() else _library().exercise(name)

@@ -8,6 +8,8 @@ from typing import Any
 
 import pytest
 
+from exercises.authoring.archive import archive_of_draft
+from exercises.authoring.draft import draft_of_folder
 from exercises.authoring.scaffold import nice_range
 from exercises.loader import load_exercise
 from service.cli import commands
@@ -152,6 +154,13 @@ def test_ids_and_folders_are_guarded(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert main(["new", "mine", "--into", str(tmp_path), "--robot", "rx90"]) == 2
     assert main(["new", "other", "--into", str(tmp_path), "--robot", "r2d2"]) == 2
     assert "exercise_robot_unknown" in capsys.readouterr().err
+
+
+def test_check_takes_the_zip_file_of_a_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    archive = tmp_path / "two.zip"
+    archive.write_bytes(archive_of_draft(draft_of_folder(folder(tmp_path))))
+    assert main(["check", str(archive), "--seeds", "1"]) == 0
+    assert capsys.readouterr().out.startswith("two: ")
 
 
 def test_check_reports_what_fails(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
