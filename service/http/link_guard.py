@@ -47,12 +47,17 @@ _CALLS: Mapping[str, tuple[Tool, ...]] = {
 _PAGES: Mapping[str, tuple[Tool, ...]] = {
     "playground": (Tool.PLAYGROUND,),
     "trainer": (Tool.TRAINER,),
+    "lesson": (),
     "static": (),
     "locales": (),
     "healthz": (),
     "lti": (),
 }
 """Pages and files by the first step of their path; what platforms and sessions call is not the student's."""
+
+
+_LECTURERS = (["links"], ["scorm.zip"])
+"""What of its own exercise a context does not open: making further links and packages is a lecturer's."""
 
 
 class LinkGuard:
@@ -81,25 +86,39 @@ class LinkGuard:
 
     def _check(self, path: str, context: LinkContext) -> None:
         """Refuse a path that the context, or its exercise, switches off."""
-        off = context.off
-        if context.exercise in self._library.ids:
-            off |= self._library.exercise(context.exercise).access.off
-        steps = [step for step in path.split("/") if step]
-        needed: tuple[Tool, ...] | None
-        if steps[:2] == ["api", "v1"]:
-            call, rest = (steps[2] if len(steps) > 2 else ""), steps[3:]
-            if call == "exercises":
-                needed = () if not rest or rest[0] == context.exercise else None
-            else:
-                needed = _CALLS.get(call)
-        elif steps[:1] == ["exercises"]:
-            needed = () if steps[1:2] == [context.exercise] else None
-        else:
-            needed = _PAGES.get(steps[0]) if steps else None
-        if needed is None or off.intersection(needed):
+        if not may_open(path, context, self._library):
             raise ForbiddenError(
                 Fault(code="switched_off", where=(path,), params={"path": path}), part=RequestPart.PATH
             )
+
+
+def may_open(path: str, context: LinkContext, library: Library) -> bool:
+    """Return whether the students of a link may open a path: what its context and its exercise leave on.
+
+    Args:
+        path: below the service's root.
+        context: of the link.
+        library: the exercises that there are.
+    """
+    steps = [step for step in path.split("/") if step]
+    needed: tuple[Tool, ...] | None
+    if steps[:2] == ["api", "v1"]:
+        call, rest = (steps[2] if len(steps) > 2 else ""), steps[3:]
+        if call == "exercises":
+            needed = () if not rest or (rest[0] == context.exercise and rest[1:2] not in _LECTURERS) else None
+        else:
+            needed = _CALLS.get(call)
+    elif steps[:1] == ["exercises"]:
+        needed = () if steps[1:2] == [context.exercise] else None
+    else:
+        needed = _PAGES.get(steps[0]) if steps else None
+    return needed is not None and not off_under(context, library).intersection(needed)
+
+
+def off_under(context: LinkContext, library: Library) -> frozenset[Tool]:
+    """Return what is off for the students of a link: by its context, and by its exercise."""
+    own = library.exercise(context.exercise).access.off if context.exercise in library.ids else frozenset()
+    return context.off | own
 
 
 def context_of(request: Request) -> LinkContext | None:
@@ -113,8 +132,7 @@ def switched_off(request: Request, tool: Tool, library: Library) -> bool:
     context = context_of(request)
     if context is None:
         return False
-    own = library.exercise(context.exercise).access.off if context.exercise in library.ids else frozenset()
-    return tool in context.off | own
+    return tool in off_under(context, library)
 
 
 def _with_cookie(send: Send, scope: Scope, token: str) -> Send:

@@ -9,6 +9,7 @@ from fastapi import APIRouter, Request, Response
 
 from exercises.errors import UnknownExerciseError
 from exercises.statements import to_html
+from service.http.link_context import QUERY
 from service.messages import LOCALES, languages
 from service.resources import resources_of
 from service.web.responses import missing_page, page_language, page_response, text_response
@@ -26,6 +27,7 @@ EXERCISE = Page(
     depth=1,
     styles=("scene", "editor", "exercise"),
 )
+RECEIPTS = Page(name="receipts", title="receipts-title", rooms=("receipts",))
 
 
 @router.get("/")
@@ -42,17 +44,23 @@ async def exercise_page(request: Request, exercise_id: str) -> Response:
     except UnknownExerciseError:
         return missing_page(request, depth=1)
     language = page_language(request)
-    seed = request.query_params.get("seed")
+    kept = {name: value for name in ("seed", QUERY) if (value := request.query_params.get(name))}
     values = {
         "id": found.id,
         "title": found.title(language),
         "statement": to_html(found.statement(language)),
-        "query": "?" + urlencode({"lang": language, **({"seed": seed} if seed else {})}),
+        "query": "?" + urlencode({"lang": language, **kept}),
     }
     # A SCORM package frames the page from whatever origin its LMS has. Nobody is signed in there: a page that
     # frames it gains nothing that it could not ask for itself.
     packaged = request.query_params.get("embed") == "scorm"
-    return page_response(request, EXERCISE, values, in_any_frame=packaged)
+    return page_response(request, EXERCISE, values, in_any_frame=packaged, off=found.access.off)
+
+
+@router.get("/receipts")
+async def receipts_page(request: Request) -> Response:
+    """Where a lecturer verifies a folder of receipts."""
+    return page_response(request, RECEIPTS)
 
 
 @router.get("/static/{version}/{name:path}")

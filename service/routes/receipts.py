@@ -13,20 +13,27 @@ from fastapi.responses import JSONResponse
 
 from exercises.answers import parse
 from exercises.grader import Report, grade
+from exercises.grading import HelpLevel
 from exercises.instance import Instance
+from exercises.parts.protocol import TABLE
+from kinematics.table import Convention
 from service.adapters.gradebook import GradebookFormat, write_marks
 from service.adapters.judging import told_fault
 from service.http.languages import language_of
+from service.http.link_context import LinkContext
+from service.http.link_guard import context_of
 from service.http.openapi import problems
 from service.http.routing import api_router
+from service.messages import sentence
 from service.receipts.checking import CheckedReceipt, check_receipts, marks_of
 from service.receipts.receipt import PartScore, Receipt, answer_hash, issue
+from service.receipts.sheet import Sheet, pdf_of
 from service.resources import AppResources
-from service.routes.exercises import Id
+from service.routes.exercises import Id, help_of, refuse_beyond, seed_of
 from service.schemas import examples_grading
 from service.schemas.examples import named
 from service.schemas.receipts import IssuedReceipt, ReceiptRequest, VerifiedReceipts, VerifyRequest
-from service.wire.exercise_views import instance_of
+from service.wire.exercise_views import attempts_of, figure_file, instance_of
 from service.wire.ungraded import answer_refused
 from service.work.limiters import WorkKind
 
@@ -37,7 +44,15 @@ _RECEIPT: dict[str, Any] = named(
 )
 _VERIFY: dict[str, Any] = named({"a text that is no receipt": {"receipts": ["eyJhbGciOiJFZERTQSIsImtpZCI6"]}})
 _CSV = "text/csv; charset=utf-8"
-_OUTSIDE = {"name", "seed", "help"}
+_PDF = "application/pdf"
+_BINARY = {"type": "string", "format": "binary"}
+_COLUMNS = {
+    Convention.STANDARD: ("theta", "d", "a", "alpha"),
+    Convention.MODIFIED: ("alpha", "a", "d", "theta"),
+}
+"""Columns in the order in which each convention's textbooks print them."""
+_LETTERS = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
+_OUTSIDE = {"name", "seed", "help", "attempt"}
 """Members of a request that are no part of the answer."""
 
 
@@ -58,18 +73,89 @@ async def issue_receipt(
     It names the exercise and its version, the seed, the name typed, the score by part, the settings that were
     in force and a hash of the answer. Anybody can verify it with the keys at /receipts/keys.
     """
-    with answer_refused():
-        instance = instance_of(resources.exercises, exercise_id, body.seed)
-        judged = partial(_judged, instance, body, resources)
-        report = await resources.limiters[WorkKind.GRADING].run(judged)
-    receipt = _receipt(request, instance, body, report)
-    token = issue(receipt, resources.receipt_keys)
+    token, receipt = await _issued(request, exercise_id, body, resources)
     return IssuedReceipt(
         receipt=token,
         qr=_picture(token),
         points=receipt.points,
         max_points=receipt.max_points,
         issued=receipt.time.isoformat(),
+    )
+
+
+@router.post(
+    "/exercises/{exercise_id}/receipts.pdf",
+    responses={
+        200: {"content": {_PDF: {"schema": {"type": "string", "format": "binary"}}}},
+        **problems(404, 503),
+    },
+    response_class=Response,
+    summary="A receipt as a page to print",
+)
+async def receipt_page(
+    request: Request,
+    exercise_id: Id,
+    body: Annotated[ReceiptRequest, Body(openapi_examples=_RECEIPT)],
+    resources: AppResources,
+) -> Response:
+    """The same receipt on a page: what it earned, the robot, the table as it was typed, the QR code (PDF)."""
+    token, receipt = await _issued(request, exercise_id, body, resources)
+    language = language_of(request)
+    instance = instance_of(resources.exercises, exercise_id, receipt.seed)
+    sheet = _sheet(instance, receipt, token, body, language)
+
+    def work() -> bytes:
+        figure = figure_file(instance, language).decode()
+        return pdf_of(sheet, figure=figure, code=_picture(token))
+
+    page = await resources.limiters[WorkKind.DRAWING].run(work)
+    headers = {
+        "Content-Disposition": f'attachment; filename="{exercise_id}.pdf"',
+        "Cache-Control": "no-store",
+    }
+    return Response(page, media_type=_PDF, headers=headers)
+
+
+async def _issued(
+    request: Request, exercise_id: str, body: ReceiptRequest, resources: AppResources
+) -> tuple[str, Receipt]:
+    """A signed receipt for an answer, judged as its link says."""
+    context = context_of(request)
+    with answer_refused():
+        instance = instance_of(resources.exercises, exercise_id, seed_of(request, body.seed))
+        level, attempt = help_of(context, body.help, body.attempt)
+        refuse_beyond(attempts_of(instance.exercise, context), attempt)
+        judged = partial(_judged, instance, body, resources, level, attempt)
+        report = await resources.limiters[WorkKind.GRADING].run(judged)
+    receipt = _receipt(request, instance, body, report)
+    return issue(receipt, resources.receipt_keys), receipt
+
+
+def _sheet(instance: Instance, receipt: Receipt, token: str, body: ReceiptRequest, language: str) -> Sheet:
+    def say(message: str, **values: Any) -> str:
+        return sentence(language, message, values) or message
+
+    points = {"points": f"{receipt.points:g}", "total": f"{receipt.max_points:g}"}
+    table = body.raw().get(TABLE)
+    columns = _COLUMNS[table.convention] if table is not None else ()
+    service = receipt.service
+    facts = [
+        (say("receipts-name"), receipt.name),
+        (say("receipts-points"), say("form-points", **points)),
+        (say("receipts-time"), f"{receipt.time:%Y-%m-%d %H:%M} UTC"),
+        (say("receipts-settings"), say(f"form-help-{receipt.settings['help']}")),
+        *([("", say("receipts-by-link"))] if "link" in receipt.settings else []),
+    ]
+    rows = [[str(getattr(row, name)) for name in columns] for row in table.rows] if table is not None else []
+    return Sheet(
+        title=instance.exercise.title(language),
+        language=language,
+        facts=facts,
+        answer=say("receipts-answer"),
+        columns=["i", *(_LETTERS[name] for name in columns)],
+        rows=[[str(i), *row] for i, row in enumerate(rows, 1)],
+        signature=say("receipts-sign", service=service, page=f"{service}/receipts"),
+        receipt=token,
     )
 
 
@@ -104,12 +190,20 @@ async def receipt_keys(resources: AppResources) -> Response:
     return JSONResponse(resources.receipt_keys.public(), headers={"Cache-Control": "public, max-age=600"})
 
 
-def _judged(instance: Instance, body: ReceiptRequest, resources: AppResources) -> Report:
-    return grade(instance, parse(instance, body.raw(), resources.settings.cell_limits), body.help)
+def _judged(
+    instance: Instance,
+    body: ReceiptRequest,
+    resources: AppResources,
+    level: HelpLevel | None,
+    attempt: int | None,
+) -> Report:
+    answer = parse(instance, body.raw(), resources.settings.cell_limits)
+    return grade(instance, answer, level, attempt)
 
 
 def _receipt(request: Request, instance: Instance, body: ReceiptRequest, report: Report) -> Receipt:
     answer = body.model_dump(mode="json", exclude=_OUTSIDE, exclude_none=True)
+    context = context_of(request)
     return Receipt(
         exercise=instance.exercise.id,
         version=instance.exercise.version,
@@ -124,11 +218,23 @@ def _receipt(request: Request, instance: Instance, body: ReceiptRequest, report:
         settings={
             "help": report.help_level.value,
             "parts": [part.kind for part in instance.exercise.parts],
+            **({} if context is None else {"link": _of_link(context)}),
         },
         answer=answer_hash(answer),
         time=datetime.now(UTC).replace(microsecond=0),
         service=str(request.base_url).rstrip("/"),
     )
+
+
+def _of_link(context: LinkContext) -> dict[str, Any]:
+    """What a lecturer's link said: a student who left it behind has a receipt without it."""
+    told = {
+        "off": sorted(context.off),
+        "help": context.help,
+        "attempts": context.attempts,
+        "seed": context.seed,
+    }
+    return {name: value for name, value in told.items() if value}
 
 
 def _picture(token: str) -> str:

@@ -7,14 +7,17 @@ from urllib.parse import urlencode
 
 from fastapi import Query, Request, Response
 
+from exercises.access import Tool
 from service.adapters.scorm import ScormPackage, ScormVersion, package
 from service.http.languages import language_of
+from service.http.link_context import QUERY, LinkContext, signed
 from service.http.openapi import problems
 from service.http.routing import api_router
 from service.messages import sentence
 from service.resources import AppResources
 from service.routes.exercises import Id, Language
 from service.schemas.verdicts import Help
+from service.secret import installation_secret
 from service.wire.ungraded import known_exercise
 
 router = api_router("exercises")
@@ -44,6 +47,13 @@ async def scorm_package(
     help_level: Annotated[
         Help | None, Query(alias="help", description="less help than the exercise allows")
     ] = None,
+    off: Annotated[
+        list[Tool] | None, Query(description="what its students may not use beside the exercise")
+    ] = None,
+    attempts: Annotated[
+        int | None,
+        Query(ge=1, le=1000, description="how many attempts there are; left out: as many as one likes"),
+    ] = None,
     lang: Language = None,
 ) -> Response:
     """A package that an LMS plays: it shows the exercise from this service and records score and answer.
@@ -54,7 +64,10 @@ async def scorm_package(
     with known_exercise():
         found = resources.exercises.exercise(exercise_id)
     language = language_of(request)
-    query = {"embed": "scorm", "lang": language, **({"help": help_level.value} if help_level else {})}
+    query = {"embed": "scorm", "lang": language}
+    if help_level or off or attempts:
+        limits = LinkContext(exercise=found.id, off=frozenset(off or ()), help=help_level, attempts=attempts)
+        query[QUERY] = signed(limits, installation_secret(resources.settings))
     page = request.url_for("exercise_page", exercise_id=exercise_id)
     what = ScormPackage(
         version=version,

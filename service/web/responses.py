@@ -9,12 +9,14 @@ from functools import lru_cache
 
 from fastapi import Request, Response
 
+from exercises.access import Tool
 from service.http.languages import language_for
+from service.http.link_guard import context_of, may_open
 from service.http.negotiation import weighted
 from service.messages import languages, sentence
 from service.resources import resources_of
 from service.settings import Settings
-from service.web.shell import Page, render
+from service.web.shell import NAVIGATION, Page, render
 
 
 def content_security_policy(
@@ -62,6 +64,7 @@ def page_response(
     status: int = 200,
     in_any_frame: bool = False,
     form_action: str = "'self'",
+    off: frozenset[Tool] = frozenset(),
 ) -> Response:
     """A page in the reader's language, with the headers that every page has.
 
@@ -72,6 +75,7 @@ def page_response(
         status: the HTTP status.
         in_any_frame: whether anybody may frame it.
         form_action: where its forms may go.
+        off: what the page's exercise switches off, beside what the link does by which it was opened.
     """
     resources = resources_of(request)
     settings, courses = resources.settings, resources.courses
@@ -90,6 +94,7 @@ def page_response(
         translate=translate,
         query=[item for item in request.query_params.multi_items() if item[0] != "lang"],
         values=values,
+        rooms_open=_rooms_open(request, off),
     )
     headers = {
         "Content-Security-Policy": content_security_policy(
@@ -101,6 +106,17 @@ def page_response(
         "Vary": "Accept-Language",
     }
     return text_response(request, text, "text/html; charset=utf-8", headers, status)
+
+
+def _rooms_open(request: Request, off: frozenset[Tool]) -> list[str]:
+    """The pages that the bar may lead to: not what is switched off."""
+    context, library = context_of(request), resources_of(request).exercises
+    return [
+        name
+        for name, (path, _) in NAVIGATION.items()
+        if (context is None or may_open(path, context, library))
+        and not (name == "playground" and Tool.PLAYGROUND in off)
+    ]
 
 
 def missing_page(request: Request, *, depth: int) -> Response:

@@ -21,6 +21,13 @@ from service.messages import languages, sentence
 TEMPLATES = Path(__file__).resolve().parent / "templates"
 FIELD = re.compile(r"\$\{(?P<value>\.)?(?P<name>[a-z][a-z0-9_-]*)(?P<safe>!)?\}")
 
+NAVIGATION: Mapping[str, tuple[str, str]] = {
+    "home": ("", "form-nav-exercises"),
+    "playground": ("playground", "form-nav-playground"),
+    "lesson": ("lesson", "form-nav-lesson"),
+}
+"""Pages that the bar of every page leads to: name, address below the root, message."""
+
 Translate = Callable[[str], str]
 
 
@@ -74,6 +81,7 @@ def render(
     translate: Translate,
     query: Sequence[tuple[str, str]] = (),
     values: Mapping[str, str] | None = None,
+    rooms_open: Sequence[str] = tuple(NAVIGATION),
 ) -> str:
     """A whole page.
 
@@ -85,6 +93,7 @@ def render(
         translate: message id → text in that language.
         query: the address's query without its language; links to the other languages keep it.
         values: what the page's own template asks for; `title` overrides the page's title.
+        rooms_open: names of the pages that the bar leads to.
     """
     root = "../" * page.depth or "./"
     own = {"root": root, "assets": f"{root}static/{version}", "lang": language, **(values or {})}
@@ -100,10 +109,17 @@ def render(
             "body": body,
             "styles": "".join(_style(own["assets"], name) for name in page.styles),
             "preload": "".join(_preload(own["assets"], name) for name in modules),
+            "navigation": "".join(_entry(name, root, language, translate) for name in rooms_open),
             "language": _own_name(language),
             "languages": _language_links(language, query),
         },
     )
+
+
+def _entry(name: str, root: str, language: str, translate: Translate) -> str:
+    address = html.escape(f"{root}{NAVIGATION[name][0]}?lang={language}")
+    text = html.escape(translate(NAVIGATION[name][1]))
+    return f'<a href="{address}" data-nav="{name}">{text}</a>'
 
 
 def _style(assets: str, name: str) -> str:

@@ -37,6 +37,8 @@ export class Api {
     this.language = language;
     /** Token of a session, sent with every call; never a cookie. */
     this.token = "";
+    /** Signed settings of the link that the page was opened by; its cookie may be blocked in a frame. */
+    this.context = "";
   }
 
   /** @param {string} path @param {{signal?: AbortSignal}} [options] @returns {Promise<any>} */
@@ -51,6 +53,11 @@ export class Api {
    */
   post(path, body, options) {
     return this.#send("POST", path, body, options);
+  }
+
+  /** A file that is made of a body. @param {string} path @param {unknown} body @returns {Promise<Blob>} */
+  file(path, body) {
+    return this.#send("POST", path, body, { file: true });
   }
 
   /** @param {string} path @param {unknown} body */
@@ -69,14 +76,15 @@ export class Api {
   }
 
   /**
-   * @param {string} method @param {string} path @param {unknown} body @param {{signal?: AbortSignal, key?: string}} [options]
+   * @param {string} method @param {string} path @param {unknown} body @param {{signal?: AbortSignal, key?: string, file?: boolean}} [options]
    * @returns {Promise<any>}
    */
-  async #send(method, path, body, { signal, key } = {}) {
+  async #send(method, path, body, { signal, key, file = false } = {}) {
     /** @type {Record<string, string>} */
-    const headers = { Accept: "application/json", "Accept-Language": this.language };
+    const headers = { Accept: file ? "*/*" : "application/json", "Accept-Language": this.language };
     if (body !== undefined) headers["Content-Type"] = "application/json";
     if (key) headers["Idempotency-Key"] = key;
+    if (this.context) headers["X-Framewise-Context"] = this.context;
     if (this.token) headers.Authorization = `Bearer ${this.token}`;
     let answer, text;
     try {
@@ -87,6 +95,7 @@ export class Api {
         body: body === undefined ? undefined : JSON.stringify(body),
         credentials: "omit",
       });
+      if (file && answer.ok) return await answer.blob();
       text = await answer.text();
     } catch (error) {
       if (error instanceof Error && error.name === "AbortError") throw error;

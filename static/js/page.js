@@ -14,6 +14,18 @@ export const root = new URL(relativeRoot || "./", location.href).href;
 export const assets = new URL(relativeAssets || "./static/dev", location.href).href;
 
 export const api = new Api(`${root}api/v1/`, language);
+api.context = linkContext();
+
+/** The signed settings of the link by which somebody came to this tab, also on the pages that they go on to. */
+function linkContext() {
+  const here = new URLSearchParams(location.search).get("context");
+  try {
+    if (here) sessionStorage.setItem("framewise:context", here);
+    return here ?? sessionStorage.getItem("framewise:context") ?? "";
+  } catch {
+    return here ?? "";
+  }
+}
 
 /** Address of another page, in the same language. @param {string} path relative to the root */
 export function pageAddress(path) {

@@ -10,7 +10,7 @@ from fluent.syntax import FluentParser, ast
 from service.messages import LOCALES
 from tests.web.conftest import LANGUAGES, ROOT
 
-ROOM = r"(?:form|playground|trainer)"
+ROOM = r"(?:form|playground|receipts|trainer)"
 OTHERWISE = r"(?<!class: )(?<!id: )(?<!Event\()(?<!Listener\()(?<!add\()"
 QUOTED = re.compile(rf"""{OTHERWISE}["'`]({ROOM}-[a-z0-9]+(?:-[a-z0-9]+)*)["'`]""")
 STEM = re.compile(rf"""`({ROOM}-(?:[a-z0-9]+-)*)\$\{{""")
@@ -40,7 +40,11 @@ def variables(message: ast.Message) -> set[str]:
     return found
 
 
-ROOMS = [room for room in ("form", "playground", "trainer") if (LOCALES / "en" / f"{room}.ftl").is_file()]
+ROOMS = [
+    room
+    for room in ("form", "playground", "receipts", "trainer")
+    if (LOCALES / "en" / f"{room}.ftl").is_file()
+]
 
 
 @pytest.mark.parametrize("room", ROOMS)

@@ -26,6 +26,7 @@ export class OwnCard {
     robot,
     { api, given = { parameters: {}, kinds: [], units: { angle: "deg", length: "m" } }, light = () => {} },
   ) {
+    this.place = place;
     this.robot = robot;
     robot.parameters = given.parameters;
     this.units = given.units;
@@ -49,13 +50,15 @@ export class OwnCard {
       el("div", { class: "card-head" }, el("h3", { text: t("form-joints") }), resetButton(this.sliders)),
       this.sliders,
     );
-    const matrices = el(
+    this.withheld = el("p", { class: "hint", hidden: true, text: t("form-matrices-withheld") });
+    this.panel = el(
       "details",
-      { class: "own-matrices", ontoggle: (event) => (robot.watched = event.target.open) },
+      { class: "own-matrices", ontoggle: () => this.#watch() },
       el("summary", {}, el("h3", { text: t("form-matrices") })),
+      this.withheld,
       this.matrices,
     );
-    fill(place, this.scene, this.film.element, this.status, this.jointCard, this.parameters, matrices);
+    fill(place, this.scene, this.film.element, this.status, this.jointCard, this.parameters, this.panel);
     this.#listen();
   }
 
@@ -86,6 +89,17 @@ export class OwnCard {
     robot.addEventListener("failure", (event) => this.#fail(/** @type {CustomEvent} */ (event).detail));
     this.sliders.addEventListener("change", () => this.scene.settle());
     this.sliders.addEventListener("joints-change", (/** @type {any} */ event) => this.#turn(event.detail.values));
+  }
+
+  /** Keeps the matrices back while a part asks for them. @param {boolean} withheld */
+  withhold(withheld) {
+    this.withheld.hidden = !withheld;
+    this.matrices.hidden = withheld;
+    this.#watch();
+  }
+
+  #watch() {
+    this.robot.watched = this.panel.open && !this.matrices.hidden;
   }
 
   /** Brings the robot to joint values. @param {number[]} values [rad or length] */

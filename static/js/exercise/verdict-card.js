@@ -30,10 +30,11 @@ export class VerdictCard {
    * @param {any} graded
    * @param {{exercise: any, answer: import("./answer-card.js").AnswerCard, convention: string,
    *   table: any, drawn: Omit<import("../live-robot.js").Robot, "values"> | null, changed: boolean,
-   *   further: HTMLElement | null, kind?: string}} given convention and robot of the table that was handed in; whether
+   *   further: HTMLElement | null, kind?: string, access: import("./access.js").Access,
+   *   receipt: import("./receipt-dialog.js").Handed | null}} given convention and robot of the table that was handed in; whether
    *   something was typed since; what is said beyond the verdict; the part that was checked, if it was one alone
    */
-  show(graded, { exercise, answer, convention, table, drawn, changed, further, kind }) {
+  show(graded, { exercise, answer, convention, table, drawn, changed, further, kind, access, receipt }) {
     this.#moving?.stop();
     this.card.classList.remove("outdated");
     this.card.hidden = false;
@@ -42,7 +43,7 @@ export class VerdictCard {
     const focusRow = (row, cell) => answer.focusRow(row, cell);
     this.#moving = drawn ? together(graded, exercise, drawn) : null;
     const reasons = el("div");
-    if (drawn && graded.certificate) void addReasons(reasons, exercise, table, drawn);
+    if (drawn && graded.certificate) void addReasons(reasons, access, exercise, table, drawn);
     fill(
       this.place,
       verdictView(graded, { convention, focusRow }),
@@ -55,6 +56,7 @@ export class VerdictCard {
           goTo: (where) => answer.focusPart(report.kind, where),
         }),
       ),
+      receipt ? receiptButton(exercise, receipt) : null,
     );
     this.#moving?.describe();
     this.card.dataset.shown = String(Number(this.card.dataset.shown ?? 0) + 1);
@@ -77,14 +79,20 @@ function together(graded, { figure }, { model, size }) {
   return departure ? ghostRobot({ figure, own: model, size, departure, length }) : null;
 }
 
+/** @param {Wire.Exercise} exercise @param {import("./receipt-dialog.js").Handed} handed */
+function receiptButton(exercise, handed) {
+  const open = async () => (await import("./receipt-dialog.js")).openReceipt(api, exercise, handed);
+  return el("p", { class: "no-print" }, el("button", { type: "button", onclick: open, text: t("form-receipt") }));
+}
+
 /**
  * What can be learned from a right answer; loaded when there is one.
- * @param {HTMLElement} place @param {Wire.Exercise} exercise @param {any} table
+ * @param {HTMLElement} place @param {import("./access.js").Access} access @param {Wire.Exercise} exercise @param {any} table
  * @param {Pick<import("../live-robot.js").Robot, "rows" | "size">} drawn
  */
-async function addReasons(place, exercise, table, drawn) {
+async function addReasons(place, access, exercise, table, drawn) {
   const { reasonsList, secondTable } = await import("./reasons.js");
-  const other = exercise.conventions.length > 1 ? secondTable(api, table) : null;
+  const other = exercise.conventions.length > 1 && access.converts ? secondTable(api, table) : null;
   fill(place, reasonsList(drawn.rows, table, drawn.size), other);
 }
 

@@ -4,9 +4,11 @@ import { Problem } from "../api.js";
 import { browserAttempts } from "../attempts.js";
 import { announce, el, fill } from "../dom.js";
 import "../editor/dh-table-editor.js";
+import { Access } from "../exercise/access.js";
 import { AnswerCard } from "../exercise/answer-card.js";
 import { isPackaged, PackageFrame } from "../exercise/embedding.js";
 import { showFigure } from "../exercise/figure-card.js";
+import { showSharing } from "../exercise/sharing.js";
 import { showHistory } from "../exercise/history.js";
 import { arrangePictures, connect } from "../exercise/pictures.js";
 import { OwnCard } from "../exercise/own-card.js";
@@ -82,12 +84,16 @@ async function run() {
     together: course !== null,
   });
   connect(answer.editor, own);
+  const access = new Access(exercise, answer.progress);
+  access.apply(own);
   robot.addEventListener("reading", (event) => answer.showReading(/** @type {CustomEvent} */ (event).detail));
 
   restore(recall(draftKey, null) ?? course?.told.draft?.state);
   const frame = isPackaged() ? new PackageFrame(resume) : null;
   follow({ now: true });
   await listAttempts();
+  const lecturers = !course && !frame && !api.context;
+  if (lecturers) showSharing(/** @type {HTMLDetailsElement} */ ($("sharing")), { api, exercise });
 
   /** @param {any} state of an earlier visit; the form stays as it is, if an earlier version wrote something else */
   function restore(state) {
@@ -151,11 +157,24 @@ async function run() {
           ? await robotOf(api, request.table, valuesFor(request.table)).catch(() => null)
           : null;
       answer.judged(graded, states);
+      access.apply(own);
       const further = answer.help.further(graded, request);
       if (graded.basis !== null) answer.help.judged(request, graded.correct);
       const { table } = request;
       const { convention } = handed.table;
-      verdict.show(graded, { exercise, answer, convention, table, drawn, changed: changed(), further, kind });
+      const receipt = course || frame ? null : { request: { ...request, ...(seed ? { seed } : {}) }, state: handed };
+      verdict.show(graded, {
+        exercise,
+        answer,
+        convention,
+        table,
+        drawn,
+        changed: changed(),
+        further,
+        kind,
+        access,
+        receipt,
+      });
       const wrong = firstWrong(graded);
       if (wrong !== null && !changed()) own.film.show(wrong.row - 1, wrong.cell);
       await listAttempts();

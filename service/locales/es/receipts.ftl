@@ -1,0 +1,27 @@
+### La página que verifica una carpeta de comprobantes.
+
+receipts-title = Comprobantes
+receipts-lead = Suelte los archivos que entregaron sus estudiantes o pegue sus textos: se verifica cada comprobante y las notas pasan a un archivo para Moodle o Canvas.
+receipts-files = Archivos con comprobantes
+receipts-paste = O sus textos, uno tras otro
+receipts-verify = Verificar
+receipts-none = Todavía no hay ningún comprobante.
+receipts-found =
+    { $all ->
+        [one] { $valid } de un comprobante es auténtico.
+       *[other] { $valid } de { $all } comprobantes son auténticos.
+    }
+receipts-save-csv = CSV
+receipts-save-moodle = CSV para Moodle
+receipts-save-canvas = CSV para Canvas
+receipts-name = Nombre
+receipts-exercise = Ejercicio
+receipts-points = Puntos
+receipts-time = Hora
+receipts-settings = Ajustes
+receipts-said = Resultado
+receipts-genuine = auténtico
+receipts-repeated = auténtico, pero otros entregaron la misma respuesta
+receipts-by-link = por el enlace de un docente
+receipts-answer = Respuesta
+receipts-sign = Firmado por { $service }. El código y el texto de abajo dicen lo mismo; { $page } los verifica.

@@ -1,0 +1,27 @@
+### A página que verifica uma pasta de recibos.
+
+receipts-title = Recibos
+receipts-lead = Largue os ficheiros que os estudantes entregaram ou cole os textos: cada recibo é verificado e as notas passam a um ficheiro para o Moodle ou o Canvas.
+receipts-files = Ficheiros com recibos
+receipts-paste = Ou os textos, um a seguir ao outro
+receipts-verify = Verificar
+receipts-none = Ainda não há nenhum recibo.
+receipts-found =
+    { $all ->
+        [one] { $valid } de um recibo é autêntico.
+       *[other] { $valid } de { $all } recibos são autênticos.
+    }
+receipts-save-csv = CSV
+receipts-save-moodle = CSV para o Moodle
+receipts-save-canvas = CSV para o Canvas
+receipts-name = Nome
+receipts-exercise = Exercício
+receipts-points = Pontos
+receipts-time = Hora
+receipts-settings = Definições
+receipts-said = Resultado
+receipts-genuine = autêntico
+receipts-repeated = autêntico, mas outros entregaram a mesma resposta
+receipts-by-link = pela ligação de um docente
+receipts-answer = Resposta
+receipts-sign = Assinado por { $service }. O código e o texto abaixo dizem o mesmo; { $page } verifica-os.

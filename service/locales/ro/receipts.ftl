@@ -1,0 +1,27 @@
+### Pagina care verifică un dosar de chitanțe.
+
+receipts-title = Chitanțe
+receipts-lead = Trageți aici fișierele predate de studenți sau lipiți textele lor: fiecare chitanță este verificată, iar notele devin un fișier pentru Moodle sau Canvas.
+receipts-files = Fișiere cu chitanțe
+receipts-paste = Sau textele lor, unul după altul
+receipts-verify = Verifică
+receipts-none = Încă nu este nicio chitanță.
+receipts-found =
+    { $all ->
+        [one] { $valid } dintr-o chitanță este autentică.
+       *[other] { $valid } din { $all } chitanțe sunt autentice.
+    }
+receipts-save-csv = CSV
+receipts-save-moodle = CSV pentru Moodle
+receipts-save-canvas = CSV pentru Canvas
+receipts-name = Nume
+receipts-exercise = Exercițiu
+receipts-points = Puncte
+receipts-time = Ora
+receipts-settings = Setări
+receipts-said = Constatare
+receipts-genuine = autentică
+receipts-repeated = autentică, dar și alții au predat același răspuns
+receipts-by-link = prin legătura unui profesor
+receipts-answer = Răspuns
+receipts-sign = Semnată de { $service }. Codul și textul de mai jos spun același lucru; { $page } le verifică.

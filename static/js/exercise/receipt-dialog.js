@@ -1,0 +1,90 @@
+/** A receipt of a verdict to hand in: text to paste, a QR code, and a page to print with the robot and the table. */
+
+import { announce, el, uniqueId } from "../dom.js";
+import { t } from "../i18n.js";
+import { problemNotice } from "../problem.js";
+import { keep, recall } from "../storage.js";
+import { pointsText } from "./progress.js";
+
+/** @typedef {{request: Record<string, any>, state: any}} Handed what was judged, as it was sent */
+
+/**
+ * Asks for the name and shows the receipt.
+ * @param {import("../api.js").Api} api @param {Wire.Exercise} exercise @param {Handed} handed
+ */
+export function openReceipt(api, exercise, { request }) {
+  const id = uniqueId("receipt");
+  const name = el("input", { id, type: "text", maxlength: 200, autocomplete: "name", value: recall("name", "") });
+  const result = el("div", { class: "stack", role: "status" });
+  const address = `exercises/${exercise.id}/receipts`;
+  const body = () => ({ ...request, name: name.value.trim() });
+  const take = async () => {
+    if (!name.value.trim()) return name.focus();
+    keep("name", name.value.trim());
+    try {
+      result.replaceChildren(...shown(await api.post(address, body())));
+    } catch (error) {
+      result.replaceChildren(problemNotice(error));
+    }
+  };
+  /** @param {any} issued */
+  const shown = ({ receipt, qr, points, max_points: most }) => {
+    const text = el("textarea", { rows: 5, readonly: true, "aria-label": t("form-receipt-as-text") });
+    text.value = receipt;
+    const copy = async () => {
+      text.select();
+      await navigator.clipboard
+        .writeText(receipt)
+        .then(() => announce(t("form-copied", { format: t("form-receipt-as-text") })))
+        .catch(() => announce(t("form-copy-failed")));
+    };
+    const print = async () => save(await api.file(`${address}.pdf`, body()), `${exercise.id}.pdf`);
+    const picture = el("img", {
+      class: "receipt-qr",
+      alt: t("form-receipt-qr"),
+      src: `data:image/svg+xml,${encodeURIComponent(qr)}`,
+    });
+    return [
+      el("p", {}, el("strong", { text: pointsText(points, most) })),
+      text,
+      el(
+        "div",
+        { class: "row" },
+        el("button", { type: "button", onclick: copy, text: t("form-receipt-copy") }),
+        el("button", {
+          type: "button",
+          onclick: () => print().catch((error) => result.append(problemNotice(error))),
+          text: t("form-receipt-pdf"),
+        }),
+      ),
+      picture,
+    ];
+  };
+  const title = uniqueId("receipt");
+  /** @type {HTMLDialogElement} */
+  const dialog = el(
+    "dialog",
+    { class: "receipt-dialog", "aria-labelledby": title, onclose: () => dialog.remove() },
+    el("h2", { id: title, text: t("form-receipt") }),
+    el("p", { class: "hint", text: t("form-receipt-text") }),
+    el(
+      "form",
+      { class: "row end", onsubmit: (event) => (event.preventDefault(), take()) },
+      el("div", { class: "field" }, el("label", { for: id, text: t("form-receipt-name") }), name),
+      el("button", { type: "submit", class: "primary", onclick: (event) => (event.preventDefault(), take()) }, [
+        t("form-receipt"),
+      ]),
+    ),
+    result,
+    el("p", {}, el("button", { type: "button", onclick: () => dialog.close(), text: t("form-close") })),
+  );
+  document.body.append(dialog);
+  dialog.showModal();
+}
+
+/** @param {Blob} file @param {string} name */
+export function save(file, name) {
+  const href = URL.createObjectURL(file);
+  el("a", { href, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(href), 10_000);
+}

@@ -1,0 +1,108 @@
+"""What a student hands in and a lecturer verifies, in the browser; links that carry signed settings."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+from playwright.sync_api import Page, expect
+
+from tests.web.conftest import OpenPage, Watch
+from tests.web.driving import PUMA, SCARA, put_table, submit, wrong
+
+
+def taken(page: Page, name: str) -> str:
+    """The receipt of the verdict that is shown, as text."""
+    page.get_by_role("button", name="Take a receipt").click()
+    dialog = page.get_by_role("dialog")
+    dialog.get_by_label("Your name").fill(name)
+    dialog.get_by_role("button", name="Take a receipt").click()
+    text = dialog.get_by_label("Receipt as text")
+    expect(text).to_be_visible()
+    expect(dialog.get_by_alt_text("Receipt as a QR code")).to_be_visible()
+    return text.input_value()
+
+
+def test_a_receipt_is_taken_printed_and_verified_in_a_folder(
+    open_page: OpenPage, assert_accessible: Callable[[Page], None], tmp_path: Path
+) -> None:
+    page = open_page("/exercises/scara")
+    put_table(page, SCARA)
+    submit(page)
+    ann = taken(page, "Ann #let x = [0]")
+    assert_accessible(page)
+    with page.expect_download() as caught:
+        page.get_by_role("button", name="Page to print (PDF)").click()
+    assert Path(caught.value.path()).read_bytes().startswith(b"%PDF-")
+    page.get_by_role("dialog").get_by_role("button", name="Close").click()
+    put_table(page, wrong(SCARA, 2, a="a2"))
+    submit(page)
+    bob = taken(page, "Bob")
+    page = open_page("/receipts")
+    (tmp_path / "ann.txt").write_text(
+        "My receipt:\r\n" + "\r\n".join(ann[i : i + 70] for i in range(0, len(ann), 70))
+    )
+    (tmp_path / "both.txt").write_text(f"{bob}\n{bob[:-6]}abcdef\n")
+    page.get_by_label("Files with receipts").set_input_files([tmp_path / "ann.txt", tmp_path / "both.txt"])
+    result = page.locator("#receipts-result")
+    expect(result).to_contain_text("2 of 3 receipts are genuine.")
+    expect(result.locator("tbody tr").nth(0)).to_contain_text("Ann #let x = [0]")
+    expect(result.locator("tbody tr").nth(0)).to_contain_text("35 of 100 points")
+    expect(result.locator("tbody tr").nth(1)).to_contain_text("17.5 of 100 points")
+    expect(result.locator(".receipt-refused")).to_have_count(1)
+    assert_accessible(page)
+    for name in ("CSV for Moodle", "CSV for Canvas"):
+        with page.expect_download() as caught:
+            result.get_by_role("button", name=name).click()
+        assert "Bob" in Path(caught.value.path()).read_text(encoding="utf-8")
+
+
+def test_a_lecturers_link_switches_off_what_it_says(
+    open_page: OpenPage, assert_accessible: Callable[[Page], None], watch: Watch
+) -> None:
+    page = open_page("/exercises/scara")
+    sharing = page.locator("#sharing")
+    sharing.locator("summary").click()
+    for name in ("the playground", "the picture and the matrices", "the catalogue"):
+        sharing.get_by_label(name).uncheck()
+    sharing.get_by_label("Tell them of a wrong answer").select_option("row")
+    sharing.get_by_label("Attempts").fill("2")
+    assert_accessible(page)
+    sharing.get_by_role("button", name="Make a link").click()
+    url = sharing.get_by_label("Make a link").input_value()
+    page = open_page(url[url.index("/exercises/") :])
+    expect(page.locator(".bar-nav a")).to_have_text(["First lesson"])
+    expect(page.locator("#sharing")).to_be_hidden()
+    expect(page.locator("#own")).to_contain_text("switched off here")
+    expect(page.locator("#own robot-scene, #own matrix-panel")).to_have_count(0)
+    expect(page.get_by_label("If my answer is wrong, tell me").locator("option")).to_have_count(2)
+    for a in ("a2", "0"):
+        put_table(page, wrong(SCARA, 2, a=a))
+        verdict = submit(page)
+    expect(verdict.locator(".repairs, robot-scene")).to_have_count(0)
+    watch.allow("status of 403")
+    put_table(page, SCARA)
+    page.locator("button[type=submit].primary").click()
+    expect(page.locator("#answer")).to_contain_text("All 2 attempts are used up.")
+
+
+def test_matrices_wait_for_the_parts_that_ask_for_them(open_page: OpenPage) -> None:
+    page = open_page("/exercises/puma560")
+    put_table(page, PUMA)
+    page.locator(".own-matrices summary").click()
+    expect(page.locator(".own-matrices")).to_contain_text("once the parts that ask for them are right")
+    expect(page.locator("matrix-panel")).to_be_hidden()
+
+
+def test_a_package_is_one_click_away(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    page.locator("#sharing summary").click()
+    page.locator("#sharing").get_by_label("the playground").uncheck()
+    for version in ("SCORM 1.2", "SCORM 2004"):
+        with page.expect_download() as caught:
+            page.locator("#sharing").get_by_role("button", name=version).click()
+        package = zipfile.ZipFile(io.BytesIO(Path(caught.value.path()).read_bytes()))
+        assert "imsmanifest.xml" in package.namelist()
+        assert b"context=" in package.read("index.html")
