@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -87,23 +87,36 @@ def read_matrix(
     """
     if len(cells) != 4 or any(len(row) != 4 for row in cells):
         raise CellError(Fault(code="matrix_not_4x4", where=where))
-    variable = _variables(joint_types)
-    faults: list[Fault] = []
-    entries: list[tuple[Expression, ...]] = []
-    for r, row in enumerate(cells):
-        values: list[Expression] = []
-        for k, cell in enumerate(row):
-            position = Position.LENGTH if k == 3 and r < 3 else Position.RATIO
-            try:
-                values.append(_read(cell, position, angle_unit, limits, variable))
-            except CellRefusal as refusal:
-                faults.append(refusal.at(*where, r, k))
-            except _NameError as error:
-                faults.append(error.fault.within(*where, r, k))
-        entries.append(tuple(values))
+    entries = read_entries(cells, joint_types, angle_unit, where, limits)
+    faults = [entry for row in entries for entry in row if isinstance(entry, Fault)]
     if faults:
         raise CellError(faults)
-    return SymbolicMatrix(tuple(entries))
+    return SymbolicMatrix(tuple(tuple(cast(Sequence[Expression], row)) for row in entries))
+
+
+def read_entries(
+    cells: CellMatrix,
+    joint_types: Sequence[JointType],
+    angle_unit: AngleUnit,
+    where: Where,
+    limits: Limits = CELL_LIMITS,
+) -> list[list[Expression | Fault]]:
+    """Return what each cell of a 4×4 means, or what is wrong with it, with its place.
+
+    Args as in `read_matrix`.
+    """
+    variable = _variables(joint_types)
+
+    def entry(cell: Cell, r: int, k: int) -> Expression | Fault:
+        position = Position.LENGTH if k == 3 and r < 3 else Position.RATIO
+        try:
+            return _read(cell, position, angle_unit, limits, variable)
+        except CellRefusal as refusal:
+            return refusal.at(*where, r, k)
+        except _NameError as error:
+            return error.fault.within(*where, r, k)
+
+    return [[entry(cell, r, k) for k, cell in enumerate(row)] for r, row in enumerate(cells)]
 
 
 def read_known_matrix(cells: CellMatrix, reading: Reading, part: str, *where: int) -> SymbolicMatrix | None:

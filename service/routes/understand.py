@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Annotated, Any
@@ -11,10 +11,19 @@ from fastapi import Body, Response
 from fastapi.openapi.models import Example
 
 from exercises.access import Tool
-from kinematics.cells import Limits, RawTable, ReadTable, canonical_name, parameter_values, read_table
+from exercises.parts.matrix_cells import read_entries
+from kinematics.cells import (
+    AngleUnit,
+    Limits,
+    RawTable,
+    ReadTable,
+    canonical_name,
+    parameter_values,
+    read_table,
+)
 from kinematics.dh import link_transform
 from kinematics.errors import CellError, Fault, ParameterError, TableError
-from kinematics.expressions import Expression, JointVariable, add, evaluate, multiply, number
+from kinematics.expressions import Expression, JointVariable, add, evaluate, multiply, number, parameters_in
 from kinematics.printing.latex import LatexWriter
 from kinematics.printing.mathml import MathmlWriter
 from kinematics.printing.notation import Names
@@ -84,13 +93,49 @@ def _understood(
 ) -> UnderstandAnswer:
     read, faults, unread = _read_what_can_be(body.table.raw(), settings.cell_limits)
     values = _known_values(read, body.parameters) if read else {}
+    matrices, of_matrices = _matrices(body, read)
     return UnderstandAnswer(
         readable=not faults,
         rows=_rows(read, unread, values, links=links) if read else [],
         parameters=[UnderstoodParameter(name=name, kind=kind) for name, kind in read.parameters.items()]
         if read
         else [],
-        faults=_entries(faults, language, settings.fault_limit),
+        matrices=matrices,
+        faults=_entries(
+            (*(fault.within("table") for fault in faults), *of_matrices), language, settings.fault_limit
+        ),
+    )
+
+
+def _matrices(
+    body: UnderstandRequest, read: ReadTable | None
+) -> tuple[list[list[list[Meaning | None]]], list[Fault]]:
+    """What the cells of matrices mean in the joint variables of the table, and what is wrong with them."""
+    types, variables = (read.table.joint_types, read.variables) if read else ((), ())
+    unit = AngleUnit(body.table.angle_unit)
+    found: list[list[list[Meaning | None]]] = []
+    faults: list[Fault] = []
+    for i, cells in enumerate(body.matrices):
+        entries = read_entries(cells, types, unit, ("matrices", i))
+        rows: list[list[Meaning | None]] = []
+        for texts, row in zip(cells, entries, strict=True):
+            typed = [bool(text.strip()) for text in texts]
+            faults += [
+                entry for entry, here in zip(row, typed, strict=True) if here and isinstance(entry, Fault)
+            ]
+            rows.append([None if isinstance(entry, Fault) else _meaning(entry, variables) for entry in row])
+        found.append(rows)
+    return found, faults
+
+
+def _meaning(entry: Expression, variables: Sequence[str]) -> Meaning:
+    names = Names(parameters=frozenset(parameters_in(entry)), variables=variables)
+    presentation = MathmlWriter(names).presentation(entry)
+    return Meaning(
+        mathml=f'<math xmlns="{MATHML}">{presentation}</math>',
+        latex=LatexWriter(names).text(entry),
+        text=text_writer(Names()).text(entry),
+        value=_value(entry, {}, len(variables)),
     )
 
 
@@ -162,10 +207,13 @@ def _rows(
     return rows
 
 
-def _value(entry: Expression, values: Mapping[str, float]) -> float | None:
-    """The number of a cell; None where a parameter has no value, or the number does not exist."""
+def _value(entry: Expression, values: Mapping[str, float], joints: int = 0) -> float | None:
+    """The number of a cell with its joint variables at zero.
+
+    None where a parameter has no value, or the number does not exist.
+    """
     try:
-        return evaluate(entry, values)
+        return evaluate(entry, values, (0.0,) * joints)
     except ParameterError:
         return None
 
@@ -191,6 +239,5 @@ def _entry(row: SymbolicRow, cell: str, joint: int) -> Expression:
 def _entries(faults: tuple[Fault, ...], language: str, limit: int) -> list[FaultEntry]:
     if not faults:
         return []
-    placed = tuple(fault.within("table") for fault in faults)
-    document = Problem(status=422, faults=placed).document(language, fault_limit=limit)
+    document = Problem(status=422, faults=faults).document(language, fault_limit=limit)
     return [FaultEntry.model_validate(entry) for entry in document["errors"]]  # type: ignore[attr-defined]

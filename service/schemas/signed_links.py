@@ -7,8 +7,8 @@ from typing import Annotated
 from pydantic import Field
 
 from exercises.access import Tool
+from exercises.instance import SEED_CHARACTERS
 from service.schemas.base import Wire
-from service.schemas.exercises import Seed
 from service.schemas.verdicts import Help
 
 MOST_DAYS = 3660
@@ -29,7 +29,9 @@ class SignedLinkRequest(Wire):
     attempts: Annotated[int, Field(strict=True, ge=1, le=1000)] | None = Field(
         None, description="how many attempts there are; null: as many as the exercise has"
     )
-    seed: Seed = Field(None, description="the only seed that the exercise is shown with; null: any")
+    seed: Annotated[str, Field(max_length=SEED_CHARACTERS)] | None = Field(
+        None, description="the only seed that the exercise is shown with; null: any"
+    )
     days: Annotated[int, Field(strict=True, ge=1, le=MOST_DAYS)] | None = Field(
         None, description="after how many days the link ends; null: never"
     )

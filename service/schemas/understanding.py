@@ -11,11 +11,20 @@ from kinematics.table import JointType
 from service.schemas.base import LONGEST_LIST, FaultEntry, Matrix4, Real, Wire
 from service.schemas.tables import Table
 
+MOST_MATRICES = 66
+"""A link matrix for each of the rows that a table may have, and two poses."""
+MatrixRow = Annotated[list[Annotated[str, Field(max_length=2000)]], Field(min_length=4, max_length=4)]
+MatrixCells = Annotated[list[MatrixRow], Field(min_length=4, max_length=4)]
+
 
 class UnderstandRequest(Wire):
     """A table, finished or not, and what values its parameters have so far."""
 
     table: Table
+    matrices: Annotated[list[MatrixCells], Field(max_length=MOST_MATRICES)] = Field(
+        default_factory=list,
+        description="4×4 matrices as they are typed, in the table's joint variables; empty cells are let be",
+    )
     parameters: dict[str, Real] = Field(
         default_factory=dict,
         max_length=LONGEST_LIST,
@@ -65,4 +74,7 @@ class UnderstandAnswer(Wire):
     readable: bool = Field(description="the whole table could be read")
     rows: list[UnderstoodRow] = Field(description="row by row; empty if the rows do not form a table")
     parameters: list[UnderstoodParameter] = Field(description="in the order in which they stand in the table")
+    matrices: list[list[list[Meaning | None]]] = Field(
+        description="cell by cell; null where a cell is empty or cannot be read"
+    )
     faults: list[FaultEntry] = Field(description="what cannot be read, each at its place in the request")

@@ -131,3 +131,24 @@ def test_the_next_step_of_help_needs_a_changed_answer(open_page: OpenPage) -> No
     put_table(page, wrong(dict(SCARA), 2, a="a2"))
     submit(page)
     assert seen() == row
+
+
+@pytest.mark.parametrize(("lang", "comma"), [("fr", "0,5 a_2"), ("uk", "0,5*a2"), ("en", "0.5 a2")])
+def test_every_cell_of_a_matrix_is_read_while_it_is_typed(open_page: OpenPage, lang: str, comma: str) -> None:
+    page = open_page("/exercises/scara", lang=lang)
+    put_table(page, SCARA)
+    part = open_part(page, "transform")
+    part.locator(".matrix-text summary").click()
+    rows = (rf"\cos\theta_1 & -s_{{12}} & 0 & {comma}", "s1 & c1 & 0 & a2*(", "0 & 0 & 1 & d3")
+    latex = r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
+    part.locator("textarea").fill(latex)
+    cells, meanings = part.locator("td input"), part.locator("td .meaning")
+    expect(cells.nth(0)).to_have_value("cos(θ_1)")
+    expect(meanings.nth(0)).to_contain_text("θ")
+    expect(meanings.nth(3)).to_contain_text("a")
+    expect(cells.nth(7)).to_have_attribute("aria-invalid", "true")
+    expect(cells.nth(15)).to_have_value("1")
+    part.locator("textarea").fill("this is prose, not a matrix; it says nothing")
+    expect(cells.nth(0)).to_have_value("cos(θ_1)")
+    part.locator("button.small").first.click()
+    expect(cells.nth(0)).to_have_value("")

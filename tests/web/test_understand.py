@@ -144,3 +144,20 @@ def test_rows_beside_a_fault_have_their_links(client: httpx.Client) -> None:
     assert [r["link"] is not None for r in answer["rows"]] == [True, False, False, False]
     assert answer["rows"][2]["a"]["value"] is None
     assert answer["rows"][3]["d"]["value"] is None
+
+
+def test_cells_of_matrices_are_read_in_the_variables_of_the_table(client: httpx.Client) -> None:
+    matrix = [
+        ["c1", "-s12", "0", "a2*c1"],
+        ["", "q9", "(", "d3"],
+        ["0", "0", "1", "1/2"],
+        ["0", "0", "0", "1"],
+    ]
+    table = {"convention": "modified", "rows": [row(theta="θ1"), row(theta="θ2")]}
+    answer = client.post("/api/v1/understand", json={"table": table, "matrices": [matrix]})
+    assert answer.status_code == 200, answer.text
+    (read,) = answer.json()["matrices"]
+    assert read[0][1]["text"] == "-sin(q1 + q2)"
+    assert (read[0][0]["value"], read[0][3]["value"], read[2][3]["value"]) == (1.0, None, 0.5)
+    assert read[1] == [None, None, None, read[1][3]]
+    assert [fault["pointer"] for fault in answer.json()["faults"]] == ["/matrices/0/1/1", "/matrices/0/1/2"]

@@ -4,8 +4,10 @@ import { announce, el, fill } from "../dom.js";
 import { newTable } from "../editor/model.js";
 import { t } from "../i18n.js";
 import { subscript, superscript } from "../numbers.js";
+import { api } from "../page.js";
 import { AnswerForm, formPlace } from "./answer-form.js";
 import { Help } from "./help.js";
+import { MatrixReading } from "./matrix-reading.js";
 import { MatrixField, MatrixListField, NumbersField, SchematicField } from "./part-fields.js";
 import { partName, pointsText, Progress } from "./progress.js";
 
@@ -76,7 +78,9 @@ export class AnswerCard {
       ),
       this.problem,
     );
-    for (const { field } of this.parts) field.onchange = () => (this.showProgress(), this.changed("part"));
+    this.reading = new MatrixReading(api, this.parts, () => this.editor.table);
+    for (const { field } of this.parts)
+      field.onchange = () => (this.showProgress(), this.reading.soon(), this.changed("part"));
     fill(place, form, this.progress.element);
     this.#resize();
     this.showProgress();
@@ -143,6 +147,7 @@ export class AnswerCard {
       if (parts?.[part.kind]) field.state = parts[part.kind];
       if (field.touched) /** @type {HTMLDetailsElement} */ (this.sections[i]).open = true;
     });
+    this.reading.soon();
     this.showProgress();
   }
 
@@ -252,6 +257,7 @@ export class AnswerCard {
 
   #edited() {
     this.#resize();
+    this.reading.soon();
     this.showProgress();
     this.changed("table");
   }

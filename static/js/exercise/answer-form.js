@@ -5,6 +5,7 @@
 
 import { el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
+import { typed as read } from "./typed.js";
 import { plain } from "../numbers.js";
 import { faultLine, setFault } from "./part-fields.js";
 
@@ -125,7 +126,7 @@ class FormField {
 
   get value() {
     const { shape } = this.field;
-    const typed = this.rows.map((row) => row.map(({ input }) => input.value.trim()));
+    const typed = this.rows.map((row) => row.map(({ input }) => read(input)));
     if (shape === "choice" || shape === "cell") return typed[0][0];
     if (shape === "vector") return typed[0];
     return shape === "list" ? typed.filter((row) => row.some(Boolean)) : typed;

@@ -43,7 +43,12 @@ function latexRows(text) {
   return (inner ? inner[1] : text)
     .split(/\\\\(?:\[[^\]]*\])?/)
     .filter((row) => row.includes("&"))
-    .map((row) => row.split("&").map((cell) => fromLatex(cell).replace(/\s+/g, " ").trim()));
+    .map((row) => row.split("&").map((cell) => called(fromLatex(cell).replace(/\s+/g, " ").trim())));
+}
+
+/** A cell with its functions' arguments in parentheses, which LaTeX leaves out: cos θ_1. @param {string} cell */
+function called(cell) {
+  return cell.replace(/(sin|cos|tan)\s*([θϑq]_?\d+)/gu, "$1($2)");
 }
 
 /** Python, MATLAB, TSV or blanks. @param {string} text */
@@ -97,7 +102,7 @@ function isEntry(cell) {
   const words = cell.match(/\p{L}{2,}/gu) ?? [];
   return (
     words.every((word) =>
-      /^(sin|cos|tan|asin|acos|atan|arcsin|arccos|arctan|sqrt|pi|abs|theta|alpha|[a-zA-Z]{1,3}|[θαβγφψ].*)$/u.test(
+      /^(sin|cos|tan|asin|acos|atan|arcsin|arccos|arctan|sqrt|pi|abs|theta|alpha|[a-zA-Z]{1,3}|(?:sin|cos|tan)?[θαβγφψ].*)$/u.test(
         word,
       ),
     ) && !/\p{L}{2,}\s+\p{L}{2,}/u.test(cell)

@@ -6,7 +6,8 @@
 
 import { el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
-import { transformName } from "../typeset.js";
+import { typed } from "./typed.js";
+import { showMathml, transformName } from "../typeset.js";
 import { blockOf, readMatrix } from "./matrix-text.js";
 
 const RELATIONS = [
@@ -44,6 +45,7 @@ export class MatrixField {
     this.cells = [0, 1, 2, 3].map((i) =>
       [0, 1, 2, 3].map((k) => {
         const line = faultLine(`${id}-${i}${k}-fault`);
+        const meaning = el("div", { class: "meaning", id: `${id}-${i}${k}-meaning` });
         const input = /** @type {HTMLInputElement} */ (
           el("input", {
             id: `${id}-${i}${k}`,
@@ -52,13 +54,13 @@ export class MatrixField {
             autocapitalize: "off",
             spellcheck: "false",
             "aria-label": t("form-matrix-cell", { name, row: i + 1, column: k + 1 }),
-            "aria-describedby": line.id,
+            "aria-describedby": `${meaning.id} ${line.id}`,
             value: i === 3 ? (k === 3 ? "1" : "0") : "",
             oninput: () => (setFault(input, line, ""), this.onchange()),
             onpaste: (event) => this.#paste(event, i, k),
           })
         );
-        return { input, line };
+        return { input, line, meaning };
       }),
     );
     this.undo = el("button", {
@@ -85,7 +87,7 @@ export class MatrixField {
               el(
                 "tr",
                 {},
-                row.map(({ input, line }) => el("td", {}, input, line)),
+                row.map(({ input, line, meaning }) => el("td", {}, input, meaning, line)),
               ),
             ),
           ),
@@ -102,7 +104,7 @@ export class MatrixField {
 
   get value() {
     if (!this.touched) return null;
-    return this.cells.map((row) => row.map(({ input }) => input.value.trim()));
+    return this.cells.map((row) => row.map(({ input }) => typed(input)));
   }
 
   get state() {
@@ -120,6 +122,21 @@ export class MatrixField {
       const cell = this.cells[where[0] ?? 0]?.[where[1] ?? 0];
       if (cell) setFault(cell.input, cell.line, text);
     }
+  }
+
+  /**
+   * Shows what the cells were understood as, and what cannot be read in those that nobody is typing into.
+   * @param {({mathml: string} | null)[][]} meanings @param {{where: number[], text: string}[]} faults
+   */
+  showMeaning(meanings, faults) {
+    this.cells.forEach((row, i) =>
+      row.forEach(({ input, line, meaning }, k) => {
+        const mathml = meanings[i]?.[k]?.mathml ?? "";
+        showMathml(meaning, mathml);
+        const fault = faults.find(({ where }) => where[0] === i && where[1] === k);
+        if (input !== document.activeElement || !fault) setFault(input, line, fault?.text ?? "");
+      }),
+    );
   }
 
   focus([row = 0, column = 0] = []) {
@@ -230,6 +247,11 @@ export class MatrixListField {
     );
   }
 
+  /** The matrices that are on the page. */
+  get shown() {
+    return this.fields.slice(0, this.count);
+  }
+
   focus([index = 0, ...where] = []) {
     this.fields[index]?.focus(where);
   }
@@ -269,7 +291,7 @@ export class NumbersField {
 
   get value() {
     if (!this.touched) return null;
-    return Object.fromEntries([...this.inputs].map(([name, { input }]) => [name, input.value.trim()]));
+    return Object.fromEntries([...this.inputs].map(([name, { input }]) => [name, typed(input)]));
   }
 
   get state() {
