@@ -6,6 +6,7 @@ import { t } from "../i18n.js";
 import { subscript, superscript } from "../numbers.js";
 import { api } from "../page.js";
 import { AnswerForm, formPlace } from "./answer-form.js";
+import { FramesField, framePlace } from "./frames-field.js";
 import { Help } from "./help.js";
 import { MatrixReading } from "./matrix-reading.js";
 import { MatrixField, MatrixListField, NumbersField, SchematicField } from "./part-fields.js";
@@ -317,6 +318,8 @@ function fieldFor(part, exercise) {
   switch (part.kind) {
     case "schematic":
       return new SchematicField(joints);
+    case "frames":
+      return new FramesField(exercise);
     case "link_matrices":
       return new MatrixListField();
     case "transform":
@@ -334,6 +337,7 @@ function fieldFor(part, exercise) {
 /** How a place of a part's answer is called. @param {any} part @param {(string | number)[]} where */
 export function placeName({ kind, form }, where) {
   if (form.length) return formPlace(form, where);
+  if (kind === "frames") return framePlace(where);
   if (kind === "link_matrices") {
     const matrix = `${superscript(where[0])}T${subscript(Number(where[0]) + 1)}`;
     return where.length > 1 ? `${matrix} (${Number(where[1]) + 1}, ${Number(where[2]) + 1})` : matrix;

@@ -30,8 +30,8 @@ export class VerdictCard {
    * @param {any} graded
    * @param {{exercise: any, answer: import("./answer-card.js").AnswerCard, convention: string,
    *   table: any, drawn: Omit<import("../live-robot.js").Robot, "values"> | null, changed: boolean,
-   *   further: HTMLElement | null, kind?: string, access: import("./access.js").Access,
-   *   receipt: import("./receipt-dialog.js").Handed | null}} given convention and robot of the table that was handed in; whether
+   *   further: HTMLElement | null, kind?: string, access?: import("./access.js").Access,
+   *   receipt?: import("./receipt-dialog.js").Handed | null}} given convention and robot of the table that was handed in; whether
    *   something was typed since; what is said beyond the verdict; the part that was checked, if it was one alone
    */
   show(graded, { exercise, answer, convention, table, drawn, changed, further, kind, access, receipt }) {
@@ -87,12 +87,12 @@ function receiptButton(exercise, handed) {
 
 /**
  * What can be learned from a right answer; loaded when there is one.
- * @param {HTMLElement} place @param {import("./access.js").Access} access @param {Wire.Exercise} exercise @param {any} table
+ * @param {HTMLElement} place @param {import("./access.js").Access | undefined} access @param {Wire.Exercise} exercise @param {any} table
  * @param {Pick<import("../live-robot.js").Robot, "rows" | "size">} drawn
  */
 async function addReasons(place, access, exercise, table, drawn) {
   const { reasonsList, secondTable } = await import("./reasons.js");
-  const other = exercise.conventions.length > 1 && access.converts ? secondTable(api, table) : null;
+  const other = exercise.conventions.length > 1 && (access?.converts ?? true) ? secondTable(api, table) : null;
   fill(place, reasonsList(drawn.rows, table, drawn.size), other);
 }
 
