@@ -7,17 +7,8 @@ import { problemNotice } from "../problem.js";
 const TOOLS = ["catalogue", "playground", "matrices", "trainer"];
 const LEVELS = ["verdict", "row", "kind", "repair"];
 
-/**
- * Fills the panel when it is opened first.
- * @param {HTMLDetailsElement} place @param {{api: import("../api.js").Api, exercise: Wire.Exercise}} page
- */
-export function showSharing(place, page) {
-  place.hidden = false;
-  place.addEventListener("toggle", () => place.open && place.childElementCount === 1 && place.append(panel(page)));
-}
-
-/** @param {{api: import("../api.js").Api, exercise: Wire.Exercise}} page */
-function panel({ api, exercise }) {
+/** The settings, and what is made of them. @param {{api: import("../api.js").Api, exercise: Wire.Exercise}} page */
+export function sharingPanel({ api, exercise }) {
   const levels = LEVELS.slice(0, LEVELS.indexOf(exercise.help) + 1);
   const tools = TOOLS.map((tool) => {
     const input = el("input", { type: "checkbox", name: tool, checked: !exercise.access.off.includes(tool) });

@@ -8,7 +8,6 @@ import { Access } from "../exercise/access.js";
 import { AnswerCard } from "../exercise/answer-card.js";
 import { isPackaged, PackageFrame } from "../exercise/embedding.js";
 import { showFigure } from "../exercise/figure-card.js";
-import { showSharing } from "../exercise/sharing.js";
 import { showHistory } from "../exercise/history.js";
 import { arrangePictures, connect } from "../exercise/pictures.js";
 import { OwnCard } from "../exercise/own-card.js";
@@ -93,7 +92,7 @@ async function run() {
   follow({ now: true });
   await listAttempts();
   const lecturers = !course && !frame && !api.context;
-  if (lecturers) showSharing(/** @type {HTMLDetailsElement} */ ($("sharing")), { api, exercise });
+  if (lecturers) prepareSharing(exercise);
 
   /** @param {any} state of an earlier visit; the form stays as it is, if an earlier version wrote something else */
   function restore(state) {
@@ -228,6 +227,14 @@ function firstWrong({ correct, links, departure }) {
   const found = links.filter((link) => wrong(link) && (!departure || link.row === departure.row));
   if (found.length) return { row: found[0].row, cell: wrong(found[0])?.[1] };
   return departure ? { row: departure.row } : null;
+}
+
+/** What lecturers take away is loaded when somebody opens it. @param {Wire.Exercise} exercise */
+function prepareSharing(exercise) {
+  const place = $("sharing");
+  place.hidden = false;
+  const open = async () => place.append((await import("../exercise/sharing.js")).sharingPanel({ api, exercise }));
+  place.addEventListener("toggle", () => void open(), { once: true });
 }
 
 /** The exercise's values, and the units that they are in. @param {any} options */
