@@ -17,6 +17,7 @@ from courses.storage import Store
 
 _TABLE = records.attempt
 MOST_FINDINGS = 64
+"""Codes of an attempt that are stored, so that none takes more than a few kilobytes."""
 
 
 def check_open(session: CourseSession, now: datetime) -> None:

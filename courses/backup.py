@@ -24,6 +24,7 @@ from kinematics.errors import Fault
 
 FORMAT = "framewise-backup-1"
 _BATCH = 500
+"""Rows that are in memory at a time."""
 
 
 def back_up(store: Store, file: Path) -> int:

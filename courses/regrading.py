@@ -25,6 +25,7 @@ from courses.storage import Store
 
 _RUN, _DONE, _ATTEMPT = records.regrading, records.regraded, records.attempt
 BATCH = 200
+"""Attempts of one transaction: nobody who hands in meanwhile waits for more than these."""
 
 
 class Scope(StrEnum):

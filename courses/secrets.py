@@ -14,6 +14,7 @@ from courses.statements import insert_once
 from courses.storage import Store
 
 TOKEN_BYTES = 32
+"""256 random bits."""
 
 
 def new_token() -> str:

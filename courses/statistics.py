@@ -18,6 +18,7 @@ STUCK_AFTER = 3
 """So many wrong attempts and no right one: a student is stuck."""
 CLUSTERS = 50
 LISTED = 200
+"""Groups of alike answers, and rows, that a page shows."""
 
 
 def class_overview(store: Store, course_id: int) -> dict[str, Any]:

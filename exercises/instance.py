@@ -15,6 +15,7 @@ from exercises.parts.registry import part_type
 from kinematics.errors import Fault
 
 SEED_CHARACTERS = 200
+"""Characters of a seed: a name, a mail address or a digest."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -66,6 +66,11 @@ def inverse_kinematics(robot: Table | str, target: Matrix | None = None, **optio
     return _of_robot("inverse-kinematics", robot, target=target, **options)
 
 
+def check_inverse_kinematics(robot: Table | str, target: Any, **options: Any) -> ApiCall:
+    """Return whether joint values, or a claim, answer a question (POST /check-inverse-kinematics)."""
+    return _of_robot("check-inverse-kinematics", robot, target=target, **options)
+
+
 def symbolic(
     robot: Table | str,
     *,
@@ -100,7 +105,7 @@ def workspace(robot: Table | str, **options: Any) -> ApiCall:
 
 def understand(table: Table, *, parameters: Mapping[str, float] | None = None) -> ApiCall:
     """Return how a table is read, cell by cell (POST /understand)."""
-    return _post("understand", table=dict(table), parameters=parameters)
+    return post("understand", table=dict(table), parameters=parameters)
 
 
 def convert(to: str | Mapping[str, Any], **source: Any) -> ApiCall:
@@ -110,12 +115,12 @@ def convert(to: str | Mapping[str, Any], **source: Any) -> ApiCall:
         to: the description that is wanted.
         source: what is given, one of `table`, `robot`, `scm`, `poe`, `urdf`, and further members of the body.
     """
-    return _post("convert", to=to, **source)
+    return post("convert", to=to, **source)
 
 
 def assign_frames(axes: Sequence[Mapping[str, Any]], convention: str, **options: Any) -> ApiCall:
     """Return DH frames on joint axes, with the table that follows (POST /assign-frames)."""
-    return _post("assign-frames", axes=list(axes), convention=convention, **options)
+    return post("assign-frames", axes=list(axes), convention=convention, **options)
 
 
 def check_frames(
@@ -125,17 +130,17 @@ def check_frames(
     **options: Any,
 ) -> ApiCall:
     """Return which rules of a convention frames break (POST /check-frames)."""
-    return _post("check-frames", axes=list(axes), convention=convention, frames=list(frames), **options)
+    return post("check-frames", axes=list(axes), convention=convention, frames=list(frames), **options)
 
 
 def rotations(orientation: Mapping[str, Any], **options: Any) -> ApiCall:
     """Return an orientation in every representation (POST /rotations)."""
-    return _post("rotations", orientation=dict(orientation), **options)
+    return post("rotations", orientation=dict(orientation), **options)
 
 
 def check_rotation(expected: Mapping[str, Any], answer: Any, **options: Any) -> ApiCall:
     """Return whether an orientation is the expected one (POST /check-rotation)."""
-    return _post("check-rotation", expected=dict(expected), answer=answer, **options)
+    return post("check-rotation", expected=dict(expected), answer=answer, **options)
 
 
 def scm_forward_kinematics(chain: Chain, **options: Any) -> ApiCall:
@@ -165,7 +170,7 @@ def scm_random_configuration(chain: Chain, **options: Any) -> ApiCall:
 
 def scm_products(products: Sequence[Any], **options: Any) -> ApiCall:
     """Return products of motions of one's own (POST /scm/products)."""
-    return _post("scm/products", products=list(products), **options)
+    return post("scm/products", products=list(products), **options)
 
 
 def robots(*, language: str | None = None) -> ApiCall:
@@ -232,7 +237,7 @@ def grade(reference: Table, submission: Table, **options: Any) -> ApiCall:
         submission: the answer.
         options: `policy`, `parameters`, `help`.
     """
-    return _post("grade", reference=dict(reference), submission=dict(submission), **options)
+    return post("grade", reference=dict(reference), submission=dict(submission), **options)
 
 
 def grade_all(reference: Table, submissions: Sequence[Table], **options: Any) -> ApiCall:
@@ -240,7 +245,7 @@ def grade_all(reference: Table, submissions: Sequence[Table], **options: Any) ->
 
     One that cannot be graded has a problem document in the place of its verdict.
     """
-    return _post("grade", reference=dict(reference), submissions=list(map(dict, submissions)), **options)
+    return post("grade", reference=dict(reference), submissions=list(map(dict, submissions)), **options)
 
 
 def grade_exercise(exercise_id: str, answer: Mapping[str, Any], *, language: str | None = None) -> ApiCall:
@@ -263,12 +268,12 @@ def receipt(exercise_id: str, answer: Mapping[str, Any], name: str) -> ApiCall:
         answer: as for `grade_exercise`.
         name: the student's, as it is to stand there.
     """
-    return _post(f"exercises/{_step(exercise_id)}/receipts", **{**answer, "name": name})
+    return post(f"exercises/{_step(exercise_id)}/receipts", **{**answer, "name": name})
 
 
 def verify_receipts(receipts: Sequence[str]) -> ApiCall:
     """Return what receipts say, and which of them are not ours (POST /receipts/verify)."""
-    return _post("receipts/verify", receipts=list(receipts))
+    return post("receipts/verify", receipts=list(receipts))
 
 
 def receipt_keys() -> ApiCall:
@@ -281,20 +286,31 @@ def problem(code: str) -> ApiCall:
     return ApiCall(method="GET", path=f"problems/{_step(code)}")
 
 
+def post(path: str, **members: Any) -> ApiCall:
+    """Return the answer of any call that takes a body, by its path below /api/v1.
+
+    Args:
+        path: such as `check-inverse-kinematics`.
+        members: of the body; those that are None are left out.
+    """
+    given = {name: value for name, value in members.items() if value is not None}
+    return ApiCall(method="POST", path=path, body=given)
+
+
+def get(path: str, **query: str | None) -> ApiCall:
+    """Return the answer of any call that takes none, by its path below /api/v1 and its query."""
+    return ApiCall(method="GET", path=path, query=query)
+
+
 def _step(name: str) -> str:
     return quote(name, safe="")
 
 
 def _of_robot(path: str, robot: Table | str, **members: Any) -> ApiCall:
     named = {"robot": robot} if isinstance(robot, str) else {"table": dict(robot)}
-    return _post(path, **named, **members)
+    return post(path, **named, **members)
 
 
 def _of_chain(path: str, chain: Chain, **members: Any) -> ApiCall:
     named = {"robot": chain} if isinstance(chain, str) else {"chain": dict(chain)}
-    return _post(f"scm/{path}", **named, **members)
-
-
-def _post(path: str, **members: Any) -> ApiCall:
-    given = {name: value for name, value in members.items() if value is not None}
-    return ApiCall(method="POST", path=path, body=given)
+    return post(f"scm/{path}", **named, **members)

@@ -15,7 +15,9 @@ DEFAULT_LANGUAGE = "en"
 SENTENCES = 4096
 """Sentences that are kept: most students are told the same."""
 _TEXT_LIMIT = 200
+"""Characters of what a user typed that a sentence repeats."""
 _EXACT_INTEGER = 2**53
+"""Larger ones are told as text: Fluent counts in doubles."""
 
 _log = logging.getLogger(__name__)
 

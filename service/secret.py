@@ -11,6 +11,7 @@ from service.settings import Settings
 
 VARIABLE = "FRAMEWISE_SECRET"
 _BYTES = 32
+"""256 random bits."""
 
 _log = logging.getLogger("framewise")
 

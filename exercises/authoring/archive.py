@@ -31,6 +31,7 @@ _BESIDE = re.compile(r"__MACOSX/.*|(?:.*/)?\.DS_Store")
 """What the archiver of one system adds to every archive; it is passed over."""
 _METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
 _ENCRYPTED = 1
+"""Bit 0 of the general purpose flags (APPNOTE.TXT 4.4.4)."""
 _END = b"PK\x05\x06"
 
 

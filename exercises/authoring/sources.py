@@ -36,6 +36,8 @@ from kinematics.urdf import table_from_urdf
 
 TINY = 1e-9
 STEPS_OF_PI = 12
+"""Lengths below `TINY` [m] are rounding of zero; angles are looked for among multiples of π/12, as
+everywhere."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

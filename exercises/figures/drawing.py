@@ -37,6 +37,8 @@ LINK_WIDTH = 7.5
 LINK_CORE = 4.7
 NUMBER_SIZE = 14.0
 NOTE_SIZE = 13.0
+"""Sizes of the drawing in its own units, of which a page of text is 700 wide: chosen by eye, so that
+numbers are as large as the text beside them."""
 
 Style = dict[str, Any]
 

@@ -15,6 +15,8 @@ from kinematics.table import JointType
 
 DISC = 10.5
 NAME_SIZE = 18.0
+"""Radius of the disc around a number and size of a name, in the drawing's units: they fit the sizes in
+`drawing`."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -21,6 +21,7 @@ Expected: TypeAlias = Callable[[Mapping[str, float], Sequence[float]], Matrices]
 
 LAST_ROW = np.array([0.0, 0.0, 0.0, 1.0])
 ALL_NAMED = 1e-6
+"""Share of the robot's size: far above rounding, far below any length that could be left out."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -23,6 +23,8 @@ from kinematics.table import JointType, NumericTable, bind
 
 DRAWS = 3
 CONFIGURATIONS = 5
+"""Values of the lengths, and joint values for each, at which functions are compared: one point on no grid
+tells two different closed forms apart, fifteen leave nothing to luck."""
 _STEPS = tuple(math.sqrt(p) for p in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53))
 
 

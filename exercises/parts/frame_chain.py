@@ -39,6 +39,7 @@ from kinematics.se3 import inverse_transform
 from kinematics.table import JointType
 
 DECIMALS = 4
+"""Decimals of given matrices, as textbooks print them."""
 Pair = tuple[int, int]
 
 

@@ -43,7 +43,9 @@ _TANGENTS: dict[Fraction, Expression] = {
     Fraction(1, 3): call(Function.SQRT, number(3)),
 }
 _SNAP_RELATIVE = 4e-16
+"""Two units in the last place of a double: 3.141592653589793/6 is meant as π/6, whatever rounded it."""
 _SNAP_STEPS = 12 * 64
+"""64 half turns in twelfths: beyond, a number in [rad] is no angle that anybody writes as a part of π."""
 
 
 def reciprocal(value: Expression) -> Expression:

@@ -26,6 +26,7 @@ from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
 
 POSITIONS = {"alpha": Position.ANGLE, "a": Position.LENGTH, "d": Position.LENGTH, "theta": Position.ANGLE}
 REMEMBERED = 4096
+"""Rows that are kept as read: those of some 600 tables of six or seven joints."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -33,6 +33,7 @@ FUNCTION_NAMES = {function.value: function for function in Function} | {
 """Names of functions, those of the documents' languages included."""
 
 _NAME_CHARACTERS = 32
+"""Characters of a name; longer ones are text that was pasted by mistake."""
 _NOT_VALUES = {"nan", "inf", "infinity"}
 _OPERATORS = {
     "+": "PLUS",

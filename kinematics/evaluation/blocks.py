@@ -20,6 +20,7 @@ from kinematics.evaluation.tape import Operation, Operator, Tape
 from kinematics.table import JointType
 
 BLOCK = 4096
+"""Configurations computed together: a value of all of them takes 32 KiB the size of a first-level cache."""
 
 Floats: TypeAlias = NDArray[np.float64]
 

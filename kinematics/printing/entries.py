@@ -20,6 +20,7 @@ _LETTERS = "kwuvabcdefgh"
 """Letters for intermediates, in the order in which they are tried."""
 _AXES = "xyz"
 _LAST_DIGIT = 9
+"""Beyond it, the two indices of an entry need a comma between them."""
 
 
 class Equation(NamedTuple):

@@ -14,6 +14,7 @@ from enum import StrEnum
 from kinematics.expressions import MINUS_ONE, Call, Expression, Function, JointVariable, Product, Sum
 
 _LAST_DIGIT = 9
+"""Beyond it, the indices of a sum of joints (θ₁₂) need something between them."""
 
 
 class Notation(StrEnum):

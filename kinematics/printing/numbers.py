@@ -6,6 +6,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 _LARGEST_POWER_OF_TWO = 8
+"""Denominators of cosines and averages: 1/2, 1/4, 1/8; a sixteenth is typed as a decimal."""
 
 
 @lru_cache(maxsize=4096)

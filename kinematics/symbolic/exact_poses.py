@@ -10,6 +10,7 @@ from kinematics.symbolic.angles import Angle, cosine_and_sine
 from kinematics.symbolic.writing import Matrix
 
 _LAST_DIGITS = 4e-16
+"""Two units in the last place of a number near 1, which rounding a cosine leaves."""
 _COSINES = [cosine_and_sine(Angle(half_turns=Fraction(k, 12)))[0] for k in range(13)]
 _KNOWN = [(evaluate(cosine), cosine) for cosine in _COSINES]
 

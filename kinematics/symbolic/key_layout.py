@@ -17,7 +17,9 @@ ROOT_MASK = 0xFF
 ROOT_BITS = 8
 HALF_TURN = 12
 ORDER = 24
+"""A root of unity is counted in twenty-fourths of a turn, π/12 each, in the lowest eight bits of a key."""
 _ROOM_BITS = 40
+"""Bits of an exponent beyond those that it has: half of them let products grow, half guard the next place."""
 
 
 @dataclass(slots=True)

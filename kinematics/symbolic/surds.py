@@ -12,6 +12,8 @@ from kinematics.symbolic.roots import LARGEST_PRIME, square_free, square_root_of
 
 _CONJUGATES_LIMIT = 64
 _LARGEST_ORDER = 1000
+"""Conjugates that a denominator is multiplied with, and orders of the roots in it, at most: each makes the
+product longer."""
 
 
 def tidy(ring: Ring, form: Form) -> Form:

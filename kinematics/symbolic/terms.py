@@ -25,6 +25,7 @@ MINUS: Nested = ((-1, ()),)
 
 NAME_BITS = 32
 PLACE_BITS = 16
+"""Bits of a name in a key, and of the joint within a name; the rank stands above both."""
 
 
 class Rank(IntEnum):

@@ -27,6 +27,7 @@ from service.messages import sentence
 from service.wire.exercise_views import figure_file
 
 SEEDS = 10
+"""What a lecturer waits for; `make check-exercises` tries more."""
 
 
 def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:

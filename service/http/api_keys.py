@@ -18,6 +18,7 @@ from service.http.problems import UnavailableError
 
 PREFIX = "fwk_"
 _BYTES = 32
+"""256 random bits."""
 
 
 class KeyScope(StrEnum):

@@ -13,6 +13,7 @@ from service.lti.platform_keys import LtiPlatform
 from service.lti.signing_keys import SigningKey, signed
 
 LIFE = 300
+"""Seconds that a browser has to carry an answer to its platform."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -22,7 +22,9 @@ OLDEST = timedelta(minutes=10)
 NONCE_LIFE = timedelta(minutes=90)
 """A nonce is remembered longer than any token may live."""
 LONGEST_TOKEN = 64 * 1024
+"""Characters of an ID token, which also has to pass through a browser's form."""
 LONGEST_ID = 255
+"""Characters of a subject and of a deployment id (LTI 1.3 Core)."""
 _MESSAGES = (names.RESOURCE_LINK_REQUEST, names.DEEP_LINKING_REQUEST)
 
 

@@ -15,6 +15,7 @@ from service.lti.platform_keys import LtiPlatform
 REQUIRED = ("iss", "login_hint", "target_link_uri")
 KNOWN = (*REQUIRED, "lti_message_hint", "lti_deployment_id", "client_id", "lti_storage_target")
 LONGEST = 4096
+"""Characters of a parameter; hints of platforms have a few hundred."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

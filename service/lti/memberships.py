@@ -11,6 +11,7 @@ from service.lti.platform_keys import LtiPlatform
 from service.lti.services import Services
 
 PAGES = 200
+"""Pages that are followed, so that a platform cannot lead round in circles."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -16,7 +16,10 @@ from service.lti.platform_keys import LtiPlatform
 from service.lti.services import Services
 
 PAGES = 20
+"""Pages that are followed, so that a platform cannot lead round in circles."""
 _CLOSE = 1e-6
+"""Share of the maximum within which a score that is read back is the one that was sent: it was rounded on
+the way."""
 
 
 class Delivery(StrEnum):

@@ -16,6 +16,7 @@ PUBLISHED_BEFORE = timedelta(days=2)
 KEPT_AFTER = timedelta(days=1)
 """An old key stays published so long after its successor signs."""
 BITS = 2048
+"""The least that RFC 7518 §3.3 allows for RS256, and what every platform takes."""
 
 
 class SigningKey(Protocol):

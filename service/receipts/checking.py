@@ -18,6 +18,7 @@ _START = "eyJhbGciOiJFZERTQSI"
 _RECEIPT = re.compile(r"[\w-]+\.[\w-]+\.[\w-]{86}", re.ASCII)
 """Header, payload, and an Ed25519 signature of 64 bytes."""
 _SHOWN = 200
+"""Characters of what is no receipt that are shown."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

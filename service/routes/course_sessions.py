@@ -33,6 +33,7 @@ router.include_in_schema = False
 _ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
 _Result = TypeVar("_Result")
 LONGEST_KEY = 100
+"""Characters of an idempotency key that are stored; a UUID has 36."""
 _BEARER = "bearer "
 
 

@@ -58,6 +58,7 @@ router.include_in_schema = False
 _Result = TypeVar("_Result")
 LONGEST_EXTRA = 366 * 24 * 60
 MOST_EXTRA = 1000
+"""A year in minutes, and more attempts than anybody makes: larger numbers are slips of the finger."""
 
 
 class _Staff:

@@ -69,6 +69,7 @@ CODE_LIFE = timedelta(seconds=60)
 PENDING_LIFE = timedelta(seconds=120)
 CHOICE_LIFE = timedelta(hours=2)
 _LOGIN_LIFE = 600
+"""Seconds between login and launch: a person may have to sign in to the platform."""
 
 _log = logging.getLogger("framewise.lti")
 _Result = TypeVar("_Result")

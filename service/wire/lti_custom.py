@@ -14,6 +14,7 @@ from service.lti.launch import Launch
 
 EXERCISE, SETTINGS = "exercise", "settings"
 LONGEST_SETTINGS = 2000
+"""Characters of the settings that a link carries."""
 
 
 def custom_of(exercise_id: str, settings: Mapping[str, Any]) -> dict[str, str]:

@@ -23,6 +23,7 @@ from service.schemas.robot_question import RobotQuestion
 from service.settings import Settings
 
 _LARGEST_KEY = 16 * 1024
+"""Bytes of a question that is remembered by its text; a table of a hundred rows has about half of it."""
 _DEGREE = math.pi / 180.0
 
 

@@ -16,6 +16,8 @@ SIGNATURE = "X-Framewise-Signature"
 _MOST_AT_ONCE = 64
 _TRIES = 3
 _TIMEOUT_SECONDS = 10.0
+"""Callbacks at a time, tries for each and seconds for a try: a host that is down costs half a minute, and
+no more than 64 wait for it."""
 
 _log = logging.getLogger("framewise")
 

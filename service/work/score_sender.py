@@ -34,6 +34,7 @@ LONGEST_WAIT = 3600.0
 MOST_TRIES = 40
 """A platform that answers nothing useful for days is given up."""
 STALE_TRIES = 6
+"""Tries after which a score that the platform calls outdated is given up."""
 
 _log = logging.getLogger("framewise.scores")
 
