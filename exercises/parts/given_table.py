@@ -6,7 +6,7 @@ from exercises.instance import Instance
 from exercises.parts.protocol import GivenNumbers
 from exercises.written_table import written_table
 from kinematics.cells import AngleUnit, ReadTable
-from kinematics.table import CELLS, Convention
+from kinematics.table import Convention
 
 
 def given_table(instance: Instance, read: ReadTable | None = None, name: str = "table") -> GivenNumbers:
@@ -18,20 +18,28 @@ def given_table(instance: Instance, read: ReadTable | None = None, name: str = "
         name: what it is; message `given-<name>`.
     """
     table = read or instance.exercise.reference
+    columns = columns_of(table)
     raw = written_table(table)
-    angle = "°" if table.angle_unit is AngleUnit.DEG else "rad"
-    length = table.length_unit.value
-    standard = table.table.convention is Convention.STANDARD
-    order = ("theta", "d", "a", "alpha") if standard else ("alpha", "a", "d", "theta")
-    assert set(order) == set(CELLS)
-    names = {
-        "theta": f"θ [{angle}]",
-        "d": f"d [{length}]",
-        "a": f"a{'' if standard else ' (i−1)'} [{length}]",
-        "alpha": f"α{'' if standard else ' (i−1)'} [{angle}]",
-    }
-    rows = tuple((str(i), *(str(getattr(row, cell)) for cell in order)) for i, row in enumerate(raw.rows, 1))
-    labels = ("i", *(names[cell] for cell in order))
+    rows = tuple(
+        (str(i), *(str(getattr(row, cell)) for cell, _ in columns)) for i, row in enumerate(raw.rows, 1)
+    )
+    labels = ("i", *(label for _, label in columns))
     return GivenNumbers(
         name=name, labels=labels, rows=rows, values={"convention": table.table.convention.value}
     )
+
+
+def columns_of(table: ReadTable) -> tuple[tuple[str, str], ...]:
+    """Return the columns of a table in the order of its convention, each with its label."""
+    angle = "°" if table.angle_unit is AngleUnit.DEG else "rad"
+    length = table.length_unit.value
+    standard = table.table.convention is Convention.STANDARD
+    before = "" if standard else " (i−1)"
+    names = {
+        "theta": f"θ [{angle}]",
+        "d": f"d [{length}]",
+        "a": f"a{before} [{length}]",
+        "alpha": f"α{before} [{angle}]",
+    }
+    order = ("theta", "d", "a", "alpha") if standard else ("alpha", "a", "d", "theta")
+    return tuple((cell, names[cell]) for cell in order)

@@ -41,6 +41,8 @@ _COSTS = {
     "assign-frames": 2,
     "check-frames": 2,
     "check-inverse-kinematics": 10,
+    "plant-mistake": 20,
+    "compare-tables": 5,
     "rotations": 2,
     "check-rotation": 1,
 }

@@ -200,7 +200,8 @@ def _field(field: FormField, language: str) -> dict[str, Any]:
         "labels": list(field.labels),
         "rows": field.rows,
         "options": [
-            {"value": option, "label": sentence(language, f"option-{option}")} for option in field.options
+            {"value": option, "label": sentence(language, f"option-{option}") or option}
+            for option in field.options
         ],
     }
 

@@ -170,3 +170,60 @@ feedback-joints_combination_wrong = Combination { $row } does not stay the same 
 error-pose_frames_free = The pose is given in frame 0 and for the last frame: the policy has to fix both, base = "frame" and tool = "frame".
 error-joint_row_length = A row holds one value for each joint: { $expected } are needed, and { $given } were given.
 error-joint_rows_empty = Give the joint values that reach the pose.
+
+field-row = Row with the mistake
+field-name = What is wrong
+field-mended = The row as it should be
+field-verdict = The two tables describe
+field-reason = because
+option-alpha_sign = α has the wrong sign
+option-alpha_value = α is another angle
+option-a_sign = a has the wrong sign
+option-d_sign = d has the wrong sign
+option-a_value = a is another length
+option-d_value = d is another length
+option-a_d_swapped = a and d have changed places
+option-same = the same robot
+option-different = different robots
+option-axis_reversed = only a z axis, or a joint variable, is reversed
+option-x_turned = only an x axis is turned, and the variable is zero elsewhere
+option-origin_moved = only an origin lies elsewhere
+option-other_convention = only the convention is another
+option-twist = the angle between two axes differs
+option-length = the distance between two axes differs
+option-offset = an offset along an axis differs
+given-table-with-mistake = The table with a mistake ({ $convention ->
+    [modified] modified convention
+   *[standard] standard convention
+})
+given-first-table = The first table ({ $convention ->
+    [modified] modified convention
+   *[standard] standard convention
+})
+given-second-table = The second table ({ $convention ->
+    [modified] modified convention
+   *[standard] standard convention
+})
+
+task-find-mistake = This table should describe the robot of the figure, but one row has a mistake. Which row, what is wrong, and how should the row read?
+task-compare-tables = Do these two tables describe the same robot, whichever way the frames were chosen? Say why.
+
+feedback-mistake_found = Found, named and mended.
+feedback-mistake_row_wrong = The mistake stands in another row.
+feedback-mistake_name_wrong = The mistake is of another kind.
+feedback-mistake_not_mended = With this row the table still does not describe the robot.
+feedback-mistake_missing =
+    { $what ->
+        [row] Say in which row the mistake stands.
+        [name] Say what is wrong.
+       *[mended] Write the row as it should be.
+    }
+feedback-tables_right = So it is, and for this reason.
+feedback-tables_same = They are the same robot: only the frames were chosen otherwise.
+feedback-tables_different = They are different robots: no choice of frames turns one table into the other.
+feedback-tables_reason_wrong = The verdict is right, but not for this reason.
+feedback-tables_reason_missing = The verdict is right; say why, too.
+error-row_unknown = Give the number of a row, from 1 to { $count }.
+error-no_mistake_does_harm = None of these mistakes changes this robot under its policy.
+error-key_given_away = This part shows a table; an exercise that asks for the table cannot have it.
+error-not_plantable = No mistake of the catalogue that was asked for changes this robot.

@@ -170,3 +170,60 @@ feedback-joints_combination_wrong = La combinación { $row } no permanece igual 
 error-pose_frames_free = La pose se da en el sistema 0 y para el último: la política debe fijar ambos, base = "frame" y tool = "frame".
 error-joint_row_length = Una fila contiene un valor por articulación: se necesitan { $expected } y se dieron { $given }.
 error-joint_rows_empty = Dé los valores articulares que alcanzan la pose.
+
+field-row = Fila con el error
+field-name = Qué está mal
+field-mended = La fila como debería ser
+field-verdict = Las dos tablas describen
+field-reason = porque
+option-alpha_sign = α tiene el signo equivocado
+option-alpha_value = α es otro ángulo
+option-a_sign = a tiene el signo equivocado
+option-d_sign = d tiene el signo equivocado
+option-a_value = a es otra longitud
+option-d_value = d es otra longitud
+option-a_d_swapped = a y d están intercambiados
+option-same = el mismo robot
+option-different = robots distintos
+option-axis_reversed = solo un eje z, o una variable articular, está invertido
+option-x_turned = solo un eje x está girado, y la variable vale cero en otro lugar
+option-origin_moved = solo un origen está en otro lugar
+option-other_convention = solo la convención es otra
+option-twist = el ángulo entre dos ejes es distinto
+option-length = la distancia entre dos ejes es distinta
+option-offset = un desplazamiento a lo largo de un eje es distinto
+given-table-with-mistake = La tabla con un error ({ $convention ->
+    [modified] convención modificada
+   *[standard] convención estándar
+})
+given-first-table = La primera tabla ({ $convention ->
+    [modified] convención modificada
+   *[standard] convención estándar
+})
+given-second-table = La segunda tabla ({ $convention ->
+    [modified] convención modificada
+   *[standard] convención estándar
+})
+
+task-find-mistake = Esta tabla debería describir el robot de la figura, pero una fila tiene un error. ¿Qué fila, qué está mal y cómo debería ser?
+task-compare-tables = ¿Describen estas dos tablas el mismo robot, se elijan como se elijan los sistemas? Diga por qué.
+
+feedback-mistake_found = Hallado, nombrado y corregido.
+feedback-mistake_row_wrong = El error está en otra fila.
+feedback-mistake_name_wrong = El error es de otro tipo.
+feedback-mistake_not_mended = Con esta fila la tabla sigue sin describir el robot.
+feedback-mistake_missing =
+    { $what ->
+        [row] Diga en qué fila está el error.
+        [name] Diga qué está mal.
+       *[mended] Escriba la fila como debería ser.
+    }
+feedback-tables_right = Así es, y por esta razón.
+feedback-tables_same = Son el mismo robot: solo se eligieron otros sistemas.
+feedback-tables_different = Son robots distintos: ninguna elección de sistemas convierte una tabla en la otra.
+feedback-tables_reason_wrong = El veredicto es correcto, pero no por esta razón.
+feedback-tables_reason_missing = El veredicto es correcto; diga también por qué.
+error-row_unknown = Dé el número de una fila, de 1 a { $count }.
+error-no_mistake_does_harm = Ninguno de estos errores cambia este robot con su política.
+error-key_given_away = Esta parte muestra una tabla; un ejercicio que pide la tabla no puede tenerla.
+error-not_plantable = Ningún error del catálogo pedido cambia este robot.

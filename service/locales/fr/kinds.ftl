@@ -170,3 +170,60 @@ feedback-joints_combination_wrong = La combinaison { $row } ne reste pas constan
 error-pose_frames_free = La pose est donnée dans le repère 0 et pour le dernier : la politique doit fixer les deux, base = "frame" et tool = "frame".
 error-joint_row_length = Une ligne contient une valeur par articulation : il en faut { $expected }, et { $given } ont été données.
 error-joint_rows_empty = Donnez les valeurs articulaires qui atteignent la pose.
+
+field-row = Ligne qui contient l'erreur
+field-name = Ce qui est faux
+field-mended = La ligne telle qu'elle devrait être
+field-verdict = Les deux tableaux décrivent
+field-reason = parce que
+option-alpha_sign = α a le mauvais signe
+option-alpha_value = α est un autre angle
+option-a_sign = a a le mauvais signe
+option-d_sign = d a le mauvais signe
+option-a_value = a est une autre longueur
+option-d_value = d est une autre longueur
+option-a_d_swapped = a et d ont été échangés
+option-same = le même robot
+option-different = des robots différents
+option-axis_reversed = seul un axe z, ou une variable articulaire, est inversé
+option-x_turned = seul un axe x est tourné, et le zéro de la variable est ailleurs
+option-origin_moved = seule une origine est ailleurs
+option-other_convention = seule la convention est autre
+option-twist = l'angle entre deux axes diffère
+option-length = la distance entre deux axes diffère
+option-offset = un décalage le long d'un axe diffère
+given-table-with-mistake = Le tableau qui contient une erreur ({ $convention ->
+    [modified] convention modifiée
+   *[standard] convention standard
+})
+given-first-table = Le premier tableau ({ $convention ->
+    [modified] convention modifiée
+   *[standard] convention standard
+})
+given-second-table = Le second tableau ({ $convention ->
+    [modified] convention modifiée
+   *[standard] convention standard
+})
+
+task-find-mistake = Ce tableau devrait décrire le robot de la figure, mais une ligne contient une erreur. Quelle ligne, qu'est-ce qui est faux, et comment devrait-elle être ?
+task-compare-tables = Ces deux tableaux décrivent-ils le même robot, quel que soit le choix des repères ? Dites pourquoi.
+
+feedback-mistake_found = Trouvée, nommée et corrigée.
+feedback-mistake_row_wrong = L'erreur est dans une autre ligne.
+feedback-mistake_name_wrong = L'erreur est d'un autre genre.
+feedback-mistake_not_mended = Avec cette ligne, le tableau ne décrit toujours pas le robot.
+feedback-mistake_missing =
+    { $what ->
+        [row] Dites dans quelle ligne est l'erreur.
+        [name] Dites ce qui est faux.
+       *[mended] Écrivez la ligne telle qu'elle devrait être.
+    }
+feedback-tables_right = C'est cela, et pour cette raison.
+feedback-tables_same = C'est le même robot : seuls les repères ont été choisis autrement.
+feedback-tables_different = Ce sont des robots différents : aucun choix de repères ne change un tableau en l'autre.
+feedback-tables_reason_wrong = Le verdict est juste, mais pas pour cette raison.
+feedback-tables_reason_missing = Le verdict est juste ; dites aussi pourquoi.
+error-row_unknown = Donnez le numéro d'une ligne, de 1 à { $count }.
+error-no_mistake_does_harm = Aucune de ces erreurs ne change ce robot sous sa politique.
+error-key_given_away = Cette partie montre un tableau ; un exercice qui demande le tableau ne peut pas l'avoir.
+error-not_plantable = Aucune erreur demandée du catalogue ne change ce robot.

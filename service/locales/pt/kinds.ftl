@@ -170,3 +170,60 @@ feedback-joints_combination_wrong = A combinação { $row } não permanece igual
 error-pose_frames_free = A pose é dada no sistema 0 e para o último: a política deve fixar os dois, base = "frame" e tool = "frame".
 error-joint_row_length = Uma linha contém um valor por junta: são necessários { $expected }, e foram dados { $given }.
 error-joint_rows_empty = Dê os valores das juntas que alcançam a pose.
+
+field-row = Linha com o erro
+field-name = O que está errado
+field-mended = A linha como deveria ser
+field-verdict = As duas tabelas descrevem
+field-reason = porque
+option-alpha_sign = α tem o sinal errado
+option-alpha_value = α é outro ângulo
+option-a_sign = a tem o sinal errado
+option-d_sign = d tem o sinal errado
+option-a_value = a é outro comprimento
+option-d_value = d é outro comprimento
+option-a_d_swapped = a e d foram trocados
+option-same = o mesmo robô
+option-different = robôs diferentes
+option-axis_reversed = só um eixo z, ou uma variável de junta, está invertido
+option-x_turned = só um eixo x está girado, e a variável é zero em outro lugar
+option-origin_moved = só uma origem está em outro lugar
+option-other_convention = só a convenção é outra
+option-twist = o ângulo entre dois eixos é diferente
+option-length = a distância entre dois eixos é diferente
+option-offset = um deslocamento ao longo de um eixo é diferente
+given-table-with-mistake = A tabela com um erro ({ $convention ->
+    [modified] convenção modificada
+   *[standard] convenção padrão
+})
+given-first-table = A primeira tabela ({ $convention ->
+    [modified] convenção modificada
+   *[standard] convenção padrão
+})
+given-second-table = A segunda tabela ({ $convention ->
+    [modified] convenção modificada
+   *[standard] convenção padrão
+})
+
+task-find-mistake = Esta tabela deveria descrever o robô da figura, mas uma linha tem um erro. Qual linha, o que está errado e como ela deveria ser?
+task-compare-tables = Estas duas tabelas descrevem o mesmo robô, seja qual for a escolha dos sistemas? Diga por quê.
+
+feedback-mistake_found = Encontrado, nomeado e corrigido.
+feedback-mistake_row_wrong = O erro está em outra linha.
+feedback-mistake_name_wrong = O erro é de outro tipo.
+feedback-mistake_not_mended = Com esta linha a tabela ainda não descreve o robô.
+feedback-mistake_missing =
+    { $what ->
+        [row] Diga em qual linha está o erro.
+        [name] Diga o que está errado.
+       *[mended] Escreva a linha como deveria ser.
+    }
+feedback-tables_right = É isso, e por esta razão.
+feedback-tables_same = São o mesmo robô: só os sistemas foram escolhidos de outro modo.
+feedback-tables_different = São robôs diferentes: nenhuma escolha de sistemas transforma uma tabela na outra.
+feedback-tables_reason_wrong = O veredito está certo, mas não por esta razão.
+feedback-tables_reason_missing = O veredito está certo; diga também por quê.
+error-row_unknown = Dê o número de uma linha, de 1 a { $count }.
+error-no_mistake_does_harm = Nenhum destes erros muda este robô sob sua política.
+error-key_given_away = Esta parte mostra uma tabela; um exercício que pede a tabela não pode tê-la.
+error-not_plantable = Nenhum erro pedido do catálogo muda este robô.

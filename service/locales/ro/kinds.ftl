@@ -171,3 +171,60 @@ feedback-joints_combination_wrong = Combinația { $row } nu rămâne neschimbat�
 error-pose_frames_free = Poza este dată în sistemul 0 și pentru ultimul: regulile trebuie să le fixeze pe amândouă, base = "frame" și tool = "frame".
 error-joint_row_length = Un rând conține câte o valoare pentru fiecare cuplă: trebuie { $expected }, s-au dat { $given }.
 error-joint_rows_empty = Dați valorile cuplelor care ating poza.
+
+field-row = Rândul cu greșeala
+field-name = Ce este greșit
+field-mended = Rândul așa cum ar trebui să fie
+field-verdict = Cele două tabele descriu
+field-reason = deoarece
+option-alpha_sign = α are semnul greșit
+option-alpha_value = α este alt unghi
+option-a_sign = a are semnul greșit
+option-d_sign = d are semnul greșit
+option-a_value = a este altă lungime
+option-d_value = d este altă lungime
+option-a_d_swapped = a și d au fost schimbate între ele
+option-same = același robot
+option-different = roboți diferiți
+option-axis_reversed = doar o axă z, sau o variabilă, este inversată
+option-x_turned = doar o axă x este rotită, iar variabila este zero în altă parte
+option-origin_moved = doar o origine se află în altă parte
+option-other_convention = doar convenția este alta
+option-twist = unghiul dintre două axe diferă
+option-length = distanța dintre două axe diferă
+option-offset = o deplasare de-a lungul unei axe diferă
+given-table-with-mistake = Tabelul cu o greșeală ({ $convention ->
+    [modified] convenția modificată
+   *[standard] convenția standard
+})
+given-first-table = Primul tabel ({ $convention ->
+    [modified] convenția modificată
+   *[standard] convenția standard
+})
+given-second-table = Al doilea tabel ({ $convention ->
+    [modified] convenția modificată
+   *[standard] convenția standard
+})
+
+task-find-mistake = Acest tabel ar trebui să descrie robotul din figură, dar un rând are o greșeală. Care rând, ce este greșit și cum ar trebui să fie?
+task-compare-tables = Descriu aceste două tabele același robot, oricum s-ar alege sistemele? Spuneți de ce.
+
+feedback-mistake_found = Găsită, numită și corectată.
+feedback-mistake_row_wrong = Greșeala este în alt rând.
+feedback-mistake_name_wrong = Greșeala este de alt fel.
+feedback-mistake_not_mended = Cu acest rând tabelul tot nu descrie robotul.
+feedback-mistake_missing =
+    { $what ->
+        [row] Spuneți în ce rând este greșeala.
+        [name] Spuneți ce este greșit.
+       *[mended] Scrieți rândul așa cum ar trebui să fie.
+    }
+feedback-tables_right = Așa este, și din acest motiv.
+feedback-tables_same = Este același robot: doar sistemele au fost alese altfel.
+feedback-tables_different = Sunt roboți diferiți: nicio alegere a sistemelor nu transformă un tabel în celălalt.
+feedback-tables_reason_wrong = Verdictul este corect, dar nu din acest motiv.
+feedback-tables_reason_missing = Verdictul este corect; spuneți și de ce.
+error-row_unknown = Dați numărul unui rând, de la 1 la { $count }.
+error-no_mistake_does_harm = Niciuna dintre aceste greșeli nu schimbă acest robot sub regulile lui.
+error-key_given_away = Această parte arată un tabel; un exercițiu care cere tabelul nu o poate avea.
+error-not_plantable = Nicio greșeală cerută din catalog nu schimbă acest robot.

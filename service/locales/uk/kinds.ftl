@@ -170,3 +170,60 @@ feedback-joints_combination_wrong = Комбінація { $row } змінюєт
 error-pose_frames_free = Позу задано в системі 0 і для останньої: правила мають фіксувати обидві, base = "frame" і tool = "frame".
 error-joint_row_length = Рядок містить по одному значенню на зчленування: потрібно { $expected }, наведено { $given }.
 error-joint_rows_empty = Наведіть значення у зчленуваннях, що дають цю позу.
+
+field-row = Рядок із помилкою
+field-name = Що неправильно
+field-mended = Рядок, яким він має бути
+field-verdict = Обидві таблиці описують
+field-reason = бо
+option-alpha_sign = α має неправильний знак
+option-alpha_value = α — інший кут
+option-a_sign = a має неправильний знак
+option-d_sign = d має неправильний знак
+option-a_value = a — інша довжина
+option-d_value = d — інша довжина
+option-a_d_swapped = a і d поміняно місцями
+option-same = того самого робота
+option-different = різних роботів
+option-axis_reversed = лише вісь z або змінну зчленування обернено
+option-x_turned = лише вісь x повернуто, і нуль змінної в іншому місці
+option-origin_moved = лише початок координат розташовано деінде
+option-other_convention = лише угода інша
+option-twist = кут між двома осями різний
+option-length = відстань між двома осями різна
+option-offset = зміщення вздовж осі різне
+given-table-with-mistake = Таблиця з помилкою ({ $convention ->
+    [modified] модифікована угода
+   *[standard] стандартна угода
+})
+given-first-table = Перша таблиця ({ $convention ->
+    [modified] модифікована угода
+   *[standard] стандартна угода
+})
+given-second-table = Друга таблиця ({ $convention ->
+    [modified] модифікована угода
+   *[standard] стандартна угода
+})
+
+task-find-mistake = Ця таблиця має описувати робота на рисунку, але в одному рядку є помилка. У якому, що неправильно і яким має бути рядок?
+task-compare-tables = Чи описують ці дві таблиці того самого робота, хоч би як обрано системи координат? Поясніть чому.
+
+feedback-mistake_found = Знайдено, названо й виправлено.
+feedback-mistake_row_wrong = Помилка в іншому рядку.
+feedback-mistake_name_wrong = Помилка іншого виду.
+feedback-mistake_not_mended = Із цим рядком таблиця все ще не описує робота.
+feedback-mistake_missing =
+    { $what ->
+        [row] Укажіть, у якому рядку помилка.
+        [name] Укажіть, що неправильно.
+       *[mended] Запишіть рядок, яким він має бути.
+    }
+feedback-tables_right = Саме так, і саме з цієї причини.
+feedback-tables_same = Це той самий робот: лише системи координат обрано інакше.
+feedback-tables_different = Це різні роботи: жоден вибір систем координат не перетворює одну таблицю на іншу.
+feedback-tables_reason_wrong = Висновок правильний, але не з цієї причини.
+feedback-tables_reason_missing = Висновок правильний; поясніть також чому.
+error-row_unknown = Укажіть номер рядка, від 1 до { $count }.
+error-no_mistake_does_harm = Жодна з цих помилок не змінює цього робота за його правилами.
+error-key_given_away = Ця частина показує таблицю; завдання, що питає таблицю, не може її мати.
+error-not_plantable = Жодна із запитаних помилок каталогу не змінює цього робота.

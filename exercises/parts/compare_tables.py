@@ -1,0 +1,231 @@
+"""Two tables: the same robot or not, and why.
+
+The second table is the key in other frames, or that with a mistake of the catalogue in it. Any true reason is
+right: of the same robot, whatever in the second table's frames differs from the first's by the certificate;
+of another one, a fact of the robot that the diagnosis finds wrong.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from fractions import Fraction
+from functools import lru_cache
+from random import Random
+from typing import ClassVar
+
+from exercises.definition import Exercise, Part
+from exercises.draws import Picker
+from exercises.grading import Feedback, Finding, HelpLevel, Policy, Verdict, grade
+from exercises.instance import Instance
+from exercises.parts.context import Context
+from exercises.parts.given_table import given_table
+from exercises.parts.planting import FACTS, PLANTABLE, plantable
+from exercises.parts.protocol import TABLE, FieldShape, FormField, PartTask, PartType, Reading, RobotFacts
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.reading import Reader
+from exercises.selftest.variants import some_lengths, variant
+from kinematics.cells import ReadTable
+from kinematics.equivalence import ToolRule
+from kinematics.errors import Fault
+
+VARIANTS = 64
+"""Other frames of one key that are drawn from: more than a class has seats in a row."""
+
+
+class ComparisonReason(StrEnum):
+    """Why two tables are the same robot, or are not."""
+
+    AXIS_REVERSED = "axis_reversed"
+    X_TURNED = "x_turned"
+    ORIGIN_MOVED = "origin_moved"
+    OTHER_CONVENTION = "other_convention"
+    TWIST = "twist"
+    LENGTH = "length"
+    OFFSET = "offset"
+
+
+SAME = (
+    ComparisonReason.AXIS_REVERSED,
+    ComparisonReason.X_TURNED,
+    ComparisonReason.ORIGIN_MOVED,
+    ComparisonReason.OTHER_CONVENTION,
+)
+_TOLD = {
+    "axis_reversed": ComparisonReason.AXIS_REVERSED,
+    "end_axis_reversed": ComparisonReason.AXIS_REVERSED,
+    "variable_reversed": ComparisonReason.AXIS_REVERSED,
+    "x_turned": ComparisonReason.X_TURNED,
+    "variable_offset": ComparisonReason.X_TURNED,
+    "origin_slid": ComparisonReason.ORIGIN_MOVED,
+    "axis_moved": ComparisonReason.ORIGIN_MOVED,
+    "frame_elsewhere": ComparisonReason.ORIGIN_MOVED,
+    "other_convention": ComparisonReason.OTHER_CONVENTION,
+}
+"""What the explanation of a right table says, as a reason."""
+
+
+class SameRobot(StrEnum):
+    """What is said of two tables."""
+
+    SAME = "same"
+    DIFFERENT = "different"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ComparisonCells:
+    """Whether two tables are the same robot, and why.
+
+    Attributes:
+        verdict: same or different.
+        reason: of the same robot what differs in the frames (axis_reversed, x_turned, origin_moved,
+            other_convention); of another one what differs in the robot (twist, length, offset).
+    """
+
+    verdict: SameRobot
+    reason: ComparisonReason | None = None
+
+
+class CompareTablesType(PartType[Part, ComparisonCells, ComparisonCells]):
+    """Two tables beside each other."""
+
+    kind = "compare_tables"
+    raw: ClassVar = ComparisonCells
+    meaning = "whether two tables are the same robot, and why"
+    disclosures: ClassVar = {
+        "tables_same": Disclosure(level=HelpLevel.ROW),
+        "tables_different": Disclosure(level=HelpLevel.ROW),
+        "tables_reason_wrong": Disclosure(level=HelpLevel.ROW),
+        "tables_reason_missing": Disclosure(level=HelpLevel.ROW),
+    }
+
+    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> Part:
+        """Return the part; nothing is set in it."""
+        return Part(kind=self.kind, points=points)
+
+    def inconsistencies(self, part: Part, exercise: Exercise) -> Iterator[Fault]:
+        """Yield a fault where the key would be given away."""
+        if exercise.part(TABLE) is not None:
+            yield Fault(code="key_given_away", where=("kind",))
+
+    def draw(self, part: Part, exercise: Exercise, picker: Picker) -> ReadTable:
+        """Return the student's second table."""
+        number = picker.choice(tuple(range(VARIANTS)), f"{self.kind} frames")
+        other = _variant(exercise, number)
+        if picker.choice(tuple(SameRobot), f"{self.kind} verdict") is SameRobot.SAME:
+            return other
+        harmful = _spoilt(exercise, number)
+        return picker.choice(harmful, f"{self.kind} mistake") if harmful else other
+
+    def task(self, part: Part, instance: Instance) -> PartTask:
+        """Show both tables."""
+        reasons = tuple(reason.value for reason in ComparisonReason)
+        return PartTask(
+            message="task-compare-tables",
+            form=(
+                FormField(
+                    name="verdict", shape=FieldShape.CHOICE, options=tuple(found.value for found in SameRobot)
+                ),
+                FormField(name="reason", shape=FieldShape.CHOICE, options=reasons),
+            ),
+            numbers=(
+                given_table(instance, None, "first-table"),
+                given_table(instance, instance.drawn[self.kind], "second-table"),
+            ),
+        )
+
+    def read(self, raw: ComparisonCells, reading: Reading) -> ComparisonCells:
+        """Return the answer as it is."""
+        return raw
+
+    def grade(self, part: Part, answer: ComparisonCells, context: Context) -> PartReport:
+        """Half for the verdict, half for a true reason."""
+        verdict = _verdict(context)
+        same = SameRobot.SAME if verdict.correct else SameRobot.DIFFERENT
+        reasons = true_reasons(verdict)
+        told = answer.verdict is same
+        why = told and answer.reason in reasons
+        feedback: list[Feedback] = []
+        if not told:
+            feedback.append(Feedback(code="tables_same" if verdict.correct else "tables_different"))
+        elif not why:
+            code = "tables_reason_missing" if answer.reason is None else "tables_reason_wrong"
+            feedback.append(Feedback(code=code))
+        else:
+            feedback.append(Feedback(code="tables_right"))
+        facts = (
+            Fact(where=("verdict",), finding=Finding.OK if told else Finding.WRONG),
+            Fact(where=("reason",), finding=Finding.OK if why else Finding.WRONG),
+        )
+        return judged(part, 0.5 * (told + why), Credit.KEY, facts=facts, feedback=feedback)
+
+    def right(self, part: Part, context: Context) -> ComparisonCells:
+        """Return the verdict of the grader, with one of its reasons."""
+        verdict = _verdict(context)
+        reason = min(true_reasons(verdict), default=None)
+        return ComparisonCells(
+            verdict=SameRobot.SAME if verdict.correct else SameRobot.DIFFERENT, reason=reason
+        )
+
+    def wrong(self, part: Part, context: Context, rng: Random) -> Iterator[tuple[str, ComparisonCells]]:
+        """Yield the other verdict, and the right one without a reason."""
+        right = self.right(part, context)
+        same = right.verdict is SameRobot.SAME
+        other = SameRobot.DIFFERENT if same else SameRobot.SAME
+        yield "tables_same" if same else "tables_different", replace(right, verdict=other)
+        yield "tables_reason_missing", replace(right, reason=None)
+
+
+def free_policy(policy: Policy) -> Policy:
+    """Return the policy under which two tables are the same robot: its tolerance, and nothing fixed."""
+    return Policy(tool=ToolRule.FREE, tolerance=policy.tolerance)
+
+
+def true_reasons(verdict: Verdict) -> frozenset[ComparisonReason]:
+    """Return every reason that a verdict bears out."""
+    if verdict.correct:
+        return frozenset(_TOLD[entry.code] for entry in verdict.feedback if entry.code in _TOLD)
+    found = {
+        ComparisonReason(fact)
+        for link in verdict.links
+        for fact in ("twist", "length", "offset")
+        if getattr(link, fact) in (Finding.WRONG, Finding.MISSING)
+    }
+    edits = [repair.edits[0] for repair in verdict.repairs if len(repair.edits) == 1]
+    found |= {ComparisonReason(FACTS[edit.code]) for edit in edits if edit.code in FACTS}
+    return frozenset(found)
+
+
+def _verdict(context: Context) -> Verdict:
+    second: ReadTable = context.instance.drawn[CompareTablesType.kind]
+    return grade(context.reference, second, free_policy(context.policy), context.parameters)
+
+
+@lru_cache(maxsize=1024)
+def _variant(exercise: Exercise, number: int) -> ReadTable:
+    """Return the key as somebody with other frames would have written it; the same one for a number."""
+    usual = {parameter.name: float(parameter.value) for parameter in exercise.parameters}
+    longest = max(usual.values(), default=1.0)
+    lengths = some_lengths(exercise.reference.table, longest / 4)
+    policy = free_policy(exercise.policy)
+    for trial in range(20):
+        rng = Random(f"{exercise.id} {number} {trial}")  # noqa: S311 - the same frames for a number, for ever
+        table = variant(exercise.reference.table, policy, lengths, rng)
+        read = replace(exercise.reference, table=table)
+        verdict = grade(exercise.reference, read, policy, usual)
+        if verdict.correct and true_reasons(verdict):
+            return read
+    return exercise.reference
+
+
+@lru_cache(maxsize=1024)
+def _spoilt(exercise: Exercise, number: int) -> tuple[ReadTable, ...]:
+    """Return the ways to spoil a variant."""
+    usual = {parameter.name: float(parameter.value) for parameter in exercise.parameters}
+    read = _variant(exercise, number)
+    policy = free_policy(exercise.policy)
+    return tuple(found.table for code in PLANTABLE for found in plantable(read, code, policy, usual))
+
+
+PART = CompareTablesType()

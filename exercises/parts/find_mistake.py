@@ -1,0 +1,223 @@
+"""Find the mistake: one error of the catalogue is planted in the table; find it, name it, mend it.
+
+Whatever mends the table is right: the mended table is judged as any other, so a mistake that several repairs
+undo may be mended by any of them. The place is right when it is the planted row or one whose repair does; so
+is the name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from random import Random
+from typing import Any, ClassVar
+
+from exercises.definition import Exercise, Part
+from exercises.draws import Picker
+from exercises.grading import Feedback, Finding, HelpLevel, accept
+from exercises.instance import Instance
+from exercises.names import table_faults, without_aliases
+from exercises.parts.context import Context
+from exercises.parts.given_table import columns_of, given_table
+from exercises.parts.planting import PLANTABLE, REPAIRS, Planted, explanations, planted, usable
+from exercises.parts.protocol import TABLE, FieldShape, FormField, PartTask, PartType, Reading, RobotFacts
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.reading import Reader
+from exercises.written_table import written_table
+from kinematics.cells import Cell, RawTable, ReadTable, read_table
+from kinematics.errors import Fault
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FoundMistakeCells:
+    """Where a mistake stands, what it is, and the row as it should be.
+
+    Attributes:
+        row: number of the row, from 1.
+        name: the mistake, a code of the catalogue.
+        mended: the row as it should be, in the order of the table's columns.
+    """
+
+    row: int | str | None = None
+    name: str | None = None
+    mended: tuple[Cell, Cell, Cell, Cell] | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FoundMistake:
+    """The same, read: the row from 0, and the table with the mended row in it."""
+
+    row: int | None
+    name: str | None
+    mended: ReadTable | None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FindMistakePart(Part):
+    """A table with a planted mistake.
+
+    Attributes:
+        mistakes: codes of those that may be planted.
+    """
+
+    mistakes: tuple[str, ...]
+
+
+class FindMistakeType(PartType[FindMistakePart, FoundMistakeCells, FoundMistake]):
+    """Find the mistake in a table."""
+
+    kind = "find_mistake"
+    raw: ClassVar = FoundMistakeCells
+    meaning = "the planted mistake: its row, its name, and the row as it should be"
+    disclosures: ClassVar = {
+        "mistake_row_wrong": Disclosure(level=HelpLevel.ROW),
+        "mistake_name_wrong": Disclosure(level=HelpLevel.ROW),
+        "mistake_not_mended": Disclosure(level=HelpLevel.ROW),
+        "mistake_missing": Disclosure(level=HelpLevel.ROW),
+    }
+
+    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> FindMistakePart:
+        """Return the part with the mistakes that may be planted."""
+        codes = reader.texts("mistakes", default=PLANTABLE)
+        for i, code in enumerate(codes):
+            if code not in PLANTABLE:
+                reader.fault("misconception_unknown", "mistakes", i, name=code, known=", ".join(PLANTABLE))
+        known = tuple(code for code in codes if code in PLANTABLE)
+        return FindMistakePart(kind=self.kind, points=points, mistakes=known or PLANTABLE)
+
+    def inconsistencies(self, part: FindMistakePart, exercise: Exercise) -> Iterator[Fault]:
+        """Yield a fault where nothing can be planted, or where the key would be given away."""
+        if not usable(exercise, part.mistakes):
+            yield Fault(code="no_mistake_does_harm", where=("mistakes",))
+        if exercise.part(TABLE) is not None:
+            yield Fault(code="key_given_away", where=("kind",))
+
+    def draw(self, part: FindMistakePart, exercise: Exercise, picker: Picker) -> Planted:
+        """Return the student's table."""
+        return planted(exercise, part.mistakes, picker, self.kind)
+
+    def task(self, part: FindMistakePart, instance: Instance) -> PartTask:
+        """Show the table."""
+        found: Planted = instance.drawn[self.kind]
+        labels = tuple(label for _, label in columns_of(found.table))
+        rows = tuple(str(i) for i in range(1, len(found.table.table.rows) + 1))
+        return PartTask(
+            message="task-find-mistake",
+            form=(
+                FormField(name="row", shape=FieldShape.CHOICE, options=rows),
+                FormField(name="name", shape=FieldShape.CHOICE, options=PLANTABLE),
+                FormField(name="mended", shape=FieldShape.VECTOR, labels=labels),
+            ),
+            numbers=(given_table(instance, found.table, "table-with-mistake"),),
+        )
+
+    def read(self, raw: FoundMistakeCells, reading: Reading) -> FoundMistake | None:
+        """Return the answer with the mended table."""
+        found: Planted = reading.instance.drawn[self.kind]
+        count = len(found.table.table.rows)
+        text = str(raw.row) if raw.row is not None else ""
+        number = int(text) if text.isascii() and text.isdecimal() and len(text) < 4 else 0
+        if (raw.row is None and raw.mended is not None) or (raw.row is not None and not 1 <= number <= count):
+            reading.fault("row_unknown", self.kind, "row", count=count)
+        if raw.name is not None and raw.name not in PLANTABLE:
+            reading.fault(
+                "misconception_unknown", self.kind, "name", name=raw.name, known=", ".join(PLANTABLE)
+            )
+        if reading.faults:
+            return None
+        mended = None
+        if raw.mended is not None:
+            mended = _mended(found.table, number - 1, raw.mended, reading)
+            if mended is None:
+                return None
+        return FoundMistake(row=number - 1 if number else None, name=raw.name, mended=mended)
+
+    def grade(self, part: FindMistakePart, answer: FoundMistake, context: Context) -> PartReport:
+        """A third each for place, name and repair; a repair that does says where the mistake was."""
+        found: Planted = context.instance.drawn[self.kind]
+        key, policy, values = context.reference, context.policy, context.parameters
+        rows, names = {found.row}, {found.code}
+        if answer.row not in (None, found.row) or answer.name not in (None, found.code):
+            verdict = explanations(found, key, policy, values)
+            single = [repair.edits[0] for repair in verdict.repairs if len(repair.edits) == 1]
+            rows |= {edit.row - 1 for edit in single if edit.row is not None}
+            names |= {REPAIRS[edit.code] for edit in single if edit.code in REPAIRS}
+        mended = answer.mended is not None and accept(key, answer.mended, policy, values) is not None
+        right = {
+            "row": mended or answer.row in rows,
+            "name": answer.name in names,
+            "mended": mended,
+        }
+        given = {"row": answer.row, "name": answer.name, "mended": answer.mended}
+        facts = [
+            Fact(
+                where=(name,),
+                finding=Finding.MISSING if given[name] is None else Finding.OK if good else Finding.WRONG,
+            )
+            for name, good in right.items()
+        ]
+        codes = {"row": "mistake_row_wrong", "name": "mistake_name_wrong", "mended": "mistake_not_mended"}
+        feedback = [
+            Feedback(code="mistake_missing", params={"what": name})
+            if given[name] is None
+            else Feedback(code=codes[name])
+            for name, good in right.items()
+            if not good
+        ]
+        if not feedback:
+            feedback.append(Feedback(code="mistake_found"))
+        return judged(part, sum(right.values()) / 3, Credit.KEY, facts=facts, feedback=feedback)
+
+    def right(self, part: FindMistakePart, context: Context) -> FoundMistakeCells:
+        """Return the planted mistake and the key's row."""
+        found: Planted = context.instance.drawn[self.kind]
+        row = written_table(context.reference).rows[found.row]
+        cells = tuple(getattr(row, cell) for cell, _ in columns_of(found.table))
+        return FoundMistakeCells(
+            row=found.row + 1, name=found.code, mended=(cells[0], cells[1], cells[2], cells[3])
+        )
+
+    def wrong(
+        self, part: FindMistakePart, context: Context, rng: Random
+    ) -> Iterator[tuple[str, FoundMistakeCells]]:
+        """Yield the row as it was, and nothing but a name."""
+        found: Planted = context.instance.drawn[self.kind]
+        right = self.right(part, context)
+        row = written_table(found.table).rows[found.row]
+        cells = tuple(getattr(row, cell) for cell, _ in columns_of(found.table))
+        yield "mistake_not_mended", replace(right, mended=(cells[0], cells[1], cells[2], cells[3]))
+        yield "mistake_missing", FoundMistakeCells(name=right.name)
+
+
+def _mended(
+    read: ReadTable, row: int, cells: tuple[Cell, Cell, Cell, Cell], reading: Reading
+) -> ReadTable | None:
+    """Return the table with one row written anew; faults go to the reading, at the cells of the row."""
+    raw = written_table(read)
+    names = [cell for cell, _ in columns_of(read)]
+    typed: dict[str, Any] = dict(zip(names, cells, strict=True))
+    changed = replace(raw.rows[row], **typed)
+    whole: RawTable = replace(raw, rows=(*raw.rows[:row], changed, *raw.rows[row + 1 :]))
+    before = len(reading.faults)
+    found = reading.keep(FindMistakeType.kind, lambda: read_table(whole, reading.limits))
+    if found is not None:
+        exercise = reading.instance.exercise
+        reading.faults.extend(fault.within(FindMistakeType.kind) for fault in table_faults(found, exercise))
+    for i in range(before, len(reading.faults)):
+        reading.faults[i] = _placed(reading.faults[i], names)
+    return (
+        None
+        if len(reading.faults) > before or found is None
+        else without_aliases(found, reading.instance.exercise)
+    )
+
+
+def _placed(fault: Fault, names: list[str]) -> Fault:
+    """Return a fault of a table's cell as one of the mended row."""
+    cell = fault.where[-1] if fault.where else ""
+    column = (names.index(str(cell)),) if cell in names else ()
+    return replace(fault, where=(FindMistakeType.kind, "mended", *column))
+
+
+PART = FindMistakeType()

@@ -1,0 +1,106 @@
+"""Mistakes of the catalogue, planted in a table: which there are, and what a repair of one is called."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from types import MappingProxyType
+
+from exercises.definition import Exercise
+from exercises.draws import Picker
+from exercises.grading import Policy, Verdict, accept, grade
+from exercises.selftest.mistakes import MISTAKES
+from kinematics.cells import ReadTable
+
+PLANTABLE: tuple[str, ...] = (
+    "alpha_sign",
+    "alpha_value",
+    "a_sign",
+    "d_sign",
+    "a_value",
+    "d_value",
+    "a_d_swapped",
+)
+"""Mistakes of one row that are mended in that row."""
+FACTS: Mapping[str, str] = MappingProxyType(
+    {
+        "alpha_sign": "twist",
+        "alpha_value": "twist",
+        "a_sign": "length",
+        "a_value": "length",
+        "d_sign": "offset",
+        "d_value": "offset",
+        "a_d_swapped": "length",
+    }
+)
+"""The fact of the robot that a mistake changes."""
+REPAIRS: Mapping[str, str] = MappingProxyType(
+    {
+        "a_missing": "a_value",
+        "a_not_zero": "a_value",
+        "d_missing": "d_value",
+        "d_not_zero": "d_value",
+        **{code: code for code in PLANTABLE},
+    }
+)
+"""What the catalogue of repairs calls more finely than the choice that students have."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Planted:
+    """A table with a mistake in it.
+
+    Attributes:
+        table: it.
+        code: the mistake.
+        row: in which row, from 0.
+    """
+
+    table: ReadTable
+    code: str
+    row: int
+
+
+def planted(exercise: Exercise, codes: Sequence[str], picker: Picker, name: str) -> Planted:
+    """Return the key with a mistake that a student's seed chooses among those that do harm.
+
+    Args:
+        exercise: the exercise; its policy decides what does harm.
+        codes: the mistakes to choose from.
+        picker: draws.
+        name: what is drawn.
+    """
+    harmful = {code: ways for code in codes if (ways := _ways(exercise, code))}
+    code = picker.choice(tuple(harmful), f"{name} mistake")
+    return picker.choice(harmful[code], f"{name} place")
+
+
+def plantable(read: ReadTable, code: str, policy: Policy, parameters: Mapping[str, float]) -> list[Planted]:
+    """Return the ways to make a mistake in a table that make it another robot, or break its policy."""
+    found = []
+    for table in MISTAKES[code](read):
+        rows = [
+            i
+            for i, (row, other) in enumerate(zip(read.table.rows, table.table.rows, strict=True))
+            if row != other
+        ]
+        if len(rows) == 1 and accept(read, table, policy, parameters) is None:
+            found.append(Planted(table=table, code=code, row=rows[0]))
+    return found
+
+
+@lru_cache(maxsize=256)
+def _ways(exercise: Exercise, code: str) -> tuple[Planted, ...]:
+    usual = {parameter.name: float(parameter.value) for parameter in exercise.parameters}
+    return tuple(plantable(exercise.reference, code, exercise.policy, usual))
+
+
+def usable(exercise: Exercise, codes: Sequence[str]) -> bool:
+    """Return whether some of the mistakes can be planted in an exercise's key."""
+    return any(_ways(exercise, code) for code in codes)
+
+
+def explanations(found: Planted, key: ReadTable, policy: Policy, parameters: Mapping[str, float]) -> Verdict:
+    """Return what the grader says of a planted table: every single repair that would do."""
+    return grade(key, found.table, policy, parameters)

@@ -1,0 +1,121 @@
+"""Mistakes planted in tables, and tables compared."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Annotated, Any
+
+from fastapi import Body
+
+from exercises.draws import Picker
+from exercises.grading import Policy, ToolRule, grade
+from exercises.parts.compare_tables import true_reasons
+from exercises.parts.planting import Planted, plantable
+from kinematics.cells import Limits, read_table
+from kinematics.errors import Fault, TableError
+from service.http.languages import language_of
+from service.http.openapi import problems
+from service.http.problems import located
+from service.http.routing import ApiRequest, api_router
+from service.messages import sentence
+from service.schemas import examples
+from service.schemas.planting import (
+    CompareTablesAnswer,
+    CompareTablesRequest,
+    PlantMistakeAnswer,
+    PlantMistakeRequest,
+)
+from service.schemas.spoken import spoken
+from service.schemas.tables import Table
+from service.wire.written_tables import TableWriter
+from service.work.limiters import WorkKind
+
+router = api_router("exercises")
+
+_ELBOW: dict[str, Any] = {
+    "convention": "standard",
+    "angle_unit": "deg",
+    "rows": [
+        {"theta": "q1", "d": 0.4, "a": 0, "alpha": 90},
+        {"theta": "q2", "d": 0, "a": 0.5, "alpha": 0},
+        {"theta": "q3", "d": 0, "a": 0.3, "alpha": 0},
+    ],
+}
+_REVERSED: dict[str, Any] = {
+    **_ELBOW,
+    "rows": [{**_ELBOW["rows"][0], "alpha": -90}, *_ELBOW["rows"][1:]],
+}
+_PLANT = {"an elbow arm": {"table": _ELBOW, "seed": "ana"}}
+_COMPARE = {"the axes of joints 2 and 3 reversed": {"first": _ELBOW, "second": _REVERSED}}
+
+
+@router.post(
+    "/plant-mistake",
+    summary="A right table in, a table with one mistake out",
+    responses=problems(400, 413, 415, 422, 503),
+)
+async def plant_mistake(
+    body: Annotated[PlantMistakeRequest, Body(openapi_examples=examples.named(_PLANT))],
+    request: ApiRequest,
+) -> PlantMistakeAnswer:
+    """One mistake of the catalogue, in one row, that makes the table another robot or breaks its policy.
+
+    What the frames leave free is no mistake and is never planted. The seed decides which one it is.
+    """
+    work = partial(_planted, body, request.settings.cell_limits, language_of(request))
+    return await request.resources.limiters[WorkKind.GRADING].run(work)
+
+
+@router.post(
+    "/compare-tables",
+    summary="Do two tables describe the same robot, and why?",
+    responses=problems(400, 413, 415, 422, 503),
+)
+async def compare_tables(
+    body: Annotated[CompareTablesRequest, Body(openapi_examples=examples.named(_COMPARE))],
+    request: ApiRequest,
+) -> CompareTablesAnswer:
+    """Whether they are the same robot, whichever way frames, zeros, directions and conventions were chosen.
+
+    Nothing is fixed but the joints: frame 0 and the last frame may lie anywhere. For the certificate and for
+    policies see `/grade`.
+    """
+    work = partial(_compared, body, request.settings.cell_limits, language_of(request))
+    return await request.resources.limiters[WorkKind.GRADING].run(work)
+
+
+def _planted(body: PlantMistakeRequest, limits: Limits, language: str) -> PlantMistakeAnswer:
+    with located("table"):
+        read = read_table(body.table.raw(), limits)
+    policy = body.policy.policy()
+    ways: dict[str, list[Planted]] = {
+        code: found
+        for code in dict.fromkeys(body.mistakes)
+        if (found := plantable(read, code, policy, body.parameters))
+    }
+    if not ways:
+        raise TableError(Fault(code="not_plantable", where=("mistakes",)))
+    picker = Picker(exercise_id="plant-mistake", seed=body.seed)
+    code = picker.choice(tuple(ways), "mistake")
+    chosen = picker.choice(ways[code], "place")
+    writer = TableWriter(angle_unit=read.angle_unit, length_unit=read.length_unit)
+    return PlantMistakeAnswer(
+        table=Table.model_validate(writer.table(chosen.table.table), strict=False),
+        mistake=code,
+        label=sentence(language, f"option-{code}") or code,
+        row=chosen.row + 1,
+        mended=Table.model_validate(writer.table(read.table), strict=False),
+    )
+
+
+def _compared(body: CompareTablesRequest, limits: Limits, language: str) -> CompareTablesAnswer:
+    with located("first"):
+        first = read_table(body.first.raw(), limits)
+    with located("second"):
+        second = read_table(body.second.raw(), limits)
+    verdict = grade(first, second, Policy(tool=ToolRule.FREE), body.parameters)
+    return CompareTablesAnswer(
+        same=verdict.correct,
+        reasons=sorted(true_reasons(verdict)),
+        feedback=spoken(verdict.feedback, language),
+    )

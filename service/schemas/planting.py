@@ -1,0 +1,61 @@
+"""POST /plant-mistake and POST /compare-tables on the wire."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from exercises.parts.compare_tables import ComparisonReason
+from exercises.parts.planting import PLANTABLE
+from service.schemas.base import Wire
+from service.schemas.exercises import Seed
+from service.schemas.spoken import SpokenFeedback
+from service.schemas.tables import Parameters, Table
+from service.schemas.verdicts import PolicyModel
+
+PlantableCode = Literal[PLANTABLE]  # type: ignore[valid-type]
+
+
+class PlantMistakeRequest(Wire):
+    """A right table, and which mistakes may be planted in it."""
+
+    table: Table = Field(description="a right table")
+    parameters: Parameters = Field(
+        default_factory=dict, description="values of the table's parameters, in its units"
+    )
+    mistakes: Annotated[list[PlantableCode], Field(min_length=1, max_length=len(PLANTABLE))] = Field(
+        list(PLANTABLE), description="codes of the catalogue to choose from"
+    )
+    policy: PolicyModel = PolicyModel()
+    seed: Seed = Field(None, description="names a student or a try: the same seed plants the same mistake")
+
+
+class PlantMistakeAnswer(Wire):
+    """A table with one mistake that makes it another robot, or breaks its policy."""
+
+    table: Table
+    mistake: PlantableCode = Field(description="what was planted")
+    label: str = Field(description="what it is called, in the caller's language")
+    row: int = Field(description="in which row, from 1")
+    mended: Table = Field(description="the table as it was")
+
+
+class CompareTablesRequest(Wire):
+    """Two tables that may describe the same robot."""
+
+    first: Table = Field(description="one table")
+    second: Table = Field(description="the other; its units and its convention may differ")
+    parameters: Parameters = Field(
+        default_factory=dict, description="values of the first table's parameters, in its units"
+    )
+
+
+class CompareTablesAnswer(Wire):
+    """Whether two tables describe the same robot, whatever frames were chosen, and why."""
+
+    same: bool
+    reasons: list[ComparisonReason] = Field(
+        description="of the same robot what differs in the frames; of another one what differs in the robot"
+    )
+    feedback: list[SpokenFeedback] = Field(description="the explanation of the verdict")

@@ -1,0 +1,88 @@
+"""Find the mistake, and two tables: whatever mends is right, every true reason is."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from exercises.answers import RawAnswer, parse
+from exercises.errors import AnswerError
+from exercises.grader import grade
+from exercises.instance import generate
+from exercises.parts.compare_tables import ComparisonCells, ComparisonReason, SameRobot
+from exercises.parts.find_mistake import PART, FoundMistakeCells
+from exercises.parts.planting import Planted
+from exercises.selftest.answers import context_of
+from tests.exercises.packaged import exercise
+from tests.exercises.parts.planted_tables import asked, campaign
+
+
+def judged(found, seed, **raw):
+    instance = generate(found, seed)
+    return grade(instance, parse(instance, RawAnswer(**raw))).parts[0]
+
+
+def right(found, seed):
+    instance = generate(found, seed)
+    return PART.right(found.parts[0], context_of(instance, found.reference))
+
+
+def test_repairs_are_judged_by_what_they_make() -> None:
+    good, bad, misjudged, _ = campaign(25)
+    assert min(good, bad) >= 8
+    assert misjudged == []
+
+
+@pytest.mark.parametrize("name", ["scorbot", "puma560", "kr125"])
+def test_place_name_and_repair_earn_a_third_each(name) -> None:
+    found = asked(name)
+    whole = right(found, "3")
+    assert judged(found, "3", find_mistake=whole).score == 1
+    assert judged(found, "3", find_mistake=replace(whole, mended=None)).score == pytest.approx(2 / 3)
+    assert judged(found, "3", find_mistake=FoundMistakeCells(name=whole.name)).score == pytest.approx(1 / 3)
+
+
+def test_students_get_different_mistakes_and_each_the_same_again() -> None:
+    found = asked("puma560")
+    drawn: list[Planted] = [generate(found, str(seed)).drawn["find_mistake"] for seed in range(30)]
+    assert len({(planted.code, planted.row) for planted in drawn}) > 8
+    assert generate(found, "7").drawn["find_mistake"].table == drawn[7].table
+
+
+@pytest.mark.parametrize(
+    ("raw", "code", "where"),
+    [
+        (FoundMistakeCells(row=9), "row_unknown", ("find_mistake", "row")),
+        (FoundMistakeCells(row="x"), "row_unknown", ("find_mistake", "row")),
+        (FoundMistakeCells(mended=(0, 0, 0, 0)), "row_unknown", ("find_mistake", "row")),
+        (FoundMistakeCells(row=1, name="typo"), "misconception_unknown", ("find_mistake", "name")),
+        (FoundMistakeCells(row=1, mended=(0, "zz", 0, "q1")), "name_unknown", ("find_mistake", "mended", 1)),
+        (FoundMistakeCells(row=1, mended=(0, 0, "q9", "q1")), "", ("find_mistake", "mended", 2)),
+    ],
+)
+def test_what_cannot_be_read_is_refused_with_its_place(raw, code, where) -> None:
+    found = asked("cloos")
+    with pytest.raises(AnswerError) as refusal:
+        parse(generate(found, "1"), RawAnswer(find_mistake=raw))
+    assert refusal.value.faults[0].where == where
+    assert code in refusal.value.code
+
+
+def test_every_true_reason_is_right_and_no_other() -> None:
+    found = exercise("stanford-compare")
+    verdicts = set()
+    for seed in range(12):
+        reports = {
+            (same, reason): judged(
+                found, str(seed), compare_tables=ComparisonCells(verdict=same, reason=reason)
+            )
+            for same in SameRobot
+            for reason in ComparisonReason
+        }
+        full = {key for key, report in reports.items() if report.score == 1}
+        assert full
+        assert len({same for same, _ in full}) == 1
+        verdicts |= {same for same, _ in full}
+        assert {report.score for report in reports.values()} == {0, 0.5, 1}
+    assert verdicts == set(SameRobot)
