@@ -8,7 +8,7 @@ from typing import Any
 from exercises.errors import AnswerError
 from exercises.instance import Instance
 from exercises.parts.protocol import TABLE, Answer, RawAnswer, Reading
-from exercises.parts.registry import part_type, part_types
+from exercises.parts.registry import part_type
 from kinematics.cells import DEFAULT, Limits
 from kinematics.errors import Fault
 
@@ -33,7 +33,7 @@ def parse(instance: Instance, raw: RawAnswer, limits: Limits = DEFAULT) -> Answe
         parts[TABLE] = part_type(TABLE).read(raw.get(TABLE), reading)
         reading = Reading(instance=instance, raw=raw, table=parts[TABLE], limits=limits, faults=faults)
     for kind, given in raw.parts.items():
-        if kind != TABLE and kind in part_types():
+        if kind != TABLE and instance.exercise.part(kind) is not None:
             parts[kind] = part_type(kind).read(given, reading)
     if faults:
         raise AnswerError(faults)
