@@ -51,9 +51,7 @@ def generate(exercise: Exercise, seed: str | int | None = None) -> Instance:
     Raises:
         AnswerError: the seed is longer than 200 characters.
     """
-    text = None if seed is None else str(seed)
-    if text is not None and len(text) > SEED_CHARACTERS:
-        raise AnswerError(Fault(code="seed_too_long", where=("seed",), params={"limit": SEED_CHARACTERS}))
+    text = seed_text(seed)
     picker = Picker(exercise_id=exercise.id, seed=text)
     exact = {
         parameter.name: picker.value(parameter.value, parameter.draw, parameter.name)
@@ -63,3 +61,15 @@ def generate(exercise: Exercise, seed: str | int | None = None) -> Instance:
     return Instance(
         exercise=exercise, seed=text, exact=MappingProxyType(exact), drawn=MappingProxyType(drawn)
     )
+
+
+def seed_text(seed: str | int | None) -> str | None:
+    """Return a seed as text.
+
+    Raises:
+        AnswerError: it is longer than 200 characters.
+    """
+    text = None if seed is None else str(seed)
+    if text is not None and len(text) > SEED_CHARACTERS:
+        raise AnswerError(Fault(code="seed_too_long", where=("seed",), params={"limit": SEED_CHARACTERS}))
+    return text

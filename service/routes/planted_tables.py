@@ -9,6 +9,7 @@ from fastapi import Body
 
 from exercises.draws import Picker
 from exercises.grading import Policy, ToolRule, grade
+from exercises.instance import seed_text
 from exercises.parts.compare_tables import true_reasons
 from exercises.parts.planting import Planted, plantable
 from kinematics.cells import Limits, read_table
@@ -95,7 +96,7 @@ def _planted(body: PlantMistakeRequest, limits: Limits, language: str) -> PlantM
     }
     if not ways:
         raise TableError(Fault(code="not_plantable", where=("mistakes",)))
-    picker = Picker(exercise_id="plant-mistake", seed=body.seed)
+    picker = Picker(exercise_id="plant-mistake", seed=seed_text(body.seed))
     code = picker.choice(tuple(ways), "mistake")
     chosen = picker.choice(ways[code], "place")
     writer = TableWriter(angle_unit=read.angle_unit, length_unit=read.length_unit)
