@@ -8,6 +8,7 @@ from typing import Annotated, Any
 from fastapi import Body
 
 from exercises.draws import Picker
+from exercises.errors import ExerciseError
 from exercises.grading import Policy, ToolRule, grade
 from exercises.instance import seed_text
 from exercises.parts.compare_tables import true_reasons
@@ -16,7 +17,7 @@ from kinematics.cells import Limits, read_table
 from kinematics.errors import Fault, TableError
 from service.http.languages import language_of
 from service.http.openapi import problems
-from service.http.problems import located
+from service.http.problems import RequestError, located
 from service.http.routing import ApiRequest, api_router
 from service.messages import sentence
 from service.schemas import examples
@@ -86,6 +87,10 @@ async def compare_tables(
 
 
 def _planted(body: PlantMistakeRequest, limits: Limits, language: str) -> PlantMistakeAnswer:
+    try:
+        seed = seed_text(body.seed)
+    except ExerciseError as error:
+        raise RequestError(error.faults) from error
     with located("table"):
         read = read_table(body.table.raw(), limits)
     policy = body.policy.policy()
@@ -96,7 +101,7 @@ def _planted(body: PlantMistakeRequest, limits: Limits, language: str) -> PlantM
     }
     if not ways:
         raise TableError(Fault(code="not_plantable", where=("mistakes",)))
-    picker = Picker(exercise_id="plant-mistake", seed=seed_text(body.seed))
+    picker = Picker(exercise_id="plant-mistake", seed=seed)
     code = picker.choice(tuple(ways), "mistake")
     chosen = picker.choice(ways[code], "place")
     writer = TableWriter(angle_unit=read.angle_unit, length_unit=read.length_unit)
