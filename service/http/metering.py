@@ -43,6 +43,7 @@ _COSTS = {
     "check-inverse-kinematics": 10,
     "plant-mistake": 20,
     "compare-tables": 5,
+    "check-screws": 10,
     "rotations": 2,
     "check-rotation": 1,
 }

@@ -21,7 +21,7 @@ from service.http.link_context import LinkContext
 from service.messages import languages, sentence
 from service.schemas.exercises import TASK_FIELDS
 
-FRAMED = (TABLE, "frames")
+FRAMED = (TABLE, "frames", "screws")
 """Kinds of part that are held to the rules on frames."""
 KEPT = 512
 """Instances and figures that are kept."""

@@ -227,3 +227,34 @@ error-row_unknown = Give the number of a row, from 1 to { $count }.
 error-no_mistake_does_harm = None of these mistakes changes this robot under its policy.
 error-key_given_away = This part shows a table; an exercise that asks for the table cannot have it.
 error-not_plantable = No mistake of the catalogue that was asked for changes this robot.
+
+field-frame = The screws are written in
+field-order = Order of a row
+field-screws = Screws, one row for each joint
+field-home = Home pose M
+option-space = the fixed frame (space)
+option-body = the tool's frame at the zero position (body)
+option-linear_first = v, ω: linear part first
+option-angular_first = ω, v: angular part first
+
+task-screws = Write the robot as a product of exponentials: the screws of joints 1 to { $n } and the home pose M, lengths in { $unit }. Choose the frame, the zero position and the sense of each axis within the rules.
+
+feedback-screws_right = The screws and the home pose describe this robot.
+feedback-screws_wrong = This product of exponentials does not describe the robot, whichever frame, zero and senses were chosen.
+feedback-screw_not_unit = Joint { $joint }: ω of a revolute joint is a unit vector.
+feedback-screw_pitch = Joint { $joint }: v has a part along ω; a revolute joint does not advance along its axis.
+feedback-screw_joint_type = Joint { $joint }: a sliding joint has ω = 0 and a direction v; a turning one has ω of length 1.
+feedback-screw_halves = v and ω are exchanged: in the other order the rows would be right.
+feedback-screw_moment_sign =
+    { $joint ->
+        [0] Every v has the wrong sign
+       *[other] Joint { $joint }: v has the wrong sign
+    }: v = −ω × p, with p any point on the axis.
+feedback-screw_other_frame = These are the screws in the other frame: space and body have been confused.
+feedback-screw_home_inverted = The home pose is inverted.
+feedback-screw_home = The screws are right; the home pose M is not.
+feedback-screw_not_rigid = The home pose is no rigid motion: its columns are not unit vectors at right angles, or its last row is not 0 0 0 1.
+feedback-screws_relation_wrong = The axes of joints { $joint } and { $next } do not lie to each other as in the figure.
+error-screw_count = The robot has { $expected } joints, and { $given } screws were given.
+
+error-screw_too_large = A number is too large for a robot; the largest is { $limit }.

@@ -227,3 +227,34 @@ error-row_unknown = Dé el número de una fila, de 1 a { $count }.
 error-no_mistake_does_harm = Ninguno de estos errores cambia este robot con su política.
 error-key_given_away = Esta parte muestra una tabla; un ejercicio que pide la tabla no puede tenerla.
 error-not_plantable = Ningún error del catálogo pedido cambia este robot.
+
+field-frame = Los tornillos se escriben en
+field-order = Orden de una fila
+field-screws = Tornillos, una fila por articulación
+field-home = Pose inicial M
+option-space = el sistema fijo (espacio)
+option-body = el sistema de la herramienta en la posición cero (cuerpo)
+option-linear_first = v, ω: la parte lineal primero
+option-angular_first = ω, v: la parte angular primero
+
+task-screws = Escriba el robot como producto de exponenciales: los tornillos de las articulaciones 1 a { $n } y la pose inicial M, con las longitudes en { $unit }. Elija el sistema, la posición cero y el sentido de cada eje dentro de las reglas.
+
+feedback-screws_right = Los tornillos y la pose inicial describen este robot.
+feedback-screws_wrong = Este producto de exponenciales no describe el robot, sean cuales sean el sistema, el cero y los sentidos.
+feedback-screw_not_unit = Articulación { $joint }: ω de una articulación rotacional es un vector unitario.
+feedback-screw_pitch = Articulación { $joint }: v tiene una componente a lo largo de ω; una articulación rotacional no avanza por su eje.
+feedback-screw_joint_type = Articulación { $joint }: una prismática tiene ω = 0 y una dirección v; una rotacional tiene ω de longitud 1.
+feedback-screw_halves = v y ω están intercambiados: en el otro orden las filas serían correctas.
+feedback-screw_moment_sign =
+    { $joint ->
+        [0] Todas las v tienen el signo equivocado
+       *[other] Articulación { $joint }: v tiene el signo equivocado
+    }: v = −ω × p, con p un punto cualquiera del eje.
+feedback-screw_other_frame = Estos son los tornillos en el otro sistema: se confundieron espacio y cuerpo.
+feedback-screw_home_inverted = La pose inicial está invertida.
+feedback-screw_home = Los tornillos son correctos; la pose inicial M no.
+feedback-screw_not_rigid = La pose inicial no es un movimiento rígido: sus columnas no son vectores unitarios perpendiculares, o su última fila no es 0 0 0 1.
+feedback-screws_relation_wrong = Los ejes de las articulaciones { $joint } y { $next } no están dispuestos entre sí como en la figura.
+error-screw_count = El robot tiene { $expected } articulaciones y se dieron { $given } tornillos.
+
+error-screw_too_large = Un número es demasiado grande para un robot; el máximo es { $limit }.

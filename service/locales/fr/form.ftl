@@ -170,6 +170,7 @@ form-part-frame-chain = Chaîne de repères
 form-part-inverse-kinematics = Cinématique inverse
 form-part-find-mistake = Trouvez l'erreur
 form-part-compare-tables = Deux tableaux
+form-part-screws = Produit d'exponentielles
 form-part-wrong = À revoir :
 form-radius-inner = Rayon intérieur
 form-radius-outer = Rayon extérieur

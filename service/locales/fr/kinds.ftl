@@ -227,3 +227,34 @@ error-row_unknown = Donnez le numéro d'une ligne, de 1 à { $count }.
 error-no_mistake_does_harm = Aucune de ces erreurs ne change ce robot sous sa politique.
 error-key_given_away = Cette partie montre un tableau ; un exercice qui demande le tableau ne peut pas l'avoir.
 error-not_plantable = Aucune erreur demandée du catalogue ne change ce robot.
+
+field-frame = Les torseurs sont écrits dans
+field-order = Ordre d'une ligne
+field-screws = Torseurs, une ligne par articulation
+field-home = Pose initiale M
+option-space = le repère fixe (espace)
+option-body = le repère de l'outil à la position zéro (corps)
+option-linear_first = v, ω : la partie linéaire d'abord
+option-angular_first = ω, v : la partie angulaire d'abord
+
+task-screws = Écrivez le robot comme produit d'exponentielles : les torseurs des articulations 1 à { $n } et la pose initiale M, longueurs en { $unit }. Choisissez le repère, la position zéro et le sens de chaque axe dans le cadre des règles.
+
+feedback-screws_right = Les torseurs et la pose initiale décrivent ce robot.
+feedback-screws_wrong = Ce produit d'exponentielles ne décrit pas le robot, quels que soient le repère, le zéro et les sens choisis.
+feedback-screw_not_unit = Articulation { $joint } : ω d'une articulation rotoïde est un vecteur unitaire.
+feedback-screw_pitch = Articulation { $joint } : v a une composante le long de ω ; une articulation rotoïde n'avance pas le long de son axe.
+feedback-screw_joint_type = Articulation { $joint } : une articulation prismatique a ω = 0 et une direction v ; une rotoïde a ω de longueur 1.
+feedback-screw_halves = v et ω sont échangés : dans l'autre ordre, les lignes seraient justes.
+feedback-screw_moment_sign =
+    { $joint ->
+        [0] Tous les v ont le mauvais signe
+       *[other] Articulation { $joint } : v a le mauvais signe
+    } : v = −ω × p, p étant un point quelconque de l'axe.
+feedback-screw_other_frame = Ce sont les torseurs dans l'autre repère : espace et corps ont été confondus.
+feedback-screw_home_inverted = La pose initiale est inversée.
+feedback-screw_home = Les torseurs sont justes ; la pose initiale M ne l'est pas.
+feedback-screw_not_rigid = La pose initiale n'est pas un déplacement rigide : ses colonnes ne sont pas unitaires et perpendiculaires, ou sa dernière ligne n'est pas 0 0 0 1.
+feedback-screws_relation_wrong = Les axes des articulations { $joint } et { $next } ne sont pas disposés entre eux comme sur la figure.
+error-screw_count = Le robot a { $expected } articulations, et { $given } torseurs ont été donnés.
+
+error-screw_too_large = Un nombre est trop grand pour un robot ; le plus grand est { $limit }.

@@ -227,3 +227,34 @@ error-row_unknown = Dê o número de uma linha, de 1 a { $count }.
 error-no_mistake_does_harm = Nenhum destes erros muda este robô sob sua política.
 error-key_given_away = Esta parte mostra uma tabela; um exercício que pede a tabela não pode tê-la.
 error-not_plantable = Nenhum erro pedido do catálogo muda este robô.
+
+field-frame = Os helicoides são escritos no
+field-order = Ordem de uma linha
+field-screws = Helicoides, uma linha por junta
+field-home = Pose inicial M
+option-space = sistema fixo (espaço)
+option-body = sistema da ferramenta na posição zero (corpo)
+option-linear_first = v, ω: a parte linear primeiro
+option-angular_first = ω, v: a parte angular primeiro
+
+task-screws = Escreva o robô como produto de exponenciais: os helicoides das juntas 1 a { $n } e a pose inicial M, comprimentos em { $unit }. Escolha o sistema, a posição zero e o sentido de cada eixo dentro das regras.
+
+feedback-screws_right = Os helicoides e a pose inicial descrevem este robô.
+feedback-screws_wrong = Este produto de exponenciais não descreve o robô, sejam quais forem o sistema, o zero e os sentidos.
+feedback-screw_not_unit = Junta { $joint }: ω de uma junta rotacional é um vetor unitário.
+feedback-screw_pitch = Junta { $joint }: v tem uma componente ao longo de ω; uma junta rotacional não avança ao longo do eixo.
+feedback-screw_joint_type = Junta { $joint }: uma prismática tem ω = 0 e uma direção v; uma rotacional tem ω de comprimento 1.
+feedback-screw_halves = v e ω estão trocados: na outra ordem as linhas estariam certas.
+feedback-screw_moment_sign =
+    { $joint ->
+        [0] Todos os v têm o sinal errado
+       *[other] Junta { $joint }: v tem o sinal errado
+    }: v = −ω × p, com p um ponto qualquer do eixo.
+feedback-screw_other_frame = Estes são os helicoides no outro sistema: confundiram-se espaço e corpo.
+feedback-screw_home_inverted = A pose inicial está invertida.
+feedback-screw_home = Os helicoides estão certos; a pose inicial M não.
+feedback-screw_not_rigid = A pose inicial não é um movimento rígido: suas colunas não são vetores unitários perpendiculares, ou a última linha não é 0 0 0 1.
+feedback-screws_relation_wrong = Os eixos das juntas { $joint } e { $next } não estão dispostos entre si como na figura.
+error-screw_count = O robô tem { $expected } juntas, e foram dados { $given } helicoides.
+
+error-screw_too_large = Um número é grande demais para um robô; o maior é { $limit }.

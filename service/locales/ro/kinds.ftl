@@ -228,3 +228,34 @@ error-row_unknown = Dați numărul unui rând, de la 1 la { $count }.
 error-no_mistake_does_harm = Niciuna dintre aceste greșeli nu schimbă acest robot sub regulile lui.
 error-key_given_away = Această parte arată un tabel; un exercițiu care cere tabelul nu o poate avea.
 error-not_plantable = Nicio greșeală cerută din catalog nu schimbă acest robot.
+
+field-frame = Torsorii sunt scriși în
+field-order = Ordinea într-un rând
+field-screws = Torsori, câte un rând pentru fiecare cuplă
+field-home = Poza inițială M
+option-space = sistemul fix (spațiu)
+option-body = sistemul uneltei în poziția zero (corp)
+option-linear_first = v, ω: partea liniară întâi
+option-angular_first = ω, v: partea unghiulară întâi
+
+task-screws = Scrieți robotul ca produs de exponențiale: torsorii cuplelor 1 până la { $n } și poza inițială M, lungimile în { $unit }. Alegeți sistemul, poziția zero și sensul fiecărei axe în limitele regulilor.
+
+feedback-screws_right = Torsorii și poza inițială descriu acest robot.
+feedback-screws_wrong = Acest produs de exponențiale nu descrie robotul, oricare ar fi sistemul, zeroul și sensurile alese.
+feedback-screw_not_unit = Cupla { $joint }: ω al unei cuple de rotație este un vector unitar.
+feedback-screw_pitch = Cupla { $joint }: v are o componentă de-a lungul lui ω; o cuplă de rotație nu înaintează pe axa ei.
+feedback-screw_joint_type = Cupla { $joint }: una de translație are ω = 0 și o direcție v; una de rotație are ω de lungime 1.
+feedback-screw_halves = v și ω sunt schimbate între ele: în cealaltă ordine rândurile ar fi corecte.
+feedback-screw_moment_sign =
+    { $joint ->
+        [0] Toate v au semnul greșit
+       *[other] Cupla { $joint }: v are semnul greșit
+    }: v = −ω × p, cu p un punct oarecare al axei.
+feedback-screw_other_frame = Aceștia sunt torsorii în celălalt sistem: spațiul și corpul au fost confundate.
+feedback-screw_home_inverted = Poza inițială este inversată.
+feedback-screw_home = Torsorii sunt corecți; poza inițială M nu este.
+feedback-screw_not_rigid = Poza inițială nu este o mișcare rigidă: coloanele nu sunt vectori unitari perpendiculari sau ultimul rând nu este 0 0 0 1.
+feedback-screws_relation_wrong = Axele cuplelor { $joint } și { $next } nu sunt așezate una față de alta ca în figură.
+error-screw_count = Robotul are { $expected } cuple, s-au dat { $given } torsori.
+
+error-screw_too_large = Un număr este prea mare pentru un robot; cel mai mare este { $limit }.

@@ -180,6 +180,7 @@ form-part-frame-chain = Ланцюг систем
 form-part-inverse-kinematics = Обернена кінематика
 form-part-find-mistake = Знайдіть помилку
 form-part-compare-tables = Дві таблиці
+form-part-screws = Добуток експонент
 form-part-wrong = Варто переглянути:
 form-radius-inner = Внутрішній радіус
 form-radius-outer = Зовнішній радіус

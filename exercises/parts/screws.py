@@ -1,0 +1,161 @@
+"""Joint screws and the home pose: right if they are the robot, whatever frames, senses, points and zeros.
+
+An answer is held to the exercise's policy exactly as a table is (`kinematics.answers.screw_answers`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from random import Random
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from exercises.definition import Part
+from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.instance import Instance
+from exercises.parts.context import Context
+from exercises.parts.joint_draws import key_numbers
+from exercises.parts.matrix_cells import CellMatrix, read_numbers
+from exercises.parts.number_cells import read_numbers_of
+from exercises.parts.protocol import FieldShape, FormField, Length, PartTask, PartType, Reading
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from kinematics.answers.screw_answers import (
+    ScrewAnswer,
+    ScrewFrame,
+    ScrewMistake,
+    ScrewOrder,
+    adjoint,
+    judge_screws,
+)
+from kinematics.cells import Cell
+from kinematics.cells.meaning import Position
+from kinematics.screws import product_of_exponentials
+from kinematics.se3 import inverse_transform
+
+DECIMALS = 6
+ScrewRow = tuple[Cell, Cell, Cell, Cell, Cell, Cell]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ScrewsCells:
+    """A product of exponentials.
+
+    Attributes:
+        frame: screws in the fixed frame (space), or in the tool's at the zero position (body).
+        order: which half of a screw stands first: linear_first (v, ω) or angular_first (ω, v).
+        screws: one row for each joint; lengths in the exercise's unit.
+        home: 4×4, the pose of the last frame at the zero position.
+    """
+
+    frame: ScrewFrame
+    order: ScrewOrder
+    screws: Annotated[tuple[ScrewRow, ...], Length(least=1, most=64)]
+    home: CellMatrix
+
+
+class ScrewsPart(PartType[Part, ScrewsCells, ScrewAnswer]):
+    """Screws and home pose of the robot."""
+
+    kind = "screws"
+    raw: ClassVar = ScrewsCells
+    meaning = "the joint screws and the home pose"
+    disclosures: ClassVar = {
+        "screws_wrong": Disclosure(level=HelpLevel.ROW),
+        **{f"screw_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in ScrewMistake},
+        "screws_relation_wrong": Disclosure(level=HelpLevel.KIND),
+    }
+
+    def task(self, part: Part, instance: Instance) -> PartTask:
+        """Ask for a screw of each joint, and the home pose."""
+        n = instance.exercise.reference.table.n_joints
+        return PartTask(
+            message="task-screws",
+            values={"n": n, "unit": instance.exercise.length_unit.value},
+            form=(
+                FormField(name="frame", shape=FieldShape.CHOICE, options=tuple(f.value for f in ScrewFrame)),
+                FormField(name="order", shape=FieldShape.CHOICE, options=tuple(o.value for o in ScrewOrder)),
+                FormField(
+                    name="screws", shape=FieldShape.MATRIX, labels=("1", "2", "3", "4", "5", "6"), rows=n
+                ),
+                FormField(name="home", shape=FieldShape.MATRIX, labels=("x", "y", "z", "p"), rows=4),
+            ),
+        )
+
+    def read(self, raw: ScrewsCells, reading: Reading) -> ScrewAnswer | None:
+        """Return screws (v, ω) and home pose in numbers, lengths in the exercise's unit."""
+        before = len(reading.faults)
+        n = reading.instance.exercise.reference.table.n_joints
+        if len(raw.screws) != n:
+            reading.fault("screw_count", self.kind, "screws", expected=n, given=len(raw.screws))
+        rows = [
+            read_numbers_of(row, Position.LENGTH, reading, self.kind, "screws", i)
+            for i, row in enumerate(raw.screws)
+        ]
+        home = read_numbers(raw.home, reading, self.kind, "home")
+        if len(reading.faults) > before or home is None:
+            return None
+        screws = np.array(rows, dtype=np.float64)
+        if raw.order is ScrewOrder.ANGULAR_FIRST:
+            screws = np.hstack([screws[:, 3:], screws[:, :3]])
+        return ScrewAnswer(screws=screws, home=home, frame=raw.frame)
+
+    def grade(self, part: Part, answer: ScrewAnswer, context: Context) -> PartReport:
+        """Judge the whole; of a wrong answer the relations of neighbouring axes earn up to half."""
+        found = judge_screws(key_numbers(context.instance), answer, context.policy)
+        if found.right:
+            return judged(part, 1.0, Credit.KEY, feedback=(Feedback(code="screws_right"),))
+        facts = [
+            Fact(where=("screws", i), finding=Finding.OK if right else Finding.WRONG)
+            for i, right in enumerate(found.relations, 1)
+        ]
+        feedback = [Feedback(code="screws_wrong")]
+        feedback += [
+            Feedback(code=f"screw_{mistake.value}", params={"joint": joint or 0})
+            for mistake, joint in found.mistakes
+        ]
+        if not found.mistakes:
+            feedback += [
+                Feedback(code="screws_relation_wrong", params={"joint": i, "next": i + 1})
+                for i, right in enumerate(found.relations, 1)
+                if not right
+            ]
+        share = sum(found.relations) / len(found.relations) if found.relations else 0.0
+        return judged(part, 0.5 * share, Credit.KEY, facts=facts, feedback=feedback)
+
+    def right(self, part: Part, context: Context) -> ScrewsCells:
+        """Return the key's screws in space, linear part first."""
+        found = product_of_exponentials(key_numbers(context.instance))
+        rows = np.array([[*screw.linear, *screw.angular] for screw in found.screws])
+        return _cells(ScrewAnswer(screws=rows, home=found.home))
+
+    def wrong(self, part: Part, context: Context, rng: Random) -> Iterator[tuple[str, ScrewsCells]]:
+        """Yield body screws called space screws, one ω of another length, and another joint's type."""
+        found = product_of_exponentials(key_numbers(context.instance))
+        rows = np.array([[*screw.linear, *screw.angular] for screw in found.screws])
+        turning = [i for i, row in enumerate(rows) if row[3:].any()]
+        if turning:
+            longer = rows.copy()
+            longer[rng.choice(turning)] *= 2
+            yield "screw_not_unit", _cells(ScrewAnswer(screws=longer, home=found.home))
+        body = rows @ adjoint(inverse_transform(found.home)).T
+        spoilt = judge_screws(
+            key_numbers(context.instance), ScrewAnswer(screws=body, home=found.home), context.policy
+        )
+        if not spoilt.right:
+            yield "screws_wrong", _cells(ScrewAnswer(screws=body, home=found.home))
+
+
+def _cells(answer: ScrewAnswer) -> ScrewsCells:
+    rows = np.round(answer.screws, DECIMALS) + 0.0
+    home: CellMatrix = (np.round(answer.home, DECIMALS) + 0.0).tolist()
+    return ScrewsCells(
+        frame=answer.frame,
+        order=ScrewOrder.LINEAR_FIRST,
+        screws=tuple((a, b, c, d, e, f) for a, b, c, d, e, f in rows.tolist()),
+        home=home,
+    )
+
+
+PART = ScrewsPart()

@@ -1,0 +1,249 @@
+"""Joint screws and a home pose as an answer: is it the robot, whatever frames it is written in?
+
+    space   T(q) = exp([S_1] q_1) ⋯ exp([S_n] q_n) M        body   T(q) = M exp([B_1] q_1) ⋯ exp([B_n] q_n)
+
+with S_i = Ad_M B_i. An answer is right when there are σ, δ, B, E with T(σ∘q + δ) = B · F(q) · E for all
+q, as for a table (`kinematics.equivalence`). So either sense of an axis is right, any point on it, any zero,
+and any length of a slider's direction; a revolute joint's ω is a unit vector, for q is its angle, and its v
+has no part along ω. Nothing is compared row by row.
+
+Source: K. M. Lynch, F. C. Park, Modern Robotics (2017), 4.1; R. M. Murray, Z. Li, S. S. Sastry (1994), 3.2.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from itertools import pairwise
+
+import numpy as np
+
+from kinematics.chain import Axis, Chain, size_of
+from kinematics.equivalence import Certificate, Policy
+from kinematics.equivalence.decision import certify
+from kinematics.equivalence.reference import prepared
+from kinematics.se3 import Floats, Transform, cross_arrays, from_matrix, inverse_transform
+from kinematics.table import NumericTable
+
+UNIT = 0.01
+"""How far |ω| may be from 1, and v·ω from 0 as a share of |v|: two decimals."""
+NO_ROTATION = 1e-9
+"""|ω| of a slider."""
+
+
+class ScrewFrame(StrEnum):
+    """Where screws are written: in the fixed frame, or in the tool's at the zero position."""
+
+    SPACE = "space"
+    BODY = "body"
+
+
+class ScrewOrder(StrEnum):
+    """Which half of a screw stands first: (v, ω) or (ω, v)."""
+
+    LINEAR_FIRST = "linear_first"
+    ANGULAR_FIRST = "angular_first"
+
+
+class ScrewMistake(StrEnum):
+    """What a wrong answer looks like.
+
+    NOT_UNIT: ω of a revolute joint is no unit vector. PITCH: v has a part along ω. JOINT_TYPE: a joint turns
+    that slides, or the reverse. HALVES: v and ω are exchanged. MOMENT_SIGN: v = ω × p for −ω × p.
+    OTHER_FRAME: body screws for space screws, or the reverse. HOME_INVERTED: M leads the other way. HOME: M
+    is wrong and the screws are right. NOT_RIGID: M is no rigid motion.
+    """
+
+    NOT_UNIT = "not_unit"
+    PITCH = "pitch"
+    JOINT_TYPE = "joint_type"
+    HALVES = "halves"
+    MOMENT_SIGN = "moment_sign"
+    OTHER_FRAME = "other_frame"
+    HOME_INVERTED = "home_inverted"
+    HOME = "home"
+    NOT_RIGID = "not_rigid"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ScrewAnswer:
+    """Screws and a home pose.
+
+    Attributes:
+        screws: (n, 6) rows (v, ω).
+        home: (4, 4) M.
+        frame: where the screws are written.
+    """
+
+    screws: Floats
+    home: Floats
+    frame: ScrewFrame = ScrewFrame.SPACE
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ScrewVerdict:
+    """What is said of an answer.
+
+    Attributes:
+        certificate: how the answer agrees with the key; None if it is wrong.
+        mistakes: what a wrong one looks like, each with the joint, from 1, that it is about, or None.
+        relations: which neighbouring axes lie to each other as the robot's do.
+    """
+
+    certificate: Certificate | None
+    mistakes: tuple[tuple[ScrewMistake, int | None], ...] = ()
+    relations: tuple[bool, ...] = ()
+
+    @property
+    def right(self) -> bool:
+        """The answer is the robot and keeps the policy."""
+        return self.certificate is not None
+
+
+def judge_screws(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> ScrewVerdict:
+    """Judge screws and a home pose against a robot.
+
+    Args:
+        key: a table of the robot.
+        answer: with as many screws as the robot has joints; lengths in the key's unit, numbers finite.
+        policy: what is left free and what is fixed.
+    """
+    faults = tuple(_malformed(key, answer))
+    if faults:
+        halves = replace(answer, screws=np.hstack([answer.screws[:, 3:], answer.screws[:, :3]]))
+        exchanged = not any(_malformed(key, halves))
+        if exchanged and certify([prepared(key)], [screw_chain(halves)], policy) is not None:
+            faults = ((ScrewMistake.HALVES, None),)
+        return ScrewVerdict(certificate=None, mistakes=faults, relations=(False,) * (len(answer.screws) - 1))
+    chain = screw_chain(answer)
+    found = certify([prepared(key)], [chain], policy)
+    if found is not None:
+        return ScrewVerdict(certificate=found)
+    return ScrewVerdict(
+        certificate=None,
+        mistakes=tuple(_explained(key, answer, policy)),
+        relations=tuple(_relations(key, chain, policy.tolerance.length)),
+    )
+
+
+def screw_chain(answer: ScrewAnswer) -> Chain:
+    """Return the chain of an answer; directions are made unit vectors, moments are put across them."""
+    rows = _in_space(answer)
+    axes = []
+    for linear, angular in zip(rows[:, :3], rows[:, 3:], strict=True):
+        length = float(np.linalg.norm(angular))
+        if length <= NO_ROTATION:
+            axes.append(Axis(True, _triple(linear / np.linalg.norm(linear)), (0.0, 0.0, 0.0)))
+        else:
+            direction = angular / length
+            axes.append(Axis(False, _triple(direction), _triple(cross_arrays(direction, linear))))
+    home = np.eye(4)
+    left, _, right = np.linalg.svd(answer.home[:3, :3])
+    home[:3, :3], home[:3, 3] = left @ right, answer.home[:3, 3]
+    chain = Chain(tuple(axes), from_matrix(home), 0.0)
+    return replace(chain, extent=size_of(chain))
+
+
+def adjoint(pose: Transform) -> Floats:
+    """Return Ad_T, (6, 6), of twists (v, ω): v' = R v + p × R ω, ω' = R ω."""
+    rotation, (x, y, z) = pose[:3, :3], pose[:3, 3]
+    result = np.zeros((6, 6))
+    result[:3, :3] = result[3:, 3:] = rotation
+    result[:3, 3:] = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]]) @ rotation
+    return result
+
+
+def _in_space(answer: ScrewAnswer) -> Floats:
+    if answer.frame is ScrewFrame.SPACE:
+        return answer.screws
+    return np.asarray(answer.screws @ adjoint(answer.home).T, dtype=np.float64)
+
+
+def _malformed(key: NumericTable, answer: ScrewAnswer) -> Iterator[tuple[ScrewMistake, int | None]]:
+    """Yield what keeps an answer from being a chain of revolute and prismatic joints."""
+    rotation = answer.home[:3, :3]
+    gram = np.abs(rotation.T @ rotation - np.eye(3)).max()
+    bottom = np.abs(answer.home[3] - [0.0, 0.0, 0.0, 1.0]).max()
+    if not max(gram, bottom) <= 3 * UNIT or not np.linalg.det(rotation) > 0:
+        yield ScrewMistake.NOT_RIGID, None
+    for i, (row, kind) in enumerate(zip(answer.screws, key.joint_types, strict=True), 1):
+        linear, angular = row[:3], row[3:]
+        v, w = float(np.linalg.norm(linear)), float(np.linalg.norm(angular))
+        slides = w <= NO_ROTATION
+        if slides != (kind.value == "prismatic") or (slides and not v > 0.0):
+            yield ScrewMistake.JOINT_TYPE, i
+        elif not slides and not abs(w - 1.0) <= UNIT:
+            yield ScrewMistake.NOT_UNIT, i
+        elif not slides and not abs(float(linear @ angular)) <= UNIT * max(v, NO_ROTATION):
+            yield ScrewMistake.PITCH, i
+
+
+def _explained(
+    key: NumericTable, answer: ScrewAnswer, policy: Policy
+) -> Iterator[tuple[ScrewMistake, int | None]]:
+    """Yield the single slip whose undoing makes the answer right."""
+
+    def right(changed: ScrewAnswer) -> bool:
+        well_formed = next(_malformed(key, changed), None) is None
+        return well_formed and certify([prepared(key)], [screw_chain(changed)], policy) is not None
+
+    (other,) = set(ScrewFrame) - {answer.frame}
+    if right(replace(answer, frame=other)):
+        yield ScrewMistake.OTHER_FRAME, None
+        return
+    if right(replace(answer, home=inverse_transform(answer.home))):
+        yield ScrewMistake.HOME_INVERTED, None
+        return
+    reversed_moments = answer.screws * np.array([-1.0, -1.0, -1.0, 1.0, 1.0, 1.0])
+    turning = [i for i, row in enumerate(answer.screws) if np.linalg.norm(row[3:]) > NO_ROTATION]
+    screws = answer.screws.copy()
+    screws[turning] = reversed_moments[turning]
+    if right(replace(answer, screws=screws)):
+        yield ScrewMistake.MOMENT_SIGN, None
+        return
+    for i in turning:
+        screws = answer.screws.copy()
+        screws[i] = reversed_moments[i]
+        if right(replace(answer, screws=screws)):
+            yield ScrewMistake.MOMENT_SIGN, i + 1
+            return
+    free = Policy(tolerance=policy.tolerance, base=policy.base, zero=policy.zero, direction=policy.direction)
+    if certify([prepared(key)], [screw_chain(answer)], _any_tool(free)) is not None:
+        yield ScrewMistake.HOME, None
+
+
+def _any_tool(policy: Policy) -> Policy:
+    return replace(policy, tool=type(policy.tool).FREE)
+
+
+def _relations(key: NumericTable, chain: Chain, share: float) -> Iterator[bool]:
+    """Yield whether neighbouring axes lie to each other as the robot's, by angle and distance."""
+    ours, theirs = prepared(key).chain.axes, chain.axes
+    allowed = 3 * share * (size_of(prepared(key).chain) or 1.0)
+    for (a, b), (c, d) in zip(pairwise(ours), pairwise(theirs), strict=True):
+        angle = abs(_angle(a, b) - _angle(c, d)) <= 3 * share
+        apart = a.prismatic or b.prismatic or abs(_distance(a, b) - _distance(c, d)) <= allowed
+        yield (a.prismatic, b.prismatic) == (c.prismatic, d.prismatic) and angle and apart
+
+
+def _angle(first: Axis, second: Axis) -> float:
+    """Return the angle between two lines, 0 … π/2."""
+    across = float(np.linalg.norm(np.cross(first.direction, second.direction)))
+    return math.atan2(across, abs(float(np.dot(first.direction, second.direction))))
+
+
+def _distance(first: Axis, second: Axis) -> float:
+    """Return the distance of two lines."""
+    between = np.subtract(second.point, first.point)
+    normal = np.cross(first.direction, second.direction)
+    length = float(np.linalg.norm(normal))
+    if length < 1e-6:
+        return float(np.linalg.norm(np.cross(between, first.direction)))
+    return abs(float(between @ normal)) / length
+
+
+def _triple(values: Sequence[float] | Floats) -> tuple[float, float, float]:
+    x, y, z = (float(value) for value in values)
+    return x, y, z

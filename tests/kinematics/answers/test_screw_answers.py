@@ -1,0 +1,86 @@
+"""Screws and a home pose: right in any frame, sense and zero; slips are told."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from kinematics.answers.screw_answers import ScrewAnswer, ScrewFrame, ScrewMistake, judge_screws
+from kinematics.equivalence import Policy, ToolRule
+from kinematics.screws import product_of_exponentials
+from kinematics.se3 import inverse_transform
+from tests.kinematics.answers.joint_values import robot
+from tests.kinematics.answers.screw_rows import POLICY, campaign
+
+SCARA = robot("scara")
+PUMA = robot("puma560")
+FIXED = Policy(tool=ToolRule.POINT)
+
+
+def key(table=PUMA) -> ScrewAnswer:
+    found = product_of_exponentials(table)
+    rows = np.array([[*screw.linear, *screw.angular] for screw in found.screws])
+    return ScrewAnswer(screws=rows, home=found.home)
+
+
+def slips(answer: ScrewAnswer, table=PUMA, policy=POLICY):
+    found = judge_screws(table, answer, policy)
+    assert not found.right
+    return found.mistakes
+
+
+def test_right_screws_written_differently_are_accepted_and_wrong_ones_refused() -> None:
+    count, refused, accepted, _ = campaign(40)
+    assert (count, refused, accepted) == (40, 0, 0)
+
+
+def test_either_sense_and_any_length_of_a_slider_are_right() -> None:
+    right = key(SCARA)
+    for i in range(4):
+        turned = right.screws.copy()
+        turned[i] *= -1
+        assert judge_screws(SCARA, replace(right, screws=turned), POLICY).right
+    longer = right.screws.copy()
+    longer[2] *= 0.001
+    assert judge_screws(SCARA, replace(right, screws=longer), POLICY).right
+
+
+def test_slips_are_told() -> None:
+    right = key()
+    minus = right.screws * np.array([-1, -1, -1, 1, 1, 1])
+    assert slips(replace(right, screws=minus)) == ((ScrewMistake.MOMENT_SIGN, None),)
+    one = right.screws.copy()
+    one[2] = minus[2]
+    assert slips(replace(right, screws=one)) == ((ScrewMistake.MOMENT_SIGN, 3),)
+    halves = np.hstack([right.screws[:, 3:], right.screws[:, :3]])
+    assert slips(replace(right, screws=halves)) == ((ScrewMistake.HALVES, None),)
+    double = right.screws.copy()
+    double[1] *= 2
+    assert slips(replace(right, screws=double)) == ((ScrewMistake.NOT_UNIT, 2),)
+    pitched = right.screws.copy()
+    pitched[0] = [0, 0, 0.3, 0, 0, 1]
+    assert slips(replace(right, screws=pitched)) == ((ScrewMistake.PITCH, 1),)
+    sliding = right.screws.copy()
+    sliding[0] = [0, 0, 1, 0, 0, 0]
+    assert slips(replace(right, screws=sliding)) == ((ScrewMistake.JOINT_TYPE, 1),)
+    skew = right.home.copy()
+    skew[:3, :3] *= 2
+    assert slips(replace(right, home=skew)) == ((ScrewMistake.NOT_RIGID, None),)
+
+
+def test_body_for_space_and_another_home_are_told() -> None:
+    right = key(SCARA)
+    assert slips(replace(right, frame=ScrewFrame.BODY), SCARA, FIXED) == ((ScrewMistake.OTHER_FRAME, None),)
+    away = right.home.copy()
+    away[0, 3] += 0.1
+    assert slips(replace(right, home=away), SCARA, FIXED) == ((ScrewMistake.HOME, None),)
+    assert slips(replace(right, home=inverse_transform(right.home)), SCARA, FIXED)
+
+
+@pytest.mark.parametrize("value", [0.0, 1e-300, 1e6])
+def test_degenerate_screws_are_judged(value) -> None:
+    rows = np.full((6, 6), value)
+    assert not judge_screws(PUMA, ScrewAnswer(screws=rows, home=np.eye(4)), POLICY).right
+    assert not judge_screws(PUMA, replace(key(), home=np.full((4, 4), value)), POLICY).right
