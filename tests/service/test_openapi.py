@@ -192,6 +192,7 @@ def test_whatever_is_sent_the_document_holds(base_url: str, case: schemathesis.C
         base_url=base_url,
         headers={"Accept": "*/*"},
         excluded_checks=EXCUSED.get(case.operation.path, [positive_data_acceptance]),
+        timeout=120,
     )
 
 
