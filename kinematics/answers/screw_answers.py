@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from itertools import pairwise
@@ -22,7 +23,8 @@ import numpy as np
 
 from kinematics.chain import Axis, Chain, size_of
 from kinematics.equivalence import Certificate, Policy
-from kinematics.equivalence.decision import certify
+from kinematics.equivalence.decision import WORK_OF_ACCEPTANCE, certify
+from kinematics.equivalence.meter import Meter, WorkExhaustedError
 from kinematics.equivalence.reference import prepared
 from kinematics.se3 import Floats, Transform, cross_arrays, from_matrix, inverse_transform
 from kinematics.table import NumericTable
@@ -114,17 +116,16 @@ def judge_screws(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> Scre
     if faults:
         halves = replace(answer, screws=np.hstack([answer.screws[:, 3:], answer.screws[:, :3]]))
         exchanged = not any(_malformed(key, halves))
-        if exchanged and certify([prepared(key)], [screw_chain(halves)], policy) is not None:
+        if exchanged and _certified(key, halves, policy) is not None:
             faults = ((ScrewMistake.HALVES, None),)
         return ScrewVerdict(certificate=None, mistakes=faults, relations=(False,) * (len(answer.screws) - 1))
-    chain = screw_chain(answer)
-    found = certify([prepared(key)], [chain], policy)
+    found = _certified(key, answer, policy)
     if found is not None:
         return ScrewVerdict(certificate=found)
     return ScrewVerdict(
         certificate=None,
         mistakes=tuple(_explained(key, answer, policy)),
-        relations=tuple(_relations(key, chain, policy.tolerance.length)),
+        relations=tuple(_relations(key, screw_chain(answer), policy.tolerance.length)),
     )
 
 
@@ -187,7 +188,7 @@ def _explained(
 
     def right(changed: ScrewAnswer) -> bool:
         well_formed = next(_malformed(key, changed), None) is None
-        return well_formed and certify([prepared(key)], [screw_chain(changed)], policy) is not None
+        return well_formed and _certified(key, changed, policy) is not None
 
     (other,) = set(ScrewFrame) - {answer.frame}
     if right(replace(answer, frame=other)):
@@ -210,8 +211,16 @@ def _explained(
             yield ScrewMistake.MOMENT_SIGN, i + 1
             return
     free = Policy(tolerance=policy.tolerance, base=policy.base, zero=policy.zero, direction=policy.direction)
-    if certify([prepared(key)], [screw_chain(answer)], _any_tool(free)) is not None:
+    if _certified(key, answer, _any_tool(free)) is not None:
         yield ScrewMistake.HOME, None
+
+
+def _certified(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> Certificate | None:
+    """Return the certificate of an answer, if it is found with the work that a table is granted."""
+    with np.errstate(all="ignore"), suppress(WorkExhaustedError, np.linalg.LinAlgError):
+        meter = Meter(WORK_OF_ACCEPTANCE)
+        return certify([prepared(key)], [screw_chain(answer)], policy, meter=meter)
+    return None
 
 
 def _any_tool(policy: Policy) -> Policy:
