@@ -10,12 +10,31 @@ import numpy as np
 
 from exercises.consistency import values_in_radians
 from exercises.definition import Exercise
-from exercises.draws import Draw, Picker
+from exercises.draws import Draw, Picker, read_draw
 from exercises.instance import Instance
+from exercises.parts.protocol import RobotFacts
+from exercises.reading import Reader
 from kinematics.cells import AngleUnit
 from kinematics.forward import forward_kinematics
 from kinematics.se3 import Transform
 from kinematics.table import JointType, NumericTable, bind
+
+
+def read_joints(reader: Reader, robot: RobotFacts) -> tuple[tuple[Fraction, ...], tuple[Draw | None, ...]]:
+    """Return the usual joint values of a part, and per joint from where a student's own are drawn.
+
+    `turns` are for revolute joints, `slides` for prismatic ones, `q1`, `q2`, … for a single joint.
+    """
+    n = len(robot.joint_types)
+    joints = reader.exacts("joints")
+    if len(joints) != n:
+        reader.fault("joints_wrong_length", "joints", expected=n)
+        joints = (Fraction(0),) * n
+    turns, slides = read_draw(reader, "turns"), read_draw(reader, "slides")
+    names = [f"q{i}" for i in range(1, n + 1)]
+    own = {name: read_draw(reader, name) for name in names if reader.given(name)}
+    usual = (slides if kind is JointType.PRISMATIC else turns for kind in robot.joint_types)
+    return joints, tuple(own.get(name, way) for name, way in zip(names, usual, strict=True))
 
 
 def drawn_joints(

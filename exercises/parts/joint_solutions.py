@@ -18,12 +18,12 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from exercises.definition import Exercise, Part
-from exercises.draws import Draw, Picker, read_draw
+from exercises.draws import Draw, Picker
 from exercises.grading import BaseRule, Feedback, Finding, HelpLevel, ToolRule, accept
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.given_table import given_table
-from exercises.parts.joint_draws import drawn_joints, in_radians, key_numbers
+from exercises.parts.joint_draws import drawn_joints, in_radians, key_numbers, read_joints
 from exercises.parts.number_cells import read_numbers_of
 from exercises.parts.protocol import (
     TABLE,
@@ -141,18 +141,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> InverseKinematicsPart:
         """Return the part with its pose and what is asked of it."""
-        n = len(robot.joint_types)
-        joints = reader.exacts("joints")
-        if len(joints) != n:
-            reader.fault("joints_wrong_length", "joints", expected=n)
-            joints = (Fraction(0),) * n
-        turns, slides = read_draw(reader, "turns"), read_draw(reader, "slides")
-        own = {
-            int(name[1:]): read_draw(reader, name)
-            for name in (f"q{i + 1}" for i in range(n))
-            if reader.given(name)
-        }
-        usual = tuple(slides if found is JointType.PRISMATIC else turns for found in robot.joint_types)
+        joints, draws = read_joints(reader, robot)
         known = set(PoseCase)
         cases = []
         for i, name in enumerate(reader.texts("cases", default=(PoseCase.REACHED.value,))):
@@ -164,7 +153,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
             kind=self.kind,
             points=points,
             joints=joints,
-            draws=tuple(own.get(i + 1, way) for i, way in enumerate(usual)),
+            draws=draws,
             cases=tuple(cases) or (PoseCase.REACHED,),
             every=reader.choice("solutions", _Asked, _Asked.ALL) is _Asked.ALL,
             reach=reader.choice("reach", ArmReach, ArmReach.POSE),

@@ -37,6 +37,7 @@ _CALLS: Mapping[str, tuple[Tool, ...]] = {
     "check-frames": (Tool.TRAINER,),
     "rotations": (Tool.PLAYGROUND,),
     "check-rotation": (Tool.PLAYGROUND,),
+    "check-jacobian": (Tool.PLAYGROUND,),
     "check-screws": (Tool.PLAYGROUND,),
     "compare-tables": (Tool.PLAYGROUND,),
     "check-inverse-kinematics": (Tool.PLAYGROUND,),

@@ -44,6 +44,7 @@ _COSTS = {
     "plant-mistake": 20,
     "compare-tables": 5,
     "check-screws": 10,
+    "check-jacobian": 2,
     "rotations": 2,
     "check-rotation": 1,
 }

@@ -26,7 +26,7 @@ BLOCKS = re.findall(r"^```(\w+)(?: (\w+)=(\S+))?\n(.*?)^```$", PAGE, re.MULTILIN
 
 
 DOCS = Path(__file__).parents[2] / "docs"
-PAGES = ("find-the-mistake.md", "joint-answers.md", "rotations.md", "screws.md")
+PAGES = ("find-the-mistake.md", "jacobian-answers.md", "joint-answers.md", "rotations.md", "screws.md")
 """Pages of kinds with definitions of their own."""
 ALONE = [
     tomllib.loads(block)

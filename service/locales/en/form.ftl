@@ -171,6 +171,7 @@ form-part-inverse-kinematics = Inverse kinematics
 form-part-find-mistake = Find the mistake
 form-part-compare-tables = Two tables
 form-part-screws = Product of exponentials
+form-part-jacobian = Jacobian and statics
 form-part-wrong = To look at again:
 form-radius-inner = Inner radius
 form-radius-outer = Outer radius

@@ -258,3 +258,46 @@ feedback-screws_relation_wrong = The axes of joints { $joint } and { $next } do 
 error-screw_count = The robot has { $expected } joints, and { $given } screws were given.
 
 error-screw_too_large = A number is too large for a robot; the largest is { $limit }.
+
+field-jacobian = Jacobian, one column for each joint
+field-forces = Joint torques and forces
+given-configuration = The configuration
+given-wrench = Force and moment on the tool
+
+task-jacobian =
+    { $variables ->
+        [own] Take your own table and your own joint variables at these values.
+       *[given] The table of the robot and a configuration are given.
+    } { $ask ->
+        [jacobian] Write the geometric Jacobian of the last origin, lengths in { $unit }, per radian.
+        [forces] Which joint torques and forces, τ = Jᵀ(f, m), belong to the force and moment at the last origin, lengths in { $unit }?
+       *[both] Write the geometric Jacobian of the last origin, lengths in { $unit }, per radian, and the joint torques and forces τ = Jᵀ(f, m).
+    } { $frame ->
+        [end] All vectors are in the axes of the last frame.
+       *[base] All vectors are in the axes of frame 0.
+    }
+
+feedback-jacobian_right = Everything is right.
+feedback-jacobian_follows_table = This follows from your table and earns its marks, although the table is not right.
+feedback-jacobian_needs_table = The Jacobian is that of your own table: hand in the table, with all joints, too.
+feedback-jacobian_missing =
+    { $what ->
+        [jacobian] The Jacobian is missing.
+       *[forces] The joint torques and forces are missing.
+    }
+feedback-jacobian_wrong = Not every column of the Jacobian is right.
+feedback-forces_wrong = Not every joint torque or force is right.
+feedback-jacobian_next_axis = Column { $joint } uses the axis of a neighbouring joint: mind which z belongs to which joint in your convention.
+feedback-jacobian_point_swapped = Column { $joint }: the linear part is z × (pₙ − p), not z × (p − pₙ).
+feedback-jacobian_prismatic = Column { $joint }: a slider gives (z, 0), a revolute joint (z × (pₙ − p), z).
+feedback-jacobian_other_frame = This is the Jacobian in the axes of the other frame.
+feedback-jacobian_rows_exchanged = Linear and angular rows have changed places.
+feedback-jacobian_spatial = This is the velocity of the point at the origin of frame 0; the origin of the last frame is asked.
+feedback-forces_sign = Every sign is reversed: τ = Jᵀ(f, m) is asked, for the force and moment as given.
+feedback-forces_other_frame = Force and moment were taken in the axes of the other frame.
+feedback-forces_rows_exchanged = Force and moment were exchanged.
+feedback-forces_spatial = The force was taken to act at the origin of frame 0.
+error-row_order_missing = Say which rows stand first: linear_first or angular_first.
+error-jacobian_empty = Give the Jacobian or the joint forces.
+
+error-wrench_missing = Joint forces belong to a force and a moment: give the wrench.

@@ -258,3 +258,46 @@ feedback-screws_relation_wrong = Los ejes de las articulaciones { $joint } y { $
 error-screw_count = El robot tiene { $expected } articulaciones y se dieron { $given } tornillos.
 
 error-screw_too_large = Un número es demasiado grande para un robot; el máximo es { $limit }.
+
+field-jacobian = Jacobiana, una columna por articulación
+field-forces = Pares y fuerzas articulares
+given-configuration = La configuración
+given-wrench = Fuerza y momento sobre la herramienta
+
+task-jacobian =
+    { $variables ->
+        [own] Tome su propia tabla y sus propias variables articulares con estos valores.
+       *[given] Se dan la tabla del robot y una configuración.
+    } { $ask ->
+        [jacobian] Escriba la jacobiana geométrica del último origen, con las longitudes en { $unit }, por radián.
+        [forces] ¿Qué pares y fuerzas articulares, τ = Jᵀ(f, m), corresponden a la fuerza y al momento en el último origen, con las longitudes en { $unit }?
+       *[both] Escriba la jacobiana geométrica del último origen, con las longitudes en { $unit }, por radián, y los pares y fuerzas articulares τ = Jᵀ(f, m).
+    } { $frame ->
+        [end] Todos los vectores están en los ejes del último sistema.
+       *[base] Todos los vectores están en los ejes del sistema 0.
+    }
+
+feedback-jacobian_right = Todo es correcto.
+feedback-jacobian_follows_table = Esto se sigue de su tabla y vale sus puntos, aunque la tabla no sea correcta.
+feedback-jacobian_needs_table = La jacobiana es la de su propia tabla: entregue también la tabla, con todas las articulaciones.
+feedback-jacobian_missing =
+    { $what ->
+        [jacobian] Falta la jacobiana.
+       *[forces] Faltan los pares y fuerzas articulares.
+    }
+feedback-jacobian_wrong = No todas las columnas de la jacobiana son correctas.
+feedback-forces_wrong = No todos los pares y fuerzas articulares son correctos.
+feedback-jacobian_next_axis = La columna { $joint } usa el eje de una articulación vecina: fíjese en qué z corresponde a cada articulación en su convención.
+feedback-jacobian_point_swapped = Columna { $joint }: la parte lineal es z × (pₙ − p), no z × (p − pₙ).
+feedback-jacobian_prismatic = Columna { $joint }: una prismática da (z, 0); una rotacional, (z × (pₙ − p), z).
+feedback-jacobian_other_frame = Esta es la jacobiana en los ejes del otro sistema.
+feedback-jacobian_rows_exchanged = Las filas lineales y angulares están intercambiadas.
+feedback-jacobian_spatial = Esta es la velocidad del punto en el origen del sistema 0; se pide el origen del último sistema.
+feedback-forces_sign = Todos los signos están invertidos: se pide τ = Jᵀ(f, m), con la fuerza y el momento dados.
+feedback-forces_other_frame = La fuerza y el momento se tomaron en los ejes del otro sistema.
+feedback-forces_rows_exchanged = Se intercambiaron fuerza y momento.
+feedback-forces_spatial = Se supuso que la fuerza actúa en el origen del sistema 0.
+error-row_order_missing = Diga qué filas van primero: linear_first o angular_first.
+error-jacobian_empty = Dé la jacobiana o las fuerzas articulares.
+
+error-wrench_missing = Las fuerzas articulares corresponden a una fuerza y un momento: dé «wrench».

@@ -171,6 +171,7 @@ form-part-inverse-kinematics = Cinématique inverse
 form-part-find-mistake = Trouvez l'erreur
 form-part-compare-tables = Deux tableaux
 form-part-screws = Produit d'exponentielles
+form-part-jacobian = Jacobienne et statique
 form-part-wrong = À revoir :
 form-radius-inner = Rayon intérieur
 form-radius-outer = Rayon extérieur

@@ -258,3 +258,46 @@ feedback-screws_relation_wrong = Les axes des articulations { $joint } et { $nex
 error-screw_count = Le robot a { $expected } articulations, et { $given } torseurs ont été donnés.
 
 error-screw_too_large = Un nombre est trop grand pour un robot ; le plus grand est { $limit }.
+
+field-jacobian = Jacobienne, une colonne par articulation
+field-forces = Couples et forces articulaires
+given-configuration = La configuration
+given-wrench = Force et moment sur l'outil
+
+task-jacobian =
+    { $variables ->
+        [own] Prenez votre propre tableau et vos propres variables articulaires à ces valeurs.
+       *[given] Le tableau du robot et une configuration sont donnés.
+    } { $ask ->
+        [jacobian] Écrivez la jacobienne géométrique de la dernière origine, longueurs en { $unit }, par radian.
+        [forces] Quels couples et forces articulaires, τ = Jᵀ(f, m), correspondent à la force et au moment à la dernière origine, longueurs en { $unit } ?
+       *[both] Écrivez la jacobienne géométrique de la dernière origine, longueurs en { $unit }, par radian, et les couples et forces articulaires τ = Jᵀ(f, m).
+    } { $frame ->
+        [end] Tous les vecteurs sont dans les axes du dernier repère.
+       *[base] Tous les vecteurs sont dans les axes du repère 0.
+    }
+
+feedback-jacobian_right = Tout est juste.
+feedback-jacobian_follows_table = Cela découle de votre tableau et rapporte ses points, bien que le tableau ne soit pas juste.
+feedback-jacobian_needs_table = La jacobienne est celle de votre propre tableau : rendez aussi le tableau, avec toutes les articulations.
+feedback-jacobian_missing =
+    { $what ->
+        [jacobian] La jacobienne manque.
+       *[forces] Les couples et forces articulaires manquent.
+    }
+feedback-jacobian_wrong = Les colonnes de la jacobienne ne sont pas toutes justes.
+feedback-forces_wrong = Les couples et forces articulaires ne sont pas tous justes.
+feedback-jacobian_next_axis = La colonne { $joint } utilise l'axe d'une articulation voisine : voyez quel z appartient à quelle articulation dans votre convention.
+feedback-jacobian_point_swapped = Colonne { $joint } : la partie linéaire est z × (pₙ − p), et non z × (p − pₙ).
+feedback-jacobian_prismatic = Colonne { $joint } : une prismatique donne (z, 0), une rotoïde (z × (pₙ − p), z).
+feedback-jacobian_other_frame = C'est la jacobienne dans les axes de l'autre repère.
+feedback-jacobian_rows_exchanged = Les lignes linéaires et angulaires ont été échangées.
+feedback-jacobian_spatial = C'est la vitesse du point situé à l'origine du repère 0 ; il faut l'origine du dernier repère.
+feedback-forces_sign = Tous les signes sont inversés : c'est τ = Jᵀ(f, m) qui est demandé, avec la force et le moment donnés.
+feedback-forces_other_frame = Force et moment ont été pris dans les axes de l'autre repère.
+feedback-forces_rows_exchanged = Force et moment ont été échangés.
+feedback-forces_spatial = La force a été supposée agir à l'origine du repère 0.
+error-row_order_missing = Dites quelles lignes viennent en premier : linear_first ou angular_first.
+error-jacobian_empty = Donnez la jacobienne ou les forces articulaires.
+
+error-wrench_missing = Aux forces articulaires correspondent une force et un moment : donnez « wrench ».

@@ -171,6 +171,7 @@ form-part-inverse-kinematics = Cinemática inversa
 form-part-find-mistake = Encontre o erro
 form-part-compare-tables = Duas tabelas
 form-part-screws = Produto de exponenciais
+form-part-jacobian = Jacobiana e estática
 form-part-wrong = A rever:
 form-radius-inner = Raio interior
 form-radius-outer = Raio exterior

@@ -258,3 +258,46 @@ feedback-screws_relation_wrong = Os eixos das juntas { $joint } e { $next } não
 error-screw_count = O robô tem { $expected } juntas, e foram dados { $given } helicoides.
 
 error-screw_too_large = Um número é grande demais para um robô; o maior é { $limit }.
+
+field-jacobian = Jacobiana, uma coluna por junta
+field-forces = Torques e forças das juntas
+given-configuration = A configuração
+given-wrench = Força e momento na ferramenta
+
+task-jacobian =
+    { $variables ->
+        [own] Tome sua própria tabela e suas próprias variáveis nestes valores.
+       *[given] São dadas a tabela do robô e uma configuração.
+    } { $ask ->
+        [jacobian] Escreva a jacobiana geométrica da última origem, comprimentos em { $unit }, por radiano.
+        [forces] Que torques e forças das juntas, τ = Jᵀ(f, m), correspondem à força e ao momento na última origem, comprimentos em { $unit }?
+       *[both] Escreva a jacobiana geométrica da última origem, comprimentos em { $unit }, por radiano, e os torques e forças das juntas τ = Jᵀ(f, m).
+    } { $frame ->
+        [end] Todos os vetores estão nos eixos do último sistema.
+       *[base] Todos os vetores estão nos eixos do sistema 0.
+    }
+
+feedback-jacobian_right = Está tudo certo.
+feedback-jacobian_follows_table = Isto decorre da sua tabela e vale seus pontos, embora a tabela não esteja certa.
+feedback-jacobian_needs_table = A jacobiana é a da sua própria tabela: entregue também a tabela, com todas as juntas.
+feedback-jacobian_missing =
+    { $what ->
+        [jacobian] Falta a jacobiana.
+       *[forces] Faltam os torques e forças das juntas.
+    }
+feedback-jacobian_wrong = Nem todas as colunas da jacobiana estão certas.
+feedback-forces_wrong = Nem todos os torques e forças das juntas estão certos.
+feedback-jacobian_next_axis = A coluna { $joint } usa o eixo de uma junta vizinha: veja que z pertence a cada junta na sua convenção.
+feedback-jacobian_point_swapped = Coluna { $joint }: a parte linear é z × (pₙ − p), e não z × (p − pₙ).
+feedback-jacobian_prismatic = Coluna { $joint }: uma prismática dá (z, 0); uma rotacional, (z × (pₙ − p), z).
+feedback-jacobian_other_frame = Esta é a jacobiana nos eixos do outro sistema.
+feedback-jacobian_rows_exchanged = As linhas lineares e angulares foram trocadas.
+feedback-jacobian_spatial = Esta é a velocidade do ponto na origem do sistema 0; pede-se a origem do último sistema.
+feedback-forces_sign = Todos os sinais estão invertidos: pede-se τ = Jᵀ(f, m), com a força e o momento dados.
+feedback-forces_other_frame = A força e o momento foram tomados nos eixos do outro sistema.
+feedback-forces_rows_exchanged = Força e momento foram trocados.
+feedback-forces_spatial = Supôs-se que a força atua na origem do sistema 0.
+error-row_order_missing = Diga que linhas vêm primeiro: linear_first ou angular_first.
+error-jacobian_empty = Dê a jacobiana ou as forças das juntas.
+
+error-wrench_missing = As forças das juntas correspondem a uma força e um momento: dê “wrench”.

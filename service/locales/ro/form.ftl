@@ -176,6 +176,7 @@ form-part-inverse-kinematics = Cinematica inversă
 form-part-find-mistake = Găsiți greșeala
 form-part-compare-tables = Două tabele
 form-part-screws = Produs de exponențiale
+form-part-jacobian = Jacobian și statică
 form-part-wrong = De revăzut:
 form-radius-inner = Raza interioară
 form-radius-outer = Raza exterioară

@@ -259,3 +259,46 @@ feedback-screws_relation_wrong = Axele cuplelor { $joint } și { $next } nu sunt
 error-screw_count = Robotul are { $expected } cuple, s-au dat { $given } torsori.
 
 error-screw_too_large = Un număr este prea mare pentru un robot; cel mai mare este { $limit }.
+
+field-jacobian = Jacobianul, câte o coloană pentru fiecare cuplă
+field-forces = Momentele și forțele din cuple
+given-configuration = Configurația
+given-wrench = Forța și momentul asupra uneltei
+
+task-jacobian =
+    { $variables ->
+        [own] Luați propriul tabel și propriile variabile la aceste valori.
+       *[given] Sunt date tabelul robotului și o configurație.
+    } { $ask ->
+        [jacobian] Scrieți jacobianul geometric al ultimei origini, lungimile în { $unit }, pe radian.
+        [forces] Ce momente și forțe din cuple, τ = Jᵀ(f, m), corespund forței și momentului din ultima origine, lungimile în { $unit }?
+       *[both] Scrieți jacobianul geometric al ultimei origini, lungimile în { $unit }, pe radian, și momentele și forțele din cuple τ = Jᵀ(f, m).
+    } { $frame ->
+        [end] Toți vectorii sunt în axele ultimului sistem.
+       *[base] Toți vectorii sunt în axele sistemului 0.
+    }
+
+feedback-jacobian_right = Totul este corect.
+feedback-jacobian_follows_table = Aceasta rezultă din tabelul dumneavoastră și își primește punctele, deși tabelul nu este corect.
+feedback-jacobian_needs_table = Jacobianul este cel al propriului tabel: predați și tabelul, cu toate cuplele.
+feedback-jacobian_missing =
+    { $what ->
+        [jacobian] Lipsește jacobianul.
+       *[forces] Lipsesc momentele și forțele din cuple.
+    }
+feedback-jacobian_wrong = Nu toate coloanele jacobianului sunt corecte.
+feedback-forces_wrong = Nu toate momentele și forțele din cuple sunt corecte.
+feedback-jacobian_next_axis = Coloana { $joint } folosește axa unei cuple vecine: vedeți ce z aparține fiecărei cuple în convenția dumneavoastră.
+feedback-jacobian_point_swapped = Coloana { $joint }: partea liniară este z × (pₙ − p), nu z × (p − pₙ).
+feedback-jacobian_prismatic = Coloana { $joint }: una de translație dă (z, 0), una de rotație (z × (pₙ − p), z).
+feedback-jacobian_other_frame = Acesta este jacobianul în axele celuilalt sistem.
+feedback-jacobian_rows_exchanged = Rândurile liniare și cele unghiulare au fost schimbate între ele.
+feedback-jacobian_spatial = Aceasta este viteza punctului din originea sistemului 0; se cere originea ultimului sistem.
+feedback-forces_sign = Toate semnele sunt inversate: se cere τ = Jᵀ(f, m), cu forța și momentul date.
+feedback-forces_other_frame = Forța și momentul au fost luate în axele celuilalt sistem.
+feedback-forces_rows_exchanged = Forța și momentul au fost schimbate între ele.
+feedback-forces_spatial = S-a presupus că forța acționează în originea sistemului 0.
+error-row_order_missing = Spuneți ce rânduri stau întâi: linear_first sau angular_first.
+error-jacobian_empty = Dați jacobianul sau forțele din cuple.
+
+error-wrench_missing = Forțele din cuple corespund unei forțe și unui moment: dați „wrench”.

@@ -181,6 +181,7 @@ form-part-inverse-kinematics = Обернена кінематика
 form-part-find-mistake = Знайдіть помилку
 form-part-compare-tables = Дві таблиці
 form-part-screws = Добуток експонент
+form-part-jacobian = Якобіан і статика
 form-part-wrong = Варто переглянути:
 form-radius-inner = Внутрішній радіус
 form-radius-outer = Зовнішній радіус

@@ -258,3 +258,46 @@ feedback-screws_relation_wrong = Осі зчленувань { $joint } і { $ne
 error-screw_count = Робот має зчленувань: { $expected }, а гвинтів наведено: { $given }.
 
 error-screw_too_large = Число завелике для робота; найбільше — { $limit }.
+
+field-jacobian = Якобіан, по стовпцю на зчленування
+field-forces = Моменти й сили у зчленуваннях
+given-configuration = Конфігурація
+given-wrench = Сила й момент на інструмент
+
+task-jacobian =
+    { $variables ->
+        [own] Візьміть власну таблицю й власні змінні за цих значень.
+       *[given] Задано таблицю робота й конфігурацію.
+    } { $ask ->
+        [jacobian] Запишіть геометричний якобіан останнього початку координат, довжини в { $unit }, на радіан.
+        [forces] Які моменти й сили у зчленуваннях, τ = Jᵀ(f, m), відповідають силі й моменту в останньому початку координат, довжини в { $unit }?
+       *[both] Запишіть геометричний якобіан останнього початку координат, довжини в { $unit }, на радіан, а також моменти й сили у зчленуваннях τ = Jᵀ(f, m).
+    } { $frame ->
+        [end] Усі вектори — в осях останньої системи.
+       *[base] Усі вектори — в осях системи 0.
+    }
+
+feedback-jacobian_right = Усе правильно.
+feedback-jacobian_follows_table = Це випливає з вашої таблиці й отримує свої бали, хоча сама таблиця неправильна.
+feedback-jacobian_needs_table = Якобіан стосується вашої власної таблиці: здайте також таблицю з усіма зчленуваннями.
+feedback-jacobian_missing =
+    { $what ->
+        [jacobian] Бракує якобіана.
+       *[forces] Бракує моментів і сил у зчленуваннях.
+    }
+feedback-jacobian_wrong = Не всі стовпці якобіана правильні.
+feedback-forces_wrong = Не всі моменти й сили у зчленуваннях правильні.
+feedback-jacobian_next_axis = У стовпці { $joint } взято вісь сусіднього зчленування: зважайте, яка z належить якому зчленуванню у вашій угоді.
+feedback-jacobian_point_swapped = Стовпець { $joint }: лінійна частина — z × (pₙ − p), а не z × (p − pₙ).
+feedback-jacobian_prismatic = Стовпець { $joint }: поступальне зчленування дає (z, 0), обертальне — (z × (pₙ − p), z).
+feedback-jacobian_other_frame = Це якобіан в осях іншої системи.
+feedback-jacobian_rows_exchanged = Лінійні й кутові рядки поміняно місцями.
+feedback-jacobian_spatial = Це швидкість точки в початку системи 0; потрібен початок останньої системи.
+feedback-forces_sign = Усі знаки обернено: потрібно τ = Jᵀ(f, m) для заданих сили й моменту.
+feedback-forces_other_frame = Силу й момент узято в осях іншої системи.
+feedback-forces_rows_exchanged = Силу й момент поміняно місцями.
+feedback-forces_spatial = Силу прикладено до початку системи 0.
+error-row_order_missing = Укажіть, які рядки перші: linear_first чи angular_first.
+error-jacobian_empty = Наведіть якобіан або сили у зчленуваннях.
+
+error-wrench_missing = Сили у зчленуваннях відповідають силі й моменту: задайте «wrench».

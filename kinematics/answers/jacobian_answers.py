@@ -1,0 +1,225 @@
+"""A Jacobian in numbers, and the joint forces that hold a wrench: are they right, and what is a wrong one?
+
+    (v, ω) = J(q) q̇        τ = J(q)ᵀ (f, m)
+
+The geometric Jacobian of the last frame's origin, in the axes of frame 0 or of the last frame, its rows in
+either order, is one matrix once table, configuration and these two are named: it is right when every entry
+is. Which frames the table has is the answerer's choice: J is that of the answerer's own accepted table, the
+key's with B, diag(σ), and the point and the axes moved by E (`kinematics.equivalence`).
+
+Source: D. E. Whitney (1969); J. J. Craig, Introduction to Robotics, ch. 5; seed 001 eq. 3.22.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.chain import Chain, size_of
+from kinematics.jacobian import JacobianFrame
+from kinematics.se3 import Floats
+
+
+class JacobianMistake(StrEnum):
+    """What a wrong Jacobian, or wrong joint forces, look like.
+
+    NEXT_AXIS: a column is formed with the axis of the next joint, z_i for z_{i−1} or the reverse.
+    POINT_SWAPPED: with p_i − p_n for p_n − p_i. PRISMATIC: the column of a slider is that of a revolute
+    joint, or the reverse. OTHER_FRAME: in the axes of the other frame. ROWS_EXCHANGED: linear and angular
+    rows have changed places. SPATIAL: the velocity of the point at frame 0's origin. SIGN: every joint force
+    has the wrong sign.
+    """
+
+    NEXT_AXIS = "next_axis"
+    POINT_SWAPPED = "point_swapped"
+    PRISMATIC = "prismatic"
+    OTHER_FRAME = "other_frame"
+    ROWS_EXCHANGED = "rows_exchanged"
+    SPATIAL = "spatial"
+    SIGN = "sign"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class JacobianVerdict:
+    """What is said of a Jacobian.
+
+    Attributes:
+        entries: (6, n) which entries are right, linear rows first.
+        mistakes: what wrong columns look like, each with the joint, from 1; of a mistake in all of them None.
+    """
+
+    entries: NDArray[np.bool_]
+    mistakes: tuple[tuple[JacobianMistake, int | None], ...] = ()
+
+    @property
+    def right(self) -> bool:
+        """Every entry is right."""
+        return bool(self.entries.all())
+
+    @property
+    def share(self) -> float:
+        """Share of the columns that are right."""
+        return float(self.entries.all(axis=0).mean())
+
+
+def jacobian_at(chain: Chain, joints: Sequence[float], frame: JacobianFrame) -> Floats:
+    """Return the geometric Jacobian of the last frame's origin, (6, n), linear rows first."""
+    jacobian = chain.jacobian(np.array(joints, dtype=np.float64))
+    return jacobian if frame is JacobianFrame.BASE else _turned(chain, joints) @ jacobian
+
+
+@np.errstate(all="ignore")
+def judge_jacobian(
+    chain: Chain, joints: Sequence[float], given: Floats, frame: JacobianFrame, tolerance: float
+) -> JacobianVerdict:
+    """Judge a Jacobian, entry by entry.
+
+    Args:
+        chain: of the table that it is said to be of.
+        joints: the configuration [rad, or the table's length].
+        given: (6, n), linear rows first; any finite numbers.
+        frame: in whose axes it is asked.
+        tolerance: of an entry; where it is a length, as a share of the arm's size.
+    """
+    limit = _limits(chain, tolerance)
+
+    def close(expected: Floats) -> NDArray[np.bool_]:
+        return np.asarray(np.abs(given - expected) <= limit, dtype=np.bool_)
+
+    expected = jacobian_at(chain, joints, frame)
+    entries = close(expected)
+    if entries.all():
+        return JacobianVerdict(entries=entries)
+    (other,) = set(JacobianFrame) - {frame}
+    whole = (
+        (JacobianMistake.OTHER_FRAME, jacobian_at(chain, joints, other)),
+        (JacobianMistake.ROWS_EXCHANGED, np.vstack([expected[3:], expected[:3]])),
+        (JacobianMistake.SPATIAL, _spatial(chain, joints)),
+    )
+    for mistake, matrix in whole:
+        if close(matrix).all():
+            return JacobianVerdict(entries=entries, mistakes=((mistake, None),))
+    wrong = [int(i) for i in np.flatnonzero(~entries.all(axis=0))]
+    return JacobianVerdict(
+        entries=entries, mistakes=tuple(_columns(chain, joints, given, frame, wrong, limit))
+    )
+
+
+@np.errstate(all="ignore")
+def joint_forces_at(
+    chain: Chain, joints: Sequence[float], wrench: Sequence[float], frame: JacobianFrame
+) -> Floats:
+    """Return τ = Jᵀ (f, m) of a wrench in a frame's axes, at the last frame's origin."""
+    return np.asarray(jacobian_at(chain, joints, frame).T @ np.array(wrench), dtype=np.float64)
+
+
+@np.errstate(all="ignore")
+def judge_forces(
+    chain: Chain,
+    joints: Sequence[float],
+    wrench: Sequence[float],
+    given: Sequence[float],
+    frame: JacobianFrame,
+    tolerance: float,
+) -> tuple[tuple[bool, ...], JacobianMistake | None]:
+    """Judge joint forces; return which are right, and what wrong ones look like.
+
+    Args:
+        chain: of the table whose joints they are of.
+        joints: the configuration.
+        wrench: force and moment on the tool, (f, m).
+        given: one number for each joint.
+        frame: in whose axes the wrench is given.
+        tolerance: as a share of what force and moment can do at the arm's size.
+    """
+    size = size_of(chain) or 1.0
+    force, moment = math.hypot(*wrench[:3]), math.hypot(*wrench[3:])
+    limit = np.array(
+        [tolerance * (force if axis.prismatic else force * size + moment) for axis in chain.axes]
+    )
+    values = np.array(given, dtype=np.float64)
+    expected = joint_forces_at(chain, joints, wrench, frame)
+    right = np.abs(values - expected) <= limit
+    if right.all():
+        return tuple(right.tolist()), None
+    (other,) = set(JacobianFrame) - {frame}
+    ways = (
+        (JacobianMistake.SIGN, -expected),
+        (JacobianMistake.OTHER_FRAME, joint_forces_at(chain, joints, wrench, other)),
+        (JacobianMistake.ROWS_EXCHANGED, joint_forces_at(chain, joints, [*wrench[3:], *wrench[:3]], frame)),
+        (JacobianMistake.SPATIAL, _spatial(chain, joints).T @ np.array(wrench)),
+    )
+    for mistake, forces in ways:
+        if (np.abs(values - forces) <= limit).all():
+            return tuple(right.tolist()), mistake
+    return tuple(right.tolist()), None
+
+
+def _limits(chain: Chain, tolerance: float) -> Floats:
+    """Return the largest errors of the entries: lengths relative to the arm, all others as they are."""
+    limit = np.full((6, len(chain.axes)), tolerance)
+    size = size_of(chain) or 1.0
+    for i, axis in enumerate(chain.axes):
+        if not axis.prismatic:
+            limit[:3, i] *= size
+    return limit
+
+
+def _turned(chain: Chain, joints: Sequence[float]) -> Floats:
+    """Return diag(Rᵀ, Rᵀ) of the last frame."""
+    rotation = chain.poses(np.array(joints, dtype=np.float64))[:3, :3]
+    return np.asarray(np.kron(np.eye(2), rotation.T), dtype=np.float64)
+
+
+def _spatial(chain: Chain, joints: Sequence[float]) -> Floats:
+    """Return the Jacobian of the point of the last link that is at frame 0's origin."""
+    directions, points = chain.axes_at(np.array(joints, dtype=np.float64))
+    return _with_columns(chain, directions, points, np.zeros(3))
+
+
+def _with_columns(chain: Chain, directions: Floats, points: Floats, at: Floats) -> Floats:
+    columns = [
+        [*direction, 0.0, 0.0, 0.0] if axis.prismatic else [*np.cross(direction, at - point), *direction]
+        for axis, direction, point in zip(chain.axes, directions, points, strict=True)
+    ]
+    return np.array(columns).T
+
+
+def _columns(
+    chain: Chain,
+    joints: Sequence[float],
+    given: Floats,
+    frame: JacobianFrame,
+    wrong: Sequence[int],
+    limit: Floats,
+) -> Iterator[tuple[JacobianMistake, int | None]]:
+    """Yield the slip that makes each wrong column, where one does."""
+    directions, points = chain.axes_at(np.array(joints, dtype=np.float64))
+    end = chain.poses(np.array(joints, dtype=np.float64))
+    turn = np.eye(6) if frame is JacobianFrame.BASE else _turned(chain, joints)
+    n = len(chain.axes)
+    lines = [*zip(directions, points, strict=True), (end[:3, 2], end[:3, 3])]
+    for i in wrong:
+        axis, (z, p) = chain.axes[i], lines[i]
+        reach = end[:3, 3] - p
+        ways: list[tuple[JacobianMistake, list[float]]] = []
+        if axis.prismatic:
+            ways.append((JacobianMistake.PRISMATIC, [*np.cross(z, reach), *z]))
+            ways.append((JacobianMistake.PRISMATIC, [0.0, 0.0, 0.0, *z]))
+        else:
+            ways.append((JacobianMistake.POINT_SWAPPED, [*np.cross(reach, z), *z]))
+            ways.append((JacobianMistake.PRISMATIC, [*z, 0.0, 0.0, 0.0]))
+        for k in (i + 1, i - 1):
+            if 0 <= k <= n:
+                u, o = lines[k]
+                ways.append((JacobianMistake.NEXT_AXIS, [*np.cross(u, end[:3, 3] - o), *u]))
+                ways.append((JacobianMistake.NEXT_AXIS, [*u, 0.0, 0.0, 0.0]))
+        for mistake, column in ways:
+            if (np.abs(given[:, i] - turn @ np.array(column)) <= limit[:, i]).all():
+                yield mistake, i + 1
+                break

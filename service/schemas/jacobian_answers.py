@@ -1,0 +1,56 @@
+"""POST /check-jacobian on the wire."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Field
+
+from kinematics.answers.jacobian_answers import JacobianMistake
+from kinematics.answers.screw_answers import ScrewOrder
+from kinematics.jacobian import JacobianFrame
+from service.schemas.base import Real, Wire
+from service.schemas.rates_request import Vector6
+from service.schemas.robot_question import RobotQuestion
+from service.schemas.tables import Units
+
+Columns = Annotated[list[Real], Field(max_length=64)]
+
+
+class CheckJacobianRequest(RobotQuestion):
+    """A table at one configuration, with a Jacobian or joint forces that somebody computed from it."""
+
+    joints: list[Real] = Field(max_length=64, description="q_1 … q_n, in the table's units")
+    jacobian: Annotated[list[Columns], Field(min_length=6, max_length=6)] | None = Field(
+        None, description="6×n, per radian, of the last frame's origin"
+    )
+    order: Annotated[ScrewOrder, Field(strict=False)] = Field(
+        ScrewOrder.LINEAR_FIRST, description="which rows of the Jacobian stand first"
+    )
+    frame: Annotated[JacobianFrame, Field(strict=False)] = Field(
+        JacobianFrame.BASE, description="in whose axes Jacobian and wrench are: frame 0 or the last frame"
+    )
+    wrench: Vector6 | None = Field(None, description="force and moment at the last frame's origin")
+    joint_forces: Columns | None = Field(None, description="τ = Jᵀ · wrench, one for each joint")
+    tolerance: Annotated[Real, Field(gt=0, le=0.1)] = Field(
+        0.005, description="of an entry; of a length as a share of the robot's size"
+    )
+
+
+class JacobianMistakeModel(Wire):
+    """What a wrong answer looks like."""
+
+    code: JacobianMistake
+    joint: int | None = Field(description="the column it is about, from 1; null: all of them")
+    message: str = Field(description="the sentence, in the caller's language")
+
+
+class CheckJacobianAnswer(Units):
+    """Whether a Jacobian and joint forces are those of the table."""
+
+    correct: bool
+    entries: list[list[bool]] | None = Field(
+        description="which entries of the Jacobian are right, linear rows first; null if there was none"
+    )
+    forces: list[bool] | None = Field(description="which joint forces are right; null if there were none")
+    mistakes: list[JacobianMistakeModel] = Field(description="the usual slips that explain a wrong answer")
