@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from types import MappingProxyType
+
+import numpy as np
 
 from exercises.definition import Exercise
 from exercises.draws import Picker
@@ -85,9 +88,16 @@ def plantable(read: ReadTable, code: str, policy: Policy, parameters: Mapping[st
             for i, (row, other) in enumerate(zip(read.table.rows, table.table.rows, strict=True))
             if row != other
         ]
-        if len(rows) == 1 and accept(read, table, policy, parameters) is None:
+        if len(rows) == 1 and _refused(read, table, policy, parameters):
             found.append(Planted(table=table, code=code, row=rows[0]))
     return found
+
+
+def _refused(read: ReadTable, table: ReadTable, policy: Policy, parameters: Mapping[str, float]) -> bool:
+    """Return whether a table is refused; one that cannot be decided for its tiny numbers is not planted."""
+    with np.errstate(all="ignore"), suppress(np.linalg.LinAlgError):
+        return accept(read, table, policy, parameters) is None
+    return False
 
 
 @lru_cache(maxsize=256)
