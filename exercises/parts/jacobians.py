@@ -66,7 +66,7 @@ OF_FORCES = (
 """What wrong joint forces may look like."""
 
 
-class JacobianQuestion(StrEnum):
+class JacobianAsk(StrEnum):
     """What is asked."""
 
     JACOBIAN = "jacobian"
@@ -89,7 +89,7 @@ class JacobianCells:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class JacobianAnswer:
+class JacobianNumbers:
     """The same in numbers, linear rows first."""
 
     jacobian: Floats | None
@@ -112,12 +112,12 @@ class JacobianPart(Part):
     joints: tuple[Fraction, ...]
     draws: tuple[Draw | None, ...]
     frame: JacobianFrame
-    ask: tuple[JacobianQuestion, ...]
+    ask: tuple[JacobianAsk, ...]
     wrench: tuple[float, ...]
     tolerance: float
 
 
-class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianAnswer]):
+class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
     """Jacobian and statics."""
 
     kind = "jacobian"
@@ -138,14 +138,14 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianAnswer]):
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> JacobianPart:
         """Return the part with its joint values and what is asked."""
         joints, draws = read_joints(reader, robot)
-        asked: list[JacobianQuestion] = []
-        for i, name in enumerate(reader.texts("ask", default=(JacobianQuestion.JACOBIAN.value,))):
-            if name in set(JacobianQuestion):
-                asked.append(JacobianQuestion(name))
+        asked: list[JacobianAsk] = []
+        for i, name in enumerate(reader.texts("ask", default=(JacobianAsk.JACOBIAN.value,))):
+            if name in set(JacobianAsk):
+                asked.append(JacobianAsk(name))
             else:
-                reader.fault("exercise_value_unknown", "ask", i, key="ask", known=", ".join(JacobianQuestion))
+                reader.fault("exercise_value_unknown", "ask", i, key="ask", known=", ".join(JacobianAsk))
         wrench = reader.exacts("wrench", (0, 0, 0, 0, 0, 0))
-        forces = JacobianQuestion.FORCES in asked
+        forces = JacobianAsk.FORCES in asked
         if len(wrench) != 6 or (forces and not any(wrench)):
             reader.fault("joints_wrong_length", "wrench", expected=6)
         return JacobianPart(
@@ -154,7 +154,7 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianAnswer]):
             joints=joints,
             draws=draws,
             frame=reader.choice("frame", JacobianFrame, JacobianFrame.BASE),
-            ask=tuple(dict.fromkeys(asked)) or (JacobianQuestion.JACOBIAN,),
+            ask=tuple(dict.fromkeys(asked)) or (JacobianAsk.JACOBIAN,),
             wrench=tuple(float(value) for value in wrench),
             tolerance=reader.number("tolerance", 0.005),
         )
@@ -179,11 +179,11 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianAnswer]):
         if exercise.part(TABLE) is None:
             numbers.insert(0, given_table(instance))
         form: list[FormField] = []
-        if JacobianQuestion.JACOBIAN in part.ask:
+        if JacobianAsk.JACOBIAN in part.ask:
             orders = tuple(order.value for order in ScrewOrder)
             form.append(FormField(name="order", shape=FieldShape.CHOICE, options=orders))
             form.append(FormField(name="jacobian", shape=FieldShape.MATRIX, labels=names, rows=6))
-        if JacobianQuestion.FORCES in part.ask:
+        if JacobianAsk.FORCES in part.ask:
             shown = ("fx", "fy", "fz", "mx", "my", "mz")
             numbers.append(GivenNumbers(name="wrench", labels=shown, rows=(part.wrench,)))
             form.append(FormField(name="forces", shape=FieldShape.VECTOR, labels=names))
@@ -199,7 +199,7 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianAnswer]):
             numbers=tuple(numbers),
         )
 
-    def read(self, raw: JacobianCells, reading: Reading) -> JacobianAnswer | None:
+    def read(self, raw: JacobianCells, reading: Reading) -> JacobianNumbers | None:
         """Return the matrix, linear rows first, and the forces."""
         before = len(reading.faults)
         n = len(reading.joint_types)
@@ -225,9 +225,9 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianAnswer]):
         jacobian = np.array(rows, dtype=np.float64) if rows else None
         if jacobian is not None and raw.order is ScrewOrder.ANGULAR_FIRST:
             jacobian = np.vstack([jacobian[3:], jacobian[:3]])
-        return JacobianAnswer(jacobian=jacobian, forces=forces)
+        return JacobianNumbers(jacobian=jacobian, forces=forces)
 
-    def grade(self, part: JacobianPart, answer: JacobianAnswer, context: Context) -> PartReport:
+    def grade(self, part: JacobianPart, answer: JacobianNumbers, context: Context) -> PartReport:
         """Judge column by column, and force by force; what is asked counts the same."""
         chain, joints = _arm(part, context)
         with_table = context.instance.exercise.part(TABLE) is not None
@@ -237,7 +237,7 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianAnswer]):
         feedback: list[Feedback] = []
         total = 0.0
         for question in part.ask:
-            if question is JacobianQuestion.JACOBIAN:
+            if question is JacobianAsk.JACOBIAN:
                 share, found, told = _jacobian(part, answer, chain, joints)
             else:
                 share, found, told = _forces(part, answer, chain, joints)
@@ -255,11 +255,11 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianAnswer]):
         """Return what follows from the student's own table, or from the key, rounded as on paper."""
         chain, joints = _arm(part, context)
         written = JacobianCells()
-        if JacobianQuestion.JACOBIAN in part.ask:
+        if JacobianAsk.JACOBIAN in part.ask:
             rows = np.round(jacobian_at(chain, joints, part.frame), DECIMALS) + 0.0
             cells = tuple(tuple(row) for row in rows.tolist())
             written = replace(written, order=ScrewOrder.LINEAR_FIRST, jacobian=cells)
-        if JacobianQuestion.FORCES in part.ask:
+        if JacobianAsk.FORCES in part.ask:
             forces = joint_forces_at(chain, joints, part.wrench, part.frame)
             written = replace(written, forces=tuple((np.round(forces, DECIMALS) + 0.0).tolist()))
         return written
@@ -283,7 +283,7 @@ def _arm(part: JacobianPart, context: Context) -> tuple[Chain, Sequence[float]]:
 
 
 def _jacobian(
-    part: JacobianPart, answer: JacobianAnswer, chain: Chain, joints: Sequence[float]
+    part: JacobianPart, answer: JacobianNumbers, chain: Chain, joints: Sequence[float]
 ) -> tuple[float, list[Fact], list[Feedback]]:
     if answer.jacobian is None:
         missing = Feedback(code="jacobian_missing", params={"what": "jacobian"})
@@ -300,7 +300,7 @@ def _jacobian(
 
 
 def _forces(
-    part: JacobianPart, answer: JacobianAnswer, chain: Chain, joints: Sequence[float]
+    part: JacobianPart, answer: JacobianNumbers, chain: Chain, joints: Sequence[float]
 ) -> tuple[float, list[Fact], list[Feedback]]:
     if answer.forces is None:
         missing = Feedback(code="jacobian_missing", params={"what": "forces"})
