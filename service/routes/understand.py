@@ -11,6 +11,10 @@ from fastapi import Body, Response
 from fastapi.openapi.models import Example
 
 from exercises.access import Tool
+from exercises.definition import Exercise
+from exercises.errors import UnknownExerciseError
+from exercises.loader import Library
+from exercises.names import table_faults
 from exercises.parts.matrix_cells import read_entries
 from kinematics.cells import (
     AngleUnit,
@@ -32,7 +36,7 @@ from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
 from service.http.languages import language_for
 from service.http.link_guard import switched_off
 from service.http.openapi import problems
-from service.http.problems import Problem
+from service.http.problems import Problem, RequestError
 from service.http.routing import ApiRequest, api_router
 from service.resources import resources_of
 from service.schemas.base import FaultEntry
@@ -59,7 +63,17 @@ EXAMPLES: dict[str, Example] = {
                 ],
             }
         }
-    }
+    },
+    "a name that the exercise does not know": {
+        "value": {
+            "table": {
+                "convention": "modified",
+                "angle_unit": "deg",
+                "rows": [{"joint": "revolute", "alpha": 0, "a": "a9", "d": 0, "theta": "θ1"}],
+            },
+            "exercise": "scara",
+        }
+    },
 }
 
 Place = tuple[int, str]
@@ -78,20 +92,31 @@ async def understand(
 ) -> UnderstandAnswer:
     """The meaning of every cell that can be read, the link matrix of every row with numbers, and the faults.
 
-    Unlike the other calls this one does not refuse a table with faults: it says what it can of the rest.
+    Unlike the other calls this one does not refuse a table with faults: it says what it can of the rest. With
+    the id of an `exercise`, names that the exercise does not know are among the faults.
     """
     language = language_for(request.headers.get("accept-language"))
     response.headers["Content-Language"] = language
     response.headers["Vary"] = "Accept-Language"
     hidden = switched_off(request, Tool.MATRICES, resources_of(request).exercises)
-    work = partial(_understood, body, request.settings, language, links=not hidden)
+    exercise = None if body.exercise is None else _exercise(body.exercise, resources_of(request).exercises)
+    work = partial(_understood, body, exercise, request.settings, language, links=not hidden)
     return await request.in_turn(work)
 
 
+def _exercise(name: str, library: Library) -> Exercise:
+    try:
+        return library.exercise(name)
+    except UnknownExerciseError as error:
+        raise RequestError(replace(fault, where=("exercise",)) for fault in error.faults) from error
+
+
 def _understood(
-    body: UnderstandRequest, settings: Settings, language: str, *, links: bool
+    body: UnderstandRequest, exercise: Exercise | None, settings: Settings, language: str, *, links: bool
 ) -> UnderstandAnswer:
     read, faults, unread = _read_what_can_be(body.table.raw(), settings.cell_limits)
+    if read and exercise:
+        faults += tuple(table_faults(read, exercise))
     values = _known_values(read, body.parameters) if read else {}
     matrices, of_matrices = _matrices(body, read)
     return UnderstandAnswer(
@@ -240,4 +265,4 @@ def _entries(faults: tuple[Fault, ...], language: str, limit: int) -> list[Fault
     if not faults:
         return []
     document = Problem(status=422, faults=faults).document(language, fault_limit=limit)
-    return [FaultEntry.model_validate(entry) for entry in document["errors"]]  # type: ignore[attr-defined]
+    return [FaultEntry.model_validate(entry, strict=False) for entry in document["errors"]]  # type: ignore[attr-defined]

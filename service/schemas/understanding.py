@@ -31,6 +31,11 @@ class UnderstandRequest(Wire):
         description="values of parameters, in the table's units; "
         "names that the table does not hold are ignored",
     )
+    exercise: str | None = Field(
+        None,
+        max_length=64,
+        description="id of the exercise that the table is typed for: names that it does not know are faults",
+    )
 
 
 class Meaning(Wire):

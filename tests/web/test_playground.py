@@ -64,6 +64,8 @@ def test_a_catalogue_robot_with_its_configurations(open_page: OpenPage) -> None:
     page.get_by_label("Robot of the catalogue").select_option("stanford")
     expect(page.locator("joint-sliders .joint-name")).to_have_count(6)
     assert column(page, "alpha") == STANFORD_ALPHAS
+    page.get_by_text("Where its figures come from").click()
+    expect(page.locator("#table-body details")).to_contain_text("Nascimento")
     page.get_by_role("button", name="the arm lies along x0").first.click()
     expect(page.locator("joint-sliders .joint-number input").nth(2)).to_have_value("0.5")
 
@@ -412,6 +414,11 @@ def test_solutions_stand_side_by_side(open_page: OpenPage) -> None:
     page.get_by_role("button", name="Solve").click()
     rows = page.locator("#tools .solutions tbody tr")
     expect(rows).to_have_count(3)
+    for button in rows.get_by_role("button").all():
+        box = button.bounding_box()
+        assert box is not None
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= 1280
     expect(page.locator(".tool", has_text="side by side")).to_contain_text(
         "5 more lie outside the joint limits"
     )

@@ -9,6 +9,7 @@ playground-robot = Robot
 playground-answers = Answers
 playground-number = Number
 playground-catalogue = Robot of the catalogue
+playground-origin = Where its figures come from
 playground-catalogue-choose = Choose a robot
 playground-configurations = Show it in this posture
 playground-share = Copy a link to this robot

@@ -9,6 +9,7 @@ playground-robot = Robot
 playground-answers = Respuestas
 playground-number = Número
 playground-catalogue = Robot del catálogo
+playground-origin = De dónde vienen sus cifras
 playground-catalogue-choose = Elija un robot
 playground-configurations = Mostrarlo en esta postura
 playground-share = Copiar un enlace a este robot

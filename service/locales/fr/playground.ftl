@@ -9,6 +9,7 @@ playground-robot = Robot
 playground-answers = Réponses
 playground-number = Numéro
 playground-catalogue = Robot du catalogue
+playground-origin = D’où viennent ses valeurs
 playground-catalogue-choose = Choisir un robot
 playground-configurations = Le montrer dans cette posture
 playground-share = Copier un lien vers ce robot

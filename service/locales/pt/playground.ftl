@@ -9,6 +9,7 @@ playground-robot = Robô
 playground-answers = Respostas
 playground-number = Número
 playground-catalogue = Robô do catálogo
+playground-origin = De onde vêm os seus valores
 playground-catalogue-choose = Escolha um robô
 playground-configurations = Mostrar nesta postura
 playground-share = Copiar uma ligação para este robô

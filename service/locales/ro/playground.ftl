@@ -9,6 +9,7 @@ playground-robot = Robot
 playground-answers = Răspunsuri
 playground-number = Număr
 playground-catalogue = Robot din catalog
+playground-origin = De unde vin valorile lui
 playground-catalogue-choose = Alegeți un robot
 playground-configurations = Arată-l în această configurație
 playground-share = Copiază un link către acest robot

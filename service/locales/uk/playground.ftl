@@ -9,6 +9,7 @@ playground-robot = Робот
 playground-answers = Відповіді
 playground-number = Номер
 playground-catalogue = Робот з каталогу
+playground-origin = Звідки взято його дані
 playground-catalogue-choose = Оберіть робота
 playground-configurations = Показати в цій конфігурації
 playground-share = Скопіювати посилання на цього робота

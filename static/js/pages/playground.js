@@ -142,7 +142,7 @@ class Playground {
   use(found, joints = []) {
     this.bringing.cancel();
     this.found = found;
-    this.catalogue?.show(found.id ?? "");
+    this.catalogue?.show(found.id ?? "", found.source);
     this.editor.load(found.table);
     this.foundTable = JSON.stringify(this.editor.table);
     this.#tell(null);

@@ -8,13 +8,15 @@ import { Cells, cellValue } from "./cells.js";
 
 /**
  * @typedef {{table: any, parameters?: Record<string, number>, configurations?: Record<string, {joints: number[], meaning: string}>,
- *   limits?: import("../joint-ranges.js").Limits, limits_source?: string | null, id?: string}} Found a robot as it goes into the page
+ *   limits?: import("../joint-ranges.js").Limits, limits_source?: string | null, id?: string,
+ *   source?: {document: string, place: string, figures: string}}} Found a robot as it goes into the page
  */
 
 /**
  * A choice of the catalogue's robots.
  * @param {import("../api.js").Api} api @param {(call: (signal: AbortSignal) => Promise<Found>) => Promise<unknown>} bring
- * @returns {{element: HTMLElement, show: (id: string) => void}} `show` says which robot it is, if it is one of these
+ * @returns {{element: HTMLElement, show: (id: string, from?: Found["source"]) => void}} `show` says which robot it is, if
+ *   it is one of these, and where its figures come from
  */
 export function catalogueChoice(api, bring) {
   const id = uniqueId("catalogue");
@@ -22,6 +24,7 @@ export function catalogueChoice(api, bring) {
     el("select", { id }, el("option", { value: "", text: t("playground-catalogue-choose") }))
   );
   const problem = el("div", { hidden: true });
+  const origin = el("details", { hidden: true });
   /** @param {unknown} error */
   const show = (error) => {
     problem.hidden = !error;
@@ -43,9 +46,23 @@ export function catalogueChoice(api, bring) {
     { class: "field" },
     el("label", { for: id, text: t("playground-catalogue") }),
     select,
+    origin,
     problem,
   );
-  return { element, show: (robot) => (select.value = robot) };
+  return {
+    element,
+    show: (robot, from) => {
+      select.value = robot;
+      origin.hidden = !robot || !from;
+      if (!from) return;
+      fill(
+        origin,
+        el("summary", { text: t("playground-origin") }),
+        el("p", { class: "hint", text: `${from.document}: ${from.place}.` }),
+        el("p", { class: "hint", text: from.figures }),
+      );
+    },
+  };
 }
 
 const JOINTS = () => ["revolute", "prismatic"].map((value) => ({ value, label: t(`form-joint-${value}`) }));
