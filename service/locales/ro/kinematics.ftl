@@ -33,3 +33,5 @@ error-screw_not_finite = Un torsor cinematic este format din șase numere finite
 error-screw_not_unit = Partea unghiulară a torsorului unei cuple de rotație sau partea liniară a torsorului unei cuple de translație are lungimea 1.
 error-screw_has_pitch = Acest torsor are pasul { $pitch } pe radian. O cuplă fie se rotește, fie translatează.
 error-screw_of_other_type = Torsorul { $joint } nu este de tipul declarat: o cuplă de rotație are parte unghiulară, una prismatică nu are.
+error-tree_after_unknown = Rândul { $row } urmează sistemul { $given }: trebuie să urmeze baza (0) sau un rând anterior. Lanțurile închise nu sunt tratate.
+error-tree_end_unknown = Nu există sistemul { $given }: arborele are { $count }.
