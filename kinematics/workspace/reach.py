@@ -10,11 +10,13 @@ from numpy.typing import ArrayLike
 
 from kinematics.errors import Fault, PoseError, TableError
 from kinematics.forward import end_poses
-from kinematics.inverse.lengths import check_lengths, is_far, too_long
+from kinematics.inverse.arm import ArmReach
+from kinematics.inverse.lengths import check_lengths, is_far, is_long, too_long
 from kinematics.inverse.limits import JointLimits
-from kinematics.se3 import check_transform
+from kinematics.se3 import Transform, check_transform, inverse_transform
 from kinematics.table import NumericTable
 from kinematics.workspace.climbing import Summit, first_axis, summits
+from kinematics.workspace.conditions import Conditions, places_within, summits_within
 from kinematics.workspace.goals import Array, direction_goal, distance_goals
 from kinematics.workspace.spans import joint_spans, spread
 
@@ -79,8 +81,14 @@ def workspace(
     base: ArrayLike | None = None,
     tool: ArrayLike | None = None,
     samples: int = 0,
+    plane: tuple[ArrayLike, ArrayLike] | None = None,
+    held: ArrayLike | None = None,
+    counts: ArmReach = ArmReach.POSE,
 ) -> Workspace:
     """How near and how far the joints bring the origin of the end frame, and in which box.
+
+    With a plane, or with the end frame held, only configurations count that have the origin in the plane and
+    the frame as it is held.
 
     Every number is that of a configuration within the limits, so no number promises more than the robot can
     do. That nothing lies beyond is found by climbing from many starts, and not proved.
@@ -91,12 +99,17 @@ def workspace(
             turns fully.
         base: (4, 4) pose of frame 0 in the world; it moves box and points, never the radii.
         tool: (4, 4) pose of the end frame in frame N.
-        samples: number of points, spread evenly over the joints' ranges.
+        samples: number of points, spread evenly over the joints' ranges; under conditions those of them that
+            could be brought to meet them.
+        plane: a point of a plane in the world, and its normal; the origin of the end frame lies in it.
+        held: (4, 4) pose of which the end frame has the orientation, in the world.
+        counts: POSE where the whole orientation counts, AXIS where the z axis does.
 
     Raises:
         TableError: the table has no joint, or an entry is NaN, infinite or too large.
         JointValueError: limits of the wrong number, reversed or too large, or a sliding joint without them.
-        PoseError: base or tool is not a rigid transform, or too far away.
+        PoseError: base, tool or held is not a rigid transform, or too far away; a normal of no length, at
+            ("plane", "normal"); or no configuration meets the conditions, at ("plane",) or ("orientation",).
     """
     check_reach(table, base, tool)
     spans = joint_spans(table, limits)
@@ -109,13 +122,20 @@ def workspace(
         *distance_goals(np.zeros(3), None),
         *(direction_goal(side) for side in sides),
     ]
-    near_axis, far_axis, near, far, *corners = summits(table, goals, spans, T_n_t)
+    conditions = _conditions(T_w_0, plane, held, counts)
+    if conditions is None:
+        found = summits(table, goals, spans, T_n_t)
+        places = end_poses(table, spread(spans, samples), tool=tool)[:, :3, 3] if samples else None
+    else:
+        found = summits_within(table, goals, spans, conditions, T_n_t)
+        places = places_within(table, samples, spans, conditions, T_n_t) if samples else None
+    places = np.empty((0, 3)) if places is None else places
+    near_axis, far_axis, near, far, *corners = found
     across = np.eye(3) - np.outer(direction, direction)
     reach = float(np.linalg.norm(far.place))
     ends = [corner.value for corner in corners]
     low = [float(T_w_0[k, 3]) - ends[k] for k in range(3)]
     high = [float(T_w_0[k, 3]) + ends[3 + k] for k in range(3)]
-    places = end_poses(table, spread(spans, samples), tool=tool)[:, :3, 3] if samples else np.empty((0, 3))
     return Workspace(
         inner=Radii(
             axis=_radius(near_axis, across @ (near_axis.place - point), reach),
@@ -130,6 +150,29 @@ def workspace(
         points=places @ T_w_0[:3, :3].T + T_w_0[:3, 3],
         section=_section(places, point, direction),
     )
+
+
+def _conditions(
+    base: Transform,
+    plane: tuple[ArrayLike, ArrayLike] | None,
+    held: ArrayLike | None,
+    counts: ArmReach,
+) -> Conditions | None:
+    """What has to hold, seen from frame 0; None if nothing has."""
+    if plane is None and held is None:
+        return None
+    to_base = inverse_transform(base)
+    level = None
+    if plane is not None:
+        point, normal = (np.asarray(vector, dtype=np.float64) for vector in plane)
+        length = float(np.linalg.norm(normal))
+        if not 0.0 < length < math.inf:
+            raise PoseError(Fault(code="axis_length", where=("plane", "normal")))
+        if is_long(np.abs(point).max()):
+            raise PoseError(too_long(("plane", "point")))
+        level = to_base[:3, :3] @ point + to_base[:3, 3], to_base[:3, :3] @ (normal / length)
+    pose = None if held is None else to_base @ check_transform(held, where=("orientation",))
+    return Conditions(plane=level, pose=pose, reach=counts)
 
 
 def _section(places: Array, point: Array, direction: Array) -> Array:

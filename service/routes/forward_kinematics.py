@@ -20,6 +20,7 @@ from service.schemas.forward_kinematics import (
 from service.wire.pose_answers import (
     ARRAY_PARTS,
     PoseQuestion,
+    check_points,
     json_blocks,
     may_overflow,
     npy_blocks,
@@ -53,7 +54,7 @@ async def forward_kinematics(request: ApiRequest) -> Response:
     A batch may also come as `application/x-npy`: the body is the array of joint values, one row each;
     the query parameter `request` holds the rest of the request as JSON, or `robot` the id of a robot of
     the catalogue. With `Accept: application/x-npy` the answer is such a file too: the transforms, or the one
-    array named in `parts`.
+    array named in `parts`. `points` of links are mapped into the frame before and into the world.
     """
     offer = request.accepts(JSON, NPY)
     asked = await _READER.read(request)
@@ -74,7 +75,12 @@ async def forward_kinematics(request: ApiRequest) -> Response:
 def _question(asked: ReadQuestion[ForwardKinematicsQuestion], offer: str) -> PoseQuestion:
     wire = asked.wire
     parts = STANDARD_PARTS if wire is None else wire.wanted()
+    points = (wire.points if wire else None) or []
+    check_points(asked.robot, points)
+    if points and offer == NPY:
+        raise _one_part("points")
     return PoseQuestion(
+        points=points,
         robot=asked.robot,
         joints=asked.joints,
         base=wire.base if wire else None,
@@ -88,11 +94,10 @@ def _one_array(parts: tuple[PoseQuantity, ...]) -> tuple[PoseQuantity, ...]:
     if parts is STANDARD_PARTS:
         return (PoseQuantity.TRANSFORM,)
     if len(parts) != 1 or parts[0] not in ARRAY_PARTS:
-        raise RequestError(
-            Fault(
-                code="npy_one_part",
-                where=("parts",),
-                params={"allowed": tuple(part.value for part in ARRAY_PARTS)},
-            )
-        )
+        raise _one_part("parts")
     return parts
+
+
+def _one_part(field: str) -> RequestError:
+    params = {"allowed": tuple(part.value for part in ARRAY_PARTS)}
+    return RequestError(Fault(code="npy_one_part", where=(field,), params=params))

@@ -7,6 +7,7 @@ from typing import Annotated, Any
 
 from fastapi import Body
 
+from kinematics.inverse import ArmReach
 from kinematics.inverse.limits import JointLimits
 from kinematics.workspace import Radius, Workspace, check_reach, joint_spans, workspace
 from service.http.openapi import problems
@@ -15,6 +16,7 @@ from service.schemas import examples
 from service.schemas import workspace_request as wire
 from service.schemas.joint_limits import domain_limits
 from service.wire.fault_pointers import traced
+from service.wire.pose_matrices import placed_matrix
 from service.wire.prepared_robots import PreparedRobot, listed_robot
 from service.work.workers import Lane
 
@@ -24,6 +26,7 @@ _DMRA: dict[str, Any] = {"robot": "dmra"}
 _EXAMPLES: dict[str, Any] = {
     "DMRA, every joint turning fully": _DMRA,
     "a SCARA within its limits, with points": {"robot": "scara", "samples": 16},
+    "DMRA in its support plane, the hand pointing down": {"robot": "dmra", "plane": {}, "axis": [0, 0, -1]},
     "two links with an elbow that bends by 30° to 120°": {
         "table": {**examples.TWO_LINKS, "angle_unit": "deg"},
         "parameters": {"L1": 0.4, "L2": 0.3},
@@ -46,7 +49,8 @@ async def reach(
 
     Radii are measured from the axis of the first joint and from the origin of frame 0. Each number is that
     of a configuration within the limits, exact to rounding; that nothing lies beyond is found by climbing
-    from many starts, not proved.
+    from many starts, not proved. With `plane`, `quaternion` or `axis` only configurations count that have the
+    origin in the plane and the end frame oriented so.
     """
     resources = request.resources
     robot = await request.in_turn(partial(resources.robots.prepare, body))
@@ -54,7 +58,12 @@ async def reach(
     with traced(body):
         check_reach(robot.table, body.base, body.tool)
     joint_spans(robot.table, limits)
-    question = (robot.table, limits, body.base, body.tool, body.samples or 0)
+    held = None
+    if body.quaternion is not None or body.axis is not None:
+        held = placed_matrix([0.0, 0.0, 0.0], body.quaternion, body.axis)
+    plane = None if body.plane is None else (body.plane.point, body.plane.normal)
+    reach = ArmReach.POSE if body.axis is None else ArmReach.AXIS
+    question = (robot.table, limits, body.base, body.tool, body.samples or 0, plane, held, reach)
     found = await resources.workers.run(Lane.SLOW, _found, *question)
     return _answer(found, robot)
 
@@ -65,8 +74,12 @@ def _limits(body: wire.WorkspaceRequest, robot: PreparedRobot) -> JointLimits | 
     return domain_limits(body.limits, robot.joint_units)
 
 
-def _found(table: Any, limits: Any, base: Any, tool: Any, samples: int) -> Workspace:
-    return workspace(table, limits, base=base, tool=tool, samples=samples)
+def _found(
+    table: Any, limits: Any, base: Any, tool: Any, samples: int, plane: Any, held: Any, reach: ArmReach
+) -> Workspace:
+    return workspace(
+        table, limits, base=base, tool=tool, samples=samples, plane=plane, held=held, counts=reach
+    )
 
 
 def _answer(found: Workspace, robot: PreparedRobot) -> wire.WorkspaceResponse:

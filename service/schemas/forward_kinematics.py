@@ -33,6 +33,16 @@ STANDARD_PARTS = (
 )
 
 
+MOST_MAPPED = 64
+
+
+class LinkPoint(Wire):
+    """A point of a link."""
+
+    frame: int = Field(ge=1, description="number of the link's frame: its row, from 1")
+    at: Vector3 = Field(description="its coordinates in that frame")
+
+
 class ForwardKinematicsQuestion(RobotQuestion):
     """What is asked of a robot, without the joint values."""
 
@@ -44,6 +54,10 @@ class ForwardKinematicsQuestion(RobotQuestion):
         max_length=LONGEST_LIST,
         min_length=1,
         description="the parts of the answer that are wanted; all but the inverse if left out",
+    )
+
+    points: list[LinkPoint] | None = Field(
+        None, min_length=1, max_length=MOST_MAPPED, description="points of links whose places are wanted"
     )
 
     def wanted(self) -> tuple[PoseQuantity, ...]:
@@ -86,6 +100,13 @@ class Orientation(Wire):
     )
 
 
+class MappedPoint(Wire):
+    """Where a point of link i is."""
+
+    previous: Vector3 | list[Vector3] = Field(description="its coordinates in frame i-1")
+    world: Vector3 | list[Vector3] = Field(description="its coordinates in the world, base included")
+
+
 class ForwardKinematicsAnswer(Units):
     """Poses. Of a batch, every part has one more axis in front, the configuration."""
 
@@ -99,3 +120,4 @@ class ForwardKinematicsAnswer(Units):
     position: Vector3 | list[Vector3] | None = Field(None, description="origin of the end frame")
     orientation: Orientation | None = None
     inverse: Matrix4 | list[Matrix4] | None = Field(None, description="the inverse of the transform")
+    points: list[MappedPoint] | None = Field(None, description="the points that were asked for, in order")

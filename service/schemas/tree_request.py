@@ -8,7 +8,7 @@ from pydantic import Field
 
 from kinematics.cells import AngleUnit, LengthUnit, RawRow
 from kinematics.table import JointType
-from kinematics.trees import RawTreeRow
+from kinematics.tree_structures import RawTreeRow
 from service.schemas.base import LONGEST_LIST, Matrix4, Real, Wire
 from service.schemas.jacobian_request import Matrix6
 from service.schemas.tables import Cell, Parameters, Table, Units

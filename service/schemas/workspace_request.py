@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
+from pydantic_core import PydanticCustomError
 
 from service.schemas.base import Matrix4, Real, Vector3, Wire
 from service.schemas.joint_limits import JointRanges
@@ -12,6 +13,13 @@ from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
 MOST_POINTS = 20_000
+
+
+class PlaneModel(Wire):
+    """A plane in the world."""
+
+    point: Vector3 = Field([0.0, 0.0, 0.0], description="one of its points; the origin if left out")
+    normal: Vector3 = Field([0.0, 0.0, 1.0], description="its normal, of any length; z if left out")
 
 
 class WorkspaceRequest(RobotQuestion):
@@ -28,6 +36,21 @@ class WorkspaceRequest(RobotQuestion):
     )
     base: Matrix4 | None = Field(None, description="pose of frame 0 in the world: moves box and points")
     tool: Matrix4 | None = Field(None, description="pose of the end frame in frame N")
+    plane: PlaneModel | None = Field(
+        None, description="only places in this plane count, such as the support plane {}: z = 0"
+    )
+    quaternion: Annotated[list[Real], Field(min_length=4, max_length=4)] | None = Field(
+        None, description="only with the end frame oriented so, in the world: [w, x, y, z] of any length"
+    )
+    axis: Vector3 | None = Field(
+        None, description="only with the end frame's z axis along this, in the world; turns about it are free"
+    )
+
+    @model_validator(mode="after")
+    def _one_orientation(self) -> Self:
+        if self.quaternion is not None and self.axis is not None:
+            raise PydanticCustomError("quaternion_or_axis", "give at most one of quaternion and axis")
+        return self
 
 
 class RadiusModel(Wire):

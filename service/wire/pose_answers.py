@@ -10,7 +10,7 @@ import numpy as np
 import orjson
 from numpy.typing import NDArray
 
-from kinematics.errors import Fault, JointValueError
+from kinematics.errors import Fault, JointValueError, TableError
 from kinematics.forward import ForwardKinematics, end_poses, forward_kinematics
 from kinematics.pose_batches import (
     axis_angles_from_transforms,
@@ -21,7 +21,7 @@ from kinematics.poses import pose_notations
 from kinematics.se3 import inverse_transform
 from kinematics.table import JointType
 from service.http.npy import npy_data, npy_header
-from service.schemas.forward_kinematics import STANDARD_PARTS, PoseQuantity
+from service.schemas.forward_kinematics import STANDARD_PARTS, LinkPoint, PoseQuantity
 from service.wire.json_chunks import blocks, list_chunks, written
 from service.wire.prepared_robots import PreparedRobot
 
@@ -46,6 +46,7 @@ class PoseQuestion:
         base: pose of frame 0 in the world, or None.
         tool: pose of the tool in frame N, or None.
         parts: what is wanted of the answer.
+        points: points of links whose places are wanted.
     """
 
     robot: PreparedRobot
@@ -53,6 +54,7 @@ class PoseQuestion:
     parts: Sequence[PoseQuantity]
     base: Matrix | None = None
     tool: Matrix | None = None
+    points: Sequence[LinkPoint] = ()
 
     def poses(self, start: int | None = None, stop: int | None = None) -> ForwardKinematics:
         """The poses, or those of a block of the batch."""
@@ -88,7 +90,41 @@ def one_answer(question: PoseQuestion) -> bytes:
                 answer[part.value] = _orientation(_notations(poses.transform, question.robot.angle))
             else:
                 answer[part.value] = _ARRAYS[part](poses)
+    if question.points:
+        answer["points"] = _mapped(question, poses)
     return orjson.dumps(answer, option=orjson.OPT_SERIALIZE_NUMPY)
+
+
+def check_points(robot: PreparedRobot, points: Sequence[LinkPoint]) -> None:
+    """Make sure that every point is one of a link that there is.
+
+    Raises:
+        TableError: it is not, at ("points", i, "frame").
+    """
+    count = len(robot.table.rows)
+    faults = [
+        Fault(
+            code="frame_unknown",
+            where=("points", i, "frame"),
+            params={"given": point.frame, "count": count},
+        )
+        for i, point in enumerate(points)
+        if point.frame > count
+    ]
+    if faults:
+        raise TableError(faults)
+
+
+def _mapped(question: PoseQuestion, poses: ForwardKinematics) -> list[dict[str, Floats]]:
+    """Places of the points of links: seed 003 eq. 1 and 8."""
+    return [
+        {
+            name: array[..., point.frame - 1, :3, :3] @ np.array(point.at)
+            + array[..., point.frame - 1, :3, 3]
+            for name, array in (("previous", poses.links), ("world", poses.frames))
+        }
+        for point in question.points
+    ]
 
 
 def _add_standard_parts(answer: dict[str, object], poses: ForwardKinematics, angle: float) -> None:
@@ -112,6 +148,9 @@ def json_blocks(question: PoseQuestion) -> Iterator[bytes]:
         for start, stop in blocks(len(question.joints), JSON_BLOCK):
             yield (b"," if start else b"") + written(question.array(part, start, stop))[1:-1]
         yield b"]"
+    if question.points:
+        mapped = _mapped(question, question.poses())
+        yield b',"points":' + orjson.dumps(mapped, option=orjson.OPT_SERIALIZE_NUMPY)
     yield b"}"
 
 

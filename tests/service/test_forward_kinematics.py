@@ -230,3 +230,31 @@ def test_batches_that_find_no_place_are_told_to_come_back() -> None:
             if client.post(PATH, json=body).status_code == 200:
                 return
         raise AssertionError("the place was never left")
+
+
+def test_points_of_links_are_mapped(client: httpx.Client) -> None:
+    """Seed 003 eq. 1 and 8: a point of link i in frame i-1, and in frame 0."""
+    points = [{"frame": 2, "at": [10, -5, 3]}, {"frame": 6, "at": [0, 0, 0]}]
+    body = {"robot": "dmra", "joints": [20, -60, 30, 10, 40, 0], "points": points}
+    answer = client.post("/api/v1/forward-kinematics", json=body).json()
+    for point, mapped in zip(points, answer["points"], strict=True):
+        at, k = np.array([*point["at"], 1.0]), point["frame"] - 1
+        assert np.allclose(mapped["previous"], (np.array(answer["links"][k]) @ at)[:3])
+        assert np.allclose(mapped["world"], (np.array(answer["frames"][k]) @ at)[:3])
+    assert np.allclose(answer["points"][1]["world"], answer["position"])
+    batch = client.post(
+        "/api/v1/forward-kinematics",
+        json={**body, "joints": [body["joints"], [0] * 6], "parts": ["position"]},
+    ).json()
+    assert np.allclose(batch["points"][0]["world"][0], answer["points"][0]["world"])
+    assert len(batch["points"][0]["previous"]) == 2
+
+
+def test_points_of_links_that_are_not_there(client: httpx.Client) -> None:
+    body = {"robot": "dmra", "joints": [0] * 6, "points": [{"frame": 7, "at": [0, 0, 0]}]}
+    response = client.post("/api/v1/forward-kinematics", json=body)
+    assert response.status_code == 422
+    assert response.json()["errors"][0]["code"] == "frame_unknown"
+    body["points"] = [{"frame": 1, "at": [0, 0, 0]}]
+    arrays = client.post("/api/v1/forward-kinematics", json=body, headers={"Accept": "application/x-npy"})
+    assert arrays.json()["code"] == "npy_one_part"

@@ -128,7 +128,7 @@ def test_a_tree_without_branches_is_a_modified_table(client: httpx.Client) -> No
         ([{**ROWS[0], "gamma": "1/0"}], {}, None, "/tree/rows/0/gamma"),
         ([ROWS[0], {**ROWS[1], "b": "w +"}], {}, None, "/tree/rows/1/b"),
         ([ROWS[0], {**ROWS[1], "a": "w*"}], {}, None, "/tree/rows/1/a"),
-        (ROWS, {"ends": [7]}, "tree_end_unknown", "/ends/0"),
+        (ROWS, {"ends": [7]}, "frame_unknown", "/ends/0"),
         (ROWS, {"joints": [1, 2]}, "joints_wrong_length", "/joints"),
         (ROWS, {"parameters": {"h": 1, "w": 1}}, "parameter_missing", "/parameters/L"),
         (ROWS, {"parameters": {"h": 1, "w": 1, "L": 1e200}}, "result_not_finite", "/tree/rows/2/a"),

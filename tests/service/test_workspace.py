@@ -37,6 +37,38 @@ def test_degrees_and_units(client: httpx.Client) -> None:
     assert "points" not in found
 
 
+def test_the_support_plane_with_the_hand_down(client: httpx.Client) -> None:
+    found = answered(client, {"robot": "dmra", "plane": {}, "axis": [0, 0, -1], "limits": [None] * 6})
+    assert found["outer_radius"]["axis"] == pytest.approx(
+        45 + np.sqrt((115 + np.hypot(20, 130)) ** 2 - 25**2), abs=1e-7
+    )
+    joints = found["reached"]["outer_radius"]["axis"]
+    pose = np.array(client.post(FK, json={"robot": "dmra", "joints": joints}).json()["transform"])
+    assert pose[2, 3] == pytest.approx(0.0, abs=1e-7)
+    assert pose[2, 2] == pytest.approx(-1.0, abs=1e-9)
+    oriented = answered(client, {"robot": "puma560", "quaternion": [0, 1, 0, 0], "samples": 10})
+    assert 0 < len(oriented["points"]) <= 10
+
+
+@pytest.mark.parametrize(
+    ("changes", "code", "pointer"),
+    [
+        ({"plane": {"point": [0, 0, 5000]}}, "workspace_condition_unmet", "/plane"),
+        ({"plane": {"normal": [0, 0, 0]}}, "axis_length", "/plane/normal"),
+        ({"plane": {"point": [0, 0, 1e300]}}, "result_not_finite", "/plane/point"),
+        ({"axis": [0, 0, 0]}, "axis_length", "/axis"),
+        ({"axis": [0, 0, 1], "quaternion": [1, 0, 0, 0]}, "quaternion_or_axis", ""),
+    ],
+)
+def test_conditions_that_cannot_be_met(
+    client: httpx.Client, changes: dict[str, Any], code: str, pointer: str
+) -> None:
+    response = client.post(PATH, json={"robot": "dmra", **changes})
+    assert response.status_code == 422, response.text
+    error = response.json()["errors"][0]
+    assert (error["code"], error["pointer"].removeprefix("#")) == (code, pointer)
+
+
 def test_ranges_wider_than_a_turn_are_one_turn(client: httpx.Client) -> None:
     body = {"table": TWO_LINKS, "parameters": {"L1": 1, "L2": 1}}
     free = answered(client, body)

@@ -32,4 +32,4 @@ error-screw_not_unit = The angular part of a turning joint's screw, or the linea
 error-screw_has_pitch = This screw has a pitch of { $pitch } per radian. A joint either turns or slides.
 error-screw_of_other_type = Screw { $joint } is said to be of another type than it is: a revolute joint has an angular part, a prismatic one has none.
 error-tree_after_unknown = Row { $row } follows frame { $given }: it has to follow the base (0) or an earlier row. Closed loops are not treated.
-error-tree_end_unknown = There is no frame { $given }: the tree has { $count }.
+error-frame_unknown = There is no frame { $given }; the last one is { $count }.

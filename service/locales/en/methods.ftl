@@ -6,3 +6,4 @@ error-limits_reversed = The limits of joint { $joint } are its least and its gre
 error-limits_too_far = The limits of joint { $joint } are both more than { $limit } rad from 0. Take full turns off both.
 error-pose_tolerance_out_of_range = The tolerance is a positive number up to { $limit }.
 error-targets_wrong_shape = Many targets are a list of 4×4 matrices.
+error-workspace_condition_unmet = No configuration within the limits was found that meets this condition.

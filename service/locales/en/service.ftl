@@ -100,5 +100,6 @@ error-idempotency_key_reused = This Idempotency-Key was used for another request
 error-rate_exceeded = More was asked for than { $limit } a minute, counted by cost. Try again in { $seconds } s.
 error-setting_missing = The setting { $name } is missing.
 problem-title-429 = Too much at once
+error-quaternion_or_axis = Give at most one of “quaternion” and “axis”.
 
 language-name = English

@@ -32,4 +32,4 @@ error-screw_not_unit = La parte angular del torsor de una articulación giratori
 error-screw_has_pitch = Este torsor tiene un paso de { $pitch } por radián. Una articulación o gira o se desliza.
 error-screw_of_other_type = El torsor { $joint } no es del tipo que se indica: una articulación de revolución tiene parte angular, una prismática no.
 error-tree_after_unknown = La fila { $row } sigue al sistema { $given }: debe seguir a la base (0) o a una fila anterior. Las cadenas cerradas no se tratan.
-error-tree_end_unknown = No existe el sistema { $given }: el árbol tiene { $count }.
+error-frame_unknown = No existe el sistema { $given }; el último es el { $count }.

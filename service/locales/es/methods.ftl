@@ -6,3 +6,4 @@ error-limits_reversed = Los límites de la articulación { $joint } son su valor
 error-limits_too_far = Los límites de la articulación { $joint } están ambos a más de { $limit } rad de 0. Reste a ambos vueltas completas.
 error-pose_tolerance_out_of_range = La tolerancia es un número positivo no mayor que { $limit }.
 error-targets_wrong_shape = Varios objetivos se dan como una lista de matrices 4×4.
+error-workspace_condition_unmet = No se encontró ninguna configuración dentro de los límites que cumpla esta condición.

@@ -100,5 +100,6 @@ error-idempotency_key_reused = Esta Idempotency-Key ya se usó para otra petici�
 error-rate_exceeded = Se ha pedido más de { $limit } por minuto, según el coste. Inténtalo de nuevo en { $seconds } s.
 error-setting_missing = Falta el ajuste { $name }.
 problem-title-429 = Demasiado de una vez
+error-quaternion_or_axis = Indique a lo sumo uno de «quaternion» y «axis».
 
 language-name = Español

@@ -32,4 +32,4 @@ error-screw_not_unit = La partie angulaire du torseur d’une articulation roto�
 error-screw_has_pitch = Ce torseur a un pas de { $pitch } par radian. Une articulation tourne ou coulisse, pas les deux.
 error-screw_of_other_type = Le torseur { $joint } n’est pas du type annoncé : une articulation rotoïde a une partie angulaire, une prismatique n’en a pas.
 error-tree_after_unknown = La ligne { $row } suit le repère { $given } : elle doit suivre la base (0) ou une ligne précédente. Les boucles fermées ne sont pas traitées.
-error-tree_end_unknown = Il n’y a pas de repère { $given } : l’arbre en a { $count }.
+error-frame_unknown = Il n’y a pas de repère { $given } ; le dernier est le { $count }.

@@ -6,3 +6,4 @@ error-limits_reversed = Les butées de l’articulation { $joint } sont sa valeu
 error-limits_too_far = Les butées de l’articulation { $joint } sont toutes deux à plus de { $limit } rad de 0. Retranchez des tours complets de l’une et de l’autre.
 error-pose_tolerance_out_of_range = La tolérance est un nombre positif, { $limit } au plus.
 error-targets_wrong_shape = Plusieurs situations à atteindre se donnent comme une liste de matrices 4×4.
+error-workspace_condition_unmet = Aucune configuration dans les limites ne remplit cette condition, autant que la recherche l’a montré.

@@ -100,5 +100,6 @@ error-idempotency_key_reused = Cette Idempotency-Key a déjà servi pour une aut
 error-rate_exceeded = Il a été demandé plus de { $limit } par minute, compté selon le coût. Réessayez dans { $seconds } s.
 error-setting_missing = Le réglage { $name } manque.
 problem-title-429 = Trop à la fois
+error-quaternion_or_axis = Donnez au plus l’un de « quaternion » et « axis ».
 
 language-name = Français

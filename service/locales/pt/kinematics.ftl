@@ -32,4 +32,4 @@ error-screw_not_unit = A parte angular do helicoide de uma junta de rotação, o
 error-screw_has_pitch = Este helicoide tem passo de { $pitch } por radiano. Uma junta ou gira ou desliza.
 error-screw_of_other_type = O helicoide { $joint } não é do tipo indicado: uma junta de rotação tem parte angular, uma prismática não.
 error-tree_after_unknown = A linha { $row } segue o sistema { $given }: tem de seguir a base (0) ou uma linha anterior. As cadeias fechadas não são tratadas.
-error-tree_end_unknown = Não existe o sistema { $given }: a árvore tem { $count }.
+error-frame_unknown = Não existe o sistema { $given }; o último é o { $count }.

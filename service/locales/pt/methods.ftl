@@ -6,3 +6,4 @@ error-limits_reversed = Os limites da junta { $joint } são o valor mínimo e o 
 error-limits_too_far = Os limites da junta { $joint } ficam ambos a mais de { $limit } rad de 0. Subtraia de ambos voltas completas.
 error-pose_tolerance_out_of_range = A tolerância é um número positivo até { $limit }.
 error-targets_wrong_shape = Vários alvos são dados como uma lista de matrizes 4×4.
+error-workspace_condition_unmet = Não se encontrou nenhuma configuração dentro dos limites que cumpra esta condição.

@@ -100,5 +100,6 @@ error-idempotency_key_reused = Esta Idempotency-Key já foi usada para outro ped
 error-rate_exceeded = Foi pedido mais do que { $limit } por minuto, contado pelo custo. Tente de novo daqui a { $seconds } s.
 error-setting_missing = Falta a definição { $name }.
 problem-title-429 = Demasiado de uma só vez
+error-quaternion_or_axis = Dê no máximo um de “quaternion” e “axis”.
 
 language-name = Português

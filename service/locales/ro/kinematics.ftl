@@ -34,4 +34,4 @@ error-screw_not_unit = Partea unghiulară a torsorului unei cuple de rotație sa
 error-screw_has_pitch = Acest torsor are pasul { $pitch } pe radian. O cuplă fie se rotește, fie translatează.
 error-screw_of_other_type = Torsorul { $joint } nu este de tipul declarat: o cuplă de rotație are parte unghiulară, una prismatică nu are.
 error-tree_after_unknown = Rândul { $row } urmează sistemul { $given }: trebuie să urmeze baza (0) sau un rând anterior. Lanțurile închise nu sunt tratate.
-error-tree_end_unknown = Nu există sistemul { $given }: arborele are { $count }.
+error-frame_unknown = Nu există sistemul { $given }; ultimul este { $count }.

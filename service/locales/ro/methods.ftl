@@ -6,3 +6,4 @@ error-limits_reversed = Limitele cuplei { $joint } sunt valoarea minimă și val
 error-limits_too_far = Limitele cuplei { $joint } sunt ambele la peste { $limit } rad de 0. Scădeți din amândouă rotații complete.
 error-pose_tolerance_out_of_range = Toleranța este un număr pozitiv de cel mult { $limit }.
 error-targets_wrong_shape = Mai multe poziții-țintă se dau ca listă de matrice 4×4.
+error-workspace_condition_unmet = Nu s-a găsit nicio configurație în limite care să îndeplinească această condiție.

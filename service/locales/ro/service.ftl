@@ -104,5 +104,6 @@ error-idempotency_key_reused = Acest Idempotency-Key a fost folosit pentru altă
 error-rate_exceeded = S-a cerut mai mult de { $limit } pe minut, socotit după cost. Încercați din nou peste { $seconds } s.
 error-setting_missing = Lipsește setarea { $name }.
 problem-title-429 = Prea mult deodată
+error-quaternion_or_axis = Dați cel mult unul dintre „quaternion” și „axis”.
 
 language-name = Română

@@ -6,3 +6,4 @@ error-limits_reversed = Обмеження зчленування { $joint } —
 error-limits_too_far = Обидва обмеження зчленування { $joint } віддалені від 0 більш ніж на { $limit } рад. Відніміть від обох повні оберти.
 error-pose_tolerance_out_of_range = Допуск — додатне число, не більше { $limit }.
 error-targets_wrong_shape = Кілька цільових положень задають списком матриць 4×4.
+error-workspace_condition_unmet = У межах не знайдено жодної конфігурації, яка задовольняє цю умову.

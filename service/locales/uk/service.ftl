@@ -104,5 +104,6 @@ error-idempotency_key_reused = Цей Idempotency-Key уже використа�
 error-rate_exceeded = Запитано більше, ніж { $limit } за хвилину, з урахуванням вартості. Спробуйте ще раз за { $seconds } с.
 error-setting_missing = Бракує налаштування { $name }.
 problem-title-429 = Забагато за один раз
+error-quaternion_or_axis = Задайте щонайбільше одне з «quaternion» і «axis».
 
 language-name = Українська

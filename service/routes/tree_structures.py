@@ -13,7 +13,7 @@ from kinematics.cells import Limits
 from kinematics.errors import Fault, KinematicsError, TableError
 from kinematics.inverse.lengths import check_lengths
 from kinematics.joint_values import one_configuration
-from kinematics.trees import fault_in_tree, path_table, read_tree, tree_frames, tree_jacobian
+from kinematics.tree_structures import fault_in_tree, path_table, read_tree, tree_frames, tree_jacobian
 from service.http.openapi import problems
 from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
@@ -71,7 +71,7 @@ def _answer(body: TreeRequest, limits: Limits) -> TreeAnswer:
     joints = [value * unit for value, unit in zip(given, robot.joint_units, strict=True)]
     count = len(tree.after)
     unknown = [
-        Fault(code="tree_end_unknown", where=("ends", i), params={"given": end, "count": count})
+        Fault(code="frame_unknown", where=("ends", i), params={"given": end, "count": count})
         for i, end in enumerate(body.ends or ())
         if not 1 <= end <= count
     ]
