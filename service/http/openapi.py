@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -109,7 +110,8 @@ def document(app: FastAPI, tags: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
             operation["operationId"] = _identifier(path, method, len(operations))
             _refuse_alike(operation)
             _put_in_order(operation)
-    _drop_null_defaults(schema)
+    _tell_defaults(schema)
+    _put_d_last(components)
     order = [tag["name"] for tag in tags]
     schema["paths"] = dict(sorted(schema["paths"].items(), key=lambda item: _rank(item[1], order)))
     return schema
@@ -123,16 +125,28 @@ def _identifier(path: str, method: str, methods: int) -> str:
     return "_".join(words)
 
 
-def _drop_null_defaults(schema: Any) -> None:
-    """Leave out `default: null`: it says only that a field may be left out, and generators misread it."""
+def _tell_defaults(schema: Any) -> None:
+    """Tell defaults in words: generators for TypeScript take fields that have one for required ones."""
     if isinstance(schema, dict):
-        if "default" in schema and schema["default"] is None:
-            del schema["default"]
+        for shape in (schema.get("properties") or {}).values():
+            default = shape.pop("default", None) if isinstance(shape, dict) else None
+            if default in (None, {}, []) or "left out" in shape.get("description", ""):
+                continue
+            told = f"{json.dumps(default, ensure_ascii=False)} if left out"
+            shape["description"] = "; ".join(filter(None, (shape.get("description"), told)))
         for entry in schema.values():
-            _drop_null_defaults(entry)
+            _tell_defaults(entry)
     elif isinstance(schema, list):
         for entry in schema:
-            _drop_null_defaults(entry)
+            _tell_defaults(entry)
+
+
+def _put_d_last(components: dict[str, Any]) -> None:
+    """List the property `d` of DH rows last: what a Python generator writes has a variable of that name."""
+    for shape in components.values():
+        properties = shape.get("properties", {})
+        if "d" in properties:
+            properties["d"] = properties.pop("d")
 
 
 def _put_in_order(operation: dict[str, Any]) -> None:

@@ -32,7 +32,7 @@ from service.resources import AppResources
 from service.routes.exercises import Id, help_of, refuse_beyond, seed_of
 from service.schemas import examples_grading
 from service.schemas.examples import named
-from service.schemas.receipts import IssuedReceipt, ReceiptRequest, VerifiedReceipts, VerifyRequest
+from service.schemas.receipts import IssuedReceipt, KeySet, ReceiptRequest, VerifiedReceipts, VerifyRequest
 from service.wire.exercise_views import attempts_of, figure_file, instance_of
 from service.wire.ungraded import answer_refused
 from service.work.limiters import WorkKind
@@ -184,7 +184,7 @@ async def verify_receipts(
     return JSONResponse({"receipts": [_verified(entry, language) for entry in checked]})
 
 
-@router.get("/receipts/keys", summary="Public keys of receipts (JWK Set)")
+@router.get("/receipts/keys", summary="Public keys of receipts (JWK Set)", response_model=KeySet)
 async def receipt_keys(resources: AppResources) -> Response:
     """The keys that verify receipts (RFC 7517); the first one signs."""
     return JSONResponse(resources.receipt_keys.public(), headers={"Cache-Control": "public, max-age=600"})

@@ -11,7 +11,7 @@ from kinematics.catalogue import Robot as CatalogueRobot
 from kinematics.catalogue import ScmDescription
 from service.schemas.base import Real, Wire
 from service.schemas.scm import ScmChainModel
-from service.schemas.tables import Row, Table
+from service.schemas.tables import AnsweredRow, AnsweredTable
 
 
 class SourceModel(Wire):
@@ -42,7 +42,7 @@ class RobotModel(Wire):
     id: str = Field(description="its name in this API, and its exercise's")
     name: str
     source: SourceModel
-    table: Table
+    table: AnsweredTable
     parameters: dict[str, Real] = Field(description="the value of every parameter, in the table's units")
     configurations: dict[str, ConfigurationModel] = Field(description="named joint values")
     limits: list[Annotated[list[Real], Field(min_length=2, max_length=2)]] | None = Field(
@@ -66,13 +66,13 @@ class RobotModel(Wire):
             source=SourceModel(
                 document=robot.source.document, place=robot.source.place, figures=robot.source.figures
             ),
-            table=Table(
+            table=AnsweredTable(
                 convention=raw.convention,
                 angle_unit=raw.angle_unit,
                 length_unit=raw.length_unit,
                 rows=[
-                    Row(joint=row.joint, alpha=row.alpha, a=row.a, d=row.d, theta=row.theta)
-                    for row in raw.rows
+                    AnsweredRow(joint=read.joint, alpha=row.alpha, a=row.a, d=row.d, theta=row.theta)
+                    for row, read in zip(raw.rows, robot.table.table.rows, strict=True)
                 ],
             ),
             parameters=dict(robot.parameters),

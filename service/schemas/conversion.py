@@ -14,7 +14,7 @@ from kinematics.urdf import MAX_CHARACTERS
 from service.schemas.base import Matrix4, Real, Vector3, Wire
 from service.schemas.joint_limits import JointRanges, Range
 from service.schemas.scm import ScmChainModel, Verification
-from service.schemas.tables import Parameters, Row, Table, Units
+from service.schemas.tables import AnsweredRow, AnsweredTable, Parameters, Table, Units
 
 
 class Target(StrEnum):
@@ -150,11 +150,11 @@ MatrixOfCells: TypeAlias = Annotated[
 class TableAnswer(Units):
     """base · (this table) · tool is the described robot, for every q."""
 
-    table: Table
+    table: AnsweredTable
     base: MatrixOfCells = Field(description="what stands before the table")
     tool: MatrixOfCells = Field(description="what stands behind the table")
-    base_row: Row | None = Field(None, description="the base as a fixed row, where it is one")
-    tool_row: Row | None = Field(None, description="the tool as a fixed row, where it is one")
+    base_row: AnsweredRow | None = Field(None, description="the base as a fixed row, where it is one")
+    tool_row: AnsweredRow | None = Field(None, description="the tool as a fixed row, where it is one")
     joint_names: list[str] | None = Field(None, description="the names of joint 1 … n, if the source has any")
     limits: list[Range | None] | None = Field(
         None, description="[least, greatest] of each joint, if any are known; null where there is none"

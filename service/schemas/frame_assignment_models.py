@@ -16,7 +16,7 @@ from kinematics.frames.trainer import ChosenFrame
 from kinematics.table import Convention, JointType
 from service.http.validation import CHOICE
 from service.schemas.base import LONGEST_LIST, Matrix4, Real, Vector3, Wire
-from service.schemas.tables import Table, Units
+from service.schemas.tables import AnsweredTable, Units
 
 
 class AxisModel(Wire):
@@ -105,7 +105,7 @@ class Remark(Wire):
 class AssignFramesAnswer(Units):
     """base · table · tool reproduces every axis and the tool."""
 
-    table: Table
+    table: AnsweredTable
     base: Matrix4 = Field(description="pose of frame 0 in the coordinates of the axes")
     tool: Matrix4 = Field(description="pose of the given tool in frame N; the identity if none was given")
     frames: list[Frame] = Field(description="frame 0 … N")
@@ -191,6 +191,6 @@ class CheckFramesAnswer(Units):
     rows: list[FoundRow | None] = Field(
         description="row 1 … N; null while a frame beside it is missing or breaks a rule"
     )
-    table: Table | None = Field(description="the table, once every row is there")
+    table: AnsweredTable | None = Field(description="the table, once every row is there")
     base: Matrix4 | None = None
     tool: Matrix4 | None = None

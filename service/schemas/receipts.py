@@ -74,3 +74,9 @@ class VerifiedReceipts(Wire):
     """The receipts in the order in which they were sent."""
 
     receipts: list[VerifiedReceipt]
+
+
+class KeySet(Wire):
+    """A JWK Set (RFC 7517)."""
+
+    keys: list[dict[str, str]] = Field(description="Ed25519 keys (RFC 8037); the first one signs")

@@ -227,8 +227,8 @@ class ScmForwardKinematicsAnswer(Units):
 
     variables: list[str] | None = Field(None, description="the joint variables of a closed form")
     transform: Matrix4 | Forms = Field(description="⁰H_FT: pose of the tool in frame 0")
-    links: list[Matrix4] | list[Forms] = Field(description="H_i: pose of frame i in frame i-1, one a joint")
-    frames: list[Matrix4] | list[Forms] = Field(description="pose of frame i in frame 0, one a joint")
+    links: list[Forms] | list[Matrix4] = Field(description="H_i: pose of frame i in frame i-1, one a joint")
+    frames: list[Forms] | list[Matrix4] = Field(description="pose of frame i in frame 0, one a joint")
     end: Matrix4 | Forms = Field(description="Final Transformation · tool, in the last joint's frame")
     orientation: Orientation | None = None
     symbols: dict[str, str] | None = Field(None, description="what the short names of a closed form mean")

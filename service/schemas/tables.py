@@ -34,8 +34,8 @@ class Row(Wire):
     theta: Cell = Field(description="joint angle θ_i; in a revolute row it holds the variable or the offset")
 
 
-class Table(Wire):
-    """A Denavit–Hartenberg table: a convention and its rows, base first."""
+class TableHead(Wire):
+    """What a table says before its rows."""
 
     convention: Annotated[Convention, Field(strict=False)] = Field(
         description="standard (a_i, α_i) or modified (a_{i-1}, α_{i-1})"
@@ -48,6 +48,11 @@ class Table(Wire):
         LengthUnit.M,
         description="unit of every length: table, joints, parameters and answer",
     )
+
+
+class Table(TableHead):
+    """A Denavit–Hartenberg table: a convention and its rows, base first."""
+
     rows: list[Row] = Field(
         max_length=LONGEST_LIST,
         description="the rows, base first; at least one, and 64 where nothing else is set",
@@ -64,6 +69,18 @@ class Table(Wire):
             angle_unit=self.angle_unit,
             length_unit=self.length_unit,
         )
+
+
+class AnsweredRow(Row):
+    """One row of a DH table in an answer: it says what varies."""
+
+    joint: Annotated[JointType, Field(strict=False)] = Field(description="what varies")
+
+
+class AnsweredTable(TableHead):
+    """A Denavit–Hartenberg table in an answer."""
+
+    rows: list[AnsweredRow] = Field(max_length=LONGEST_LIST, description="the rows, base first")
 
 
 class Units(Wire):

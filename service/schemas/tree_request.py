@@ -11,7 +11,7 @@ from kinematics.table import JointType
 from kinematics.tree_structures import RawTreeRow
 from service.schemas.base import LONGEST_LIST, Matrix4, Real, Wire
 from service.schemas.jacobian_request import Matrix6
-from service.schemas.tables import Cell, Parameters, Table, Units
+from service.schemas.tables import AnsweredTable, Cell, Parameters, Units
 
 MOST_ROWS = 64
 
@@ -84,7 +84,9 @@ class TreeEnd(Wire):
     J0: Matrix6 = Field(
         description="its Jacobian in the axes of frame 0, with a column for every joint of the tree"
     )
-    table: Table = Field(description="the modified table of the arm that leads to it; qi is its i-th joint")
+    table: AnsweredTable = Field(
+        description="the modified table of the arm that leads to it; qi is its i-th joint"
+    )
 
 
 class TreeAnswer(Units):

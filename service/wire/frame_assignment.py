@@ -26,7 +26,7 @@ from service.schemas.frame_assignment_models import (
     JudgedFrameModel,
     Remark,
 )
-from service.schemas.tables import Table
+from service.schemas.tables import AnsweredTable
 from service.wire.written_tables import numeric_row, numeric_table
 
 Say = Callable[[str, dict[str, object]], str]
@@ -51,7 +51,7 @@ def assigned(request: AssignFramesRequest, say: Say) -> AssignFramesAnswer:
     return AssignFramesAnswer(
         angle_unit=request.angle_unit.value,
         length_unit=request.length_unit.value,
-        table=Table.model_validate(table),
+        table=AnsweredTable.model_validate(table),
         base=result.base.tolist(),
         tool=result.tool.tolist(),
         frames=[
@@ -90,7 +90,7 @@ def checked(request: CheckFramesRequest, say: Say) -> CheckFramesAnswer:
         length_unit=units[1].value,
         frames=[_judged(frame, say) for frame in judged.frames],
         rows=[FoundRow.model_validate(row, strict=False) if row else None for row in rows],
-        table=Table.model_validate(numeric_table(judged.table, *units)) if judged.table else None,
+        table=AnsweredTable.model_validate(numeric_table(judged.table, *units)) if judged.table else None,
         base=_matrix(judged.base),
         tool=_matrix(judged.tool),
     )

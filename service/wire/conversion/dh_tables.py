@@ -20,7 +20,7 @@ from kinematics.urdf import check_joint_names
 from service.http.problems import located
 from service.schemas.conversion import ConvertRequest, TableAnswer
 from service.schemas.joint_limits import domain_limits
-from service.schemas.tables import Row, Table
+from service.schemas.tables import AnsweredRow, AnsweredTable
 from service.settings import Settings
 from service.wire.conversion.described import Ranges, RobotDescription
 from service.wire.prepared_robots import listed_robot, robot_of
@@ -76,7 +76,7 @@ def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswe
     return TableAnswer(
         angle_unit=robot.read.angle_unit.value,
         length_unit=robot.read.length_unit.value,
-        table=Table.model_validate(table),
+        table=AnsweredTable.model_validate(table),
         base=matrix_of_cells(converted.base, robot, before=robot.base),
         tool=matrix_of_cells(converted.tool, robot, behind=robot.tool),
         base_row=_row(converted.base, writer, robot.base),
@@ -150,11 +150,11 @@ def _entry(entry: Expression) -> WireCell:
     return evaluate(entry) + 0.0
 
 
-def _row(screw: XScrew[Expression] | None, writer: TableWriter, other: Transform) -> Row | None:
+def _row(screw: XScrew[Expression] | None, writer: TableWriter, other: Transform) -> AnsweredRow | None:
     """The motion as a fixed row, unless something else stands beside it."""
     if screw is None or not np.array_equal(other, np.eye(4)):
         return None
-    return Row.model_validate(writer.row(fixed_row(screw)))
+    return AnsweredRow.model_validate(writer.row(fixed_row(screw)))
 
 
 def _spellings(raw: RawTable, read: ReadTable) -> Spellings:
