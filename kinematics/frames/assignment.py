@@ -28,7 +28,7 @@ from kinematics.frames.axes import (
     pose_of,
     read_axes,
 )
-from kinematics.frames.directions import choose_directions
+from kinematics.frames.directions import CrossProduct, LengthSigns, choose_directions
 from kinematics.frames.ends import entering, leaving, may_end, may_start
 from kinematics.frames.exactness import clean_angle, clean_length
 from kinematics.frames.levels import settle_levels
@@ -148,6 +148,8 @@ def assign_frames(
     tool: ArrayLike | Gripper | None = None,
     parallel_tolerance: float = PARALLEL_TOLERANCE,
     near_parallel: NearParallel = NearParallel.PARALLEL,
+    lengths: LengthSigns = LengthSigns.POSITIVE,
+    intersecting: CrossProduct = CrossProduct.FEWEST,
 ) -> FrameAssignment:
     """A DH table for a robot of which the joint axes are known.
 
@@ -165,6 +167,9 @@ def assign_frames(
             on it); what is left over is returned as `tool`.
         parallel_tolerance: tilt [rad] below which axes are near-parallel; 1e-10 turns it off.
         near_parallel: what becomes of near-parallel axes.
+        lengths: whether lengths may be negative where that spares an offset of a joint.
+        intersecting: which cross product x is where axes intersect; by default the one that leaves fewest
+            angles.
 
     Raises:
         DescriptionError: malformed axes, frames or tolerance.
@@ -182,7 +187,7 @@ def assign_frames(
         lines, tilts = straighten(lines, parallel_tolerance)
     else:
         lines, tilts = with_dummies(lines, parallel_tolerance, size)
-    geometry = _geometry(lines, convention, first, last, size)
+    geometry = _geometry(lines, convention, first, last, size, lengths, intersecting)
     table = _table(geometry, convention)
     frames = _frames(geometry, convention)
     base_pose = geometry.first or Pose(frames[0].origin, frames[0].x, frames[0].z)
@@ -203,7 +208,13 @@ def assign_frames(
 
 
 def _geometry(
-    lines: Sequence[AxisLine], convention: Convention, first: Pose | None, last: Pose | None, size: float
+    lines: Sequence[AxisLine],
+    convention: Convention,
+    first: Pose | None,
+    last: Pose | None,
+    size: float,
+    lengths: LengthSigns,
+    intersecting: CrossProduct,
 ) -> _Geometry:
     start = first.origin if first and may_start(first, lines[0], convention) else None
     end = last.origin if last and may_end(last, lines[-1], convention) else None
@@ -217,6 +228,8 @@ def _geometry(
         normals,
         start=taken_first.x if taken_first else None,
         end=taken_last.x if taken_last else None,
+        lengths=lengths,
+        intersecting=intersecting,
     )
     feet = settle_levels(lines, normals, start=entry, end=exit_)
     return _Geometry(lines, normals, feet, x, taken_first, taken_last, entry, exit_, size)
@@ -238,7 +251,7 @@ def _table(g: _Geometry, convention: Convention) -> NumericTable:
     u = [line.direction for line in g.lines]
     theta = [clean_angle(angle_from_to(g.x[k], g.x[k + 1], u[k])) for k in range(n)]
     d = [clean_length(dot(subtract(left[k], reached[k]), u[k]), g.size) for k in range(n)]
-    a = [clean_length(normal.length, g.size) for normal in g.normals]
+    a = [clean_length(_along(normal, x), g.size) for normal, x in zip(g.normals, g.x[1:-1], strict=True)]
     alpha = [clean_angle(angle_from_to(u[k], u[k + 1], g.x[k + 1])) for k in range(n - 1)]
     if convention is Convention.MODIFIED:
         a.insert(0, clean_length(dot(subtract(entry, g.first.origin), g.first.x), g.size) if g.first else 0.0)
@@ -252,6 +265,12 @@ def _table(g: _Geometry, convention: Convention) -> NumericTable:
             DHRow(joint=g.lines[k].joint, theta=theta[k], d=d[k], a=a[k], alpha=alpha[k]) for k in range(n)
         ),
     )
+
+
+def _along(normal: CommonNormal, x: Vector) -> float:
+    """The length of a normal along x: negative where x points back."""
+    back = normal.direction is not None and normal.length > 0.0 and dot(x, normal.direction) < 0.0
+    return -normal.length if back else normal.length
 
 
 def _frames(g: _Geometry, convention: Convention) -> tuple[AssignedFrame, ...]:

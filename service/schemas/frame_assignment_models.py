@@ -10,6 +10,7 @@ from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.frames.assignment import Freedom, Rule
 from kinematics.frames.axes import Gripper, JointAxis
 from kinematics.frames.candidates import CandidateKind
+from kinematics.frames.directions import CrossProduct, LengthSigns
 from kinematics.frames.parallels import MAX_PARALLEL_TOLERANCE, PARALLEL_TOLERANCE, NearParallel
 from kinematics.frames.rules import FramePart, RuleCode, Severity
 from kinematics.frames.trainer import ChosenFrame
@@ -81,6 +82,16 @@ class AssignFramesRequest(AxesQuestion):
     )
     near_parallel: Annotated[NearParallel, Field(strict=False)] = Field(
         NearParallel.PARALLEL, description="what becomes of nearly parallel axes"
+    )
+    lengths: Annotated[LengthSigns, Field(strict=False)] = Field(
+        LengthSigns.POSITIVE,
+        description="signed: x may point back along a common normal, and the length is negative, where that "
+        "spares an offset of a joint, as makers write their tables",
+    )
+    intersecting: Annotated[CrossProduct, Field(strict=False)] = Field(
+        CrossProduct.FEWEST,
+        description="where x points if axes z and z' intersect: forward along z × z', backward along z' × z, "
+        "or where fewest joint angles are left",
     )
 
 

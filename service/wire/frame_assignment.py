@@ -46,6 +46,8 @@ def assigned(request: AssignFramesRequest, say: Say) -> AssignFramesAnswer:
         tool=_tool(request),
         parallel_tolerance=request.parallel_tolerance,
         near_parallel=request.near_parallel,
+        lengths=request.lengths,
+        intersecting=request.intersecting,
     )
     table = numeric_table(result.table, request.angle_unit, request.length_unit)
     return AssignFramesAnswer(

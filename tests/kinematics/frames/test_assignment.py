@@ -10,6 +10,7 @@ from kinematics.errors import DescriptionError, PoseError
 from kinematics.forward import forward_kinematics
 from kinematics.frames.assignment import Freedom, Rule, assign_frames
 from kinematics.frames.axes import Gripper, JointAxis, gripper_frame
+from kinematics.frames.directions import CrossProduct, LengthSigns
 from kinematics.frames.exactness import exact_table
 from kinematics.frames.parallels import NearParallel
 from kinematics.table import Convention, DHRow, DHTable, JointType, bind
@@ -374,3 +375,56 @@ def test_other_refusals():
     with pytest.raises(PoseError) as not_rigid:
         assign_frames(PUMA, Convention.STANDARD, tool=np.ones((4, 4)))
     assert not_rigid.value.faults[0].where[0] == "tool"
+
+
+UR5_AXES = axes(
+    (R, (0, 0, 0), (0, 0, 1)),
+    (R, (0, 0, 0.089159), (0, -1, 0)),
+    (R, (-0.425, 0, 0.089159), (0, -1, 0)),
+    (R, (-0.81725, 0, 0.089159), (0, -1, 0)),
+    (R, (-0.81725, -0.10915, 0.089159), (0, 0, -1)),
+    (R, (-0.81725, -0.10915, -0.005491), (0, -1, 0)),
+)
+"""Axes of the UR5 at its zero position, by Universal Robots' own table."""
+
+
+def test_makers_signs_spare_offsets():
+    """Universal Robots print a_2 = -0.425 and a_3 = -0.39225 with no offset of a joint."""
+    plain = assign_frames(UR5_AXES, Convention.STANDARD, base=np.eye(4))
+    signed = assign_frames(UR5_AXES, Convention.STANDARD, base=np.eye(4), lengths=LengthSigns.SIGNED)
+    a = [row.a for row in signed.table.rows]
+    assert a[1:3] == pytest.approx([-0.425, -0.39225])
+    assert all(row.theta == 0.0 for row in signed.table.rows)
+    assert sum(row.theta != 0.0 for row in signed.table.rows) < sum(
+        row.theta != 0.0 for row in plain.table.rows
+    )
+    assert all(row.a >= 0.0 for row in plain.table.rows)
+
+
+@pytest.mark.parametrize("convention", Convention)
+@pytest.mark.parametrize("lengths", LengthSigns)
+@pytest.mark.parametrize("intersecting", CrossProduct)
+def test_choices_keep_the_robot(convention, lengths, intersecting):
+    rng = np.random.default_rng(11)
+    for kind in KINDS:
+        chain = random_chain(rng, kind, 0.2)
+        result = assign_frames(chain, convention, lengths=lengths, intersecting=intersecting)
+        assert discrepancy(chain, convention, result, None, rng) < 1e-9
+        if lengths is LengthSigns.POSITIVE:
+            assert all(row.a >= 0.0 for row in result.table.rows)
+
+
+@pytest.mark.parametrize(
+    ("intersecting", "sign"), [(CrossProduct.FORWARD, 1.0), (CrossProduct.BACKWARD, -1.0)]
+)
+def test_x_is_the_cross_product_that_was_asked_for(intersecting, sign):
+    """Seed 002: x_i = z_i × z_(i+1); seed 004 §2.3, case 1: x_i = z_i × z_(i-1)."""
+    chain = axes(
+        (R, (0, 0, 0), (0, 0, 1)),
+        (R, (0, 0, 0.4), (0, -1, 0)),
+        (R, (0, 0, 0.4), (1, 0, 0)),
+    )
+    result = assign_frames(chain, Convention.STANDARD, intersecting=intersecting)
+    for i in (1, 2):
+        across = np.cross(result.frames[i - 1].z, result.frames[i].z)
+        assert np.allclose(result.frames[i].x, sign * across, atol=1e-12)
