@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Iterable
-from datetime import datetime
+from collections.abc import Iterable, Mapping
+from datetime import UTC, date, datetime, time, timedelta
 from typing import Any
 
 import sqlalchemy as sa
@@ -14,6 +14,12 @@ from courses.statements import record_of
 from courses.storage import Store
 
 _ATTEMPT, _FINDING, _PART = records.attempt, records.finding, records.participation
+_OF_STUDENTS = sa.exists().where(
+    _PART.c.link_id == _ATTEMPT.c.link_id,
+    _PART.c.person_id == _ATTEMPT.c.person_id,
+    _PART.c.role == "learner",
+)
+"""Attempts of staff, and those of previews, are in no number."""
 STUCK_AFTER = 3
 """So many wrong attempts and no right one: a student is stuck."""
 CLUSTERS = 50
@@ -21,8 +27,17 @@ LISTED = 200
 """Groups of alike answers, and rows, that a page shows."""
 
 
-def class_overview(store: Store, course_id: int) -> dict[str, Any]:
-    """Links of a course, its students, and how far each is: not begun, begun, stuck, or done."""
+def class_overview(
+    store: Store, course_id: int, members: Mapping[str, str | None] | None = None
+) -> dict[str, Any]:
+    """Links of a course, its students, and how far each is: not begun, begun, stuck, or done.
+
+    Args:
+        store: the database.
+        course_id: the course.
+        members: names of the class's students by their pseudonyms, where the platform tells who they are:
+            then those who have opened nothing are listed, too.
+    """
     link, person, grade = records.link, records.person, records.grade
     with store.reading() as connection:
         links = connection.execute(
@@ -48,9 +63,12 @@ def class_overview(store: Store, course_id: int) -> dict[str, Any]:
             .order_by(person.c.key)
         ).all()
         solved = _solvers(connection, ids)
-    students: dict[str, dict[str, Any]] = {}
+    students: dict[str, dict[str, Any]] = {
+        key: {"key": key, "name": name, "links": {}} for key, name in (members or {}).items()
+    }
     for row in tries:
         student = students.setdefault(row.key, {"key": row.key, "name": row.name, "links": {}})
+        student["name"] = student["name"] or row.name
         student["links"][str(row.link_id)] = {
             "attempts": row.made,
             "score": row.score,
@@ -102,7 +120,7 @@ def link_statistics(store: Store, link_id: int) -> dict[str, Any]:
         sa.select(
             _ATTEMPT.c.person_id, _ATTEMPT.c.number, _ATTEMPT.c.at, _ATTEMPT.c.correct, _ATTEMPT.c.score
         )
-        .where(_ATTEMPT.c.link_id == link_id)
+        .where(_ATTEMPT.c.link_id == link_id, _OF_STUDENTS)
         .order_by(_ATTEMPT.c.person_id, _ATTEMPT.c.number)
     )
     with store.reading() as connection:
@@ -161,6 +179,7 @@ def misconceptions(store: Store, link_id: int) -> list[dict[str, Any]]:
         .where(
             _FINDING.c.link_id == link_id,
             _ATTEMPT.c.correct.is_(False),
+            _OF_STUDENTS,
             sa.or_(_FINDING.c.kind == "repair", _FINDING.c.kind.startswith("part:")),
         )
         .group_by(_FINDING.c.kind, _FINDING.c.code)
@@ -179,7 +198,12 @@ def unexplained(store: Store, link_id: int) -> list[dict[str, Any]]:
     wanted = (
         sa.select(_ATTEMPT.c.id, _FINDING.c.code, _FINDING.c.row)
         .outerjoin(_FINDING, sa.and_(_FINDING.c.attempt_id == _ATTEMPT.c.id, _FINDING.c.kind == "wrong"))
-        .where(_ATTEMPT.c.link_id == link_id, _ATTEMPT.c.correct.is_(False), _ATTEMPT.c.id.not_in(explained))
+        .where(
+            _ATTEMPT.c.link_id == link_id,
+            _ATTEMPT.c.correct.is_(False),
+            _OF_STUDENTS,
+            _ATTEMPT.c.id.not_in(explained),
+        )
         .order_by(_ATTEMPT.c.id, _FINDING.c.position)
     )
     facts: dict[int, list[str]] = defaultdict(list)
@@ -203,8 +227,21 @@ def attempts_behind(
     code: str | None = None,
     ids: tuple[int, ...] = (),
     person: str | None = None,
+    day: date | None = None,
+    number: int | None = None,
 ) -> list[dict[str, Any]]:
-    """The attempts behind a number, newest first: all of a link, those with a code, or a student's."""
+    """The attempts behind a number of a link, newest first.
+
+    Args:
+        store: the database.
+        link_id: the link.
+        kind: of the code; `repair` if none is named.
+        code: wrong attempts in which it was found.
+        ids: these attempts.
+        person: of one student, by their pseudonym.
+        day: those of a day (UTC).
+        number: everybody's first, second, …
+    """
     wanted = (
         sa.select(
             _ATTEMPT.c.id,
@@ -229,6 +266,13 @@ def attempts_behind(
         wanted = wanted.where(_ATTEMPT.c.id.in_(ids))
     if person is not None:
         wanted = wanted.where(records.person.c.key == person)
+    else:
+        wanted = wanted.where(_OF_STUDENTS)
+    if day is not None:
+        begin = datetime.combine(day, time(), UTC)
+        wanted = wanted.where(_ATTEMPT.c.at >= begin, _ATTEMPT.c.at < begin + timedelta(days=1))
+    if number is not None:
+        wanted = wanted.where(_ATTEMPT.c.number == number)
     with store.reading() as connection:
         return [{**record_of(row), "at": row.at.isoformat()} for row in connection.execute(wanted)]
 

@@ -8,15 +8,18 @@ from datetime import UTC, datetime
 
 from courses.enrolment import sessions_of
 from courses.gradebook import OutboxState, outbox_state
-from courses.model import Attempt, CourseSession, Platform, PlatformStatus
-from courses.platforms import StoredKey, add_key, platforms, remove_keys, stored_keys
+from courses.model import Attempt, Course, CourseSession, Platform, PlatformStatus
+from courses.platforms import StoredKey, add_key, platform_by_id, platforms, remove_keys, stored_keys
 from courses.publications import published
 from courses.refusals import StorageUnavailableError
+from courses.secrets import pseudonym
 from courses.storage import Store, open_store
 from courses.submissions import JudgedSubmission, store_submissions
 from exercises.definition import Exercise
 from exercises.loader import read_exercise
 from service.lti.fetching import Fetcher, origin_of
+from service.lti.launch_errors import PlatformError
+from service.lti.memberships import members
 from service.lti.platform_keys import PlatformKeys
 from service.lti.services import Services
 from service.lti.signing_keys import PUBLISHED_BEFORE, new_private_key, outdated, signing_key
@@ -27,6 +30,8 @@ _ORIGINS_LIVE = 30.0
 _ANSWER_LIVES = 2.0
 PUBLISHED_KEPT = 512
 """Published exercises that are kept as read: some tens of megabytes."""
+_MEMBERS_LIVE = 300.0
+_COURSES_KNOWN = 100
 
 
 class CourseResources:
@@ -60,6 +65,7 @@ class CourseResources:
             gives_up=_database_is_gone,
         )
         self._lock = threading.Lock()
+        self._members: dict[int, tuple[dict[str, str | None] | None, float]] = {}
         self._answered = (True, float("-inf"))
         self._published: dict[str, Exercise] = {}
         self._origins: tuple[tuple[str, ...], float] = ((), float("-inf"))
@@ -102,6 +108,35 @@ class CourseResources:
             self._published[address] = read_exercise(address, draft.definition, draft.statements)
         return self._published[address]
 
+    def class_members(self, course: Course) -> dict[str, str | None] | None:
+        """Names of a course's students by their pseudonyms, as the platform tells them; None: it does not.
+
+        They are asked for only where the operator lets names be stored for the platform, at most every few
+        minutes, and are not written down.
+        """
+        with self._lock:
+            known = self._members.get(course.id)
+            if known is not None and time.monotonic() < known[1]:
+                return known[0]
+        platform = platform_by_id(self.store, course.platform_id)
+        if not platform.names_shared or not course.memberships_url:
+            return None
+        try:
+            listed = members(self.services, platform, course.memberships_url)
+        except PlatformError:
+            found = None
+        else:
+            found = {
+                pseudonym(self.store, platform.issuer, platform.client_id, member.user): member.name
+                for member in listed
+                if not member.is_staff
+            }
+        with self._lock:
+            if len(self._members) >= _COURSES_KNOWN:
+                self._members.clear()
+            self._members[course.id] = (found, time.monotonic() + _MEMBERS_LIVE)
+        return found
+
     def keys(self) -> list[StoredKey]:
         """The tool's keys; the first one is made when it is first needed."""
         found = stored_keys(self.store)
@@ -129,7 +164,10 @@ class CourseResources:
             found, until = self._origins
             if time.monotonic() < until:
                 return found
-        active = [each for each in platforms(self.store) if each.status is PlatformStatus.ACTIVE]
+        try:
+            active = [each for each in platforms(self.store) if each.status is PlatformStatus.ACTIVE]
+        except StorageUnavailableError:
+            return found  # pages are served without the database
         origins = tuple(sorted({origin for platform in active for origin in _origins(platform)}))
         with self._lock:
             self._origins = (origins, time.monotonic() + _ORIGINS_LIVE)

@@ -6,6 +6,7 @@ import argparse
 import json
 import sys
 
+from courses.administration import invite_administrator
 from courses.model import Platform, PlatformStatus
 from courses.platforms import (
     add_deployment,
@@ -48,6 +49,11 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     invitation.add_argument("root", help="address of this service as the platform reaches it")
     invitation.add_argument("--note", default="", help="for whom it is")
     invitation.set_defaults(run=_invite)
+    administer = actions.add_parser(
+        "administer", help="print an address that opens the platforms' page, good once"
+    )
+    administer.add_argument("root", help="address of this service as your browser reaches it")
+    administer.set_defaults(run=_administer)
     keys = actions.add_parser("keys", help="print the public keys")
     keys.set_defaults(run=_keys, rotate=False, at_once=False)
     rotate = actions.add_parser("rotate", help="make a new key; it signs two days after it is published")
@@ -118,6 +124,13 @@ def _invite(options: argparse.Namespace) -> int:
     with opened_store() as store:
         secret = invite(store, options.note, now())
     sys.stdout.write(f"{options.root.rstrip('/')}/lti/register/{secret}\n")
+    return 0
+
+
+def _administer(options: argparse.Namespace) -> int:
+    with opened_store() as store:
+        code = invite_administrator(store, now())
+    sys.stdout.write(f"{options.root.rstrip('/')}/platforms#code={code}\n")
     return 0
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from datetime import timedelta
+from datetime import date, timedelta
 from functools import partial
 from typing import Any, TypeVar
 
@@ -11,7 +11,7 @@ from fastapi import Response
 from fastapi.responses import StreamingResponse
 
 from courses.audit import log_access
-from courses.enrolment import redeem_code
+from courses.enrolment import issue_code, preview, redeem_code
 from courses.gradebook import resend
 from courses.link_settings import read, written
 from courses.links import (
@@ -27,7 +27,7 @@ from courses.model import CourseSession, Link, Role
 from courses.platforms import platform_by_id
 from courses.policies import Allowance, Shown
 from courses.privacy import erase_person, export_person, person_in
-from courses.refusals import StaffOnlyError, unknown_record
+from courses.refusals import NoExerciseError, StaffOnlyError, unknown_record
 from courses.regrading import Scope, apply, begin, changes, rejudge
 from courses.statistics import (
     attempts_behind,
@@ -59,6 +59,7 @@ _Result = TypeVar("_Result")
 LONGEST_EXTRA = 366 * 24 * 60
 MOST_EXTRA = 1000
 """A year in minutes, and more attempts than anybody makes: larger numbers are slips of the finger."""
+PREVIEW_CODE = timedelta(minutes=2)
 
 
 class _Staff:
@@ -108,11 +109,17 @@ async def overview(request: ApiRequest) -> Response:
     """The class: links, students, how far each is, and scores that could not be delivered."""
     staff = await _staff(request)
     course = staff.session.course
-    found = await staff.run(class_overview, staff.store, course.id)
+    members = await staff.run(staff.courses.class_members, course)
+    found = await staff.run(class_overview, staff.store, course.id, members)
     lost = await staff.run(undelivered, staff.store, course.id)
     await staff.log("overview")
     return json_response(
-        {"course": {"title": course.title}, "link": staff.session.link.id, **found, "undelivered": lost}
+        {
+            "course": {"title": course.title, "members": members is not None},
+            "link": staff.session.link.id,
+            **found,
+            "undelivered": lost,
+        }
     )
 
 
@@ -175,10 +182,44 @@ async def list_attempts(request: ApiRequest) -> Response:
         code=asked.get("code"),
         ids=ids,
         person=asked.get("person"),
+        day=_day(asked.get("day")),
+        number=int(text) if (text := asked.get("number", "")).isdecimal() and len(text) < 7 else None,
     )
     found = await staff.run(work)
     await staff.log("attempts", subject=asked.get("person"), link=link.id)
     return json_response({"attempts": found})
+
+
+def _day(text: str | None) -> date | None:
+    """Return the day of the query.
+
+    Raises:
+        RequestError: it is none.
+    """
+    if text is None:
+        return None
+    try:
+        return date.fromisoformat(text)
+    except ValueError:
+        params = {"name": "day", "known": "2027-03-01"}
+        raise RequestError(Fault(code="setting_invalid", where=("day",), params=params)) from None
+
+
+@router.post("/course/links/{link}/preview")
+async def preview_link(request: ApiRequest) -> Response:
+    """A code that opens the exercise of a link as a student would find it, by the link's rules."""
+    staff = await _staff(request)
+    link = await staff.link()
+    if link.settings.exercise_id is None:
+        raise NoExerciseError
+
+    def work() -> str:
+        token = preview(staff.store, staff.session, link.id, now())
+        return issue_code(staff.store, "session", {"token": token}, now(), PREVIEW_CODE)
+
+    code = await staff.run(work)
+    await staff.log("preview", link=link.id)
+    return json_response({"exercise": link.settings.exercise_id, "code": code})
 
 
 @router.get("/course/attempts/{attempt}")

@@ -32,6 +32,7 @@ error-attempts_used = { $allowed ->
 error-setting_invalid = { $name } can be: { $known }.
 error-closes_before_opening = The exercise would close before it opens.
 error-session_expired = You are no longer signed in. What you typed is still here: open the exercise from your course again.
+error-administrator_unknown = This page is opened with an address that framewise lti administer prints; it works once, and for two hours.
 error-code_used = This address has been used already. Open the exercise from your course again.
 error-staff_only = This is open to the staff of the course.
 error-link_without_exercise = No exercise has been chosen for this link yet. A teacher chooses it by opening the link.

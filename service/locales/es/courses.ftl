@@ -32,6 +32,7 @@ error-attempts_used = { $allowed ->
 error-setting_invalid = { $name } puede ser: { $known }.
 error-closes_before_opening = El ejercicio se cerraría antes de abrirse.
 error-session_expired = Su sesión ha terminado. Lo que escribió sigue aquí: vuelva a abrir el ejercicio desde su curso.
+error-administrator_unknown = Esta página se abre con una dirección que imprime framewise lti administer; funciona una vez, y durante dos horas.
 error-code_used = Esta dirección ya se ha usado. Vuelva a abrir el ejercicio desde su curso.
 error-staff_only = Esto está abierto al profesorado del curso.
 error-link_without_exercise = Todavía no se ha elegido un ejercicio para este enlace. Lo elige un docente al abrir el enlace.

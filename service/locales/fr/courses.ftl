@@ -32,6 +32,7 @@ error-attempts_used = { $allowed ->
 error-setting_invalid = { $name } peut valoir : { $known }.
 error-closes_before_opening = L’exercice fermerait avant d’ouvrir.
 error-session_expired = Vous n’êtes plus connecté. Ce que vous avez saisi est toujours là : rouvrez l’exercice depuis votre cours.
+error-administrator_unknown = Cette page s'ouvre avec une adresse qu'affiche framewise lti administer ; elle fonctionne une fois, et pendant deux heures.
 error-code_used = Cette adresse a déjà servi. Rouvrez l’exercice depuis votre cours.
 error-staff_only = Ceci est réservé à l’équipe enseignante du cours.
 error-link_without_exercise = Aucun exercice n’a encore été choisi pour ce lien. Un enseignant le choisit en ouvrant le lien.

@@ -32,6 +32,7 @@ error-attempts_used = { $allowed ->
 error-setting_invalid = { $name } pode ser: { $known }.
 error-closes_before_opening = O exercício fecharia antes de abrir.
 error-session_expired = A sua sessão terminou. O que escreveu continua aqui: volte a abrir o exercício a partir da sua disciplina.
+error-administrator_unknown = Esta página abre-se com um endereço que framewise lti administer mostra; funciona uma vez, e durante duas horas.
 error-code_used = Este endereço já foi usado. Volte a abrir o exercício a partir da sua disciplina.
 error-staff_only = Isto está aberto aos docentes da disciplina.
 error-link_without_exercise = Ainda não foi escolhido um exercício para esta ligação. Um docente escolhe-o ao abrir a ligação.

@@ -33,6 +33,7 @@ error-attempts_used = { $allowed ->
 error-setting_invalid = { $name } poate fi: { $known }.
 error-closes_before_opening = Exercițiul s-ar închide înainte de a se deschide.
 error-session_expired = Nu mai sunteți autentificat. Ce ați scris este încă aici: deschideți din nou exercițiul din cursul dumneavoastră.
+error-administrator_unknown = Această pagină se deschide cu o adresă pe care o afișează framewise lti administer; funcționează o dată, timp de două ore.
 error-code_used = Această adresă a fost deja folosită. Deschideți din nou exercițiul din cursul dumneavoastră.
 error-staff_only = Aici au acces doar cadrele didactice ale cursului.
 error-link_without_exercise = Pentru această legătură nu s-a ales încă un exercițiu. Un profesor îl alege deschizând legătura.

@@ -33,6 +33,7 @@ error-attempts_used = { $allowed ->
 error-setting_invalid = { $name } може бути: { $known }.
 error-closes_before_opening = Вправа закрилася б раніше, ніж відкрилася.
 error-session_expired = Ваш сеанс завершився. Введене вами збережено на цій сторінці: відкрийте вправу з курсу ще раз.
+error-administrator_unknown = Цю сторінку відкривають за адресою, яку виводить framewise lti administer; вона діє один раз, протягом двох годин.
 error-code_used = Цю адресу вже використано. Відкрийте вправу з курсу ще раз.
 error-staff_only = Це доступно лише викладачам курсу.
 error-link_without_exercise = Для цього посилання ще не вибрано вправи. Її вибирає викладач, відкривши посилання.

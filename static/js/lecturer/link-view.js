@@ -57,7 +57,7 @@ export class LinkView {
   #numbers({ attempts, students, solved, first_attempt_rate: first, days, sequence }) {
     const percent = first === null ? "–" : `${Math.round(first * 100)} %`;
     const facts = [
-      [t("lecturer-attempts-made"), attempts],
+      [t("lecturer-attempts-made"), attempts ? this.#opener(attempts, {}) : 0],
       [t("lecturer-students"), students],
       [t("lecturer-solved"), solved],
       [t("lecturer-first-rate"), percent],
@@ -67,14 +67,14 @@ export class LinkView {
       el(
         "dl",
         { class: "row" },
-        facts.map(([name, value]) => el("div", {}, el("dt", { text: name }), el("dd", { text: value }))),
+        facts.map(([name, value]) => el("div", {}, el("dt", { text: name }), el("dd", {}, value))),
       ),
       el("h3", { text: t("lecturer-by-day") }),
       barChart(dayBars, t("lecturer-by-day")),
       dataTable(
         t("lecturer-by-day"),
         [t("lecturer-day"), t("lecturer-attempts-made"), t("lecturer-right")],
-        days.map((/** @type {any} */ { day, attempts: all, correct }) => [day, all, correct]),
+        days.map((/** @type {any} */ { day, attempts: all, correct }) => [day, this.#opener(all, { day }), correct]),
       ),
       el("h3", { text: t("lecturer-sequence") }),
       barChart(
@@ -88,15 +88,18 @@ export class LinkView {
       dataTable(
         t("lecturer-sequence"),
         [t("lecturer-attempt"), t("lecturer-reached"), t("lecturer-solved"), t("lecturer-left")],
-        sequence.map((/** @type {any} */ step) => [step.attempt, step.reached, step.solved, step.dropped_out]),
+        sequence.map((/** @type {any} */ step) => [
+          step.attempt,
+          this.#opener(step.reached, { number: step.attempt }),
+          step.solved,
+          step.dropped_out,
+        ]),
       ),
     ];
   }
 
   /** @param {any} options */
   #mistakes({ misconceptions }) {
-    /** @param {any} entry */
-    const open = (entry) => this.#open({ kind: entry.kind, code: entry.code });
     return [
       el("h3", { text: t("lecturer-mistakes") }),
       barChart(
@@ -108,13 +111,7 @@ export class LinkView {
         [t("lecturer-mistake"), t("lecturer-attempts-made"), t("lecturer-students"), t("lecturer-example")],
         misconceptions.map((/** @type {any} */ entry) => [
           el("code", { text: entry.code }),
-          el("button", {
-            type: "button",
-            class: "quiet small",
-            "aria-label": t("lecturer-open-attempts", { count: entry.attempts }),
-            onclick: () => open(entry),
-            text: String(entry.attempts),
-          }),
+          this.#opener(entry.attempts, { kind: entry.kind, code: entry.code }),
           entry.students,
           entry.example ?? "–",
         ]),
@@ -132,19 +129,24 @@ export class LinkView {
         [t("lecturer-does-not-fit"), t("lecturer-attempts-made")],
         unexplained.map((/** @type {any} */ { facts, attempts }) => [
           facts.length ? facts.map(factName).join(", ") : "–",
-          el("button", {
-            type: "button",
-            class: "quiet small",
-            "aria-label": t("lecturer-open-attempts", { count: attempts.length }),
-            onclick: () => this.#open({ ids: attempts.slice(0, 200).join(",") }),
-            text: String(attempts.length),
-          }),
+          this.#opener(attempts.length, { ids: attempts.slice(0, 200).join(",") }),
         ]),
       ),
     ];
   }
 
-  /** @param {Record<string, string>} asked */
+  /** A number that opens the attempts behind it. @param {number} count @param {Record<string, any>} asked */
+  #opener(count, asked) {
+    return el("button", {
+      type: "button",
+      class: "quiet small",
+      "aria-label": t("lecturer-open-attempts", { count }),
+      onclick: () => this.#open(asked),
+      text: String(count),
+    });
+  }
+
+  /** @param {Record<string, any>} asked */
   async #open(asked) {
     const { attempts } = await this.api.get(this.#path(`attempts?${new URLSearchParams(asked)}`));
     const when = new Intl.DateTimeFormat(language, { dateStyle: "short", timeStyle: "short" });
@@ -223,6 +225,13 @@ export class LinkView {
       await this.api.post(this.#path("release"), {});
       fill(said, el("p", { text: t("lecturer-released") }));
     };
+    const preview = async () => {
+      const { exercise, code } = await this.api.post(this.#path("preview"), {});
+      const address = `${pageAddress(`exercises/${exercise}`)}#session=${code}`;
+      const link = el("a", { href: address, target: "_blank", rel: "noopener", text: t("lecturer-preview-open") });
+      fill(said, el("p", {}, link), el("p", { class: "hint", text: t("lecturer-preview-text") }));
+      link.focus();
+    };
     const regrade = async (/** @type {string} */ scope) => {
       fill(said, el("p", { text: t("form-loading") }));
       const { run, changes } = await this.api.post(this.#path("regradings"), { scope });
@@ -254,13 +263,7 @@ export class LinkView {
       el(
         "p",
         { class: "row" },
-        el("a", {
-          class: "button",
-          href: pageAddress(`exercises/${this.link.exercise}`),
-          target: "_blank",
-          rel: "noopener",
-          text: t("lecturer-preview"),
-        }),
+        button(t("lecturer-preview"), preview),
         button(t("lecturer-release"), release),
         button(t("lecturer-regrade-counted"), () => regrade("counted")),
         button(t("lecturer-regrade-all"), () => regrade("all")),

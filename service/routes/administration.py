@@ -1,0 +1,176 @@
+"""The platforms of an installation, for its administrator."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
+from urllib.parse import urlsplit
+
+from fastapi import Response
+
+from courses.administration import admit_administrator, check_administrator
+from courses.model import Platform, PlatformStatus
+from courses.platforms import (
+    add_deployment,
+    add_platform,
+    deployments_of,
+    invitations,
+    invite,
+    platforms,
+    remove_platform,
+    set_status,
+)
+from kinematics.errors import Fault
+from service.course_resources import CourseResources, now
+from service.http.forms import own_root
+from service.http.problems import RequestError
+from service.http.routing import ApiRequest, DirectRoute, api_router
+from service.resources import resources_of
+from service.routes.course_sessions import in_thread, json_response
+
+router = api_router("courses", route_class=DirectRoute)
+router.include_in_schema = False
+
+_REQUIRED = ("issuer", "client_id", "authorization_endpoint", "token_endpoint", "jwks_uri")
+_ADDRESSES = ("authorization_endpoint", "token_endpoint", "jwks_uri")
+_LONGEST = 2000
+_BEARER = "bearer "
+_Result = TypeVar("_Result")
+
+
+async def _run(request: ApiRequest, work: Callable[[CourseResources], _Result]) -> _Result:
+    """Do an administrator's work."""
+    courses = resources_of(request).with_courses()
+    field = request.headers.get("authorization", "")
+    token = field[len(_BEARER) :].strip() if field.lower().startswith(_BEARER) else ""
+
+    def checked() -> _Result:
+        check_administrator(courses.store, token, now())
+        return work(courses)
+
+    return await in_thread(request, checked)
+
+
+async def _body(request: ApiRequest) -> Mapping[str, Any]:
+    body = await request.json()
+    if not isinstance(body, dict):
+        raise _invalid("body", "object")
+    return body
+
+
+def _invalid(name: str, known: str) -> RequestError:
+    return RequestError(Fault(code="setting_invalid", where=(name,), params={"name": name, "known": known}))
+
+
+@router.post("/administration/open")
+async def open_administration(request: ApiRequest) -> Response:
+    """Exchange the code of `framewise lti administer` for a token, once."""
+    courses = resources_of(request).with_courses()
+    code = str((await _body(request)).get("code"))
+    token = await in_thread(request, admit_administrator, courses.store, code, now())
+    return json_response({"token": token})
+
+
+@router.get("/administration/platforms")
+async def list_platforms(request: ApiRequest) -> Response:
+    """The platforms, and the invitations to register one."""
+
+    def work(courses: CourseResources) -> dict[str, Any]:
+        found = [_written(courses, platform) for platform in platforms(courses.store)]
+        sent = [
+            {
+                "note": each.note,
+                "created": each.created.isoformat(),
+                "expires": each.expires.isoformat(),
+                "used": each.used_at is not None,
+                "open": each.used_at is None and each.expires > now(),
+            }
+            for each in invitations(courses.store)
+        ]
+        return {"platforms": found, "invitations": sent}
+
+    return json_response(await _run(request, work))
+
+
+def _written(courses: CourseResources, platform: Platform) -> dict[str, Any]:
+    names = ("id", "issuer", "client_id", "name", "status", "names_shared", "token_audience", *_ADDRESSES)
+    told = {name: getattr(platform, name) for name in names}
+    return {**told, "origins": platform.origins, "deployments": deployments_of(courses.store, platform.id)}
+
+
+@router.post("/administration/platforms")
+async def register_by_hand(request: ApiRequest) -> Response:
+    """Register a platform, or change the one of this issuer and client."""
+    body = await _body(request)
+    told = {name: _text(body, name) for name in _REQUIRED}
+    for name in _ADDRESSES:
+        if urlsplit(told[name]).scheme not in ("https", "http") or not urlsplit(told[name]).netloc:
+            raise _invalid(name, "https://…")
+    deployment = _text(body, "deployment", required=False)
+    asked = Platform(
+        issuer=told["issuer"],
+        client_id=told["client_id"],
+        authorization_endpoint=told["authorization_endpoint"],
+        token_endpoint=told["token_endpoint"],
+        jwks_uri=told["jwks_uri"],
+        name=_text(body, "name", required=False),
+        token_audience=_text(body, "token_audience", required=False) or None,
+        names_shared=body.get("names_shared") is True,
+        status=PlatformStatus.ACTIVE,
+    )
+
+    def work(courses: CourseResources) -> dict[str, Any]:
+        stored = add_platform(courses.store, asked, (deployment,) if deployment else (), now())
+        courses.forget_origins()
+        return _written(courses, stored)
+
+    return json_response(await _run(request, work), status=201)
+
+
+def _text(body: Mapping[str, Any], name: str, *, required: bool = True) -> str:
+    value = body.get(name, "")
+    if not isinstance(value, str) or len(value) > _LONGEST or (required and not value.strip()):
+        raise _invalid(name, f"1 … {_LONGEST}")
+    return value.strip()
+
+
+@router.put("/administration/platforms/{platform}")
+async def change_platform(request: ApiRequest) -> Response:
+    """Let a platform launch or no longer, and let one more of its deployments launch."""
+    body, number = await _body(request), _number(request)
+    status = body.get("status")
+    if status is not None and status not in list(PlatformStatus):
+        raise _invalid("status", ", ".join(PlatformStatus))
+    deployment = _text(body, "deployment", required=False)
+
+    def work(courses: CourseResources) -> None:
+        if status is not None:
+            set_status(courses.store, number, PlatformStatus(status))
+            courses.forget_origins()
+        if deployment:
+            add_deployment(courses.store, number, deployment)
+
+    await _run(request, work)
+    return Response(status_code=204)
+
+
+@router.delete("/administration/platforms/{platform}")
+async def forget_platform(request: ApiRequest) -> Response:
+    """Remove a platform with all of its courses, attempts and grades."""
+    number = _number(request)
+    await _run(request, lambda courses: remove_platform(courses.store, number))
+    return Response(status_code=204)
+
+
+def _number(request: ApiRequest) -> int:
+    text = request.path_params["platform"]
+    return int(text) if text.isdecimal() and len(text) < 10 else 0
+
+
+@router.post("/administration/invitations")
+async def invite_platform(request: ApiRequest) -> Response:
+    """An address at which a platform may register itself once, within a week."""
+    note = _text(await _body(request), "note", required=False)
+    root = own_root(request, resources_of(request).settings.public_url)
+    secret = await _run(request, lambda courses: invite(courses.store, note, now()))
+    return json_response({"address": f"{root}lti/register/{secret}"}, status=201)

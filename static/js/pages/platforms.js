@@ -1,0 +1,174 @@
+/** The administrator's page: the platforms that may launch, and invitations to register one. */
+
+import { announce, el, fill } from "../dom.js";
+import { language, t } from "../i18n.js";
+import { dataTable } from "../lecturer/chart.js";
+import { api, startPage } from "../page.js";
+import { problemNotice } from "../problem.js";
+
+const $ = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
+const FIELDS = ["issuer", "client_id", "authorization_endpoint", "token_endpoint", "jwks_uri"];
+
+async function run() {
+  const code = new URLSearchParams(location.hash.slice(1)).get("code");
+  if (!code) {
+    fill($("list"), el("p", { text: t("platforms-come") }), el("code", { text: "framewise lti administer" }));
+    return;
+  }
+  history.replaceState(null, "", location.pathname + location.search);
+  await attempt(async () => {
+    api.token = (await api.post("administration/open", { code })).token;
+    $("invite-card").hidden = $("add-card").hidden = false;
+    fill($("add"), addForm());
+    await refresh();
+  });
+}
+
+/** @param {() => Promise<void>} work */
+async function attempt(work) {
+  fill($("platforms-problem"));
+  try {
+    await work();
+  } catch (error) {
+    fill($("platforms-problem"), problemNotice(error));
+    $("platforms-problem").scrollIntoView({ block: "nearest" });
+  }
+}
+
+async function refresh() {
+  const { platforms, invitations } = await api.get("administration/platforms");
+  const headings = ["platform", "status", "deployments", "names", "actions"].map((name) => t(`platforms-${name}`));
+  fill(
+    $("list"),
+    platforms.length
+      ? dataTable(t("platforms-list"), headings, platforms.map(platformRow))
+      : el("p", { class: "hint", text: t("platforms-none") }),
+  );
+  fill($("invite"), inviteForm(), invitationTable(invitations));
+}
+
+/** @param {any} platform */
+function platformRow({ id, issuer, client_id: client, name, status, names_shared: names, deployments }) {
+  const change = (/** @type {any} */ told) =>
+    attempt(async () => {
+      await api.put(`administration/platforms/${id}`, told);
+      announce(t("platforms-saved"));
+      await refresh();
+    });
+  const remove = () =>
+    confirm(t("platforms-remove-sure", { issuer })) &&
+    attempt(async () => {
+      await api.remove(`administration/platforms/${id}`);
+      await refresh();
+    });
+  /** @param {string} text @param {any} onclick */
+  const button = (text, onclick) =>
+    el("button", { type: "button", class: "quiet small", onclick, text, "aria-label": `${text}: ${name || issuer}` });
+  const deployment = /** @type {HTMLInputElement} */ (
+    el("input", { size: 12, required: true, "aria-label": `${t("platforms-deployment")}: ${name || issuer}` })
+  );
+  const more = el(
+    "form",
+    {
+      class: "row",
+      onsubmit: (/** @type {Event} */ event) => {
+        event.preventDefault();
+        change({ deployment: deployment.value });
+      },
+    },
+    deployment,
+    el("button", { type: "submit", class: "quiet small", text: t("platforms-add-deployment") }),
+  );
+  return [
+    el("span", {}, name ? `${name} · ` : "", el("code", { text: issuer }), " · ", el("code", { text: client })),
+    t(`platforms-status-${status}`),
+    el("div", {}, el("p", { text: deployments.join(", ") || "–" }), more),
+    t(`platforms-names-${names ? "yes" : "no"}`),
+    el(
+      "div",
+      { class: "row" },
+      status === "active"
+        ? button(t("platforms-disable"), () => change({ status: "disabled" }))
+        : button(t("platforms-activate"), () => change({ status: "active" })),
+      button(t("platforms-remove"), remove),
+    ),
+  ];
+}
+
+function inviteForm() {
+  const note = /** @type {HTMLInputElement} */ (el("input", { maxlength: 200 }));
+  const made = el("div", { role: "status" });
+  const make = async (/** @type {Event} */ event) => {
+    event.preventDefault();
+    await attempt(async () => {
+      const { address } = await api.post("administration/invitations", { note: note.value });
+      await refresh();
+      fill(
+        /** @type {HTMLElement} */ ($("invite").querySelector("[role=status]")),
+        el("p", { text: t("platforms-invite-made") }),
+        el("p", {}, el("code", { text: address })),
+      );
+    });
+  };
+  return el(
+    "form",
+    { class: "row", onsubmit: make },
+    el("label", {}, t("platforms-note"), note),
+    el("button", { type: "submit", class: "primary", text: t("platforms-invite-make") }),
+    made,
+  );
+}
+
+/** @param {any[]} invitations */
+function invitationTable(invitations) {
+  if (!invitations.length) return null;
+  const when = new Intl.DateTimeFormat(language, { dateStyle: "medium" });
+  const headings = ["note", "created", "expires", "status"].map((name) => t(`platforms-${name}`));
+  return dataTable(
+    t("platforms-invitations"),
+    headings,
+    invitations.map(({ note, created, expires, used, open }) => [
+      note || "–",
+      when.format(new Date(created)),
+      when.format(new Date(expires)),
+      t(`platforms-${used ? "used" : open ? "open" : "expired"}`),
+    ]),
+  );
+}
+
+function addForm() {
+  /** @param {string} name @param {any} attributes */
+  const field = (name, attributes) =>
+    el("label", {}, t(`platforms-${name.replaceAll("_", "-")}`), el("input", { name, ...attributes }));
+  const form = /** @type {HTMLFormElement} */ (
+    el(
+      "form",
+      {
+        class: "lecturer-form",
+        onsubmit: (/** @type {Event} */ event) => {
+          event.preventDefault();
+          const told = Object.fromEntries(new FormData(form));
+          attempt(async () => {
+            await api.post("administration/platforms", { ...told, names_shared: told.names_shared === "on" });
+            form.reset();
+            announce(t("platforms-saved"));
+            await refresh();
+          });
+        },
+      },
+      FIELDS.map((name) => field(name, { required: true, type: name === "client_id" ? "text" : "url" })),
+      field("deployment", {}),
+      field("name", {}),
+      el(
+        "label",
+        { class: "row" },
+        el("input", { type: "checkbox", name: "names_shared" }),
+        t("platforms-names-shared"),
+      ),
+      el("p", { class: "wide" }, el("button", { type: "submit", class: "primary", text: t("platforms-save") })),
+    )
+  );
+  return form;
+}
+
+startPage(run);

@@ -1,0 +1,158 @@
+"""Platforms on a page for the administrator; names in the class, and previews, for lecturers."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import replace
+from datetime import timedelta
+
+import httpx
+import pytest
+
+from courses.administration import invite_administrator
+from courses.model import PlatformStatus
+from courses.platforms import add_platform, platforms
+from courses.storage import Store
+from service.course_resources import now
+from tests.lti.classes import TEACHER, Browser, Lms, hint
+from tests.lti.test_launches import RIGHT, WRONG
+
+ADDRESSES = {
+    "issuer": "https://lms.example.edu",
+    "client_id": "framewise",
+    "authorization_endpoint": "https://lms.example.edu/auth",
+    "token_endpoint": "https://lms.example.edu/token",
+    "jwks_uri": "https://lms.example.edu/jwks",
+}
+
+
+@pytest.fixture
+def administrator(service: str, store: Store) -> Iterator[httpx.Client]:
+    with httpx.Client(base_url=f"{service}/api/v1/administration/", timeout=60, trust_env=False) as client:
+        code = invite_administrator(store, now())
+        client.headers["Authorization"] = f"Bearer {client.post('open', json={'code': code}).json()['token']}"
+        again = client.post("open", json={"code": code})
+        assert (again.status_code, again.json()["code"]) == (401, "code_used")
+        yield client
+
+
+def test_only_the_administrator_sees_and_changes_platforms(
+    administrator: httpx.Client, browser: Browser, store: Store
+) -> None:
+    browser.launch("tina", hint([TEACHER], resource="admin"))
+    for token in ("none", "made-up", browser.token, invite_administrator(store, now() - timedelta(hours=3))):
+        headers = {"Authorization": f"Bearer {token}"}
+        for method, path in (
+            ("GET", "platforms"),
+            ("POST", "platforms"),
+            ("PUT", "platforms/1"),
+            ("DELETE", "platforms/1"),
+            ("POST", "invitations"),
+        ):
+            body = None if method in ("GET", "DELETE") else {**ADDRESSES, "status": "disabled"}
+            answer = administrator.request(method, path, json=body, headers=headers)
+            assert (answer.status_code, answer.json()["code"]) == (401, "administrator_unknown")
+    assert platforms(store)[0].status is PlatformStatus.ACTIVE
+
+
+def test_a_platform_is_registered_by_hand_and_switched_off(administrator: httpx.Client) -> None:
+    made = administrator.post("platforms", json={**ADDRESSES, "deployment": "1", "name": "Ours"})
+    assert made.status_code == 201
+    number = made.json()["id"]
+
+    def found() -> dict[str, object]:
+        told = administrator.get("platforms").json()["platforms"]
+        return next(each for each in told if each["id"] == number)
+
+    assert (found()["status"], found()["deployments"], found()["names_shared"]) == ("active", ["1"], False)
+    assert administrator.put(f"platforms/{number}", json={"status": "disabled"}).status_code == 204
+    assert administrator.put(f"platforms/{number}", json={"deployment": "2"}).status_code == 204
+    assert (found()["status"], found()["deployments"]) == ("disabled", ["1", "2"])
+    for wrong in ({"jwks_uri": "javascript:alert(1)"}, {"issuer": ""}, {"client_id": 5}):
+        answer = administrator.post("platforms", json={**ADDRESSES, **wrong})
+        assert (answer.status_code, answer.json()["code"]) == (422, "setting_invalid")
+    assert administrator.put(f"platforms/{number}", json={"status": "mad"}).status_code == 422
+    assert administrator.delete(f"platforms/{number}").status_code == 204
+    assert administrator.delete(f"platforms/{number}").status_code == 404
+
+
+def test_an_invitation_made_on_the_page_registers_a_platform(administrator: httpx.Client, lms: Lms) -> None:
+    address = administrator.post("invitations", json={"note": "Moodle of the faculty"}).json()["address"]
+    told = administrator.get("platforms").json()["invitations"][0]
+    assert (told["note"], told["open"]) == ("Moodle of the faculty", True)
+    asked = {"openid_configuration": f"{lms.root}/openid", "registration_token": "once"}
+    assert 'data-step="close"' in httpx.get(address, params=asked, timeout=60, trust_env=False).text
+    state = administrator.get("platforms").json()
+    assert state["invitations"][0]["used"]
+    (pending,) = (each for each in state["platforms"] if each["issuer"] == lms.root)
+    assert pending["status"] == "pending"
+    administrator.put(f"platforms/{pending['id']}", json={"status": "active"})
+
+
+def test_a_lecturer_is_told_what_to_send(service: str) -> None:
+    for language in ("en", "uk"):
+        page = httpx.get(f"{service}/lti/connect?lang={language}", timeout=60, trust_env=False)
+        assert page.status_code == 200
+        for path in ("login", "launch", "jwks", "configuration"):
+            assert f"{service}/lti/{path}" in page.text
+
+
+def test_names_come_from_the_platform_where_the_operator_lets_them(
+    browser: Browser, lms: Lms, store: Store, service: str
+) -> None:
+    link = {"resource": "names", "context": "names", "custom": {"exercise": "puma560"}}
+    browser.launch("student", hint(**link))
+    teacher = Browser(lms, service)
+    teacher.launch("tina", hint([TEACHER], **link))
+    before = teacher.api("GET", "course").json()
+    assert (before["course"]["members"], len(before["students"])) == (False, 1)
+    own = next(each for each in platforms(store) if each.issuer == lms.root)
+    add_platform(store, replace(own, names_shared=True), (), now())
+    try:
+        found = teacher.api("GET", "course").json()
+    finally:
+        add_platform(store, replace(own, names_shared=False), (), now())
+    teacher.client.close()
+    assert found["course"]["members"] is True
+    states = sorted(
+        next(iter(each["links"].values()), {}).get("state", "absent") for each in found["students"]
+    )
+    assert states == ["absent", "opened"]
+    (counted,) = found["links"]
+    assert (counted["absent"], counted["opened"]) == (1, 1)
+
+
+def test_a_preview_follows_the_rules_and_counts_for_nothing(browser: Browser, lms: Lms, service: str) -> None:
+    rules = {"points": 10, "attempts": 2, "parts": ["table"], "per_student": True, "help": "verdict"}
+    custom = {"exercise": "puma560", "settings": json.dumps(rules)}
+    where = {"resource": "preview", "context": "preview", "custom": custom}
+    browser.launch("ann", hint(**where))
+    browser.api("POST", "session/attempts", WRONG)
+    teacher = Browser(lms, service)
+    teacher.launch("tina", hint([TEACHER], **where))
+    link = teacher.api("GET", "course").json()["link"]
+    for _ in range(2):
+        preview = teacher.api("POST", f"course/links/{link}/preview", {}).json()
+        assert preview["exercise"] == "puma560"
+        student = Browser(lms, service)
+        student.token = student.api("POST", "session/open", {"code": preview["code"]}).json()["token"]
+        told = student.api("GET", "session").json()
+        assert (told["role"], told["attempts_allowed"], told["attempts_made"]) == ("learner", 2, 0)
+        assert told["seed"]
+        assert student.api("GET", "course").json()["code"] == "staff_only"
+        answers = [student.api("POST", "session/attempts", each) for each in (WRONG, WRONG, RIGHT)]
+        assert [answer.status_code for answer in answers] == [200, 200, 409]
+        assert answers[0].json()["help"] == "verdict"
+        student.client.close()
+    numbers = teacher.api("GET", f"course/links/{link}/statistics").json()
+    assert (numbers["attempts"], numbers["students"]) == (1, 1)
+    assert len(teacher.api("GET", f"course/links/{link}/attempts").json()["attempts"]) == 1
+    assert len(teacher.api("GET", "course").json()["students"]) == 1
+    (day,) = numbers["days"]
+    for asked, count in ((f"day={day['day']}", 1), ("day=2001-01-01", 0), ("number=1", 1), ("number=2", 0)):
+        found = teacher.api("GET", f"course/links/{link}/attempts?{asked}").json()["attempts"]
+        assert len(found) == count
+    assert teacher.api("GET", f"course/links/{link}/attempts?day=today").status_code == 422
+    teacher.client.close()
+    assert {entry["user"] for entry in lms.state()["scores"] if entry["resource"] == "preview"} <= {"ann"}
