@@ -29,7 +29,9 @@ export async function showAttempt(api, card, place, attempt) {
       el("time", { datetime: attempt.at, text: when.format(new Date(attempt.at)) }),
       el("span", { text: `${attempt.exercise} (${attempt.version})` }),
     ),
-    answer.table ? dataTable(t("form-part-table"), [t("form-row-heading"), "", "θ", "d", "a", "α"], rows) : null,
+    answer.table
+      ? dataTable(t("form-part-table"), [t("form-row-heading"), t("form-joint"), "θ", "d", "a", "α"], rows)
+      : null,
     verdictView(report, { convention: answer.table?.convention ?? "standard", focusRow: null }),
     Object.values(others).map((/** @type {any} */ part) =>
       partView(part, t(`form-part-${part.kind.replaceAll("_", "-")}`), {

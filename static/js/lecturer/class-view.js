@@ -64,7 +64,7 @@ export function showUndelivered(card, place, lost, resend) {
     el("p", { text: t("lecturer-undelivered-text") }),
     dataTable(
       t("lecturer-undelivered"),
-      [t("lecturer-student"), t("lecturer-link"), t("lecturer-score"), t("lecturer-problem"), ""],
+      [t("lecturer-student"), t("lecturer-link"), t("lecturer-score"), t("lecturer-problem"), t("lecturer-resend")],
       lost.map((entry) => [
         studentName(entry),
         entry.title,

@@ -155,7 +155,7 @@ export class LinkView {
       el("h3", { text: t("lecturer-attempts") }),
       dataTable(
         t("lecturer-attempts"),
-        [t("lecturer-student"), t("lecturer-attempt"), t("lecturer-time"), t("lecturer-score"), ""],
+        [t("lecturer-student"), t("lecturer-attempt"), t("lecturer-time"), t("lecturer-score"), t("lecturer-open")],
         attempts.map((/** @type {any} */ attempt) => [
           studentName(attempt),
           attempt.number,

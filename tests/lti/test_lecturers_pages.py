@@ -1,0 +1,124 @@
+"""The lecturers' and the administrator's pages in Chromium: they work, and axe-core finds nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import pytest
+from playwright.sync_api import Browser as Chromium
+from playwright.sync_api import Page, expect
+
+from courses.administration import invite_administrator
+from courses.storage import Store
+from service.course_resources import now
+from tests.lti.classes import TEACHER, Browser, Lms, hint
+from tests.lti.test_in_a_browser import PATIENCE, chromium, framed  # noqa: F401
+from tests.lti.test_launches import CUSTOM, RIGHT, WRONG
+from tests.web.conftest import assert_accessible, axe, wait_ready  # noqa: F401
+
+Check = Callable[[Page], None]
+pytestmark = pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+SIZES = (320, 1280)
+SCHEMES = ("light", "dark")
+
+
+@pytest.fixture(params=[(size, scheme) for size in SIZES for scheme in SCHEMES], ids=str)
+def page(request: pytest.FixtureRequest, chromium: Chromium) -> Iterator[Page]:  # noqa: F811
+    size, scheme = request.param
+    viewport = {"width": size, "height": 900}
+    context = chromium.new_context(
+        viewport=viewport, color_scheme=scheme, locale="en", reduced_motion="reduce"
+    )
+    context.set_default_timeout(PATIENCE)
+    yield context.new_page()
+    context.close()
+
+
+def no_sideways(page: Page) -> None:
+    """Only tables may be wider than the window, and scroll by themselves."""
+    wide = page.evaluate(
+        """() => {
+          const width = document.documentElement.clientWidth;
+          if (document.documentElement.scrollWidth <= width) return [];
+          return [...document.querySelectorAll("main *")]
+            .filter((element) => !element.closest(".scroller *") && element.getBoundingClientRect().right > width + 1)
+            .map((element) => `${element.tagName} ${element.className} ${element.id}`);
+        }"""
+    )
+    assert wide == []
+
+
+def arrived(page: Page, lms: Lms, user: str, link: str) -> None:
+    """Launch in the page itself, as a new window does."""
+    page.goto(f"{lms.root}/start?user={user}&hint={link}")
+    page.wait_for_url("**/course*")
+    wait_ready(page)
+
+
+def test_the_class_its_numbers_and_an_attempt(
+    page: Page,
+    browser: Browser,
+    lms: Lms,
+    service: str,
+    assert_accessible: Check,  # noqa: F811
+) -> None:
+    where = {"resource": "pages", "context": "pages", "custom": CUSTOM}
+    browser.launch("ann", hint(**where))
+    for answer in (WRONG, RIGHT):
+        assert browser.api("POST", "session/attempts", answer).status_code in (200, 409)
+    arrived(page, lms, "tina", hint([TEACHER], **where))
+    expect(page.locator("#class table").first).to_be_visible()
+    expect(page.locator("#link table").first).to_be_visible()
+    assert_accessible(page)
+    no_sideways(page)
+    page.locator("#link dl button").first.click()
+    opened = page.get_by_role("button", name="Open", exact=True)
+    expect(opened.first).to_be_visible()
+    assert_accessible(page)
+    opened.first.click()
+    expect(page.locator("#attempt robot-scene").first).to_be_visible()
+    assert_accessible(page)
+    no_sideways(page)
+    page.locator("#link details summary").first.click()
+    assert_accessible(page)
+    no_sideways(page)
+    page.get_by_role("button", name="Preview as a student").click()
+    link = page.get_by_role("link", name="Open the preview")
+    with page.context.expect_page() as made:
+        link.click()
+    preview = made.value
+    preview.wait_for_selector("html[data-ready=true]", state="attached", timeout=PATIENCE)
+    expect(preview.locator(".session-banner")).to_contain_text("of 3")
+    preview.close()
+
+
+def test_the_administrators_page(
+    page: Page,
+    store: Store,
+    service: str,
+    assert_accessible: Check,  # noqa: F811
+) -> None:
+    page.goto(f"{service}/platforms")
+    wait_ready(page)
+    expect(page.locator("#list")).to_contain_text("framewise lti administer")
+    assert_accessible(page)
+    page.goto("about:blank")
+    page.goto(f"{service}/platforms#code={invite_administrator(store, now())}")
+    wait_ready(page)
+    expect(page.locator("#list table")).to_be_visible()
+    page.get_by_label("For whom").fill("Faculty")
+    page.get_by_role("button", name="Make an address").click()
+    expect(page.locator("#invite code")).to_contain_text("/lti/register/")
+    assert_accessible(page)
+    no_sideways(page)
+
+
+def test_what_a_lecturer_sends(
+    page: Page,
+    service: str,
+    assert_accessible: Check,  # noqa: F811
+) -> None:
+    page.goto(f"{service}/lti/connect")
+    wait_ready(page)
+    assert_accessible(page)
+    no_sideways(page)
