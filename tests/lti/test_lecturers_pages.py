@@ -40,8 +40,8 @@ def no_sideways(page: Page) -> None:
         """() => {
           const width = document.documentElement.clientWidth;
           if (document.documentElement.scrollWidth <= width) return [];
-          return [...document.querySelectorAll("main *")]
-            .filter((element) => !element.closest(".scroller *") && element.getBoundingClientRect().right > width + 1)
+          return [...document.querySelectorAll("main *:not(.scroller *)")]
+            .filter((element) => element.getBoundingClientRect().right > width + 1)
             .map((element) => `${element.tagName} ${element.className} ${element.id}`);
         }"""
     )
