@@ -157,8 +157,12 @@ def connect(url: str, folder: Path) -> Store:
     return Store(_sqlite((folder / FILE_NAME).resolve()), (folder / FILE_NAME).resolve())
 
 
-def migrate(store: Store) -> None:
+def migrate(store: Store, target: str = "head") -> None:
     """Apply what the database lacks of the schema's history.
+
+    Args:
+        store: the database.
+        target: the revision to stop at.
 
     Raises:
         StorageError: the database's schema is not in this program's history.
@@ -175,7 +179,7 @@ def migrate(store: Store) -> None:
         with EnvironmentContext(
             configuration(),
             scripts,
-            fn=lambda revision, _: scripts._upgrade_revs("head", revision),
+            fn=lambda revision, _: scripts._upgrade_revs(target, revision),
         ) as environment:
             environment.configure(connection=connection, target_metadata=metadata)
             environment.run_migrations()

@@ -51,6 +51,7 @@ class Library:
         self._shelf = shelf
         self._folders: tuple[Traversable, ...] = (*folders, ROOT)
         self._read: dict[str, Exercise] = {}
+        self._files: dict[str, Mapping[str, bytes]] = {}
         missing = [folder for folder in folders if not folder.is_dir()]
         if missing:
             raise DefinitionError(Fault(code="folder_missing", params={"folder": str(f)}) for f in missing)
@@ -77,8 +78,20 @@ class Library:
                     )
                 )
             holding = (folder / exercise_id for folder in self._folders)
-            self._read[exercise_id] = load_exercise(next(f for f in holding if (f / FILE).is_file()))
+            found = files_of_folder(next(f for f in holding if (f / FILE).is_file()))
+            self._read[exercise_id] = exercise_of_files(exercise_id, found)
+            self._files[exercise_id] = found
         return self._read[exercise_id]
+
+    def files(self, exercise_id: str) -> Mapping[str, bytes] | None:
+        """Return the files that an exercise was read from; None where it stands in no folder.
+
+        Raises:
+            UnknownExerciseError: there is no such exercise.
+            DefinitionError: its folder is malformed.
+        """
+        self.exercise(exercise_id)
+        return self._files.get(exercise_id)
 
     def read_all(self) -> None:
         """Read every exercise now.
@@ -111,11 +124,19 @@ def load_exercise(folder: Traversable) -> Exercise:
     Raises:
         DefinitionError: every fault that was found, each at (folder, file, key, …).
     """
-    files = files_of_folder(folder)
+    return exercise_of_files(folder.name, files_of_folder(folder))
+
+
+def exercise_of_files(exercise_id: str, files: Mapping[str, bytes]) -> Exercise:
+    """The exercise that the files of a folder describe.
+
+    Raises:
+        DefinitionError: every fault that was found, each at (folder, file, key, …).
+    """
     try:
-        return read_exercise(folder.name, read_definition(files), read_statements(files))
+        return read_exercise(exercise_id, read_definition(files), read_statements(files))
     except DefinitionError as error:
-        raise DefinitionError(fault.within(folder.name) for fault in error.faults) from error
+        raise DefinitionError(fault.within(exercise_id) for fault in error.faults) from error
 
 
 def read_exercise(exercise_id: str, definition: Mapping[str, Any], statements: Mapping[str, str]) -> Exercise:

@@ -10,13 +10,14 @@ from courses.enrolment import sessions_of
 from courses.gradebook import OutboxState, outbox_state
 from courses.model import Attempt, Course, CourseSession, Platform, PlatformStatus
 from courses.platforms import StoredKey, add_key, platform_by_id, platforms, remove_keys, stored_keys
-from courses.publications import published
+from courses.publications import publish, published
 from courses.refusals import StorageUnavailableError
 from courses.secrets import pseudonym
 from courses.storage import Store, open_store
 from courses.submissions import JudgedSubmission, store_submissions
+from exercises.authoring.draft import draft_of_files
 from exercises.definition import Exercise
-from exercises.loader import read_exercise
+from exercises.loader import Library, read_exercise
 from service.lti.fetching import Fetcher, origin_of
 from service.lti.launch_errors import PlatformError
 from service.lti.memberships import members
@@ -67,6 +68,7 @@ class CourseResources:
         self._lock = threading.Lock()
         self._members: dict[int, tuple[dict[str, str | None] | None, float]] = {}
         self._answered = (True, float("-inf"))
+        self._editions: dict[str, str] = {}
         self._published: dict[str, Exercise] = {}
         self._origins: tuple[tuple[str, ...], float] = ((), float("-inf"))
 
@@ -107,6 +109,21 @@ class CourseResources:
                 self._published.pop(next(iter(self._published)))
             self._published[address] = read_exercise(address, draft.definition, draft.statements)
         return self._published[address]
+
+    def edition(self, library: Library, exercise_id: str) -> str:
+        """The address of an exercise as it is now, made from its content; what stands there never changes.
+
+        Raises:
+            UnknownExerciseError: there is no such exercise.
+            PublicationError: as many are kept as may be.
+        """
+        files = library.files(exercise_id)
+        if files is None:
+            return exercise_id  # it has been published, under this address
+        if exercise_id not in self._editions:
+            draft = draft_of_files(exercise_id, files)
+            self._editions[exercise_id] = publish(self.store, draft, now()).address
+        return self._editions[exercise_id]
 
     def class_members(self, course: Course) -> dict[str, str | None] | None:
         """Names of a course's students by their pseudonyms, as the platform tells them; None: it does not.

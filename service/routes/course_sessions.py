@@ -60,7 +60,8 @@ async def signed_in(request: ApiRequest) -> tuple[CourseResources, CourseSession
 def grader_of(request: ApiRequest) -> Grader:
     """What judges answers by the application's exercises and limits."""
     resources = resources_of(request)
-    return Grader(library=resources.exercises, limits=resources.settings.cell_limits)
+    edition = resources.courses.edition if resources.courses else None
+    return Grader(library=resources.exercises, limits=resources.settings.cell_limits, edition=edition)
 
 
 def json_response(body: Any, status: int = 200) -> Response:

@@ -278,9 +278,9 @@ async def regrade(request: ApiRequest) -> Response:
     link, body = await staff.link(), await _told(request)
     scope = Scope.ALL if body.get("scope") == "all" else Scope.COUNTED
     grader = grader_of(request)
-    version = str(asked_exercise(grader.library, link.settings).version)
 
     def work() -> dict[str, Any]:
+        version = grader.version(link.settings)
         run = begin(staff.store, link.id, scope, version, now())
         rejudge(staff.store, run, lambda batch: grader.rejudge(batch, link.settings))
         return {"run": run, "version": version, "changes": changes(staff.store, run)}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import secrets
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
@@ -44,10 +44,26 @@ class SessionJudgement:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Grader:
-    """Judges answers to the exercises of links, for students and for statistics."""
+    """Judges answers to the exercises of links, for students and for statistics.
+
+    Attributes:
+        library: the exercises.
+        limits: how large an answer may be.
+        edition: tells the address of an exercise's content; None where nothing is kept.
+    """
 
     library: Library
     limits: Limits
+    edition: Callable[[Library, str], str] | None = None
+
+    def version(self, settings: LinkSettings) -> str:
+        """What the exercise of a link is now: an address made from its content, else its number.
+
+        Raises:
+            NoExerciseError: none has been chosen.
+        """
+        asked = asked_exercise(self.library, settings)
+        return self.edition(self.library, asked.id) if self.edition else str(asked.version)
 
     def judge(
         self, settings: LinkSettings, seed: str | None, wire: AnswerBase, attempt: int
@@ -77,7 +93,7 @@ class Grader:
             analysis=analysis,
             score=report.score,
             correct=report.correct and not report.missing,
-            version=str(asked.version),
+            version=self.version(settings),
         )
 
     def rejudge(self, attempts: Sequence[Attempt], settings: LinkSettings) -> list[Rejudged]:

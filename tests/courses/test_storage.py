@@ -10,11 +10,12 @@ import sqlalchemy as sa
 from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
 
+from courses.attempts import attempts_of
 from courses.backup import back_up, restore
 from courses.records import metadata
 from courses.refusals import StorageError
 from courses.statistics import class_overview
-from courses.storage import Store, open_store
+from courses.storage import Store, connect, migrate, open_store, revision_of
 from tests.courses.classroom import joined, submitted
 
 
@@ -99,3 +100,21 @@ def test_a_file_that_is_no_backup_is_refused(store: Store, tmp_path: Path) -> No
     with pytest.raises(StorageError) as caught:
         restore(store, file)
     assert caught.value.code == "backup_unreadable"
+
+
+@pytest.mark.parametrize("before", ["0001"])
+def test_an_upgrade_keeps_what_the_version_before_has_stored(
+    database: str, tmp_path: Path, before: str
+) -> None:
+    """A database with the schema of an earlier version, and its data, under the program of this one."""
+    old = connect(database, tmp_path / "data")
+    migrate(old, before)
+    assert revision_of(old) == before
+    session = joined(old)
+    kept = submitted(old, session, 0.5, key="kept")
+    old.close()
+    new = open_store(database, tmp_path / "data")
+    assert revision_of(new) > before
+    assert attempts_of(new, session.link.id, session.person.id) == [kept]
+    assert submitted(new, joined(new), 1.0, key="more").number == 2
+    new.close()

@@ -15,13 +15,15 @@ from courses.refusals import AttemptError
 from courses.storage import Store, open_store
 from courses.submissions import store_submission
 from exercises.grading import HelpLevel
+from exercises.instance import generate
 from exercises.loader import Library
 from kinematics.cells import DEFAULT
-from service.course_resources import now
+from service.course_resources import CourseResources, now
 from service.schemas.exercises import ExerciseAnswer
+from service.settings import Settings
 from service.work.session_grading import Grader, judged_submission, with_exercise_rules
 from tests.courses.classroom import joined
-from tests.exercises.folders import TWO_LINKS, folder
+from tests.exercises.folders import TWO_LINKS, changed, folder
 
 RULES = """
 [access]
@@ -96,3 +98,24 @@ def test_attempts_are_the_exercises_unless_the_link_says_otherwise(store: Store,
     with pytest.raises(AttemptError, match="attempts_used"):
         wrong(store, grader, come(store, grader))
     wrong(store, grader, come(store, grader, policy=AttemptPolicy(attempts=5)))
+
+
+def test_a_mended_exercise_is_another_version_and_the_old_one_stays(tmp_path: Path) -> None:
+    courses = CourseResources(Settings(storage="on", data_folder=tmp_path / "data"))
+    versions = []
+    for text in (TWO_LINKS, TWO_LINKS, changed("L1.value = 0.5", "L1.value = 0.6")):
+        folder(tmp_path / "own", text)
+        library = Library((tmp_path / "own",), courses.published)
+        grader = Grader(library=library, limits=DEFAULT, edition=courses.edition)
+        courses._editions.clear()  # a new process reads the folder anew
+        session = joined(courses.store, at=now(), exercise_id="two")
+        typed = {"table": {**WRONG["table"]}}
+        judged, _ = judged_submission(
+            grader, session, ExerciseAnswer.model_validate(typed), typed, None, "en"
+        )
+        versions.append(store_submission(courses.store, judged, now()).version)
+    first, same, mended = versions
+    assert first == same != mended
+    values = [generate(library.exercise(version), None).parameters["L1"] for version in (first, mended)]
+    assert values == [0.5, 0.6]
+    courses.close()

@@ -52,8 +52,10 @@ export async function showAttempt(api, card, place, attempt) {
 }
 
 /** @param {any} api @param {any} place @param {any} options */
-async function draw(api, place, { answer, report, exercise: id, seed }) {
-  const exercise = await api.get(`exercises/${id}${seed ? `?seed=${encodeURIComponent(seed)}` : ""}`);
+async function draw(api, place, { answer, report, exercise: name, version, seed }) {
+  const id = version.startsWith(`${name}-`) ? version : name; // the exercise as it was when this was handed in
+  const values = seed ? `seed=${encodeURIComponent(seed)}&` : "";
+  const exercise = await api.get(`exercises/${id}?${values}lang=${language}`);
   const { angle_unit: angle, length_unit: length } = answer.table;
   const units = { angle: exercise.angle_unit, length: exercise.length_unit };
   const kinds = new Map(
@@ -62,8 +64,11 @@ async function draw(api, place, { answer, report, exercise: id, seed }) {
       unit === exercise.length_unit ? "length" : "angle",
     ]),
   );
-  const values = convertedValues(exercise.parameters, (name) => kinds.get(name) ?? "length", units, { angle, length });
-  const drawn = await robotOf(api, answer.table, values);
+  const dimensions = convertedValues(exercise.parameters, (name) => kinds.get(name) ?? "length", units, {
+    angle,
+    length,
+  });
+  const drawn = await robotOf(api, answer.table, dimensions);
   if (!drawn) return;
   if (report.certificate && report.figure) {
     const both = bothRobots({
@@ -81,7 +86,7 @@ async function draw(api, place, { answer, report, exercise: id, seed }) {
   scene.model = drawn.model;
   const figure = el("img", {
     class: "figure-paper",
-    src: api.address(`exercises/${id}/figure.svg?lang=${language}`),
+    src: api.address(`exercises/${id}/figure.svg?${values}lang=${language}`),
     alt: exercise.figure.description,
     width: 480,
     height: 330,
