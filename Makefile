@@ -12,7 +12,7 @@ PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
 export MUED_URL MUED_AUTHORIZATION
 
-.PHONY: help serve test mued test-clone campaign kill-campaign measure-courses explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
+.PHONY: help sbom licences serve test mued test-clone campaign kill-campaign measure-courses explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -115,6 +115,12 @@ kill-campaign: $(VENV)/.dev ## kill -9 the service 100 times under load, on SQLi
 measure-courses: $(VENV)/.dev ## regrading and statistics of 2 000 students with 20 attempts each
 	$(PY) -m tests.lti.measuring
 	$(PY) -m tests.lti.storage_price
+
+sbom: $(VENV)/.runtime ## bill of materials of the installation, CycloneDX JSON (INTO=file)
+	@$(PY) tools/sbom.py $(INTO)
+
+licences: $(VENV)/.runtime ## every package with its licence
+	@$(PY) tools/sbom.py --licences
 
 browser: ## Chromium for the end-to-end tests (Debian; needs root)
 	apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium wrk
