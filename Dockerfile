@@ -13,14 +13,18 @@ COPY package.json package-lock.json .npmrc ./
 COPY tools/vendor.py tools/vendor.py
 RUN /opt/node/bin/python tools/vendor.py --omit-dev
 
-# What the service imports.
+# What the service imports: without the packages' own tests, and without the locale data of languages that it does not speak.
 FROM ${PYTHON_IMAGE} AS packages
 WORKDIR /build
 COPY requirements.lock ./
 RUN python -m venv /opt/framewise \
     && /opt/framewise/bin/pip install --no-cache-dir --disable-pip-version-check --require-hashes \
        --only-binary :all: -r requirements.lock \
-    && /opt/framewise/bin/python -m pip uninstall --yes pip
+    && /opt/framewise/bin/python -m pip uninstall --yes pip \
+    && find /opt/framewise -path '*/babel/locale-data/*.dat' ! -name root.dat ! -name en.dat ! -name es.dat \
+       ! -name fr.dat ! -name pt.dat ! -name ro.dat ! -name uk.dat -delete \
+    && find /opt/framewise -type d -name tests -path '*/site-packages/sympy/*' -prune -exec rm -r {} + \
+    && find /opt/framewise -type d -name tests -path '*/site-packages/mpmath/*' -prune -exec rm -r {} +
 
 FROM ${PYTHON_IMAGE} AS service
 RUN useradd --uid 10001 --user-group --no-create-home --shell /usr/sbin/nologin framewise

@@ -1,6 +1,6 @@
 """What an installation consists of: a bill of materials in CycloneDX, with licences, from the locks.
 
-`python tools/sbom.py [file]` writes JSON (CycloneDX 1.6): every package of requirements.lock that is installed
+`python tools/sbom.py [file]` writes JSON (CycloneDX 1.6): every package of requirements.lock that stands
 here, with its licence and the hashes of the lock, and every npm package that the pages load. `--licences`
 prints them as a list.
 """
