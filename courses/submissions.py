@@ -85,8 +85,8 @@ def store_submissions(
     students = sorted({submission.student for submission in submissions})
     with store.writing() as connection:
         _take_turns(connection, students)
-        standings = _standings(connection, submissions, students)
-        known = _known(connection, submissions)
+        standings, repeated = _standings(connection, submissions, students)
+        known = _known(connection, repeated)
         found: list[Attempt | Exception] = []
         analyses: dict[tuple[int, int, int], Mapping[str, Any]] = {}
         for submission in submissions:
@@ -111,10 +111,12 @@ def _take_turns(connection: sa.Connection, students: Sequence[Student]) -> None:
 
 
 def _standings(
-    connection: sa.Connection, submissions: Iterable[JudgedSubmission], students: Sequence[Student]
-) -> dict[Student, _Standing]:
-    """How far the students are, by the rules that their links have now."""
+    connection: sa.Connection, submissions: Sequence[JudgedSubmission], students: Sequence[Student]
+) -> tuple[dict[Student, _Standing], set[int]]:
+    """How far the students are, by the rules that their links have now; and attempts that come again."""
     same = [_PART.c.link_id == _GRADE.c.link_id, _PART.c.person_id == _GRADE.c.person_id]
+    again = [_PART.c.link_id == _ATTEMPT.c.link_id, _PART.c.person_id == _ATTEMPT.c.person_id]
+    again.append(_ATTEMPT.c.key.in_({submission.attempt.key for submission in submissions}))
     queued = [_PART.c.link_id == _OUTBOX.c.link_id, _PART.c.person_id == _OUTBOX.c.person_id]
     wanted = (
         sa.select(
@@ -131,13 +133,17 @@ def _standings(
             _LINK.c.line_item,
             _LINK.c.line_items,
             _LINK.c.released_at,
+            _ATTEMPT.c.id.label("known"),
         )
         .join(_LINK, _LINK.c.id == _PART.c.link_id)
         .outerjoin(_GRADE, sa.and_(*same))
         .outerjoin(_OUTBOX, sa.and_(*queued))
+        .outerjoin(_ATTEMPT, sa.and_(*again))
         .where(_of(_PART, students))
     )
-    rows = {(row.link_id, row.person_id): row for row in connection.execute(wanted)}
+    found_rows = connection.execute(wanted).all()
+    rows = {(row.link_id, row.person_id): row for row in found_rows}
+    repeated = {row.known for row in found_rows if row.known is not None}
     rules: dict[int, Any] = {}
     found: dict[Student, _Standing] = {}
     for submission in submissions:
@@ -164,15 +170,14 @@ def _standings(
             grade=grade,
             is_queued=row.revision is not None,
         )
-    return found
+    return found, repeated
 
 
-def _known(
-    connection: sa.Connection, submissions: Iterable[JudgedSubmission]
-) -> dict[tuple[int, int, str], Attempt | Exception]:
-    keys = [(*submission.student, submission.attempt.key) for submission in submissions]
-    same = sa.tuple_(_ATTEMPT.c.link_id, _ATTEMPT.c.person_id, _ATTEMPT.c.key).in_(keys)
-    rows = connection.execute(sa.select(_ATTEMPT).where(same))
+def _known(connection: sa.Connection, ids: set[int]) -> dict[tuple[int, int, str], Attempt | Exception]:
+    """Attempts by their students and keys."""
+    if not ids:
+        return {}
+    rows = connection.execute(sa.select(_ATTEMPT).where(_ATTEMPT.c.id.in_(ids)))
     return {(row.link_id, row.person_id, row.key): attempt_of(row) for row in rows}
 
 
