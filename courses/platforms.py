@@ -10,7 +10,7 @@ from typing import Any
 import sqlalchemy as sa
 
 from courses import records
-from courses.model import Platform, PlatformStatus
+from courses.model import Platform, PlatformStatus, Registration
 from courses.refusals import SessionError, unknown_record
 from courses.secrets import hashed, new_token
 from courses.statements import insert_once
@@ -219,6 +219,18 @@ def invite(store: Store, note: str, now: datetime) -> str:
             )
         )
     return secret
+
+
+def invitations(store: Store) -> list[Registration]:
+    """Every invitation, newest first."""
+    table = records.registration
+    with store.reading() as connection:
+        return [
+            Registration(
+                id=row.id, note=row.note, created=row.created, expires=row.expires, used_at=row.used_at
+            )
+            for row in connection.execute(sa.select(table).order_by(table.c.id.desc()))
+        ]
 
 
 def check_invitation(store: Store, secret: str, now: datetime) -> None:

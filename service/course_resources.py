@@ -190,6 +190,11 @@ class CourseResources:
             self._origins = (origins, time.monotonic() + _ORIGINS_LIVE)
         return origins
 
+    def forget_origins(self) -> None:
+        """Read the platforms' origins again: one of them has changed."""
+        with self._lock:
+            self._origins = ((), float("-inf"))
+
 
 def now() -> datetime:
     """The time."""
