@@ -46,7 +46,7 @@ def test_a_receipt_is_taken_printed_and_verified_in_a_folder(
     )
     (tmp_path / "both.txt").write_text(f"{bob}\n{bob[:-6]}abcdef\n")
     page.get_by_label("Files with receipts").set_input_files([tmp_path / "ann.txt", tmp_path / "both.txt"])
-    result = page.locator("#receipts-result")
+    result = page.locator("#folder-result")
     expect(result).to_contain_text("2 of 3 receipts are genuine.")
     expect(result.locator("tbody tr").nth(0)).to_contain_text("Ann #let x = [0]")
     expect(result.locator("tbody tr").nth(0)).to_contain_text("35 of 100 points")

@@ -82,7 +82,8 @@ def test_what_scripts_and_templates_say_exists_and_what_exists_is_said() -> None
     for path in (ROOT / "service" / "web" / "templates").glob("*.html"):
         said |= set(FIELD.findall(path.read_text(encoding="utf-8")))
     for path in (ROOT / "service" / "routes").glob("*.py"):
-        said |= set(re.findall(rf'title="({ROOM}-[a-z0-9-]+)"', path.read_text(encoding="utf-8")))
+        text = path.read_text(encoding="utf-8")
+        said |= set(re.findall(rf'(?:title=|say\()"({ROOM}-[a-z0-9-]+)"', text))
     assert not {f"{room}-" for room in ROOMS} & stems, "any message would do"
     assert sorted(name for name in said - known if name.split("-")[0] in ROOMS) == []
     assert sorted(name for name in known - said if not any(name.startswith(stem) for stem in stems)) == []

@@ -24,10 +24,10 @@ export function receiptsIn(text) {
 }
 
 function run() {
-  const text = /** @type {HTMLTextAreaElement} */ ($("receipts-text"));
-  const files = /** @type {HTMLInputElement} */ ($("receipts-files"));
-  const place = $("receipts-drop");
-  const result = $("receipts-result");
+  const text = /** @type {HTMLTextAreaElement} */ ($("folder-text"));
+  const files = /** @type {HTMLInputElement} */ ($("folder-files"));
+  const place = $("folder-drop");
+  const result = $("folder-result");
   /** @type {string[]} */
   let dropped = [];
   /** @param {Iterable<File>} list */
@@ -56,7 +56,7 @@ function run() {
     event.preventDefault();
     void read(event.dataTransfer?.files ?? []);
   });
-  $("receipts-verify").addEventListener("click", () => void verify());
+  $("folder-verify").addEventListener("click", () => void verify());
 }
 
 /** @param {any[]} checked @param {string[]} receipts */
@@ -64,7 +64,14 @@ function summary(checked, receipts) {
   const valid = receipts.filter((_, i) => checked[i].valid).slice(0, AT_ONCE);
   const download = (/** @type {string} */ format) => async () =>
     save(await api.file(`receipts/verify?format=${format}`, { receipts: valid }), `framewise-${format}.csv`);
-  const columns = ["name", "exercise", "points", "time", "settings", "said"];
+  const columns = [
+    t("receipts-name"),
+    t("receipts-exercise"),
+    t("receipts-points"),
+    t("receipts-time"),
+    t("receipts-settings"),
+    t("receipts-said"),
+  ];
   return [
     el("p", {
       text: t("receipts-found", { valid: checked.filter((entry) => entry.valid).length, all: checked.length }),
@@ -93,7 +100,7 @@ function summary(checked, receipts) {
           el(
             "tr",
             {},
-            columns.map((name) => el("th", { scope: "col", text: t(`receipts-${name}`) })),
+            columns.map((text) => el("th", { scope: "col", text })),
           ),
         ),
         el("tbody", {}, checked.map(row)),
