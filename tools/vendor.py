@@ -1,8 +1,8 @@
 """Fill static/vendor/ with what the web form takes from npm: pinned, copied, compressed, nothing else.
 
 Runs `npm ci` with the Node of the system or, where there is none, with the one that comes as a Python wheel;
-copies the few files that are served, as modules that import each other by relative address, so that pages
-need no import map; and writes `.complete` last. Does nothing when what is there was made from the same lock.
+bundles of each package what the pages import, as one module, so that they need no import map; and writes
+`.complete` last. Does nothing when what is there was made from the same lock.
 
     python tools/vendor.py [--omit-dev]      --omit-dev leaves out what only tests need (axe-core)
 """
@@ -27,34 +27,22 @@ MODULES = ROOT / "node_modules"
 OLDEST_NODE = 18
 
 COPIES = {
-    "three/build/three.module.min.js": "three/three.module.min.js",
-    "three/build/three.core.min.js": "three/three.core.min.js",
     "three/LICENSE": "three/LICENSE",
     "katex/LICENSE": "katex/LICENSE",
     "d3/LICENSE": "d3/LICENSE",
     "@observablehq/plot/LICENSE": "plot/LICENSE",
 }
-# UMD builds are smaller than the ES modules of the same packages; an ES module is put around them.
-WRAPPED = {
-    "katex/dist/katex.min.js": "katex/katex.js",
-    "@fluent/bundle/index.js": "fluent/bundle.js",
-    "d3/dist/d3.min.js": "d3/d3.js",
-    "@observablehq/plot/dist/plot.umd.min.js": "plot/plot.js",
-}
-# The one module that a wrapped build asks its loader for, by its served address.
-REQUIRED = {"plot/plot.js": "../d3/d3.js"}
-# What the type checker reads beside them; a browser never asks for these.
-DECLARED = {
-    "three/three.module.min.d.ts": 'export * from "three";\n',
-    "katex/katex.d.ts": 'export { default } from "katex";\n',
-    "fluent/bundle.d.ts": """import * as fluent from "@fluent/bundle";
-
-export default fluent;
-""",
-    "plot/plot.d.ts": """import * as plot from "@observablehq/plot";
-
-export default plot;
-""",
+# What is served of a package: one minified module each, with what pages import from it and nothing else.
+BUNDLED = {
+    "three/three.js": (
+        "three",
+        "AmbientLight BoxGeometry BufferAttribute BufferGeometry Color ConeGeometry CylinderGeometry "
+        "DirectionalLight Group Mesh MeshBasicMaterial MeshLambertMaterial OrthographicCamera Points "
+        "PointsMaterial Quaternion Scene SphereGeometry Vector3 WebGLRenderer",
+    ),
+    "katex/katex.js": ("katex", "render"),
+    "fluent/bundle.js": ("@fluent/bundle", "FluentBundle FluentResource"),
+    "plot/plot.js": ("@observablehq/plot", "dot line plot ruleX ruleY text"),
 }
 COMPRESSED = {".js", ".css"}
 BROTLI = """
@@ -121,13 +109,16 @@ def install(node: str | None, *, omit_dev: bool) -> None:
     subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
 
 
-def as_module(source: str, required: str | None = None) -> str:
-    """A UMD build with an ES module around it, which hands it the one module that it requires."""
-    head = f'import required from"{required}";const require=()=>required;' if required else ""
-    return (
-        f"{head}const module={{exports:{{}}}},exports=module.exports;\n{source}\n"
-        "export default module.exports;\n"
-    )
+def reexport(package: str, names: str) -> str:
+    """The module that hands on some names of a package; a bundle is made of it, and its types are read from it."""
+    return f'export {{ {", ".join(names.split())} }} from "{package}";\n'
+
+
+def bundle(source: str, target: Path, node: str) -> None:
+    """Write one minified ES module with what the source exports and all that needs."""
+    esbuild = [node, str(MODULES / "esbuild" / "bin" / "esbuild"), "--log-level=error"]
+    options = ["--bundle", "--minify", "--format=esm", "--target=es2022", f"--outfile={target}"]
+    subprocess.run([*esbuild, *options], cwd=ROOT, input=source, text=True, check=True)
 
 
 def only_woff2(css: str) -> str:
@@ -143,7 +134,7 @@ def notice() -> str:
     return "".join(f"{name} {entry['version']} ({entry['license']})\n" for name, entry in rows)
 
 
-def copy_into(folder: Path) -> None:
+def fill(folder: Path, node: str) -> None:
     """Everything that is served, uncompressed."""
 
     def write(target: str, text: str) -> None:
@@ -153,15 +144,15 @@ def copy_into(folder: Path) -> None:
 
     for source, target in COPIES.items():
         write(target, (MODULES / source).read_text(encoding="utf-8"))
-    for source, target in WRAPPED.items():
-        write(target, as_module((MODULES / source).read_text(encoding="utf-8"), REQUIRED.get(target)))
+    for target, (package, names) in BUNDLED.items():
+        source = reexport(package, names)
+        bundle(source, folder / target, node)
+        write(target.replace(".js", ".d.ts"), source)  # for the type checker; a browser never asks for it
     css = (MODULES / "katex" / "dist" / "katex.min.css").read_text(encoding="utf-8")
     write("katex/katex.css", only_woff2(css))
     (folder / "katex" / "fonts").mkdir()
     for font in sorted((MODULES / "katex" / "dist" / "fonts").glob("*.woff2")):
         shutil.copyfile(font, folder / "katex" / "fonts" / font.name)
-    for target, text in DECLARED.items():
-        write(target, text)
     write("NOTICE", notice())
 
 
@@ -191,15 +182,14 @@ def main() -> int:
     if is_up_to_date(omit_dev=omit_dev):
         COMPLETE.touch()
         return 0
-    node = system_node()
-    if node is None:
-        wheel_node()
-    install(node, omit_dev=omit_dev)
+    system = system_node()
+    node = system or wheel_node()
+    install(system, omit_dev=omit_dev)
     folder = VENDOR.with_name("vendor.new")
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    copy_into(folder)
-    compress(folder, node or wheel_node())
+    fill(folder, node)
+    compress(folder, node)
     (folder / COMPLETE.name).write_text(fingerprint())
     replace_vendor(folder)
     return 0

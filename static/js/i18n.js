@@ -1,8 +1,8 @@
 /** Messages in the reader's language: the same Fluent files that the API answers with. */
 
-import fluent from "../vendor/fluent/bundle.js";
+import { FluentBundle, FluentResource } from "../vendor/fluent/bundle.js";
 
-/** @type {import("@fluent/bundle").FluentBundle | null} */
+/** @type {FluentBundle | null} */
 let bundle = null;
 
 export const language = document.documentElement?.lang || "en";
@@ -20,8 +20,8 @@ export async function loadMessages(root, rooms) {
 
 /** Takes messages from text; what loadMessages does after loading. @param {string} text @param {string} locale */
 export function useMessages(text, locale) {
-  bundle = new fluent.FluentBundle(locale, { useIsolating: false });
-  bundle.addResource(new fluent.FluentResource(text));
+  bundle = new FluentBundle(locale, { useIsolating: false });
+  bundle.addResource(new FluentResource(text));
 }
 
 /**

@@ -13,7 +13,7 @@ const ROWS_AT_MOST = 200;
 
 /**
  * @typedef {{caption: string, head: string[], rows: (string | number)[][]}} Numbers what a plot shows, as a table
- * @typedef {typeof import("@observablehq/plot")} Plot
+ * @typedef {typeof import("../vendor/plot/plot.js")} Plot
  */
 
 /** @type {Promise<Plot> | null} */
@@ -22,7 +22,7 @@ let loading = null;
 /** @returns {Promise<Plot>} */
 function library() {
   loading ??= Promise.all([import("../vendor/plot/plot.js"), loadStyle("css/plots.css")]).then(
-    ([module]) => module.default,
+    ([module]) => module,
     (error) => {
       loading = null;
       throw error;

@@ -10,7 +10,7 @@ let loading = null;
 /** KaTeX, with its style sheet. */
 function katex() {
   loading ??= Promise.all([import("../vendor/katex/katex.js"), loadStyle("vendor/katex/katex.css")]).then(
-    ([module]) => module.default,
+    ([module]) => module,
     (error) => {
       loading = null;
       throw error;

@@ -35,7 +35,7 @@ def test_what_comes_from_npm_is_complete_and_pinned() -> None:
     """Every served file is there, has its licence, names no other host and imports by relative address."""
     folder = ROOT / "static" / "vendor"
     assert (folder / ".complete").read_text() == vendor.fingerprint()
-    for name in (*vendor.COPIES.values(), *vendor.WRAPPED.values(), "katex/katex.css", "NOTICE"):
+    for name in (*vendor.COPIES.values(), *vendor.BUNDLED, "katex/katex.css", "NOTICE"):
         assert (folder / name).stat().st_size > 0, name
     css = (folder / "katex" / "katex.css").read_text()
     assert "fonts/KaTeX_Main-Regular.woff2" in css

@@ -21,7 +21,7 @@ import {
   SphereGeometry,
   Vector3,
   WebGLRenderer,
-} from "../../vendor/three/three.module.min.js";
+} from "../../vendor/three/three.js";
 import { directions } from "./camera.js";
 import { direction, position } from "./model.js";
 
