@@ -110,7 +110,7 @@ def install(node: str | None, *, omit_dev: bool) -> None:
 
 
 def reexport(package: str, names: str) -> str:
-    """The module that hands on some names of a package; a bundle is made of it, and its types are read from it."""
+    """The module that hands on some names of a package: what a bundle is made of, and its types."""
     return f'export {{ {", ".join(names.split())} }} from "{package}";\n'
 
 

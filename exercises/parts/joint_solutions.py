@@ -40,16 +40,12 @@ from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from exercises.reading import Reader
 from kinematics.answers.joint_answers import (
     USUAL_TOLERANCE,
-    Branch,
-    JointAnswer,
-    JointClaim,
-    JointMistake,
     JointQuestion,
-    JointVerdict,
     in_other_frames,
     joint_question,
     judge_joints,
 )
+from kinematics.answers.joint_verdicts import Branch, JointAnswer, JointClaim, JointMistake, JointVerdict
 from kinematics.cells import AngleUnit, Cell
 from kinematics.cells.meaning import Position
 from kinematics.errors import Fault

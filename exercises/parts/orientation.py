@@ -10,22 +10,22 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from fractions import Fraction
 from random import Random
-from typing import Annotated, ClassVar
+from typing import ClassVar
 
 from exercises.definition import Exercise, Part
 from exercises.draws import Draw, Picker, read_draw
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
+from exercises.parts.drawn_orientations import drawn_triple, read_sequence
 from exercises.parts.number_cells import read_numbers_of
+from exercises.parts.orientation_cells import OrientationAnswer, OrientationCells, OrientationNotation
 from exercises.parts.protocol import (
     FieldShape,
     FormField,
     GivenNumbers,
-    Length,
     PartTask,
     PartType,
     Reading,
@@ -35,7 +35,6 @@ from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit, Cell
 from kinematics.cells.meaning import Position
-from kinematics.errors import PoseError
 from kinematics.poses import axis_angle_from_transform, quaternion_from_transform
 from kinematics.rotations.matrices import Matrix3, Triple, as_transform, matrix3
 from kinematics.rotations.orientation_answers import (
@@ -55,66 +54,11 @@ from kinematics.rotations.sequences import (
     Combination,
     EulerSequence,
     GimbalFamily,
-    Turning,
     euler_solutions,
 )
 
 DECIMALS = 4
 """Decimals of what is given and of what a student writes."""
-CellRow3 = tuple[Cell, Cell, Cell]
-
-
-class OrientationNotation(StrEnum):
-    """A notation in which an orientation is given or asked.
-
-    ANGLES: one triple of angles. EVERY_TRIPLE: both, or the whole family at gimbal lock.
-    """
-
-    MATRIX = "matrix"
-    QUATERNION = "quaternion"
-    AXIS_ANGLE = "axis_angle"
-    ANGLES = "angles"
-    EVERY_TRIPLE = "every_triple"
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class OrientationCells:
-    """An orientation in the notations that are asked.
-
-    Attributes:
-        matrix: 3×3, row by row.
-        quaternion: a unit quaternion; q and −q are the same.
-        component_order: where the scalar stands in it: wxyz or xyzw; needed beside a quaternion.
-        axis: of the rotation; any length but zero.
-        angle: about the axis.
-        angles: triples about the axes that are asked; one, or both where all are asked.
-        middle: at gimbal lock, the middle angle of every triple.
-        combination: at gimbal lock, what is fixed of the others: the sum, or the difference first − last.
-        value: of this sum or difference.
-    """
-
-    matrix: tuple[CellRow3, CellRow3, CellRow3] | None = None
-    quaternion: tuple[Cell, Cell, Cell, Cell] | None = None
-    component_order: ComponentOrder | None = None
-    axis: CellRow3 | None = None
-    angle: Cell | None = None
-    angles: Annotated[tuple[CellRow3, ...], Length(least=1, most=4)] | None = None
-    middle: Cell | None = None
-    combination: Combination | None = None
-    value: Cell | None = None
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class OrientationAnswer:
-    """The same in numbers; angles in [rad]."""
-
-    matrix: Matrix3 | None = None
-    quaternion: tuple[float, ...] | None = None
-    component_order: ComponentOrder | None = None
-    axis: tuple[float, ...] | None = None
-    angle: float | None = None
-    angles: tuple[Triple, ...] | None = None
-    family: GimbalFamily | None = None
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -295,42 +239,6 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
         if right.angles is not None and part.ask == (OrientationNotation.ANGLES,):
             first, middle, last = right.angles[0]
             yield "orientation_wrong", replace(right, angles=((float(first) + 17, middle, last),))
-
-
-def drawn_triple(
-    exercise: Exercise,
-    picker: Picker,
-    usual: Sequence[Fraction],
-    ways: Sequence[Draw | None],
-    name: str,
-) -> Triple:
-    """Return a student's three angles [rad].
-
-    Args:
-        exercise: the exercise, for its unit.
-        picker: draws the values.
-        usual: the angles where no seed is given [the exercise's unit].
-        ways: from where each is drawn.
-        name: what is drawn.
-    """
-    degrees = exercise.angle_unit is AngleUnit.DEG
-    drawn = (
-        float(picker.value(value, way, f"{name} {i}"))
-        for i, (value, way) in enumerate(zip(usual, ways, strict=True), 1)
-    )
-    first, middle, last = (math.radians(value) if degrees else value for value in drawn)
-    return first, middle, last
-
-
-def read_sequence(reader: Reader, axes: str, turning: str, default: EulerSequence) -> EulerSequence:
-    """Return an order of axes from two keys of a definition; faults go to the reader."""
-    text = reader.text(axes, default.axes)
-    way = reader.choice(turning, Turning, default.turning)
-    try:
-        return EulerSequence(axes=text, turning=way)
-    except PoseError as error:
-        reader.fault(error.code, axes, axes=text)
-        return default
 
 
 def _place(notation: OrientationNotation) -> str:

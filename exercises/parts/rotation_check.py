@@ -14,7 +14,8 @@ from exercises.draws import Draw, Picker, read_draw
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
-from exercises.parts.orientation import DECIMALS, drawn_triple, read_sequence
+from exercises.parts.drawn_orientations import drawn_triple, read_sequence
+from exercises.parts.orientation import DECIMALS
 from exercises.parts.protocol import (
     FieldShape,
     FormField,

@@ -15,10 +15,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 
 import numpy as np
 
+from kinematics.answers.joint_verdicts import (
+    Branch,
+    JointAnswer,
+    JointClaim,
+    JointMistake,
+    JointVerdict,
+    RowVerdict,
+)
 from kinematics.chain import Chain, chain_of_table, size_of
 from kinematics.inverse import ArmReach, IKSolution, InverseKinematics, Solver, UnreachableReason
 from kinematics.inverse.results import IKStatus, Isolation
@@ -30,107 +37,6 @@ STEPS = (0.7, 2.1, -1.3)
 """How far along a family an answer's condition is tried [rad or shares of the arm's size]: on no symmetry."""
 PARALLEL = 1e-6
 """Sine of the angle [rad] below which neighbouring axes count as parallel, to tell elbows from shoulders."""
-
-
-class JointClaim(StrEnum):
-    """What an answer says of a pose.
-
-    FINITE: the rows are its solutions. INFINITE: there are infinitely many, and the rows are members of them.
-    OUT_OF_REACH: none, for the pose is too far or too near. JOINT_LIMITS: none within the joints' limits.
-    """
-
-    FINITE = "finite"
-    INFINITE = "infinite"
-    OUT_OF_REACH = "out_of_reach"
-    JOINT_LIMITS = "joint_limits"
-
-
-class Branch(StrEnum):
-    """How a missing solution differs from the nearest one that was found.
-
-    SHOULDER: the arm reaches backwards. ELBOW: the elbow bends the other way. WRIST: the wrist is flipped.
-    OTHER: otherwise.
-    """
-
-    SHOULDER = "shoulder"
-    ELBOW = "elbow"
-    WRIST = "wrist"
-    OTHER = "other"
-
-
-class JointMistake(StrEnum):
-    """What a wrong row of joint values is.
-
-    QUADRANT: one joint is half a turn off, as atan gives it for atan2. SIGN: one joint turns the wrong way.
-    DEGREES: degrees were taken for radians or the reverse. SWAPPED: one joint is π/2 − q, the arguments of
-    atan2 exchanged. POSITION_ONLY: the position is reached and the orientation is not. ORIENTATION_ONLY: the
-    reverse. LIMITS: the pose is reached beyond a joint's limit.
-    """
-
-    QUADRANT = "quadrant"
-    SIGN = "sign"
-    DEGREES = "degrees"
-    SWAPPED = "swapped"
-    POSITION_ONLY = "position_only"
-    ORIENTATION_ONLY = "orientation_only"
-    LIMITS = "limits"
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class JointAnswer:
-    """An answer, in the variables and the frames of the arm that it is judged by.
-
-    Attributes:
-        claim: what it says of the pose.
-        rows: configurations [rad, or the table's length].
-        combinations: coefficients c of combinations c·q that are fixed along a family.
-    """
-
-    claim: JointClaim
-    rows: tuple[tuple[float, ...], ...] = ()
-    combinations: tuple[tuple[float, ...], ...] = ()
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class RowVerdict:
-    """What is said of one row.
-
-    Attributes:
-        right: it reaches the target within the limits.
-        solution: which solution it is, an index into the complete set; None if it is wrong.
-        joint: the joint, counted from 1, that a mistake is about.
-        mistake: what a wrong row is, if a usual slip explains it.
-    """
-
-    right: bool
-    solution: int | None = None
-    joint: int | None = None
-    mistake: JointMistake | None = None
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class JointVerdict:
-    """What is said of an answer.
-
-    Attributes:
-        right: everything that was asked is there, and nothing is wrong.
-        share: of what was asked, 0 … 1.
-        expected: what is true of the pose.
-        rows: on each row.
-        missing: how each solution without a row differs from the nearest one that was found.
-        combination_missing: a family has a member, but not its condition.
-        combinations: which of the combinations hold along a family.
-        complete: the solutions are known to be all; false: all that a search found.
-    """
-
-    right: bool
-    share: float
-    expected: JointClaim
-    rows: tuple[RowVerdict, ...] = ()
-    missing: tuple[Branch, ...] = ()
-    combination_missing: bool = False
-    combinations: tuple[bool, ...] = ()
-    complete: bool = True
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

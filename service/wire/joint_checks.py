@@ -8,7 +8,8 @@ import numpy as np
 
 from exercises.grading import Feedback, Policy, ToolRule
 from exercises.parts.joint_solutions import joint_feedback
-from kinematics.answers.joint_answers import JointAnswer, in_other_frames, joint_question, judge_joints
+from kinematics.answers.joint_answers import in_other_frames, joint_question, judge_joints
+from kinematics.answers.joint_verdicts import JointAnswer
 from kinematics.cells import Limits, bind_parameters, in_length_unit, read_table
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Certificate

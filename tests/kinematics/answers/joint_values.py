@@ -18,14 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics import catalogue
-from kinematics.answers.joint_answers import (
-    JointAnswer,
-    JointClaim,
-    JointQuestion,
-    in_other_frames,
-    joint_question,
-    judge_joints,
-)
+from kinematics.answers.joint_answers import JointQuestion, in_other_frames, joint_question, judge_joints
+from kinematics.answers.joint_verdicts import JointAnswer, JointClaim
 from kinematics.inverse import ArmReach, solver_of
 from kinematics.table import Convention, JointType, NumericTable, bind
 

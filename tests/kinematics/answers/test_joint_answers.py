@@ -8,14 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from kinematics.answers.joint_answers import (
-    Branch,
-    JointAnswer,
-    JointClaim,
-    JointMistake,
-    joint_question,
-    judge_joints,
-)
+from kinematics.answers.joint_answers import joint_question, judge_joints
+from kinematics.answers.joint_verdicts import Branch, JointAnswer, JointClaim, JointMistake
 from kinematics.inverse import ArmReach, solver_of
 from tests.kinematics.answers.joint_values import campaign, product, robot
 

@@ -1,0 +1,54 @@
+"""Angles and orders of axes that an orientation is drawn from."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+
+from exercises.definition import Exercise
+from exercises.draws import Draw, Picker
+from exercises.reading import Reader
+from kinematics.cells import AngleUnit
+from kinematics.errors import PoseError
+from kinematics.rotations.matrices import Triple
+from kinematics.rotations.sequences import (
+    EulerSequence,
+    Turning,
+)
+
+
+def drawn_triple(
+    exercise: Exercise,
+    picker: Picker,
+    usual: Sequence[Fraction],
+    ways: Sequence[Draw | None],
+    name: str,
+) -> Triple:
+    """Return a student's three angles [rad].
+
+    Args:
+        exercise: the exercise, for its unit.
+        picker: draws the values.
+        usual: the angles where no seed is given [the exercise's unit].
+        ways: from where each is drawn.
+        name: what is drawn.
+    """
+    degrees = exercise.angle_unit is AngleUnit.DEG
+    drawn = (
+        float(picker.value(value, way, f"{name} {i}"))
+        for i, (value, way) in enumerate(zip(usual, ways, strict=True), 1)
+    )
+    first, middle, last = (math.radians(value) if degrees else value for value in drawn)
+    return first, middle, last
+
+
+def read_sequence(reader: Reader, axes: str, turning: str, default: EulerSequence) -> EulerSequence:
+    """Return an order of axes from two keys of a definition; faults go to the reader."""
+    text = reader.text(axes, default.axes)
+    way = reader.choice(turning, Turning, default.turning)
+    try:
+        return EulerSequence(axes=text, turning=way)
+    except PoseError as error:
+        reader.fault(error.code, axes, axes=text)
+        return default
