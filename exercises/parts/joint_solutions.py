@@ -24,6 +24,7 @@ from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.given_table import given_table
 from exercises.parts.joint_draws import drawn_joints, in_radians, key_numbers, read_joints
+from exercises.parts.joint_feedback import joint_feedback
 from exercises.parts.number_cells import read_numbers_of
 from exercises.parts.protocol import (
     TABLE,
@@ -45,7 +46,7 @@ from kinematics.answers.joint_answers import (
     joint_question,
     judge_joints,
 )
-from kinematics.answers.joint_verdicts import Branch, JointAnswer, JointClaim, JointMistake, JointVerdict
+from kinematics.answers.joint_verdicts import Branch, JointAnswer, JointClaim, JointMistake
 from kinematics.cells import AngleUnit, Cell
 from kinematics.cells.meaning import Position
 from kinematics.errors import Fault
@@ -394,36 +395,6 @@ def _written(answer: JointAnswer, instance: Instance) -> JointAnswerCells:
         for row in answer.rows
     )
     return JointAnswerCells(claim=answer.claim, solutions=rows, combinations=answer.combinations)
-
-
-def joint_feedback(found: JointVerdict, answer: JointAnswer) -> Iterator[Feedback]:
-    """Yield what to say of an answer, the most important first."""
-    if found.right:
-        yield Feedback(code="joints_right")
-        if not found.complete:
-            yield Feedback(code="joints_searched")
-        return
-    if answer.claim is not found.expected:
-        yield Feedback(code="claim_wrong", params={"claim": found.expected.value})
-    seen: dict[int, int] = {}
-    for i, row in enumerate(found.rows, 1):
-        if not row.right:
-            yield Feedback(code="joints_wrong", params={"row": i})
-            if row.mistake is not None:
-                yield Feedback(code=f"joints_{row.mistake.value}", params={"row": i, "joint": row.joint or 0})
-        elif row.solution in seen and found.expected is JointClaim.FINITE:
-            yield Feedback(code="joints_twice", params={"row": i, "other": seen[row.solution]})
-        elif row.solution is not None:
-            seen[row.solution] = i
-    if found.missing:
-        yield Feedback(code="joints_missing", params={"count": len(found.missing)})
-        for branch in dict.fromkeys(found.missing):
-            yield Feedback(code=f"branch_{branch.value}", params={"count": found.missing.count(branch)})
-    if found.combination_missing:
-        yield Feedback(code="joints_family_missing")
-    for i, holds in enumerate(found.combinations, 1):
-        if not holds:
-            yield Feedback(code="joints_combination_wrong", params={"row": i})
 
 
 PART = InverseKinematicsType()

@@ -7,7 +7,7 @@ from contextlib import suppress
 import numpy as np
 
 from exercises.grading import Feedback, Policy, ToolRule
-from exercises.parts.joint_solutions import joint_feedback
+from exercises.parts.joint_feedback import joint_feedback
 from kinematics.answers.joint_answers import in_other_frames, joint_question, judge_joints
 from kinematics.answers.joint_verdicts import JointAnswer
 from kinematics.cells import Limits, bind_parameters, in_length_unit, read_table
