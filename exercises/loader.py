@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
@@ -16,6 +15,13 @@ from typing import Any
 from exercises.access import read_access
 from exercises.consistency import FILE, inconsistencies
 from exercises.definition import LANGUAGES, DrawnParameter, Exercise, Part
+from exercises.definition_files import (
+    STATEMENT,
+    files_of_folder,
+    read_definition,
+    read_statements,
+    statement_file,
+)
 from exercises.draws import read_draw
 from exercises.errors import DefinitionError, UnknownExerciseError
 from exercises.figures.figure_keys import read_figure
@@ -33,7 +39,6 @@ from kinematics.errors import Fault
 
 ROOT = files("exercises") / "definitions"
 
-_STATEMENT = re.compile(r"statement\.([a-z]{2})\.md")
 _LANGUAGE = re.compile(r"[a-z]{2}")
 
 
@@ -160,60 +165,11 @@ def read_exercise(exercise_id: str, definition: Mapping[str, Any], statements: M
     return exercise
 
 
-def files_of_folder(folder: Traversable) -> Mapping[str, bytes]:
-    """The files of a folder that say something of its exercise, by name."""
-    found = folder.iterdir() if folder.is_dir() else ()
-    return {
-        file.name: file.read_bytes()
-        for file in found
-        if file.is_file() and (file.name == FILE or _STATEMENT.fullmatch(file.name))
-    }
-
-
-def read_definition(files: Mapping[str, bytes]) -> Mapping[str, Any]:
-    """The keys of exercise.toml, which is one of the files.
-
-    Raises:
-        DefinitionError: it is not there, or no TOML.
-    """
-    if FILE not in files:
-        raise DefinitionError(Fault(code="exercise_file_missing", where=(FILE,)))
-    try:
-        return tomllib.loads(files[FILE].decode())
-    except (
-        ValueError,
-        RecursionError,
-    ) as error:  # what is no TOML, no UTF-8, a number of endless digits, too deep
-        fault = Fault(code="exercise_file_not_toml", where=(FILE,), params={"reason": str(error)})
-        raise DefinitionError(fault) from error
-
-
-def read_statements(files: Mapping[str, bytes]) -> Mapping[str, str]:
-    """The texts of the statements among the files, by language.
-
-    Raises:
-        DefinitionError: one is no UTF-8.
-    """
-    found: dict[str, str] = {}
-    for name in sorted(files):
-        if named := _STATEMENT.fullmatch(name):
-            try:
-                found[named[1]] = files[name].decode().strip()
-            except UnicodeDecodeError as error:
-                raise DefinitionError(Fault(code="statement_not_text", where=(name,))) from error
-    return found
-
-
-def statement_file(language: str) -> str:
-    """Return the name of the file that holds the statement in a language."""
-    return f"statement.{language}.md"
-
-
 def _statements(statements: Mapping[str, str], faults: list[Fault]) -> Mapping[str, str]:
     """Return the statements by language; one is enough."""
     for language, text in statements.items():
         name = statement_file(language)
-        if not _STATEMENT.fullmatch(name):
+        if not STATEMENT.fullmatch(name):
             faults.append(Fault(code="exercise_key_unknown", where=(name,), params={"key": language}))
         elif not text.strip():
             faults.append(Fault(code="statement_missing", where=(name,), params={"language": language}))
@@ -387,7 +343,6 @@ def _parameters(
     for name, inner in reader.tables("parameters"):
         spelled = inner.name(name)
         if spelled not in reference.parameters:
-            ", ".join(reference.parameters) or "none"
             inner.fault("parameter_unused", name=name)
         default = values.get(spelled)
         value = inner.exact("value", *(() if default is None else (default,)))

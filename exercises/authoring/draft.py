@@ -11,8 +11,9 @@ from typing import Any
 from exercises.authoring.toml_text import toml_text
 from exercises.consistency import FILE
 from exercises.definition import Exercise
+from exercises.definition_files import files_of_folder, read_definition, read_statements, statement_file
 from exercises.errors import DefinitionError
-from exercises.loader import files_of_folder, read_definition, read_exercise, read_statements, statement_file
+from exercises.loader import read_exercise
 from kinematics.errors import Fault
 
 LONGEST_ID = 48

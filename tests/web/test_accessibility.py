@@ -66,7 +66,7 @@ STATES: list[tuple[str, State]] = [
     ("/", languages_open),
     ("/exercises/puma560", as_it_opens),
     ("/exercises/puma560", table_typed),
-    ("/exercises/scara", symbols_shown),
+    ("/exercises/scara-own-inverse", symbols_shown),
     ("/exercises/scara", cells_at_fault),
     ("/exercises/scara", wrong_answer),
     ("/exercises/scara", right_answer),

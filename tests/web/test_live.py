@@ -26,8 +26,10 @@ window.fetch = async (address, options) => {
 """
 TWO_LINKS = {
     "convention": "standard",
-    "rows": rows("standard", "θ1 0 L1 0\nθ2 0 L2 0"),
+    "rows": rows("standard", "θ1 0 a2 0\nθ2 0 a3 0"),
 }
+ASKS_FOR_NO_MATRICES = "/exercises/scara-own-inverse"
+"""Where a part asks for matrices they are shown when it is right."""
 
 
 def delay(page: Page, call: str, *milliseconds: int) -> None:
@@ -103,7 +105,7 @@ def test_the_scene_agrees_with_the_service(open_page: OpenPage, web: str) -> Non
 
 def test_matrices_shown_are_those_of_the_last_joint_values(open_page: OpenPage) -> None:
     """While a slider is dragged, answers are slow and of different slowness; the last one is what stays."""
-    page = open_page("/exercises/twolink", before=lambda page: page.add_init_script(LATE))
+    page = open_page(ASKS_FOR_NO_MATRICES, before=lambda page: page.add_init_script(LATE))
     put_table(page, TWO_LINKS)
     open_matrices(page)
     delay(page, "forward-kinematics", 500, 50, 300, 0)
@@ -118,7 +120,7 @@ def test_matrices_shown_are_those_of_the_last_joint_values(open_page: OpenPage) 
 
 def test_the_robot_shown_is_that_of_the_last_table(open_page: OpenPage) -> None:
     """Answers about what was typed before are dropped, in whatever order they arrive."""
-    page = open_page("/exercises/twolink", before=lambda page: page.add_init_script(LATE))
+    page = open_page(ASKS_FOR_NO_MATRICES, before=lambda page: page.add_init_script(LATE))
     put_table(page, {"convention": "standard", "rows": rows("standard", "θ1 0 1 0\nθ2 0 1 0")})
     open_matrices(page)
     delay(page, "understand", 1000, 0, 0)
@@ -132,7 +134,7 @@ def test_the_robot_shown_is_that_of_the_last_table(open_page: OpenPage) -> None:
 
 
 def test_matrices_in_symbols_and_their_sources(open_page: OpenPage) -> None:
-    page = open_page("/exercises/twolink")
+    page = open_page(ASKS_FOR_NO_MATRICES)
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     put_table(page, TWO_LINKS)
     open_matrices(page)
