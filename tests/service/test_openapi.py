@@ -6,6 +6,7 @@ import json
 import os
 from collections.abc import Iterator
 from html.parser import HTMLParser
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -237,3 +238,15 @@ def test_every_list_of_a_request_has_a_limit() -> None:
             if "/evaluate" not in name:
                 look(entry.get("schema", {}), name)
     assert unbounded <= {"ForwardKinematicsRequest.joints", "JacobianRequest.joints"}
+
+
+def test_the_page_about_the_api_names_every_call() -> None:
+    page = (Path(__file__).resolve().parents[2] / "docs" / "api.md").read_text(encoding="utf-8")
+    unnamed = []
+    for path in DOCUMENT["paths"]:
+        name = path.removeprefix("/api/v1")
+        room, _, last = name.rpartition("/")
+        grouped = f"`POST {room}/…`" in page and f"`{last}`" in page
+        if not (f"{name}`" in page or grouped):
+            unnamed.append(name)
+    assert not unnamed
