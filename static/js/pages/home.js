@@ -7,6 +7,9 @@ import { plain } from "../numbers.js";
 import { api, pageAddress, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 
+/** Parts of one exercise about a robot's table; any other part is a subject of its own. */
+const ABOUT_THE_TABLE = ["table", "schematic", "link_matrices", "transform", "pose", "workspace"];
+
 async function run() {
   const list = /** @type {HTMLElement} */ (document.getElementById("exercises"));
   try {
@@ -15,12 +18,30 @@ async function run() {
       (/** @type {any} */ one, /** @type {any} */ other) =>
         one.joints - other.joints || one.title.localeCompare(other.title, language),
     );
-    fill(list, await Promise.all(exercises.map(entry)));
+    const subjects = Map.groupBy(exercises, subjectOf);
+    const first = [...subjects.keys()].sort((one, other) => Number(other === "table") - Number(one === "table"));
+    fill(list, await Promise.all(first.map((subject) => group(subject, subjects.get(subject) ?? []))));
   } catch (error) {
     fill(/** @type {HTMLElement} */ (document.getElementById("exercises-problem")), problemNotice(error));
   } finally {
     list.removeAttribute("aria-busy");
   }
+}
+
+/** What an exercise is about: the kind of its part. @param {{parts: string[]}} exercise */
+function subjectOf({ parts }) {
+  return parts.find((kind) => !ABOUT_THE_TABLE.includes(kind)) ?? "table";
+}
+
+/** @param {string} subject @param {any[]} exercises */
+async function group(subject, exercises) {
+  const title = t(`form-part-${subject.replaceAll("_", "-")}`);
+  return el(
+    "section",
+    { "aria-label": title },
+    el("h3", { class: "section-title", text: title }),
+    el("ul", { class: "exercise-list" }, await Promise.all(exercises.map(entry))),
+  );
 }
 
 /** @param {any} options */
@@ -41,7 +62,7 @@ async function entry({ id, title, summary, joints, points, parts }) {
     el(
       "div",
       { class: "exercise-text" },
-      el("h3", {}, el("a", { href: pageAddress(`exercises/${id}`), text: title })),
+      el("h4", {}, el("a", { href: pageAddress(`exercises/${id}`), text: title })),
       summary ? el("p", { class: "hint", text: summary }) : null,
       el(
         "p",
