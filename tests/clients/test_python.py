@@ -20,12 +20,19 @@ from tests.clients.calls import DOCUMENT, Call, calls
 pytest.importorskip("openapi_python_client") if not os.environ.get("CI") else None
 
 NAME = "framewise_client"
-OTHER_THAN_JSON = ("application/x-npy", "image/svg+xml", "application/zip", "text/plain", "text/html")
+OTHER_THAN_JSON = (
+    *("application/x-npy", "application/zip", "application/pdf"),
+    *("image/svg+xml", "text/plain", "text/html"),
+)
 """What the generator leaves out, and says so: bodies and answers that are not JSON."""
 
 LISTS_OF_EITHER = ("scm_forward_kinematics",)
 """Answers with a list of matrices or a list of written ones: they are read, but the generator's `to_dict`
 takes every list for one of shapes."""
+
+
+ROWS_IN_ANSWERS = ("plant_mistake", "author_right_answers", "author_mistakes")
+"""Answers with rows as they were typed, whose `d` the generator cannot read: these calls are only sent."""
 
 
 @pytest.fixture(scope="module")
@@ -74,6 +81,10 @@ def test_every_call_is_generated_and_made(generated: Path, connected: Any, call:
             inspect.signature(function, eval_str=True, locals=vars(types)).parameters["body"].annotation
         )
         arguments["body"] = read(annotation, call.body)
+    if call.operation["operationId"] in ROWS_IN_ANSWERS:
+        sent = function_of(call.operation)._get_kwargs(**arguments)
+        assert connected.get_httpx_client().request(**sent).status_code == 200
+        return
     answer = function(client=connected, **arguments)
     assert answer.status_code == 200, answer.content
     assert answer.parsed is not None

@@ -25,7 +25,8 @@ from tests.web.walking import (
     walk,
 )
 
-EXERCISES = sorted(table_ids)
+EXERCISES = sorted(set(table_ids) - {"scara-own-inverse"})
+"""All with a table but the one whose frames 0 and N are given: it has no trainer."""
 
 
 def exercise_of(page: Page, web: str, name: str) -> dict[str, Any]:

@@ -74,7 +74,7 @@ async function entry({ id, title, summary, joints, points, parts }) {
               text: t("form-home-best", { points: plain(best * points, 1), total: plain(points, 1) }),
             })
           : null,
-        parts.includes("table")
+        subjectOf({ parts }) === "table"
           ? el("a", { class: "trainer-link", href: pageAddress(`trainer/${id}`), text: t("form-home-trainer") })
           : null,
       ),

@@ -33,7 +33,7 @@ from tests.kinematics.symbolic.tables import puma
 
 L1, ALPHA = Parameter("L1"), Parameter("alpha2")
 q1, q2, q3 = map(JointVariable, (1, 2, 3))
-KATEX = Path(__file__).resolve().parents[3] / "static" / "vendor" / "katex" / "katex.js"
+KATEX = Path(__file__).resolve().parents[3] / "node_modules" / "katex" / "dist" / "katex.mjs"
 
 
 def latex(expression: Expression, notation: Notation = Notation.SHORT) -> str:
@@ -112,7 +112,7 @@ def test_katex_typesets_every_catalogue_robot(tmp_path: Path) -> None:
 
     node = shutil.which("node")
     if node is None or not KATEX.exists():
-        pytest.skip("no node, or the vendored KaTeX was not fetched")
+        pytest.skip("no node, or KaTeX was not installed")
     shutil.copy(KATEX, tmp_path / "katex.mjs")
     sources = []
     for robot in robots():
