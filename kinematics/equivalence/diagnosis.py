@@ -162,7 +162,7 @@ def _onward(trail: Trail, step: Step, axis: Axis, sign: int, judge: _Judge) -> T
         gap = subtract(target.point, move(here, axis.point))
         gap = subtract(gap, scale(target.direction, dot(gap, target.direction)))
         here = compose(translation(gap), here)
-    small_change = 1e-3 * strain / (1.0 + strain) + (1e-6 if sign < 0 else 0.0)
+    small_change = 1e-3 * (1.0 - 1.0 / (1.0 + strain)) + (1e-6 if sign < 0 else 0.0)
     mismatches = (*trail.mismatches, *wrong)
     return Trail(trail.cost + len(wrong) + small_change, here, mismatches, (*trail.signs, sign))
 
@@ -185,14 +185,14 @@ class _Judge:
         """The wrong facts at a joint, and the largest misfit in units of what is none."""
         target = step.axis
         wrong: list[Mismatch] = []
-        strain = found.angle / self.angle
+        strain = _excess(found.angle, self.angle)
         if axis.prismatic is not target.prismatic:
             wrong.append(Mismatch(kind=Kind.JOINT_TYPE, joint=joint))
         if found.angle > self.angle:
             previous = self.axes[joint - 2] if joint > 1 else None
             wrong += _angles(step, previous, found, joint, self.angle)
         if not axis.prismatic and not target.prismatic:
-            strain = max(strain, found.distance / self.length)
+            strain = max(strain, _excess(found.distance, self.length))
             if found.distance > self.length:
                 wrong += _lengths(step, found.gap, joint, self.length)
         return wrong, strain
@@ -238,17 +238,25 @@ def _lengths(step: Step, gap: Vector, joint: int, limit: float) -> list[Mismatch
     return [Mismatch(kind=Kind.LENGTH, joint=joint, length=size)]
 
 
+def _excess(misfit: float, allowed: float) -> float:
+    """Return a misfit in units of what is allowed, which may be nothing: a share of no size at all."""
+    if allowed:
+        return misfit / allowed
+    return math.inf if misfit else 0.0
+
+
 def _end(trail: Trail, plan: Plan, reference: Reference, submission: Chain, policy: Policy) -> Trail:
     """Judge where frame N lies."""
     if policy.tool is ToolRule.FREE:
         return trail
     here = compose(trail.here, submission.end)
     near = reference.nearnesses(policy.tolerance)[0]
+    allowed = policy.tolerance.length * reference.size
     best = (math.inf, math.inf, math.inf)
     for choice in tool_choices(reference.chain, plan.last, policy.tool, near, reference.size):
         for motion in placements(choice, here):
             angle, length = _tool_error(choice.rule, compose(motion, here), choice.target, choice.step)
-            worst = max(angle / policy.tolerance.angle, length / (policy.tolerance.length * reference.size))
+            worst = max(_excess(angle, policy.tolerance.angle), _excess(length, allowed))
             best = min(best, (worst, angle, length))
     if best[0] <= NOTICEABLE:
         return trail

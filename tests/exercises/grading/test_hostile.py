@@ -102,3 +102,11 @@ def test_a_meter_refuses_when_it_is_empty() -> None:
         meter.charge(5)
     with pytest.raises(WorkExhaustedError):
         meter.charge(1)
+
+
+def test_a_tolerance_that_vanishes_is_explained() -> None:
+    """A share of a size next to nothing is no number any more; the distance is then judged by itself."""
+    key = read("modified", [(0, 0, 0, "q1"), ("1e-11", 0, "1e-13", "q2")])
+    answer = read("standard", [("pi/4", 0.4, -1e15, "q1"), ("-pi/2", 0, -1e15, "q2")])
+    none = Tolerance(length=1e-300, angle=1e-300)
+    assert not grade(key, answer, Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME, tolerance=none)).correct
