@@ -35,6 +35,8 @@ def symbols_shown(page: Page) -> None:
     page.locator("#own details > summary").last.click()
     page.locator("matrix-panel input[value=symbols]").check()
     page.locator("matrix-panel .katex").first.wait_for()
+    # At the end of the page the bar of what is left lies under the answer, not over a cell of it.
+    page.evaluate("scrollTo(0, document.body.scrollHeight)")
 
 
 def cells_at_fault(page: Page) -> None:
