@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import logging
 import random
-import threading
 from datetime import datetime, timedelta
 
 from sqlalchemy.exc import SQLAlchemyError
@@ -27,6 +26,7 @@ from service.lti.scores import (
     line_item_for,
     post_score,
 )
+from service.work.background import BackgroundThread
 
 PAUSE = 1.0
 """Time between two looks at the outbox [s]."""
@@ -39,30 +39,18 @@ STALE_TRIES = 6
 _log = logging.getLogger("framewise.scores")
 
 
-class ScoreSender:
+class ScoreSender(BackgroundThread):
     """The sender of one process."""
 
     def __init__(self, resources: CourseResources, pause: float = PAUSE) -> None:
+        super().__init__("scores")
         self._resources = resources
         self._pause = pause
-        self._stop = threading.Event()
-        self._thread: threading.Thread | None = None
-
-    def start(self) -> None:
-        """Begin to send."""
-        self._thread = threading.Thread(target=self._run, name="scores", daemon=True)
-        self._thread.start()
-
-    def stop(self) -> None:
-        """Finish what is being sent, and end."""
-        self._stop.set()
-        if self._thread is not None:
-            self._thread.join(timeout=30.0)
 
     def _run(self) -> None:
-        while not self._stop.wait(self._pause * random.uniform(0.75, 1.25)):  # noqa: S311
+        while not self.stopping.wait(self._pause * random.uniform(0.75, 1.25)):  # noqa: S311
             try:
-                while not self._stop.is_set() and self.send_due():
+                while not self.stopping.is_set() and self.send_due():
                     pass
             except StorageUnavailableError:
                 continue  # logged where it was found; the database may be back at the next look
