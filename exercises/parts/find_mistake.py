@@ -143,7 +143,9 @@ class FindMistakeType(PartType[FindMistakePart, FoundMistakeCells, FoundMistake]
             single = [repair.edits[0] for repair in verdict.repairs if len(repair.edits) == 1]
             rows |= {edit.row - 1 for edit in single if edit.row is not None}
             names |= {REPAIRS[edit.code] for edit in single if edit.code in REPAIRS}
-        mended = answer.mended is not None and accept(key, answer.mended, policy, values) is not None
+        mended = answer.mended is not None and (
+            answer.mended.table == key.table or accept(key, answer.mended, policy, values) is not None
+        )
         right = {
             "row": mended or answer.row in rows,
             "name": answer.name in names,

@@ -115,7 +115,8 @@ class FramesPart(PartType[Part, FramesCells, FramesAnswer]):
 
     def grade(self, part: Part, answer: FramesAnswer, context: Context) -> PartReport:
         """Judge frame by frame: z, origin and x count the same, and so does what the policy asks for."""
-        found = _checked(context, answer)
+        axes = _axes(context.instance)
+        found = _checked(context, axes, answer)
         facts: list[Fact] = []
         feedback: list[Feedback] = []
         for frame, chosen in zip(found.frames, answer.frames, strict=True):
@@ -132,7 +133,7 @@ class FramesPart(PartType[Part, FramesCells, FramesAnswer]):
                 Feedback(code=f"frame_{entry.rule.value}", params={**number, **entry.params})
                 for entry in broken
             ]
-        if feedback and _follows_other_convention(context, answer):
+        if feedback and _follows_other_convention(context, axes, answer):
             feedback.insert(0, Feedback(code="frames_other_convention"))
         if not feedback:
             kept = _keeps_policy(context, found.table)
@@ -141,7 +142,11 @@ class FramesPart(PartType[Part, FramesCells, FramesAnswer]):
         else:
             facts.append(Fact(where=("policy",), finding=Finding.UNKNOWN))
         right = sum(fact.finding is Finding.OK for fact in facts)
-        score = _share(right, len(facts), _right_for_nothing(context, answer))
+        score = 1.0
+        if right < len(facts):
+            # the share of the facts that took a thought
+            nothing = _right_for_nothing(context, axes, answer)
+            score = max(0.0, (right - nothing) / (len(facts) - nothing))
         return judged(part, score, Credit.KEY, facts=facts, feedback=feedback)
 
     def right(self, part: Part, context: Context) -> FramesCells:
@@ -201,33 +206,28 @@ def _axes(instance: Instance) -> list[JointAxis]:
     ]
 
 
-def _checked(context: Context, answer: FramesAnswer) -> JudgedFrames:
+def _checked(context: Context, axes: Sequence[JointAxis], answer: FramesAnswer) -> JudgedFrames:
     tolerance = context.policy.tolerance
     rounding = min(tolerance.length, tolerance.angle)
-    return check_frames(_axes(context.instance), answer.convention, answer.frames, rounding=rounding)
+    return check_frames(axes, answer.convention, answer.frames, rounding=rounding)
 
 
-def _right_for_nothing(context: Context, answer: FramesAnswer) -> int:
+def _right_for_nothing(context: Context, axes: Sequence[JointAxis], answer: FramesAnswer) -> int:
     """Return how many facts are right if every frame is put where the figure's coordinates begin."""
     untouched = ChosenFrame(origin=(0.0, 0.0, 0.0), x=(1.0, 0.0, 0.0), z=(0.0, 0.0, 1.0))
-    found = _checked(context, replace(answer, frames=(untouched,) * len(answer.frames)))
+    found = _checked(context, axes, replace(answer, frames=(untouched,) * len(answer.frames)))
     return sum(
         len(PARTS) - len({entry.part for entry in frame.findings if entry.severity is Severity.BROKEN})
         for frame in found.frames
     )
 
 
-def _share(right: int, count: int, nothing: int) -> float:
-    """Return the share of the facts that took a thought, 0 … 1."""
-    return 1.0 if right == count else max(0.0, (right - nothing) / (count - nothing))
-
-
-def _follows_other_convention(context: Context, answer: FramesAnswer) -> bool:
+def _follows_other_convention(context: Context, axes: Sequence[JointAxis], answer: FramesAnswer) -> bool:
     """Return whether the frames obey the rules of the convention that was not named."""
     other = Convention.MODIFIED if answer.convention is Convention.STANDARD else Convention.STANDARD
     if any(frame is None for frame in answer.frames):
         return False
-    found = _checked(context, replace(answer, convention=other))
+    found = _checked(context, axes, replace(answer, convention=other))
     return not any(entry.severity is Severity.BROKEN for frame in found.frames for entry in frame.findings)
 
 

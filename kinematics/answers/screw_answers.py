@@ -13,7 +13,7 @@ Source: K. M. Lynch, F. C. Park, Modern Robotics (2017), 4.1; R. M. Murray, Z. L
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -26,13 +26,29 @@ from kinematics.equivalence import Certificate, Policy
 from kinematics.equivalence.decision import WORK_OF_ACCEPTANCE, certify
 from kinematics.equivalence.meter import Meter, WorkExhaustedError
 from kinematics.equivalence.reference import prepared
-from kinematics.se3 import Floats, Transform, cross_arrays, from_matrix, inverse_transform
-from kinematics.table import NumericTable
+from kinematics.se3 import (
+    ORIGIN,
+    Floats,
+    Transform,
+    angle_between,
+    cross,
+    dot,
+    from_matrix,
+    inverse_transform,
+    norm,
+    rejection,
+    scale,
+    subtract,
+    unit,
+)
+from kinematics.table import JointType, NumericTable
 
 UNIT = 0.01
 """How far |ω| may be from 1, and v·ω from 0 as a share of |v|: two decimals."""
 NO_ROTATION = 1e-9
 """|ω| of a slider."""
+NEARLY_PARALLEL = 1e-6
+"""A sine: two decimals of six leave no better common normal."""
 
 
 class ScrewFrame(StrEnum):
@@ -133,13 +149,14 @@ def screw_chain(answer: ScrewAnswer) -> Chain:
     """Return the chain of an answer; directions are made unit vectors, moments are put across them."""
     rows = _in_space(answer)
     axes = []
-    for linear, angular in zip(rows[:, :3], rows[:, 3:], strict=True):
-        length = float(np.linalg.norm(angular))
+    for vx, vy, vz, wx, wy, wz in rows.tolist():
+        linear, angular = (vx, vy, vz), (wx, wy, wz)
+        length = norm(angular)
         if length <= NO_ROTATION:
-            axes.append(Axis(True, _triple(linear / np.linalg.norm(linear)), (0.0, 0.0, 0.0)))
+            axes.append(Axis(True, unit(linear), ORIGIN))
         else:
-            direction = angular / length
-            axes.append(Axis(False, _triple(direction), _triple(cross_arrays(direction, linear))))
+            direction = scale(angular, 1.0 / length)
+            axes.append(Axis(False, direction, cross(direction, linear)))
     home = np.eye(4)
     left, _, right = np.linalg.svd(answer.home[:3, :3])
     home[:3, :3], home[:3, 3] = left @ right, answer.home[:3, 3]
@@ -169,15 +186,15 @@ def _malformed(key: NumericTable, answer: ScrewAnswer) -> Iterator[tuple[ScrewMi
     bottom = np.abs(answer.home[3] - [0.0, 0.0, 0.0, 1.0]).max()
     if not max(gram, bottom) <= 3 * UNIT or not np.linalg.det(rotation) > 0:
         yield ScrewMistake.NOT_RIGID, None
-    for i, (row, kind) in enumerate(zip(answer.screws, key.joint_types, strict=True), 1):
-        linear, angular = row[:3], row[3:]
-        v, w = float(np.linalg.norm(linear)), float(np.linalg.norm(angular))
+    rows = zip(answer.screws.tolist(), key.joint_types, strict=True)
+    for i, ((vx, vy, vz, wx, wy, wz), kind) in enumerate(rows, 1):
+        v, w = math.hypot(vx, vy, vz), math.hypot(wx, wy, wz)
         slides = w <= NO_ROTATION
-        if slides != (kind.value == "prismatic") or (slides and not v > 0.0):
+        if slides != (kind is JointType.PRISMATIC) or (slides and not v > 0.0):
             yield ScrewMistake.JOINT_TYPE, i
         elif not slides and not abs(w - 1.0) <= UNIT:
             yield ScrewMistake.NOT_UNIT, i
-        elif not slides and not abs(float(linear @ angular)) <= UNIT * max(v, NO_ROTATION):
+        elif not slides and not abs(vx * wx + vy * wy + vz * wz) <= UNIT * max(v, NO_ROTATION):
             yield ScrewMistake.PITCH, i
 
 
@@ -239,20 +256,15 @@ def _relations(key: NumericTable, chain: Chain, share: float) -> Iterator[bool]:
 
 def _angle(first: Axis, second: Axis) -> float:
     """Return the angle between two lines, 0 … π/2."""
-    across = float(np.linalg.norm(np.cross(first.direction, second.direction)))
-    return math.atan2(across, abs(float(np.dot(first.direction, second.direction))))
+    angle = angle_between(first.direction, second.direction)
+    return min(angle, math.pi - angle)
 
 
 def _distance(first: Axis, second: Axis) -> float:
     """Return the distance of two lines."""
-    between = np.subtract(second.point, first.point)
-    normal = np.cross(first.direction, second.direction)
-    length = float(np.linalg.norm(normal))
-    if length < 1e-6:
-        return float(np.linalg.norm(np.cross(between, first.direction)))
-    return abs(float(between @ normal)) / length
-
-
-def _triple(values: Sequence[float] | Floats) -> tuple[float, float, float]:
-    x, y, z = (float(value) for value in values)
-    return x, y, z
+    between = subtract(second.point, first.point)
+    normal = cross(first.direction, second.direction)
+    length = norm(normal)
+    if length < NEARLY_PARALLEL:
+        return norm(rejection(between, first.direction))
+    return abs(dot(between, normal)) / length

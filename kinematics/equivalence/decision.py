@@ -16,6 +16,7 @@ from contextlib import nullcontext
 from dataclasses import replace
 
 from kinematics.chain import Chain, chain_of_table
+from kinematics.equivalence.bounds import surely_apart
 from kinematics.equivalence.diagnosis import diagnose
 from kinematics.equivalence.meter import Meter, WorkExhaustedError
 from kinematics.equivalence.policy import (
@@ -30,6 +31,7 @@ from kinematics.equivalence.policy import (
 from kinematics.equivalence.reference import SAMPLES, Reference, prepared
 from kinematics.equivalence.results import Certificate, Decision, Kind, Mismatch
 from kinematics.equivalence.search import Effort, Found, Search
+from kinematics.equivalence.worst_case import ARITHMETIC, worst_case
 from kinematics.se3 import to_matrix
 from kinematics.table import Convention, DHTable, NumericTable
 
@@ -70,7 +72,8 @@ def decide_draws(
     if convention_fits(submissions[0].convention, policy.convention):
         certificate = _certified(prepared_references, chains, policy, Meter(WORK_OF_ACCEPTANCE))
         if certificate is not None:
-            return Decision(certificate=certificate, mismatches=(), same_robot=True)
+            measured = _measured(prepared_references, chains, certificate)
+            return Decision(certificate=measured, mismatches=(), same_robot=True)
     return _explained(prepared_references, submissions[0], chains, policy)
 
 
@@ -82,6 +85,19 @@ def _certified(
         return certify(references, submissions, policy, meter=meter)
     except WorkExhaustedError:
         return None
+
+
+def _measured(
+    references: Sequence[Reference], submissions: Sequence[Chain], certificate: Certificate
+) -> Certificate:
+    """The certificate with the largest residual that a climb finds, unless it is exact."""
+    if certificate.residual <= ARITHMETIC:
+        return certificate
+    found = [
+        max(worst_case(reference.beside(chain), chain, draw).residual)
+        for reference, chain, draw in zip(references, submissions, certificate.draws, strict=True)
+    ]
+    return replace(certificate, residual=max(certificate.residual, *found))
 
 
 def convention_fits(convention: Convention, rule: ConventionRule) -> bool:
@@ -98,6 +114,8 @@ def certify(
 ) -> Certificate | None:
     """The verified certificate of a submission, whatever its convention; None if there is none.
 
+    Its residual is that at the samples where a bound shows that it stands at every configuration.
+
     An exact one is looked for first: among axes that are nearly parallel there may be others nearby, which
     stand within the tolerance.
 
@@ -113,7 +131,10 @@ def certify(
         return None
     references = [r.beside(chain) for r, chain in zip(references, submissions, strict=True)]
     wanted = policy.tolerance
-    if EXACT.length <= wanted.length and EXACT.angle <= wanted.angle:
+    if surely_apart(references[0], submissions[0], wanted):
+        return None
+    exact_wanted = EXACT.length <= wanted.length and EXACT.angle <= wanted.angle
+    if exact_wanted and not surely_apart(references[0], submissions[0], EXACT):
         # among axes that are nearly parallel, alignments lever up the errors of the arithmetic
         nearly_parallel = len(references[0].levels(policy.base, policy.zero, wanted)) > 1
         trying = effort if nearly_parallel else Effort.PLAIN

@@ -39,7 +39,7 @@ class Certificate:
         base: (4, 4) B.
         tool: (4, 4) E.
         residual: the larger of the largest rotation [rad] and the largest displacement relative to the
-            robot's size that were found, at the samples and climbing from these.
+            robot's size that were found: of a decision at the samples and climbing from these.
         samples: number of configurations compared, over all parameter draws.
         draws: the same for every parameter draw; the first one is the one above.
     """

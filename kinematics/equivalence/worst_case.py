@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.chain import Chain, screw_bases
+from kinematics.equivalence.bounds import upper_bound
 from kinematics.equivalence.certificates import CertificateCandidate
 from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import Reference
@@ -68,10 +69,13 @@ def judged(
 ) -> Residual:
     """How far a certificate is from standing: at the samples, or, if it stands at these, at the worst.
 
-    Differences no larger than the errors of the arithmetic are nothing to climb on.
+    Differences no larger than the errors of the arithmetic are nothing to climb on; nor is anything gained
+    by climbing where a bound over all configurations shows that the certificate stands.
     """
     found = residual(reference, submission, candidate)
     if max(found) <= ARITHMETIC or not found.within(tolerance):
+        return found
+    if upper_bound(reference, submission, candidate).within(tolerance):
         return found
     return worst_case(reference, submission, candidate).residual
 

@@ -1,0 +1,46 @@
+"""What a bound settles must be so: nothing is larger than the upper one, nothing told apart is acceptable."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from kinematics.chain import chain_of_table
+from kinematics.equivalence import Policy, Tolerance, ToolRule, decide
+from kinematics.equivalence.bounds import surely_apart, upper_bound
+from kinematics.equivalence.reference import prepared
+from kinematics.equivalence.worst_case import worst_case
+from tests.kinematics.equivalence.generators import random_robot, random_valid_table, rounded
+from tests.kinematics.equivalence.tables import PUMA, changed
+
+
+@pytest.mark.parametrize("decimals", [1, 2, 4])
+@pytest.mark.parametrize("seed", range(15))
+def test_no_difference_is_larger_than_the_bound_and_what_is_accepted_is_not_apart(
+    seed: int, decimals: int
+) -> None:
+    rng = Random(f"bound {seed} {decimals}")
+    key = random_robot(rng, joints=rng.randint(1, 8))
+    table = rounded(random_valid_table(key, rng, dummies=0.0, textbook_ends=True), decimals)
+    tolerance = 3 * 10.0**-decimals
+    policy = Policy(tool=ToolRule.FREE, tolerance=Tolerance(length=tolerance, angle=tolerance))
+    certificate = decide(key, table, policy).certificate
+    if certificate is None:
+        return
+    reference, chain = prepared(key), chain_of_table(table)
+    assert not surely_apart(reference, chain, policy.tolerance)
+    bound = upper_bound(reference, chain, certificate.draws[0])
+    worst = worst_case(reference, chain, certificate.draws[0]).residual
+    assert worst.angle <= bound.angle + 1e-12
+    assert worst.length <= bound.length + 1e-12
+    assert worst.angle + worst.length >= (bound.angle + bound.length) / 100
+
+
+def test_an_axis_aslant_or_beside_its_place_is_apart() -> None:
+    reference, tolerance = prepared(PUMA), Tolerance(length=0.002, angle=0.002)
+    assert not surely_apart(reference, chain_of_table(PUMA), tolerance)
+    aslant = changed(PUMA, 2, alpha=PUMA.rows[2].alpha + 0.1)
+    assert surely_apart(reference, chain_of_table(aslant), tolerance)
+    longer = changed(PUMA, 2, a=PUMA.rows[1].a + 0.1)
+    assert surely_apart(reference, chain_of_table(longer), tolerance)
