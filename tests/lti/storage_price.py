@@ -48,7 +48,7 @@ def script(tokens: list[str]) -> str:
     """A script of wrk: another student, another number, another key each time."""
     before, after = body().split("@")
     return (
-        f"math.randomseed({time.time_ns() % 1_000_000})\n"
+        "math.randomseed(tonumber(io.open('/dev/urandom', 'rb'):read(1):byte()) * 1000003 + os.time())\n"
         f"local tokens = {{{', '.join(json.dumps(token) for token in tokens)}}}\n"
         f"local before, after = {json.dumps(before)}, {json.dumps(after)}\n"
         "local count = 0\n"
