@@ -9,6 +9,7 @@ from itertools import pairwise
 
 from exercises.grading import HelpLevel
 from exercises.reading import Reader
+from kinematics.keys import ValueKind
 
 
 class Tool(StrEnum):
@@ -56,7 +57,7 @@ def read_access(reader: Reader) -> ExerciseAccess:
     off = frozenset(tool for tool in Tool if not _switched_on(switches, tool))
     attempts = switches.integer("attempts", 0) if switches.given("attempts") else None
     if attempts is not None and attempts < 1:
-        switches.fault("exercise_value_type", "attempts", key="attempts")
+        switches.mistyped(ValueKind.COUNT, "attempts")
         attempts = None
     switches.finish()
     helps = reader.table("help")
@@ -75,7 +76,7 @@ def _switched_on(reader: Reader, tool: Tool) -> bool:
         return True
     value = reader.values[tool.value]
     if not isinstance(value, bool):
-        reader.fault("exercise_value_type", tool.value, key=tool.value)
+        reader.mistyped(ValueKind.FLAG, tool.value)
     return value is not False
 
 
@@ -83,14 +84,9 @@ def _ladder(reader: Reader) -> tuple[HelpLevel, ...]:
     most = reader.choice("most", HelpLevel, HelpLevel.REPAIR)
     if not reader.given("ladder"):
         return (most,)
-    ladder: list[HelpLevel] = []
-    for i, text in enumerate(reader.texts("ladder", default=())):
-        if text not in list(HelpLevel):
-            reader.fault("exercise_value_unknown", "ladder", i, key="ladder", known=", ".join(HelpLevel))
-            continue
-        ladder.append(lowest((HelpLevel(text), most)))
+    ladder = tuple(lowest((level, most)) for level in reader.choices("ladder", HelpLevel))
     if any(lowest(pair) is not pair[0] for pair in pairwise(ladder)):
         reader.fault("ladder_falls", "ladder")
     if not ladder:
-        reader.fault("exercise_value_type", "ladder", key="ladder")
-    return tuple(ladder) or (most,)
+        reader.mistyped(ValueKind.HELP_LEVELS, "ladder")
+    return ladder or (most,)

@@ -170,7 +170,13 @@ def _statements(statements: Mapping[str, str], faults: list[Fault]) -> Mapping[s
     for language, text in statements.items():
         name = statement_file(language)
         if not STATEMENT.fullmatch(name):
-            faults.append(Fault(code="exercise_key_unknown", where=(name,), params={"key": language}))
+            faults.append(
+                Fault(
+                    code="exercise_key_unknown",
+                    where=(name,),
+                    params={"key": language, "known": ", ".join(LANGUAGES)},
+                )
+            )
         elif not text.strip():
             faults.append(Fault(code="statement_missing", where=(name,), params={"language": language}))
         else:
@@ -191,7 +197,7 @@ def _titles(reader: Reader, statements: Mapping[str, str]) -> Mapping[str, str]:
             fault.within(*inner.where, language) for fault in text_faults(title, LONGEST_TITLE)
         )
         if _LANGUAGE.fullmatch(language) is None:
-            inner.fault("exercise_key_unknown", language, key=language)
+            inner.fault("exercise_key_unknown", language, key=language, known=", ".join(LANGUAGES))
     if reader.given("title") and statements and not titles.keys() & statements.keys():
         reader.fault("title_missing", "title")
     return MappingProxyType(titles)
@@ -216,11 +222,11 @@ def _remarks(reader: Reader) -> Mapping[str, Mapping[str, str]]:
         if code not in repair_codes():
             inner.fault("misconception_unknown", name=code, known=", ".join(sorted(repair_codes())))
         if not inner.values:
-            inner.fault("exercise_key_missing", "en", key="en")
+            inner.missing(LANGUAGES[0])
         remarks[code] = MappingProxyType({language: inner.text(language) for language in inner.values})
         for language, text in remarks[code].items():
             if _LANGUAGE.fullmatch(language) is None:
-                inner.fault("exercise_key_unknown", language, key=language)
+                inner.fault("exercise_key_unknown", language, key=language, known=", ".join(LANGUAGES))
             found = text_faults(text, LONGEST_STATEMENT)
             inner.faults.extend(fault.within(*inner.where, language) for fault in found)
     return MappingProxyType(remarks)
@@ -298,17 +304,13 @@ def _reference(reader: Reader, robot: str | None) -> tuple[ReadTable | None, Map
         reader.fault("robot_and_reference", "reference")
     if robot is not None:
         if robot not in catalogue.robot_ids():
-            ", ".join(catalogue.robot_ids())
-            reader.fault(
-                "exercise_robot_unknown",
-                "robot",
-                robot=robot,
-            )
+            known = ", ".join(catalogue.robot_ids())
+            reader.fault("exercise_robot_unknown", "robot", robot=robot, known=known)
             return None, {}
         found = catalogue.robot(robot)
         return found.table, {name: Fraction(repr(value)) for name, value in found.parameters.items()}
     if not reader.given("reference"):
-        reader.fault("exercise_key_missing", "robot")
+        reader.missing("robot")
         return None, {}
     inner = reader.table("reference")
     raw = read_raw_table(inner)

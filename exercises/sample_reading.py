@@ -51,9 +51,6 @@ def _row(reader: Reader) -> RawRow:
     joint = reader.choice("joint", JointType) if reader.given("joint") else None
     cells = {}
     for cell in CELLS:
-        reader.given(cell)
-        if cell not in reader.values:
-            reader.fault("exercise_key_missing", cell, key=cell)
-        cells[cell] = reader.values.get(cell, 0)
+        cells[cell] = reader.cell(cell)
     reader.finish()
     return RawRow(joint=joint, **cells)

@@ -105,7 +105,7 @@ def read_drawing(reader: Reader) -> AxesDrawing:
     lengths = {given.name(name): given.number(name) for name in given.values}
     entries = list(reader.entries("axes"))
     if not entries:
-        reader.fault("exercise_key_missing", "axes", key="axes")
+        reader.missing("axes")
     if len(entries) > MOST_AXES:
         reader.fault("drawing_too_many_axes", "axes", count=len(entries), limit=MOST_AXES)
     if len(lengths) > MOST_LENGTHS:

@@ -29,6 +29,7 @@ from kinematics.expressions import (
     rational_value,
 )
 from kinematics.frames.axes import JointAxis
+from kinematics.keys import ValueKind
 from kinematics.scm import modified_dh_from_scm
 from kinematics.scm.chain_reading import ENTRIES, RawChain, read_chain
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable, SymbolicRow
@@ -303,7 +304,7 @@ def _six(reader: Reader) -> dict[str, Cell]:
         if reader.given(name):
             value = reader.values[name]
             if isinstance(value, bool) or not isinstance(value, int | float | str):
-                reader.fault("exercise_value_type", name, key=name)
+                reader.mistyped(ValueKind.CELL, name)
             else:
                 found[name] = value
     reader.finish()

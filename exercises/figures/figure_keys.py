@@ -20,6 +20,7 @@ from exercises.figures.specification import (
 )
 from exercises.reading import Reader
 from kinematics.expressions import ZERO, Parameter
+from kinematics.keys import ValueKind
 from kinematics.table import JointType
 
 USUAL_VIEW = View(azimuth=math.radians(-60), elevation=math.radians(24))
@@ -88,7 +89,7 @@ def _point_of(reader: Reader) -> Point:
         ends = reader.texts("between")
         if len(ends) == 2:
             return PointBetween(start=ends[0], end=ends[1], ratio=reader.number("ratio", 0.5))
-        reader.fault("exercise_value_type", "between")
+        reader.mistyped(ValueKind.POINT_NAMES, "between", count=2)
     elif reader.given("from"):
         if reader.given("joint"):
             return PointAlongAxis(
@@ -108,10 +109,7 @@ def _joints(reader: Reader, n: int) -> dict[int, JointMark]:
             continue
         label = inner.text("label", "")
         if label not in ("", "+", "-"):
-            inner.fault(
-                "exercise_value_unknown",
-                "label",
-            )
+            inner.fault("exercise_value_unknown", "label", key="label", known="+, -")
         marks[int(name)] = JointMark(
             at=inner.text("at"),
             scale=inner.number("scale", 1),
@@ -130,7 +128,7 @@ def _links(reader: Reader) -> tuple[tuple[str, ...], ...]:
         isinstance(chain, list) and len(chain) > 1 and all(isinstance(name, str) for name in chain)
         for chain in chains
     ):
-        reader.fault("exercise_value_type", "links")
+        reader.mistyped(ValueKind.POINT_CHAINS, "links")
         return ()
     return tuple(tuple(chain) for chain in chains)
 

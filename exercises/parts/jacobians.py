@@ -138,12 +138,7 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> JacobianPart:
         """Return the part with its joint values and what is asked."""
         joints, draws = read_joints(reader, robot)
-        asked: list[JacobianAsk] = []
-        for i, name in enumerate(reader.texts("ask", default=(JacobianAsk.JACOBIAN.value,))):
-            if name in set(JacobianAsk):
-                asked.append(JacobianAsk(name))
-            else:
-                reader.fault("exercise_value_unknown", "ask", i, key="ask", known=", ".join(JacobianAsk))
+        asked = reader.choices("ask", JacobianAsk, (JacobianAsk.JACOBIAN.value,))
         wrench = reader.exacts("wrench", (0, 0, 0, 0, 0, 0))
         forces = JacobianAsk.FORCES in asked
         if len(wrench) != 6 or (forces and not any(wrench)):

@@ -139,19 +139,12 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> InverseKinematicsPart:
         """Return the part with its pose and what is asked of it."""
         joints, draws = read_joints(reader, robot)
-        known = set(PoseCase)
-        cases = []
-        for i, name in enumerate(reader.texts("cases", default=(PoseCase.REACHED.value,))):
-            if name in known:
-                cases.append(PoseCase(name))
-            else:
-                reader.fault("exercise_value_unknown", "cases", i, key="cases", known=", ".join(PoseCase))
         return InverseKinematicsPart(
             kind=self.kind,
             points=points,
             joints=joints,
             draws=draws,
-            cases=tuple(cases) or (PoseCase.REACHED,),
+            cases=reader.choices("cases", PoseCase, ()) or (PoseCase.REACHED,),
             every=reader.choice("solutions", _Asked, _Asked.ALL) is _Asked.ALL,
             reach=reader.choice("reach", ArmReach, ArmReach.POSE),
             tolerance=reader.number("tolerance", USUAL_TOLERANCE),

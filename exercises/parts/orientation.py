@@ -104,14 +104,7 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
         if len(angles) != 3:
             reader.fault("joints_wrong_length", "angles", expected=3)
             angles = (Fraction(0),) * 3
-        asked: list[OrientationNotation] = []
-        for i, name in enumerate(reader.texts("ask")):
-            if name in set(OrientationNotation):
-                asked.append(OrientationNotation(name))
-            else:
-                reader.fault(
-                    "exercise_value_unknown", "ask", i, key="ask", known=", ".join(OrientationNotation)
-                )
+        asked = reader.choices("ask", OrientationNotation)
         if not asked:
             reader.fault("nothing_asked", "ask")
         return OrientationPart(

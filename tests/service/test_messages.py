@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import pytest
 
+from kinematics.keys import ValueKind
 from service.http.languages import language_for
 from service.messages import languages, sentence, template
 
@@ -39,3 +40,16 @@ def test_a_template_names_its_parameters() -> None:
     assert template("en", "error-body_too_large") == (
         "The body is larger than {limit} bytes, the most that this call reads."
     )
+
+
+@pytest.mark.parametrize("language", languages())
+@pytest.mark.parametrize("code", ["catalogue_value_type", "exercise_value_type"])
+def test_what_a_value_has_to_be_is_told_in_every_language(language: str, code: str) -> None:
+    known = {"count": 3, "width": 6, "known": "a, b", "key": "joints"}
+    told = {
+        kind: sentence(language, f"error-{code}", {**known, "expected": kind}) for kind in (*ValueKind, "odd")
+    }
+    assert len(set(told.values())) == len(told)
+    assert all("joints" in str(text) and "{" not in str(text) for text in told.values())
+    any_count = {**known, "count": 0, "expected": ValueKind.NUMBERS}
+    assert "0" not in str(sentence(language, f"error-{code}", any_count))

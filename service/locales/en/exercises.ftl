@@ -171,11 +171,11 @@ error-language_unknown = { $language } is not spoken here. There are { $known }.
 
 error-exercise_file_missing = The file exercise.toml is missing.
 error-exercise_file_not_toml = This is not TOML: { $reason }
-error-exercise_key_missing = A key is missing here.
-error-exercise_key_unknown = { $key } means nothing here.
-error-exercise_value_type = The value is not of the type that is needed here.
-error-exercise_value_unknown = The value is none of those that may stand here.
-error-exercise_robot_unknown = The catalogue holds no robot { $robot }.
+error-exercise_key_missing = { $key } is missing.
+error-exercise_key_unknown = { $key } means nothing here. Known keys are { $known }.
+error-exercise_value_type = { $key } must be { expected-value }.
+error-exercise_value_unknown = { $key } must be one of: { $known }.
+error-exercise_robot_unknown = The catalogue holds no robot { $robot }. It holds { $known }.
 error-exercise_limits_reversed = The limits of joint { $joint } are given as [lowest, highest].
 error-exercise_limits_unknown = The catalogue knows no limits of this robot.
 error-folder_missing = There is no folder { $folder }.

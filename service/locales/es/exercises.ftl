@@ -171,11 +171,11 @@ error-language_unknown = El idioma { $language } no está disponible aquí. Hay 
 
 error-exercise_file_missing = Falta el archivo exercise.toml.
 error-exercise_file_not_toml = Esto no es TOML: { $reason }
-error-exercise_key_missing = Aquí falta una clave.
-error-exercise_key_unknown = { $key } no significa nada aquí.
-error-exercise_value_type = El valor no es del tipo que se necesita aquí.
-error-exercise_value_unknown = El valor no es ninguno de los que pueden estar aquí.
-error-exercise_robot_unknown = El catálogo no contiene el robot { $robot }.
+error-exercise_key_missing = Falta { $key }.
+error-exercise_key_unknown = { $key } no significa nada aquí. Las claves conocidas son { $known }.
+error-exercise_value_type = { $key } debe ser { expected-value }.
+error-exercise_value_unknown = { $key } debe ser uno de estos valores: { $known }.
+error-exercise_robot_unknown = El catálogo no contiene el robot { $robot }. Contiene { $known }.
 error-exercise_limits_reversed = Los límites de la articulación { $joint } se dan como [mínimo, máximo].
 error-exercise_limits_unknown = El catálogo no conoce los límites de este robot.
 error-folder_missing = No hay ninguna carpeta { $folder }.

@@ -171,11 +171,11 @@ error-language_unknown = La langue { $language } n'est pas proposée ici. Il y a
 
 error-exercise_file_missing = Le fichier exercise.toml manque.
 error-exercise_file_not_toml = Ce n'est pas du TOML : { $reason }
-error-exercise_key_missing = Une clé manque ici.
-error-exercise_key_unknown = { $key } n'a pas de sens ici.
-error-exercise_value_type = La valeur n'est pas du type attendu ici.
-error-exercise_value_unknown = La valeur n'est aucune de celles qui sont possibles ici.
-error-exercise_robot_unknown = Le catalogue ne contient pas le robot { $robot }.
+error-exercise_key_missing = { $key } manque.
+error-exercise_key_unknown = { $key } ne signifie rien ici. Les clés connues sont { $known }.
+error-exercise_value_type = { $key } doit être { expected-value }.
+error-exercise_value_unknown = { $key } doit être l’une de ces valeurs : { $known }.
+error-exercise_robot_unknown = Le catalogue ne contient aucun robot { $robot }. Il contient { $known }.
 error-exercise_limits_reversed = Les butées de l'articulation { $joint } se donnent sous la forme [minimum, maximum].
 error-exercise_limits_unknown = Le catalogue ne connaît pas les butées de ce robot.
 error-folder_missing = Il n'y a pas de dossier { $folder }.

@@ -171,11 +171,11 @@ error-language_unknown = O idioma { $language } não está disponível aqui. Há
 
 error-exercise_file_missing = Falta o ficheiro exercise.toml.
 error-exercise_file_not_toml = Isto não é TOML: { $reason }
-error-exercise_key_missing = Falta uma chave aqui.
-error-exercise_key_unknown = { $key } não significa nada aqui.
-error-exercise_value_type = O valor não é do tipo necessário aqui.
-error-exercise_value_unknown = O valor não é nenhum dos que podem estar aqui.
-error-exercise_robot_unknown = O catálogo não contém o robô { $robot }.
+error-exercise_key_missing = Falta { $key }.
+error-exercise_key_unknown = { $key } não significa nada aqui. As chaves conhecidas são { $known }.
+error-exercise_value_type = { $key } deve ser { expected-value }.
+error-exercise_value_unknown = { $key } deve ser um destes valores: { $known }.
+error-exercise_robot_unknown = O catálogo não contém o robô { $robot }. Contém { $known }.
 error-exercise_limits_reversed = Os limites da junta { $joint } são dados como [mínimo, máximo].
 error-exercise_limits_unknown = O catálogo não conhece os limites deste robô.
 error-folder_missing = Não há pasta { $folder }.

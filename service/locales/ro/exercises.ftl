@@ -179,11 +179,11 @@ error-language_unknown = Limba { $language } nu este disponibilă aici. Există 
 
 error-exercise_file_missing = Lipsește fișierul exercise.toml.
 error-exercise_file_not_toml = Acesta nu este TOML: { $reason }
-error-exercise_key_missing = Aici lipsește o cheie.
-error-exercise_key_unknown = { $key } nu înseamnă nimic aici.
-error-exercise_value_type = Valoarea nu este de tipul necesar aici.
-error-exercise_value_unknown = Valoarea nu este una dintre cele admise aici.
-error-exercise_robot_unknown = Catalogul nu conține robotul { $robot }.
+error-exercise_key_missing = Lipsește { $key }.
+error-exercise_key_unknown = { $key } nu înseamnă nimic aici. Cheile cunoscute sunt { $known }.
+error-exercise_value_type = { $key } trebuie să fie { expected-value }.
+error-exercise_value_unknown = { $key } trebuie să fie una dintre valorile: { $known }.
+error-exercise_robot_unknown = Catalogul nu conține robotul { $robot }. Conține { $known }.
 error-exercise_limits_reversed = Limitele cuplei { $joint } se dau ca [minim, maxim].
 error-exercise_limits_unknown = Catalogul nu cunoaște limitele acestui robot.
 error-folder_missing = Nu există dosarul { $folder }.

@@ -178,11 +178,11 @@ error-language_unknown = Мови { $language } тут немає. Є такі: 
 
 error-exercise_file_missing = Немає файла exercise.toml.
 error-exercise_file_not_toml = Це не TOML: { $reason }
-error-exercise_key_missing = Тут бракує ключа.
-error-exercise_key_unknown = { $key } тут нічого не означає.
-error-exercise_value_type = Значення не того типу, який тут потрібен.
-error-exercise_value_unknown = Значення не належить до тих, що можуть тут стояти.
-error-exercise_robot_unknown = У каталозі немає робота { $robot }.
+error-exercise_key_missing = Бракує { $key }.
+error-exercise_key_unknown = { $key } тут нічого не означає. Відомі ключі: { $known }.
+error-exercise_value_type = Значення { $key } має бути таким: { expected-value }.
+error-exercise_value_unknown = Значення { $key } має бути одним із таких: { $known }.
+error-exercise_robot_unknown = У каталозі немає робота { $robot }. У ньому є { $known }.
 error-exercise_limits_reversed = Межі зчленування { $joint } подаються як [найменше, найбільше].
 error-exercise_limits_unknown = У каталозі немає меж цього робота.
 error-folder_missing = Немає теки { $folder }.
