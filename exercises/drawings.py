@@ -19,6 +19,9 @@ from kinematics.table import JointType
 KEPT = 512
 """Instances whose `KeyPose` is kept: some hundred students, each with one or two exercises at a time."""
 
+LATELY = 64
+"""Scenes that are kept: one page asks for its figure's numbers, words and drawing one after the other."""
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class KeyPose:
@@ -130,6 +133,11 @@ def key_pose(instance: Instance) -> KeyPose:
 
 
 def _scene(instance: Instance, *, drawn: bool) -> Scene:
+    return _built(instance, drawn and bool(instance.exercise.figure.lengths))
+
+
+@lru_cache(maxsize=LATELY)
+def _built(instance: Instance, drawn: bool) -> Scene:
     exercise = instance.exercise
     return build_scene(
         exercise.figure,

@@ -10,6 +10,7 @@ import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from typing import TypeVar
 
 from exercises.reading import Reader
@@ -38,9 +39,15 @@ class Draw:
 
     def values(self) -> tuple[Fraction, ...]:
         """Return the values, in ascending order."""
-        count = int((self.stop - self.start) / self.step)
-        grid = (self.start + k * self.step for k in range(count + 1))
-        return tuple(value for value in grid if value not in self.without)
+        return _values(self)
+
+
+@lru_cache(maxsize=512)
+def _values(draw: Draw) -> tuple[Fraction, ...]:
+    """The values of a draw, which every student of an exercise chooses from."""
+    count = int((draw.stop - draw.start) / draw.step)
+    grid = (draw.start + k * draw.step for k in range(count + 1))
+    return tuple(value for value in grid if value not in draw.without)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -36,9 +36,10 @@ class Camera:
     def project(self, points: ArrayLike) -> Array:
         """(…, 3) points in space as (…, 2) points on paper, y downwards."""
         p = np.asarray(points, dtype=np.float64)
-        x = p @ self.right * self.scale + self.shift[0]
-        y = -(p @ self.up) * self.scale + self.shift[1]
-        return np.stack([x, y], axis=-1)
+        found: Array = np.empty((*p.shape[:-1], 2))
+        found[..., 0] = p @ self.right * self.scale + self.shift[0]
+        found[..., 1] = -(p @ self.up) * self.scale + self.shift[1]
+        return found
 
     def depth(self, points: ArrayLike) -> Array:
         """(…, 3) points in space as (…) distances towards the eye; the larger, the nearer."""

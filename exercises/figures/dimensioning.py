@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from exercises.figures.camera import Array, Camera
 from exercises.figures.geometry import Dimension
-from exercises.figures.placement import NO_CELLS, Label, LabelCandidate, PaperMap, Rectangle
+from exercises.figures.placement import CELL, Cells, PaperMap, Places, places
 from exercises.figures.svg import Canvas, line, text_width
 from kinematics.se3 import cross_arrays
 
 FONT_SIZE = 18.0
 OFFSETS = (0.0, 22.0, 36.0, 52.0, 70.0, 92.0)
+_TAIL = 20.0
 GAP = 4.0
 BEYOND = 5.0
 HEAD = (8.0, 2.7)
@@ -37,16 +37,74 @@ class DimensionLine:
         """Ends of the line that is drawn, with the tails of arrows that stand outside."""
         if not self.outside:
             return self.start, self.end
-        along = _unit(self.end - self.start) * 20.0
+        along = _unit(self.end - self.start) * _TAIL
         return self.start - along, self.end + along
 
 
-def candidates(dimension: Dimension, camera: Camera, paper: PaperMap) -> list[LabelCandidate[DimensionLine]]:
-    """The ways in which a dimension can be drawn."""
-    return [
-        _candidate(dimension, offset, penalty, camera, paper)
-        for offset, penalty in _offsets(dimension, camera)
-    ]
+def dimension_places(dimension: Dimension, camera: Camera, paper: PaperMap) -> Places[DimensionLine]:
+    """The ways in which a dimension can be drawn: its line moved aside, its name beside or beyond it."""
+    ends = np.array([dimension.start, dimension.end])
+    on_paper = camera.project(ends)
+    along = _unit(on_paper[1] - on_paper[0])
+    units, costs = _directions(dimension, ends, along, camera)
+    ways = np.repeat(units, len(OFFSETS), axis=0)
+    distances = np.tile(OFFSETS, len(units))
+    offsets = ways * distances[:, None]
+    usual = 22.0 * dimension.distance
+    outside = float(np.linalg.norm(on_paper[1] - on_paper[0])) < SHORT
+    size = np.array([text_width(dimension.name, FONT_SIZE), FONT_SIZE])
+    normal = np.array([-along[1], along[0]])
+    names, name_costs = _label_places(on_paper, along, normal, size / 2, outside)
+    # beside a line that was not moved, the name prefers the side on which it would have been moved away
+    out = np.where(distances[:, None] > 0, ways, normal)
+    opposite = (out @ normal)[:, None] * _sides(len(name_costs)) < 0
+    penalties = (np.repeat(costs, len(OFFSETS)) + 0.4 * np.abs(distances - usual))[:, None]
+    penalties = penalties + name_costs + 4.0 * opposite
+    tails = _TAIL if outside else 0.0
+    drawn = on_paper + np.array([-along, along]) * tails
+
+    def choose(way: int, place: int) -> DimensionLine:
+        offset, distance = offsets[way], float(distances[way])
+        start, end = on_paper + offset
+        extensions = (
+            tuple((p + ways[way] * GAP, p + offset + ways[way] * BEYOND) for p in on_paper)
+            if distance > GAP
+            else ()
+        )
+        return DimensionLine(
+            name=dimension.name,
+            start=start,
+            end=end,
+            extensions=extensions,
+            outside=outside,
+            label=names[place] + offset,
+        )
+
+    return places(
+        paper,
+        names + offsets[:, None],
+        (float(size[0]) + 4.0, FONT_SIZE),
+        penalties,
+        choose,
+        lines=_cells_of_lines(drawn, offsets, paper),
+        faint=_cells_of_extensions(on_paper, units, paper),
+    )
+
+
+def _cells_of_lines(drawn: Array, offsets: Array, paper: PaperMap) -> Cells:
+    """(n, k) cells under a line moved by each of (n, 2) offsets."""
+    length = float(np.linalg.norm(drawn[1] - drawn[0]))
+    count = max(2, int(length / CELL) + 1)
+    run = drawn[0] + np.linspace(0.0, 1.0, count)[:, None] * (drawn[1] - drawn[0])
+    return paper.cells(offsets[:, None] + run)
+
+
+def _cells_of_extensions(ends: Array, units: Array, paper: PaperMap) -> Cells:
+    """(n, k) cells under both extension lines, for each direction and each of the distances."""
+    runs = ends[:, None, None, None] + units[:, None, None] * _EXTENSIONS[:, :, None]
+    cells = paper.cells(runs)
+    cells[:, :, 0] = paper.nowhere  # a line that was not moved has none
+    return np.moveaxis(cells, 0, 2).reshape(len(units) * len(OFFSETS), -1)
 
 
 def draw_extensions(canvas: Canvas, dimension: DimensionLine) -> None:
@@ -85,82 +143,68 @@ def halo(canvas: Canvas, centre: Array, name: str, size: float, **attributes: st
     )
 
 
-def _offsets(dimension: Dimension, camera: Camera) -> Iterator[tuple[Array, float]]:
-    """Vectors on paper by which the dimension line may be moved, with what each costs."""
-    start, end = np.array(dimension.start), np.array(dimension.end)
-    along = (end - start) / np.linalg.norm(end - start)
-    on_paper = _unit(camera.project(end) - camera.project(start))
-    wished = dimension.offset
-    directions: list[tuple[Array, float]] = []
-    if wished is not None:
-        directions.append((np.array(wished), -60.0))
-    for axis in np.eye(3):
-        directions += [(axis, 0.0), (-axis, 0.0)]
+def _directions(dimension: Dimension, ends: Array, on_paper: Array, camera: Camera) -> tuple[Array, Array]:
+    """(n, 2) unit vectors on paper in which the dimension line may be moved, with what each costs."""
+    along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
     screen = cross_arrays(along, camera.eye)
-    if np.linalg.norm(screen) > 1e-6:
-        directions += [(screen, 15.0), (-screen, 15.0)]
-    for direction, cost in directions:
-        across = direction - along * (direction @ along)
-        if np.linalg.norm(across) < 0.3:
-            continue
-        shift = camera.project(across) - camera.project(np.zeros(3))
-        if np.linalg.norm(shift) < 0.25 * camera.scale * np.linalg.norm(across):
-            continue
-        unit = _unit(shift)
-        slant = abs(unit[0] * on_paper[1] - unit[1] * on_paper[0])
-        if slant < 0.35:
-            continue
-        for distance in OFFSETS:
-            usual = 22.0 * dimension.distance
-            yield unit * distance, cost + 12.0 * (1 - slant) + 0.4 * abs(distance - usual)
+    wished = np.zeros(3) if dimension.offset is None else np.array(dimension.offset)
+    directions = np.array([wished, *_AXES, screen, -screen])
+    across = directions - (directions @ along)[:, None] * along
+    lengths = np.sqrt((across * across).sum(axis=1))
+    shifts = np.stack([across @ camera.right, -(across @ camera.up)], axis=-1) * camera.scale
+    seen = np.sqrt((shifts * shifts).sum(axis=1))
+    units = shifts / np.maximum(seen, 1e-9)[:, None]
+    slants = np.abs(units[:, 0] * on_paper[1] - units[:, 1] * on_paper[0])
+    kept = (lengths >= 0.3) & (seen >= 0.25 * camera.scale * lengths) & (slants >= 0.35)
+    kept[7:] &= bool(np.linalg.norm(screen) > 1e-6)
+    return units[kept], (_DIRECTION_COSTS + 12.0 * (1 - slants))[kept]
 
 
-def _candidate(
-    dimension: Dimension, offset: Array, penalty: float, camera: Camera, paper: PaperMap
-) -> LabelCandidate[DimensionLine]:
-    """The dimension line at an offset, with its name at each place that it may take."""
-    a, b = camera.project(dimension.start), camera.project(dimension.end)
-    start, end = a + offset, b + offset
-    along = _unit(end - start)
-    distance = float(np.linalg.norm(offset))
-    out = offset / distance if distance else np.array([-along[1], along[0]])
-    extensions = tuple((p + out * GAP, p + offset + out * BEYOND) for p in (a, b)) if distance > GAP else ()
-    outside = float(np.linalg.norm(end - start)) < SHORT
-    width = text_width(dimension.name, FONT_SIZE)
+_AXES = np.concatenate([[axis, -axis] for axis in np.eye(3)])
+_DIRECTION_COSTS = np.array([-60.0, *[0.0] * 6, 15.0, 15.0])
+"""What the direction that was wished for costs, those of the axes, and those along the paper."""
 
-    def drawn(label: Array) -> DimensionLine:
-        return DimensionLine(
-            name=dimension.name, start=start, end=end, extensions=extensions, outside=outside, label=label
-        )
 
-    labels = [
-        Label(choice=drawn(place), area=Rectangle.around(place, width + 4.0, FONT_SIZE), penalty=cost)
-        for place, cost in _label_places(start, end, out, np.array([width, FONT_SIZE]) / 2, outside)
+def _longest_extension() -> Array:
+    """(distances, samples) how far from the point the samples of an extension line lie."""
+    lengths = [distance + BEYOND - GAP for distance in OFFSETS]
+    counts = [max(2, int(length / CELL) + 1) for length in lengths]
+    rows = [
+        GAP + np.minimum(np.arange(max(counts)) / (count - 1), 1.0) * length
+        for length, count in zip(lengths, counts, strict=True)
     ]
-    faint = [paper.along(pair) for pair in extensions]
-    return LabelCandidate(
-        lines=paper.along(labels[0].choice.drawn_line()),
-        faint=np.concatenate(faint) if faint else NO_CELLS,
-        labels=labels,
-        penalty=penalty,
-    )
+    return np.array(rows)
+
+
+_EXTENSIONS = _longest_extension()
 
 
 def _label_places(
-    start: Array, end: Array, out: Array, half: Array, outside: bool
-) -> Iterator[tuple[Array, float]]:
-    """Places for a name beside a dimension line, beyond its ends if the arrows stand outside."""
-    along = _unit(end - start)
-    normal = np.array([-along[1], along[0]])
+    ends: Array, along: Array, normal: Array, half: Array, outside: bool
+) -> tuple[Array, Array]:
+    """(m, 2) places for a name beside a line, beyond its ends if the arrows stand outside; their costs."""
     away = float(abs(normal[0]) * half[0] + abs(normal[1]) * half[1]) + 4.0
-    for side in (1.0, -1.0):
-        preferred = 0.0 if normal @ out * side > 0 else 4.0
-        for ratio, cost in ((0.5, 0.0), (0.35, 3.0), (0.65, 3.0), (0.2, 8.0), (0.8, 8.0)):
-            yield start + ratio * (end - start) + side * normal * away, preferred + cost
-    if outside:
-        reach = 24.0 + float(abs(along[0]) * half[0] + abs(along[1]) * half[1])
-        yield end + along * reach, 2.0
-        yield start - along * reach, 2.0
+    beside = ends[0] + _BESIDE[:, :1] * (ends[1] - ends[0]) + _BESIDE[:, 1:2] * normal * away
+    if not outside:
+        return beside, _BESIDE[:, 2]
+    reach = 24.0 + float(abs(along[0]) * half[0] + abs(along[1]) * half[1])
+    return np.concatenate([beside, [ends[1] + along * reach, ends[0] - along * reach]]), _BESIDE_AND_BEYOND
+
+
+_BESIDE = np.array(
+    [
+        (ratio, side, cost)
+        for side in (1.0, -1.0)
+        for ratio, cost in ((0.5, 0.0), (0.35, 3.0), (0.65, 3.0), (0.2, 8.0), (0.8, 8.0))
+    ]
+)
+"""Places beside a line: how far along it, on which side, and what they cost."""
+_BESIDE_AND_BEYOND = np.array([*_BESIDE[:, 2], 2.0, 2.0])
+
+
+def _sides(count: int) -> Array:
+    """On which side each of the places stands: 0 beyond the ends."""
+    return np.array([*_BESIDE[:, 1], 0.0, 0.0])[:count]
 
 
 def _head(tip: Array, direction: Array) -> str:

@@ -14,9 +14,8 @@ from exercises.figures.camera import Array, Camera, camera_for, fitted
 from exercises.figures.dimensioning import DimensionLine, halo
 from exercises.figures.geometry import Scene, scene_points
 from exercises.figures.labels import DISC, NAME_SIZE, Written, name_places, number_places
-from exercises.figures.placement import LabelCandidate, PaperMap, Placer, Rectangle
+from exercises.figures.placement import PaperMap, Placer, Places
 from exercises.figures.shapes import (
-    REACH,
     axis_ends,
     gripper_lines,
     ground_lines,
@@ -39,6 +38,9 @@ NUMBER_SIZE = 14.0
 NOTE_SIZE = 13.0
 """Sizes of the drawing in its own units, of which a page of text is 700 wide: chosen by eye, so that
 numbers are as large as the text beside them."""
+
+_TUBE = np.array(((-2.5, 0.0), (2.5, 0.0), (0.0, -2.5), (0.0, 2.5), (0.0, 0.0)))
+"""Shifts of a link's line under which its tube covers the map."""
 
 Style = dict[str, Any]
 
@@ -64,14 +66,17 @@ def draw_figure(
         language: language of title and description.
         note: a few words below the figure.
     """
+    unscaled = camera_for(view)
+    bodies = [body_of(axis, scene.size, unscaled) for axis in scene.axes]
+    extent = _extent(scene, bodies)
     camera = fitted(
-        camera_for(view),
-        _extent(scene, camera_for(view)),
+        unscaled,
+        extent,
         width=width - 2 * MARGIN,
         height=HEIGHT - 2 * MARGIN,
         most=MOST_SCALE,
     )
-    drawing = _Drawing(scene, camera, width)
+    drawing = _Drawing(scene, bodies, camera, extent, width)
     drawing.draw()
     if note:
         drawing.draw_note(note)
@@ -81,16 +86,17 @@ def draw_figure(
 class _Drawing:
     """One figure in the making."""
 
-    def __init__(self, scene: Scene, camera: Camera, width: float) -> None:
-        self.scene, self.camera = scene, camera
+    def __init__(
+        self, scene: Scene, bodies: Sequence[Body], camera: Camera, extent: Array, width: float
+    ) -> None:
+        self.scene, self.bodies, self.camera = scene, bodies, camera
         self.canvas = Canvas()
-        self.bodies = [body_of(axis, scene.size, camera) for axis in scene.axes]
         self.links = [trimmed(np.array(chain), scene) for chain in scene.links]
-        points = camera.project(np.array(list(_extent(scene, camera))))
+        points = camera.project(extent)
         low = points.min(axis=0)
         high = points.max(axis=0)
         top = float(low[1]) - 110.0
-        self.paper = PaperMap.empty(4.0 - MARGIN, top, width - 8.0, float(high[1]) + 110.0 - top)
+        self.paper = PaperMap(4.0 - MARGIN, top, width - 8.0, float(high[1]) + 110.0 - top)
         self.seen: list[Array] = [points]
 
     def draw(self) -> None:
@@ -150,36 +156,34 @@ class _Drawing:
         for body in self.bodies:
             paper.mark(paper.inside(corners(body, camera)), 3.0)
         for chain in self.links:
-            flat = camera.project(chain)
-            for shift in ((-2.5, 0.0), (2.5, 0.0), (0.0, -2.5), (0.0, 2.5), (0.0, 0.0)):
-                paper.mark(paper.along(list(flat + np.array(shift))), 2.0)
+            for cells in paper.along(camera.project(chain), _TUBE):
+                paper.mark(cells, 2.0)
         for ends in axes:
-            paper.mark(paper.along(list(camera.project(np.array(ends)))), 0.8)
+            paper.mark(paper.along(camera.project(np.array(ends))), 0.8)
         for run in (*gripper, *(run for run, _ in ground), *(s[0] for s in senses if len(s))):
-            paper.mark(paper.along(list(run)), 2.0)
+            paper.mark(paper.along(run), 2.0)
             self.seen.append(np.asarray(run))
         for point in self.scene.points:
-            paper.mark(paper.under(Rectangle.around(camera.project(point.at), 10.0, 10.0)), 4.0)
+            paper.mark_square(camera.project(point.at), 10.0, 4.0)
 
     def place(
         self, axes: Sequence[tuple[Array, Array]], senses: Sequence[tuple[Array, ...]]
     ) -> tuple[list[DimensionLine], list[Written]]:
         """Places of the joints' numbers, the points' names, the variables' names and the dimensions."""
-        scene, camera = self.scene, self.camera
+        scene, camera, paper = self.scene, self.camera, self.paper
         labels = [
-            number_places(axis, body, ends, camera)
+            number_places(axis, body, camera.project(np.array(ends)), camera, paper)
             for axis, body, ends in zip(scene.axes, self.bodies, axes, strict=True)
         ]
-        labels += [name_places(point.name, camera.project(point.at)) for point in scene.points]
+        labels += [name_places(point.name, camera.project(point.at), paper) for point in scene.points]
         labels += [
-            name_places(f"q{axis.joint}", sense[2])
+            name_places(f"q{axis.joint}", sense[2], paper)
             for axis, sense in zip(scene.axes, senses, strict=True)
             if sense
         ]
-        lines = [dimensioning.candidates(dimension, camera, self.paper) for dimension in scene.dimensions]
-        placer: Placer[DimensionLine | Written] = Placer(self.paper)
-        things: list[Sequence[LabelCandidate[DimensionLine | Written]]] = [*labels, *lines]  # type: ignore[list-item]
-        placed = placer.place(things)
+        lines = [dimensioning.dimension_places(dimension, camera, paper) for dimension in scene.dimensions]
+        things: list[Places[DimensionLine | Written]] = [*labels, *lines]  # type: ignore[list-item]
+        placed = Placer[DimensionLine | Written](paper).place(things)
         return (
             [found for found in placed if isinstance(found, DimensionLine)],
             [found for found in placed if isinstance(found, Written)],
@@ -196,15 +200,11 @@ class _Drawing:
             self.canvas.path(line(self.camera.project(np.array(ends))), "axis", **dash)
         for body in sorted(self.bodies, key=lambda body: float(body.centre @ self.camera.eye)):
             self.draw_body(body)
-        runs = [
-            line(run)
-            for chain in self.links
-            for start, end in pairwise(chain)
-            for run in in_front(start, end, self.bodies, self.camera)
-        ]
-        self.draw_links(runs, "butt")
-        for ends in axes:
-            for run in in_front(*ends, self.bodies, self.camera):
+        links = [pair for chain in self.links for pair in pairwise(chain)]
+        shown = in_front([*links, *axes], self.bodies, self.camera)
+        self.draw_links([line(run) for runs in shown[: len(links)] for run in runs], "butt")
+        for runs in shown[len(links) :]:
+            for run in runs:
                 self.canvas.path(line(run), "axis", **dash)
 
     def draw_links(self, runs: Sequence[str], cap: str) -> None:
@@ -254,11 +254,9 @@ class _Drawing:
             self.canvas.path(line(head), "sense", stroke="currentColor", stroke_width=1.6)
 
 
-def _extent(scene: Scene, camera: Camera) -> list[Array]:
-    """Points in space that must be on the paper: links, points, bodies and their axes."""
-    points = [np.array(point) for point in scene_points(scene)]
-    for axis in scene.axes:
-        body = body_of(axis, scene.size, camera)
-        reach = body.half + REACH * scene.size * axis.reach
-        points += [body.centre + np.array(axis.direction) * reach * side for side in (-1, 1)]
-    return points
+def _extent(scene: Scene, bodies: Sequence[Body]) -> Array:
+    """(n, 3) points in space that must be on the paper: links, points, bodies and their axes."""
+    points = list(scene_points(scene))
+    for axis, body in zip(scene.axes, bodies, strict=True):
+        points += [tuple(end) for end in axis_ends(axis, body, scene.size)]
+    return np.array(points)

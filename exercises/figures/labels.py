@@ -9,7 +9,7 @@ import numpy as np
 from exercises.figures.bodies import Body
 from exercises.figures.camera import Array, Camera
 from exercises.figures.geometry import FigureJointAxis
-from exercises.figures.placement import Label, LabelCandidate, Rectangle
+from exercises.figures.placement import PaperMap, Places, places
 from exercises.figures.svg import text_width
 from kinematics.table import JointType
 
@@ -28,42 +28,61 @@ class Written:
 
 
 def number_places(
-    axis: FigureJointAxis, body: Body, ends: tuple[Array, Array], camera: Camera
-) -> list[LabelCandidate[Written]]:
-    """A joint's number beyond either end of its axis, or beside its body."""
-    start, end = camera.project(np.array(ends))
+    axis: FigureJointAxis, body: Body, ends: Array, camera: Camera, paper: PaperMap
+) -> Places[Written]:
+    """A joint's number beyond either end of its axis, or beside its body.
+
+    Args:
+        axis: of the joint.
+        body: of the joint.
+        ends: (2, 2) ends of the axis on paper, against its direction first.
+        camera: from where it is seen.
+        paper: the map on which places are looked for.
+    """
+    start, end = ends
     centre = camera.project(body.centre)
     length = float(np.linalg.norm(end - start))
     along = (end - start) / length if length > 1 else np.array([0.0, -1.0])
     across = np.array([-along[1], along[0]])
-    found: list[tuple[Array, float]] = []
-    for side, tip in ((1, end), (-1, start)):
-        wished = 0.0 if axis.label_end in (0, side) else 40.0
-        for out, aside, cost in ((11.0, 0.0, 0.0), (0.0, 13.0, 6.0), (0.0, -13.0, 6.0), (20.0, 0.0, 9.0)):
-            found.append((tip + side * along * out + across * aside, wished + cost))
     radius = body.radius * camera.scale * (1.3 if axis.type is JointType.PRISMATIC else 1.0)
     half = body.half * camera.scale
-    wished = 12.0 if axis.label_end == 0 else 50.0
-    for aside in (1.0, -1.0):
-        for slide in (0.0, 0.5, -0.5, 1.0, -1.0):
-            at = centre + across * aside * (radius + DISC + 3.5) + along * slide * half
-            found.append((at, wished + 2.0 * abs(slide)))
-    return [_at(str(axis.joint), at, 2 * DISC, 2 * DISC, cost) for at, cost in found]
+    beyond = [
+        point + side * _BEYOND[:, :1] * along + _BEYOND[:, 1:2] * across
+        for side, point in ((1, end), (-1, start))
+    ]
+    beside = centre + _BESIDE[:, :1] * (radius + DISC + 3.5) * across + _BESIDE[:, 1:2] * half * along
+    costs = np.concatenate(
+        [
+            _BEYOND[:, 2] + (0.0 if axis.label_end in (0, 1) else 40.0),
+            _BEYOND[:, 2] + (0.0 if axis.label_end in (0, -1) else 40.0),
+            2.0 * np.abs(_BESIDE[:, 1]) + (12.0 if axis.label_end == 0 else 50.0),
+        ]
+    )
+    return _written(str(axis.joint), np.concatenate([*beyond, beside]), (2 * DISC, 2 * DISC), costs, paper)
 
 
-def name_places(name: str, centre: Array) -> list[LabelCandidate[Written]]:
+def name_places(name: str, centre: Array, paper: PaperMap) -> Places[Written]:
     """A name around a point."""
     width = text_width(name, NAME_SIZE)
-    found = []
-    for k in range(16):
-        turn = np.pi * (k / 8 - 0.25)
-        unit = np.array([np.cos(turn), np.sin(turn)])
-        for more in (7.0, 13.0, 20.0):
-            out = abs(unit[0]) * width / 2 + abs(unit[1]) * NAME_SIZE / 2 + more
-            found.append(_at(name, centre + unit * out, width + 3, NAME_SIZE, more + k % 2))
-    return found
+    turned = np.abs(_TURNS) @ np.array([width / 2, NAME_SIZE / 2])
+    centres = centre + _TURNS * (turned + _AWAY)[:, None]
+    return _written(name, centres, (width + 3, NAME_SIZE), _AWAY + _ODD, paper)
 
 
-def _at(text: str, at: Array, width: float, height: float, penalty: float) -> LabelCandidate[Written]:
-    area = Rectangle.around(at, width, height)
-    return LabelCandidate(labels=(Label(choice=Written(text=text, at=at), area=area, penalty=penalty),))
+_BEYOND = np.array([(11.0, 0.0, 0.0), (0.0, 13.0, 6.0), (0.0, -13.0, 6.0), (20.0, 0.0, 9.0)])
+"""Places at an end of an axis: along it, across it, and what they cost."""
+_BESIDE = np.array([(aside, slide) for aside in (1.0, -1.0) for slide in (0.0, 0.5, -0.5, 1.0, -1.0)])
+"""Places at a body: the side, and how far along the axis, in half lengths."""
+_AROUND = np.array([(np.pi * (k / 8 - 0.25), k % 2, more) for k in range(16) for more in (7.0, 13.0, 20.0)])
+_TURNS = np.stack([np.cos(_AROUND[:, 0]), np.sin(_AROUND[:, 0])], axis=-1)
+_ODD, _AWAY = _AROUND[:, 1], _AROUND[:, 2]
+"""Places around a point: directions, whether they are oblique ones, and distances."""
+
+
+def _written(
+    text: str, centres: Array, size: tuple[float, float], costs: Array, paper: PaperMap
+) -> Places[Written]:
+    def choose(_: int, place: int) -> Written:
+        return Written(text=text, at=centres[place])
+
+    return places(paper, centres[None], size, costs[None], choose)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
-from math import ceil, floor
-from typing import Generic, NamedTuple, TypeVar
+from math import ceil
+from typing import Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,192 +18,206 @@ CELL = 2.5
 OUTSIDE = 1000.0
 """What it costs to leave the map."""
 
+UNMOVED = np.zeros((1, 2))
 Choice = TypeVar("Choice")
-NO_CELLS: NDArray[np.intp] = np.empty(0, dtype=np.intp)
+Cells = NDArray[np.intp]
 
 
-class Rectangle(NamedTuple):
-    """A rectangle on paper, by its centre."""
-
-    x: float
-    y: float
-    width: float
-    height: float
-
-    @staticmethod
-    def around(centre: Array, width: float, height: float) -> Rectangle:
-        """The rectangle of this size about a point."""
-        x, y = centre.tolist()
-        return Rectangle(x, y, width, height)
-
-
-@dataclass(slots=True)
 class PaperMap:
     """How much would be covered at each cell of the paper.
 
+    Cells are flat indices, row by row from the top. Two more follow those of the map: `nowhere`, which costs
+    nothing and pads lists of cells to one length, and the one that stands for everything outside.
+
     Attributes:
         left, top: corner of the map on paper.
-        taken: weight of what stands in each cell, row by row from the top.
+        rows, columns: size of the map in cells.
+        taken: (rows, columns) weight of what stands in each cell.
+        nowhere: index of the cell that is none.
     """
 
-    left: float
-    top: float
-    taken: NDArray[np.float64]
+    def __init__(self, left: float, top: float, width: float, height: float) -> None:
+        self.left, self.top = left, top
+        self.rows, self.columns = int(height / CELL) + 1, int(width / CELL) + 1
+        self.nowhere = self.rows * self.columns
+        self._flat = np.zeros(self.nowhere + 2)
+        self._flat[-1] = OUTSIDE
+        self.taken: Array = self._flat[: self.nowhere].reshape(self.rows, self.columns)
 
-    @staticmethod
-    def empty(left: float, top: float, width: float, height: float) -> PaperMap:
-        """A map on which nothing stands yet."""
-        return PaperMap(left, top, np.zeros((int(height / CELL) + 1, int(width / CELL) + 1)))
+    def cells(self, points: Array) -> Cells:
+        """(…, n) cells under runs of (…, n, 2) points; a cell that follows itself in a run is told once."""
+        columns = np.floor((points[..., 0] - self.left) / CELL)
+        rows = np.floor((points[..., 1] - self.top) / CELL)
+        on = (columns >= 0) & (columns < self.columns) & (rows >= 0) & (rows < self.rows)
+        flat = np.where(on, rows * self.columns + columns, self.nowhere + 1).astype(np.intp)
+        again = flat[..., 1:] == flat[..., :-1]
+        flat[..., 1:][again] = self.nowhere
+        return flat
 
-    def along(self, points: Sequence[Array], step: float = CELL) -> NDArray[np.intp]:
-        """Cells under a polyline, as flat indices."""
-        pieces = []
-        for a, b in pairwise(points):
-            count = max(2, int(np.hypot(*(b - a)) / step) + 1)
-            pieces.append(a + np.linspace(0, 1, count)[:, None] * (b - a))
-        return self._cells(np.concatenate(pieces)) if pieces else np.empty(0, dtype=np.intp)
+    def along(self, points: Array, shifts: Array = UNMOVED) -> Cells:
+        """(s, k) cells under a polyline of (n, 2) points, moved by each of (s, 2) shifts."""
+        steps = points[1:] - points[:-1]
+        counts = np.maximum(2, np.hypot(steps[:, 0], steps[:, 1]) / CELL + 1).astype(np.intp)
+        pieces = [
+            start + RATIOS[: count + 1, None] * (step * (1 / count))
+            for start, step, count in zip(points[:-1], steps, counts.tolist(), strict=True)
+        ]
+        return self.cells(np.concatenate(pieces) + shifts[:, None])
 
-    def under(self, area: Rectangle) -> NDArray[np.intp]:
-        """Cells under a rectangle, as flat indices."""
-        columns = _cells_from(area.x - area.width / 2 - self.left, area.width)
-        rows = _cells_from(area.y - area.height / 2 - self.top, area.height)
-        return self._on_map(columns, rows[:, None]).reshape(-1)
-
-    def inside(self, hull: Array) -> NDArray[np.intp]:
+    def inside(self, hull: Array) -> Cells:
         """Cells inside the convex hull of points."""
         corners = convex_hull(hull)
         low, high = hull.min(axis=0), hull.max(axis=0)
         xs, ys = np.arange(low[0], high[0] + CELL, CELL), np.arange(low[1], high[1] + CELL, CELL)
-        grid = np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 2)
-        keep = np.ones(len(grid), dtype=bool)
-        for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True):
-            edge = b - a
-            keep &= edge[0] * (grid[:, 1] - a[1]) - edge[1] * (grid[:, 0] - a[0]) >= -1e-9
-        return self._cells(grid[keep])
+        edges = np.roll(corners, -1, axis=0) - corners
+        across = edges[:, 0, None] * (ys - corners[:, 1, None])
+        along = edges[:, 1, None] * (xs - corners[:, 0, None])
+        row, column = np.nonzero((across[:, :, None] - along[:, None, :] >= -1e-9).all(axis=0))
+        return self.cells(np.stack([xs[column], ys[row]], axis=-1))
 
-    def mark(self, cells: NDArray[np.intp], weight: float) -> None:
-        """Add what stands in cells (a negative weight takes it away)."""
-        flat = self.taken.reshape(-1)
-        flat[cells[cells >= 0]] += weight
+    def window(self, length: float) -> int:
+        """How many cells in a row, or in a column, a stretch covers wherever it begins."""
+        return ceil(length / CELL) + 1
 
-    def cost(self, cells: NDArray[np.intp]) -> float:
-        """Weight of what the cells would cover; leaving the map costs much."""
-        on = cells[cells >= 0]
-        weight = float(self.taken.reshape(-1)[on].sum()) if len(on) else 0.0
-        return weight if len(on) == len(cells) else weight + OUTSIDE
+    def firsts(self, centres: Array, width: float, height: float) -> tuple[Cells, Cells]:
+        """First rows and first columns of the windows under rectangles about (…, 2) points."""
+        rows = np.floor((centres[..., 1] - (self.top + height / 2)) / CELL)
+        columns = np.floor((centres[..., 0] - (self.left + width / 2)) / CELL)
+        return rows.astype(np.intp), columns.astype(np.intp)
 
-    def _cells(self, points: Array) -> NDArray[np.intp]:
-        columns = np.floor((points[:, 0] - self.left) / CELL).astype(np.intp)
-        rows = np.floor((points[:, 1] - self.top) / CELL).astype(np.intp)
-        return np.unique(self._on_map(columns, rows))
+    def view(self, row: int, column: int, height: int, width: int) -> Array:
+        """What is on the map of a window of cells."""
+        return self.taken[max(row, 0) : max(row + height, 0), max(column, 0) : max(column + width, 0)]
 
-    def _on_map(self, columns: NDArray[np.intp], rows: NDArray[np.intp]) -> NDArray[np.intp]:
-        """Flat indices of cells; -1 of those that are not on the map."""
-        height, width = self.taken.shape
-        on = (columns >= 0) & (columns < width) & (rows >= 0) & (rows < height)
-        return np.where(on, rows * width + columns, -1)
+    def window_cost(self, row: int, column: int, height: int, width: int) -> float:
+        """Weight of what a window would cover; leaving the map costs much."""
+        view = self.view(row, column, height, width)
+        weight = float(_total(view, None))
+        return weight if view.size == height * width else weight + OUTSIDE
+
+    def mark_square(self, centre: Array, side: float, weight: float) -> None:
+        """Add what stands in the cells of a square about a point."""
+        row, column = self.firsts(centre, side, side)
+        view = self.view(int(row), int(column), self.window(side), self.window(side))
+        view += weight
+
+    def cost(self, cells: Cells) -> Array:
+        """(…) weight of what each run of (…, n) cells would cover."""
+        return np.asarray(_total(self._flat[cells], -1))
+
+    def mark(self, cells: Cells, weight: float) -> None:
+        """Add what stands in cells, once in each (a negative weight takes it away)."""
+        self._flat[cells] += weight
+        self._flat[self.nowhere :] = (0.0, OUTSIDE)
 
 
-def _cells_from(start: float, length: float) -> NDArray[np.intp]:
-    """Cells of one row, or column, under a stretch of it."""
-    first = floor(start / CELL)
-    return np.arange(first, first + ceil(length / CELL) + 1)
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Label(Generic[Choice]):
-    """A place for a name.
-
-    Attributes:
-        choice: what is drawn then.
-        area: what the name covers.
-        penalty: what the place costs by itself.
-    """
-
-    choice: Choice
-    area: Rectangle
-    penalty: float
+_total = np.add.reduce
+RATIOS = np.arange(4096.0)
+"""Multiples of a step: more than a line of the longest paper has."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class LabelCandidate(Generic[Choice]):
-    """A way to draw something, and the places that its name may take then.
+class Places(Generic[Choice]):
+    """The ways to draw one thing, and the places that its name may take in each.
 
     Attributes:
-        lines: cells under its lines.
-        faint: cells under its faint lines, which may cross other things.
-        labels: the places for its name.
-        penalty: what it costs by itself.
+        lines: (n, k) cells under its lines, for each of n ways.
+        faint: (n, j) cells under its faint lines, which may cross other things.
+        penalties: (n, m) what each way with each of m places of the name costs by itself.
+        rows, columns: (n, m) the window's first cells at each place of the name.
+        window: rows and columns of cells that the name covers.
+        choose: what is drawn, by the way and the name's place.
     """
 
-    lines: NDArray[np.intp] = field(default_factory=lambda: NO_CELLS)
-    faint: NDArray[np.intp] = field(default_factory=lambda: NO_CELLS)
-    labels: Sequence[Label[Choice]]
-    penalty: float = 0.0
+    lines: Cells | None = None
+    faint: Cells | None = None
+    penalties: Array
+    rows: Cells
+    columns: Cells
+    window: tuple[int, int]
+    choose: Callable[[int, int], Choice]
 
 
-@dataclass(frozen=True, slots=True)
-class _Placed(Generic[Choice]):
-    candidate: LabelCandidate[Choice]
-    label: Label[Choice]
+def places(
+    paper: PaperMap,
+    centres: Array,
+    size: tuple[float, float],
+    penalties: Array,
+    choose: Callable[[int, int], Choice],
+    *,
+    lines: Cells | None = None,
+    faint: Cells | None = None,
+) -> Places[Choice]:
+    """The ways to draw a thing whose name, of a size, is centred on one of (n, m, 2) points."""
+    width, height = size
+    rows, columns = paper.firsts(centres, width, height)
+    return Places(
+        lines=lines,
+        faint=faint,
+        penalties=penalties,
+        rows=rows,
+        columns=columns,
+        window=(paper.window(height), paper.window(width)),
+        choose=choose,
+    )
 
 
 @dataclass(slots=True)
 class Placer(Generic[Choice]):
-    """Places things one after the other, then each once more among all the others."""
+    """Places things one after the other, then each once more among all the others, until none moves."""
 
     paper: PaperMap
     line_weight: float = 1.0
     faint_weight: float = 0.35
     label_weight: float = 9.0
-    _known: dict[Rectangle, NDArray[np.intp]] = field(default_factory=dict)
+    label_cost: float = 3.0
+    _placed: dict[int, tuple[int, int]] = field(default_factory=dict)
 
-    def place(self, things: Sequence[Sequence[LabelCandidate[Choice]]], sweeps: int = 3) -> list[Choice]:
+    def place(self, things: Sequence[Places[Choice]], sweeps: int = 3) -> list[Choice]:
         """The cheapest place for each thing, in the order of the things."""
-        placed: list[_Placed[Choice] | None] = [None] * len(things)
         for _ in range(sweeps):
-            for i, candidates in enumerate(things):
-                before = placed[i]
-                if before is not None:
-                    self._mark(before, -1.0)
-                best = self._best(candidates)
-                self._mark(best, 1.0)
-                placed[i] = best
-        return [found.label.choice for found in placed if found is not None]
+            before = dict(self._placed)
+            for i, thing in enumerate(things):
+                if i in self._placed:
+                    self._mark(thing, self._placed[i], -1.0)
+                self._placed[i] = self._best(thing)
+                self._mark(thing, self._placed[i], 1.0)
+            if self._placed == before:
+                break
+        return [thing.choose(*self._placed[i]) for i, thing in enumerate(things)]
 
-    def _best(self, candidates: Sequence[LabelCandidate[Choice]]) -> _Placed[Choice]:
-        best: _Placed[Choice] | None = None
-        least = float("inf")
-        for candidate in candidates:
-            cost = candidate.penalty + self.paper.cost(candidate.lines)
-            cost += self.faint_weight * self.paper.cost(candidate.faint)
-            if cost >= least:
-                continue
-            for label in candidate.labels:
-                total = cost + label.penalty
-                if total < least:
-                    total += 3.0 * self.paper.cost(self._under(label.area))
-                if total < least:
-                    best, least = _Placed(candidate, label), total
-        assert best is not None
-        return best
+    def _best(self, thing: Places[Choice]) -> tuple[int, int]:
+        """Way and place of least cost: in ascending order of what is known before a window is looked at."""
+        bounds = thing.penalties
+        if thing.lines is not None and thing.faint is not None:
+            own = self.paper.cost(thing.lines) + self.faint_weight * self.paper.cost(thing.faint)
+            bounds = bounds + own[:, None]
+        flat = bounds.ravel()
+        best, least = 0, float("inf")
+        for i in flat.argsort(kind="stable").tolist():
+            bound = float(flat[i])
+            if bound >= least:
+                break
+            row, column = thing.rows.item(i), thing.columns.item(i)
+            total = bound + self.label_cost * self.paper.window_cost(row, column, *thing.window)
+            if total < least:
+                best, least = i, total
+        way, place = divmod(best, len(bounds[0]))
+        return way, place
 
-    def _under(self, area: Rectangle) -> NDArray[np.intp]:
-        """The cells of an area; most places are dear by themselves, and are never asked for theirs."""
-        known = self._known.get(area)
-        if known is None:
-            known = self._known[area] = self.paper.under(area)
-        return known
-
-    def _mark(self, placed: _Placed[Choice], sign: float) -> None:
-        self.paper.mark(placed.candidate.lines, sign * self.line_weight)
-        self.paper.mark(placed.candidate.faint, sign * self.faint_weight)
-        self.paper.mark(self._under(placed.label.area), sign * self.label_weight)
+    def _mark(self, thing: Places[Choice], chosen: tuple[int, int], sign: float) -> None:
+        way = chosen[0]
+        if thing.lines is not None and thing.faint is not None:
+            self.paper.mark(thing.lines[way], sign * self.line_weight)
+            self.paper.mark(thing.faint[way], sign * self.faint_weight)
+        row, column = int(thing.rows[chosen]), int(thing.columns[chosen])
+        view = self.paper.view(row, column, *thing.window)
+        view += sign * self.label_weight
 
 
 def convex_hull(points: Array) -> Array:
     """Corners of the convex hull, in the order in which edge × (point − corner) ≥ 0 inside."""
-    ordered = sorted({(float(x), float(y)) for x, y in points})
+    ordered = sorted({(x, y) for x, y in points.tolist()})
 
     def half(run: list[tuple[float, float]]) -> list[tuple[float, float]]:
         kept: list[tuple[float, float]] = []

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from exercises.figures.bodies import Body
 from exercises.figures.camera import Array, Camera
@@ -13,26 +14,46 @@ STEP = 1.5
 """Distance on paper between the points at which a line is looked at."""
 
 
-def in_front(start: Array, end: Array, bodies: Sequence[Body], camera: Camera) -> list[tuple[Array, Array]]:
-    """The stretches of a line that lie before a body and are hidden by none, as pairs of points on paper.
+def in_front(
+    lines: Sequence[tuple[Array, Array]], bodies: Sequence[Body], camera: Camera
+) -> list[list[tuple[Array, Array]]]:
+    """The stretches of each line that lie before a body and are hidden by none, as pairs of points on paper.
 
     A figure is drawn in three passes: lines, bodies, and these stretches once more on top.
+
+    Args:
+        lines: ends in space of each line.
+        bodies: what may hide them.
+        camera: from where they are seen.
     """
-    a, b = camera.project(start), camera.project(end)
-    count = max(2, int(np.linalg.norm(b - a) / STEP) + 1)
-    ratio = np.linspace(0.0, 1.0, count)[:, None]
-    points = start + ratio * (end - start)
+    if not bodies or not lines:
+        return [[] for _ in lines]
+    ends = np.array(lines)
+    flat = camera.project(ends)
+    lengths = np.hypot(*(flat[:, 1] - flat[:, 0]).T)
+    counts = np.maximum(2, lengths / STEP + 1).astype(int)
+    owner = np.repeat(np.arange(len(counts)), counts)
+    firsts = np.cumsum(counts) - counts
+    ratio = (np.arange(len(owner)) - firsts[owner]) / (counts - 1)[owner]
+    points = ends[owner, 0] + ratio[:, None] * (ends[:, 1] - ends[:, 0])[owner]
     depth = camera.depth(points)
     rays = points - depth[:, None] * camera.eye
-    fronts = [body.front(rays, camera.eye) for body in bodies]
-    if not fronts:
-        return []
-    nearest = np.max(fronts, axis=0)
+    nearest = np.max([body.front(rays, camera.eye) for body in bodies], axis=0)
     slack = 1e-9 * max(1.0, float(np.abs(depth).max()))
     shown = np.isfinite(nearest) & (depth > nearest + slack)
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], shown, [False]]).astype(int)))
-    return [
-        (camera.project(points[first]), camera.project(points[last - 1]))
-        for first, last in zip(edges[::2], edges[1::2], strict=True)
-        if last - first > 1
-    ]
+    on_paper = camera.project(points)
+    found: list[list[tuple[Array, Array]]] = [[] for _ in lines]
+    for start, stop in _runs(shown, firsts):
+        if stop - start > 1:
+            found[owner[start]].append((on_paper[start], on_paper[stop - 1]))
+    return found
+
+
+def _runs(shown: NDArray[np.bool_], firsts: NDArray[np.intp]) -> list[tuple[int, int]]:
+    """Where runs of samples that are shown start and stop; none goes on from one line to the next."""
+    before = np.concatenate([[False], shown[:-1]])
+    before[firsts] = False
+    after = np.concatenate([shown[1:], [False]])
+    after[firsts[1:] - 1] = False
+    starts, stops = np.flatnonzero(shown & ~before), np.flatnonzero(shown & ~after) + 1
+    return list(zip(starts.tolist(), stops.tolist(), strict=True))

@@ -8,9 +8,12 @@ attributes alone give a readable black and white figure where style sheets are n
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from xml.sax.saxutils import escape, quoteattr
+
+import numpy as np
 
 from exercises.figures.camera import Array
 
@@ -75,9 +78,9 @@ def text_width(name: str, size: float) -> float:
     return size * (0.62 * len(stem) + 0.6 * SUBSCRIPT * len(index))
 
 
-def line(points: Iterable[Array]) -> str:
+def line(points: Sequence[Array] | Array) -> str:
     """Path data of a polyline."""
-    return "M" + "L".join(f"{p[0]:.1f} {p[1]:.1f}" for p in points)
+    return "M" + "L".join([f"{x:.1f} {y:.1f}" for x, y in np.asarray(points).tolist()])
 
 
 def document(
@@ -107,7 +110,10 @@ def document(
 
 
 def _attributes(attributes: dict[str, str | float]) -> str:
-    return "".join(
-        f" {key.replace('_', '-')}={quoteattr(value if isinstance(value, str) else f'{value:g}')}"
-        for key, value in attributes.items()
-    )
+    return "".join(_attribute(key, value) for key, value in attributes.items())
+
+
+@lru_cache(maxsize=256)
+def _attribute(key: str, value: str | float) -> str:
+    """An attribute as text; a figure repeats a few dozen."""
+    return f" {key.replace('_', '-')}={quoteattr(value if isinstance(value, str) else f'{value:g}')}"

@@ -9,7 +9,7 @@ from typing import Any
 
 from exercises.access import lowest
 from exercises.definition import Exercise, Part
-from exercises.drawings import figure_geometry, figure_sentences, figure_svg
+from exercises.drawings import LATELY, figure_geometry, figure_sentences, figure_svg
 from exercises.grading import ConventionRule, HelpLevel
 from exercises.instance import Instance, generate
 from exercises.loader import Library
@@ -149,6 +149,7 @@ def _language_note(found: Exercise, language: str) -> str | None:
     return sentence(language, "exercise-other-language", {"language": written})
 
 
+@lru_cache(maxsize=LATELY)
 def figure_description(instance: Instance, language: str) -> str:
     """The figure in words."""
     sentences = (
