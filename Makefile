@@ -7,12 +7,14 @@ PEERS := .venv-peers
 DESCRIPTIONS := .venv-descriptions
 RUNNERS := .venv-runners
 RUNNERS_LOCK := tests/service/adapters/requirements-runners
+OPENEDX := .venv-openedx
+OPENEDX_LOCK := tests/lti/requirements-openedx
 PY := $(VENV)/bin/python
 PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
 export MUED_URL MUED_AUTHORIZATION
 
-.PHONY: help sbom licences serve test mued test-clone campaign kill-campaign measure-courses explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
+.PHONY: help sbom licences serve test mued test-clone test-openedx campaign kill-campaign measure-courses explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -62,6 +64,8 @@ lock: $(VENV)/.dev ## renew the hash locks from pyproject.toml
 	    -o tests/kinematics/urdf/requirements-descriptions.lock
 	$(PY) -m uv pip compile $(RUNNERS_LOCK).txt pyproject.toml --constraint requirements.lock --universal \
 	    --generate-hashes --no-header --no-annotate --python-version 3.11 --quiet -o $(RUNNERS_LOCK).lock
+	$(PY) -m uv pip compile $(OPENEDX_LOCK).txt --universal --generate-hashes --no-header --no-annotate \
+	    --python-version 3.11 --quiet -o $(OPENEDX_LOCK).lock
 
 bench: $(PEERS)/.peers ## measure beside the peers, write docs/performance.md (ONLY="forward jacobian": some)
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=1 $(PEERS)/bin/python -m bench $(ONLY)
@@ -100,6 +104,16 @@ $(RUNNERS)/.installed: $(RUNNERS_LOCK).lock | $(RUNNERS)/bin/python
 runners: $(RUNNERS)/.installed ## nbgrader and Otter themselves run the examples of docs/lms/examples (a minute)
 	$(RUNNERS)/bin/python -m tests.service.adapters.published_runners
 
+$(OPENEDX)/bin/python:
+	$(PYTHON) -m venv $(OPENEDX)
+
+$(OPENEDX)/.installed: $(OPENEDX_LOCK).lock | $(OPENEDX)/bin/python
+	$(OPENEDX)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes -r $<
+	@touch $@
+
+test-openedx: $(VENV)/.dev $(OPENEDX)/.installed ## launches and scores against Open edX's own LTI consumer block (a minute)
+	OPEN_EDX_PYTHON=$(OPENEDX)/bin/python $(PY) -m pytest -n 0 tests/lti/test_open_edx.py
+
 campaign: $(VENV)/.dev ## the checker against two million tables, valid and wrong (half an hour; ARGS="--valid 100000": some)
 	$(PY) -m tests.kinematics.equivalence $(ARGS)
 
@@ -137,4 +151,4 @@ static/vendor/.complete: package.json package-lock.json tools/vendor.py | $(VENV
 	$(PY) tools/vendor.py
 
 clean: ## remove everything that make built
-	rm -rf $(VENV) .venv-peers .venv-descriptions .venv-runners node_modules static/vendor build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis
+	rm -rf $(VENV) .venv-peers .venv-descriptions .venv-runners .venv-openedx node_modules static/vendor build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis

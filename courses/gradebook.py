@@ -253,7 +253,7 @@ def _to_send(row: Any) -> ScoreToSend:
         line_item=row.line_item,
         line_items=row.line_items,
         resource=row.resource,
-        title=row.title,
+        title=row.title or row.exercise_id or "",
         score=row.score,
         points=read(row.exercise_id, row.settings).points,
         revision=row.revision,

@@ -20,6 +20,10 @@ PAGES = 20
 _CLOSE = 1e-6
 """Share of the maximum within which a score that is read back is the one that was sent: it was rounded on
 the way."""
+LONGEST_LABEL = 100
+"""Characters of a column's title that every gradebook keeps; Open edX refuses longer ones."""
+_UNLINKED = (400, 404, 412, 422)
+"""Answers of platforms whose links take no line item of ours."""
 
 
 class Delivery(StrEnum):
@@ -122,7 +126,19 @@ def line_item_for(
 ) -> str:
     """The line item of a resource: the one that is there, and a new one only if there is none.
 
-    Creating one is not idempotent: it is always looked for first.
+    Creating one is not idempotent: it is always looked for first. A new one names its link,
+    without which Open edX never publishes its marks; where a platform refuses that, it stands alone.
+
+    Args:
+        services: calls of services.
+        platform: the platform.
+        line_items: address of its line items.
+        resource: id of the resource link, as its launches name it.
+        label: the column's title.
+        maximum: points of full marks.
+
+    Returns:
+        Address of the line item.
 
     Raises:
         PlatformError: the platform gives none.
@@ -137,16 +153,11 @@ def line_item_for(
             if isinstance(item, Mapping) and item.get("resourceId") == resource and item.get("id"):
                 return str(item["id"])
         page = answer.next_page()
-    content = {"label": label or resource, "scoreMaximum": maximum, "resourceId": resource}
-    answer = services.call(
-        platform,
-        names.LINE_ITEM_SCOPE,
-        "POST",
-        line_items,
-        accept=names.LINE_ITEM,
-        content=content,
-        content_type=names.LINE_ITEM,
-    )
+    content = {"label": (label or resource)[:LONGEST_LABEL], "scoreMaximum": maximum, "resourceId": resource}
+    linked = {**content, "resourceLinkId": resource}
+    answer = _new_line_item(services, platform, line_items, linked)
+    if answer.status in _UNLINKED:
+        answer = _new_line_item(services, platform, line_items, content)
     if answer.status // 100 != 2:
         raise unreachable(
             line_items, f"HTTP {answer.status}", status=answer.status, retry_after=answer.retry_after
@@ -155,6 +166,20 @@ def line_item_for(
     if not isinstance(made, Mapping) or not isinstance(made.get("id"), str):
         raise unreachable(line_items, "id")
     return str(made["id"])
+
+
+def _new_line_item(
+    services: Services, platform: LtiPlatform, line_items: str, content: Mapping[str, Any]
+) -> FetchedAnswer:
+    return services.call(
+        platform,
+        names.LINE_ITEM_SCOPE,
+        "POST",
+        line_items,
+        accept=names.LINE_ITEM,
+        content=content,
+        content_type=names.LINE_ITEM,
+    )
 
 
 def below(address: str, name: str) -> str:

@@ -1,0 +1,1 @@
+"""Open edX's LTI consumer block in a process of its own."""
