@@ -105,7 +105,7 @@ def _joints(reader: Reader, n: int) -> dict[int, JointMark]:
     marks: dict[int, JointMark] = {}
     for name, inner in reader.tables("joints"):
         if not name.isdecimal() or not 1 <= int(name) <= n:
-            inner.fault("unknown_joint", joint=name)
+            inner.fault("unknown_joint", joint=name, last=n)
             continue
         label = inner.text("label", "")
         if label not in ("", "+", "-"):

@@ -63,8 +63,9 @@ class Points:
         elif name[:1] == "O" and name[1:].isdecimal() and int(name[1:]) < len(self.frames):
             value = self.frames[int(name[1:])][:3, 3]
         else:
-            ", ".join([*self.specification.points, *(f"O{i}" for i in range(len(self.frames)))])
-            self.fault("unknown_point", where, name=name)
+            origins = (f"O{i}" for i in range(len(self.frames)))
+            known = ", ".join([*self.specification.points, *origins])
+            self.fault("unknown_point", where, name=name, known=known)
             value = np.zeros(3)
         self._resolved[name] = value
         return value
@@ -94,7 +95,8 @@ class Points:
                 return self.point(origin, *where, "from") + self._triple(by, *where, "by")
             case PointAlongAxis(origin=origin, joint=joint, distance=distance):
                 if not 1 <= joint <= self.reference.n_joints:
-                    self.fault("unknown_joint", (*where, "joint"), joint=joint)
+                    n = self.reference.n_joints
+                    self.fault("unknown_joint", (*where, "joint"), joint=joint, last=n)
                     return np.zeros(3)
                 length = self.number(distance, *where, "distance")
                 direction: Array = self.axis_pose(joint)[:3, 2]
@@ -102,8 +104,7 @@ class Points:
 
     def _in_frame(self, frame: int, at: Triple, *where: str | int) -> Array:
         if not 0 <= frame < len(self.frames):
-            len(self.frames) - 1
-            self.fault("unknown_frame", (*where, "frame"))
+            self.fault("unknown_frame", (*where, "frame"), last=len(self.frames) - 1)
             return np.zeros(3)
         pose = self.frames[frame]
         located: Array = pose[:3, :3] @ self._triple(at, *where, "at") + pose[:3, 3]

@@ -169,7 +169,11 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, WorkspaceAnswer]):
         """Yield the points that the figure does not mark."""
         for key, name in (("point", part.point), ("from", part.origin)):
             if name is not None and name not in exercise.figure.marks:
-                yield Fault(code="unknown_point", where=(key,), params={"name": name})
+                yield Fault(
+                    code="unknown_point",
+                    where=(key,),
+                    params={"name": name, "known": ", ".join(exercise.figure.marks)},
+                )
 
     def task(self, part: WorkspacePart, instance: Instance) -> PartTask:
         """Ask for the least and the greatest distance."""
