@@ -18,7 +18,9 @@ from courses.storage import Store
 from kinematics.errors import Fault
 
 LOGIN = timedelta(minutes=10)
+"""Time between login and launch: a person may have to sign in to the platform."""
 INVITATION = timedelta(days=7)
+"""How long a registration link is good for: it is sent to an administrator, who has other things to do."""
 _PLATFORM = records.platform
 
 

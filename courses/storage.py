@@ -41,6 +41,8 @@ FILE_NAME = "framewise.sqlite"
 BUSY_SECONDS = 30.0
 """How long a writer waits for another one on SQLite."""
 CONNECTIONS = 16
+"""Connections that stay open, and as many again under load: the threads that judge and store are fewer, and
+PostgreSQL allows a hundred by default."""
 _LOCK = 0x6672616D65776973  # "framewis", the advisory lock of migrations on PostgreSQL
 CONNECT_SECONDS = 5
 """How long PostgreSQL may take to answer a new connection."""

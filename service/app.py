@@ -54,6 +54,7 @@ THREADS = 4
 other."""
 
 WATCH_SECONDS = 2.0
+"""Seconds between two looks at the folders of exercises."""
 
 DESCRIPTION = """\
 Denavit–Hartenberg kinematics over HTTP: a table and joint values in; poses, Jacobians, closed forms and other

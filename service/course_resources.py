@@ -28,11 +28,15 @@ from service.settings import Settings
 from service.work.gathering import Gathering
 
 _ORIGINS_LIVE = 30.0
+"""Seconds for which the origins of known platforms are not read again."""
 _ANSWER_LIVES = 2.0
+"""Seconds for which what the database answered on its own health is believed."""
 PUBLISHED_KEPT = 512
 """Published exercises that are kept as read: some tens of megabytes."""
 _MEMBERS_LIVE = 300.0
+"""Seconds for which a class list of the platform is not fetched again."""
 _COURSES_KNOWN = 100
+"""Courses whose class lists are held at a time."""
 
 
 class CourseResources:

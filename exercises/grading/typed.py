@@ -29,6 +29,7 @@ from kinematics.table import CELLS, DHTable, JointType, SymbolicTable
 COARSEST_ANGLE = 0.01
 ANGLES = ("alpha", "theta")
 _MOST_DECIMALS = 40
+"""More digits than a double can tell apart: such an entry counts as exact."""
 
 Place = tuple[int, str]
 

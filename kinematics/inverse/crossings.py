@@ -34,6 +34,7 @@ MOST_TRIED = 12
 """Least second singular values that are looked at on one path; the paths of a PUMA have four."""
 
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
+"""Share by which a golden-section search narrows its interval."""
 
 ANGLES = tuple(math.radians(degrees) for degrees in (0.0, 30.0, -30.0, 60.0, -60.0))
 """Directions tried in the plane that the Jacobian does not see, from across the path: corrections find a

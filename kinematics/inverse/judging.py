@@ -29,6 +29,7 @@ from kinematics.se3 import Scalar, cross
 _POSITION = (3, 7, 11)
 _ROTATION = (0, 1, 2, 4, 5, 6, 8, 9, 10)
 _ENTRIES = 12
+"""Entries of a pose that are compared: its upper three rows."""
 
 _WEIGHTS = tuple(math.sqrt(k) / 11.0 for k in range(1, 7))
 """Their sum is less than 1, so that a fingerprint differs by no more than a joint does."""

@@ -21,9 +21,12 @@ from kinematics.se3 import cross_arrays, inverse_transform
 
 LONGEST_HEAD = 3
 LONGEST_TAIL = 3
+"""Joints before and behind the ones that a position fixes."""
 
 _SAME_POINT = 1e-9
 _PARALLEL = 1e-6
+"""Distance from a point, in units of the size, below which axes pass through it, and sine of the angle below
+which two are parallel."""
 
 _HAND = np.array(((0.4142, 0.7321, 0.2361), (-0.6458, 0.3166, 0.1231), (0.3589, -0.2426, 0.7958)))
 """Three points of the hand, in units of the size; they fix its pose and lie on no axis that anybody drew."""

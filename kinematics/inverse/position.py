@@ -37,6 +37,8 @@ _TURN_SAMPLES = 16
 _TURN_DEGREE = 4
 _SLIDE_SAMPLES = 12
 _SLIDE_DEGREE = 6
+"""Degrees of the eliminant in e^{iq} and in a slide, and samples that it is interpolated from: more than it has
+coefficients, which averages their rounding."""
 
 
 class DegenerateError(Exception):

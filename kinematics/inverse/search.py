@@ -40,12 +40,14 @@ Mech. Mach. Theory 21 (1986) 509.
 """
 
 FIRST_ROUND = 32
+"""Starts of the first round: for most arms they find every solution several times."""
 SPARE_STARTS = 128
 """Starts for arms with joints to spare: each of their families, sixteen at most of seven joints, draws
 many."""
 
 ENOUGH_STARTS = 512
 MOST_STARTS = 2048
+"""Starts after which a search may end, and must."""
 BY_OWN_SIZE = 256
 """Starts that descend by the arm's own size to what is nearest, where another was taken for the search."""
 

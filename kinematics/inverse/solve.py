@@ -37,6 +37,7 @@ from kinematics.se3 import Transform, check_transform
 from kinematics.table import NumericTable
 
 MAX_JOINTS = 12
+"""Joints of an arm whose redundancy a search can still report."""
 MOST_SOLUTIONS = 64
 """Of a search no more solutions than this are returned."""
 

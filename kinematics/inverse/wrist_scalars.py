@@ -48,6 +48,7 @@ FARTHER = 16.0
 4 a_2 ρ times that where it vanishes; twice as much is beyond reach."""
 
 _LOOKS = 5
+"""Configurations at which a closed form recorded for an arm is tried before it is believed."""
 
 
 class ClearSolution(NamedTuple):

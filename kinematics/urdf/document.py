@@ -24,6 +24,7 @@ from kinematics.se3 import Transform
 MAX_CHARACTERS = 1_000_000
 MAX_DEPTH = 64
 MAX_ELEMENTS = 50_000
+"""Bounds far above what the published descriptions have, and far below what costs a second to read."""
 MAX_NUMBER = 1e9
 """Lengths beyond this [m] are no robot's, and limits beyond it [rad, or m] are none: programs write ±1e16,
 the largest double, or inf."""

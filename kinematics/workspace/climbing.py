@@ -27,9 +27,12 @@ STARTS = 32
 MOST_SWEEPS = 120
 FEWEST_SWEEPS = 6
 NEWTON_STEPS = 40
+"""Rounds through the joints of a climb, and steps of Newton at its end: both stop as soon as nothing is
+gained."""
 
 _GRID = 65
 _SMALL_GAIN = 1e-9
+"""Values of a joint tried in a round, and the gain, as a share of the size, that ends the rounds."""
 
 
 @dataclass(frozen=True, slots=True)

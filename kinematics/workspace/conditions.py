@@ -37,6 +37,7 @@ STEPS_ONTO = 40
 STEPS_BACK = 5
 MOST_STEPS = 150
 NEWTON_STEPS = 12
+"""Steps onto the set, back onto it after a move, of a climb along it, and of Newton at the end, at most."""
 
 LONGEST_STEP = 0.5
 """Longest step onto the set [rad, or parts of the size]: farther than this tangents tell little."""
@@ -47,6 +48,8 @@ HOLDS = 1e-10
 _DAMPING = 1e-14
 _DIFFERENCE = 1e-6
 _SETTLED = 1e-9
+"""Damping of singular steps; step of the central differences, of the order of the cube root of the precision;
+and the length of a step that ends a climb."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -18,6 +18,7 @@ _ESCAPE = re.compile(rb"\\.", re.DOTALL)
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _NOT_FINITE = ("NaN", "Infinity", "-Infinity", "inf", "nan", "-inf")
 _MOST_FAULTS = 50
+"""Faults that an answer lists."""
 DEEPEST = 1024
 """How deeply orjson nests lists and objects."""
 LONGEST_SEARCHED = 256 * 1024

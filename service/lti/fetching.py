@@ -22,6 +22,7 @@ from kinematics.errors import Fault
 from service.lti.launch_errors import PlatformError, unreachable
 
 TIMEOUT = 5.0
+"""Seconds that a platform may take to answer."""
 LARGEST = 1024 * 1024
 """Largest answer that is read [byte]."""
 Resolve = Callable[[str, int], list[str]]

@@ -18,7 +18,9 @@ from service.lti.platform_keys import LtiPlatform, PlatformKeys
 from service.lti.signing_keys import ALGORITHM
 
 LEEWAY = timedelta(seconds=60)
+"""How far the clocks of a platform and of this service may differ."""
 OLDEST = timedelta(minutes=10)
+"""A token issued earlier is refused, whatever end it states."""
 NONCE_LIFE = timedelta(minutes=90)
 """A nonce is remembered longer than any token may live."""
 LONGEST_TOKEN = 64 * 1024

@@ -17,6 +17,7 @@ from service.lti.platform_keys import LtiPlatform
 from service.lti.signing_keys import SigningKey, signed
 
 ASSERTION_LIFE = 60
+"""Seconds for which the assertion that asks for a token is valid: it is used at once."""
 RENEWED_BEFORE = 60.0
 """A token is used until so long before its end [s]."""
 _UNAUTHORIZED = 401

@@ -27,6 +27,7 @@ router = api_router("kinematics", route_class=DirectRoute)
 _READER = QuestionReader(JacobianQuestion, JacobianRequest)
 _NAMES = {JacobianFrame.BASE: "J0", JacobianFrame.END: "Jn"}
 _BLOCK = 512
+"""Configurations whose Jacobians are computed and written at a time: a batch stays flat in memory."""
 
 Values: TypeAlias = list[float] | NDArray[np.float64]
 _ARRAY = {"schema": {"type": "string", "format": "binary"}}

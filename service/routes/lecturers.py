@@ -60,6 +60,7 @@ LONGEST_EXTRA = 366 * 24 * 60
 MOST_EXTRA = 1000
 """A year in minutes, and more attempts than anybody makes: larger numbers are slips of the finger."""
 PREVIEW_CODE = timedelta(minutes=2)
+"""How long the code of a preview can be exchanged: the new window does it at once."""
 
 
 class _Staff:

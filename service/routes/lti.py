@@ -66,8 +66,11 @@ COURSE = Page(
 )
 COOKIE = "__Host-framewise-login-"
 CODE_LIFE = timedelta(seconds=60)
+"""How long a code for a session in the address may be exchanged: the page does it at once."""
 PENDING_LIFE = timedelta(seconds=120)
+"""How long a launch waits for the browser to bring its stored state."""
 CHOICE_LIFE = timedelta(hours=2)
+"""How long a lecturer may take to choose an exercise."""
 _LOGIN_LIFE = 600
 """Seconds between login and launch: a person may have to sign in to the platform."""
 

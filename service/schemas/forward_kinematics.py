@@ -34,6 +34,7 @@ STANDARD_PARTS = (
 
 
 MOST_MAPPED = 64
+"""Points of links in a request, as many as a table may have rows."""
 
 
 class LinkPoint(Wire):

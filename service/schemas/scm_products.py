@@ -17,6 +17,7 @@ from service.schemas.tables import Units
 
 MOST_PRODUCTS = 8
 MOST_FACTORS = 32
+"""Products in a request and factors in each; all of them are multiplied in symbols."""
 _CELL = {"anyOf": [{"type": "number"}, {"type": "string", "minLength": 1, "maxLength": 200}]}
 _ROW = {"type": "array", "items": _CELL, "minItems": 4, "maxItems": 4}
 

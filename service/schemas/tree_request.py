@@ -14,6 +14,7 @@ from service.schemas.jacobian_request import Matrix6
 from service.schemas.tables import AnsweredTable, Cell, Parameters, Units
 
 MOST_ROWS = 64
+"""Frames of a tree, as many as a table may have rows."""
 
 
 class TreeRowModel(Wire):

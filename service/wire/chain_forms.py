@@ -23,6 +23,7 @@ from service.wire.symbolic_forms import written_out
 
 DEFAULT_FORMATS = (Format.TEXT, Format.LATEX)
 _QUICK_JOINTS = 8
+"""Joints of a chain whose closed forms are answered at once, without a process of their own."""
 
 
 class Wanted(StrEnum):

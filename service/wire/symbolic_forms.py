@@ -21,6 +21,8 @@ from kinematics.table import CELLS, SymbolicTable
 
 QUICK_COST = 300.0
 QUICK_NODES = 500
+"""Terms that a product may have and nodes that the cells may have to be answered at once; what is larger is
+computed in a process of its own."""
 
 
 class FormPart(StrEnum):

@@ -31,6 +31,7 @@ from service.work.background import BackgroundThread
 PAUSE = 1.0
 """Time between two looks at the outbox [s]."""
 LONGEST_WAIT = 3600.0
+"""Seconds between two tries, at most."""
 MOST_TRIES = 40
 """A platform that answers nothing useful for days is given up."""
 STALE_TRIES = 6

@@ -7,6 +7,8 @@ import sys
 from functools import cache
 
 SWITCH_SECONDS = 0.001
+"""Seconds for which a thread keeps the interpreter while others wait: a fifth of the default, so that the
+event loop is not kept waiting by threads that judge."""
 
 
 @cache
