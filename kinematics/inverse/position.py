@@ -37,7 +37,7 @@ _TURN_SAMPLES = 16
 _TURN_DEGREE = 4
 _SLIDE_SAMPLES = 12
 _SLIDE_DEGREE = 6
-"""Degrees of the eliminant in e^{iq} and in a slide, and samples that it is interpolated from: more than it has
+"""Degrees of the eliminant in e^{iq} and in a slide, and samples that it is interpolated from: more than its
 coefficients, which averages their rounding."""
 
 
