@@ -10,9 +10,10 @@ from itertools import permutations
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.crossings import branches, is_beside
+from kinematics.inverse.crossings import branches, is_beside, tangents
 from kinematics.inverse.distinct import SAME, differences
 from kinematics.inverse.families import LOST, FamilyPath, Follower, blind_directions, nearest_on, pivots_of
+from kinematics.inverse.gaps import nearest_places, way_through_gaps
 from kinematics.inverse.residuals import errors_of
 
 LONG = 0.02
@@ -26,6 +27,10 @@ solution, not a family."""
 MERGING = 6.0
 """Solutions whose least singular value is above 6√ε are neither joined by a fold of curvature κ ≤ 18,
 where it is at most √(2εκ), nor long, where it is at most ε/LONG."""
+
+GAP = 4.0 / LONG
+"""Tolerances by which the pose may be off in a gap between pieces of a family: an error that grows from zero
+to one tolerance over LONG / 2 or more is a wave of 2 / LONG tolerances at most; twice as much is allowed."""
 
 BESIDE = 1e-3
 """A solution this near to a path [rad, or parts of the size], or within twenty tolerances of it, is on it."""
@@ -50,8 +55,10 @@ ROUNDING = 1e-9
 """Singular values below this are zero: at exact singularities rounding leaves some 1e-16, and of solutions
 as exact as a double root has them its square root times a part of the size."""
 
-MOST_FOLLOWED = 8
-"""Families that are followed for one target; what is left over is returned as members of continua."""
+MOST_FOLLOWED = 16
+MOST_FOLLOWED_WITH_SPARE = 8
+"""Families that are followed for one target, of arms with joints to spare fewer: each takes longer. What is
+left over is returned as members of continua."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +107,7 @@ def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> l
     order = [i for i in order if delicate[i]]
     if order:
         sorter = _Sorter(arm, Follower(arm, target, tolerance), tolerance)
-        found += sorter.sorted(joints[order], J[order])
+        found += sorter.sorted(joints[order])
     return found
 
 
@@ -140,20 +147,38 @@ class _Sorter:
         self.long = fold_length(tolerance)
         self.blind = lost_value(tolerance)
         self.beside = max(BESIDE, 20.0 * tolerance)
+        self.ways: list[FamilyPath] = []
 
-    def sorted(self, joints: Array, J: Array) -> list[Component]:
-        left = list(range(len(joints) if self.arm.spare < 2 else min(len(joints), MOST_MEMBERS)))
+    def sorted(self, joints: Array) -> list[Component]:
+        left = list(joints if self.arm.spare < 2 else joints[:MOST_MEMBERS])
         found: list[Component] = []
-        followed = 0
+        followed, most = 0, MOST_FOLLOWED_WITH_SPARE if self.arm.spare else MOST_FOLLOWED
         while left:
-            i, *left = left
-            if followed < MOST_FOLLOWED:
-                new = self._components(joints[i], blind_directions(J[i], self.blind))
+            q, *left = left
+            if followed < most:
+                J = self.follower.jacobian(q / self.arm.units)
+                new = self._components(q, blind_directions(J, self.blind))
             else:
-                new = [Component(joints[i], dimension=max(self.arm.spare, 1))]
+                new = [Component(q, dimension=max(self.arm.spare, 1))]
             followed += sum(bool(one.paths) for one in new)
-            left = [k for k in left if not any(self._within(one, joints[k]) for one in new)]
             found += new
+            left += self._behind_gaps(new)
+            left = [other for other in left if not any(self._within(one, other) for one in found)]
+        return found
+
+    def _behind_gaps(self, components: Sequence[Component]) -> list[Array]:
+        """Members of families that lie on the ways of others, behind gaps in which the target is lost."""
+        found: list[Array] = []
+        for one in components:
+            if one.dimension != 1 or self.arm.spare:
+                continue
+            q = one.joints
+            x = q / self.arm.units
+            for path in one.paths:
+                if path.closed or any(is_beside(self.follower, way, x, self.long) for way in self.ways):
+                    continue
+                self.ways.append(way_through_gaps(self.follower, q, path, GAP))
+                found += nearest_places(self.follower, self.ways[-1])
         return found
 
     def _components(self, q: Array, blind: Array) -> list[Component]:
@@ -162,23 +187,31 @@ class _Sorter:
             return [Component(q, dimension=len(blind))]
         x = q / self.arm.units
         moving = [d for d in blind if self._moves(x, d)]
-        if not moving:
-            return [Component(q)]
         if len(moving) > 1 and self._spanned(x, moving):
             directions = np.array(moving)
             paths = self._paths_of_surface(x, directions)
             return [Component(q, paths, len(moving), tuple(pivots_of(directions)))]
         surfaces = [] if len(moving) < 2 else self._surfaces_beside(x, moving)
-        curves = [self.follower.path(x, d, np.empty((0, len(x)))) for d in moving]
         curves = [
-            path
-            for path in curves
-            if self._is_long(path) and not any(self._holds(one, path) for one in surfaces)
+            path for path in self._curves(x, blind) if not any(self._holds(one, path) for one in surfaces)
         ]
         curves = self._with_branches(curves)
         members = [q, *(path.points[len(path.points) // 4] for path in curves[1:])]
         found = [Component(member, (path,), 1) for member, path in zip(members, curves, strict=False)]
         return [*surfaces, *found] or [Component(q)]
+
+    def _curves(self, x: Array, blind: Array) -> list[FamilyPath]:
+        """Paths through a solution, each once."""
+        found: list[FamilyPath] = []
+        for direction in blind if self.arm.spare else tangents(self.follower, x, blind, self.blind):
+            moved = self._moved(x, direction)
+            near = BESIDE_A_BRANCH * self.long
+            if moved is None or any(is_beside(self.follower, one, moved, near) for one in found):
+                continue
+            path = self.follower.path(x, direction, np.empty((0, len(x))))
+            if self._is_long(path):
+                found.append(path)
+        return found
 
     def _spanned(self, x: Array, moving: Sequence[Array]) -> bool:
         """Whether a solution can be moved along the sums and differences of directions too."""
@@ -232,7 +265,11 @@ class _Sorter:
         return path.closed or float(np.abs(x - x[0]).max()) > 0.5 * self.long
 
     def _moves(self, x: Array, direction: Array) -> bool:
-        return any(self.follower.moves(x, direction, step) is not None for step in (self.long, -self.long))
+        return self._moved(x, direction) is not None
+
+    def _moved(self, x: Array, direction: Array) -> Array | None:
+        ahead = self.follower.moves(x, direction, self.long)
+        return self.follower.moves(x, direction, -self.long) if ahead is None else ahead
 
     def _paths_of_surface(self, x: Array, directions: Array) -> tuple[FamilyPath, ...]:
         """Along each direction, the joints that move most along the others held."""

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import combinations
 
 import numpy as np
 
@@ -35,6 +36,21 @@ MOST_TRIED = 12
 
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 """Share by which a golden-section search narrows its interval."""
+
+LOOKS = 90
+"""Directions looked at over half a turn: corrections bring back what two degrees are off."""
+
+A_LITTLE = 1e-4
+"""Step [rad, or parts of the size] of difference quotients."""
+
+LEVEL = 0.2
+"""Part of the largest bend up to which a least one may be none."""
+
+ONE_DIRECTION = 0.99
+"""Cosine above which two directions are one."""
+
+AT_REST = 1e-3
+"""Singular values up to this do not tell which combination of directions leaves joints at rest."""
 
 ANGLES = tuple(math.radians(degrees) for degrees in (0.0, 30.0, -30.0, 60.0, -60.0))
 """Directions tried in the plane that the Jacobian does not see, from across the path: corrections find a
@@ -60,6 +76,60 @@ def branches(
                 moved = follower.moves(x, direction, sign * step)
                 if moved is not None:
                     yield moved, (moved - x) / np.linalg.norm(moved - x)
+
+
+def tangents(follower: Follower, x: Array, blind: Array, smallest: float) -> list[Array]:
+    """Unit directions along which families may leave a solution.
+
+    Of several directions that the Jacobian does not see, families leave along those in which it stays blind:
+    l·(∂J/∂v) v = 0 for every l that it does not reach. In a plane these are looked for by angle; elsewhere
+    tried are the directions given, and those that leave as many joints at rest as may be.
+
+    Args:
+        follower: of the solution's target.
+        x: (n,) the solution, in units.
+        blind: (k, n) unit directions that the Jacobian does not see.
+        smallest: singular values up to this are zero.
+
+    Source: E. L. Allgower, K. Georg, Introduction to numerical continuation methods (2003) eq. 8.1.15, the
+    algebraic bifurcation equation.
+    """
+    if len(blind) < 2:
+        return list(blind)
+    tried = list(blind)
+    if len(blind) == 2:
+        tried += _level_directions(follower, x, blind, smallest)
+    else:
+        tried += _resting_directions(blind)
+    found: list[Array] = []
+    for direction in tried:
+        if all(abs(float(direction @ other)) < ONE_DIRECTION for other in found):
+            found.append(direction)
+    return found
+
+
+def _level_directions(follower: Follower, x: Array, blind: Array, smallest: float) -> list[Array]:
+    """Directions in a plane in which the way that a Jacobian does not reach bends least."""
+    U, values, _ = np.linalg.svd(follower.jacobian(x))
+    rank = int((values > smallest).sum())
+    across = np.linalg.qr(blind.T)[0].T
+    half_circle = np.pi * np.arange(LOOKS) / LOOKS
+    ways = np.cos(half_circle)[:, None] * across[0] + np.sin(half_circle)[:, None] * across[1]
+    J = [follower.jacobians(x + step * ways) for step in (A_LITTLE, -A_LITTLE)]
+    bends = np.linalg.norm(np.einsum("iu,mij,mj->mu", U[:, rank:], J[0] - J[1], ways), axis=1)
+    least = (bends <= np.roll(bends, 1)) & (bends <= np.roll(bends, -1)) & (bends <= LEVEL * bends.max())
+    return list(ways[least])
+
+
+def _resting_directions(blind: Array) -> list[Array]:
+    """Combinations of k directions that leave k - 1 joints at rest."""
+    k, n = blind.shape
+    found = []
+    for resting in combinations(range(n), k - 1):
+        weights = np.linalg.svd(blind[:, list(resting)].T)
+        if weights[1][-1] > AT_REST:
+            found.append(weights[2][-1] @ blind)
+    return [direction / np.linalg.norm(direction) for direction in found]
 
 
 def is_beside(follower: Follower, path: FamilyPath, x: Array, distance: float) -> bool:

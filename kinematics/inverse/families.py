@@ -174,12 +174,15 @@ class Follower:
 
     def jacobian(self, x: Array) -> Array:
         """(6, n) Jacobian in units."""
-        return self._seen(x)[1]
+        return np.asarray(self.jacobians(x[None])[0])
+
+    def jacobians(self, x: Array) -> Array:
+        """(m, 6, n) Jacobians in units, at x, (m, n)."""
+        return np.asarray(self.arm.jacobians(self.arm.frames(x * self.arm.units)) * self.arm.units)
 
     def second(self, x: Array) -> Array:
         """(m,) second least singular values of the Jacobians at x, (m, n); what no row sees counts as 0."""
-        J = self.arm.jacobians(self.arm.frames(x * self.arm.units)) * self.arm.units
-        values = np.linalg.svd(J, compute_uv=False)
+        values = np.linalg.svd(self.jacobians(x), compute_uv=False)
         place = self.arm.n_joints - 2
         return np.asarray(values[:, place] if 0 <= place < values.shape[1] else np.zeros(len(x)))
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
@@ -13,6 +15,10 @@ from kinematics.se3 import Transform
 AS_IT_IS = 1e-13
 """A candidate this exact [rad, and parts of the size] is left as it is: rounding of six links leaves as
 much."""
+
+BESIDE = 4.0
+"""At a fold a target may be out of reach by what a turn of one tolerance makes of the arm's size: candidates
+that are off by so many tolerances [rad, and parts of the size] are refined by distance and angle alike."""
 
 
 def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: float) -> Array:
@@ -30,9 +36,15 @@ def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: floa
     vectors = errors_of(arm, arm.frames(q)[-1], target)
     errors = np.linalg.norm(vectors, axis=1)
     q, vectors, errors = q[errors < NEARLY], vectors[errors < NEARLY], errors[errors < NEARLY]
-    rough = errors > AS_IT_IS
+    rough, start = errors > AS_IT_IS, q
     if rough.any():
         q = q.copy()
         q[rough] = polish(arm, target, q[rough])
         vectors = errors_of(arm, arm.frames(q)[-1], target)
-    return np.asarray(q[are_solutions(vectors, arm, tolerance)])
+    reached = are_solutions(vectors, arm, tolerance)
+    beside = ~reached & (np.linalg.norm(vectors, axis=1) <= BESIDE * tolerance)
+    if beside.any() and arm.size > 1.0:
+        q = q.copy()
+        q[beside] = polish(replace(arm, size=1.0), target, start[beside])
+        reached = are_solutions(errors_of(arm, arm.frames(q)[-1], target), arm, tolerance)
+    return np.asarray(q[reached])

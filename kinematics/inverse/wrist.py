@@ -132,7 +132,8 @@ def head_turns(h: Head, x: float, y: float, z: float) -> list[Turns] | None:
     if thirds is None:
         return None
     found: list[Turns] = []
-    square_far = x * x + y * y + z * z
+    square_across = x * x + y * y
+    square_far = square_across + z * z
     for q3 in thirds:
         c3, s3 = math.cos(q3), math.sin(q3)
         f1, f2 = h.a2 + h.radius * c3, h.ca2 * h.radius * s3 - h.sa2 * h.height
@@ -141,8 +142,10 @@ def head_turns(h: Head, x: float, y: float, z: float) -> list[Turns] | None:
         pairs: tuple[tuple[float, float], ...]
         if abs(h.a1) <= ALMOST:
             g2 = (z - h.ca1 * f3) / h.sa1
-            g1 = math.sqrt(max(square - g2 * g2, 0.0))
-            pairs = ((g1, g2), (-g1, g2))
+            py = h.ca1 * g2 - h.sa1 * f3
+            # Beside axis 1 f² - g_2² would be the difference of large numbers.
+            g1 = math.sqrt(max(square_across - py * py, 0.0))
+            pairs = ((g1 - h.a1, g2), (-g1 - h.a1, g2))
         else:
             g1 = (square_far - square - f3 * f3 - h.a1 * h.a1) / (2.0 * h.a1)
             if abs(h.sa1) <= ALMOST:

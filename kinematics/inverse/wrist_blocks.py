@@ -78,19 +78,21 @@ def _heads(h: Head, x: Array, y: Array, z: Array) -> tuple[Array, Array, Array, 
     if abs(sa2) <= ALMOST:
         return _level_heads(h, x, y, z)
     meet = abs(a1) <= ALMOST
-    far = x * x + y * y + z * z
+    across = x * x + y * y
+    far = across + z * z
     if meet:
         rest = a1 * a1 + a2 * a2 + rho * rho + zeta * zeta + d2 * d2 + 2.0 * d2 * ca2 * zeta
         thirds = _linear(2.0 * a2 * rho, 2.0 * d2 * sa2 * rho, far - rest)
     else:
         thirds = _linear(0.0, ca1 * sa2 * rho, z - ca1 * (d2 + ca2 * zeta))
-    x, y, z, far = x[:, None], y[:, None], z[:, None], far[:, None]
+    x, y, z, across, far = (each[:, None] for each in (x, y, z, across, far))
     c3, s3 = np.cos(thirds.values), np.sin(thirds.values)
     f1, f2 = a2 + rho * c3, ca2 * rho * s3 - sa2 * zeta
     f3 = d2 + sa2 * rho * s3 + ca2 * zeta
     square = f1 * f1 + f2 * f2
     known = (z - ca1 * f3) / sa1 if meet else (far - square - f3 * f3 - a1 * a1) / (2.0 * a1)
-    argument = square - known * known
+    # Beside axis 1 f² - g_2² would be the difference of large numbers.
+    argument = across - (ca1 * known - sa1 * f3) ** 2 if meet else square - known * known
     there = thirds.there & (argument >= -CLEARLY * (square + known * known))
     root = np.sqrt(np.maximum(argument, 0.0))
     both = np.concatenate((root, -root), axis=1)

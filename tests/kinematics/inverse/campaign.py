@@ -113,7 +113,7 @@ def run(name: str, table: DHTable, poses: int, tried: int, seed: int = 1) -> Tal
             tally.faults.append(("too many", name, k))
         if not _reaches(solver, goal, q):
             tally.rough += 1
-        elif not _is_among(solver, goal, q, np.array([s.joints for s in answer.solutions])):
+        elif not is_among(solver, goal, q, np.array([s.joints for s in answer.solutions])):
             tally.faults.append(("own lost", name, k))
         if answer.complete:
             tally.complete += 1
@@ -129,7 +129,7 @@ def _reaches(solver: Solver, goal: Goal, q: np.ndarray) -> bool:
     return bool(are_solutions(e, solver.arm, goal.tolerance)[0])
 
 
-def _is_among(solver: Solver, goal: Goal, q: np.ndarray, known: np.ndarray) -> bool:
+def is_among(solver: Solver, goal: Goal, q: np.ndarray, known: np.ndarray) -> bool:
     """Whether a configuration is one of the solutions, joined to one, or on the path of a family of one."""
     if not len(known):
         return False
@@ -174,4 +174,4 @@ def _another(solver: Solver, goal: Goal, known: np.ndarray, seed: int) -> bool:
     e = error_vectors(arm.frames(found)[-1], goal.pose, arm.size)
     found = found[are_solutions(e, arm, goal.tolerance)]
     far = [q for q in found if np.abs(differences(q, known, arm)).max(axis=1).min() > AWAY]
-    return any(not _is_among(solver, goal, q, known) for q in far)
+    return any(not is_among(solver, goal, q, known) for q in far)

@@ -1,0 +1,112 @@
+"""Where an arm loses rank twice at once, or nearly: the configuration that made the pose is in the answer."""
+
+import math
+
+import numpy as np
+import pytest
+
+from kinematics.forward import end_pose
+from kinematics.inverse import IKStatus, solver_of
+from kinematics.inverse.crossings import tangents
+from kinematics.inverse.families import Follower, blind_directions
+from kinematics.inverse.gaps import nearest_places, way_through_gaps
+from kinematics.inverse.goals import read_goal
+from kinematics.inverse.residuals import are_solutions, errors_of
+from kinematics.inverse.results import Method
+from tests.kinematics.inverse.campaign import is_among
+from tests.kinematics.inverse.models import MODELS
+
+RIGHT = math.pi / 2
+STRETCHED_DMRA = -math.atan2(130.0, 20.0)
+"""The elbow at which the DMRA's wrist is as far away as may be."""
+
+
+def asked(name, q, decimals=17, tolerance=None):
+    table = MODELS[name]
+    target = np.round(end_pose(table, q), decimals)
+    solver = solver_of(table)
+    return solver, read_goal(target, tolerance, where=()), solver.solve(target, tolerance)
+
+
+def holds(solver, goal, answer, q):
+    return is_among(solver, goal, np.asarray(q), np.array([s.joints for s in answer.solutions]))
+
+
+@pytest.mark.parametrize("decimals", [17, 11, 9])
+@pytest.mark.parametrize("slide", [-0.192402, 0.31])
+@pytest.mark.parametrize("fourth", [RIGHT, 0.4, 2.9])
+def test_a_wrist_in_line_below_a_shoulder_at_its_edge(fourth, slide, decimals):
+    """A Stanford arm whose slider points down: q_1 and q_2 are a double root, and q_4, q_6 turn freely."""
+    q = [-RIGHT, math.pi, slide, fourth, 0.0, 0.7]
+    solver, goal, answer = asked("stanford", q, decimals)
+    assert holds(solver, goal, answer, q)
+    assert answer.status is IKStatus.SINGULAR
+    assert {s.family.parameters[0].joint for s in answer.solutions if s.family} <= {4, 6}
+    assert any(s.family and s.family.parameters[0].full_turn for s in answer.solutions)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_piece_of_a_family_that_no_exact_solution_is_on(seed):
+    """A UR5's elbow folded and wrist in line, known to 1e-4: between two folds the pose is off by more."""
+    rng = np.random.default_rng(seed)
+    q = rng.uniform(-math.pi, math.pi, 6)
+    q[2], q[4] = math.pi + 6e-4 * rng.normal(), 4e-4 * rng.normal()
+    solver, goal, answer = asked("ur5", q, 4, 1e-4)
+    assert holds(solver, goal, answer, q)
+    assert sum(s.family is None for s in answer.solutions) <= 8
+
+
+def test_pieces_of_a_family_are_on_one_way():
+    """A PUMA's wrist 2e-8 rad from its line: two intervals of q_4, half a turn apart, and nothing between."""
+    table = MODELS["puma"]
+    q = np.array([0.3, -0.7, 1.2, 0.5, 2e-8, -1.4])
+    solver = solver_of(table)
+    follower = Follower(solver.arm, end_pose(table, q), 7e-10)
+    (direction,) = blind_directions(follower.jacobian(q), follower.lost)
+    path = follower.path(q, direction, np.empty((0, 6)))
+    assert not path.closed
+    way = way_through_gaps(follower, q, path, 100.0)
+    assert way.closed
+    fourth = sorted(
+        math.remainder(place[3] - q[3], math.tau) % math.tau for place in nearest_places(follower, way)
+    )
+    assert np.allclose(fourth, [0.0, math.pi], atol=1e-6) or np.allclose(
+        fourth, [math.pi, math.tau], atol=1e-6
+    )
+
+
+@pytest.mark.parametrize("decimals", [6, 7, 9])
+@pytest.mark.parametrize("seed", range(4))
+def test_a_stretched_elbow_of_an_arm_measured_in_millimetres(seed, decimals):
+    """Rounding turns the hand, and what that moves the wrist by is more than a tolerance for lengths."""
+    q = np.random.default_rng(seed).uniform(-math.pi, math.pi, 6)
+    q[2] = STRETCHED_DMRA
+    solver, goal, answer = asked("catalogue dmra", q, decimals)
+    own = solver.arm.frames(q[None])[-1]
+    if are_solutions(errors_of(solver.arm, own, goal.pose), solver.arm, goal.tolerance)[0]:
+        assert holds(solver, goal, answer, q)
+
+
+@pytest.mark.parametrize("away", [1e-7, 1e-8, 1e-9, 1e-10])
+def test_a_wrist_beside_the_first_axis_keeps_its_closed_form(away):
+    """q_1 is the direction in which the wrist's centre lies, however near to the axis."""
+    q = np.array([1.2, 0.6, 0.0, 0.8, -1.6, -1.7])
+    # Upper arm and forearm are equally long: with this elbow the wrist is on axis 1.
+    q[2] = 2.0 * (RIGHT - q[1]) + RIGHT
+    q[1] += away
+    solver, goal, answer = asked("no offsets", q)
+    assert answer.method is Method.CLOSED_FORM
+    assert holds(solver, goal, answer, q)
+
+
+def test_families_leave_where_the_jacobian_stays_blind():
+    """At a fold that q_4 passes it misses two directions; along one of them q_4 and q_6 turn freely."""
+    table = MODELS["stanford"]
+    q = np.array([-RIGHT, math.pi, -0.19, 0.0, 0.0, -RIGHT])
+    follower = Follower(solver_of(table).arm, end_pose(table, q), 7e-10)
+    x = q / follower.arm.units
+    blind = blind_directions(follower.jacobian(x), follower.lost)
+    assert len(blind) == 2
+    free = tangents(follower, x, blind, follower.lost)
+    wrist = np.array((0, 0, 0, 1, 0, -1)) / math.sqrt(2.0)
+    assert max(abs(float(direction @ wrist)) for direction in free) > 0.999
