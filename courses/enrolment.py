@@ -296,6 +296,20 @@ def redeem_code(store: Store, purpose: str, code: str, now: datetime) -> dict[st
     return content
 
 
+def check_code(store: Store, purpose: str, code: str, now: datetime) -> None:
+    """Refuse a code that could not be redeemed; one that could stays good.
+
+    Raises:
+        SessionError: it was used, is too old, or was never issued.
+    """
+    table = records.one_time_code
+    wanted = sa.and_(table.c.code_hash == hashed(code), table.c.purpose == purpose)
+    with store.reading() as connection:
+        expires = connection.scalar(sa.select(table.c.expires).where(wanted))
+    if expires is None or expires <= now:
+        raise SessionError(Fault(code="code_used"))
+
+
 def remember_nonce(store: Store, platform_id: int, value: str, expires: datetime) -> bool:
     """Insert a nonce; return False if the platform has used it before."""
     with store.writing() as connection:

@@ -13,6 +13,7 @@ from fractions import Fraction
 from exercises.definition import Exercise
 from exercises.grading import accept
 from exercises.grading.substitution import substituted
+from exercises.selftest.variants import key_as_asked
 from kinematics.expressions import Number, Parameter, add, multiply
 
 OTHER = Fraction(7, 5)
@@ -26,10 +27,10 @@ def unneeded_dimensions(exercise: Exercise) -> tuple[str, ...]:
 
 def is_needed(exercise: Exercise, name: str) -> bool:
     """Return whether a table with another value of a dimension is a wrong answer."""
-    reference = exercise.reference
+    key = key_as_asked(exercise.reference, exercise.policy)
     other = add((multiply((Number(OTHER), Parameter(name))), Number(Fraction(1, 1000))))
-    table = substituted(reference.table, lambda found: other if found == name else None)
-    return accept(reference, replace(reference, table=table), exercise.policy) is None
+    table = substituted(key.table, lambda found: other if found == name else None)
+    return accept(exercise.reference, replace(key, table=table), exercise.policy) is None
 
 
 def unmet_needs(exercise: Exercise) -> Iterator[int]:

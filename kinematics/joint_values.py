@@ -41,7 +41,7 @@ def configurations(joints: ArrayLike, n_joints: int) -> list[float] | Floats:
         return values
     array = _floats(joints)
     if array.shape[-1] != n_joints:
-        raise _wrong_length(n_joints, array.shape[-1])
+        raise wrong_length(n_joints, array.shape[-1])
     _refuse_non_finite(array)
     return array if array.ndim == 2 else [float(value) for value in array]
 
@@ -99,7 +99,8 @@ def _refuse_non_finite(array: Floats) -> None:
         raise JointValueError(faults)
 
 
-def _wrong_length(expected: int, given: int) -> JointValueError:
+def wrong_length(expected: int, given: int) -> JointValueError:
+    """Return the refusal of joint values that are not as many as there are joints."""
     params = {"expected": expected, "given": given}
     return JointValueError(Fault(code="joints_wrong_length", where=("joints",), params=params))
 

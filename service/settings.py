@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from enum import StrEnum
 from ipaddress import ip_network
 from pathlib import Path
 from typing import Annotated, Literal, Self
@@ -33,6 +34,21 @@ PREFIX = re.compile(r"(/[A-Za-z0-9._~-]+)+")
 """A path under which a proxy may serve: nothing in it needs an escape."""
 
 Names = Annotated[tuple[str, ...], NoDecode]
+
+
+class Publishers(StrEnum):
+    """Who may publish exercises on this service, where it has storage.
+
+    ANYONE: whoever opens the page or calls the API.
+    STAFF: staff of a course, signed in or choosing an exercise for it, and keys with the scope publish.
+    KEY: keys with the scope publish.
+    NOBODY: nobody; exercises come in the operator's folders.
+    """
+
+    ANYONE = "anyone"
+    STAFF = "staff"
+    KEY = "key"
+    NOBODY = "nobody"
 
 
 class Settings(BaseSettings):
@@ -128,6 +144,11 @@ class Settings(BaseSettings):
         "daily", description="when what is older than that is removed; by_hand: by framewise people purge"
     )
 
+    publishing: Publishers = Field(
+        Publishers.ANYONE,
+        description="who may publish exercises: anyone; staff of a course, and keys with the scope publish; "
+        "key, such keys alone; nobody",
+    )
     exercise_folders: Annotated[tuple[Path, ...], NoDecode] = Field(
         (), description="folders with exercises of your own; one of them goes before a packaged one of its id"
     )
@@ -223,6 +244,8 @@ class Settings(BaseSettings):
     def _limits_agree(self) -> Self:
         if self.batch_body_limit < self.body_limit:
             raise ValueError("FRAMEWISE_BATCH_BODY_LIMIT is below FRAMEWISE_BODY_LIMIT")
+        if self.publishing is Publishers.KEY and self.api_keys is None:
+            raise ValueError("FRAMEWISE_PUBLISHING=key needs FRAMEWISE_API_KEYS: nobody could publish")
         if self.number_smallest >= self.number_largest:
             raise ValueError("FRAMEWISE_NUMBER_SMALLEST is not below FRAMEWISE_NUMBER_LARGEST")
         return self

@@ -20,7 +20,7 @@ from exercises.instance import Instance
 from exercises.names import table_faults, without_aliases
 from exercises.parts.context import Context
 from exercises.parts.given_table import columns_of, given_table
-from exercises.parts.planting import PLANTABLE, REPAIRS, Planted, explanations, planted, usable
+from exercises.parts.planting import PLANTABLE, REPAIRS, Planted, as_given, explanations, planted, usable
 from exercises.parts.protocol import TABLE, FieldShape, FormField, PartTask, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from exercises.reading import Reader
@@ -136,7 +136,7 @@ class FindMistakeType(PartType[FindMistakePart, FoundMistakeCells, FoundMistake]
     def grade(self, part: FindMistakePart, answer: FoundMistake, context: Context) -> PartReport:
         """A third each for place, name and repair; a repair that does says where the mistake was."""
         found: Planted = context.instance.drawn[self.kind]
-        key, policy, values = context.reference, context.policy, context.parameters
+        key, policy, values = context.reference, as_given(context.policy), context.parameters
         rows, names = {found.row}, {found.code}
         if answer.row not in (None, found.row) or answer.name not in (None, found.code):
             verdict = explanations(found, key, policy, values)

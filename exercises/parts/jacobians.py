@@ -49,6 +49,7 @@ from kinematics.cells import AngleUnit, Cell
 from kinematics.cells.meaning import Position
 from kinematics.chain import Chain, chain_of_table
 from kinematics.jacobian import JacobianFrame
+from kinematics.joint_values import wrong_length
 from kinematics.se3 import Floats
 from kinematics.table import JointType, bind
 
@@ -247,8 +248,14 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
         return judged(part, score, credit, facts=facts, feedback=feedback)
 
     def right(self, part: JacobianPart, context: Context) -> JacobianCells:
-        """Return what follows from the student's own table, or from the key, rounded as on paper."""
+        """Return what follows from the student's own table, or from the key, rounded as on paper.
+
+        Raises:
+            JointValueError: the student's own table has not as many joints as there are values.
+        """
         chain, joints = _arm(part, context)
+        if len(chain.axes) != len(joints):
+            raise wrong_length(len(chain.axes), len(joints))
         written = JacobianCells()
         if JacobianAsk.JACOBIAN in part.ask:
             rows = np.round(jacobian_at(chain, joints, part.frame), DECIMALS) + 0.0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from types import MappingProxyType
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from exercises.definition import Exercise
 from exercises.draws import Picker
-from exercises.grading import Policy, Verdict, accept, grade
+from exercises.grading import ConventionRule, Policy, Verdict, accept, grade
 from exercises.selftest.mistakes import MISTAKES
 from kinematics.cells import ReadTable
 
@@ -96,7 +96,7 @@ def plantable(read: ReadTable, code: str, policy: Policy, parameters: Mapping[st
 def _refused(read: ReadTable, table: ReadTable, policy: Policy, parameters: Mapping[str, float]) -> bool:
     """Return whether a table is refused; one that cannot be decided for its tiny numbers is not planted."""
     with np.errstate(all="ignore"), suppress(np.linalg.LinAlgError):
-        return accept(read, table, policy, parameters) is None
+        return accept(read, table, as_given(policy), parameters) is None
     return False
 
 
@@ -106,6 +106,11 @@ def _ways(exercise: Exercise, code: str) -> tuple[Planted, ...]:
     return tuple(plantable(exercise.reference, code, exercise.policy, usual))
 
 
+def as_given(policy: Policy) -> Policy:
+    """Return a policy for a table that is given: nobody chose its convention."""
+    return replace(policy, convention=ConventionRule.ANY)
+
+
 def usable(exercise: Exercise, codes: Sequence[str]) -> bool:
     """Return whether some of the mistakes can be planted in an exercise's key."""
     return any(_ways(exercise, code) for code in codes)
@@ -113,4 +118,4 @@ def usable(exercise: Exercise, codes: Sequence[str]) -> bool:
 
 def explanations(found: Planted, key: ReadTable, policy: Policy, parameters: Mapping[str, float]) -> Verdict:
     """Return what the grader says of a planted table: every single repair that would do."""
-    return grade(key, found.table, policy, parameters)
+    return grade(key, found.table, as_given(policy), parameters)

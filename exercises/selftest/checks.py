@@ -25,6 +25,7 @@ from exercises.selftest.answers import answer_from, context_of, is_refused, judg
 from exercises.selftest.findings import Findings
 from exercises.selftest.mistakes import MISTAKES
 from exercises.selftest.robustness import check_robustness
+from exercises.selftest.variants import key_as_asked
 from exercises.written_table import written_table
 from kinematics.cells import AngleUnit, ParameterKind, RawRow, RawTable, ReadTable, in_length_unit
 from kinematics.chain import chain_of_table, size_of
@@ -105,7 +106,8 @@ def _check_drawn(findings: Findings, instance: Instance) -> None:
 
 def _check_right(findings: Findings, instance: Instance, rng: Random) -> None:
     """The key itself, and the key as others would have written it."""
-    for read in (instance.exercise.reference, other_frames(instance, rng)):
+    exercise = instance.exercise
+    for read in (key_as_asked(exercise.reference, exercise.policy), other_frames(instance, rng)):
         verdict = judged_answer(instance, RawAnswer(table=written_table(read))).verdict
         assert verdict is not None
         findings.expect("right", verdict.correct, table=written_table(read))
@@ -145,7 +147,7 @@ def _check_parts(findings: Findings, instance: Instance, rng: Random) -> None:
     for report in right.parts:
         findings.expect("part", report.correct, part=report.kind, seed=instance.seed)
     _check_wrong_parts(findings, instance, read, rng)
-    wrong = next(iter(MISTAKES["a_d_swapped"](exercise.reference)), None)
+    wrong = next(iter(MISTAKES["a_d_swapped"](key_as_asked(exercise.reference, exercise.policy))), None)
     if wrong is None:
         return
     following = judged_answer(instance, answer_from(instance, wrong))

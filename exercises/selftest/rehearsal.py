@@ -17,6 +17,7 @@ from exercises.parts.protocol import TABLE
 from exercises.parts.registry import part_type
 from exercises.selftest.answers import context_of, judged_answer, other_frames
 from exercises.selftest.mistakes import MISTAKES
+from exercises.selftest.variants import key_as_asked
 from exercises.written_table import written_table
 from kinematics.cells import RawTable, ReadTable
 from kinematics.errors import KinematicsError
@@ -62,7 +63,8 @@ def right_answers(exercise: Exercise, count: int) -> tuple[RehearsedAnswer, ...]
         count: how many at most; where little is free there are fewer.
     """
     instance = generate(exercise)
-    found = {written_table(exercise.reference): exercise.reference}
+    key = key_as_asked(exercise.reference, exercise.policy)
+    found = {written_table(key): key}
     for k in range(TRIES * count):
         if len(found) == count:
             break
@@ -74,15 +76,21 @@ def right_answers(exercise: Exercise, count: int) -> tuple[RehearsedAnswer, ...]
 def usual_mistakes(exercise: Exercise) -> tuple[RehearsedAnswer, ...]:
     """Every misconception that can be had about this robot, made in the key, the likeliest first.
 
-    Of the ways in which one can be made the first is taken that is a mistake here.
+    Of the ways in which one can be made the first is taken that is a mistake here and can be judged.
     """
     instance = generate(exercise)
+    key = key_as_asked(exercise.reference, exercise.policy)
     found: list[RehearsedAnswer] = []
     for code, make in MISTAKES.items():
-        answers = (_rehearsed(instance, written_table(read), read, code) for read in make(exercise.reference))
-        first = next((answer for answer in answers if not answer.correct), None)
-        if first is not None:
-            found.append(first)
+        refused = None
+        for read in make(key):
+            answer = _rehearsed(instance, written_table(read), read, code)
+            refused = answer if answer.refused else refused
+            if not answer.correct and not answer.refused:
+                found.append(answer)
+                break
+        else:
+            found += [refused] if refused else []
     return tuple(sorted(found, key=_likelihood))
 
 
@@ -118,7 +126,11 @@ def _rehearsed(
 def _report(instance: Instance, table: RawTable, read: ReadTable) -> Report:
     """Return what is said of a table with everything that follows from it.
 
-    From a table with a joint too few not every part follows: such a part is left out.
+    From a wrong table not every part follows, or not in words that anybody would write: such a part is left
+    out.
+
+    Raises:
+        AnswerError: the table itself is refused.
     """
     context = context_of(instance, read)
     answer = {TABLE: table}
@@ -126,7 +138,14 @@ def _report(instance: Instance, table: RawTable, read: ReadTable) -> Report:
         if part.kind != TABLE:
             with suppress(KinematicsError):
                 answer[part.kind] = part_type(part.kind).right(part, context)
-    return judged_answer(instance, RawAnswer(**answer))
+    try:
+        return judged_answer(instance, RawAnswer(**answer))
+    except AnswerError as error:
+        refused = {str(fault.where[0]) for fault in error.faults if fault.where}
+        if TABLE in refused or not refused & answer.keys():
+            raise
+        kept = {kind: raw for kind, raw in answer.items() if kind not in refused}
+        return judged_answer(instance, RawAnswer(**kept))
 
 
 def _plain(edit: Edit) -> Edit:

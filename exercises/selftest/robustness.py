@@ -25,6 +25,7 @@ from exercises.parts.protocol import TABLE
 from exercises.selftest.answers import judged_answer, other_frames
 from exercises.selftest.findings import Findings
 from exercises.selftest.mistakes import MISTAKES
+from exercises.selftest.variants import key_as_asked
 from exercises.written_table import written_table
 from kinematics.cells import ParameterKind, RawTable, ReadTable
 from kinematics.errors import KinematicsError
@@ -51,7 +52,7 @@ def check_robustness(findings: Findings, instance: Instance, rng: Random, mistak
             _check_rounded(findings, strict, right)
     strictest = _held_to(instance, strictest_policy(instance.exercise.policy))
     for case in (instance, strictest):
-        base = case.exercise.reference if case is strictest else read
+        base = key_as_asked(case.exercise.reference, case.exercise.policy) if case is strictest else read
         for wrong in islice(pairs(case.exercise, base, rng), PAIRS if mistakes is None else 1):
             if _verdict(findings, case, written_table(wrong)) is not None:
                 findings.passed["pair"] += 1

@@ -13,6 +13,7 @@ from fractions import Fraction
 from random import Random
 
 from exercises.grading import BaseRule, ConventionRule, DirectionRule, Policy, ToolRule, ZeroRule
+from kinematics.cells import ReadTable
 from kinematics.expressions import ZERO, Expression, Number, add, multiply, negate, pi_fraction, pi_times
 from kinematics.table import Convention, DHRow, DHTable, JointType, SymbolicRow, SymbolicTable
 
@@ -41,6 +42,16 @@ def variant(
     if wanted is Convention.MODIFIED:
         return DHTable(convention=wanted, rows=tuple(rows))
     return standard_table(rows)
+
+
+def key_as_asked(key: ReadTable, policy: Policy) -> ReadTable:
+    """The key in a convention that the policy accepts: itself, or the other form of it."""
+    if key.table.convention in _conventions(policy):
+        return key
+    rows = modified_rows(key.table)
+    if key.table.convention is Convention.MODIFIED:
+        return replace(key, table=standard_table(rows))
+    return replace(key, table=DHTable(convention=Convention.MODIFIED, rows=tuple(rows)))
 
 
 def modified_rows(table: SymbolicTable) -> Rows:

@@ -27,11 +27,13 @@ class KeyScope(StrEnum):
     READ: exercises, robots, descriptions.
     COMPUTE: kinematics.
     GRADE: judging answers, receipts, µEd.
+    PUBLISH: publishing exercises.
     """
 
     READ = "read"
     COMPUTE = "compute"
     GRADE = "grade"
+    PUBLISH = "publish"
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -55,6 +55,7 @@ _ONE_ANSWER, _ANSWER_UNIT = 4 * 1024, 512
 """Bytes of a body with one answer and its key, and of each further answer (six rows take 400): many
 submissions in one body cost about as much as each by itself."""
 _SCOPES = {"grade": KeyScope.GRADE, "evaluate": KeyScope.GRADE, "receipts": KeyScope.GRADE}
+_PUBLISH = "/author/publish"
 _SAME_ORIGIN = b"same-origin"
 _READING = ("GET", "HEAD", "OPTIONS")
 
@@ -79,6 +80,7 @@ class MeteringMiddleware:
         told: list[tuple[bytes, bytes]] = []
         try:
             key = self._key(scope)
+            scope["api_key"] = key
             most = (key.cost_per_minute if key else None) or self._settings.cost_per_minute
             caller = key.id if key else (scope.get("client") or ("",))[0]
             if most:
@@ -185,6 +187,8 @@ def _cost(scope: Scope, size: int) -> int:
 def _scope_of(path: str, method: str) -> KeyScope:
     if method in _READING:
         return KeyScope.READ
+    if path.endswith(_PUBLISH):
+        return KeyScope.PUBLISH
     return next((_SCOPES[step] for step in path.split("/") if step in _SCOPES), KeyScope.COMPUTE)
 
 

@@ -1,4 +1,4 @@
-"""Making exercises: a draft is started, tried, tested, taken along, published; nothing is kept before."""
+"""Making exercises: a draft is started, tried, tested, taken along; nothing is kept."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from typing import Annotated, Any
 from fastapi import Body, Response
 from pydantic import TypeAdapter
 
-from courses.publications import publish
 from exercises.answers import parse
 from exercises.authoring.archive import LARGEST_ARCHIVE, archive_of_draft, draft_of_archive
 from exercises.authoring.scaffold import started
@@ -21,7 +20,6 @@ from exercises.authoring.trials import (
 )
 from exercises.grader import grade
 from exercises.instance import generate
-from service.course_resources import now
 from service.http.languages import language_of
 from service.http.openapi import problems, request_body
 from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
@@ -214,29 +212,6 @@ async def import_draft(request: ApiRequest) -> Response:
         draft = draft_of_archive(data)
         await _in_worker(request, trial, draft)
     return _json(draft_body(draft), language_of(request))
-
-
-@router.post(
-    "/author/publish",
-    response_model=wire.PublishedAnswer,
-    summary="Publish a draft",
-    include_in_schema=False,  # like all that needs storage
-)
-async def publish_draft(
-    body: Annotated[wire.DraftRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
-) -> Response:
-    """Keep this version of the exercise under an address of its own, for good.
-
-    The address is made from the content. It is in no list; whoever has it can use the exercise as any
-    other, in links of a course, too.
-    """
-    courses = resources_of(request).with_courses()
-    draft = body.draft.draft()
-    with draft_refused():
-        await _in_worker(request, trial, draft)
-    work = partial(publish, courses.store, draft, now())
-    found = await resources_of(request).limiters[WorkKind.COURSES].run(work)
-    return _json({"id": found.address, "digest": found.digest}, language_of(request))
 
 
 async def _in_worker(request: ApiRequest, work: Any, *arguments: Any) -> Any:

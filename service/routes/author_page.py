@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from fastapi import APIRouter, Request, Response
 
+from service.resources import resources_of
+from service.settings import Publishers
 from service.web.responses import page_response
 from service.web.shell import Page
 
@@ -20,4 +22,6 @@ AUTHOR = Page(
 @router.get("/author")
 async def author(request: Request) -> Response:
     """A page for lecturers: make an exercise from a robot, look at it, try it, take it along."""
-    return page_response(request, AUTHOR)
+    resources = resources_of(request)
+    publishing = resources.settings.publishing if resources.courses is not None else Publishers.NOBODY
+    return page_response(request, AUTHOR, {"publishing": publishing.value})

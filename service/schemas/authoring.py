@@ -49,6 +49,14 @@ class DraftRequest(Wire):
     draft: DraftModel
 
 
+class PublishRequest(DraftRequest):
+    """A draft, and by what its author may publish it."""
+
+    choice: Annotated[str, Field(max_length=200)] | None = Field(
+        None, description="the code with which a platform asked for a link; it stays good"
+    )
+
+
 class CheckRequest(DraftRequest):
     """A draft, and whose values it is tested with."""
 

@@ -18,6 +18,7 @@ import { Problem, Throttled } from "./api.js";
 import { debounced } from "./dom.js";
 import { clamped, limited, usualRanges } from "./joint-ranges.js";
 import { degrees, radians } from "./numbers.js";
+import { poseAt, stepsOf } from "./scene/film.js";
 import { reach, tableRobot } from "./scene/robots.js";
 import { Understanding } from "./understanding.js";
 
@@ -211,17 +212,28 @@ function modelled(
   { rows: all, variables, parameters: names },
   { size: given, prime },
 ) {
-  const end = all.findIndex(({ link }) => link === null);
+  const poses = all.map((row) => row.link ?? carried(table.convention, row));
+  const end = poses.indexOf(null);
   const rows = end < 0 ? all : all.slice(0, end);
   const parameters = Object.fromEntries(names.map(({ name }) => [name, values[name]]));
   const types = rows.map((row) => row.joint).filter((joint) => joint !== "fixed");
-  const links = rows.map(({ link }) => /** @type {number[][]} */ (link));
+  const links = /** @type {number[][][]} */ (poses.slice(0, rows.length));
   const size = given ?? reach(links);
   const model = tableRobot({ convention: table.convention, rows, links, size, prime });
   const named = types.map((type, i) => ({ type, name: variables[i] ?? `q${i + 1}` }));
   const joints = limited(usualRanges(named, size), limits, table.angle_unit);
   const subject = { table, parameters, types, ranges: joints };
   return { subject, model, joints, size, rows, whole: rows.length === table.rows.length };
+}
+
+/**
+ * Where a row carries its frame, as the film shows it: from its four numbers, for whoever is told no matrices.
+ * @param {"standard" | "modified"} convention @param {ReadRow} row
+ */
+function carried(convention, row) {
+  if (Object.keys(row.values).length < 4) return null;
+  const steps = stepsOf(convention, row, 0);
+  return poseAt(steps, steps.length);
 }
 
 /** A subject's joint values in its table's units. @param {Subject} subject */

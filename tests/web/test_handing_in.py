@@ -65,7 +65,7 @@ def test_a_lecturers_link_switches_off_what_it_says(
     page = open_page("/exercises/scara")
     sharing = page.locator("#sharing")
     sharing.locator("summary").click()
-    for name in ("the playground", "the picture and the matrices", "the catalogue"):
+    for name in ("the playground", "the matrices of their own table", "the catalogue"):
         sharing.get_by_label(name).uncheck()
     sharing.get_by_label("Tell them of a wrong answer").select_option("row")
     sharing.get_by_label("Attempts").fill("2")
@@ -75,12 +75,13 @@ def test_a_lecturers_link_switches_off_what_it_says(
     page = open_page(url[url.index("/exercises/") :])
     expect(page.locator(".bar-nav a")).to_have_text(["First lesson"])
     expect(page.locator("#sharing")).to_be_hidden()
-    expect(page.locator("#own")).to_contain_text("switched off here")
-    expect(page.locator("#own robot-scene, #own matrix-panel")).to_have_count(0)
+    expect(page.locator("#own .own-matrices")).to_be_hidden()
     expect(page.get_by_label("If my answer is wrong, tell me").locator("option")).to_have_count(2)
     for a in ("a2", "0"):
         put_table(page, wrong(SCARA, 2, a=a))
+        expect(page.locator("#own .own-status")).to_contain_text("4 joints")
         verdict = submit(page)
+    assert page.evaluate("document.querySelector('#own robot-scene').model.frames.length") == 5
     expect(verdict.locator(".repairs, robot-scene")).to_have_count(0)
     watch.allow("status of 403")
     put_table(page, SCARA)

@@ -176,6 +176,7 @@ author-id = Name of the folder
 author-download = Download the folder
 author-downloaded = The archive holds a folder for git and for “framewise exercises check”.
 author-publish = Publish on this service
+author-publish-closed = This service takes no exercises from this page: take the folder along, and give it to whoever runs the service.
 author-published = Published. This version stays as it is for good; a change makes another one.
 author-open = Open the exercise
 author-insert = Insert it into the course

@@ -35,6 +35,12 @@ error-session_expired = You are no longer signed in. What you typed is still her
 error-administrator_unknown = This page is opened with an address that framewise lti administer prints; it works once, and for two hours.
 error-code_used = This address has been used already. Open the exercise from your course again.
 error-staff_only = This is open to the staff of the course.
+error-publishing_closed =
+    { $who ->
+        [staff] Exercises can be published here only by those who came from a course as its staff, or with a key that has the scope publish.
+        [key] Exercises can be published here only with a key that has the scope publish.
+       *[nobody] Nobody can publish exercises on this service.
+    }
 error-link_without_exercise = No exercise has been chosen for this link yet. A teacher chooses it by opening the link.
 error-invitation_used = This registration address has been used already, or is too old. Ask for a new one.
 error-storage_off = This installation keeps no courses: its storage is switched off.

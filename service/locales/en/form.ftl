@@ -315,14 +315,13 @@ form-worked-joint = A gantry moves its carriage along a rail and turns the gripp
 form-home-author = Make an exercise
 form-home-author-text = For lecturers: about the arm in your own book, in a quarter of an hour.
 
-form-own-off = The picture of your own robot is switched off here.
 form-matrices-withheld = The matrices appear here once the parts that ask for them are right.
 form-sharing = For lecturers: links and packages
 form-sharing-text = A link carries these settings, signed: students who come by it cannot change them, and the service itself obeys them. A SCORM package goes into a course without an administrator; its score comes from the student's browser, the receipt in its comments cannot be forged.
 form-sharing-may = Students may use
 form-sharing-catalogue = the catalogue of robots
 form-sharing-playground = the playground
-form-sharing-matrices = the picture and the matrices of their own table
+form-sharing-matrices = the matrices of their own table
 form-sharing-trainer = the frame trainer
 form-sharing-help = Tell them of a wrong answer
 form-sharing-attempts = Attempts

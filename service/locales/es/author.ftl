@@ -176,6 +176,7 @@ author-id = Nombre de la carpeta
 author-download = Descargar la carpeta
 author-downloaded = El archivo contiene una carpeta para git y para «framewise exercises check».
 author-publish = Publicar en este servicio
+author-publish-closed = Este servicio no admite ejercicios desde esta página: descargue la carpeta y entréguela a quien administra el servicio.
 author-published = Publicado. Esta versión queda así para siempre; un cambio hace otra.
 author-open = Abrir el ejercicio
 author-insert = Insertarlo en el curso

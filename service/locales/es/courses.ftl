@@ -35,6 +35,12 @@ error-session_expired = Su sesión ha terminado. Lo que escribió sigue aquí: v
 error-administrator_unknown = Esta página se abre con una dirección que imprime framewise lti administer; funciona una vez, y durante dos horas.
 error-code_used = Esta dirección ya se ha usado. Vuelva a abrir el ejercicio desde su curso.
 error-staff_only = Esto está abierto al profesorado del curso.
+error-publishing_closed =
+    { $who ->
+        [staff] Aquí solo puede publicar ejercicios quien llega desde un curso como docente, o con una clave de alcance publish.
+        [key] Aquí solo se pueden publicar ejercicios con una clave de alcance publish.
+       *[nobody] En este servicio nadie puede publicar ejercicios.
+    }
 error-link_without_exercise = Todavía no se ha elegido un ejercicio para este enlace. Lo elige un docente al abrir el enlace.
 error-invitation_used = Esta dirección de registro ya se ha usado o es demasiado antigua. Pida una nueva.
 error-storage_off = Esta instalación no guarda cursos: su almacenamiento está desactivado.

@@ -315,14 +315,13 @@ form-worked-joint = Un pórtico mueve su carro por un carril y gira la pinza que
 form-home-author = Crear un ejercicio
 form-home-author-text = Para docentes: sobre el brazo de su propio libro, en un cuarto de hora.
 
-form-own-off = Aquí la imagen de su propio robot está desactivada.
 form-matrices-withheld = Las matrices aparecen aquí cuando las partes que las piden estén bien.
 form-sharing = Para docentes: enlaces y paquetes
 form-sharing-text = Un enlace lleva estos ajustes, firmados: quien llega por él no puede cambiarlos y el propio servicio los cumple. Un paquete SCORM entra en un curso sin administrador; su nota viene del navegador del estudiante, pero el comprobante de sus comentarios no se puede falsificar.
 form-sharing-may = Los estudiantes pueden usar
 form-sharing-catalogue = el catálogo de robots
 form-sharing-playground = el taller
-form-sharing-matrices = la imagen y las matrices de su propia tabla
+form-sharing-matrices = las matrices de su propia tabla
 form-sharing-trainer = el entrenador de sistemas de referencia
 form-sharing-help = De una respuesta incorrecta se les dice
 form-sharing-attempts = Intentos

@@ -176,6 +176,7 @@ author-id = Nom du dossier
 author-download = Télécharger le dossier
 author-downloaded = L'archive contient un dossier pour git et pour « framewise exercises check ».
 author-publish = Publier sur ce service
+author-publish-closed = Ce service n'accepte pas d'exercices depuis cette page : téléchargez le dossier et remettez-le à la personne qui gère le service.
 author-published = Publié. Cette version reste telle quelle pour toujours ; un changement en fait une autre.
 author-open = Ouvrir l'exercice
 author-insert = L'insérer dans le cours

@@ -35,6 +35,12 @@ error-session_expired = Vous n’êtes plus connecté. Ce que vous avez saisi es
 error-administrator_unknown = Cette page s'ouvre avec une adresse qu'affiche framewise lti administer ; elle fonctionne une fois, et pendant deux heures.
 error-code_used = Cette adresse a déjà servi. Rouvrez l’exercice depuis votre cours.
 error-staff_only = Ceci est réservé à l’équipe enseignante du cours.
+error-publishing_closed =
+    { $who ->
+        [staff] Ici, seules les personnes venues d'un cours en tant qu'enseignants, ou munies d'une clé de portée publish, peuvent publier des exercices.
+        [key] Ici, des exercices ne peuvent être publiés qu'avec une clé de portée publish.
+       *[nobody] Personne ne peut publier d'exercices sur ce service.
+    }
 error-link_without_exercise = Aucun exercice n’a encore été choisi pour ce lien. Un enseignant le choisit en ouvrant le lien.
 error-invitation_used = Cette adresse d’enregistrement a déjà servi ou est trop ancienne. Demandez-en une nouvelle.
 error-storage_off = Cette installation ne conserve pas de cours : son stockage est désactivé.

@@ -315,14 +315,13 @@ form-worked-joint = Un portique déplace son chariot le long d’un rail et tour
 form-home-author = Créer un exercice
 form-home-author-text = Pour les enseignants : sur le bras de votre propre livre, en un quart d'heure.
 
-form-own-off = L’image de votre propre robot est désactivée ici.
 form-matrices-withheld = Les matrices apparaissent ici dès que les parties qui les demandent sont justes.
 form-sharing = Pour les enseignants : liens et paquets
 form-sharing-text = Un lien porte ces réglages, signés : qui arrive par lui ne peut pas les changer, et le service lui-même les respecte. Un paquet SCORM entre dans un cours sans administrateur ; sa note vient du navigateur de l’étudiant, mais le reçu dans ses commentaires ne peut pas être falsifié.
 form-sharing-may = Les étudiants peuvent utiliser
 form-sharing-catalogue = le catalogue de robots
 form-sharing-playground = l’atelier
-form-sharing-matrices = l’image et les matrices de leur propre tableau
+form-sharing-matrices = les matrices de leur propre tableau
 form-sharing-trainer = l’entraîneur aux repères
 form-sharing-help = Dire d’une réponse fausse
 form-sharing-attempts = Essais

@@ -176,6 +176,7 @@ author-id = Nome da pasta
 author-download = Descarregar a pasta
 author-downloaded = O arquivo contém uma pasta para git e para «framewise exercises check».
 author-publish = Publicar neste serviço
+author-publish-closed = Este serviço não aceita exercícios a partir desta página: descarregue a pasta e entregue-a a quem gere o serviço.
 author-published = Publicado. Esta versão fica assim para sempre; uma alteração faz outra.
 author-open = Abrir o exercício
 author-insert = Inseri-lo no curso

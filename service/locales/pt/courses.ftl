@@ -35,6 +35,12 @@ error-session_expired = A sua sessão terminou. O que escreveu continua aqui: vo
 error-administrator_unknown = Esta página abre-se com um endereço que framewise lti administer mostra; funciona uma vez, e durante duas horas.
 error-code_used = Este endereço já foi usado. Volte a abrir o exercício a partir da sua disciplina.
 error-staff_only = Isto está aberto aos docentes da disciplina.
+error-publishing_closed =
+    { $who ->
+        [staff] Aqui só pode publicar exercícios quem vem de um curso como docente, ou com uma chave de âmbito publish.
+        [key] Aqui só se podem publicar exercícios com uma chave de âmbito publish.
+       *[nobody] Neste serviço ninguém pode publicar exercícios.
+    }
 error-link_without_exercise = Ainda não foi escolhido um exercício para esta ligação. Um docente escolhe-o ao abrir a ligação.
 error-invitation_used = Este endereço de registo já foi usado ou é demasiado antigo. Peça um novo.
 error-storage_off = Esta instalação não guarda disciplinas: o seu armazenamento está desligado.

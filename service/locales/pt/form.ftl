@@ -315,14 +315,13 @@ form-worked-joint = Um pórtico desloca o carro ao longo de uma calha e roda a g
 form-home-author = Criar um exercício
 form-home-author-text = Para docentes: sobre o braço do seu próprio livro, num quarto de hora.
 
-form-own-off = Aqui a imagem do seu próprio robô está desligada.
 form-matrices-withheld = As matrizes aparecem aqui quando as partes que as pedem estiverem certas.
 form-sharing = Para docentes: ligações e pacotes
 form-sharing-text = Uma ligação leva estas definições, assinadas: quem chega por ela não as pode mudar, e o próprio serviço cumpre-as. Um pacote SCORM entra num curso sem administrador; a nota vem do navegador do estudante, mas o recibo nos comentários não pode ser forjado.
 form-sharing-may = Os estudantes podem usar
 form-sharing-catalogue = o catálogo de robôs
 form-sharing-playground = a oficina
-form-sharing-matrices = a imagem e as matrizes da própria tabela
+form-sharing-matrices = as matrizes da própria tabela
 form-sharing-trainer = o treinador de referenciais
 form-sharing-help = De uma resposta errada dizer-lhes
 form-sharing-attempts = Tentativas

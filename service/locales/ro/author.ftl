@@ -179,6 +179,7 @@ author-id = Numele dosarului
 author-download = Descărcați dosarul
 author-downloaded = Arhiva conține un dosar pentru git și pentru „framewise exercises check”.
 author-publish = Publicați pe acest serviciu
+author-publish-closed = Acest serviciu nu primește exerciții din această pagină: descărcați dosarul și dați-l celui care administrează serviciul.
 author-published = Publicat. Această versiune rămâne așa pentru totdeauna; o schimbare face alta.
 author-open = Deschideți exercițiul
 author-insert = Inserați-l în curs

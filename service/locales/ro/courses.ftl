@@ -36,6 +36,12 @@ error-session_expired = Nu mai sunteți autentificat. Ce ați scris este încă 
 error-administrator_unknown = Această pagină se deschide cu o adresă pe care o afișează framewise lti administer; funcționează o dată, timp de două ore.
 error-code_used = Această adresă a fost deja folosită. Deschideți din nou exercițiul din cursul dumneavoastră.
 error-staff_only = Aici au acces doar cadrele didactice ale cursului.
+error-publishing_closed =
+    { $who ->
+        [staff] Aici pot publica exerciții doar cei veniți dintr-un curs ca titulari, sau cu o cheie având domeniul publish.
+        [key] Aici se pot publica exerciții doar cu o cheie având domeniul publish.
+       *[nobody] Pe acest serviciu nimeni nu poate publica exerciții.
+    }
 error-link_without_exercise = Pentru această legătură nu s-a ales încă un exercițiu. Un profesor îl alege deschizând legătura.
 error-invitation_used = Această adresă de înregistrare a fost deja folosită sau este prea veche. Cereți una nouă.
 error-storage_off = Această instalare nu păstrează cursuri: stocarea ei este oprită.

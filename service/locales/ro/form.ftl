@@ -324,14 +324,13 @@ form-worked-joint = Un portal își mișcă căruciorul pe o șină și rotește
 form-home-author = Creați un exercițiu
 form-home-author-text = Pentru profesori: despre brațul din cartea dumneavoastră, într-un sfert de oră.
 
-form-own-off = Imaginea propriului robot este oprită aici.
 form-matrices-withheld = Matricele apar aici când părțile care le cer sunt corecte.
 form-sharing = Pentru profesori: legături și pachete
 form-sharing-text = O legătură poartă aceste setări, semnate: cine vine prin ea nu le poate schimba, iar serviciul însuși le respectă. Un pachet SCORM intră într-un curs fără administrator; nota lui vine din browserul studentului, dar chitanța din comentarii nu poate fi falsificată.
 form-sharing-may = Studenții pot folosi
 form-sharing-catalogue = catalogul de roboți
 form-sharing-playground = atelierul
-form-sharing-matrices = imaginea și matricele propriului tabel
+form-sharing-matrices = matricele propriului tabel
 form-sharing-trainer = antrenorul de sisteme de coordonate
 form-sharing-help = Despre un răspuns greșit li se spune
 form-sharing-attempts = Încercări

@@ -179,6 +179,7 @@ author-id = Назва теки
 author-download = Завантажити теку
 author-downloaded = В архіві тека для git і для «framewise exercises check».
 author-publish = Опублікувати на цій службі
+author-publish-closed = Ця служба не приймає вправ із цієї сторінки: завантажте теку й передайте її тому, хто керує службою.
 author-published = Опубліковано. Ця версія лишиться такою назавжди; зміна створює іншу.
 author-open = Відкрити вправу
 author-insert = Вставити в курс

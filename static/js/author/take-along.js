@@ -15,6 +15,9 @@ export function takeAlong(api, store) {
   const told = el("div", { class: "stack", role: "status" });
   const choice = new URLSearchParams(location.hash.slice(1)).get("choice");
 
+  const open = document.getElementById("author")?.dataset.publishing;
+  const publishes = open === "anyone" || (open === "staff" && Boolean(choice ?? api.token));
+
   /** @param {() => Promise<any>} work */
   const attempt = (work) => async () => {
     try {
@@ -34,7 +37,7 @@ export function takeAlong(api, store) {
   });
 
   const publish = attempt(async () => {
-    const { id } = await api.post("author/publish", { draft: store.draft });
+    const { id } = await api.post("author/publish", { draft: store.draft, ...(choice ? { choice } : {}) });
     return publishedView(id, choice);
   });
 
@@ -67,7 +70,7 @@ export function takeAlong(api, store) {
     "div",
     { class: "row" },
     button("author-download", download, "primary"),
-    button("author-publish", publish),
+    publishes ? button("author-publish", publish) : null,
     button("author-link", share),
   );
   const element = el(
@@ -75,6 +78,7 @@ export function takeAlong(api, store) {
     { class: "stack" },
     name,
     actions,
+    publishes ? null : el("p", { class: "hint", text: t("author-publish-closed") }),
     told,
     field(t("author-import"), file, t("author-import-hint")),
   );

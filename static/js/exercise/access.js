@@ -1,8 +1,5 @@
 /** What of the page is switched off: by the exercise, by the link, or because an open part asks for it. */
 
-import { el } from "../dom.js";
-import { t } from "../i18n.js";
-
 /** Parts whose answers are matrices that the panel would show. */
 const MATRIX_PARTS = ["link_matrices", "transform", "pose"];
 
@@ -25,12 +22,9 @@ export class Access {
     return this.allows("playground") && this.allows("matrices");
   }
 
-  /** Shows of the own robot what may be shown. @param {import("./own-card.js").OwnCard} own */
+  /** Shows of the own robot what may be shown: its picture always, its matrices where they give no part away. @param {import("./own-card.js").OwnCard} own */
   apply(own) {
-    if (!this.allows("matrices")) {
-      own.place.replaceChildren(el("p", { class: "hint", text: t("form-own-off") }));
-      return;
-    }
+    own.panel.hidden = !this.allows("matrices");
     own.withhold(this.asked.some((kind) => !this.progress.isRight(kind)));
   }
 }

@@ -11,6 +11,7 @@ import { announce, debounced, el, fill, iconButton } from "../dom.js";
 import { t } from "../i18n.js";
 import { api, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
+import { openSession } from "../session/course-session.js";
 
 /** Milliseconds without a change until the draft is looked at, and until it is tested. */
 const REST = 350;
@@ -153,6 +154,7 @@ function showFigure({ figure, exercise }) {
 }
 
 startPage(async () => {
+  await openSession(api).catch(() => null); // a lecturer who came from a course may publish by it
   const page = new AuthorPage();
   page.build();
   await page.restore();
