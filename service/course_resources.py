@@ -56,17 +56,17 @@ class CourseResources:
         self.fetcher = Fetcher(frozenset(settings.lti_trusted_origins))
         self.platform_keys = PlatformKeys(self.fetcher)
         self.services = Services(self.fetcher, self.signing)
-        places = settings.grading_queue
+        capacity = settings.grading_queue
         self.sign_in: Gathering[str, CourseSession] = Gathering(
             lambda tokens: sessions_of(self.store, tokens, now()),
             batches=1,
-            places=places,
+            capacity=capacity,
             gives_up=_database_is_gone,
         )
         self.keep: Gathering[JudgedSubmission, Attempt] = Gathering(
             lambda submissions: store_submissions(self.store, submissions, now()),
             batches=1,
-            places=places,
+            capacity=capacity,
             gives_up=_database_is_gone,
         )
         self._lock = threading.Lock()

@@ -67,8 +67,8 @@ def chain_of_pose(
     axes: list[Axis] = []
     for i, joint_type in enumerate(joint_types):
         step = math.pi / 2 if joint_type is JointType.REVOLUTE else size
-        forth, back = ([sign * step if k == i else 0.0 for k in range(n)] for sign in (1.0, -1.0))
-        derivative = (pose_of(forth) - pose_of(back)) / (
+        forward, back = ([sign * step if k == i else 0.0 for k in range(n)] for sign in (1.0, -1.0))
+        derivative = (pose_of(forward) - pose_of(back)) / (
             2.0 if joint_type is JointType.REVOLUTE else 2.0 * step
         )
         axis = _axis(derivative @ inverse(end), joint_type, tolerance, size)

@@ -153,9 +153,9 @@ def _best_turn(goals: Goals, centre: Array, a: Array, b: Array, low: float, high
     q = start
     for _ in range(4):
         c, s, cc, ss = np.cos(q), np.sin(q), np.cos(2 * q), np.sin(2 * q)
-        slope = -c1 * s + s1 * c - 2 * c2 * ss + 2 * s2 * cc
-        bend = -c1 * c - s1 * s - 4 * c2 * cc - 4 * s2 * ss
-        step = np.where(bend < 0.0, -slope / np.where(bend < 0.0, bend, 1.0), 0.0)
+        derivative = -c1 * s + s1 * c - 2 * c2 * ss + 2 * s2 * cc
+        curvature = -c1 * c - s1 * s - 4 * c2 * cc - 4 * s2 * ss
+        step = np.where(curvature < 0.0, -derivative / np.where(curvature < 0.0, curvature, 1.0), 0.0)
         q = np.clip(q + np.clip(step, -0.1, 0.1), low, high)
     value = np.einsum(
         "mk,km->m", coefficients, np.array([np.cos(q), np.sin(q), np.cos(2 * q), np.sin(2 * q)])

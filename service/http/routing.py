@@ -120,17 +120,17 @@ class ApiRequest(Request):
         if len(announced) > len(str(limit)) or (announced.isdigit() and int(announced) > limit):
             raise _too_large(limit)
         loop = asyncio.get_running_loop()
-        patience = self.settings.read_seconds
+        timeout = self.settings.read_seconds
         start = loop.time()
         pieces: list[bytes] = []
         received = 0
         more = True
         while more:
             try:
-                async with asyncio.timeout_at(start + patience + received / SLOWEST_UPLOAD):
+                async with asyncio.timeout_at(start + timeout + received / SLOWEST_UPLOAD):
                     message = await self._receive()
             except TimeoutError:
-                raise BodyTimeoutError(Fault(code="body_timed_out", params={"seconds": patience})) from None
+                raise BodyTimeoutError(Fault(code="body_timed_out", params={"seconds": timeout})) from None
             if message["type"] == "http.disconnect":
                 raise ClientDisconnect
             piece = message.get("body", b"")

@@ -57,17 +57,17 @@ class FairQueue:
         running: how many slots are taken.
     """
 
-    def __init__(self, *, slots: int, places: int, patience: float) -> None:
+    def __init__(self, *, slots: int, capacity: int, timeout: float) -> None:
         """Make a queue.
 
         Args:
             slots: how many tasks run at a time.
-            places: how many may wait.
-            patience: how long each of them may wait [s].
+            capacity: how many may wait.
+            timeout: how long each of them may wait [s].
         """
         self._slots = slots
-        self._places = places
-        self._patience = patience
+        self._capacity = capacity
+        self._timeout = timeout
         self._waiting: list[_Waiting] = []
         self._used: OrderedDict[str | Client, tuple[float, float]] = OrderedDict()
         self.running = 0
@@ -87,12 +87,12 @@ class FairQueue:
         if self.running < self._slots:
             self.running += 1
             return Slot(self, client)
-        if len(self._waiting) >= self._places:
+        if len(self._waiting) >= self._capacity:
             raise busy()
         waiting = _Waiting(client, asyncio.get_running_loop())
         self._waiting.append(waiting)
         try:
-            async with asyncio.timeout(self._patience):
+            async with asyncio.timeout(self._timeout):
                 await asyncio.shield(waiting.granted)
         except BaseException as error:
             if waiting in self._waiting:

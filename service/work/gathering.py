@@ -31,7 +31,7 @@ class Gathering(Generic[_Thing, _Result]):
         work: Callable[[Sequence[_Thing]], Sequence[_Result | Exception]],
         *,
         batches: int,
-        places: int,
+        capacity: int,
         gives_up: Callable[[Exception], bool] = lambda _: False,
     ) -> None:
         """Make a gathering.
@@ -39,13 +39,13 @@ class Gathering(Generic[_Thing, _Result]):
         Args:
             work: returns for each thing its result, or what is to be raised for it.
             batches: how many are worked on at the same time.
-            places: how many things may wait.
+            capacity: how many things may wait.
             gives_up: whether a batch that failed so would fail thing by thing, too.
         """
         self._work = work
         self._gives_up = gives_up
         self._batches = batches
-        self._places = places
+        self._capacity = capacity
         self._waiting: deque[tuple[_Thing, asyncio.Future[_Result]]] = deque()
         self._running = 0
         self._lock = threading.Lock()
@@ -59,7 +59,7 @@ class Gathering(Generic[_Thing, _Result]):
         """
         future: asyncio.Future[_Result] = asyncio.get_running_loop().create_future()
         with self._lock:
-            if len(self._waiting) >= self._places:
+            if len(self._waiting) >= self._capacity:
                 raise busy()
             self._waiting.append((thing, future))
             starts = self._running < self._batches

@@ -30,9 +30,9 @@ class WorkKind(StrEnum):
 class Limiter:
     """Lets so many tasks run at a time, and so many wait."""
 
-    def __init__(self, *, threads: int, places: int, patience: float) -> None:
+    def __init__(self, *, threads: int, capacity: int, timeout: float) -> None:
         self._threads = anyio.CapacityLimiter(threads)
-        self.queue = FairQueue(slots=threads, places=places, patience=patience)
+        self.queue = FairQueue(slots=threads, capacity=capacity, timeout=timeout)
 
     async def acquire(self) -> ThreadSlot:
         """Wait for a slot, and take it until it is released.
@@ -81,6 +81,6 @@ def limiters(settings: Settings) -> dict[WorkKind, Limiter]:
         WorkKind.COURSES: (COURSE_THREADS, settings.grading_queue),
     }
     return {
-        kind: Limiter(threads=count, places=places, patience=settings.queue_seconds)
-        for kind, (count, places) in threads.items()
+        kind: Limiter(threads=count, capacity=capacity, timeout=settings.queue_seconds)
+        for kind, (count, capacity) in threads.items()
     }

@@ -69,7 +69,7 @@ class WorkerProcess:
         """Return whether it is running."""
         return self._process.poll() is None
 
-    def perform(self, task: bytes, patience: float) -> bytes:
+    def perform(self, task: bytes, timeout: float) -> bytes:
         """Send a task, and wait for its reply.
 
         Raises:
@@ -78,7 +78,7 @@ class WorkerProcess:
         """
         try:
             self._connection.send_bytes(task)
-            if not self._connection.poll(patience):
+            if not self._connection.poll(timeout):
                 raise UnansweredError
             return self._connection.recv_bytes()
         except (EOFError, OSError):

@@ -26,7 +26,7 @@ from service.work.fair_queue import FairQueue
 from service.work.processes import Confinement, ProcessDiedError, UnansweredError, WorkerProcess
 from service.work.worker_process import WorkOutcome
 
-QUICK_PLACES = 8
+QUICK_CAPACITY = 8
 """The quick lane is so many times as fast as the slow one, or more: as many times as many may wait."""
 SLOW_NICENESS = 10
 """The server, and the quick lane, come before the slow lane where there are fewer cores than processes."""
@@ -53,12 +53,12 @@ class Workers:
     def __init__(self, settings: Settings) -> None:
         self.lanes = {
             Lane.QUICK: LaneProcesses(
-                settings, processes=1, places=QUICK_PLACES * settings.symbolic_queue, niceness=0
+                settings, processes=1, capacity=QUICK_CAPACITY * settings.symbolic_queue, niceness=0
             ),
             Lane.SLOW: LaneProcesses(
                 settings,
                 processes=settings.symbolic_workers,
-                places=settings.symbolic_queue,
+                capacity=settings.symbolic_queue,
                 niceness=SLOW_NICENESS,
             ),
         }
@@ -93,13 +93,13 @@ class LaneProcesses:
         queue: hands out the processes.
     """
 
-    def __init__(self, settings: Settings, *, processes: int, places: int, niceness: int) -> None:
+    def __init__(self, settings: Settings, *, processes: int, capacity: int, niceness: int) -> None:
         self._seconds = settings.symbolic_seconds
         self._confinement = Confinement(
             memory=settings.symbolic_memory, seconds=settings.symbolic_seconds, niceness=niceness
         )
         self._count = processes
-        self.queue = FairQueue(slots=processes, places=places, patience=settings.queue_seconds)
+        self.queue = FairQueue(slots=processes, capacity=capacity, timeout=settings.queue_seconds)
         self._idle: list[WorkerProcess] = []
         self._busy: set[WorkerProcess] = set()
         self._threads = ThreadPoolExecutor(processes, thread_name_prefix="worker-process")
@@ -164,8 +164,8 @@ class LaneProcesses:
             raise _aborted()  # the server is ending
         process = self._idle.pop()
         self._busy.add(process)
-        patience = OVERLOAD * self._seconds + START_SECONDS
-        doing = self._threads.submit(process.perform, task, patience)
+        timeout = OVERLOAD * self._seconds + START_SECONDS
+        doing = self._threads.submit(process.perform, task, timeout)
         try:
             reply = await asyncio.wrap_future(doing)
         except BaseException:

@@ -88,7 +88,7 @@ const STROKES = {
   enlarge: "M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5",
   picture: "M4 7h4l2-2h4l2 2h4v12H4zM12 16a3 3 0 1 0 0-6 3 3 0 0 0 0 6",
   back: "M16 5v14L7 12zM5 5v14",
-  forth: "M8 5v14l9-7zM19 5v14",
+  forward: "M8 5v14l9-7zM19 5v14",
 };
 
 /** A small line drawing, hidden from screen readers. @param {keyof typeof STROKES} name */

@@ -140,9 +140,9 @@ class Browser:
         return response
 
 
-def eventually(check: Callable[[], Any], patience: float = 30.0) -> Any:
+def eventually(check: Callable[[], Any], timeout: float = 30.0) -> Any:
     """What a check finds, once it finds something true."""
-    deadline = time.monotonic() + patience
+    deadline = time.monotonic() + timeout
     while time.monotonic() < deadline:
         if found := check():
             return found

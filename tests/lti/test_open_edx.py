@@ -175,7 +175,7 @@ def test_a_teacher_chooses_and_a_mark_arrives(open_edx: OpenEdx, service: str, b
     scores = []
     for answer in (WRONG, RIGHT):
         scores.append(student.api("POST", "session/attempts", answer).json()["total"]["score"])
-        found = eventually(lambda: _published(open_edx, block, "ann", scores[-1]), patience=120)
+        found = eventually(lambda: _published(open_edx, block, "ann", scores[-1]), timeout=120)
         assert found, open_edx.state()
         assert found["max_value"] == 10
     assert scores[0] < scores[1] == 1.0
@@ -191,7 +191,7 @@ def test_a_mark_arrives_where_tools_make_the_line_items(open_edx: OpenEdx, servi
     for _ in range(2):
         student = Session(service, open_edx.open(block, "cleo", "student"))
         student.api("POST", "session/attempts", RIGHT)
-    assert eventually(lambda: _published(open_edx, block, "cleo", 1.0), patience=120), open_edx.state()
+    assert eventually(lambda: _published(open_edx, block, "cleo", 1.0), timeout=120), open_edx.state()
 
 
 def _published(open_edx: OpenEdx, block: str, user: str, score: float) -> dict[str, Any] | None:

@@ -112,7 +112,7 @@ def test_a_class_on_several_replicas(replicas: list[str], lms: Lms) -> None:
     assert all(set(student.asked) == set(replicas) for student in students)
     seconds = time.perf_counter() - begun
     print(f"{REPLICAS} replicas: {2 * STUDENTS * ROUNDS / seconds:.0f} submissions/s with launches")
-    assert eventually(lambda: all(lms.result(f"r-{n}", "replicas") for n in range(STUDENTS)), patience=120)
+    assert eventually(lambda: all(lms.result(f"r-{n}", "replicas") for n in range(STUDENTS)), timeout=120)
     time.sleep(2.5)  # a sender looks at the outbox every second: what would be sent twice would be by now
     state = lms.state()
     sent = Counter(entry["user"] for entry in state["scores"] if entry["resource"] == "replicas")

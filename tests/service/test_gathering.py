@@ -37,7 +37,7 @@ async def asked(gathering: Gathering[int, int], work: Work, numbers: Sequence[in
 
 def test_what_comes_while_one_batch_is_worked_on_makes_the_next() -> None:
     work = Work()
-    gathering = Gathering(work, batches=1, places=100)
+    gathering = Gathering(work, batches=1, capacity=100)
     numbers = list(range(0, 40, 2))
     assert asyncio.run(asked(gathering, work, numbers)) == [2 * number for number in numbers]
     gathering.close()
@@ -47,7 +47,7 @@ def test_what_comes_while_one_batch_is_worked_on_makes_the_next() -> None:
 
 def test_each_gets_its_own_error_and_a_broken_batch_is_done_one_by_one() -> None:
     work = Work()
-    gathering = Gathering(work, batches=1, places=100)
+    gathering = Gathering(work, batches=1, capacity=100)
     found = asyncio.run(asked(gathering, work, [2, 3, 13, 4]))
     gathering.close()
     assert [str(each) for each in found] == ["4", "3", "13", "8"]
@@ -56,7 +56,7 @@ def test_each_gets_its_own_error_and_a_broken_batch_is_done_one_by_one() -> None
 
 def test_nobody_waits_without_a_place() -> None:
     work = Work()
-    gathering = Gathering(work, batches=1, places=2)
+    gathering = Gathering(work, batches=1, capacity=2)
 
     async def crowded() -> list[object]:
         first = asyncio.create_task(gathering(0))
@@ -75,7 +75,7 @@ def test_nobody_waits_without_a_place() -> None:
 
 def test_who_goes_away_keeps_nobody_from_their_result() -> None:
     work = Work()
-    gathering = Gathering(work, batches=1, places=9)
+    gathering = Gathering(work, batches=1, capacity=9)
 
     async def gone() -> int:
         first = asyncio.create_task(gathering(2))
@@ -95,7 +95,7 @@ def test_who_goes_away_keeps_nobody_from_their_result() -> None:
 def test_closing_finishes_what_waits() -> None:
     work = Work()
     work.go.set()
-    gathering = Gathering(work, batches=1, places=9)
+    gathering = Gathering(work, batches=1, capacity=9)
     assert asyncio.run(asked(gathering, work, [2])) == [4]
     gathering.close()
     with pytest.raises(RuntimeError):

@@ -17,7 +17,7 @@ from service.work.thread_switching import SWITCH_SECONDS
 
 def test_so_many_at_a_time_so_many_waiting_and_the_next_is_refused() -> None:
     async def scene() -> None:
-        limiter = Limiter(threads=1, places=1, patience=60)
+        limiter = Limiter(threads=1, capacity=1, timeout=60)
         first = await limiter.acquire()
         second = asyncio.create_task(limiter.acquire())
         await asyncio.sleep(0)
@@ -36,7 +36,7 @@ def test_so_many_at_a_time_so_many_waiting_and_the_next_is_refused() -> None:
 
 def test_who_gives_up_waiting_leaves_no_trace() -> None:
     async def scene() -> None:
-        limiter = Limiter(threads=1, places=2, patience=0.05)
+        limiter = Limiter(threads=1, capacity=2, timeout=0.05)
         first = await limiter.acquire()
         with pytest.raises(BusyError):
             await limiter.acquire()
@@ -53,7 +53,7 @@ def test_who_gives_up_waiting_leaves_no_trace() -> None:
 
 def test_work_that_fails_releases_its_slot() -> None:
     async def scene() -> None:
-        limiter = Limiter(threads=1, places=0, patience=1)
+        limiter = Limiter(threads=1, capacity=0, timeout=1)
         for _ in range(3):
             with pytest.raises(ZeroDivisionError):
                 await limiter.run(lambda: 1 / 0)
@@ -76,7 +76,7 @@ def test_a_figure_does_not_wait_behind_wrong_answers() -> None:
 
 def test_use_is_forgotten_and_its_memory_bounded() -> None:
     async def scene() -> None:
-        queue = FairQueue(slots=1, places=1, patience=1)
+        queue = FairQueue(slots=1, capacity=1, timeout=1)
         for number in range(CLIENTS):
             queue.running += 1
             queue.release((str(number), number), 1.0)

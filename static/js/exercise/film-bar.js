@@ -45,7 +45,7 @@ export class FilmBar {
       this.rows,
       iconButton("back", t("form-film-back"), () => this.step(-1)),
       this.button,
-      iconButton("forth", t("form-film-forth"), () => this.step(1)),
+      iconButton("forward", t("form-film-forward"), () => this.step(1)),
       this.text,
     );
     this.#showButton();

@@ -22,10 +22,10 @@ def differences(table, joints, frame: JacobianFrame) -> np.ndarray:
     pose = product(table, joints)
     columns = []
     for i in range(len(joints)):
-        forth, back = list(joints), list(joints)
-        forth[i] += STEP
+        forward, back = list(joints), list(joints)
+        forward[i] += STEP
         back[i] -= STEP
-        rate = (product(table, forth) - product(table, back)) / (2 * STEP)
+        rate = (product(table, forward) - product(table, back)) / (2 * STEP)
         spin = rate[:3, :3] @ pose[:3, :3].T
         columns.append([*rate[:3, 3], spin[2, 1], spin[0, 2], spin[1, 0]])
     jacobian = np.array(columns).T
