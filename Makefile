@@ -14,7 +14,7 @@ PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
 export MUED_URL MUED_AUTHORIZATION
 
-.PHONY: help sbom licences serve test mued test-clone test-openedx campaign kill-campaign measure-courses explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
+.PHONY: accessibility lint-python lint-web help sbom licences serve test mued test-clone test-openedx campaign kill-campaign measure-courses explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -45,11 +45,19 @@ test-clone: $(VENV)/.dev ## clone into a folder with a space in its name, serve 
 	TEST_CLONE=1 $(PY) -m pytest tests/architecture/test_clone.py
 
 lint: $(VENV)/.dev vendor ## style, types and import arrows, of Python and of the pages' scripts
+	$(MAKE) -j 2 lint-python lint-web
+
+lint-python: $(VENV)/.dev
 	$(PY) -m ruff check .
 	$(PY) -m ruff format --check .
 	$(PY) -m mypy
 	$(PY) -c "from importlinter.cli import lint_imports_command as main; main()"
+
+lint-web: $(VENV)/.dev vendor
 	$(PY) tools/lint_web.py
+
+accessibility: $(VENV)/.dev vendor ## axe-core on every page at every width in all colours (some minutes)
+	EVERYTHING=1 $(PY) -m pytest -n 0 tests/web/test_accessibility.py
 
 lock: $(VENV)/.dev ## renew the hash locks from pyproject.toml
 	for lock in "requirements.lock" "requirements-dev.lock --group dev" ; do \
