@@ -8,14 +8,16 @@ or to a per cent of itself if that is more.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from exercises.grading.typed import Place
-from kinematics.equivalence import Policy
+from kinematics.equivalence import BaseRule, Policy, ToolRule
 from kinematics.equivalence.batches import Variation, axes_of_tables
 from kinematics.equivalence.invariants import FLOOR, Invariants, invariants_of
+from kinematics.equivalence.measures import Shape, measured
 from kinematics.equivalence.reference import Reference
 from kinematics.table import NumericTable
 
@@ -23,6 +25,8 @@ Floats = NDArray[np.float64]
 
 PER_CENT = 0.01
 """The share of itself by which a length or an angle may be off, whatever its digits."""
+REMEMBERED = 64
+"""Tables at hand: each is asked for when it is judged, when edits are tried on it and when it is scored."""
 SECOND_ORDER = 1.25
 """What the digits do at first order, and room for what they do beyond it."""
 
@@ -42,10 +46,11 @@ def beyond_digits(
     invariants = invariants_of(reference, policy)
     own = invariants.sizes(invariants.values)[:, 0]
     floor = floors(invariants, reference)
-    off = np.abs(_sizes(invariants, table, {}, policy)[:, 0] - own) - floor
+    sizes = invariants.sizes(measured_as_typed(invariants, table, steps, policy))
+    off = np.abs(sizes[:, 0] - own) - floor
     far = off > share * own
     if far.any() and steps:
-        far &= off > SECOND_ORDER * _reaches(_sizes(invariants, table, steps, policy))
+        far &= off > SECOND_ORDER * _reaches(sizes)
     return invariants.some(np.flatnonzero(far).tolist()) if far.any() else None
 
 
@@ -75,7 +80,7 @@ def tightened(
     if table is not None and steps:
         alike = table.joint_types == reference.table.joint_types
         reaches = (
-            _reaches(_sizes(invariants, table, steps, policy))
+            _reaches(invariants.sizes(measured_as_typed(invariants, table, steps, policy)))
             if alike
             else _largest(invariants, reference, steps)
         )
@@ -93,15 +98,26 @@ def _largest(invariants: Invariants, reference: Reference, steps: Mapping[Place,
     )
 
 
-def _sizes(
+def measured_as_typed(
     invariants: Invariants, table: NumericTable, steps: Mapping[Place, float], policy: Policy
 ) -> Floats:
-    """The sizes of a table's invariants as it stands, and with every decimal half a unit up, and down."""
+    """(q, 1 + 2·steps) invariants of a table as it stands, and with each decimal half a unit up and down."""
+    frames = Policy(
+        base=BaseRule.FRAME if policy.base is BaseRule.FRAME else BaseRule.FREE,
+        tool=ToolRule.FRAME if policy.tool is ToolRule.FRAME else ToolRule.FREE,
+    )
+    return _measured_as_typed(invariants.shapes, table, tuple(steps.items()), frames)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _measured_as_typed(
+    shapes: tuple[Shape, ...], table: NumericTable, steps: tuple[tuple[Place, float], ...], policy: Policy
+) -> Floats:
     variations: list[Variation] = [(0, ())]
-    for (i, cell), step in steps.items():
+    for (i, cell), step in steps:
         here = getattr(table.rows[i], cell)
         variations += (0, ((i, cell, here + step),)), (0, ((i, cell, here - step),))
-    return invariants.sizes(invariants.measured(axes_of_tables((table,), variations, policy)))
+    return measured(shapes, axes_of_tables((table,), variations, policy))
 
 
 def _reaches(sizes: Floats) -> Floats:

@@ -74,11 +74,12 @@ class Facts:
     fixed: tuple[bool, bool]
     weights: Weights
 
-    def wrong(self, axes: Sequence[Axis]) -> float:
+    def wrong(self, axes: Sequence[Axis], found: Floats | None = None) -> float:
         """The weight of the facts that an answer does not have.
 
         Args:
             axes: its joint axes between base and tool, as those of the key.
+            found: (q, 1) its invariants, if they are known; of an answer with the key's number of joints.
         """
         shift = len(axes) - len(self.axes)
         splits = range(min(len(axes), len(self.axes)) - 1) if shift else range(1)
@@ -89,14 +90,15 @@ class Facts:
         ]
         lost = [self._lost(*one) for one in zip(besides, placings, strict=True)]
         weights, shapes = self.weights, self.invariants.shapes
-        fits = self.invariants.fits(self.invariants.measured(axis_batch(besides)))
+        if found is None:
+            found = self.invariants.measured(axis_batch(besides))
+        fits = np.array(self.invariants.fits(found))
         worth = np.array([weights.of(shape.measure) for shape in shapes], dtype=np.float64)[:, None]
-        has = np.ones(fits[0].shape, dtype=bool)
-        if shift or np.any(~(fits[0] | fits[1])[self._twists]) or not self._alike(axes):
-            for q, shape in enumerate(shapes):
-                has[q] = [self._has(shape, *one) for one in zip(besides, placings, strict=True)]
-        sign = np.where(has & (fits[0] | fits[1]), weights.sign, 1.0) * worth
-        costs = np.array([np.where(fit & has, 0.0, sign) for fit in fits])
+        has = np.logical_or(fits[0], fits[1])
+        if shift or not has[self._twists].all() or not self._alike(axes):
+            for q, k in zip(*map(np.ndarray.tolist, np.nonzero(has)), strict=True):
+                has[q, k] = self._has(shapes[q], besides[k], placings[k])
+        costs = np.where(fits & has, 0.0, np.where(has, weights.sign, 1.0) * worth)
         least = least_cost(shapes, len(self.axes), costs, self.fixed)
         return float((least + lost).min()) + weights.joint * max(shift, 0)
 

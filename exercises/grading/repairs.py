@@ -59,7 +59,8 @@ def find_repairs(work: Work) -> tuple[Repaired, ...]:
 def _found(work: Work) -> Iterator[Repaired]:
     """Single edits, by growing effort; if there are none, pairs."""
     here = tried_unchanged(work)
-    (trials,) = tried([work if here is None else replace(work, reach=here.reach)])
+    (made,) = tried([work if here is None else replace(work, reach=here.reach)])
+    trials = [trial for trial in made if trial.might]
     trials.sort(key=lambda trial: _likelihood(trial.change, work.table))
     ways = [_helping(work, trials, Effort.PLAIN)]
     if _says_little(work, here):

@@ -11,7 +11,7 @@ from exercises.grading.fitting import fitted_table
 from exercises.grading.work import ROW_CELLS, Change, Extent, Work, with_row, with_rows
 from kinematics.equivalence import ToolRule
 from kinematics.equivalence.batches import CellChange
-from kinematics.table import DHRow, JointType, NumericRow, NumericTable
+from kinematics.table import CELLS, DHRow, JointType, NumericTable
 
 # In longer tables only neighbouring rows are exchanged.
 MOST_ROWS_FOR_ALL_PAIRS = 8
@@ -69,25 +69,25 @@ def _of_type(work: Work, code: str, index: int, joint: JointType) -> Change:
 def rows_swapped(work: Work) -> Iterator[Change]:
     """Two rows exchanged."""
     rows = work.table.rows
+    farthest = len(rows) if len(rows) <= MOST_ROWS_FOR_ALL_PAIRS else 1
     for i, j in combinations(range(len(rows)), 2):
-        if rows[i] == rows[j] or (j > i + 1 and len(rows) > MOST_ROWS_FOR_ALL_PAIRS):
+        if j - i > farthest or not work.is_near(i, j):
             continue
-        if not work.is_near(i, j):
-            continue
-        cells: tuple[CellChange, ...] = ()
+        one, other = rows[i], rows[j]
+        cells: list[CellChange] = []
         table = None
-        if (rows[i].joint, rows[i].sign) != (rows[j].joint, rows[j].sign):
+        if one.joint is not other.joint or one.sign != other.sign:
             order = list(rows)
-            order[i], order[j] = order[j], order[i]
+            order[i], order[j] = other, one
             table = with_rows(work.table, order)
         else:
-            cells = (*_as_in(j, rows[i]), *_as_in(i, rows[j]))
-        touched = tuple((k, cell) for k in (i, j) for cell in ROW_CELLS)
-        yield Change("rows_swapped", Extent.ROW, i, None, cells, table, touched, (("other", j + 1),))
-
-
-def _as_in(place: int, row: NumericRow) -> tuple[CellChange, ...]:
-    return (place, "alpha", row.alpha), (place, "a", row.a), (place, "d", row.d), (place, "theta", row.theta)
+            for cell in CELLS:
+                if (upper := getattr(one, cell)) != (lower := getattr(other, cell)):
+                    cells += (j, cell, upper), (i, cell, lower)
+        if cells or table:
+            touched = tuple([(k, cell) for k in (i, j) for cell in ROW_CELLS])
+            params = (("other", j + 1),)
+            yield Change("rows_swapped", Extent.ROW, i, None, tuple(cells), table, touched, params)
 
 
 def row_too_many(work: Work) -> Iterator[Change]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 
-from exercises.grading.digits import tightened
+from exercises.grading.digits import measured_as_typed, tightened
 from exercises.grading.facts import Facts, Weights
 from exercises.grading.repairs import Repaired
 from exercises.grading.work import Change, Extent, Work
@@ -57,7 +57,10 @@ def lost(decision: Decision, work: Work, weights: Weights) -> float:
     policy, reference, table = work.policy, work.reference, work.table
     facts = _facts(reference, work.invariants[0], policy, weights)
     axes = axes_of(chain_of_table(table), policy)
-    wrong = facts.wrong(axes) if axes else _of_nothing(reference, policy, weights)
+    found = None
+    if len(axes) == len(facts.axes):
+        found = measured_as_typed(facts.invariants, table, work.comparison.steps, policy)[:, :1]
+    wrong = facts.wrong(axes, found) if axes else _of_nothing(reference, policy, weights)
     if decision.same_robot:
         broken = {mismatch.kind for mismatch in decision.mismatches}
         ends = bool(broken & {Kind.BASE, Kind.TOOL})

@@ -3,34 +3,55 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import combinations
+from operator import neg
 
 from exercises.grading.substitution import substituted
+from exercises.grading.typed import Place
 from exercises.grading.work import Change, Extent, Work
 from kinematics.cells import AngleUnit
+from kinematics.equivalence.batches import CellChange
 from kinematics.errors import ParameterError
 from kinematics.expressions import Parameter
 from kinematics.table import Convention, DHTable, JointType, NumericRow, bind
 
+ALONG_X = ("alpha", "a")
+ANGLES = ("alpha", "theta")
+LENGTHS = ("a", "d")
 LENGTH_RATIOS = (1000.0, 0.001, 100.0, 0.01, 10.0, 0.1)
 SMALLEST_EXTENT, LARGEST_EXTENT = 0.05, 300.0
 # [rad] Nobody types more than a turn in radians.
 CLEARLY_DEGREES = 2 * math.pi
 
 
-def _every_row(
-    work: Work, code: str, edit: Callable[[NumericRow], Mapping[str, float]], **params: str
-) -> Change:
-    """The cells of every row as functions of what stands in the row."""
-    return _throughout(code, [edit(row) for row in work.table.rows], **params)
+def _every_cell(
+    work: Work, code: str, names: tuple[str, ...], edit: Callable[[float], float], **params: str
+) -> Iterator[Change]:
+    """Some cells of every row as a function of what stands in them."""
+    cells = [
+        (i, name, now)
+        for i, row in enumerate(work.table.rows)
+        for name in names
+        if (now := edit(here := getattr(row, name))) != here
+    ]
+    touched = _places(range(len(work.table.rows)), tuple(name for name in names if name != "theta"))
+    return _throughout(code, touched, cells, **params)
 
 
-def _throughout(code: str, rows: Sequence[Mapping[str, float]], **params: str) -> Change:
-    cells = tuple((i, cell, value) for i, row in enumerate(rows) for cell, value in row.items())
-    touched = tuple((i, cell) for i, cell, _ in cells if cell != "theta")
-    return Change(code, Extent.TABLE, cells=cells, touched=touched, params=tuple(params.items()))
+def _throughout(
+    code: str, touched: Sequence[Place], cells: Sequence[CellChange], **params: str
+) -> Iterator[Change]:
+    """One change of some columns; none if no cell is other than it was."""
+    if cells:
+        yield Change(
+            code, Extent.TABLE, cells=tuple(cells), touched=tuple(touched), params=tuple(params.items())
+        )
+
+
+def _places(rows: Iterable[int], names: Sequence[str]) -> list[Place]:
+    return [(i, name) for i in rows for name in names]
 
 
 def other_convention(work: Work) -> Iterator[Change]:
@@ -51,7 +72,7 @@ def all_in_degrees(work: Work) -> Iterator[Change]:
         return math.radians(angle) if abs(angle) > CLEARLY_DEGREES else angle
 
     for unit in (math.radians, large):
-        yield _every_row(work, "angles_in_degrees", _angles(unit))
+        yield from _every_cell(work, "angles_in_degrees", ANGLES, unit)
 
 
 def all_in_radians(work: Work) -> Iterator[Change]:
@@ -63,48 +84,45 @@ def all_in_radians(work: Work) -> Iterator[Change]:
         return math.degrees(angle) if abs(angle) <= math.radians(CLEARLY_DEGREES) + 1e-9 else angle
 
     for unit in (math.degrees, small):
-        yield _every_row(work, "angles_in_radians", _angles(unit))
-
-
-def _angles(unit: Callable[[float], float]) -> Callable[[NumericRow], Mapping[str, float]]:
-    return lambda row: {"alpha": unit(row.alpha), "theta": unit(row.theta)}
+        yield from _every_cell(work, "angles_in_radians", ANGLES, unit)
 
 
 def all_in_other_length_unit(work: Work) -> Iterator[Change]:
     """All lengths in millimetres where metres are declared, and the like."""
-
-    def scaled(ratio: float) -> Callable[[NumericRow], Mapping[str, float]]:
-        return lambda row: {"a": row.a * ratio, "d": row.d * ratio}
-
     extent = sum(abs(row.a) + abs(row.d) for row in work.table.rows)
     for ratio in LENGTH_RATIOS:
-        if not SMALLEST_EXTENT < extent * ratio / work.reference.size < LARGEST_EXTENT:
-            continue
-        yield _every_row(work, "length_unit", scaled(ratio))
+        if SMALLEST_EXTENT < extent * ratio / work.reference.size < LARGEST_EXTENT:
+            yield from _every_cell(work, "length_unit", LENGTHS, ratio.__mul__)
 
 
 def all_twists_turned_round(work: Work) -> Iterator[Change]:
     """Every α with the other sign."""
     turned = sum(abs(math.sin(row.alpha)) > work.policy.tolerance.angle for row in work.table.rows)
     if turned > 1:
-        yield _every_row(work, "twists_all_reversed", lambda row: {"alpha": -row.alpha})
+        yield from _every_cell(work, "twists_all_reversed", ("alpha",), neg)
 
 
 def columns_a_row_late(work: Work) -> Iterator[Change]:
     """A and α moved up by a row."""
-    yield _throughout("columns_late", [*map(_along_x, work.table.rows[1:]), NOTHING_ALONG_X])
+    rows = work.table.rows
+    return _along_x_of(work, "columns_late", [*rows[1:], None])
 
 
 def columns_a_row_early(work: Work) -> Iterator[Change]:
     """A and α moved down by a row."""
-    yield _throughout("columns_early", [NOTHING_ALONG_X, *map(_along_x, work.table.rows[:-1])])
+    rows = work.table.rows
+    return _along_x_of(work, "columns_early", [None, *rows[:-1]])
 
 
-NOTHING_ALONG_X = {"alpha": 0.0, "a": 0.0}
-
-
-def _along_x(row: NumericRow) -> Mapping[str, float]:
-    return {"alpha": row.alpha, "a": row.a}
+def _along_x_of(work: Work, code: str, others: Sequence[NumericRow | None]) -> Iterator[Change]:
+    """A and α of every row as they stand in another, or zero."""
+    cells = [
+        (i, name, now)
+        for i, (row, other) in enumerate(zip(work.table.rows, others, strict=True))
+        for name in ALONG_X
+        if (now := 0.0 if other is None else getattr(other, name)) != getattr(row, name)
+    ]
+    return _throughout(code, _places(range(len(others)), ALONG_X), cells)
 
 
 EXCHANGES = (("a", "alpha"), ("a", "d"), ("alpha", "d"))
@@ -116,23 +134,22 @@ def columns_exchanged(work: Work) -> Iterator[Change]:
 
     A number keeps what was typed: 90 under a, in a table in degrees, was a right angle.
     """
-    unit = 180.0 / math.pi if work.answer.angle_unit is AngleUnit.DEG else 1.0
-
-    def exchanged(one: str, other: str) -> Callable[[NumericRow], Mapping[str, float]]:
-        def edit(row: NumericRow) -> Mapping[str, float]:
-            if row.joint is JointType.PRISMATIC and "d" in (one, other):
-                return {}
-            typed = {cell: getattr(row, cell) * (unit if cell == "alpha" else 1.0) for cell in (one, other)}
-            changed = {one: typed[other], other: typed[one]}
-            if "alpha" in changed:
-                changed["alpha"] /= unit
-            return changed
-
-        return edit
-
+    units = {"alpha": 180.0 / math.pi if work.answer.angle_unit is AngleUnit.DEG else 1.0, "a": 1.0, "d": 1.0}
     for one, other in EXCHANGES:
+        rows = [
+            (i, row)
+            for i, row in enumerate(work.table.rows)
+            if row.joint is not JointType.PRISMATIC or other != "d"
+        ]
+        cells = [
+            (i, name, now)
+            for i, row in rows
+            for name, source in ((one, other), (other, one))
+            if (now := getattr(row, source) * units[source] / units[name]) != getattr(row, name)
+        ]
         params = {"one": SYMBOLS[one], "other": SYMBOLS[other]}
-        yield _every_row(work, "columns_exchanged", exchanged(one, other), **params)
+        touched = _places([i for i, _ in rows], (one, other))
+        yield from _throughout("columns_exchanged", touched, cells, **params)
 
 
 def parameter_misnamed(work: Work) -> Iterator[Change]:

@@ -9,6 +9,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from exercises.grading.digits import measured_as_typed
 from exercises.grading.facts import least_cost
 from exercises.grading.fitting import ANGLES, Unsolved, fitting_values, measured
 from exercises.grading.misconceptions import changes_of
@@ -86,8 +87,13 @@ def tried(
 
 
 def tried_unchanged(work: Work) -> Trial | None:
-    """A table as it stands; None if its joints are not those of the key."""
-    return _Batch((work,), [(0, UNCHANGED)]).trials()[0] if work.has_the_joints() else None
+    """The answer as it stands; None if its joints are not those of the key."""
+    if not work.has_the_joints():
+        return None
+    invariants = work.invariants[work.draw]
+    found = measured_as_typed(invariants, work.table, work.comparison.steps, work.policy)[:, :1]
+    ((failing, might, reach),) = _judged(work, found)
+    return Trial(UNCHANGED, failing, might, reach)
 
 
 def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
@@ -128,55 +134,23 @@ class _Batch:
                 numbers[id(table)] = len(self._tables)
                 self._tables.append(table)
             self._variations.append((numbers[id(table)], change.cells))
-        work = works[0]
-        self._invariants = work.invariants[work.draw]
-        self._found = measured(work, self._tables, self._variations)
-        self._failing = self._invariants.strains(self._found) > 1.0
-        first, last = self._invariants.spans
-        self._first = np.where(self._failing, first, 0).max(axis=0, initial=0)
-        self._last = np.where(self._failing, last, FAR).min(axis=0, initial=FAR)
+        self._found = _judged(works[0], measured(works[0], self._tables, self._variations))
 
     def trials(self) -> list[Trial | None]:
         """What came of each change; None where a row was put in that does not fit there."""
-        counts = self._failing.sum(axis=0)
-        might = self._might(counts == 0)
         return [
-            Trial(change, failing, agree, (first - REACH_OF_A_ROW, last + REACH_OF_A_ROW)) if fits else None
-            for (_, change), failing, agree, first, last, fits in zip(
-                self._made,
-                counts.tolist(),
-                might.tolist(),
-                self._first.tolist(),
-                self._last.tolist(),
-                self._fits_elsewhere(),
-                strict=True,
-            )
+            Trial(change, *found) if self._fits_elsewhere(k, change) else None
+            for k, ((_, change), found) in enumerate(zip(self._made, self._found, strict=True))
         ]
 
-    def _might(self, fitting: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """Which of the candidates may be the robot, signs and all."""
-        which = np.flatnonzero(fitting)
-        found = np.zeros(fitting.shape, dtype=bool)
-        if which.size:
-            work = self._works[0]
-            costs = ~np.array(self._invariants.fits(self._found[:, which]))
-            fixed = work.policy.base is BaseRule.FRAME, work.policy.tool is ToolRule.FRAME
-            axes = len(work.reference.chain.axes) + 2
-            found[which] = least_cost(self._invariants.shapes, axes, costs.astype(float), fixed) == 0.0
-        return found
-
-    def _fits_elsewhere(self) -> list[bool]:
+    def _fits_elsewhere(self, k: int, change: Change) -> bool:
         """Whether everything fits that has nothing to do with the row put in and its neighbours."""
-        found = []
-        first, last = self._first.tolist(), self._last.tolist()
-        for k, (_, change) in enumerate(self._made):
-            if change.code != "row_missing":
-                found.append(True)
-                continue
-            assert change.row is not None
-            joint = self._tables[self._variations[k][0]].joint_rows.index(change.row) + 1
-            found.append(first[k] <= joint + 1 and last[k] >= joint - 1)
-        return found
+        if change.code != "row_missing":
+            return True
+        assert change.row is not None
+        joint = self._tables[self._variations[k][0]].joint_rows.index(change.row) + 1
+        start, end = self._found[k][2]
+        return start <= joint <= end
 
     def solved(self, trials: Sequence[Trial | None]) -> list[tuple[int, Change]]:
         """The changes that put a value that fits in one more of their unsolved cells; each table once."""
@@ -211,3 +185,22 @@ class _Batch:
         """What a change leads to, but for rounding errors."""
         cells = {(row, cell): round(value, DIGITS) for row, cell, value in change.cells}
         return number, id(change.table), *cells.items()
+
+
+def _judged(work: Work, found: NDArray[np.float64]) -> list[tuple[int, bool, tuple[int, int]]]:
+    """What follows from the invariants (q, k) of tables: `failing`, `might` and `reach` of each trial."""
+    invariants = work.invariants[work.draw]
+    failing = invariants.strains(found) > 1.0
+    first, last = invariants.spans
+    starts = np.where(failing, first, 0).max(axis=0, initial=0) - REACH_OF_A_ROW
+    ends = np.where(failing, last, FAR).min(axis=0, initial=FAR) + REACH_OF_A_ROW
+    counts = failing.sum(axis=0)
+    might = counts == 0
+    which = np.flatnonzero(might)
+    if which.size:
+        costs = ~np.array(invariants.fits(found[:, which]))
+        fixed = work.policy.base is BaseRule.FRAME, work.policy.tool is ToolRule.FRAME
+        axes = len(work.reference.chain.axes) + 2
+        might[which] = least_cost(invariants.shapes, axes, costs.astype(float), fixed) == 0.0
+    reaches = zip(starts.tolist(), ends.tolist(), strict=True)
+    return list(zip(counts.tolist(), might.tolist(), reaches, strict=True))

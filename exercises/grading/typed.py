@@ -7,9 +7,10 @@ A decimal is right within half a unit of its last place. A name, a fraction, a m
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
 
 from kinematics.angles import TWELFTH
 from kinematics.cells import AngleUnit
@@ -54,7 +55,10 @@ class Typed:
 
 
 def meant(
-    table: SymbolicTable, unit: AngleUnit, angles: Iterable[Expression], lengths: Iterable[Expression] = ()
+    table: SymbolicTable,
+    unit: AngleUnit,
+    angles: tuple[Expression, ...],
+    lengths: tuple[Expression, ...] = (),
 ) -> Typed:
     """What a table was meant to say.
 
@@ -133,7 +137,8 @@ def _of_decimal(value: Fraction) -> float:
     return 0.5 * 10.0**-decimals if rest == 1 and decimals <= _MOST_DECIMALS else 0.0
 
 
-def _with_signs(values: Iterable[Expression]) -> list[tuple[float, Expression]]:
+@lru_cache(maxsize=256)
+def _with_signs(values: tuple[Expression, ...]) -> list[tuple[float, Expression]]:
     """Values without parameters, with either sign, as numbers and exactly."""
     plain = dict.fromkeys(value for value in values if not parameters_in(value))
     signed = dict.fromkeys(entry for value in plain for entry in (value, negate(value)))

@@ -11,6 +11,7 @@ of every array.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -22,38 +23,37 @@ from kinematics.equivalence.policy import BaseRule, Policy, ToolRule
 from kinematics.table import Convention, NumericTable
 
 Floats = NDArray[np.float64]
+Numbers = NDArray[np.complex128]
 CellChange = tuple[int, str, float]
 """Row (counted from 0), cell and its new value."""
 Variation = tuple[int, Sequence[CellChange]]
 """The number of a table, and the cells in which a candidate differs from it."""
 
-# Where the numbers of a cell stand among the six of a row: cos α, sin α, a, cos θ, sin θ, d.
-_PLACE = {"alpha": 0, "a": 2, "theta": 3, "d": 5}
+# Where the number of a cell stands among the four of a row: exp(-iα), a, exp(-iθ), d.
+_PLACE = {"alpha": 0, "a": 1, "theta": 2, "d": 3}
+_NUMBERS = len(_PLACE)
 _ALONG_X = ("alpha", "a")
-_NOTHING = (1.0, 0.0, 0.0)
+_LENGTHS = ("a", "d")
+_NOTHING: tuple[complex, ...] = (1.0, 0.0, 1.0, 0.0)
 
 
 class AxisBatch(NamedTuple):
     """Lines in space, of many chains side by side.
 
     Attributes:
-        directions: (3, m, k) unit directions.
-        points: (3, m, k) a point of each.
+        directions: (m, 3, k) unit directions.
+        points: (m, 3, k) a point of each.
     """
 
     directions: Floats
     points: Floats
-
-    def at(self, which: Sequence[int]) -> AxisBatch:
-        """The lines of some of the chains."""
-        return AxisBatch(self.directions[:, :, which], self.points[:, :, which])
 
 
 def axis_batch(chains: Sequence[Sequence[Axis]]) -> AxisBatch:
     """Lines that are known already, those of one chain after those of another."""
     directions = np.array([[axis.direction for axis in axes] for axes in chains], dtype=np.float64)
     points = np.array([[axis.point for axis in axes] for axes in chains], dtype=np.float64)
-    return AxisBatch(directions.transpose(2, 1, 0), points.transpose(2, 1, 0))
+    return AxisBatch(directions.transpose(1, 2, 0), points.transpose(1, 2, 0))
 
 
 def axes_of_tables(
@@ -69,74 +69,103 @@ def axes_of_tables(
     Returns:
         The axes of every candidate: the base's place, the joints', the tool's.
     """
-    directions, points, ends = _carried(_cells(tables, variations))
     which = [number for number, _ in variations]
-    joints = len(tables), len(tables[0].joint_rows)
-    rows = np.array([table.joint_rows for table in tables], dtype=np.intp).reshape(joints).T[:, which]
-    signs = np.array([[table.rows[i].sign for i in table.joint_rows] for table in tables], dtype=np.float64)
-    n, k = rows.shape
-    found = AxisBatch(np.zeros((3, n + 2, k)), np.zeros((3, n + 2, k)))
-    found.directions[:, 1:-1] = directions[:, rows, np.arange(k)] * signs.reshape(joints).T[:, which]
-    found.points[:, 1:-1] = points[:, rows, np.arange(k)]
-    found.points[:, -1] = ends[1]
-    if policy.base is BaseRule.FRAME:
-        found.directions[2, 0] = 1.0
+    directions, points, end = _carried(_cells(tables, variations, which))
+    joints = [table.joint_rows for table in tables]
+    n, k = len(joints[0]), len(which)
+    found = AxisBatch(np.zeros((n + 2, 3, k)), np.zeros((n + 2, 3, k)))
+    if joints.count(joints[0]) == len(joints):
+        rows = list(joints[0])
+        found.directions[1:-1] = directions[rows]
+        found.points[1:-1] = points[rows]
     else:
-        found.directions[:, 0] = found.directions[:, 1]
-    found.directions[:, -1] = ends[0] if policy.tool is ToolRule.FRAME else found.directions[:, -2]
+        each = np.array(joints, dtype=np.intp).reshape(-1, n).T[:, which]
+        found.directions[1:-1] = directions[each, :, np.arange(k)].transpose(0, 2, 1)
+        found.points[1:-1] = points[each, :, np.arange(k)].transpose(0, 2, 1)
+    signs = [[table.rows[i].sign for i in rows] for table, rows in zip(tables, joints, strict=True)]
+    if any(sign < 0 for each in signs for sign in each):
+        found.directions[1:-1] *= np.array(signs, dtype=np.float64).T[:, None, which]
+    found.points[-1] = points[-1]
+    if policy.base is BaseRule.FRAME:
+        found.directions[0, 2] = 1.0
+    else:
+        found.directions[0] = found.directions[1]
+    found.directions[-1] = end if policy.tool is ToolRule.FRAME else found.directions[-2]
     return found
 
 
-def _cells(tables: Sequence[NumericTable], variations: Sequence[Variation]) -> Floats:
-    """The six numbers of every row in the order of a modified table, (6, rows, k)."""
+def _cells(tables: Sequence[NumericTable], variations: Sequence[Variation], which: Sequence[int]) -> Numbers:
+    """The four numbers of every row in the order of a modified table, (rows, 4, k)."""
     lower = [table.convention is Convention.STANDARD for table in tables]
     length = max(len(table.rows) + down for table, down in zip(tables, lower, strict=True))
-    plain = np.array([_plain(table, length) for table in tables], dtype=np.float64).transpose(2, 1, 0)
-    cells = plain[:, :, [number for number, _ in variations]]
-    places: list[tuple[int, int, int]] = []
-    values: list[float] = []
-    for k, (number, changes) in enumerate(variations):
-        for i, cell, value in changes:
-            place, at = _PLACE[cell], i + (lower[number] and cell in _ALONG_X)
-            if cell in ("a", "d"):
-                places.append((place, at, k))
-                values.append(value)
-            else:
-                places += (place, at, k), (place + 1, at, k)
-                values += cos_sin(value)
-    if places:
-        p, r, k = np.array(places).T
-        cells[p, r, k] = values
+    known: dict[int, tuple[complex, ...]] = {}
+    plain = np.array([_plain(table, length, known) for table in tables], dtype=np.complex128)
+    cells = plain.transpose(1, 2, 0).take(which, axis=2)
+    k = len(which)
+    changes = [
+        (((i + (lower[number] and cell in _ALONG_X)) * _NUMBERS + _PLACE[cell]) * k + at, cell, value)
+        for at, (number, changes) in enumerate(variations)
+        for i, cell, value in changes
+    ]
+    if changes:
+        values = [value if cell in _LENGTHS else _turn(value) for _, cell, value in changes]
+        cells.put([place for place, _, _ in changes], values)
     return cells
 
 
-def _plain(table: NumericTable, length: int) -> list[tuple[float, ...]]:
-    """The six numbers of so many rows: a table's, and such that change nothing."""
-    along_x = [(*cos_sin(row.alpha), row.a) for row in table.rows]
-    along_z = [(*cos_sin(row.theta), row.d) for row in table.rows]
+def _plain(
+    table: NumericTable, length: int, known: dict[int, tuple[complex, ...]]
+) -> list[tuple[complex, ...]]:
+    """The four numbers of so many rows: a table's, and such that change nothing.
+
+    Args:
+        table: the table.
+        length: how many rows.
+        known: the numbers of rows that other tables have as well, by their identity; added to.
+    """
+    rows = []
+    for row in table.rows:
+        numbers = known.get(id(row))
+        if numbers is None:
+            numbers = known[id(row)] = (_turn(row.alpha), row.a, _turn(row.theta), row.d)
+        rows.append(numbers)
     if table.convention is Convention.STANDARD:
-        along_x.insert(0, _NOTHING)
-    along_x += [_NOTHING] * (length - len(along_x))
-    along_z += [_NOTHING] * (length - len(along_z))
-    return [(*x, *z) for x, z in zip(along_x, along_z, strict=True)]
+        above, below = [_NOTHING, *rows], [*rows, _NOTHING]
+        rows = [(*one[:2], *other[2:]) for one, other in zip(above, below, strict=True)]
+    return rows + [_NOTHING] * (length - len(rows))
 
 
-def _carried(cells: Floats) -> tuple[Floats, Floats, tuple[Floats, Floats]]:
+@lru_cache(maxsize=4096)
+def _turn(angle: float) -> complex:
+    """Return exp(-i angle); remembered, for most angles are right ones."""
+    cosine, sine = cos_sin(angle)
+    return complex(cosine, -sine)
+
+
+def _carried(cells: Numbers) -> tuple[Floats, Floats, Floats]:
     """The z axis of every row, about or along which its joint would move, and that of frame N.
 
+    A rotation about x turns y and z in their plane, as multiplying y + iz by a number of length one does; one
+    about z so turns x + iy.
+
     Returns:
-        (3, rows, k) directions, (3, rows, k) points, and frame N's z axis and origin, (3, k) each.
+        (rows, 3, k) directions, (rows + 1, 3, k) points, the last of them frame N's origin, and (3, k) its z
+        axis.
     """
-    _, rows, k = cells.shape
-    directions, points = np.empty((3, rows, k)), np.empty((3, rows, k))
-    x, y, z = (np.zeros((3, k)) for _ in range(3))
-    x[0] = y[1] = z[2] = 1.0
-    p = np.zeros((3, k))
+    rows, _, k = cells.shape
+    y_z, x_y = np.empty((2, rows + 1, 3, k), dtype=np.complex128)
+    y_z[0] = np.array((0.0, 0.0, 1.0j))[:, None]
+    x_y[0] = np.array((1.0, 1.0j, 0.0))[:, None]
+    x, y = x_y.real, x_y.imag
+    beside, z = y_z.real, y_z.imag
     for i in range(rows):
-        cos_alpha, sin_alpha, a, cos_theta, sin_theta, d = cells[:, i]
-        y, z = cos_alpha * y + sin_alpha * z, cos_alpha * z - sin_alpha * y
-        p = p + a * x
-        directions[:, i], points[:, i] = z, p
-        x, y = cos_theta * x + sin_theta * y, cos_theta * y - sin_theta * x
-        p = p + d * z
-    return directions, points, (z, p)
+        beside[i] = y[i]
+        np.multiply(y_z[i], cells[i, 0], out=y_z[i + 1])
+        y[i] = beside[i + 1]
+        np.multiply(x_y[i], cells[i, 2], out=x_y[i + 1])
+    lengths = cells.real
+    points = np.zeros((rows + 1, 3, k))
+    np.multiply(z[1:], lengths[:, 3, None], out=points[1:])
+    points[:-1] += lengths[:, 1, None] * x[:-1]
+    np.cumsum(points, axis=0, out=points)
+    return z[1:], points, z[-1]

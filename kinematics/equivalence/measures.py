@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.equivalence.batches import AxisBatch
-from kinematics.se3 import cross
 
 Floats = NDArray[np.float64]
+Places = NDArray[np.intp]
 
 # A sine, and below: the arithmetic leaves 1e-16, and what is nearer to parallel has its normal hundreds of
 # thousands of robots away.
@@ -77,10 +77,10 @@ class Gauge:
     first: NDArray[np.intp]
     last: NDArray[np.intp]
     pairs: NDArray[np.intp]
-    angles: tuple[list[int], list[int]]
-    normals: tuple[list[int], list[int]]
-    offsets: tuple[list[int], list[int], list[int]]
-    others: dict[tuple[Measure, int], tuple[list[int], NDArray[np.intp]]]
+    angles: tuple[Places, ...]
+    normals: tuple[Places, ...]
+    offsets: tuple[Places, ...]
+    others: dict[tuple[Measure, int], tuple[list[int], Places]]
 
 
 @lru_cache(maxsize=1024)
@@ -114,9 +114,9 @@ def gauge_of(shapes: tuple[Shape, ...]) -> Gauge:
         first=np.array([min(shape.axes) for shape in shapes], dtype=np.intp)[:, None],
         last=np.array([max(shape.axes) for shape in shapes], dtype=np.intp)[:, None],
         pairs=np.array(list(numbers), dtype=np.intp).reshape(-1, 2).T,
-        angles=angles,
-        normals=normals,
-        offsets=offsets,
+        angles=tuple(np.array(angles, dtype=np.intp)),
+        normals=tuple(np.array(normals, dtype=np.intp)),
+        offsets=tuple(np.array(offsets, dtype=np.intp)),
         others={
             kind: (places, np.array([shapes[place].axes for place in places], dtype=np.intp).T)
             for kind, places in others.items()
@@ -136,7 +136,7 @@ def measured(shapes: tuple[Shape, ...], axes: AxisBatch) -> Floats:
         _along_normals(gauge, axes, found)
     for (measure, _), (places, numbers) in gauge.others.items():
         how = _turns if measure is Measure.TURN else _distances
-        found[places] = how(axes.directions[:, numbers], axes.points[:, numbers])
+        found[places] = how(axes.directions[numbers], axes.points[numbers])
     return found
 
 
@@ -146,59 +146,65 @@ def _along_normals(gauge: Gauge, axes: AxisBatch, found: Floats) -> None:
     With s = |z_1 × z_2| and the gap g from the first axis to the second, the foot on the first stands
     (g·z_1 - (g·z_2)(z_1·z_2)) / s² from its point; where axes are parallel, any point will do.
     """
-    one, other = axes.directions[:, gauge.pairs[0]], axes.directions[:, gauge.pairs[1]]
-    gap = axes.points[:, gauge.pairs[1]] - axes.points[:, gauge.pairs[0]]
+    both, ends = axes.directions[gauge.pairs], axes.points[gauge.pairs]
+    one, other = both
+    gap = ends[1] - ends[0]
     normal, cosine = _crosses(one, other), _dots(one, other)
     square = _dots(normal, normal)
     sine = np.sqrt(square)
     steep = sine > PARALLEL
+    divisor = np.where(steep, sine, 1.0)
+    along, beside = np.einsum("spck,pck->spk", both, gap)
     places, which = gauge.angles
-    found[places] = np.arctan2(sine[which], cosine[which])
-    along = _dots(gap, one)
+    found[places] = np.arctan2(sine, cosine)[which]
     places, which = gauge.normals
-    if places:
-        across = np.sqrt(np.maximum(_dots(gap, gap)[which] - along[which] ** 2, 0.0))
-        beside = _dots(normal[:, which], gap[:, which]) / np.where(steep[which], sine[which], 1.0)
-        found[places] = np.where(steep[which], beside, across)
+    if places.size:
+        across = np.sqrt(np.maximum(_dots(gap, gap) - along * along, 0.0))
+        found[places] = np.where(steep, _dots(normal, gap) / divisor, across)[which]
     places, start, end = gauge.offsets
-    if places:
-        feet = np.where(steep, (along - _dots(gap, other) * cosine) / np.where(steep, square, 1.0), 0.0)
+    if places.size:
+        feet = np.where(steep, (along - beside * cosine) / (divisor * divisor), 0.0)
         first, last = gauge.pairs[0][start], gauge.pairs[0][end]
-        run = axes.points[:, last] - axes.points[:, first] + feet[end] * axes.directions[:, last]
-        found[places] = _dots(axes.directions[:, first], run) - feet[start]
+        run = axes.points[last] - axes.points[first] + feet[end][:, None] * axes.directions[last]
+        found[places] = _dots(axes.directions[first], run) - feet[start]
 
 
 def _dots(u: Floats, v: Floats) -> Floats:
-    return np.asarray(u[0] * v[0] + u[1] * v[1] + u[2] * v[2], dtype=np.float64)
+    found: Floats = np.einsum("pck,pck->pk", u, v)
+    return found
 
 
 def _crosses(u: Floats, v: Floats) -> Floats:
-    return np.array(cross((u[0], u[1], u[2]), (v[0], v[1], v[2])), dtype=np.float64)
+    found = np.empty_like(u)
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        np.multiply(u[:, j], v[:, k], out=found[:, i])
+        found[:, i] -= u[:, k] * v[:, j]
+    return found
 
 
 def _norms(v: Floats) -> Floats:
-    return np.asarray(np.sqrt(_dots(v, v)), dtype=np.float64)
+    return np.sqrt(_dots(v, v))
 
 
 def _distances(directions: Floats, points: Floats) -> Floats:
     """What is left of the displacement from one axis to the other outside the directions that span it.
 
-    Of directions and points of the axes, (3, axes, invariants, k).
+    Of directions and points of the axes, (axes, invariants, 3, k).
     """
-    gap, first = points[:, 1] - points[:, 0], directions[:, 2]
-    across = gap - _dots(gap, first) * first
-    if directions.shape[1] == 3:
+    gap, first = points[1] - points[0], directions[2]
+    across = gap - _dots(gap, first)[:, None] * first
+    if len(directions) == 3:
         return _norms(across)
-    normal = _crosses(first, directions[:, 3])
+    normal = _crosses(first, directions[3])
     sine = _norms(normal)
     steep = sine > PARALLEL
     beside = np.abs(_dots(normal, gap)) / np.where(steep, sine, 1.0)
-    return np.asarray(np.where(steep, beside, _norms(across)), dtype=np.float64)
+    return np.where(steep, beside, _norms(across))
 
 
 def _turns(directions: Floats, _: Floats) -> Floats:
     """The angle about a slider between the axes before and behind it; the same arrays."""
-    before, slider, after = directions[:, 0], directions[:, 1], directions[:, 2]
-    one = before - _dots(before, slider) * slider
-    other = after - _dots(after, slider) * slider
+    before, slider, after = directions
+    one = before - _dots(before, slider)[:, None] * slider
+    other = after - _dots(after, slider)[:, None] * slider
     return np.arctan2(_norms(_crosses(one, other)), np.abs(_dots(one, other)))

@@ -56,7 +56,7 @@ def test_axes_of_many_tables_are_those_of_each(policy: Policy) -> None:
         for k, (i, changes) in enumerate(variations):
             alone = axes_of(chain_of_table(changed(tables[i], changes)), policy)
             for m, axis in enumerate(alone):
-                direction, gap = batch.directions[:, m, k], batch.points[:, m, k] - axis.point
+                direction, gap = batch.directions[m, :, k], batch.points[m, :, k] - axis.point
                 assert direction == pytest.approx(axis.direction, abs=1e-12)
                 assert np.cross(gap, direction) == pytest.approx(0.0, abs=1e-12)
 
