@@ -7,15 +7,18 @@ All vectors are in the axes of the base, v and f at the origin of the end frame.
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from kinematics.chain import Chain
 from kinematics.joint_values import one_configuration
-from kinematics.poses import GIMBAL_LOCK, rpy_from_transform
+from kinematics.poses import GIMBAL_LOCK
+from kinematics.rotations.matrices import matrix3, rotation_about_axis
+from kinematics.rotations.sequences import AXES, EulerSequence, Turning, euler_solutions
 from kinematics.se3 import Floats, cross_arrays
+
+ROLL_PITCH_YAW = EulerSequence(axes="XYZ", turning=Turning.FIXED)
+"""R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll)."""
 
 
 def jacobian_rate(chain: Chain, joints: ArrayLike, rates: ArrayLike) -> Floats:
@@ -55,14 +58,21 @@ def _velocities(z: Floats, p: Floats, of: Floats, slides: Floats, weights: Float
     return np.asarray(np.einsum("ij,ijk->ik", weights, unit))
 
 
-def analytic_jacobian(chain: Chain, joints: ArrayLike) -> Floats | None:
-    """Return the Jacobian of (x, y, z, roll, pitch, yaw), (6, n); None at pitch ±π/2.
+def analytic_jacobian(
+    chain: Chain, joints: ArrayLike, angles: EulerSequence = ROLL_PITCH_YAW
+) -> Floats | None:
+    """Return the Jacobian of (x, y, z) and three angles in the order of their sequence, (6, n).
 
-    With R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll), ω = B (roll, pitch, yaw)˙ and the angular rows are B⁻¹ J_ω.
+    With ω = B(α, β, γ) (α, β, γ)˙ the angular rows are B⁻¹ J_ω. Of the two triples that make the rotation it
+    is that of `euler_solutions`' first; for the other one the row of the middle angle has the other sign.
 
     Args:
         chain: the chain.
         joints: (n,) joint variables [rad, or m for a prismatic joint].
+        angles: the sequence; roll, pitch, yaw if left out.
+
+    Returns:
+        (6, n); None where the first and the last angle turn about one line (pitch ±π/2).
 
     Raises:
         JointValueError: not n finite values.
@@ -70,13 +80,31 @@ def analytic_jacobian(chain: Chain, joints: ArrayLike) -> Floats | None:
     Source: B. Siciliano, L. Sciavicco, L. Villani, G. Oriolo, Robotics (2009), section 3.6.
     """
     q = np.array(one_configuration(joints, chain.n_joints))
-    _, pitch, yaw = rpy_from_transform(chain.poses(q))
-    if math.cos(pitch) < GIMBAL_LOCK:
+    B = angle_rates(chain.poses(q)[:3, :3], angles)
+    if B is None:
         return None
-    cp, sp, cy, sy = math.cos(pitch), math.sin(pitch), math.cos(yaw), math.sin(yaw)
-    B = np.array([[cy * cp, -sy, 0.0], [sy * cp, cy, 0.0], [-sp, 0.0, 1.0]])
     J = chain.jacobian(q)
     return np.vstack((J[:3], np.linalg.solve(B, J[3:]))) + 0.0
+
+
+def angle_rates(rotation: Floats, angles: EulerSequence, lock: float = GIMBAL_LOCK) -> Floats | None:
+    """Return B with ω = B (α, β, γ)˙, (3, 3): its columns are the axes about which the angles turn.
+
+    Args:
+        rotation: (3, 3) a rotation.
+        angles: the sequence.
+        lock: sine of the angle between first and last axis below which they count as one: None is returned.
+    """
+    found = euler_solutions(matrix3(rotation.tolist()), angles, lock)
+    if found.family is not None:
+        return None
+    turned, columns = np.eye(3), {}
+    order = range(3) if angles.turning is Turning.CURRENT else range(2, -1, -1)
+    for k in order:
+        axis = AXES.index(angles.axes[k])
+        columns[k] = turned[:, axis]
+        turned = turned @ np.array(rotation_about_axis(axis, found.triples[0][k]))
+    return np.column_stack([columns[k] for k in range(3)])
 
 
 def joint_forces(chain: Chain, joints: ArrayLike, wrench: ArrayLike) -> Floats:

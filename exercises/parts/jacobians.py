@@ -20,6 +20,7 @@ from exercises.draws import Draw, Picker
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
+from exercises.parts.drawn_orientations import read_sequence
 from exercises.parts.given_table import given_table
 from exercises.parts.joint_draws import drawn_joints, in_radians, key_numbers, read_joints
 from exercises.parts.number_cells import read_numbers_of
@@ -48,8 +49,10 @@ from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.cells import AngleUnit, Cell
 from kinematics.cells.meaning import Position
 from kinematics.chain import Chain, chain_of_table
+from kinematics.errors import JointValueError
 from kinematics.jacobian import JacobianFrame
 from kinematics.joint_values import wrong_length
+from kinematics.rotations.sequences import EulerSequence
 from kinematics.se3 import Floats
 from kinematics.table import JointType, bind
 
@@ -105,6 +108,7 @@ class JacobianPart(Part):
         joints: the joint values where no seed is given [the exercise's units].
         draws: per joint, from where a student's own value is drawn, or None.
         frame: in whose axes.
+        angles: whose rates the analytic Jacobian gives; None for the geometric one.
         ask: what is asked.
         wrench: force and moment on the tool.
         tolerance: of an entry; where it is a length, as a share of the robot's size.
@@ -113,6 +117,7 @@ class JacobianPart(Part):
     joints: tuple[Fraction, ...]
     draws: tuple[Draw | None, ...]
     frame: JacobianFrame
+    angles: EulerSequence | None
     ask: tuple[JacobianAsk, ...]
     wrench: tuple[float, ...]
     tolerance: float
@@ -150,7 +155,8 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
             joints=joints,
             draws=draws,
             frame=reader.choice("frame", JacobianFrame, JacobianFrame.BASE),
-            ask=tuple(dict.fromkeys(asked)) or (JacobianAsk.JACOBIAN,),
+            angles=read_angles(reader),
+            ask=asked,
             wrench=tuple(float(value) for value in wrench),
             tolerance=reader.number("tolerance", 0.005),
         )
@@ -184,8 +190,9 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
             numbers.append(GivenNumbers(name="wrench", labels=shown, rows=(part.wrench,)))
             form.append(FormField(name="forces", shape=FieldShape.VECTOR, labels=names))
         return PartTask(
-            message="task-jacobian",
+            message="task-jacobian" if part.angles is None else "task-jacobian-analytic",
             values={
+                **told_angles(part.angles),
                 "frame": part.frame.value,
                 "ask": "both" if len(part.ask) > 1 else part.ask[0].value,
                 "variables": "given" if exercise.part(TABLE) is None else "own",
@@ -258,7 +265,7 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
             raise wrong_length(len(chain.axes), len(joints))
         written = JacobianCells()
         if JacobianAsk.JACOBIAN in part.ask:
-            rows = np.round(jacobian_at(chain, joints, part.frame), DECIMALS) + 0.0
+            rows = np.round(jacobian_at(chain, joints, part.frame, part.angles), DECIMALS) + 0.0
             cells = tuple(tuple(row) for row in rows.tolist())
             written = replace(written, order=ScrewOrder.LINEAR_FIRST, jacobian=cells)
         if JacobianAsk.FORCES in part.ask:
@@ -273,6 +280,20 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
             yield "jacobian_wrong", replace(right, order=ScrewOrder.ANGULAR_FIRST)
         if right.forces is not None and any(abs(float(value)) > 1.0 for value in right.forces):
             yield "forces_wrong", replace(right, forces=tuple(-float(value) for value in right.forces))
+
+
+def read_angles(reader: Reader) -> EulerSequence | None:
+    """Return the sequence of an analytic Jacobian, from `axes` and `turning`; None if no axes are named."""
+    if not reader.given("axes"):
+        return None
+    return read_sequence(reader, "axes", "turning", EulerSequence(axes="ZYX"))
+
+
+def told_angles(angles: EulerSequence | None) -> dict[str, str]:
+    """Return what a task says of the angles."""
+    if angles is None:
+        return {}
+    return {"axes": " ".join(angles.axes), "turning": angles.turning.value}
 
 
 def _arm(part: JacobianPart, context: Context) -> tuple[Chain, Sequence[float]]:
@@ -290,7 +311,10 @@ def _jacobian(
     if answer.jacobian is None:
         missing = Feedback(code="jacobian_missing", params={"what": "jacobian"})
         return 0.0, [Fact(where=("jacobian",), finding=Finding.MISSING)], [missing]
-    found = judge_jacobian(chain, joints, answer.jacobian, part.frame, part.tolerance)
+    try:
+        found = judge_jacobian(chain, joints, answer.jacobian, part.frame, part.tolerance, part.angles)
+    except JointValueError:
+        return 0.0, [], [Feedback(code="jacobian_angles_locked")]
     wrong = np.argwhere(~found.entries).tolist()
     facts = [Fact(where=("jacobian", r, c), finding=Finding.WRONG) for r, c in wrong]
     told = [] if found.right else [Feedback(code="jacobian_wrong")]

@@ -7,7 +7,7 @@ understood: c and s stand for cosine and sine, and one-digit indices in a row fo
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias, cast
 
@@ -49,7 +49,7 @@ _FUNCTIONS = {"c": Function.COS, "s": Function.SIN}
 
 @dataclass(frozen=True, slots=True)
 class SymbolicMatrix:
-    """A 4×4 of expressions.
+    """A matrix of expressions.
 
     Attributes:
         entries: row by row; angles in [rad], lengths in the unit of the answer.
@@ -62,7 +62,7 @@ class SymbolicMatrix:
         return frozenset().union(*(parameters_in(entry) for row in self.entries for entry in row))
 
     def at(self, parameters: Mapping[str, float], joints: Sequence[float]) -> NDArray[np.float64]:
-        """(4, 4) values; an entry that has none there (a division by zero) is NaN."""
+        """Return its values; an entry that has none there (a division by zero) is NaN."""
         return np.array([[_value(entry, parameters, joints) for entry in row] for row in self.entries])
 
 
@@ -126,6 +126,54 @@ def read_known_matrix(cells: CellMatrix, reading: Reading, part: str, *where: in
     """
     read = reading.keep(part, lambda: read_matrix(cells, reading.joint_types, reading.angle_unit, where))
     return None if read is None else _in_known_names(read, reading, part, *where)
+
+
+def read_functions(
+    cells: Sequence[Cell], joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where
+) -> list[Expression | Fault]:
+    """Return what each cell of a row means, or what is wrong with it; numbers are not angles.
+
+    Args as in `read_matrix`.
+    """
+    variable = _variables(joint_types)
+
+    def entry(cell: Cell, k: int) -> Expression | Fault:
+        try:
+            return _read(cell, Position.LENGTH, angle_unit, CELL_LIMITS, variable)
+        except CellRefusal as refusal:
+            return refusal.at(*where, k)
+        except _NameError as error:
+            return error.fault.within(*where, k)
+
+    return [entry(cell, k) for k, cell in enumerate(cells)]
+
+
+def read_row(
+    cells: Sequence[Cell], reading: Reading, part: str, *where: str | int, names: Collection[str] = ()
+) -> tuple[Expression, ...] | None:
+    """Return what a row of cells means in the joint variables of a student's answer.
+
+    Args:
+        cells: the row.
+        reading: where faults go.
+        part: the kind of part.
+        where: place of the row inside the part.
+        names: names that may stand in it besides the exercise's own.
+    """
+    read = read_functions(cells, reading.joint_types, reading.angle_unit, (part, *where))
+    found = [entry for entry in read if not isinstance(entry, Fault)]
+    reading.faults.extend(entry for entry in read if isinstance(entry, Fault))
+    if len(found) < len(cells):
+        return None
+    exercise = reading.instance.exercise
+    known = {*exercise.reference.parameters, *exercise.aliases, *names}
+    unknown = [
+        unknown_name(name, exercise, (part, *where, k))
+        for k, entry in enumerate(found)
+        for name in sorted(parameters_in(entry) - known)
+    ]
+    reading.faults.extend(unknown)
+    return None if unknown else tuple(renamed(entry, exercise.aliases) for entry in found)
 
 
 def read_numbers(cells: CellMatrix, reading: Reading, part: str, *where: str) -> NDArray[np.float64] | None:

@@ -3,9 +3,10 @@
     (v, ω) = J(q) q̇        τ = J(q)ᵀ (f, m)
 
 The geometric Jacobian of the last frame's origin, in the axes of frame 0 or of the last frame, its rows in
-either order, is one matrix once table, configuration and these two are named: it is right when every entry
-is. Which frames the table has is the answerer's choice: J is that of the answerer's own accepted table, the
-key's with B, diag(σ), and the point and the axes moved by E (`kinematics.equivalence`).
+either order, or the analytic one of a sequence of angles, is one matrix once table, configuration and these
+are named: it is right when every entry is. Which frames the table has is the answerer's choice: J is that of
+the answerer's own accepted table, the key's with B, diag(σ), and the point and the axes moved by E
+(`kinematics.equivalence`).
 
 Source: D. E. Whitney (1969); J. J. Craig, Introduction to Robotics, ch. 5; seed 001 eq. 3.22.
 """
@@ -21,8 +22,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.chain import Chain, size_of
+from kinematics.errors import Fault, JointValueError
 from kinematics.jacobian import JacobianFrame
+from kinematics.rates import analytic_jacobian
+from kinematics.rotations.sequences import EulerSequence
 from kinematics.se3 import Floats
+
+MIDDLE = 4
+"""Row of the middle angle: its rate has the other sign for the other triple of the same orientation."""
 
 
 class JacobianMistake(StrEnum):
@@ -41,6 +48,7 @@ class JacobianMistake(StrEnum):
     OTHER_FRAME = "other_frame"
     ROWS_EXCHANGED = "rows_exchanged"
     SPATIAL = "spatial"
+    GEOMETRIC = "geometric"
     SIGN = "sign"
 
 
@@ -67,15 +75,39 @@ class JacobianVerdict:
         return float(self.entries.all(axis=0).mean())
 
 
-def jacobian_at(chain: Chain, joints: Sequence[float], frame: JacobianFrame) -> Floats:
-    """Return the geometric Jacobian of the last frame's origin, (6, n), linear rows first."""
+def jacobian_at(
+    chain: Chain, joints: Sequence[float], frame: JacobianFrame, angles: EulerSequence | None = None
+) -> Floats:
+    """Return the Jacobian of the last frame's origin, (6, n), linear rows first.
+
+    Args:
+        chain: of the table.
+        joints: the configuration [rad, or the table's length].
+        frame: in whose axes the geometric one is.
+        angles: of the analytic one, whose linear rows are in frame 0; None for the geometric one.
+
+    Raises:
+        JointValueError: the angles have no rates there.
+    """
+    if angles is not None:
+        analytic = analytic_jacobian(chain, np.array(joints, dtype=np.float64), angles)
+        if analytic is None:
+            raise JointValueError(
+                Fault(code="angles_locked", where=("joints",), params={"axes": angles.axes})
+            )
+        return analytic
     jacobian = chain.jacobian(np.array(joints, dtype=np.float64))
     return jacobian if frame is JacobianFrame.BASE else _turned(chain, joints) @ jacobian
 
 
 @np.errstate(all="ignore")
 def judge_jacobian(
-    chain: Chain, joints: Sequence[float], given: Floats, frame: JacobianFrame, tolerance: float
+    chain: Chain,
+    joints: Sequence[float],
+    given: Floats,
+    frame: JacobianFrame,
+    tolerance: float,
+    angles: EulerSequence | None = None,
 ) -> JacobianVerdict:
     """Judge a Jacobian, entry by entry.
 
@@ -85,25 +117,34 @@ def judge_jacobian(
         given: (6, n), linear rows first; any finite numbers.
         frame: in whose axes it is asked.
         tolerance: of an entry; where it is a length, as a share of the arm's size.
+        angles: of the analytic Jacobian; either triple that makes the orientation may be meant.
+
+    Raises:
+        JointValueError: the angles have no rates there.
     """
-    limit = _limits(chain, tolerance)
+    limit = entry_limits(chain, tolerance)
 
     def close(expected: Floats) -> NDArray[np.bool_]:
         return np.asarray(np.abs(given - expected) <= limit, dtype=np.bool_)
 
-    expected = jacobian_at(chain, joints, frame)
+    expected = jacobian_at(chain, joints, frame, angles)
+    if angles is not None and not close(expected)[MIDDLE].all() and close(-expected)[MIDDLE].all():
+        expected[MIDDLE] *= -1.0
     entries = close(expected)
     if entries.all():
         return JacobianVerdict(entries=entries)
     (other,) = set(JacobianFrame) - {frame}
     whole = (
-        (JacobianMistake.OTHER_FRAME, jacobian_at(chain, joints, other)),
+        *([(JacobianMistake.GEOMETRIC, jacobian_at(chain, joints, JacobianFrame.BASE))] if angles else []),
+        *([] if angles else [(JacobianMistake.OTHER_FRAME, jacobian_at(chain, joints, other))]),
         (JacobianMistake.ROWS_EXCHANGED, np.vstack([expected[3:], expected[:3]])),
         (JacobianMistake.SPATIAL, _spatial(chain, joints)),
     )
     for mistake, matrix in whole:
         if close(matrix).all():
             return JacobianVerdict(entries=entries, mistakes=((mistake, None),))
+    if angles is not None:
+        return JacobianVerdict(entries=entries)
     wrong = [int(i) for i in np.flatnonzero(~entries.all(axis=0))]
     return JacobianVerdict(
         entries=entries, mistakes=tuple(_columns(chain, joints, given, frame, wrong, limit))
@@ -160,7 +201,7 @@ def judge_forces(
     return tuple(right.tolist()), None
 
 
-def _limits(chain: Chain, tolerance: float) -> Floats:
+def entry_limits(chain: Chain, tolerance: float) -> Floats:
     """Return the largest errors of the entries: lengths relative to the arm, all others as they are."""
     limit = np.full((6, len(chain.axes)), tolerance)
     size = size_of(chain) or 1.0
@@ -201,6 +242,8 @@ def _columns(
     """Yield the slip that makes each wrong column, where one does."""
     directions, points = chain.axes_at(np.array(joints, dtype=np.float64))
     end = chain.poses(np.array(joints, dtype=np.float64))
+    (other,) = set(JacobianFrame) - {frame}
+    in_other = jacobian_at(chain, joints, other)
     turn = np.eye(6) if frame is JacobianFrame.BASE else _turned(chain, joints)
     n = len(chain.axes)
     lines = [*zip(directions, points, strict=True), (end[:3, 2], end[:3, 3])]
@@ -219,6 +262,9 @@ def _columns(
                 u, o = lines[k]
                 ways.append((JacobianMistake.NEXT_AXIS, [*np.cross(u, end[:3, 3] - o), *u]))
                 ways.append((JacobianMistake.NEXT_AXIS, [*u, 0.0, 0.0, 0.0]))
+        if (np.abs(given[:, i] - in_other[:, i]) <= limit[:, i]).all():
+            yield JacobianMistake.OTHER_FRAME, i + 1
+            continue
         for mistake, column in ways:
             if (np.abs(given[:, i] - turn @ np.array(column)) <= limit[:, i]).all():
                 yield mistake, i + 1

@@ -38,6 +38,7 @@ _CALLS: Mapping[str, tuple[Tool, ...]] = {
     "rotations": (Tool.PLAYGROUND,),
     "check-rotation": (Tool.PLAYGROUND,),
     "check-jacobian": (Tool.PLAYGROUND,),
+    "check-jacobian-form": (Tool.PLAYGROUND,),
     "check-screws": (Tool.PLAYGROUND,),
     "compare-tables": (Tool.PLAYGROUND,),
     "check-inverse-kinematics": (Tool.PLAYGROUND,),

@@ -45,6 +45,7 @@ _COSTS = {
     "compare-tables": 5,
     "check-screws": 10,
     "check-jacobian": 2,
+    "check-jacobian-form": 20,
     "rotations": 2,
     "check-rotation": 1,
 }

@@ -147,3 +147,62 @@ def test_media_types_have_no_case(client: httpx.Client, call: str, media_type: s
         headers={"Content-Type": media_type},
     )
     assert response.status_code == 200
+
+
+TWO_LINKS_FORM = [
+    ["-L1*s1 - L2*s12", "-L2*s12"],
+    ["L1*c1 + L2*c12", "L2*c12"],
+    [0, 0],
+    [0, 0],
+    [0, 0],
+    [1, 1],
+]
+
+
+def check_form(client: httpx.Client, **more: Any) -> httpx.Response:
+    table = {
+        "convention": "standard",
+        "rows": [{"theta": f"q{i}", "d": 0, "a": f"L{i}", "alpha": 0} for i in (1, 2)],
+    }
+    return client.post(
+        "/api/v1/check-jacobian-form", json={"table": table, "parameters": {"L1": 0.5, "L2": 0.5}, **more}
+    )
+
+
+def test_jacobians_as_functions_are_proved(client: httpx.Client) -> None:
+    answer = check_form(client, jacobian=TWO_LINKS_FORM)
+    assert answer.status_code == 200, answer.text
+    assert (answer.json()["correct"], answer.json()["proof"]) == (True, "proved")
+    halves = [*TWO_LINKS_FORM[3:], *TWO_LINKS_FORM[:3]]
+    assert check_form(client, jacobian=halves, order="angular_first").json()["correct"]
+    told = check_form(client, jacobian=TWO_LINKS_FORM, frame="end").json()
+    assert (told["correct"], [entry["code"] for entry in told["mistakes"]]) == (False, ["other_frame"])
+    swapped = [["-L2*s1 - L1*s12", "-L2*s12"], *TWO_LINKS_FORM[1:]]
+    assert check_form(client, jacobian=swapped).json()["entries"][0] == [False, True]
+    rates = [*TWO_LINKS_FORM[:3], [0, 0], [0, 0], [1, 1]]
+    assert check_form(client, jacobian=rates, angles={"axes": "XYZ", "turning": "fixed"}).json()["correct"]
+    load = {"wrench": [0, "fy", 0, 0, 0, 0], "joint_forces": ["(L1*c1 + L2*c12)*fy", "L2*c12*fy"]}
+    assert check_form(client, **load).json()["correct"]
+
+
+@pytest.mark.parametrize(
+    ("more", "code", "pointer"),
+    [
+        ({}, "jacobian_empty", ""),
+        ({"jacobian": [["1/0", 0], *TWO_LINKS_FORM[1:]]}, "division_by_zero", "/jacobian/0/0"),
+        ({"jacobian": [["x", 0], *TWO_LINKS_FORM[1:]]}, "parameter_missing", "/jacobian/0/0"),
+        ({"jacobian": [["q3", 0], *TWO_LINKS_FORM[1:]]}, "joint_variable_unknown", "/jacobian/0/0"),
+        ({"jacobian": [[0], *TWO_LINKS_FORM[1:]]}, "joint_row_length", "/jacobian/0"),
+        ({"jacobian": TWO_LINKS_FORM, "angles": {"axes": "ZYZ"}}, "angles_locked", "/angles"),
+        ({"jacobian": TWO_LINKS_FORM, "angles": {"axes": "ZZY"}}, "euler_axes_unknown", "/angles/axes"),
+        ({"joint_forces": [0, 0]}, "wrench_missing", "/wrench"),
+        ({"joint_forces": [0, 0], "wrench": ["q1", 0, 0, 0, 0, 0]}, "joint_variable_unknown", "/wrench/0"),
+    ],
+)
+def test_functions_that_cannot_be_judged_are_refused_at_their_place(
+    client: httpx.Client, more: dict[str, Any], code: str, pointer: str
+) -> None:
+    answer = check_form(client, **more)
+    assert answer.status_code == 422, answer.text
+    told = answer.json()
+    assert [(error["code"], error.get("pointer", "")) for error in told["errors"]] == [(code, pointer)]

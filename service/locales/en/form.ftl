@@ -172,6 +172,7 @@ form-part-find-mistake = Find the mistake
 form-part-compare-tables = Two tables
 form-part-screws = Product of exponentials
 form-part-jacobian = Jacobian and statics
+form-part-jacobian-form = Jacobian in closed form
 form-part-wrong = To look at again:
 form-radius-inner = Inner radius
 form-radius-outer = Outer radius

@@ -290,7 +290,11 @@ feedback-forces_wrong = Not every joint torque or force is right.
 feedback-jacobian_next_axis = Column { $joint } uses the axis of a neighbouring joint: mind which z belongs to which joint in your convention.
 feedback-jacobian_point_swapped = Column { $joint }: the linear part is z × (pₙ − p), not z × (p − pₙ).
 feedback-jacobian_prismatic = Column { $joint }: a slider gives (z, 0), a revolute joint (z × (pₙ − p), z).
-feedback-jacobian_other_frame = This is the Jacobian in the axes of the other frame.
+feedback-jacobian_other_frame =
+    { $joint ->
+        [0] This is the Jacobian in the axes of the other frame.
+       *[other] Column { $joint } is in the axes of the other frame.
+    }
 feedback-jacobian_rows_exchanged = Linear and angular rows have changed places.
 feedback-jacobian_spatial = This is the velocity of the point at the origin of frame 0; the origin of the last frame is asked.
 feedback-forces_sign = Every sign is reversed: τ = Jᵀ(f, m) is asked, for the force and moment as given.

@@ -172,6 +172,7 @@ form-part-find-mistake = Halle el error
 form-part-compare-tables = Dos tablas
 form-part-screws = Producto de exponenciales
 form-part-jacobian = Jacobiana y estática
+form-part-jacobian-form = Jacobiana en forma cerrada
 form-part-wrong = Por revisar:
 form-radius-inner = Radio interior
 form-radius-outer = Radio exterior

@@ -290,7 +290,11 @@ feedback-forces_wrong = No todos los pares y fuerzas articulares son correctos.
 feedback-jacobian_next_axis = La columna { $joint } usa el eje de una articulación vecina: fíjese en qué z corresponde a cada articulación en su convención.
 feedback-jacobian_point_swapped = Columna { $joint }: la parte lineal es z × (pₙ − p), no z × (p − pₙ).
 feedback-jacobian_prismatic = Columna { $joint }: una prismática da (z, 0); una rotacional, (z × (pₙ − p), z).
-feedback-jacobian_other_frame = Esta es la jacobiana en los ejes del otro sistema.
+feedback-jacobian_other_frame =
+    { $joint ->
+        [0] Esta es la jacobiana en los ejes del otro sistema.
+       *[other] La columna { $joint } está en los ejes del otro sistema.
+    }
 feedback-jacobian_rows_exchanged = Las filas lineales y angulares están intercambiadas.
 feedback-jacobian_spatial = Esta es la velocidad del punto en el origen del sistema 0; se pide el origen del último sistema.
 feedback-forces_sign = Todos los signos están invertidos: se pide τ = Jᵀ(f, m), con la fuerza y el momento dados.

@@ -290,7 +290,11 @@ feedback-forces_wrong = Les couples et forces articulaires ne sont pas tous just
 feedback-jacobian_next_axis = La colonne { $joint } utilise l'axe d'une articulation voisine : voyez quel z appartient à quelle articulation dans votre convention.
 feedback-jacobian_point_swapped = Colonne { $joint } : la partie linéaire est z × (pₙ − p), et non z × (p − pₙ).
 feedback-jacobian_prismatic = Colonne { $joint } : une prismatique donne (z, 0), une rotoïde (z × (pₙ − p), z).
-feedback-jacobian_other_frame = C'est la jacobienne dans les axes de l'autre repère.
+feedback-jacobian_other_frame =
+    { $joint ->
+        [0] C'est la jacobienne dans les axes de l'autre repère.
+       *[other] La colonne { $joint } est dans les axes de l'autre repère.
+    }
 feedback-jacobian_rows_exchanged = Les lignes linéaires et angulaires ont été échangées.
 feedback-jacobian_spatial = C'est la vitesse du point situé à l'origine du repère 0 ; il faut l'origine du dernier repère.
 feedback-forces_sign = Tous les signes sont inversés : c'est τ = Jᵀ(f, m) qui est demandé, avec la force et le moment donnés.

@@ -172,6 +172,7 @@ form-part-find-mistake = Encontre o erro
 form-part-compare-tables = Duas tabelas
 form-part-screws = Produto de exponenciais
 form-part-jacobian = Jacobiana e estática
+form-part-jacobian-form = Jacobiana em forma fechada
 form-part-wrong = A rever:
 form-radius-inner = Raio interior
 form-radius-outer = Raio exterior

@@ -290,7 +290,11 @@ feedback-forces_wrong = Nem todos os torques e forças das juntas estão certos.
 feedback-jacobian_next_axis = A coluna { $joint } usa o eixo de uma junta vizinha: veja que z pertence a cada junta na sua convenção.
 feedback-jacobian_point_swapped = Coluna { $joint }: a parte linear é z × (pₙ − p), e não z × (p − pₙ).
 feedback-jacobian_prismatic = Coluna { $joint }: uma prismática dá (z, 0); uma rotacional, (z × (pₙ − p), z).
-feedback-jacobian_other_frame = Esta é a jacobiana nos eixos do outro sistema.
+feedback-jacobian_other_frame =
+    { $joint ->
+        [0] Esta é a jacobiana nos eixos do outro sistema.
+       *[other] A coluna { $joint } está nos eixos do outro sistema.
+    }
 feedback-jacobian_rows_exchanged = As linhas lineares e angulares foram trocadas.
 feedback-jacobian_spatial = Esta é a velocidade do ponto na origem do sistema 0; pede-se a origem do último sistema.
 feedback-forces_sign = Todos os sinais estão invertidos: pede-se τ = Jᵀ(f, m), com a força e o momento dados.

@@ -291,7 +291,11 @@ feedback-forces_wrong = Nu toate momentele și forțele din cuple sunt corecte.
 feedback-jacobian_next_axis = Coloana { $joint } folosește axa unei cuple vecine: vedeți ce z aparține fiecărei cuple în convenția dumneavoastră.
 feedback-jacobian_point_swapped = Coloana { $joint }: partea liniară este z × (pₙ − p), nu z × (p − pₙ).
 feedback-jacobian_prismatic = Coloana { $joint }: una de translație dă (z, 0), una de rotație (z × (pₙ − p), z).
-feedback-jacobian_other_frame = Acesta este jacobianul în axele celuilalt sistem.
+feedback-jacobian_other_frame =
+    { $joint ->
+        [0] Acesta este jacobianul în axele celuilalt sistem.
+       *[other] Coloana { $joint } este în axele celuilalt sistem.
+    }
 feedback-jacobian_rows_exchanged = Rândurile liniare și cele unghiulare au fost schimbate între ele.
 feedback-jacobian_spatial = Aceasta este viteza punctului din originea sistemului 0; se cere originea ultimului sistem.
 feedback-forces_sign = Toate semnele sunt inversate: se cere τ = Jᵀ(f, m), cu forța și momentul date.

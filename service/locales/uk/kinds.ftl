@@ -290,7 +290,11 @@ feedback-forces_wrong = Не всі моменти й сили у зчленув
 feedback-jacobian_next_axis = У стовпці { $joint } взято вісь сусіднього зчленування: зважайте, яка z належить якому зчленуванню у вашій угоді.
 feedback-jacobian_point_swapped = Стовпець { $joint }: лінійна частина — z × (pₙ − p), а не z × (p − pₙ).
 feedback-jacobian_prismatic = Стовпець { $joint }: поступальне зчленування дає (z, 0), обертальне — (z × (pₙ − p), z).
-feedback-jacobian_other_frame = Це якобіан в осях іншої системи.
+feedback-jacobian_other_frame =
+    { $joint ->
+        [0] Це якобіан в осях іншої системи.
+       *[other] Стовпець { $joint } записано в осях іншої системи.
+    }
 feedback-jacobian_rows_exchanged = Лінійні й кутові рядки поміняно місцями.
 feedback-jacobian_spatial = Це швидкість точки в початку системи 0; потрібен початок останньої системи.
 feedback-forces_sign = Усі знаки обернено: потрібно τ = Jᵀ(f, m) для заданих сили й моменту.

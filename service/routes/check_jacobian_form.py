@@ -1,0 +1,167 @@
+"""Jacobians and joint forces that somebody wrote in closed form."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import partial
+from typing import Annotated, Any
+
+from fastapi import Body
+
+from exercises.parts.jacobian_forms import LOADS
+from exercises.parts.matrix_cells import read_functions
+from kinematics import catalogue
+from kinematics.answers.jacobian_answers import JacobianMistake
+from kinematics.answers.jacobian_forms import FormRobot, judge_force_form, judge_jacobian_form
+from kinematics.answers.screw_answers import ScrewOrder
+from kinematics.cells import AngleUnit, Cell, ParameterKind
+from kinematics.errors import CellError, Fault, JointValueError
+from kinematics.expressions import Expression, parameters_in
+from kinematics.rotations.sequences import EulerSequence
+from kinematics.symbolic import ProofStatus
+from service.http.languages import language_of
+from service.http.openapi import problems
+from service.http.problems import located
+from service.http.routing import ApiRequest, api_router
+from service.messages import sentence
+from service.schemas import examples
+from service.schemas.jacobian_answers import JacobianMistakeModel
+from service.schemas.jacobian_form_answers import CheckJacobianFormAnswer, CheckJacobianFormRequest
+from service.wire.prepared_robots import PreparedRobot
+from service.work.limiters import WorkKind
+
+router = api_router("kinematics")
+
+_EXAMPLES: dict[str, Any] = {
+    "two links, the Jacobian": {
+        "table": examples.TWO_LINKS,
+        "parameters": {"L1": 0.5, "L2": 0.3},
+        "jacobian": [
+            ["-L1*s1 - L2*s12", "-L2*s12"],
+            ["L1*c1 + L2*c12", "L2*c12"],
+            [0, 0],
+            [0, 0],
+            [0, 0],
+            [1, 1],
+        ],
+    },
+    "two links, the torques that hold a force": {
+        "table": examples.TWO_LINKS,
+        "parameters": {"L1": 0.5, "L2": 0.3},
+        "wrench": ["fx", "fy", 0, 0, 0, 0],
+        "joint_forces": ["-(L1*s1 + L2*s12)*fx + (L1*c1 + L2*c12)*fy", "L2*(c12*fy - s12*fx)"],
+    },
+}
+
+
+@router.post(
+    "/check-jacobian-form",
+    summary="Are this Jacobian and these joint forces, as functions, those of the table?",
+    responses=problems(400, 413, 415, 422, 503),
+)
+async def check_jacobian_form(
+    body: Annotated[CheckJacobianFormRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    request: ApiRequest,
+) -> CheckJacobianFormAnswer:
+    """The Jacobian of the last frame's origin and τ = Jᵀ (f, m), as functions of q1 … qn.
+
+    Geometric, in either axes, or analytic for one of the 24 sequences of angles; rows in either order. Equal
+    functions are proved equal where entries are exact, and compared at many configurations where not.
+    """
+    robot = await request.in_turn(partial(request.resources.robots.prepare, body))
+    work = partial(_checked, body, robot, language_of(request))
+    return await request.resources.limiters[WorkKind.GRADING].run(work)
+
+
+def _checked(body: CheckJacobianFormRequest, robot: PreparedRobot, language: str) -> CheckJacobianFormAnswer:
+    if body.jacobian is None and body.joint_forces is None:
+        raise JointValueError(Fault(code="jacobian_empty"))
+    if body.joint_forces is not None and body.wrench is None:
+        raise JointValueError(Fault(code="wrench_missing", where=("wrench",)))
+    angles = None
+    if body.angles is not None:
+        with located("angles"):
+            angles = EulerSequence(axes=body.angles.axes, turning=body.angles.turning)
+    degrees = robot.read.angle_unit is AngleUnit.DEG
+    kinds = robot.read.parameters
+    values = {
+        name: math.radians(value) if degrees and kinds.get(name) is ParameterKind.ANGLE else value
+        for name, value in _parameters(body, robot).items()
+    }
+    named = {**{name: 7.0 + 3.0 * i for i, name in enumerate(LOADS)}, **values}
+    lengths = {name for name in values if kinds.get(name, ParameterKind.LENGTH) is ParameterKind.LENGTH}
+    form = FormRobot(
+        table=robot.read.table,
+        values=named,
+        lengths=frozenset(lengths) | (set(LOADS[3:]) - values.keys()),
+    )
+    n = len(robot.joint_units)
+    proofs: set[ProofStatus] = set()
+    mistakes: list[tuple[str, JacobianMistake, int | None]] = []
+    entries, forces, correct = None, None, True
+    if body.jacobian is not None:
+        rows = [_read(row, robot, named.keys(), n, ("jacobian", i)) for i, row in enumerate(body.jacobian)]
+        if body.order is ScrewOrder.ANGULAR_FIRST:
+            rows = [*rows[3:], *rows[:3]]
+        found = judge_jacobian_form(form, rows, body.frame, body.tolerance, angles)
+        entries, correct = found.entries.tolist(), found.right
+        proofs.add(found.proof)
+        mistakes += [("jacobian", mistake, joint) for mistake, joint in found.mistakes]
+    if body.joint_forces is not None and body.wrench is not None:
+        given = _read(body.joint_forces, robot, named.keys(), n, ("joint_forces",))
+        wrench = _read(body.wrench, robot, named.keys(), 6, ("wrench",), variables=False)
+        right, proof, mistake = judge_force_form(form, given, wrench, body.frame, body.tolerance)
+        forces, correct = list(right), correct and all(right)
+        proofs.add(proof)
+        mistakes += [("forces", mistake, None)] if mistake is not None else []
+    order = (ProofStatus.REFUTED, ProofStatus.UNDECIDED, ProofStatus.PROVED)
+    return CheckJacobianFormAnswer.model_validate(
+        {
+            **robot.units,
+            "correct": correct,
+            "proof": next(status for status in order if status in proofs),
+            "entries": entries,
+            "forces": forces,
+            "mistakes": [_spoken(*entry, language) for entry in mistakes],
+        }
+    )
+
+
+def _parameters(body: CheckJacobianFormRequest, robot: PreparedRobot) -> dict[str, float]:
+    """Return the values of the table's parameters, in the request's units."""
+    if body.robot is None:
+        return dict(body.parameters)
+    return {**catalogue.robot(body.robot).parameters, **body.parameters}
+
+
+def _read(
+    cells: Sequence[Cell],
+    robot: PreparedRobot,
+    known: Any,
+    expected: int,
+    where: tuple[str | int, ...],
+    *,
+    variables: bool = True,
+) -> tuple[Expression, ...]:
+    if len(cells) != expected:
+        params = {"expected": expected, "given": len(cells)}
+        raise JointValueError(Fault(code="joint_row_length", where=where, params=params))
+    types = robot.read.table.joint_types if variables else ()
+    read = read_functions(cells, types, robot.read.angle_unit, where)
+    faults = [entry for entry in read if isinstance(entry, Fault)]
+    functions = [entry for entry in read if not isinstance(entry, Fault)]
+    if not faults:
+        faults = [
+            Fault(code="parameter_missing", where=(*where, k), params={"name": name})
+            for k, entry in enumerate(functions)
+            for name in sorted(parameters_in(entry) - set(known))
+        ]
+    if faults:
+        raise CellError(faults)
+    return tuple(functions)
+
+
+def _spoken(what: str, mistake: JacobianMistake, joint: int | None, language: str) -> JacobianMistakeModel:
+    told = sentence(language, f"feedback-{what}_{mistake.value}", {"joint": joint or 0})
+    return JacobianMistakeModel(code=mistake, joint=joint, message=told or mistake.value)
