@@ -6,6 +6,7 @@ they follow from it; alone they are those of the key, which is then given.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -108,10 +109,11 @@ class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
         asked = reader.choices("ask", JacobianAsk, (JacobianAsk.JACOBIAN.value,))
         angles = read_angles(reader)
         wrench: list[Expression] = []
-        for i, entry in enumerate(reader.values.get("wrench", ()) if reader.given("wrench") else ()):
-            if entry in LOADS:
-                wrench.append(Parameter(LOADS[i]) if entry == LOADS[min(i, 5)] else Parameter(str(entry)))
-            elif isinstance(entry, int | float) and not isinstance(entry, bool):
+        load = reader.values.get("wrench") if reader.given("wrench") else None
+        for i, entry in enumerate(load if isinstance(load, list) else ()):
+            if isinstance(entry, str) and entry in LOADS:
+                wrench.append(Parameter(entry))
+            elif isinstance(entry, int | float) and not isinstance(entry, bool) and math.isfinite(entry):
                 wrench.append(Number(Fraction(repr(entry))))
             else:
                 reader.fault("exercise_value_unknown", "wrench", i, key="wrench", known=", ".join(LOADS))
@@ -147,8 +149,9 @@ class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
             form.append(FormField(name="jacobian", shape=FieldShape.MATRIX, labels=names, rows=6))
         if JacobianAsk.FORCES in part.ask:
             load = tuple(
-                float(entry.value) if isinstance(entry, Number) else name
-                for entry, name in zip(part.wrench, LOADS, strict=True)
+                float(entry.value) if isinstance(entry, Number) else entry.name
+                for entry in part.wrench
+                if isinstance(entry, Number | Parameter)
             )
             numbers.append(GivenNumbers(name="wrench", labels=LOADS, rows=(load,)))
             form.append(FormField(name="forces", shape=FieldShape.VECTOR, labels=names))
