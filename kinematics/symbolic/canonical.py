@@ -118,25 +118,25 @@ def _export(reader: FormReader, form: Form) -> Canonical:
 
 
 def _real_sum(terms: frozenset[Term]) -> Expression:
-    parts = [multiply((Number(weight), _real_part(monomial))) for monomial, weight in terms]
+    parts = [multiply((Number(weight), real_part(monomial))) for monomial, weight in terms]
     return add(sorted(parts, key=repr))
 
 
-def _real_part(monomial: Monomial) -> Expression:
+def real_part(monomial: Monomial) -> Expression:
     """Re(ζ · e^(i·angle)) · (powers) as an expression."""
     angle = [pi_times(2 * monomial.turn)]
     factors = []
     for symbol, exponent in monomial.exponents:
         if symbol.kind == "exponential":
             assert isinstance(symbol.of, Monomial)
-            angle.append(multiply((Number(exponent), _real_part(symbol.of))))
+            angle.append(multiply((Number(exponent), real_part(symbol.of))))
         else:
-            factors.append(power(_symbol(symbol), exponent))
+            factors.append(power(symbol_expression(symbol), exponent))
     cosine, _ = cosine_and_sine(angle_of(add(sorted(angle, key=repr))))
     return multiply((*sorted(factors, key=repr), cosine))
 
 
-def _symbol(symbol: RingSymbol) -> Expression:
+def symbol_expression(symbol: RingSymbol) -> Expression:
     """A parameter, π, the root of a prime, or something opaque, named by its function and arguments."""
     if symbol.kind == "radical":
         assert isinstance(symbol.of, int)

@@ -54,14 +54,14 @@ def content(terms: Terms) -> Fraction:
     """A rational number by which a form can be divided so that its multiples become one and the same."""
     numerator = gcd(*(weight.numerator for weight in terms.values()))
     denominator = lcm(*(weight.denominator for weight in terms.values()))
-    lead = terms[min(terms, key=_order)]
+    lead = terms[min(terms, key=order_text)]
     return Fraction(numerator if lead > 0 else -numerator, denominator)
 
 
-def _order(part: object) -> str:
+def order_text(part: object) -> str:
     """A text by which monomials are put in an order that depends on nothing else."""
     if isinstance(part, frozenset):
-        return "{" + ",".join(sorted(map(_order, part))) + "}"
+        return "{" + ",".join(sorted(map(order_text, part))) + "}"
     if isinstance(part, tuple):
-        return "(" + ",".join(map(_order, part)) + ")"
+        return "(" + ",".join(map(order_text, part)) + ")"
     return repr(part)

@@ -49,10 +49,13 @@ class FormReader:
     Attributes:
         ring: where the forms live.
         decisive: whether every form that was found not to vanish is certainly not the zero function.
+        arcs_taken_apart: whether the cosine of an arctangent is the quotient that it is; else the arctangent
+            stays an angle like any other, and products with it stay short.
     """
 
     ring: Ring = field(default_factory=Ring)
     decisive: bool = True
+    arcs_taken_apart: bool = True
     _constant_exponentials: bool = False
     _known: dict[Expression, Form] = field(default_factory=dict)
     _circle: dict[Expression, tuple[Form, Form]] = field(default_factory=dict)
@@ -81,6 +84,10 @@ class FormReader:
                 known = self._cosine_and_sine(self.form(angle))
             self._circle[angle] = known
         return known
+
+    def exponentials(self, angle: Expression) -> tuple[Form, Form]:
+        """e^(i·angle) and e^(-i·angle) of an angle [rad]: one term each, unless it is an arctangent."""
+        return self._pair(self.form(angle))
 
     def half_turns(self, angle: Expression) -> Fraction | None:
         """The r of an angle r·π, such as that of atan2(1, 1); None of any other angle."""
@@ -113,16 +120,19 @@ class FormReader:
 
     def _cosine_and_sine(self, angle: Form) -> tuple[Form, Form]:
         ring, half = self.ring, Fraction(1, 2)
-        forward = self._exponential(angle)
-        if ring.is_term(forward):
-            backward = ring.power(forward, -1)
-        else:
-            backward = self._exponential(ring.scale(angle, -1))
+        forward, backward = self._pair(angle)
         cosine = ring.scale(ring.add(forward, backward), half)
         sine = ring.scale(ring.multiply(ring.turn(Fraction(3, 4)), ring.add(forward, backward, -1)), half)
         if ring.is_constant(forward):
             return tidy(ring, cosine), tidy(ring, sine)
         return cosine, sine
+
+    def _pair(self, angle: Form) -> tuple[Form, Form]:
+        """e^(i·angle) and e^(-i·angle)."""
+        forward = self._exponential(angle)
+        if self.ring.is_term(forward):
+            return forward, self.ring.power(forward, -1)
+        return forward, self._exponential(self.ring.scale(angle, -1))
 
     def _exponential(self, angle: Form) -> Form:
         """e^(i·angle)."""
@@ -249,7 +259,8 @@ class FormReader:
             return ring.scale(ring.symbol(PI_SYMBOL), 2 * exact)
         angle = self._opaque(function.value, (), *values)
         ((monomial, _),) = ring.terms(angle).items()
-        self._arcs[monomial] = pair
+        if self.arcs_taken_apart:
+            self._arcs[monomial] = pair
         return angle
 
     def _on_circle(self, x: Form, y: Form) -> tuple[Form, Form]:

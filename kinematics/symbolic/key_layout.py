@@ -6,6 +6,7 @@ has a place of its own. Adding two keys adds all exponents at once.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -66,6 +67,7 @@ class KeyLayout:
 
     places: list[KeyField] = field(default_factory=list)
     _known: dict[tuple[RingSymbol, Fraction], KeyField] = field(default_factory=dict)
+    _shifts: list[int] = field(default_factory=list)
     _end: int = ROOT_BITS
 
     def key(self, symbol: RingSymbol, exponent: Fraction, degree: int, value: Form) -> int:
@@ -76,6 +78,7 @@ class KeyLayout:
         if place is None or width > place.width:
             place = KeyField(symbol, self._end, width, unit, degree, value)
             self.places.append(place)
+            self._shifts.append(place.shift)
             self._known[symbol, unit] = place
             self._end += width
         return exponent.numerator << place.shift
@@ -119,16 +122,17 @@ class KeyLayout:
     def exponents(self, key: int) -> tuple[Exponents, Fraction]:
         """The exponents in a key without roots of unity, and what pairs of equal square roots give."""
         factor = Fraction(1)
-        key >>= ROOT_BITS
         found: dict[RingSymbol, Fraction] = {}
-        for place in self.places:
-            if not key:
-                break
+        shifts = self._shifts
+        while key:
+            # what is below the lowest bit is zero: the next exponent that is not stands there
+            lowest = (key & -key).bit_length() - 1
+            place = self.places[bisect_right(shifts, lowest) - 1]
             half = 1 << (place.width - 1)
-            raw = ((key + half) & ((1 << place.width) - 1)) - half
-            key = (key - raw) >> place.width
-            if raw:
-                found[place.symbol] = found.get(place.symbol, Fraction(0)) + raw * place.unit
+            raw = (((key >> place.shift) + half) & ((1 << place.width) - 1)) - half
+            key -= raw << place.shift
+            exponent = raw * place.unit if place.unit != 1 else Fraction(raw)
+            found[place.symbol] = found[place.symbol] + exponent if place.symbol in found else exponent
         for symbol, exponent in list(found.items()):
             if symbol.kind == "radical":
                 pairs, rest = divmod(exponent.numerator, 2)

@@ -1,0 +1,187 @@
+"""Links that move as one, and the forces they ask for, carried down a chain with entries in the ring.
+
+Walking from the tip to the base, everything beyond a joint is one rigid body: a mass m, a first moment
+h = Σ m c and a moment of inertia J about the origin. A joint about or along z pushes it with the force and
+the moment
+
+    revolute   f = ẑ × h,  n = J ẑ            prismatic   f = m ẑ,  n = h × ẑ
+
+for each unit of its acceleration; and M_ij is what of that arrives at joint i. Each elementary motion of the
+table turns or shifts all of it. Turning about z multiplies
+
+    h_x + i h_y  by e^{iφ},    J_xz + i J_yz  by e^{iφ},    (J_xx − J_yy)/2 + i J_xy  by e^{2iφ},
+
+so a turn about a joint adds to exponents and multiplies nothing out.
+
+Source: M. W. Walker, D. E. Orin, J. Dyn. Sys. Meas. Control 104 (1982), the composite rigid body method;
+R. Featherstone, Rigid Body Dynamics Algorithms (2008), section 6.2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TypeAlias
+
+from kinematics.dh import MotionKind
+from kinematics.dynamics.links import SymbolicBody
+from kinematics.expressions import JointVariable, multiply, number
+from kinematics.symbolic.elements import IMAGINARY_UNIT, ZERO_FORM, Form
+from kinematics.symbolic.form_reader import FormReader
+from kinematics.symbolic.motions import Motion, motions_of
+from kinematics.table import SymbolicTable
+
+Triple: TypeAlias = list[Form]
+Inertia: TypeAlias = list[list[Form]]
+
+HALF = Fraction(1, 2)
+_TURNS = {MotionKind.TURN_Z: 2, MotionKind.SHIFT_Z: 2, MotionKind.TURN_X: 0, MotionKind.SHIFT_X: 0}
+"""Which coordinate a motion turns about, or shifts along."""
+
+
+@dataclass(slots=True)
+class JointPush:
+    """What a unit of one joint's acceleration asks of the joints before it.
+
+    Attributes:
+        force: f.
+        moment: n, about the origin.
+    """
+
+    force: Triple
+    moment: Triple
+
+
+class Composite:
+    """Everything beyond a place in the chain.
+
+    Attributes:
+        mass: m.
+        moment: h, the first moment about the origin.
+        inertia: J, about the origin.
+        pushes: of the joints passed, by their number.
+        masses: M_ij of the joints passed, by (i, j) with i ≤ j.
+    """
+
+    def __init__(self, reader: FormReader) -> None:
+        self._reader = reader
+        self.mass: Form = ZERO_FORM
+        self.moment: Triple = [ZERO_FORM] * 3
+        self.inertia: Inertia = [[ZERO_FORM] * 3 for _ in range(3)]
+        self.pushes: dict[int, JointPush] = {}
+        self.masses: dict[tuple[int, int], Form] = {}
+
+    def add(self, link: SymbolicBody) -> None:
+        """Fasten a link whose frame is here."""
+        ring, form = self._reader.ring, self._reader.form
+        mass = form(link.mass)
+        centre = [form(entry) for entry in link.centre]
+        weighted = [ring.multiply(mass, entry) for entry in centre]
+        self.mass = ring.add(self.mass, mass)
+        self.moment = [ring.add(a, b) for a, b in zip(self.moment, weighted, strict=True)]
+        square = ZERO_FORM
+        for a, b in zip(weighted, centre, strict=True):
+            square = ring.add(square, ring.multiply(a, b))
+        for i in range(3):
+            for j in range(3):
+                entry = ring.add(self.inertia[i][j], form(link.inertia[i][j]))
+                entry = ring.add(entry, ring.multiply(weighted[i], centre[j]), -1)
+                self.inertia[i][j] = ring.add(entry, square) if i == j else entry
+
+    def pass_joint(self, motion: Motion) -> None:
+        """Take joint i's row of M, and what it pushes with; the axis is z here."""
+        ring, joint, turns = self._reader.ring, motion.joint, motion.kind is MotionKind.TURN_Z
+        (hx, hy, _), zero = self.moment, ZERO_FORM
+        if turns:
+            push = JointPush([self._times(hy, -1), hx, zero], [row[2] for row in self.inertia])
+        else:
+            push = JointPush([zero, zero, self.mass], [hy, self._times(hx, -1), zero])
+        if motion.sign < 0:
+            push = JointPush(
+                [self._times(entry, -1) for entry in push.force],
+                [self._times(entry, -1) for entry in push.moment],
+            )
+        self.pushes[joint] = push
+        for other, known in self.pushes.items():
+            arrives = known.moment[2] if turns else known.force[2]
+            self.masses[joint, other] = arrives if motion.sign > 0 else ring.scale(arrives, -1)
+
+    def pass_motion(self, motion: Motion) -> None:
+        """Write everything in the frame before an elementary motion."""
+        amount = (
+            multiply((number(motion.sign), JointVariable(motion.joint))) if motion.joint else motion.amount
+        )
+        axis = _TURNS[motion.kind]
+        if motion.kind in (MotionKind.SHIFT_X, MotionKind.SHIFT_Z):
+            self._shift(axis, self._reader.form(amount))
+        else:
+            self._turn(axis, self._reader.exponentials(amount))
+
+    def _turn(self, axis: int, circle: tuple[Form, Form]) -> None:
+        ring = self._reader.ring
+        double = ring.multiply(circle[0], circle[0]), ring.multiply(circle[1], circle[1])
+        i, j = (axis + 1) % 3, (axis + 2) % 3
+        vectors = [self.moment]
+        for push in self.pushes.values():
+            vectors += (push.force, push.moment)
+        for vector in vectors:
+            vector[i], vector[j] = self._turned(circle, vector[i], vector[j])
+        inertia = self.inertia
+        mean = ring.scale(ring.add(inertia[i][i], inertia[j][j]), HALF)
+        half = ring.scale(ring.add(inertia[i][i], inertia[j][j], -1), HALF)
+        half, across = self._turned(double, half, inertia[i][j])
+        inertia[i][i], inertia[j][j] = ring.add(mean, half), ring.add(mean, half, -1)
+        inertia[i][j] = inertia[j][i] = across
+        beside = self._turned(circle, inertia[i][axis], inertia[j][axis])
+        inertia[i][axis], inertia[j][axis] = inertia[axis][i], inertia[axis][j] = beside
+
+    def _turned(self, circle: tuple[Form, Form], x: Form, y: Form) -> tuple[Form, Form]:
+        """(x, y) turned: x + i y times the exponential of the angle."""
+        if not x.coefficients and not y.coefficients:
+            return x, y
+        ring = self._reader.ring
+        across = ring.multiply(IMAGINARY_UNIT, y)
+        forward = ring.multiply(circle[0], ring.add(x, across))
+        backward = ring.multiply(circle[1], ring.add(x, across, -1))
+        turned = ring.scale(ring.add(forward, backward), HALF)
+        difference = ring.multiply(IMAGINARY_UNIT, ring.add(backward, forward, -1))
+        return turned, ring.scale(difference, HALF)
+
+    def _shift(self, axis: int, by: Form) -> None:
+        if not by.coefficients:
+            return
+        ring, i, j = self._reader.ring, (axis + 1) % 3, (axis + 2) % 3
+        inertia, moment = self.inertia, self.moment
+        more = ring.add(ring.scale(moment[axis], 2), ring.multiply(self.mass, by))
+        along = ring.multiply(by, more)
+        for k in (i, j):
+            inertia[k][k] = ring.add(inertia[k][k], along)
+            beside = ring.add(inertia[k][axis], ring.multiply(by, moment[k]), -1)
+            inertia[k][axis] = inertia[axis][k] = beside
+        moment[axis] = ring.add(moment[axis], ring.multiply(self.mass, by))
+        for push in self.pushes.values():
+            force, couple = push.force, push.moment
+            couple[i] = ring.add(couple[i], ring.multiply(by, force[j]), -1)
+            couple[j] = ring.add(couple[j], ring.multiply(by, force[i]))
+
+    def _times(self, form: Form, factor: int) -> Form:
+        return self._reader.ring.scale(form, factor)
+
+
+def composite_of(reader: FormReader, table: SymbolicTable, links: Sequence[SymbolicBody]) -> Composite:
+    """Walk a chain from the tip to the base.
+
+    Args:
+        reader: into whose ring everything is read.
+        table: the DH table.
+        links: what moves with frame 1 … N, one for each row.
+    """
+    found = Composite(reader)
+    for row, link in zip(reversed(motions_of(table)), reversed(links), strict=True):
+        found.add(link)
+        for motion in reversed(row):
+            if motion.joint:
+                found.pass_joint(motion)
+            found.pass_motion(motion)
+    return found

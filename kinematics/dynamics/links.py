@@ -1,0 +1,103 @@
+"""What a link weighs: mass, centre of mass and inertia, in numbers or as expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Generic, TypeAlias, TypeVar
+
+import numpy as np
+
+from kinematics.errors import DescriptionError, Fault, ParameterError
+from kinematics.expressions import ZERO, Expression, evaluate
+
+Entry = TypeVar("Entry")
+
+SYMMETRIC = 1e-6
+"""How far an inertia may be from symmetric, and below zero, as a share of its largest entry: six decimals."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RigidBody(Generic[Entry]):
+    """A rigid body that moves with a frame of a DH table.
+
+    Attributes:
+        mass: m [kg].
+        centre: centre of mass in the frame [m].
+        inertia: 3×3 moments of inertia about the centre of mass, in the axes of the frame [kg m²].
+    """
+
+    mass: Entry
+    centre: tuple[Entry, Entry, Entry]
+    inertia: tuple[tuple[Entry, Entry, Entry], ...]
+
+    def entries(self) -> Iterator[tuple[tuple[str | int, ...], Entry]]:
+        """Yield every entry with its place in the link."""
+        yield ("mass",), self.mass
+        for i, entry in enumerate(self.centre):
+            yield ("centre", i), entry
+        for i, row in enumerate(self.inertia):
+            for j, entry in enumerate(row):
+                yield ("inertia", i, j), entry
+
+
+NumericBody: TypeAlias = RigidBody[float]
+SymbolicBody: TypeAlias = RigidBody[Expression]
+
+MASSLESS = RigidBody(mass=ZERO, centre=(ZERO,) * 3, inertia=((ZERO,) * 3,) * 3)
+"""A link that weighs nothing."""
+
+
+def bind_links(links: Sequence[SymbolicBody], parameters: Mapping[str, float]) -> tuple[NumericBody, ...]:
+    """Return the links in numbers.
+
+    Args:
+        links: entries exact, possibly with parameters.
+        parameters: value of every parameter [kg, m, kg m²].
+
+    Raises:
+        ParameterError: a parameter has no value, or an entry has none that is finite; all faults at once,
+            each at ("parameters", name) or ("links", i, …).
+    """
+    faults: dict[tuple[str | int, ...], Fault] = {}
+    found = []
+    for number, link in enumerate(links):
+        values = []
+        for where, entry in link.entries():
+            try:
+                values.append(evaluate(entry, parameters))
+            except ParameterError as error:
+                values.append(0.0)
+                for fault in error.faults:
+                    placed = fault if fault.where else fault.within("links", number, *where)
+                    faults[placed.where] = placed
+        m, x, y, z, *rest = values
+        rows = tuple((rest[i], rest[i + 1], rest[i + 2]) for i in (0, 3, 6))
+        found.append(RigidBody(mass=m, centre=(x, y, z), inertia=rows))
+    if faults:
+        raise ParameterError(faults.values())
+    return tuple(found)
+
+
+def check_links(links: Sequence[NumericBody]) -> None:
+    """Make sure that links are bodies that can be.
+
+    Raises:
+        DescriptionError: a mass is negative, or an inertia is not symmetric or has a negative moment, each at
+            ("links", i, …).
+    """
+    faults = []
+    for i, link in enumerate(links):
+        if link.mass < 0.0:
+            faults.append(
+                Fault(code="mass_negative", where=("links", i, "mass"), params={"mass": f"{link.mass:g}"})
+            )
+        inertia = np.array(link.inertia)
+        allowed = SYMMETRIC * float(np.abs(inertia).max())
+        where = ("links", i, "inertia")
+        if np.abs(inertia - inertia.T).max() > allowed:
+            faults.append(Fault(code="inertia_not_symmetric", where=where))
+        elif allowed and np.linalg.eigvalsh(inertia).min() < -allowed:
+            faults.append(Fault(code="inertia_negative", where=where))
+    if faults:
+        raise DescriptionError(faults)

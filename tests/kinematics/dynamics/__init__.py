@@ -1,0 +1,1 @@
+"""Dynamics: numbers and closed forms against derivations of another kind."""
