@@ -13,7 +13,8 @@ from courses.attempts import attempt_numbered, attempts_of, by_key, draft_of, ke
 from courses.enrolment import end_session, redeem_code
 from courses.model import CourseSession
 from courses.policies import Shown, counted
-from courses.refusals import AttemptError, SessionError
+from courses.refusals import AttemptError, NoExerciseError, PublicationError, SessionError
+from exercises.errors import UnknownExerciseError
 from kinematics.errors import Fault
 from service.course_resources import CourseResources, now
 from service.http.languages import language_of
@@ -84,14 +85,24 @@ async def open_session(request: ApiRequest) -> Response:
 async def show_session(request: ApiRequest) -> Response:
     """Who is signed in, for what, by which rules, and how far they are."""
     courses, session = await signed_in(request)
+    grader = grader_of(request)
 
     def work() -> dict[str, Any]:
         attempts = attempts_of(courses.store, session.link.id, session.person.id)
         outcomes = [attempt.outcome for attempt in attempts]
         grade = counted(session.link.settings.policy, outcomes, session.allowance)
-        return session_view(session, attempts, draft_of(courses.store, session), grade)
+        version = _version_now(grader, session)
+        return session_view(session, attempts, draft_of(courses.store, session), grade, version)
 
     return json_response(await in_thread(request, work))
+
+
+def _version_now(grader: Grader, session: CourseSession) -> str | None:
+    """What the exercise of a link is now; None where there is none, or none any more."""
+    try:
+        return grader.version(session.link.settings)
+    except (NoExerciseError, UnknownExerciseError, PublicationError):
+        return None
 
 
 @router.post("/session/close")
@@ -109,11 +120,14 @@ async def submit(request: ApiRequest) -> Response:
     courses, session = await signed_in(request)
     with answer_refused():
         typed = await request.json()
-        form = typed.pop("form", None) if isinstance(typed, dict) else None
+        form, seen = (
+            typed.pop(name, None) if isinstance(typed, dict) else None for name in ("form", "version")
+        )
         wire = validated(_ANSWER, typed)
         key = request.headers.get("idempotency-key", "")[:LONGEST_KEY] or None
         grader = grader_of(request)
-        work = partial(judged_submission, grader, session, wire, typed, key, language, form)
+        version = seen if isinstance(seen, str) else None
+        work = partial(judged_submission, grader, session, wire, typed, key, language, form, version)
         try:
             submission, found = await resources_of(request).limiters[WorkKind.GRADING].run(work)
             attempt = await courses.keep(submission)

@@ -21,7 +21,11 @@ def seed_of(session: CourseSession) -> str | None:
 
 
 def session_view(
-    session: CourseSession, attempts: Iterable[Attempt], draft: Draft | None, grade: Counted | None
+    session: CourseSession,
+    attempts: Iterable[Attempt],
+    draft: Draft | None,
+    grade: Counted | None,
+    version: str | None,
 ) -> dict[str, Any]:
     """Who is signed in, for what, by which rules, and how far they are."""
     settings, at = session.link.settings, now()
@@ -35,6 +39,7 @@ def session_view(
         "course": {"title": session.course.title},
         "link": {"id": session.link.id, "title": session.link.title},
         "exercise": settings.exercise_id,
+        "version": version,
         "seed": seed_of(session),
         "parts": list(settings.parts),
         "help": settings.help,
@@ -62,6 +67,7 @@ def attempt_entry(attempt: Attempt, shown: Shown) -> dict[str, Any]:
     told = shown is not Shown.RECEIPT
     return {
         "number": attempt.number,
+        "version": attempt.version,
         "at": attempt.at.isoformat(),
         "score": attempt.score if told else None,
         "correct": attempt.correct if told else None,
@@ -75,7 +81,6 @@ def attempt_view(attempt: Attempt, shown: Shown, language: str) -> dict[str, Any
     return {
         **attempt_entry(attempt, shown),
         "exercise": attempt.exercise_id,
-        "version": attempt.version,
         "seed": attempt.seed,
         "shown": shown.value,
         "report": masked(stored_report(attempt.report, language), shown),

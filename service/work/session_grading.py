@@ -12,7 +12,7 @@ import orjson
 
 from courses.attempts import check_open
 from courses.model import Attempt, CourseSession, LinkSettings
-from courses.refusals import NoExerciseError
+from courses.refusals import AttemptError, NoExerciseError
 from courses.regrading import Rejudged
 from courses.submissions import JudgedSubmission
 from exercises.access import ExerciseAccess
@@ -24,6 +24,7 @@ from exercises.grading import HelpLevel
 from exercises.instance import Instance, generate
 from exercises.loader import Library
 from kinematics.cells import Limits
+from kinematics.errors import Fault
 from service.course_resources import now
 from service.schemas.exercises import AnswerBase, ExerciseAnswer
 from service.wire.session_views import seed_of
@@ -175,15 +176,28 @@ def judged_submission(
     key: str | None,
     language: str,
     form: Any = None,
+    seen: str | None = None,
 ) -> tuple[JudgedSubmission, Report]:
     """Judge an answer, to be stored; an answer that cannot be graded is refused and costs nothing.
 
+    Args:
+        grader: what judges.
+        session: whose answer it is.
+        wire: the answer.
+        typed: the answer as it was sent.
+        key: names the submission, however often it is sent.
+        language: in which it is answered.
+        form: what the page takes back when the attempt is opened again.
+        seen: version of the exercise that the student has before them; None: they did not say.
+
     Raises:
-        AttemptError: the policy takes no attempt now.
+        AttemptError: the policy takes no attempt now, or the exercise is another one than the student sees.
         KinematicsError, ExerciseError: the answer cannot be graded.
     """
     settings, arrived, seed = session.link.settings, now(), seed_of(session)
     check_open(session, arrived)
+    if seen is not None and seen != grader.version(settings):
+        raise AttemptError(Fault(code="exercise_changed"))
     judged = grader.judge(settings, seed, wire, session.made + 1)
     attempt = Attempt(
         link_id=session.link.id,

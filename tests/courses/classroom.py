@@ -26,9 +26,8 @@ def platform(store: Store) -> Platform:
     return add_platform(store, asked, ("1",), NOW)
 
 
-def joined(store: Store, subject: str = "student-1", **changed: Any) -> CourseSession:
-    """A session of somebody who has just come."""
-    at = changed.pop("at", NOW)
+def arrival(store: Store, subject: str = "student-1", **changed: Any) -> Arrival:
+    """What a launch says of somebody."""
     told: dict[str, Any] = {
         "platform": platform(store),
         "subject": subject,
@@ -40,7 +39,13 @@ def joined(store: Store, subject: str = "student-1", **changed: Any) -> CourseSe
         "line_item": "https://lms.example.edu/items/1",
         **changed,
     }
-    token, _ = arrive(store, Arrival(**told), at)
+    return Arrival(**told)
+
+
+def joined(store: Store, subject: str = "student-1", **changed: Any) -> CourseSession:
+    """A session of somebody who has just come."""
+    at = changed.pop("at", NOW)
+    token, _ = arrive(store, arrival(store, subject, **changed), at)
     return session_of(store, token, at)
 
 

@@ -29,6 +29,7 @@ error-attempts_used = { $allowed ->
     [one] The one attempt that this exercise allows has been made.
    *[other] All { $allowed } attempts that this exercise allows have been made.
 }
+error-exercise_changed = The exercise was changed after you opened this page, and nothing was handed in. Reload the page: what you typed is still there.
 error-setting_invalid = { $name } can be: { $known }.
 error-closes_before_opening = The exercise would close before it opens.
 error-session_expired = You are no longer signed in. What you typed is still here: open the exercise from your course again.

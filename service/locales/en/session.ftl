@@ -13,3 +13,6 @@ session-grade = Counted: { $points } of { $total } points
 session-no-more = No attempt is taken now
 session-back = Back to the course
 session-received = Attempt { $attempt } has been received and stored. What was found is shown later.
+session-exercise-changed = The exercise has been changed since an earlier attempt
+session-attempt-then = Attempt { $attempt } was made before the exercise was changed. What was found belongs to the exercise as it was then.
+session-exercise-then = See the exercise as it was

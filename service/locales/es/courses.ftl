@@ -29,6 +29,7 @@ error-attempts_used = { $allowed ->
     [one] Ya se ha hecho el único intento que permite este ejercicio.
    *[other] Ya se han hecho los { $allowed } intentos que permite este ejercicio.
 }
+error-exercise_changed = El ejercicio se modificó después de que abriera esta página y no se ha entregado nada. Vuelva a cargar la página: lo que escribió sigue ahí.
 error-setting_invalid = { $name } puede ser: { $known }.
 error-closes_before_opening = El ejercicio se cerraría antes de abrirse.
 error-session_expired = Su sesión ha terminado. Lo que escribió sigue aquí: vuelva a abrir el ejercicio desde su curso.

@@ -13,3 +13,6 @@ session-grade = Cuentan { $points } de { $total } puntos
 session-no-more = Ahora no se admiten intentos
 session-back = Volver al curso
 session-received = El intento { $attempt } se ha recibido y guardado. Lo encontrado se mostrará más adelante.
+session-exercise-changed = El ejercicio se ha modificado después de un intento anterior
+session-attempt-then = El intento { $attempt } se hizo antes de que se modificara el ejercicio. Lo que se indica corresponde al ejercicio tal como era entonces.
+session-exercise-then = Ver el ejercicio tal como era

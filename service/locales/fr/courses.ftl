@@ -29,6 +29,7 @@ error-attempts_used = { $allowed ->
     [one] Le seul essai que permet cet exercice a été fait.
    *[other] Les { $allowed } essais que permet cet exercice ont tous été faits.
 }
+error-exercise_changed = L’exercice a été modifié après l’ouverture de cette page, et rien n’a été remis. Rechargez la page : ce que vous avez saisi est toujours là.
 error-setting_invalid = { $name } peut valoir : { $known }.
 error-closes_before_opening = L’exercice fermerait avant d’ouvrir.
 error-session_expired = Vous n’êtes plus connecté. Ce que vous avez saisi est toujours là : rouvrez l’exercice depuis votre cours.

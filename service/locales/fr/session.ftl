@@ -13,3 +13,6 @@ session-grade = Compte : { $points } points sur { $total }
 session-no-more = Aucun essai n’est accepté maintenant
 session-back = Retour au cours
 session-received = L’essai { $attempt } est reçu et conservé. Ce qui a été trouvé sera montré plus tard.
+session-exercise-changed = L’exercice a été modifié depuis un essai précédent
+session-attempt-then = L’essai { $attempt } a été fait avant la modification de l’exercice. Ce qui est indiqué se rapporte à l’exercice tel qu’il était alors.
+session-exercise-then = Voir l’exercice tel qu’il était

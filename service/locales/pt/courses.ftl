@@ -29,6 +29,7 @@ error-attempts_used = { $allowed ->
     [one] A única tentativa que este exercício permite já foi feita.
    *[other] Já foram feitas as { $allowed } tentativas que este exercício permite.
 }
+error-exercise_changed = O exercício foi alterado depois de ter aberto esta página e nada foi entregue. Recarregue a página: o que escreveu continua lá.
 error-setting_invalid = { $name } pode ser: { $known }.
 error-closes_before_opening = O exercício fecharia antes de abrir.
 error-session_expired = A sua sessão terminou. O que escreveu continua aqui: volte a abrir o exercício a partir da sua disciplina.

@@ -13,3 +13,6 @@ session-grade = Contam { $points } de { $total } pontos
 session-no-more = Agora não se aceitam tentativas
 session-back = Voltar à disciplina
 session-received = A tentativa { $attempt } foi recebida e guardada. O que se encontrou será mostrado mais tarde.
+session-exercise-changed = O exercício foi alterado depois de uma tentativa anterior
+session-attempt-then = A tentativa { $attempt } foi feita antes de o exercício ser alterado. O que se indica refere-se ao exercício tal como era então.
+session-exercise-then = Ver o exercício tal como era

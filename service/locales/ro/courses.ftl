@@ -30,6 +30,7 @@ error-attempts_used = { $allowed ->
     [few] Toate cele { $allowed } încercări permise de acest exercițiu au fost făcute.
    *[other] Toate cele { $allowed } de încercări permise de acest exercițiu au fost făcute.
 }
+error-exercise_changed = Exercițiul a fost modificat după ce ați deschis această pagină și nu s-a predat nimic. Reîncărcați pagina: ce ați scris este în continuare acolo.
 error-setting_invalid = { $name } poate fi: { $known }.
 error-closes_before_opening = Exercițiul s-ar închide înainte de a se deschide.
 error-session_expired = Nu mai sunteți autentificat. Ce ați scris este încă aici: deschideți din nou exercițiul din cursul dumneavoastră.

@@ -13,3 +13,6 @@ session-grade = Contează { $points } din { $total } puncte
 session-no-more = Acum nu se primesc încercări
 session-back = Înapoi la curs
 session-received = Încercarea { $attempt } a fost primită și păstrată. Ce s-a găsit se arată mai târziu.
+session-exercise-changed = Exercițiul a fost modificat după o încercare anterioară
+session-attempt-then = Încercarea { $attempt } a fost făcută înainte ca exercițiul să fie modificat. Cele constatate se referă la exercițiul de atunci.
+session-exercise-then = Vedeți exercițiul așa cum era

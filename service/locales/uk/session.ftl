@@ -13,3 +13,6 @@ session-grade = Зараховано: { $points } з { $total } балів
 session-no-more = Зараз спроби не приймаються
 session-back = Назад до курсу
 session-received = Спробу { $attempt } отримано й збережено. Знайдене буде показано пізніше.
+session-exercise-changed = Вправу змінено після однієї з попередніх спроб
+session-attempt-then = Спробу { $attempt } зроблено до зміни вправи. Зауваження стосуються вправи в тодішньому вигляді.
+session-exercise-then = Переглянути вправу в тодішньому вигляді

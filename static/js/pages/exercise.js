@@ -16,7 +16,7 @@ import { t } from "../i18n.js";
 import "../joint-sliders.js";
 import { LiveRobot, robotOf } from "../live-robot.js";
 import "../matrix-panel.js";
-import { api, startPage } from "../page.js";
+import { api, pageAddress, startPage } from "../page.js";
 import { plain } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import "../scene/robot-scene.js";
@@ -179,18 +179,46 @@ async function run() {
       await listAttempts();
     } catch (error) {
       const shown = error instanceof Problem && error.status < 500 && answer.showRefusal(error.faults, request.table);
-      if (!shown) fill($("submit-problem"), problemNotice(error));
+      if (!shown) showProblem(error);
     } finally {
       answer.busy = false;
     }
   }
 
-  /** The exercise's own values, and what the student gave a value to, in a table's units. @param {any} options */
-  function valuesFor({ angle_unit: angle, length_unit: length }) {
-    const { parameters, kinds, units } = givenBy(exercise);
+  /**
+   * The exercise's own values, and what the student gave a value to, in a table's units.
+   * @param {any} table @param {Wire.Exercise} [asked] the exercise, if it is not this page's
+   */
+  function valuesFor({ angle_unit: angle, length_unit: length }, asked = exercise) {
+    const { parameters, kinds, units } = givenBy(asked);
     /** @param {string} name */
     const kindOf = (name) => new Map(kinds).get(name) ?? "length";
     return { ...robot.parameters, ...convertedValues(parameters, kindOf, units, { angle, length }) };
+  }
+
+  /**
+   * Shows what was found of an earlier attempt, by the exercise as it was then.
+   * @param {CourseSession} course @param {import("../attempts.js").Attempt} attempt
+   */
+  async function reopen(course, attempt) {
+    const number = attempt.number ?? 0;
+    const { report, answer: sent } = await course.reopen(number);
+    if (report === null) return fill($("submit-problem"), receiptView({ attempt: number }));
+    const mended = !course.isCurrent(attempt) && attempt.version?.startsWith(`${id}-`);
+    const then = mended ? await api.get(`exercises/${attempt.version}${query}`) : exercise;
+    const { table } = sent;
+    const drawn =
+      table && ((report.certificate && report.figure) || report.departure)
+        ? await robotOf(api, table, valuesFor(table, then)).catch(() => null)
+        : null;
+    const convention = table?.convention ?? "standard";
+    const further = mended ? mendedNotice(attempt) : null;
+    verdict.show(report, { exercise: then, answer, convention, table, drawn, changed: false, further });
+  }
+
+  /** @param {unknown} error */
+  function showProblem(error) {
+    fill($("submit-problem"), problemNotice(error));
   }
 
   async function listAttempts() {
@@ -200,12 +228,13 @@ async function run() {
       $("history"),
       list,
       exercise.points,
-      (attempt) => {
+      async (attempt) => {
         restore(attempt.submission);
         keep(draftKey, answer.state);
         follow({ now: true });
         answer.focus();
         announce(t("form-history-restored"));
+        if (course && attempt.number) await reopen(course, attempt).catch((error) => showProblem(error));
       },
       async () => {
         await attempts.clear(id);
@@ -213,6 +242,18 @@ async function run() {
       },
     );
   }
+}
+
+/** Said of an attempt whose exercise was mended since. @param {import("../attempts.js").Attempt} attempt */
+function mendedNotice({ number, version }) {
+  const href = pageAddress(`exercises/${version}${query}`);
+  return el(
+    "p",
+    { class: "notice" },
+    t("session-attempt-then", { attempt: number ?? 0 }),
+    " ",
+    el("a", { href, target: "_blank", rel: "noopener", text: t("session-exercise-then") }),
+  );
 }
 
 /**

@@ -70,6 +70,8 @@ export class CourseSession {
   constructor(api, told) {
     this.#api = api;
     this.told = told;
+    /** @type {string | null} what the exercise was when this page was opened */
+    this.version = told.version;
     this.total = 0;
     this.banner = el("section", { class: "card session-banner", "aria-label": t("session-heading") });
     this.draft = debounced((/** @type {unknown} */ state) => {
@@ -98,7 +100,8 @@ export class CourseSession {
     const key = this.#keyOf(JSON.stringify(request));
     let graded;
     try {
-      graded = await this.#api.post("session/attempts", { .../** @type {any} */ (request), form }, { key });
+      const body = { .../** @type {any} */ (request), form, ...(this.version ? { version: this.version } : {}) };
+      graded = await this.#api.post("session/attempts", body, { key });
     } catch (error) {
       if (error instanceof Problem && error.status < 500) this.#forgetKey();
       throw error;
@@ -107,6 +110,16 @@ export class CourseSession {
     this.told = await this.#api.get("session").catch(() => this.told);
     this.#show();
     return graded;
+  }
+
+  /** Whether an attempt was made at the exercise as it is now. @param {import("../attempts.js").Attempt} attempt */
+  isCurrent({ version }) {
+    return version === this.version;
+  }
+
+  /** An attempt with what was found of it, as far as it may be shown now. @param {number} number @returns {Promise<any>} */
+  reopen(number) {
+    return this.#api.get(`session/attempts/${number}`);
   }
 
   /** The key of a submission: the one it was sent with before, if it has had no answer. @param {string} request */
@@ -131,7 +144,9 @@ export class CourseSession {
   get attempts() {
     return {
       list: async () =>
-        this.told.attempts.map((/** @type {any} */ { at, score, correct, form }) => ({
+        this.told.attempts.map((/** @type {any} */ { number, version, at, score, correct, form }) => ({
+          number,
+          version,
           at,
           score: score ?? 0,
           correct: Boolean(correct),
@@ -170,6 +185,9 @@ export class CourseSession {
           })
         : null,
       refusal ? el("span", { class: "badge warn", text: t("session-no-more") }) : null,
+      this.told.attempts.every((/** @type {any} */ attempt) => this.isCurrent(attempt))
+        ? null
+        : el("span", { class: "badge warn", text: t("session-exercise-changed") }),
       back ? el("a", { href: back, target: "_top", text: t("session-back") }) : null,
     ];
     fill(this.banner, el("p", { class: "row" }, facts));

@@ -1,0 +1,101 @@
+"""An exercise is mended under its students: what they did stays what it was, and they are told."""
+
+from __future__ import annotations
+
+from datetime import timedelta
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+from playwright.sync_api import Browser as Chromium
+from playwright.sync_api import expect
+
+from courses.enrolment import arrive, issue_code
+from courses.storage import open_store
+from service.course_resources import now
+from service.settings import Settings
+from tests.courses.classroom import arrival
+from tests.exercises.folders import TWO_LINKS, changed, folder
+from tests.live_service import running
+from tests.lti.test_in_a_browser import PATIENCE, chromium  # noqa: F401
+from tests.lti.test_session_grading import WRONG
+
+MENDED = changed("L1.value = 0.5", "L1.value = 0.6")
+
+
+@pytest.fixture
+def settings(tmp_path: Path) -> Settings:
+    return Settings(storage="on", data_folder=tmp_path / "data", exercise_folders=(tmp_path / "own",))
+
+
+def token(settings: Settings) -> str:
+    """Of a student who has just come."""
+    store = open_store("", settings.data_folder)
+    found, _ = arrive(store, arrival(store, exercise_id="two"), now())
+    store.close()
+    return found
+
+
+class Student:
+    """Calls of a page."""
+
+    def __init__(self, origin: str, settings: Settings) -> None:
+        self.root, self.headers = f"{origin}/api/v1", {"Authorization": f"Bearer {token(settings)}"}
+
+    def get(self, path: str) -> Any:
+        return httpx.get(f"{self.root}/{path}", headers=self.headers, timeout=60, trust_env=False).json()
+
+    def submit(self, body: dict[str, Any], key: str) -> httpx.Response:
+        headers = {**self.headers, "Idempotency-Key": key}
+        address = f"{self.root}/session/attempts"
+        return httpx.post(address, json=body, headers=headers, timeout=60, trust_env=False)
+
+
+def test_an_attempt_keeps_the_version_that_it_was_made_with(tmp_path: Path, settings: Settings) -> None:
+    folder(tmp_path / "own", TWO_LINKS)
+    with running(settings) as origin:
+        student = Student(origin, settings)
+        before = student.get("session")["version"]
+        seen = student.submit({**WRONG, "version": before}, "one").json()
+        assert seen["attempt"] == 1
+    folder(tmp_path / "own", MENDED)
+    with running(settings) as origin:
+        student = Student(origin, settings)
+        session = student.get("session")
+        assert session["version"] != before == session["attempts"][0]["version"]
+        late = student.submit({**WRONG, "version": before}, "two")
+        assert (late.status_code, late.json()["code"]) == (409, "exercise_changed")
+        repeated = student.submit({**WRONG, "version": before}, "one").json()
+        assert repeated == seen
+        assert student.get("session")["attempts_made"] == 1
+        again = student.get("session/attempts/1")
+        assert {**again["report"], "attempt": 1, "shown": again["shown"]} == seen
+        values = [student.get(f"exercises/{name}")["parameters"]["L1"] for name in (again["version"], "two")]
+        assert values == [0.5, 0.6]
+        assert student.submit({**WRONG, "version": session["version"]}, "three").json()["attempt"] == 2
+
+
+def test_the_page_says_so(tmp_path: Path, settings: Settings, chromium: Chromium) -> None:  # noqa: F811
+    folder(tmp_path / "own", TWO_LINKS)
+    with running(settings) as origin:
+        form = {"table": {**WRONG["table"], "angleUnit": "deg", "lengthUnit": "m"}, "parts": {}}
+        Student(origin, settings).submit({**WRONG, "form": form}, "one")
+    folder(tmp_path / "own", MENDED)
+    context = chromium.new_context(viewport={"width": 1280, "height": 1000}, locale="en")
+    context.set_default_timeout(PATIENCE)
+    page = context.new_page()
+    with running(settings) as origin:
+        store = open_store("", settings.data_folder)
+        code = issue_code(store, "session", {"token": token(settings)}, now(), timedelta(minutes=5))
+        page.goto(f"{origin}/exercises/two#session={code}")
+        page.wait_for_selector("html[data-ready=true]")
+        expect(page.locator(".session-banner")).to_contain_text("changed since an earlier attempt")
+        page.locator("#history button").first.click()
+        expect(page.locator("#verdict")).to_contain_text("the exercise as it was then")
+        with context.expect_page() as opened:
+            page.get_by_role("link", name="See the exercise as it was").click()
+        expect(opened.value.locator("#givens")).to_contain_text("0.5")
+        folder(tmp_path / "own", TWO_LINKS)
+        store.close()
+    context.close()
