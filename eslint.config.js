@@ -4,7 +4,7 @@ import js from "@eslint/js";
 import globals from "globals";
 
 export default [
-  { ignores: ["static/vendor/", "node_modules/", ".venv/", ".venv-peers/", "build/"] },
+  { ignores: ["static/vendor/", "node_modules/", ".venv*/", "build/"] },
   js.configs.recommended,
   {
     files: ["static/js/**/*.js", "service/**/*.js"],

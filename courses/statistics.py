@@ -4,27 +4,18 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping
-from datetime import UTC, date, datetime, time, timedelta
 from typing import Any
 
 import sqlalchemy as sa
 
 from courses import records
+from courses.judged import LISTED, STUCK_AFTER, judged, of_students
 from courses.statements import record_of
 from courses.storage import Store
 
-_ATTEMPT, _FINDING, _PART = records.attempt, records.finding, records.participation
-_OF_STUDENTS = sa.exists().where(
-    _PART.c.link_id == _ATTEMPT.c.link_id,
-    _PART.c.person_id == _ATTEMPT.c.person_id,
-    _PART.c.role == "learner",
-)
-"""Attempts of staff, and those of previews, are in no number."""
-STUCK_AFTER = 3
-"""So many wrong attempts and no right one: a student is stuck."""
+_FINDING, _PART = records.finding, records.participation
 CLUSTERS = 50
-LISTED = 200
-"""Groups of alike answers, and rows, that a page shows."""
+"""Groups of alike answers that a page shows."""
 
 
 def class_overview(
@@ -52,7 +43,6 @@ def class_overview(
                 _PART.c.made,
                 _PART.c.extra_seconds,
                 _PART.c.extra_attempts,
-                _PART.c.draft_at,
                 grade.c.score,
             )
             .join(person, person.c.id == _PART.c.person_id)
@@ -72,7 +62,7 @@ def class_overview(
         student["links"][str(row.link_id)] = {
             "attempts": row.made,
             "score": row.score,
-            "state": _state(row.made, (row.link_id, row.key) in solved, row.draft_at),
+            "state": _state(row.made, (row.link_id, row.key) in solved),
             "extra_seconds": row.extra_seconds,
             "extra_attempts": row.extra_attempts,
         }
@@ -92,21 +82,22 @@ def class_overview(
 
 
 def _solvers(connection: sa.Connection, link_ids: list[int]) -> set[tuple[int, str]]:
+    own = judged(link_ids)
     found = connection.execute(
-        sa.select(_ATTEMPT.c.link_id, records.person.c.key)
-        .join(records.person, records.person.c.id == _ATTEMPT.c.person_id)
-        .where(_ATTEMPT.c.link_id.in_(link_ids), _ATTEMPT.c.correct.is_(True))
+        sa.select(own.c.link_id, records.person.c.key)
+        .join(records.person, records.person.c.id == own.c.person_id)
+        .where(own.c.correct.is_(True))
         .distinct()
     )
     return {(row.link_id, row.key) for row in found}
 
 
-def _state(made: int, solved: bool, draft_at: datetime | None) -> str:
+def _state(made: int, solved: bool) -> str:
     if solved:
         return "solved"
     if made >= STUCK_AFTER:
         return "stuck"
-    return "begun" if made or draft_at else "opened"
+    return "begun" if made else "opened"
 
 
 def _counts(link_id: int, students: Iterable[dict[str, Any]]) -> dict[str, int]:
@@ -116,12 +107,11 @@ def _counts(link_id: int, students: Iterable[dict[str, Any]]) -> dict[str, int]:
 
 def link_statistics(store: Store, link_id: int) -> dict[str, Any]:
     """Attempts at a link: success by day and at the first attempt, and tries until success or drop-out."""
+    own = judged((link_id,))
     wanted = (
-        sa.select(
-            _ATTEMPT.c.person_id, _ATTEMPT.c.number, _ATTEMPT.c.at, _ATTEMPT.c.correct, _ATTEMPT.c.score
-        )
-        .where(_ATTEMPT.c.link_id == link_id, _OF_STUDENTS)
-        .order_by(_ATTEMPT.c.person_id, _ATTEMPT.c.number)
+        sa.select(own.c.person_id, own.c.number, own.c.at, own.c.correct, own.c.score)
+        .where(of_students(own))
+        .order_by(own.c.person_id, own.c.number)
     )
     with store.reading() as connection:
         rows = connection.execute(wanted).all()
@@ -165,21 +155,22 @@ def _sequence(people: Iterable[list[Any]]) -> list[dict[str, int]]:
 
 def misconceptions(store: Store, link_id: int) -> list[dict[str, Any]]:
     """How often each mistake was found, the most frequent first, with the newest attempt that has it."""
-    attempts = sa.func.count(sa.distinct(_ATTEMPT.c.id))
-    students = sa.func.count(sa.distinct(_ATTEMPT.c.person_id))
+    own = judged((link_id,))
+    attempts = sa.func.count(sa.distinct(own.c.id))
+    students = sa.func.count(sa.distinct(own.c.person_id))
     wanted = (
         sa.select(
             _FINDING.c.kind,
             _FINDING.c.code,
             attempts.label("attempts"),
             students.label("students"),
-            sa.func.max(_ATTEMPT.c.id).label("newest"),
+            sa.func.max(own.c.id).label("newest"),
         )
-        .join(_ATTEMPT, _ATTEMPT.c.id == _FINDING.c.attempt_id)
+        .join(own, own.c.id == _FINDING.c.attempt_id)
         .where(
             _FINDING.c.link_id == link_id,
-            _ATTEMPT.c.correct.is_(False),
-            _OF_STUDENTS,
+            own.c.correct.is_(False),
+            of_students(own),
             sa.or_(_FINDING.c.kind == "repair", _FINDING.c.kind.startswith("part:")),
         )
         .group_by(_FINDING.c.kind, _FINDING.c.code)
@@ -191,20 +182,20 @@ def misconceptions(store: Store, link_id: int) -> list[dict[str, Any]]:
 
 def unexplained(store: Store, link_id: int) -> list[dict[str, Any]]:
     """Wrong answers that no misconception explains, clustered by what does not fit, largest first."""
+    own = judged((link_id,))
     explained = sa.select(_FINDING.c.attempt_id).where(
         _FINDING.c.link_id == link_id,
         sa.or_(_FINDING.c.kind == "repair", _FINDING.c.kind.startswith("part:")),
     )
     wanted = (
-        sa.select(_ATTEMPT.c.id, _FINDING.c.code, _FINDING.c.row)
-        .outerjoin(_FINDING, sa.and_(_FINDING.c.attempt_id == _ATTEMPT.c.id, _FINDING.c.kind == "wrong"))
+        sa.select(own.c.id, _FINDING.c.code, _FINDING.c.row)
+        .outerjoin(_FINDING, sa.and_(_FINDING.c.attempt_id == own.c.id, _FINDING.c.kind == "wrong"))
         .where(
-            _ATTEMPT.c.link_id == link_id,
-            _ATTEMPT.c.correct.is_(False),
-            _OF_STUDENTS,
-            _ATTEMPT.c.id.not_in(explained),
+            own.c.correct.is_(False),
+            of_students(own),
+            own.c.id.not_in(explained),
         )
-        .order_by(_ATTEMPT.c.id, _FINDING.c.position)
+        .order_by(own.c.id, _FINDING.c.position)
     )
     facts: dict[int, list[str]] = defaultdict(list)
     with store.reading() as connection:
@@ -217,64 +208,6 @@ def unexplained(store: Store, link_id: int) -> list[dict[str, Any]]:
         clusters[tuple(found)].append(attempt_id)
     largest = sorted(clusters.items(), key=lambda item: (-len(item[1]), item[0]))[:CLUSTERS]
     return [{"facts": list(found), "attempts": ids} for found, ids in largest]
-
-
-def attempts_behind(
-    store: Store,
-    link_id: int,
-    *,
-    kind: str | None = None,
-    code: str | None = None,
-    ids: tuple[int, ...] = (),
-    person: str | None = None,
-    day: date | None = None,
-    number: int | None = None,
-) -> list[dict[str, Any]]:
-    """The attempts behind a number of a link, newest first.
-
-    Args:
-        store: the database.
-        link_id: the link.
-        kind: of the code; `repair` if none is named.
-        code: wrong attempts in which it was found.
-        ids: these attempts.
-        person: of one student, by their pseudonym.
-        day: those of a day (UTC).
-        number: everybody's first, second, …
-    """
-    wanted = (
-        sa.select(
-            _ATTEMPT.c.id,
-            _ATTEMPT.c.number,
-            _ATTEMPT.c.at,
-            _ATTEMPT.c.score,
-            _ATTEMPT.c.correct,
-            records.person.c.key,
-            records.person.c.name,
-        )
-        .join(records.person, records.person.c.id == _ATTEMPT.c.person_id)
-        .where(_ATTEMPT.c.link_id == link_id)
-        .order_by(_ATTEMPT.c.id.desc())
-        .limit(LISTED)
-    )
-    if code is not None:
-        found = sa.select(_FINDING.c.attempt_id).where(
-            _FINDING.c.link_id == link_id, _FINDING.c.kind == (kind or "repair"), _FINDING.c.code == code
-        )
-        wanted = wanted.where(_ATTEMPT.c.id.in_(found), _ATTEMPT.c.correct.is_(False))
-    if ids:
-        wanted = wanted.where(_ATTEMPT.c.id.in_(ids))
-    if person is not None:
-        wanted = wanted.where(records.person.c.key == person)
-    else:
-        wanted = wanted.where(_OF_STUDENTS)
-    if day is not None:
-        begin = datetime.combine(day, time(), UTC)
-        wanted = wanted.where(_ATTEMPT.c.at >= begin, _ATTEMPT.c.at < begin + timedelta(days=1))
-    if number is not None:
-        wanted = wanted.where(_ATTEMPT.c.number == number)
-    with store.reading() as connection:
-        return [{**record_of(row), "at": row.at.isoformat()} for row in connection.execute(wanted)]
 
 
 def undelivered(store: Store, course_id: int) -> list[dict[str, Any]]:

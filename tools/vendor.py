@@ -42,7 +42,7 @@ BUNDLED = {
     ),
     "katex/katex.js": ("katex", "render"),
     "fluent/bundle.js": ("@fluent/bundle", "FluentBundle FluentResource"),
-    "plot/plot.js": ("@observablehq/plot", "dot line plot ruleX ruleY text"),
+    "plot/plot.js": ("@observablehq/plot", "barX dot line plot ruleX ruleY text"),
 }
 COMPRESSED = {".js", ".css"}
 BROTLI = """

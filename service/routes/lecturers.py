@@ -13,6 +13,7 @@ from fastapi.responses import StreamingResponse
 from courses.audit import log_access
 from courses.enrolment import issue_code, preview, redeem_code
 from courses.gradebook import resend
+from courses.judged import AttemptFilter, Outcome, Progress, attempts_behind
 from courses.link_settings import read, written
 from courses.links import (
     all_attempts,
@@ -29,14 +30,7 @@ from courses.policies import Allowance, Shown
 from courses.privacy import erase_person, export_person, person_in
 from courses.refusals import NoExerciseError, StaffOnlyError, unknown_record
 from courses.regrading import Scope, apply, begin, changes, rejudge
-from courses.statistics import (
-    attempts_behind,
-    class_overview,
-    link_statistics,
-    misconceptions,
-    undelivered,
-    unexplained,
-)
+from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
 from kinematics.errors import Fault
 from service.course_resources import CourseResources, now
 from service.http.forms import own_root
@@ -170,25 +164,40 @@ async def statistics(request: ApiRequest) -> Response:
 
 @router.get("/course/links/{link}/attempts")
 async def list_attempts(request: ApiRequest) -> Response:
-    """The attempts behind a number: with a code, of a cluster (`ids`), or of a student."""
+    """The attempts behind a number: with a code, of a cluster (`ids`), a student, a step, a state."""
     staff = await _staff(request)
     link, asked = await staff.link(), request.query_params
     named = asked.get("ids", "").split(",")[:200]
     ids = tuple(int(text) for text in named if text.isdecimal() and len(text) < 10)
-    work = partial(
-        attempts_behind,
-        staff.store,
-        link.id,
+    chosen = AttemptFilter(
         kind=asked.get("kind"),
         code=asked.get("code"),
         ids=ids,
         person=asked.get("person"),
         day=_day(asked.get("day")),
         number=int(text) if (text := asked.get("number", "")).isdecimal() and len(text) < 7 else None,
+        correct=_choice(asked, "correct", {"true": True, "false": False}),
+        outcome=_choice(asked, "outcome", {each.value: each for each in Outcome}),
+        progress=_choice(asked, "state", {each.value: each for each in Progress}),
     )
-    found = await staff.run(work)
+    found = await staff.run(attempts_behind, staff.store, link.id, chosen)
     await staff.log("attempts", subject=asked.get("person"), link=link.id)
     return json_response({"attempts": found})
+
+
+def _choice(asked: Mapping[str, str], name: str, known: Mapping[str, _Result]) -> _Result | None:
+    """Return what a word of the query means; None if it is not there.
+
+    Raises:
+        RequestError: it is another word.
+    """
+    text = asked.get(name)
+    if text is None:
+        return None
+    if text not in known:
+        params = {"name": name, "known": ", ".join(known)}
+        raise RequestError(Fault(code="setting_invalid", where=(name,), params=params))
+    return known[text]
 
 
 def _day(text: str | None) -> date | None:

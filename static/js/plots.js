@@ -32,14 +32,45 @@ function library() {
 }
 
 /**
- * A figure that draws itself as wide as it is, and again when its width changes.
+ * A drawing as wide as its place, and drawn again when its width changes. The same numbers stand in a table beside it.
  * @param {string} label what the plot shows, for those who do not see it
+ * @param {(plot: Plot, width: number) => import("@observablehq/plot").PlotOptions} options at a width [px]
+ * @returns {HTMLElement}
+ */
+export function drawing(label, options) {
+  const place = el("div", { class: "plot-drawing" });
+  let drawn = 0;
+  const draw = async () => {
+    const width = Math.floor(place.clientWidth);
+    if (!width || width === drawn) return;
+    drawn = width;
+    const plot = await library();
+    const shape = plot.plot({ className: "plot", width, ...options(plot, width) });
+    for (const style of shape.querySelectorAll("style")) style.remove();
+    // Inside of an image nothing is announced; its groups keep their names for the style sheet.
+    for (const group of shape.querySelectorAll("g[aria-label]")) {
+      group.setAttribute("data-mark", group.getAttribute("aria-label") ?? "");
+      group.removeAttribute("aria-label");
+    }
+    const picture = shape.matches("svg") ? shape : shape.querySelector("svg");
+    picture?.setAttribute("role", "img");
+    picture?.setAttribute("aria-label", label);
+    fill(place, shape);
+  };
+  new ResizeObserver(() => {
+    draw().catch(() => fill(place, el("p", { class: "hint", text: t("form-unreachable") })));
+  }).observe(place);
+  return place;
+}
+
+/**
+ * A drawing with its title, and its numbers to be unfolded.
+ * @param {string} label what the plot shows
  * @param {(plot: Plot, width: number) => import("@observablehq/plot").PlotOptions} options at a width [px]
  * @param {Numbers} numbers
  * @returns {HTMLElement}
  */
 export function figure(label, options, { caption, head, rows }) {
-  const drawing = el("div", { class: "plot-drawing" });
   const table = el(
     "table",
     { class: "data plot-numbers" },
@@ -55,32 +86,11 @@ export function figure(label, options, { caption, head, rows }) {
     ),
     el("tbody", {}, rows.slice(0, ROWS_AT_MOST).map(line)),
   );
-  let drawn = 0;
-  const draw = async () => {
-    const width = Math.floor(drawing.clientWidth);
-    if (!width || width === drawn) return;
-    drawn = width;
-    const plot = await library();
-    const shape = plot.plot({ className: "plot", width, ...options(plot, width) });
-    for (const style of shape.querySelectorAll("style")) style.remove();
-    // Inside of an image nothing is announced; its groups keep their names for the style sheet.
-    for (const group of shape.querySelectorAll("g[aria-label]")) {
-      group.setAttribute("data-mark", group.getAttribute("aria-label") ?? "");
-      group.removeAttribute("aria-label");
-    }
-    const picture = shape.matches("svg") ? shape : shape.querySelector("svg");
-    picture?.setAttribute("role", "img");
-    picture?.setAttribute("aria-label", label);
-    fill(drawing, shape);
-  };
-  new ResizeObserver(() => {
-    draw().catch(() => fill(drawing, el("p", { class: "hint", text: t("form-unreachable") })));
-  }).observe(drawing);
   return el(
     "figure",
     { class: "plot-figure" },
     el("figcaption", { text: label }),
-    drawing,
+    drawing(label, options),
     el(
       "details",
       {},

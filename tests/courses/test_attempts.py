@@ -6,26 +6,21 @@ import itertools
 import threading
 import time
 from datetime import UTC, datetime, timedelta
+from typing import Any
 
 import pytest
 
 from courses.attempts import attempt_numbered, attempts_of, draft_of, keep_draft
 from courses.enrolment import SESSION, end_session, issue_code, redeem_code, remember_nonce, session_of
 from courses.gradebook import delivered, lease_scores, postponed, resend, undeliverable
+from courses.judged import AttemptFilter, Outcome, Progress, attempts_behind
 from courses.links import allow, change_settings, release_feedback
-from courses.model import LinkSettings
+from courses.model import CourseSession, LinkSettings
 from courses.policies import Allowance, AttemptPolicy, Counting, FeedbackTiming
 from courses.privacy import erase_person, export_person, purge
 from courses.refusals import AttemptError, SessionError, UnknownRecordError
 from courses.regrading import Rejudged, Scope, apply, begin, changes, rejudge
-from courses.statistics import (
-    attempts_behind,
-    class_overview,
-    link_statistics,
-    misconceptions,
-    undelivered,
-    unexplained,
-)
+from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
 from courses.storage import Store
 from service.work.retention import Retention
 from tests.courses.classroom import NOW, joined, platform, submitted
@@ -240,8 +235,63 @@ def test_numbers_of_a_class(store: Store) -> None:
     assert (found["code"], found["attempts"], found["students"]) == ("sign_of_twist", 2, 2)
     (cluster,) = unexplained(store, ann.link.id)
     assert cluster["facts"] == ["2:length"]
-    assert len(attempts_behind(store, ann.link.id, code="sign_of_twist")) == 2
-    assert len(attempts_behind(store, ann.link.id, ids=tuple(cluster["attempts"]))) == 1
+    assert behind(store, ann, code="sign_of_twist") == [("bob", 1), ("ann", 1)]
+    assert behind(store, ann, ids=tuple(cluster["attempts"])) == [("bob", 2)]
+
+
+def behind(store: Store, session: CourseSession, **asked: Any) -> list[tuple[str, int]]:
+    """Who made the attempts behind a number, and which they were."""
+    names = {pseudonym_of(store, name): name for name in ("ann", "bob", "eve", "max", "zoe")}
+    found = attempts_behind(store, session.link.id, AttemptFilter(**asked))
+    return [(names[each["key"]], each["number"]) for each in found]
+
+
+def pseudonym_of(store: Store, name: str) -> str:
+    return joined(store, name).person.key
+
+
+def test_every_number_has_its_attempts(store: Store) -> None:
+    """Ann solves it at once and goes on, Bob at the second; Eve gives up after one, Max after three."""
+    scores = {"ann": (1.0, 0.0), "bob": (0.5, 1.0), "eve": (0.2,), "max": (0.1, 0.1, 0.3)}
+    for name, made in scores.items():
+        for number, score in enumerate(made):
+            submitted(store, joined(store, name), score, key=str(number), minutes=number)
+    session = joined(store, "zoe")
+    keep_draft(store, session, {"table": []}, NOW)
+    counts = class_overview(store, session.course.id)["links"][0]
+    states = {name: counts[name] for name in ("absent", "opened", "begun", "stuck", "solved")}
+    assert states == {"absent": 0, "opened": 1, "begun": 1, "stuck": 1, "solved": 2}
+    for progress in Progress:
+        assert len(behind(store, session, progress=progress)) == counts[progress.value]
+    found = link_statistics(store, session.link.id)
+    assert len(behind(store, session)) == found["attempts"]
+    assert len(behind(store, session, outcome=Outcome.SOLVED)) == found["solved"]
+    for step in found["sequence"]:
+        for outcome, name in zip(Outcome, ("reached", "solved", "dropped_out"), strict=True):
+            assert len(behind(store, session, outcome=outcome, number=step["attempt"])) == step[name]
+    (day,) = found["days"]
+    assert len(behind(store, session, day=NOW.date(), correct=True)) == day["correct"] == 2
+    assert behind(store, session, number=1, correct=True) == [("ann", 1)]
+    assert behind(store, session, progress=Progress.STUCK) == [("max", 3)]
+
+
+def test_numbers_follow_the_judgement_that_counts(store: Store) -> None:
+    ann = joined(store, "ann")
+    submitted(store, ann, 0.5, key="1", report=WRONG)
+    run = begin(store, ann.link.id, Scope.ALL, "2", NOW)
+    rejudge(
+        store,
+        run,
+        lambda batch: [
+            Rejudged(attempt_id=a.id, score=1.0, correct=True, report={}, analysis={}) for a in batch
+        ],
+    )
+    assert link_statistics(store, ann.link.id)["solved"] == 0
+    apply(store, ann.link.id, run, NOW)
+    assert link_statistics(store, ann.link.id)["solved"] == 1
+    assert (misconceptions(store, ann.link.id), unexplained(store, ann.link.id)) == ([], [])
+    assert class_overview(store, ann.course.id)["links"][0]["solved"] == 1
+    assert [row["score"] for row in attempts_behind(store, ann.link.id, AttemptFilter())] == [1.0]
 
 
 def test_a_regrading_is_looked_at_then_applied_and_resumed(store: Store) -> None:

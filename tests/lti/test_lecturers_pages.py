@@ -69,8 +69,12 @@ def test_the_class_its_numbers_and_an_attempt(
     arrived(page, lms, "tina", hint([TEACHER], **where))
     expect(page.locator("#class table").first).to_be_visible()
     expect(page.locator("#link table").first).to_be_visible()
+    expect(page.locator("#link .bars svg[role=img] rect").first).to_be_visible()
+    assert page.locator("#link .bars").count() >= 2
     assert_accessible(page)
     no_sideways(page)
+    page.locator("#class").get_by_role("button", name="solved: 1").click()
+    expect(page.locator("#link").get_by_role("button", name="Open", exact=True)).to_have_count(1)
     page.locator("#link dl button").first.click()
     opened = page.get_by_role("button", name="Open", exact=True)
     expect(opened.first).to_be_visible()

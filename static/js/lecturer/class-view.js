@@ -14,10 +14,23 @@ export function studentName({ name, key }) {
 
 /**
  * @param {HTMLElement} place @param {any} found
- * @param {{openLink: (link: any) => void, openStudent: (link: any, student: any) => void}} act
+ * @param {{openLink: (link: any) => void, openStudent: (link: any, student: any) => void,
+ *   openState: (link: any, state: string, students: any[]) => void}} act
  */
-export function showClass(place, { links, students }, { openLink, openStudent }) {
+export function showClass(place, { links, students }, { openLink, openStudent, openState }) {
   const counts = ["absent", "opened", "begun", "stuck", "solved"];
+  /** How many are in a state, which opens what is behind it. @param {any} link @param {string} state */
+  const number = (link, state) => {
+    if (!link[state]) return 0;
+    const own = students.filter((/** @type {any} */ each) => (each.links[link.id]?.state ?? "absent") === state);
+    return el("button", {
+      type: "button",
+      class: "quiet small",
+      "aria-label": `${t(`lecturer-state-${state}`)}: ${link[state]}`,
+      onclick: () => openState(link, state, own),
+      text: String(link[state]),
+    });
+  };
   const summary = dataTable(
     t("lecturer-links"),
     [t("lecturer-link"), t("lecturer-exercise"), ...counts.map((name) => t(`lecturer-state-${name}`))],
@@ -29,7 +42,7 @@ export function showClass(place, { links, students }, { openLink, openStudent })
         text: link.title || link.exercise || t("lecturer-no-exercise"),
       }),
       link.exercise ?? t("lecturer-no-exercise"),
-      ...counts.map((name) => link[name]),
+      ...counts.map((name) => number(link, name)),
     ]),
   );
   /** @param {any} student @param {any} link */

@@ -8,6 +8,8 @@ import { barChart, dataTable } from "./chart.js";
 import { studentName } from "./class-view.js";
 import { settingsForm } from "./settings-form.js";
 
+const DAYS = 40;
+
 export class LinkView {
   /**
    * @param {import("../api.js").Api} api @param {any[]} exercises
@@ -48,6 +50,21 @@ export class LinkView {
     this.behind.scrollIntoView({ block: "nearest" });
   }
 
+  /**
+   * Those who are in a state of the class overview: their attempts, or who they are, where they have made none.
+   * @param {any} link @param {string} state @param {any[]} students
+   */
+  async showState(link, state, students) {
+    await this.show(link);
+    if (state === "absent" || state === "opened") {
+      const heading = t(`lecturer-state-${state}`);
+      const names = students.map((student) => el("li", { text: studentName(student) }));
+      fill(this.behind, el("h3", { text: heading }), el("ul", { class: "names" }, names));
+      announce(`${heading}: ${students.length}`);
+    } else await this.#open({ state });
+    this.behind.scrollIntoView({ block: "nearest" });
+  }
+
   /** @param {any} rest */
   #path(rest) {
     return `course/links/${this.link.id}/${rest}`;
@@ -57,12 +74,14 @@ export class LinkView {
   #numbers({ attempts, students, solved, first_attempt_rate: first, days, sequence }) {
     const percent = first === null ? "–" : `${Math.round(first * 100)} %`;
     const facts = [
-      [t("lecturer-attempts-made"), attempts ? this.#opener(attempts, {}) : 0],
-      [t("lecturer-students"), students],
-      [t("lecturer-solved"), solved],
-      [t("lecturer-first-rate"), percent],
+      [t("lecturer-attempts-made"), this.#opener(attempts, {})],
+      [t("lecturer-students"), this.#opener(students, {})],
+      [t("lecturer-solved"), this.#opener(solved, { outcome: "solved" })],
+      [t("lecturer-first-rate"), this.#opener(first ?? 0, { number: 1, correct: true }, percent)],
     ];
-    const dayBars = days.map((/** @type {any} */ { day, attempts: all, correct: part }) => ({ label: day, all, part }));
+    const dayBars = days
+      .slice(-DAYS)
+      .map((/** @type {any} */ { day, attempts: all, correct: part }) => ({ label: day, all, part }));
     return [
       el(
         "dl",
@@ -74,7 +93,11 @@ export class LinkView {
       dataTable(
         t("lecturer-by-day"),
         [t("lecturer-day"), t("lecturer-attempts-made"), t("lecturer-right")],
-        days.map((/** @type {any} */ { day, attempts: all, correct }) => [day, this.#opener(all, { day }), correct]),
+        days.map((/** @type {any} */ { day, attempts: all, correct }) => [
+          day,
+          this.#opener(all, { day }),
+          this.#opener(correct, { day, correct: true }),
+        ]),
       ),
       el("h3", { text: t("lecturer-sequence") }),
       barChart(
@@ -90,9 +113,9 @@ export class LinkView {
         [t("lecturer-attempt"), t("lecturer-reached"), t("lecturer-solved"), t("lecturer-left")],
         sequence.map((/** @type {any} */ step) => [
           step.attempt,
-          this.#opener(step.reached, { number: step.attempt }),
-          step.solved,
-          step.dropped_out,
+          this.#opener(step.reached, { number: step.attempt, outcome: "reached" }),
+          this.#opener(step.solved, { number: step.attempt, outcome: "solved" }),
+          this.#opener(step.dropped_out, { number: step.attempt, outcome: "left" }),
         ]),
       ),
     ];
@@ -112,7 +135,7 @@ export class LinkView {
         misconceptions.map((/** @type {any} */ entry) => [
           el("code", { text: entry.code }),
           this.#opener(entry.attempts, { kind: entry.kind, code: entry.code }),
-          entry.students,
+          this.#opener(entry.students, { kind: entry.kind, code: entry.code }),
           entry.example ?? "–",
         ]),
       ),
@@ -135,14 +158,19 @@ export class LinkView {
     ];
   }
 
-  /** A number that opens the attempts behind it. @param {number} count @param {Record<string, any>} asked */
-  #opener(count, asked) {
+  /**
+   * A number that opens the attempts behind it.
+   * @param {number} count @param {Record<string, any>} asked @param {string} [text] how the number is written
+   */
+  #opener(count, asked, text = String(count)) {
+    if (!count) return text;
+    const label = t("lecturer-open-attempts", { count });
     return el("button", {
       type: "button",
       class: "quiet small",
-      "aria-label": t("lecturer-open-attempts", { count }),
+      "aria-label": text === String(count) ? label : `${text}: ${t("lecturer-attempts")}`,
       onclick: () => this.#open(asked),
-      text: String(count),
+      text,
     });
   }
 

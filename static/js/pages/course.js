@@ -36,6 +36,7 @@ async function run() {
       showClass($("class"), found, {
         openLink: (chosen) => link.show(chosen),
         openStudent: (chosen, student) => link.showStudent(chosen, student),
+        openState: (chosen, state, students) => link.showState(chosen, state, students),
       });
       showUndelivered($("undelivered-card"), $("undelivered"), found.undelivered, async (id) => {
         await api.post(`course/links/${id}/resend`, {});
