@@ -17,7 +17,7 @@ from typing import IO, Any
 import sqlalchemy as sa
 from alembic.migration import MigrationContext
 
-from courses.records import UtcTime, metadata
+from courses.records import UtcTime, metadata, prepared_answer
 from courses.refusals import StorageError
 from courses.storage import Store
 from kinematics.errors import Fault
@@ -58,6 +58,8 @@ def _write(store: Store, out: IO[str]) -> int:
             revision = MigrationContext.configure(connection).get_current_revision()
             out.write(json.dumps({"format": FORMAT, "revision": revision}) + "\n")
             for table in metadata.sorted_tables:
+                if table is prepared_answer:
+                    continue  # made again where it is missing
                 for row in connection.execute(sa.select(table).execution_options(yield_per=_BATCH)):
                     values = {name: _written(value) for name, value in row._mapping.items()}
                     out.write(json.dumps([table.name, values], ensure_ascii=False) + "\n")

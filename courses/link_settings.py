@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 from courses.model import LinkSettings
 from courses.policies import AttemptPolicy, Counting, FeedbackTiming, Mode
 from courses.refusals import CourseError
+from exercises.access import MOST_VARIANTS
 from kinematics.errors import Fault
 
 Choice = TypeVar("Choice", Mode, Counting, FeedbackTiming)
@@ -30,6 +31,7 @@ def written(settings: LinkSettings) -> dict[str, Any]:
         "help": settings.help,
         "points": settings.points,
         "per_student": settings.per_student,
+        "variants": settings.variants,
         "language": settings.language,
         "attempts": policy.attempts,
         "counting": policy.counting.value,
@@ -65,6 +67,7 @@ def read(exercise_id: str | None, values: Mapping[str, Any]) -> LinkSettings:
         help=reader.text("help"),
         points=reader.number("points", 1.0, 0.0, MOST_POINTS),
         per_student=bool(values.get("per_student", False)),
+        variants=reader.whole("variants", None, 1, MOST_VARIANTS),
         language=reader.text("language"),
         policy=policy,
     )

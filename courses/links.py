@@ -17,6 +17,8 @@ from courses.policies import Allowance
 from courses.refusals import unknown_record
 from courses.storage import Store
 
+LONGEST_NUMBER = 9
+"""Digits of a number of a course, and one more: both databases hold what has fewer."""
 _LINK, _PART = records.link, records.participation
 
 
@@ -46,6 +48,23 @@ def _link(row: Any) -> Link:
         line_items=row.line_items,
         released_at=row.released_at,
     )
+
+
+def links_of_course(store: Store, called: str) -> list[tuple[LinkSettings, tuple[str, ...]]]:
+    """The links of courses by their title, or of one by its number, with the pseudonyms of who was there."""
+    course = records.course
+    named = course.c.title == called
+    if called.isdecimal() and len(called) < LONGEST_NUMBER:
+        named = sa.or_(named, course.c.id == int(called))
+    links = sa.select(_LINK).join(course, course.c.id == _LINK.c.course_id).where(named)
+    people = sa.select(_PART.c.link_id, records.person.c.key).join(
+        records.person, records.person.c.id == _PART.c.person_id
+    )
+    with store.reading() as connection:
+        found = [_link(row) for row in connection.execute(links.order_by(_LINK.c.id))]
+        there = people.where(_PART.c.link_id.in_([link.id for link in found]))
+        keys = [(row.link_id, row.key) for row in connection.execute(there.order_by(records.person.c.id))]
+    return [(link.settings, tuple(key for own, key in keys if own == link.id)) for link in found]
 
 
 def change_settings(store: Store, link_id: int, settings: LinkSettings, now: datetime) -> None:

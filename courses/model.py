@@ -101,6 +101,7 @@ class LinkSettings:
         help: most help that is given; None for what the exercise allows.
         points: what full marks are worth in the gradebook.
         per_student: every student has values of their own.
+        variants: so many sets of values are shared out among the students instead; None: by `per_student`.
         language: the page's language; None for the student's.
     """
 
@@ -109,6 +110,7 @@ class LinkSettings:
     help: str | None = None
     points: float = 1.0
     per_student: bool = False
+    variants: int | None = None
     language: str | None = None
     policy: AttemptPolicy = field(default_factory=AttemptPolicy)
 

@@ -298,6 +298,14 @@ publication = sa.Table(
     sa.Column("published", UtcTime, nullable=False),
 )
 
+prepared_answer = sa.Table(
+    "prepared_answer",
+    metadata,
+    sa.Column("address", PlainText, primary_key=True),
+    sa.Column("content", sa.LargeBinary, nullable=False),
+    sa.Column("made", UtcTime, nullable=False, index=True),
+)
+
 access = sa.Table(
     "access",
     metadata,

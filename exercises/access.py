@@ -11,6 +11,9 @@ from exercises.grading import HelpLevel
 from exercises.reading import Reader
 from kinematics.keys import ValueKind
 
+MOST_VARIANTS = 1000
+"""Variants of an exercise: each is drawn and tested beforehand, which takes a second or two."""
+
 
 class Tool(StrEnum):
     """What the service offers beside an exercise and a lecturer may switch off.
@@ -35,11 +38,13 @@ class ExerciseAccess:
         off: what is switched off.
         ladder: the most that is told at the first attempt, at the second, …; the last holds from then on.
         attempts: how many attempts there are; None: as many as one likes.
+        variants: how many sets of values there are, for all students together; None: a seed has its own.
     """
 
     off: frozenset[Tool] = frozenset()
     ladder: tuple[HelpLevel, ...] = (HelpLevel.REPAIR,)
     attempts: int | None = None
+    variants: int | None = None
 
     @property
     def most(self) -> HelpLevel:
@@ -55,20 +60,28 @@ def read_access(reader: Reader) -> ExerciseAccess:
     """Return what [access] and [help] of a definition say; faults go to the reader."""
     switches = reader.table("access")
     off = frozenset(tool for tool in Tool if not _switched_on(switches, tool))
-    attempts = switches.integer("attempts", 0) if switches.given("attempts") else None
-    if attempts is not None and attempts < 1:
-        switches.mistyped(ValueKind.COUNT, "attempts")
-        attempts = None
+    attempts, variants = (_count(switches, name) for name in ("attempts", "variants"))
+    if variants is not None and variants > MOST_VARIANTS:
+        switches.fault("variants_too_many", "variants", limit=MOST_VARIANTS)
     switches.finish()
     helps = reader.table("help")
     ladder = _ladder(helps)
     helps.finish()
-    return ExerciseAccess(off=off, ladder=ladder, attempts=attempts)
+    return ExerciseAccess(off=off, ladder=ladder, attempts=attempts, variants=variants)
 
 
 def lowest(levels: Sequence[HelpLevel]) -> HelpLevel:
     """Return the level that tells least."""
     return min(levels, key=list(HelpLevel).index)
+
+
+def _count(reader: Reader, name: str) -> int | None:
+    """Return a number from 1; None where it is left out."""
+    value = reader.integer(name, 0) if reader.given(name) else None
+    if value is not None and value < 1:
+        reader.mistyped(ValueKind.COUNT, name)
+        return None
+    return value
 
 
 def _switched_on(reader: Reader, tool: Tool) -> bool:

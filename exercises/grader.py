@@ -72,7 +72,12 @@ def allowed_help(exercise: Exercise, asked: HelpLevel | None, attempt: int | Non
 
 
 def grade(
-    instance: Instance, answer: Answer, help_level: HelpLevel | None = None, attempt: int | None = None
+    instance: Instance,
+    answer: Answer,
+    help_level: HelpLevel | None = None,
+    attempt: int | None = None,
+    *,
+    drawn: bool = True,
 ) -> Report:
     """Judge an answer.
 
@@ -81,6 +86,7 @@ def grade(
         answer: what was handed in, as read.
         help_level: how much may be told; never more than the exercise allows.
         attempt: which attempt it is, from 1, for the exercise's help ladder.
+        drawn: whether somebody will look at where the robot of a wrong table departs.
     """
     exercise = instance.exercise
     level = allowed_help(exercise, help_level, attempt)
@@ -104,7 +110,7 @@ def grade(
         angle_unit=answer.angle_unit,
         length_unit=answer.length_unit,
         figure=_figure(instance) if context.own_correct else None,
-        departure=_departure(instance, answer, verdict, level),
+        departure=_departure(instance, answer, verdict, level) if drawn else None,
         remarks=_remarks(exercise, verdict),
     )
 

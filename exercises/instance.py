@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
 
 from exercises.definition import Exercise
-from exercises.draws import Picker
+from exercises.draws import Picker, pick
 from exercises.errors import AnswerError
 from exercises.parts.registry import part_type
 from kinematics.errors import Fault
@@ -24,7 +25,8 @@ class Instance:
 
     Attributes:
         exercise: the exercise.
-        seed: from what the values were drawn; None for the values that everyone sees without a seed.
+        seed: from what the values were drawn, of an exercise with variants the variant's; None for the values
+            that everyone sees without a seed.
         exact: value of every dimension [the exercise's unit].
         drawn: what a part draws beside the dimensions, by the part's kind.
     """
@@ -51,7 +53,7 @@ def generate(exercise: Exercise, seed: str | int | None = None) -> Instance:
     Raises:
         AnswerError: the seed is longer than 200 characters.
     """
-    text = seed_text(seed)
+    text = variant_of(exercise.id, seed_text(seed), exercise.access.variants)
     picker = Picker(exercise_id=exercise.id, seed=text)
     exact = {
         parameter.name: picker.value(parameter.value, parameter.draw, parameter.name)
@@ -61,6 +63,27 @@ def generate(exercise: Exercise, seed: str | int | None = None) -> Instance:
     return Instance(
         exercise=exercise, seed=text, exact=MappingProxyType(exact), drawn=MappingProxyType(drawn)
     )
+
+
+def variant_of(exercise_id: str, seed: str | None, variants: int | None) -> str | None:
+    """Return the seed of the variant (variant-1, variant-2 and so on) that a seed falls to.
+
+    A variant falls to itself, and without a seed there is none. Each variant falls to about as many seeds.
+
+    Args:
+        exercise_id: of the exercise: who has variant 3 of one exercise has another one of the next.
+        seed: names a student or a try.
+        variants: how many variants there are; None: every seed has values of its own.
+    """
+    if variants is None or seed is None or seed in variant_seeds(variants):
+        return seed
+    return pick(variant_seeds(variants), exercise_id, seed, "variant")
+
+
+@lru_cache(maxsize=64)
+def variant_seeds(variants: int) -> tuple[str, ...]:
+    """Return the seeds of so many variants."""
+    return tuple(f"variant-{number}" for number in range(1, variants + 1))
 
 
 def seed_text(seed: str | int | None) -> str | None:

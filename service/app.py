@@ -142,6 +142,9 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     sender = ScoreSender(courses) if courses is not None else None
     retention = _retention(app.state.resources)
     watching = asyncio.create_task(_watch(app.state.resources.metrics))
+    shared = (app.state.resources.closed_forms, app.state.resources.figures) if sender is not None else ()
+    for answers in shared:
+        answers.start()
     if sender is not None:
         _log.info("Courses and attempts are stored in %s", courses.store.location)
         sender.start()
@@ -151,7 +154,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         yield
     finally:
         watching.cancel()
-        for thread in (sender, retention):
+        for thread in (sender, retention, *shared):
             if thread is not None:
                 await asyncio.to_thread(thread.stop)
         await asyncio.to_thread(app.state.resources.close)

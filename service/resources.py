@@ -10,6 +10,8 @@ from typing import Annotated, TypeAlias
 
 from fastapi import Depends, Request
 
+from exercises.access import lowest
+from exercises.grading import HelpLevel
 from exercises.loader import Library
 from kinematics.errors import Fault
 from service.course_resources import CourseResources
@@ -23,6 +25,7 @@ from service.wire.answer_cache import AnswerCache
 from service.wire.prepared_robots import RobotCache
 from service.work.callbacks import Callbacks
 from service.work.limiters import Limiter, WorkKind, limiters
+from service.work.shared_answers import SharedAnswers
 from service.work.workers import Workers
 
 UPLOADS = 4
@@ -36,7 +39,9 @@ class Resources:
         settings: the operator's choices.
         exercises: the exercises that it serves.
         robots: tables that were read before.
-        symbolic_answers: closed forms that were written before.
+        symbolic_answers: closed forms by the text of their question.
+        closed_forms: the same by what was meant, shared with other processes.
+        figures: figures that were drawn before, shared with other processes.
         limiters: for each kind of work in threads.
         workers: the worker processes.
         receipt_keys: the keys that sign receipts.
@@ -55,6 +60,9 @@ class Resources:
         self.exercises.read_all()
         self.robots = RobotCache(settings)
         self.symbolic_answers = AnswerCache()
+        store = self.courses.store if self.courses is not None else None
+        self.closed_forms = SharedAnswers("closed-form", store)
+        self.figures = SharedAnswers("figure", store)
         self.limiters = limiters(settings)
         self.workers = Workers(settings)
         self.receipt_keys = receipt_keys(settings)
@@ -78,6 +86,12 @@ class Resources:
         queues = {kind.value: limiter.queue for kind, limiter in self.limiters.items()}
         queues |= {f"processes-{name.value}": lane.queue for name, lane in self.workers.lanes.items()}
         return {name: (queue.running, queue.waiting) for name, queue in queues.items()}
+
+    def help_now(self, asked: HelpLevel | None) -> HelpLevel | None:
+        """Return how much a wrong answer may be told now; its score is the same however long the lane is."""
+        if self.limiters[WorkKind.GRADING].queue.waiting <= self.settings.explained_queue:
+            return asked
+        return HelpLevel.ROW if asked is None else lowest((asked, HelpLevel.ROW))
 
     def close(self) -> None:
         """End worker processes and connections."""

@@ -153,7 +153,12 @@ class Settings(BaseSettings):
         (), description="folders with exercises of your own; one of them goes before a packaged one of its id"
     )
     grading_threads: PositiveInt = Field(2, description="wrong answers that are explained at the same time")
-    grading_queue: NonNegativeInt = Field(512, description="wrong answers that may wait for their turn")
+    grading_queue: NonNegativeInt = Field(
+        4096, description="answers, figures and sign-ins that may wait for their turn, each kind for itself"
+    )
+    explained_queue: NonNegativeInt = Field(
+        64, description="answers that may wait before wrong ones are told no more than which rows are wrong"
+    )
 
     secret: SecretStr | None = Field(
         None,

@@ -46,29 +46,42 @@ class Explanation:
     repairs: tuple[Repair, ...]
 
 
-def explanation(
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Diagnosis:
+    """What is wrong with an answer and what it earns, however much of it may be told.
+
+    Attributes:
+        decision: what was decided, with what does not fit.
+        repairs: what would mend the answer.
+        score: what it still earns.
+        work: what it was found on.
+    """
+
+    decision: Decision
+    repairs: tuple[Repaired, ...]
+    score: float
+    work: Work
+
+
+def diagnosis(
     decision: Decision,
     comparison: Comparison,
     tables: tuple[ReadTable, ReadTable],
     policy: Policy,
-    level: HelpLevel,
     weights: Weights,
-) -> Explanation:
-    """Explain why an answer is wrong.
+) -> Diagnosis:
+    """Find what is wrong with an answer, by a counted amount of work.
 
     Args:
         decision: what was decided.
         comparison: in which way the answer was taken.
         tables: the key and the answer as read.
         policy: what the answer is held to.
-        level: how much may be told.
         weights: what facts and slips are worth.
     """
     work = work_on(comparison, tables, policy)
     repairs: tuple[Repaired, ...] = ()
     score = 0.0
-    links: tuple[LinkFinding, ...] = ()
-    feedback: tuple[Feedback, ...] = (Feedback(code="not_equivalent"),)
     try:
         if decision is not IMPRECISE:
             repairs = find_repairs(work)
@@ -83,12 +96,22 @@ def explanation(
         score = score_of(decision, repairs, work, weights)
     except Exception:
         _LOG.exception("no score")
+    return Diagnosis(decision=decision, repairs=repairs, score=score, work=work)
+
+
+def explanation(found: Diagnosis, policy: Policy, level: HelpLevel) -> Explanation:
+    """Explain why an answer is wrong, as far as may be told."""
+    repairs = found.repairs
+    links: tuple[LinkFinding, ...] = ()
+    feedback: tuple[Feedback, ...] = (Feedback(code="not_equivalent"),)
     try:
-        links, feedback = _told(decision, repairs, work, policy, level)
+        links, feedback = _told(found.decision, repairs, found.work, policy, level)
     except Exception:
         _LOG.exception("no findings")
         repairs = ()
-    return Explanation(score=score, links=links, feedback=feedback, repairs=told_repairs(repairs, level))
+    return Explanation(
+        score=found.score, links=links, feedback=feedback, repairs=told_repairs(repairs, level)
+    )
 
 
 def clearest(

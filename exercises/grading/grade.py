@@ -7,7 +7,14 @@ from functools import lru_cache
 
 from exercises.grading.certificate_report import certificate_report
 from exercises.grading.comparison import Comparison, comparisons
-from exercises.grading.explanation import clearest, explanation, renumbered, without_idle_rows
+from exercises.grading.explanation import (
+    Diagnosis,
+    clearest,
+    diagnosis,
+    explanation,
+    renumbered,
+    without_idle_rows,
+)
 from exercises.grading.facts import Weights
 from exercises.grading.findings import all_right
 from exercises.grading.frames import explained
@@ -19,6 +26,8 @@ from kinematics.equivalence import Decision, Policy, prove
 
 REMEMBERED = 512
 """Verdicts that are kept: a class hands in the same few answers again and again."""
+DIAGNOSED = 64
+"""Diagnoses that are kept: an answer is told by one level of help and written down by another."""
 USUAL = Weights()
 
 
@@ -72,16 +81,11 @@ def _grade(
     help_level: HelpLevel,
     weights: Weights,
 ) -> Verdict:
-    decided = _decided(reference, submission, policy, parameters)
+    decided = _diagnosed(reference, submission, policy, parameters, weights)
     if isinstance(decided, Verdict):
         return decided
-    shortened, kept = without_idle_rows(submission)
-    if shortened is not submission:
-        again = _decided(reference, shortened, policy, parameters)
-        decided = decided if isinstance(again, Verdict) else again
-    decision, way = decided
-    told = explanation(decision, way, (reference, shortened), policy, help_level, weights)
-    told = renumbered(told, kept, len(submission.table.rows))
+    found, way, kept = decided
+    told = renumbered(explanation(found, policy, help_level), kept, len(submission.table.rows))
     shared = in_common(told.repairs)
     return Verdict(
         correct=False,
@@ -98,6 +102,26 @@ def _grade(
         angle_unit=submission.angle_unit,
         length_unit=submission.length_unit,
     )
+
+
+@lru_cache(maxsize=DIAGNOSED)
+def _diagnosed(
+    reference: ReadTable,
+    submission: ReadTable,
+    policy: Policy,
+    parameters: tuple[tuple[str, float], ...],
+    weights: Weights,
+) -> Verdict | tuple[Diagnosis, Comparison, tuple[int, ...]]:
+    """The verdict on a right answer; of a wrong one what is wrong, what was compared, what rows count."""
+    decided = _decided(reference, submission, policy, parameters)
+    if isinstance(decided, Verdict):
+        return decided
+    shortened, kept = without_idle_rows(submission)
+    if shortened is not submission:
+        again = _decided(reference, shortened, policy, parameters)
+        decided = decided if isinstance(again, Verdict) else again
+    decision, way = decided
+    return diagnosis(decision, way, (reference, shortened), policy, weights), way, kept
 
 
 @lru_cache(maxsize=REMEMBERED)

@@ -49,7 +49,9 @@ def check(exercise: Exercise, seeds: int, mistakes: int | None = None) -> Findin
     return check_values((None, *range(seeds)), exercise, mistakes)
 
 
-def check_values(seeds: Iterable[int | None], exercise: Exercise, mistakes: int | None = None) -> Findings:
+def check_values(
+    seeds: Iterable[int | str | None], exercise: Exercise, mistakes: int | None = None
+) -> Findings:
     """Test an exercise by itself with the values of some seeds, None being the usual values.
 
     Args:
@@ -79,7 +81,7 @@ def check_values(seeds: Iterable[int | None], exercise: Exercise, mistakes: int 
 
 
 @contextmanager
-def _crashes(findings: Findings, seed: int | None) -> Iterator[None]:
+def _crashes(findings: Findings, seed: int | str | None) -> Iterator[None]:
     """What goes wrong inside is a failure of the exercise, whatever it is: a student would meet it too."""
     try:
         yield

@@ -33,6 +33,7 @@ COMMANDS: Mapping[str, str] = {
     "lti": "lti",
     "people": "people",
     "config": "config",
+    "warm": "warm",
 }
 """Every subcommand and the module of this package that declares it; only what is called is imported."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import Any, TypeVar
 
@@ -62,7 +63,11 @@ def grader_of(request: ApiRequest) -> Grader:
     """What judges answers by the application's exercises and limits."""
     resources = resources_of(request)
     edition = resources.courses.edition if resources.courses else None
-    return Grader(library=resources.exercises, limits=resources.settings.cell_limits, edition=edition)
+    return Grader(
+        library=resources.exercises,
+        limits=resources.settings.cell_limits,
+        edition=edition,
+    )
 
 
 def json_response(body: Any, status: int = 200) -> Response:
@@ -125,7 +130,7 @@ async def submit(request: ApiRequest) -> Response:
         )
         wire = validated(_ANSWER, typed)
         key = request.headers.get("idempotency-key", "")[:LONGEST_KEY] or None
-        grader = grader_of(request)
+        grader = replace(grader_of(request), help_now=resources_of(request).help_now)
         version = seen if isinstance(seen, str) else None
         work = partial(judged_submission, grader, session, wire, typed, key, language, form, version)
         try:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import partial
 from typing import Annotated
 
@@ -13,6 +12,7 @@ from exercises.access import lowest
 from exercises.answers import parse
 from exercises.grader import Report, grade
 from exercises.grading import HelpLevel
+from exercises.instance import Instance
 from kinematics.errors import Fault
 from service.http.languages import language_of
 from service.http.link_context import LinkContext
@@ -24,8 +24,9 @@ from service.http.validation import validated
 from service.resources import resources_of
 from service.schemas import examples_grading as examples
 from service.schemas.exercises import AnswerBase, ExerciseAnswer, ExerciseList, ExerciseModel, GradedModel
-from service.web.responses import text_response
-from service.wire.exercise_views import attempts_of, exercise_list, exercise_view, figure_file, instance_of
+from service.web.responses import packed_response, text_response
+from service.wire.exercise_views import attempts_of, exercise_list, exercise_view, instance_of
+from service.wire.figure_files import figure_address, figure_path, packed_figure
 from service.wire.ungraded import answer_refused, known_exercise
 from service.wire.verdicts import encoded, report_body
 from service.work.limiters import WorkKind
@@ -35,6 +36,7 @@ direct = api_router("exercises", route_class=DirectRoute)
 
 _ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
 SVG = "image/svg+xml"
+YEAR = 31_536_000
 _FIGURE_POLICY = "default-src 'none'; style-src 'unsafe-inline'"
 
 Id = Annotated[
@@ -72,7 +74,9 @@ async def show_exercise(
     language = language_of(request)
     with known_exercise():
         instance = instance_of(resources_of(request).exercises, exercise_id, seed_of(request, seed))
-    return _text(request, encoded(exercise_view(instance, language, context_of(request))), language, JSON)
+    view = exercise_view(instance, language, context_of(request))
+    view["figure"]["file"] = figure_path(resources_of(request).figures, instance, language)
+    return _text(request, encoded(view), language, JSON)
 
 
 @router.get(
@@ -91,10 +95,38 @@ async def show_figure(
     language = language_of(request)
     with known_exercise():
         instance = instance_of(resources_of(request).exercises, exercise_id, seed_of(request, seed))
-    figure = (
-        await resources_of(request).limiters[WorkKind.DRAWING].run(partial(figure_file, instance, language))
-    )
-    return _text(request, figure, language, SVG, {"Content-Security-Policy": _FIGURE_POLICY})
+    return await _figure(request, instance, language, "no-cache")
+
+
+@router.get("/exercises/{exercise_id}/figures/{address}.svg", include_in_schema=False)
+async def show_addressed_figure(
+    request: Request, exercise_id: Id, address: str, seed: Seed = None, lang: Language = None
+) -> Response:
+    """The same figure under the address that the exercise tells: what is there never changes.
+
+    Caches may keep it for good. All who have the same values have the same address.
+    """
+    language = language_of(request)
+    with known_exercise():
+        instance = instance_of(resources_of(request).exercises, exercise_id, seed_of(request, seed))
+    now = figure_address(resources_of(request).figures, instance, language)
+    if now != address:
+        query = f"?{request.url.query}" if request.url.query else ""
+        return Response(
+            status_code=307, headers={"Location": f"{now}.svg{query}", "Cache-Control": "no-store"}
+        )
+    return await _figure(request, instance, language, f"public, max-age={YEAR}, immutable")
+
+
+async def _figure(request: Request, instance: Instance, language: str, caching: str) -> Response:
+    resources = resources_of(request)
+    address = figure_address(resources.figures, instance, language)
+    packed = resources.figures.known(address)
+    if packed is None:
+        work = partial(packed_figure, resources.figures, instance, language)
+        packed = await resources.limiters[WorkKind.DRAWING].run(work)
+    headers = {**_headers(language), "Cache-Control": caching, "Content-Security-Policy": _FIGURE_POLICY}
+    return packed_response(request, packed, address, SVG, headers)
 
 
 @direct.post(
@@ -131,10 +163,12 @@ async def _judged(request: ApiRequest) -> Report:
     help_level, attempt = help_of(context_of(request), wire.help, wire.attempt)
     refuse_beyond(attempts_of(instance.exercise, context_of(request)), attempt)
 
-    def work() -> Report:
-        return grade(instance, parse(instance, raw, limits), help_level, attempt)
+    resources = resources_of(request)
 
-    return await resources_of(request).limiters[WorkKind.GRADING].run(work)
+    def work() -> Report:
+        return grade(instance, parse(instance, raw, limits), resources.help_now(help_level), attempt)
+
+    return await resources.limiters[WorkKind.GRADING].run(work)
 
 
 def seed_of(request: Request, asked: str | None) -> str | None:
@@ -164,11 +198,9 @@ def refuse_beyond(attempts: int | None, attempt: int | None) -> None:
         raise ForbiddenError(fault)
 
 
-def _text(
-    request: Request, body: bytes, language: str, media_type: str, more: Mapping[str, str] | None = None
-) -> Response:
+def _text(request: Request, body: bytes, language: str, media_type: str) -> Response:
     """What is read again and again: with a validator, and compressed for who takes it."""
-    return text_response(request, body, media_type, {**_headers(language), **(more or {})})
+    return text_response(request, body, media_type, _headers(language))
 
 
 def _answer(body: bytes, language: str, media_type: str) -> Response:

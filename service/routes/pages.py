@@ -7,13 +7,17 @@ from urllib.parse import urlencode
 
 from fastapi import APIRouter, Request, Response
 
-from exercises.errors import UnknownExerciseError
+from exercises.definition import Exercise
+from exercises.errors import AnswerError, UnknownExerciseError
 from exercises.statements import to_html
 from service.http.link_context import QUERY
+from service.http.link_guard import context_of
 from service.messages import LOCALES, languages
 from service.resources import resources_of
 from service.web.responses import missing_page, page_language, page_response, text_response
 from service.web.shell import Page
+from service.wire.exercise_views import instance_of
+from service.wire.figure_files import figure_path
 
 router = APIRouter(include_in_schema=False)
 
@@ -49,12 +53,24 @@ async def exercise_page(request: Request, exercise_id: str) -> Response:
         "id": found.id,
         "title": found.title(language),
         "statement": to_html(found.statement(language)),
-        "query": "?" + urlencode({"lang": language, **kept}),
+        "figure": _figure(request, found, language, urlencode({"lang": language, **kept})),
     }
     # A SCORM package frames the page from whatever origin its LMS has. Nobody is signed in there: a page that
     # frames it gains nothing that it could not ask for itself.
     packaged = request.query_params.get("embed") == "scorm"
     return page_response(request, EXERCISE, values, in_any_frame=packaged, off=found.access.off)
+
+
+def _figure(request: Request, found: Exercise, language: str, query: str) -> str:
+    """The path of the figure with the values that the page's address, or its link, gives a seed for."""
+    context = context_of(request)
+    seed = request.query_params.get("seed") if context is None or context.seed is None else context.seed
+    resources = resources_of(request)
+    try:
+        instance = instance_of(resources.exercises, found.id, seed)
+    except AnswerError:  # a seed too long: the page asks for the exercise, and shows what it is told
+        instance = instance_of(resources.exercises, found.id, None)
+    return figure_path(resources.figures, instance, language, query)
 
 
 @router.get("/receipts")

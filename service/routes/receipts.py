@@ -33,7 +33,8 @@ from service.routes.exercises import Id, help_of, refuse_beyond, seed_of
 from service.schemas import examples_grading
 from service.schemas.examples import named
 from service.schemas.receipts import IssuedReceipt, KeySet, ReceiptRequest, VerifiedReceipts, VerifyRequest
-from service.wire.exercise_views import attempts_of, figure_file, instance_of
+from service.wire.exercise_views import attempts_of, instance_of
+from service.wire.figure_files import figure_file
 from service.wire.ungraded import answer_refused
 from service.work.limiters import WorkKind
 

@@ -207,6 +207,9 @@ class FigureModel(Wire):
     ground: FigureGround | None
     size: Real = Field(description="diagonal of the box that holds the robot")
     description: str = Field(description="the figure in words, in the caller's language")
+    file: str | None = Field(
+        None, description="path of the drawing below /api/v1; what is there never changes"
+    )
 
 
 class AccessModel(Wire):

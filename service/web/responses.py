@@ -138,11 +138,30 @@ def text_response(
     sent = {**headers, "ETag": tag, "Vary": varies}
     if status == 200 and _has(tag, request.headers.get("if-none-match", "")):
         return Response(status_code=304, headers=sent)
-    accepted = dict(reversed(weighted(request.headers.get("accept-encoding", ""))))
-    if accepted.get("gzip", accepted.get("*", 0.0)) > 0.0:
+    if takes_gzip(request):
         sent["Content-Encoding"] = "gzip"
         body = _compressed(body)
     return Response(body, status_code=status, media_type=media_type, headers=sent)
+
+
+def packed_response(
+    request: Request, packed: bytes, tag: str, media_type: str, headers: Mapping[str, str]
+) -> Response:
+    """What is kept gzipped, under its validator, to those who take it so and to those who don't."""
+    varies = ", ".join(dict.fromkeys([*filter(None, [headers.get("Vary")]), "Accept-Encoding"]))
+    sent = {**headers, "ETag": f'W/"{tag}"', "Vary": varies}
+    if _has(sent["ETag"], request.headers.get("if-none-match", "")):
+        return Response(status_code=304, headers=sent)
+    if takes_gzip(request):
+        sent["Content-Encoding"] = "gzip"
+        return Response(packed, media_type=media_type, headers=sent)
+    return Response(gzip.decompress(packed), media_type=media_type, headers=sent)
+
+
+def takes_gzip(request: Request) -> bool:
+    """Whether the client takes what is gzipped."""
+    accepted = dict(reversed(weighted(request.headers.get("accept-encoding", ""))))
+    return accepted.get("gzip", accepted.get("*", 0.0)) > 0.0
 
 
 def _has(tag: str, asked: str) -> bool:

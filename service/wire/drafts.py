@@ -23,7 +23,8 @@ from exercises.written_table import written_table
 from kinematics.errors import Fault
 from service.http.problems import RequestError
 from service.messages import sentence
-from service.wire.exercise_views import exercise_view, figure_file
+from service.wire.exercise_views import exercise_view
+from service.wire.figure_files import figure_file
 from service.wire.verdicts import record_body
 
 KEPT = 64

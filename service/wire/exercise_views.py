@@ -9,7 +9,7 @@ from typing import Any
 
 from exercises.access import lowest
 from exercises.definition import Exercise, Part
-from exercises.drawings import LATELY, figure_geometry, figure_sentences, figure_svg
+from exercises.drawings import LATELY, figure_geometry, figure_sentences
 from exercises.grading import ConventionRule, HelpLevel
 from exercises.instance import Instance, generate
 from exercises.loader import Library
@@ -24,7 +24,7 @@ from service.schemas.exercises import TASK_FIELDS
 FRAMED = (TABLE, "frames", "screws")
 """Kinds of part that are held to the rules on frames."""
 KEPT = 512
-"""Instances and figures that are kept."""
+"""Instances that are kept."""
 
 
 def instance_of(library: Library, exercise_id: str, seed: str | None) -> Instance:
@@ -156,15 +156,6 @@ def figure_description(instance: Instance, language: str) -> str:
         sentence(language, f"figure-{entry.code}", entry.params) for entry in figure_sentences(instance)
     )
     return " ".join(text for text in sentences if text)
-
-
-@lru_cache(maxsize=KEPT)
-def figure_file(instance: Instance, language: str) -> bytes:
-    """The figure as an SVG file."""
-    title = sentence(language, "figure-title", {"title": instance.exercise.title(language)}) or ""
-    description = figure_description(instance, language)
-    note = sentence(language, "figure-note") or ""
-    return figure_svg(instance, title=title, description=description, language=language, note=note).encode()
 
 
 def _entry(found: Exercise, language: str) -> dict[str, Any]:

@@ -10,14 +10,18 @@ from courses.enrolment import SESSION
 from courses.model import Attempt, CourseSession, Draft
 from courses.policies import Counted, Shown, attempts_allowed, deadline, refusal
 from exercises.grader import Report
+from exercises.instance import variant_of
 from exercises.records import restored
 from service.course_resources import now
 from service.wire.verdicts import report_body
 
 
 def seed_of(session: CourseSession) -> str | None:
-    """The seed of a student's values: the same for a student and link for ever."""
-    return session.person.key[:16] if session.link.settings.per_student else None
+    """The seed of a student's values: the same for a student as long as the link's settings are."""
+    settings, own = session.link.settings, session.person.key[:16]
+    if settings.variants is not None:
+        return variant_of(settings.exercise_id or "", own, settings.variants)
+    return own if settings.per_student else None
 
 
 def session_view(

@@ -11,8 +11,10 @@ import asyncio
 import math
 import time
 from collections import OrderedDict
+from collections.abc import Callable
 from contextvars import ContextVar
 from dataclasses import dataclass, field
+from heapq import heappop, heappush, heapreplace
 from typing import TypeAlias
 
 from service.http.problems import busy
@@ -34,6 +36,7 @@ class _Waiting:
     client: Client
     loop: asyncio.AbstractEventLoop
     granted: asyncio.Future[None] = field(init=False)
+    left: bool = False
 
     def __post_init__(self) -> None:
         self.granted = self.loop.create_future()
@@ -68,14 +71,14 @@ class FairQueue:
         self._slots = slots
         self._capacity = capacity
         self._timeout = timeout
-        self._waiting: list[_Waiting] = []
-        self._used: OrderedDict[str | Client, tuple[float, float]] = OrderedDict()
+        self._line = _Line(self._use)
+        self._used: OrderedDict[str | Client, float] = OrderedDict()
         self.running = 0
 
     @property
     def waiting(self) -> int:
         """Return how many requests wait for a slot."""
-        return len(self._waiting)
+        return len(self._line)
 
     async def acquire(self) -> Slot:
         """Wait for a slot, and take it until it is released.
@@ -87,17 +90,15 @@ class FairQueue:
         if self.running < self._slots:
             self.running += 1
             return Slot(self, client)
-        if len(self._waiting) >= self._capacity:
+        if len(self._line) >= self._capacity:
             raise busy()
         waiting = _Waiting(client, asyncio.get_running_loop())
-        self._waiting.append(waiting)
+        self._line.join(waiting)
         try:
             async with asyncio.timeout(self._timeout):
                 await asyncio.shield(waiting.granted)
         except BaseException as error:
-            if waiting in self._waiting:
-                self._waiting.remove(waiting)
-            else:  # granted in the very moment in which it was given up
+            if not self._line.leave(waiting):  # granted in the very moment in which it was given up
                 self.release(client, 0.0)
             if isinstance(error, TimeoutError):
                 raise busy() from None
@@ -106,21 +107,99 @@ class FairQueue:
 
     def release(self, client: Client, seconds: float) -> None:
         """Give a slot back that the client used for so long, and hand it to the next."""
+        used = math.log2(seconds) + time.monotonic() / HALF_LIFE if seconds > 0.0 else -math.inf
         for key in (client[0], client):
-            self._used[key] = (self._use(key) + seconds, time.monotonic())
+            self._used[key] = _sum_of_powers(self._use(key), used)
             self._used.move_to_end(key)
         while len(self._used) > CLIENTS:
             self._used.popitem(last=False)
-        if self._waiting:
-            following = min(self._waiting, key=lambda one: (self._use(one.client[0]), self._use(one.client)))
-            self._waiting.remove(following)
+        following = self._line.next()
+        if following is not None:
             following.grant()
         else:
             self.running -= 1
 
     def _use(self, key: str | Client) -> float:
-        seconds, when = self._used.get(key, (0.0, 0.0))
-        return seconds * math.exp2((when - time.monotonic()) / HALF_LIFE)
+        """How much a client has used, log2 of seconds as they would count at time 0.
+
+        All use fades alike, so who has used less is the same at every time, and these numbers only grow.
+        """
+        return self._used.get(key, -math.inf)
+
+
+def _sum_of_powers(a: float, b: float) -> float:
+    """log2(2^a + 2^b)."""
+    low, high = sorted((a, b))
+    return high if low == -math.inf else high + math.log2(1.0 + math.exp2(low - high))
+
+
+class _Line:
+    """Those who wait, in the order of their use: addresses, and in each its connections, as heaps.
+
+    What somebody has used may have grown since they joined; a heap finds that out when their turn comes.
+    """
+
+    def __init__(self, use: Callable[[str | Client], float]) -> None:
+        self._use = use
+        self._addresses: list[tuple[float, float, int, str]] = []
+        self._connections: dict[str, list[tuple[float, int, _Waiting]]] = {}
+        self._joined = 0
+        self._length = 0
+
+    def __len__(self) -> int:
+        return self._length
+
+    def join(self, waiting: _Waiting) -> None:
+        """Wait, behind all who have used as little."""
+        address = waiting.client[0]
+        self._joined += 1
+        self._length += 1
+        connections = self._connections.setdefault(address, [])
+        heappush(connections, (self._use(waiting.client), self._joined, waiting))
+        if connections[0][2] is waiting:
+            heappush(self._addresses, self._key(address))
+
+    def leave(self, waiting: _Waiting) -> bool:
+        """Wait no more; return whether it was still waiting."""
+        if waiting.left:
+            return False
+        waiting.left = True
+        self._length -= 1
+        return True
+
+    def next(self) -> _Waiting | None:
+        """Take out whose turn it is; None if nobody waits."""
+        while self._addresses:
+            known = self._addresses[0]
+            address = known[-1]
+            if not self._tidied(address):
+                heappop(self._addresses)
+            elif self._key(address) > known:
+                heapreplace(self._addresses, self._key(address))
+            else:
+                waiting = heappop(self._connections[address])[2]
+                self.leave(waiting)
+                return waiting
+        return None
+
+    def _key(self, address: str) -> tuple[float, float, int, str]:
+        """What the address has used, what the first of its connections has, and since when that one waits."""
+        used, joined, _ = self._connections[address][0]
+        return self._use(address), used, joined, address
+
+    def _tidied(self, address: str) -> bool:
+        """Put the connection of least use at the head of its address; return whether there is any."""
+        connections = self._connections.get(address)
+        while connections:
+            used, joined, waiting = connections[0]
+            if waiting.left:
+                heappop(connections)
+            elif self._use(waiting.client) > used:
+                heapreplace(connections, (self._use(waiting.client), joined, waiting))
+            else:
+                return True
+        self._connections.pop(address, None)
+        return False
 
 
 class Slot:

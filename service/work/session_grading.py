@@ -43,6 +43,10 @@ class SessionJudgement:
     version: str
 
 
+def _as_asked(level: HelpLevel | None) -> HelpLevel | None:
+    return level
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Grader:
     """Judges answers to the exercises of links, for students and for statistics.
@@ -51,11 +55,13 @@ class Grader:
         library: the exercises.
         limits: how large an answer may be.
         edition: tells the address of an exercise's content; None where nothing is kept.
+        help_now: how much may be told while so many answers wait.
     """
 
     library: Library
     limits: Limits
     edition: Callable[[Library, str], str] | None = None
+    help_now: Callable[[HelpLevel | None], HelpLevel | None] = _as_asked
 
     def version(self, settings: LinkSettings) -> str:
         """What the exercise of a link is now: an address made from its content, else its number.
@@ -83,11 +89,11 @@ class Grader:
         asked = asked_exercise(self.library, settings)
         answer = parse(_instance(asked, seed), wire.raw(), self.limits)
         level = wire.help if settings.help is None else HelpLevel(settings.help)
-        report = grade(_instance(asked, seed), answer, level, attempt)
+        report = grade(_instance(asked, seed), answer, self.help_now(level), attempt)
         told = analysis = _as_stored(report)
         if report.help_level is not HelpLevel.REPAIR and not report.correct:
             open_ = _instance(replace(asked, access=ExerciseAccess()), seed)
-            analysis = _as_stored(grade(open_, answer))
+            analysis = _as_stored(grade(open_, answer, drawn=False))
         return SessionJudgement(
             found=report,
             report=told,

@@ -4,13 +4,19 @@ from __future__ import annotations
 
 import asyncio
 import gc
+import itertools
 import sys
+from types import SimpleNamespace
+from unittest.mock import patch
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from service.http.problems import BusyError
 from service.settings import Settings
-from service.work.fair_queue import CLIENTS, FairQueue
+from service.work import fair_queue
+from service.work.fair_queue import CLIENTS, FairQueue, current_client
 from service.work.limiters import Limiter, WorkKind, limiters
 from service.work.thread_switching import SWITCH_SECONDS
 
@@ -89,3 +95,60 @@ def test_a_server_has_its_threads_take_short_turns(base_url: str) -> None:
     assert base_url
     assert sys.getswitchinterval() <= SWITCH_SECONDS * 1.01
     assert gc.get_freeze_count() > 0
+
+
+@given(
+    taken=st.lists(st.tuples(st.integers(0, 2), st.integers(0, 3), st.sampled_from([0.0, 1.0])), max_size=12),
+    waiting=st.lists(st.tuples(st.integers(0, 2), st.integers(0, 3)), max_size=12),
+    leaving=st.sets(st.integers(0, 11)),
+)
+def test_the_next_is_who_used_least(
+    taken: list[tuple[int, int, float]], waiting: list[tuple[int, int]], leaving: set[int]
+) -> None:
+    """The heaps give the order that the rule gives: least use of the address, then of the connection."""
+
+    async def scene() -> None:
+        queue = FairQueue(slots=1, capacity=100, timeout=60)
+        used: dict[object, float] = {}
+        first = await queue.acquire()
+        order: list[int] = []
+
+        async def wait(number: int, client: tuple[str, int]) -> None:
+            current_client.set(client)
+            await queue.acquire()
+            order.append(number)
+
+        clients = [(f"a{address}", port) for address, port in waiting]
+        tasks = [asyncio.create_task(wait(number, client)) for number, client in enumerate(clients)]
+        await asyncio.sleep(0)
+        gone = {number for number in leaving if number < len(tasks)}
+        for number in gone:
+            tasks[number].cancel()
+        await asyncio.sleep(0)
+        left = [number for number in range(len(tasks)) if number not in gone]
+        for address, port, seconds in taken:
+            client = (f"a{address}", port)
+            for key in (client[0], client):
+                used[key] = used.get(key, 0.0) + seconds
+
+            def rule(n: int) -> tuple[float, float]:
+                return used.get(clients[n][0], 0.0), used.get(clients[n], 0.0)
+
+            expected = min(left, key=rule, default=None)
+            queue.release(client, seconds)
+            for _ in range(3):
+                await asyncio.sleep(0)
+            if expected is None:
+                queue.running += 1
+                continue
+            left.remove(expected)
+            assert order[-1] == expected
+            assert queue.waiting == len(left)
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
+        first.release()
+
+    clock = itertools.repeat(0.0)
+    with patch.object(fair_queue, "time", SimpleNamespace(monotonic=lambda: next(clock))):
+        asyncio.run(scene())

@@ -22,3 +22,5 @@ check-rounded = A right table rounded to { $digits } digits is rejected under th
 check-tool_rule = A right table is rejected under the tool rule { $rule }: { $table }
 check-crash = Seed { $seed }: grading fails: { $reason }
 check-unneeded = No right answer needs { $name }: a student may choose frames in which it does not appear. Fix the base or the tool frame if the answer is to contain it, or leave it out of the statement.
+warm-counts = { $exercise }: { $values } sets of values tested and drawn, { $figures } figures, { $forms } closed forms, { $failed } failed, { $seconds } s
+error-nothing_to_warm = There is no exercise, and no course with links, called { $name }.

@@ -191,6 +191,7 @@ error-part_twice = { $kind } is asked twice.
 error-points_not_positive = A part is worth more than zero points.
 error-draw_empty = There is no value to draw from: “from” must not lie above “to”, and “step” must be positive.
 error-draw_too_large = A draw has at most { $limit } values.
+error-variants_too_many = There are at most { $limit } variants.
 error-tolerance_out_of_range = { $name } lies between 0 and 0.1.
 error-name_invalid = { $name } is no name of a dimension; a name is like L1.
 error-width_out_of_range = The width lies between 320 and 960.

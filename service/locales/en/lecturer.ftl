@@ -78,6 +78,7 @@ lecturer-help-row = which rows
 lecturer-help-kind = what kind of mistake
 lecturer-help-repair = how to mend it
 lecturer-per-student = Values of their own for every student
+lecturer-variants = Variants instead of values of their own
 lecturer-extra-minutes = Extra time [min]
 lecturer-extra-attempts = Extra attempts
 lecturer-give = Give

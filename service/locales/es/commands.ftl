@@ -22,3 +22,5 @@ check-rounded = Se rechaza una tabla correcta redondeada a { $digits } cifras co
 check-tool_rule = Se rechaza una tabla correcta con la regla de herramienta { $rule }: { $table }
 check-crash = Semilla { $seed }: falla la calificación: { $reason }
 check-unneeded = Ninguna respuesta correcta necesita { $name }: el estudiante puede elegir sistemas en los que no aparece. Fije el sistema de la base o el de la herramienta si la respuesta debe contenerla, o no la mencione en el enunciado.
+warm-counts = { $exercise }: { $values } juegos de valores comprobados y dibujados, { $figures } figuras, { $forms } formas cerradas, { $failed } fallos, { $seconds } s
+error-nothing_to_warm = No hay ningún ejercicio, ni ningún curso con enlaces, llamado { $name }.

@@ -191,6 +191,7 @@ error-part_twice = { $kind } se pide dos veces.
 error-points_not_positive = Una parte vale más de cero puntos.
 error-draw_empty = No hay ningún valor que sortear: «from» no puede ser mayor que «to» y «step» debe ser positivo.
 error-draw_too_large = Un sorteo tiene como máximo { $limit } valores.
+error-variants_too_many = Hay como máximo { $limit } variantes.
 error-tolerance_out_of_range = { $name } está entre 0 y 0.1.
 error-name_invalid = { $name } no es el nombre de una dimensión; un nombre es como L1.
 error-width_out_of_range = La anchura está entre 320 y 960.

@@ -78,6 +78,7 @@ lecturer-help-row = qué filas
 lecturer-help-kind = qué tipo de error
 lecturer-help-repair = cómo corregirlo
 lecturer-per-student = Valores propios para cada estudiante
+lecturer-variants = Variantes en lugar de valores propios
 lecturer-extra-minutes = Tiempo adicional [min]
 lecturer-extra-attempts = Intentos adicionales
 lecturer-give = Conceder

@@ -191,6 +191,7 @@ error-part_twice = { $kind } est demandé deux fois.
 error-points_not_positive = Une partie vaut plus de zéro point.
 error-draw_empty = Il n'y a aucune valeur à tirer : « from » ne peut dépasser « to », et « step » doit être positif.
 error-draw_too_large = Un tirage a au plus { $limit } valeurs.
+error-variants_too_many = Il y a au plus { $limit } variantes.
 error-tolerance_out_of_range = { $name } est compris entre 0 et 0.1.
 error-name_invalid = { $name } n'est pas un nom de dimension ; un nom ressemble à L1.
 error-width_out_of_range = La largeur est comprise entre 320 et 960.

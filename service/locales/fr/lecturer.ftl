@@ -78,6 +78,7 @@ lecturer-help-row = quelles lignes
 lecturer-help-kind = quel type d’erreur
 lecturer-help-repair = comment corriger
 lecturer-per-student = Des valeurs propres à chaque étudiant
+lecturer-variants = Variantes au lieu de valeurs propres
 lecturer-extra-minutes = Temps supplémentaire [min]
 lecturer-extra-attempts = Essais supplémentaires
 lecturer-give = Accorder

@@ -191,6 +191,7 @@ error-part_twice = { $kind } é pedido duas vezes.
 error-points_not_positive = Uma parte vale mais que zero pontos.
 error-draw_empty = Não há valor a sortear: “from” não pode ser maior que “to”, e “step” deve ser positivo.
 error-draw_too_large = Um sorteio tem no máximo { $limit } valores.
+error-variants_too_many = Há no máximo { $limit } variantes.
 error-tolerance_out_of_range = { $name } fica entre 0 e 0.1.
 error-name_invalid = { $name } não é nome de dimensão; um nome é como L1.
 error-width_out_of_range = A largura fica entre 320 e 960.

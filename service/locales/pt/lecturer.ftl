@@ -78,6 +78,7 @@ lecturer-help-row = que linhas
 lecturer-help-kind = que tipo de erro
 lecturer-help-repair = como corrigir
 lecturer-per-student = Valores próprios para cada estudante
+lecturer-variants = Variantes em vez de valores próprios
 lecturer-extra-minutes = Tempo extra [min]
 lecturer-extra-attempts = Tentativas extra
 lecturer-give = Conceder

@@ -24,3 +24,5 @@ check-rounded = Un tabel corect rotunjit la { $digits } cifre este respins cu re
 check-tool_rule = Un tabel corect este respins cu regula sculei { $rule }: { $table }
 check-crash = Sămânța { $seed }: notarea eșuează: { $reason }
 check-unneeded = Niciun răspuns corect nu are nevoie de { $name }: studentul poate alege sisteme în care nu apare. Fixați sistemul bazei sau al sculei dacă răspunsul trebuie să o conțină, ori scoateți-o din enunț.
+warm-counts = { $exercise }: { $values } seturi de valori verificate și desenate, { $figures } figuri, { $forms } forme închise, { $failed } eșecuri, { $seconds } s
+error-nothing_to_warm = Nu există niciun exercițiu și niciun curs cu linkuri numit { $name }.

@@ -199,6 +199,7 @@ error-part_twice = { $kind } se cere de două ori.
 error-points_not_positive = O parte valorează mai mult de zero puncte.
 error-draw_empty = Nu există nicio valoare din care să se tragă la sorți: „from” nu poate depăși „to”, iar „step” trebuie să fie pozitiv.
 error-draw_too_large = O tragere la sorți are cel mult { $limit } valori.
+error-variants_too_many = Sunt cel mult { $limit } variante.
 error-tolerance_out_of_range = { $name } este între 0 și 0.1.
 error-name_invalid = { $name } nu este numele unei cote; un nume arată ca L1.
 error-width_out_of_range = Lățimea este între 320 și 960.

@@ -79,6 +79,7 @@ lecturer-help-row = ce rânduri
 lecturer-help-kind = ce fel de greșeală
 lecturer-help-repair = cum se corectează
 lecturer-per-student = Valori proprii pentru fiecare student
+lecturer-variants = Variante în loc de valori proprii
 lecturer-extra-minutes = Timp suplimentar [min]
 lecturer-extra-attempts = Încercări suplimentare
 lecturer-give = Acordă

@@ -198,6 +198,7 @@ error-part_twice = { $kind } запитується двічі.
 error-points_not_positive = Частина варта більше ніж нуль балів.
 error-draw_empty = Немає з чого вибирати: «from» не може перевищувати «to», а «step» має бути додатним.
 error-draw_too_large = Вибір має щонайбільше { $limit } значень.
+error-variants_too_many = Варіантів щонайбільше { $limit }.
 error-tolerance_out_of_range = { $name } лежить між 0 і 0.1.
 error-name_invalid = { $name } не є назвою розміру; назва має вигляд L1.
 error-width_out_of_range = Ширина лежить між 320 і 960.

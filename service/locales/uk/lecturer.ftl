@@ -79,6 +79,7 @@ lecturer-help-row = які рядки
 lecturer-help-kind = який вид помилки
 lecturer-help-repair = як виправити
 lecturer-per-student = Власні значення для кожного студента
+lecturer-variants = Варіанти замість власних значень
 lecturer-extra-minutes = Додатковий час [хв]
 lecturer-extra-attempts = Додаткові спроби
 lecturer-give = Надати

@@ -104,6 +104,7 @@ export function settingsForm(exercises, settings, save, action) {
         el("input", { type: "checkbox", name: "per_student", checked: settings.per_student }),
         t("lecturer-per-student"),
       ),
+      number("variants", { min: 1, max: 1000, placeholder: "–" }),
       parts,
       el("p", { class: "wide" }, el("button", { type: "submit", class: "primary", text: action })),
     )
@@ -134,5 +135,6 @@ function settingsOf(form) {
     feedback_after: number("feedback_after") ?? 1,
     help: data.get("help") || null,
     per_student: data.get("per_student") === "on",
+    variants: number("variants"),
   };
 }
