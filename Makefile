@@ -14,7 +14,7 @@ PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
 export MUED_URL MUED_AUTHORIZATION
 
-.PHONY: accessibility lint-python lint-web help sbom licences serve test mued test-clone test-openedx campaign kill-campaign measure-courses explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
+.PHONY: accessibility lint-python lint-web help sbom licences serve test mued test-clone test-openedx campaign kill-campaign measure-courses exam explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -137,6 +137,9 @@ kill-campaign: $(VENV)/.dev ## kill -9 the service 100 times under load, on SQLi
 measure-courses: $(VENV)/.dev ## regrading and statistics of 2 000 students with 20 attempts each
 	$(PY) -m tests.lti.measuring
 	$(PY) -m tests.lti.storage_price
+
+exam: $(VENV)/.dev ## the start of an exam of STUDENTS=2000, each with values of their own, or VARIANTS=20 prepared before
+	$(PY) -m tests.lti.exam --students $(or $(STUDENTS),2000) $(if $(VARIANTS),--variants $(VARIANTS)) $(ARGS)
 
 sbom: $(VENV)/.runtime ## bill of materials of the installation, CycloneDX JSON (INTO=file)
 	@$(PY) tools/sbom.py $(INTO)

@@ -1,0 +1,325 @@
+"""An exam begins: so many students open the PUMA 560 within one second, and hand in for the first time.
+
+`python -m tests.lti.exam --students 2000` starts a service of two workers, signs students in, and measures
+openings (page, session, exercise, figure), all begun within a second; then submissions, due evenly over some
+seconds: two in five right, two in five with one mistake, one in five with two, no two alike, all stored. With
+`--variants` they share so many sets of values, prepared by `framewise warm`; without it each has their own.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import gzip
+import json
+import os
+import random
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import sqlalchemy as sa
+
+from courses import records
+from courses.enrolment import Arrival, arrive
+from courses.links import change_settings
+from courses.model import LinkSettings, Role
+from courses.storage import Store, open_store
+from service.course_resources import now
+from tests.courses.classroom import platform
+from tests.lti.test_killed import _killed
+from tests.web.driving import PUMA
+
+WORKERS = 2
+OPENED_WITHIN = 1.0
+HANDED_IN_WITHIN = 6.0
+"""Seconds over which the openings, and the submissions, of a class are spread."""
+PATIENCE = 120.0
+"""How long a client waits for an answer [s]: on a busy machine nothing is an error that comes late."""
+MISTAKES = (
+    (1, "a", "a2"), (2, "a", "a3"), (2, "d", "d4"), (3, "alpha", "0"), (3, "a", "-a3"),
+    (3, "d", "d3"), (4, "alpha", "0"), (4, "a", "a3"), (4, "d", "d4"), (5, "alpha", "0"),
+)  # fmt: skip
+"""Cells of which every one, and every two, make another robot."""
+COURSE = "Exam"
+
+
+@dataclass
+class Answer:
+    """What came back, and how long it took."""
+
+    status: int
+    body: bytes
+    seconds: float
+
+
+@dataclass
+class Outcome:
+    """What a run found.
+
+    Attributes:
+        answers: statuses of all answers, with how many there were of each.
+        openings, verdicts: seconds that each took.
+        right: how many submissions were found right; as many as were.
+        expected: how many of them were.
+        lost: how many acknowledged submissions are not stored, or stored twice.
+        opened_after, answered_after: seconds from the first request to the last opening, to the last verdict.
+        opening_cost, verdict_cost: processor time of the service for each [s].
+    """
+
+    answers: Counter[int] = field(default_factory=Counter)
+    openings: list[float] = field(default_factory=list)
+    verdicts: list[float] = field(default_factory=list)
+    right: int = 0
+    expected: int = 0
+    lost: int = 0
+    opened_after: float = 0.0
+    answered_after: float = 0.0
+    opening_cost: float = 0.0
+    verdict_cost: float = 0.0
+
+    @property
+    def errors(self) -> int:
+        """Answers that were none."""
+        return sum(count for status, count in self.answers.items() if status != 200)
+
+
+class Browser:
+    """A student's connection: kept open, one request after another."""
+
+    def __init__(self, port: int, token: str) -> None:
+        self.port, self.token = port, token
+        self._streams: tuple[asyncio.StreamReader, asyncio.StreamWriter] | None = None
+
+    async def ask(self, method: str, path: str, body: bytes = b"", **headers: str) -> Answer:
+        """One request; a connection that was closed meanwhile is opened again, as browsers do."""
+        begun = time.monotonic()
+        for _ in range(3):
+            try:
+                async with asyncio.timeout(PATIENCE):
+                    status, found = await self._asked(method, path, body, headers)
+                return Answer(status, found, time.monotonic() - begun)
+            except (OSError, asyncio.IncompleteReadError, IndexError, TimeoutError):
+                self.close()
+        return Answer(0, b"", time.monotonic() - begun)
+
+    async def _asked(self, method: str, path: str, body: bytes, headers: dict[str, str]) -> tuple[int, bytes]:
+        if self._streams is None:
+            self._streams = await asyncio.open_connection("127.0.0.1", self.port)
+        reader, writer = self._streams
+        sent = {
+            "Host": f"127.0.0.1:{self.port}",
+            "Authorization": f"Bearer {self.token}",
+            "Accept-Encoding": "gzip",
+            "Content-Length": str(len(body)),
+            **{name.replace("_", "-"): value for name, value in headers.items()},
+        }
+        head = "".join(f"{name}: {value}\r\n" for name, value in sent.items())
+        writer.write(f"{method} {path} HTTP/1.1\r\n{head}\r\n".encode() + body)
+        lines = (await reader.readuntil(b"\r\n\r\n")).decode("latin-1").split("\r\n")
+        told = {name.lower(): value.strip() for name, _, value in (line.partition(":") for line in lines[1:])}
+        found = await reader.readexactly(int(told.get("content-length", "0")))
+        if told.get("connection") == "close":
+            self.close()
+        unpacked = gzip.decompress(found) if told.get("content-encoding") == "gzip" else found
+        return int(lines[0].split()[1]), unpacked
+
+    def close(self) -> None:
+        """End the connection."""
+        if self._streams is not None:
+            self._streams[1].close()
+            self._streams = None
+
+
+def table(number: int, mistakes: int, chance: random.Random) -> dict[str, Any]:
+    """A student's table: the first frame anywhere along its axis, so that no two are alike; and mistakes."""
+    rows = [dict(row) for row in PUMA["rows"]]
+    rows[0]["d"] = f"{0.1 + number / 100_000:.5f}"
+    for row, cell, value in chance.sample(MISTAKES, mistakes):
+        rows[row][cell] = value
+    return {**PUMA, "angle_unit": "deg", "length_unit": "m", "rows": rows}
+
+
+def enrolled(store: Store, students: int, settings: LinkSettings) -> list[str]:
+    """Sessions of a class, whose link has these settings."""
+    known, tokens, link = platform(store), [], 0
+    for number in range(students):
+        told = {"deployment": "1", "context": "exam", "resource": "exam", "course_title": COURSE}
+        arrival = Arrival(platform=known, subject=f"s{number}", role=Role.LEARNER, **told)
+        token, link = arrive(store, arrival, now())
+        tokens.append(token)
+    change_settings(store, link, settings, now())
+    return tokens
+
+
+async def opened(browser: Browser, outcome: Outcome, due: float) -> None:
+    """Page, session, exercise and figure, as the page asks for them."""
+    await asyncio.sleep(max(0.0, due - time.monotonic()))
+    begun = time.monotonic()
+    session = await browser.ask("GET", "/api/v1/session")
+    seed = json.loads(session.body or b"{}").get("seed", "")
+    query = f"?seed={seed}&lang=en"
+    page = await browser.ask("GET", f"/exercises/puma560{query}")
+    exercise = await browser.ask("GET", f"/api/v1/exercises/puma560{query}")
+    named = re.search(rb'"file":"([^"]+)"', exercise.body)
+    figure = await browser.ask("GET", f"/api/v1/{named[1].decode() if named else 'missing'}")
+    outcome.answers.update(answer.status for answer in (session, page, exercise, figure))
+    outcome.openings.append(time.monotonic() - begun)
+
+
+async def handed_in(browser: Browser, outcome: Outcome, due: float, number: int, mistakes: int) -> str | None:
+    """The first submission; its key, where it was acknowledged."""
+    body = json.dumps({"table": table(number, mistakes, random.Random(number))}).encode()
+    await asyncio.sleep(max(0.0, due - time.monotonic()))
+    key = f"exam-{number}"
+    headers = {"Content_Type": "application/json", "Idempotency_Key": key}
+    answer = await browser.ask("POST", "/api/v1/session/attempts", body, **headers)
+    outcome.answers[answer.status] += 1
+    outcome.verdicts.append(answer.seconds)
+    if answer.status != 200:
+        return None
+    outcome.right += json.loads(answer.body)["correct"]
+    return key
+
+
+async def sat(
+    port: int, tokens: list[str], service: int, within: tuple[float, float]
+) -> tuple[Outcome, set[str]]:
+    """The exam, from the first opening to the last verdict; and the keys of what was acknowledged."""
+    outcome = Outcome()
+    browsers = [Browser(port, token) for token in tokens]
+    count, spent = len(browsers), cpu_of(service)
+    begun = time.monotonic()
+    due = [begun + within[0] * n / count for n in range(count)]
+    await asyncio.gather(*(opened(b, outcome, at) for b, at in zip(browsers, due, strict=True)))
+    outcome.opened_after = time.monotonic() - begun
+    outcome.opening_cost = (cpu_of(service) - spent) / count
+    spent, since = cpu_of(service), time.monotonic()
+    mistakes = [(0, 1, 0, 1, 2)[number % 5] for number in range(count)]
+    outcome.expected = mistakes.count(0)
+    due = [since + within[1] * n / count for n in range(count)]
+    submissions = [
+        handed_in(browser, outcome, at, number, wrong)
+        for number, (browser, at, wrong) in enumerate(zip(browsers, due, mistakes, strict=True))
+    ]
+    keys = await asyncio.gather(*submissions)
+    outcome.answered_after = time.monotonic() - begun
+    outcome.verdict_cost = (cpu_of(service) - spent) / count
+    for browser in browsers:
+        browser.close()
+    return outcome, {key for key in keys if key is not None}
+
+
+def cpu_of(group: int) -> float:
+    """Processor time of all processes of a group so far [s]."""
+    ticks = 0
+    for path in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = path.read_text().rpartition(")")[2].split()
+        except OSError:  # ended meanwhile
+            continue
+        if int(fields[2]) == group:
+            ticks += int(fields[11]) + int(fields[12])
+    return ticks / os.sysconf("SC_CLK_TCK")
+
+
+def run(
+    students: int,
+    variants: int | None,
+    folder: Path,
+    database: str = "",
+    within: tuple[float, float] = (OPENED_WITHIN, HANDED_IN_WITHIN),
+) -> Outcome:
+    """Sit an exam.
+
+    Args:
+        students: how many.
+        variants: how many sets of values they share; None: each has their own.
+        folder: of the SQLite file.
+        database: URL of PostgreSQL instead.
+        within: seconds over which the openings, and the submissions, are spread.
+    """
+    descriptors = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (descriptors[1], descriptors[1]))
+    store = open_store(database, folder)
+    settings = LinkSettings(exercise_id="puma560", per_student=True, variants=variants, language="en")
+    tokens = enrolled(store, students, settings)
+    told = {"FRAMEWISE_WORKERS": str(WORKERS)}
+    if variants is not None:
+        where = {
+            "FRAMEWISE_STORAGE": "on",
+            "FRAMEWISE_DATA_FOLDER": str(folder),
+            "FRAMEWISE_DATABASE_URL": database,
+        }
+        warm = [sys.executable, "-m", "service", "warm", COURSE]
+        subprocess.run(warm, env={**os.environ, **where}, check=True)
+    with _killed(database, folder, told) as (origin, process):
+        port = int(origin.rpartition(":")[2])
+        asyncio.run(_ready(port))
+        outcome, acknowledged = asyncio.run(sat(port, tokens, process.pid, within))
+    with store.reading() as connection:
+        stored = Counter(connection.scalars(sa.select(records.attempt.c.key)))
+    store.close()
+    outcome.lost = len(acknowledged - set(stored)) + sum(count - 1 for count in stored.values())
+    return outcome
+
+
+async def _ready(port: int) -> None:
+    """Wait until every worker answers: connections are shared out among them."""
+    for _ in range(200):
+        browsers = [Browser(port, "") for _ in range(4 * WORKERS)]
+        found = await asyncio.gather(*(browser.ask("GET", "/readyz") for browser in browsers))
+        for browser in browsers:
+            browser.close()
+        if all(answer.status == 200 for answer in found):
+            return
+        await asyncio.sleep(0.1)
+    raise AssertionError("the service is not ready")
+
+
+def told(outcome: Outcome) -> str:
+    """What a run found, in lines."""
+    openings, verdicts = sorted(outcome.openings), sorted(outcome.verdicts)
+    return "\n".join(
+        (
+            f"all opened after {outcome.opened_after:.1f} s, answered after {outcome.answered_after:.1f} s",
+            f"an opening: p50 {_at(openings, 0.5):.2f} s, p99 {_at(openings, 0.99):.2f} s",
+            f"a verdict: p50 {_at(verdicts, 0.5):.2f} s, p99 {_at(verdicts, 0.99):.2f} s",
+            f"right {outcome.right} of {outcome.expected}, errors {outcome.errors}, lost {outcome.lost}",
+            f"processor time: {outcome.opening_cost * 1e3:.1f} ms an opening, "
+            f"{outcome.verdict_cost * 1e3:.1f} ms a submission",
+        )
+    )
+
+
+def _at(values: list[float], share: float) -> float:
+    return values[min(len(values) - 1, int(share * len(values)))]
+
+
+def main() -> None:
+    """Sit an exam, and say how it went; exit with 1 if anything was lost or refused."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--students", type=int, default=2000)
+    parser.add_argument(
+        "--variants", type=int, help="sets of values, prepared before; left out: one for each"
+    )
+    parser.add_argument("--database", default="", help="URL of PostgreSQL; left out: SQLite")
+    parser.add_argument("--within", type=float, nargs=2, default=(OPENED_WITHIN, HANDED_IN_WITHIN))
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        outcome = run(
+            options.students, options.variants, Path(folder), options.database, tuple(options.within)
+        )
+    print(told(outcome))
+    sys.exit(bool(outcome.errors or outcome.lost or outcome.right != outcome.expected))
+
+
+if __name__ == "__main__":
+    main()
