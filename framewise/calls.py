@@ -82,6 +82,18 @@ def symbolic(
     return _of_robot("symbolic", robot, formats=formats, parts=parts, **options)
 
 
+def dynamics(robot: Table | str, joints: Joints | None = None, **options: Any) -> ApiCall:
+    """Return M, C, g and torques, in numbers or in closed form (POST /dynamics).
+
+    Args:
+        robot: a table, or the id of a robot of the catalogue.
+        joints: the configuration; none with the option `form="symbolic"`.
+        options: `links`, `gravity`, `rates`, `accelerations`, `torque`, `parameters`; `parts`, `formats`,
+            `notation` of closed forms.
+    """
+    return _of_robot("dynamics", robot, joints=joints, **options)
+
+
 def rates(robot: Table | str, joints: Joints, **options: Any) -> ApiCall:
     """Return velocities, accelerations and the forces that hold a wrench (POST /rates).
 

@@ -9,7 +9,14 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.catalogue.robots import NamedConfiguration, ReferencePose, Robot, RobotSource, ScmDescription
+from kinematics.catalogue.robots import (
+    LinkWeights,
+    NamedConfiguration,
+    ReferencePose,
+    Robot,
+    RobotSource,
+    ScmDescription,
+)
 from kinematics.cells import (
     AngleUnit,
     LengthUnit,
@@ -21,6 +28,8 @@ from kinematics.cells import (
     read_cell,
     read_table,
 )
+from kinematics.dynamics import EARTH, bind_links, check_links
+from kinematics.dynamics.reading import RawBody, read_bodies
 from kinematics.errors import DescriptionError, Fault
 from kinematics.expressions import Expression
 from kinematics.keys import KeyFaults, KeyReader, ValueKind, are_numbers, is_number
@@ -78,6 +87,7 @@ def _robot(robot_id: str, keys: RobotKeys) -> Robot | None:
     configurations = _configurations(keys.table("configurations", needed=True), raw, n, limits)
     chain = _chain(keys.table("chain"), raw) if keys.given("chain") else None
     reference = _reference(keys.table("reference", needed=True), n)
+    weights = _weights(keys.table("weights"), table) if keys.given("weights") else None
     keys.finish()
     if table is None or reference is None:
         return None
@@ -93,6 +103,7 @@ def _robot(robot_id: str, keys: RobotKeys) -> Robot | None:
         limits_source=limits_source,
         chain=chain,
         reference=reference,
+        weights=weights,
     )
 
 
@@ -196,6 +207,28 @@ def _chain(keys: RobotKeys, raw: RawTable) -> ScmDescription | None:
         return None
     parameters = {name: renamed.get(name, name) for name in read.parameters}
     return ScmDescription(raw=chain, read=read, parameters=parameters)
+
+
+def _weights(keys: RobotKeys, table: ReadTable | None) -> LinkWeights:
+    """The links' mass, centre and moments; products of inertia are zero where only moments are printed."""
+    links = []
+    for link in keys.entries("links", needed=True):
+        xx, yy, zz = link.numbers("moments", 3) or (0.0,) * 3
+        xy, yz, xz = link.numbers("products", 3) if link.given("products") else (0.0,) * 3
+        links.append(
+            RawBody(
+                mass=link.number("mass"),
+                centre=link.numbers("centre", 3),
+                inertia=((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)),
+            )
+        )
+        link.finish()
+    source = keys.text("source")
+    keys.finish()
+    if table is not None:
+        read = table
+        keys.guarded(lambda: check_links(bind_links(read_bodies(read, links, EARTH).links, {})))
+    return LinkWeights(links=tuple(links), source=source)
 
 
 def _reference(keys: RobotKeys, n: int) -> ReferencePose | None:

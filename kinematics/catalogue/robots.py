@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from kinematics.cells import RawTable, ReadTable
+from kinematics.dynamics.reading import RawBody
 from kinematics.expressions import Expression
 from kinematics.scm import RawChain, ReadChain
 from kinematics.se3 import Transform
@@ -57,6 +58,19 @@ class ScmDescription:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class LinkWeights:
+    """What the links of a robot weigh.
+
+    Attributes:
+        links: one for each row of the table, in [kg, the table's length unit, kg m²].
+        source: where the figures come from.
+    """
+
+    links: tuple[RawBody, ...]
+    source: str
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class ReferencePose:
     """A pose that was derived without the DH table.
 
@@ -87,6 +101,7 @@ class Robot:
         limits_source: where the limits come from.
         chain: the robot as an SCM chain.
         reference: a pose from a second derivation.
+        weights: of its links, or None where they aren't known.
     """
 
     id: str
@@ -100,3 +115,4 @@ class Robot:
     limits_source: str | None
     chain: ScmDescription | None
     reference: ReferencePose
+    weights: LinkWeights | None = None

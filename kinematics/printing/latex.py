@@ -100,8 +100,10 @@ class LatexWriter(Typesetter):
 
 def parameter(name: str) -> str:
     r"""A parameter's name: L_{1}, \alpha_{2}, \mathrm{reach}_{x}."""
-    word, index, greek = split_name(name)
-    if greek and word in _COMMANDS:
+    word, index, greek, dotted = split_name(name)
+    if dotted:
+        head = rf"\dot{{{word}}}"
+    elif greek and word in _COMMANDS:
         head = rf"\{word}"
     else:
         head = word if len(word) == 1 else rf"\mathrm{{{_escaped(word)}}}"

@@ -98,8 +98,10 @@ class MathmlWriter(Typesetter):
         return f"<mrow><mo>(</mo>{text}<mo>)</mo></mrow>"
 
     def _parameter(self, name: str) -> str:
-        word, script, greek = split_name(name)
+        word, script, greek, dotted = split_name(name)
         letter = f"<mi>{escape(greek or word)}</mi>"
+        if dotted:
+            letter = f"<mover>{letter}<mo>˙</mo></mover>"
         if not script:
             return letter
         kind = "mn" if script.isdigit() else "mi"

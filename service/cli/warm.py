@@ -150,6 +150,6 @@ def _write_closed_forms(resources: Resources, settings: Settings, exercise: Exer
             answer = written_answer(task)
         except KinematicsError:  # too large to be written out: whoever asks is told so
             continue
-        resources.closed_forms.keep(form_address(resources.closed_forms, task), answer)
+        resources.closed_forms.keep(form_address(resources.closed_forms, task, written_answer), answer)
         written += 1
     return written

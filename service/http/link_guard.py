@@ -28,6 +28,7 @@ _CALLS: Mapping[str, tuple[Tool, ...]] = {
     "inverse-kinematics": (Tool.PLAYGROUND,),
     "jacobian": (Tool.PLAYGROUND, Tool.MATRICES),
     "symbolic": (Tool.PLAYGROUND, Tool.MATRICES),
+    "dynamics": (Tool.PLAYGROUND, Tool.MATRICES),
     "convert": (Tool.PLAYGROUND, Tool.MATRICES),
     "workspace": (Tool.PLAYGROUND,),
     "trajectory": (Tool.PLAYGROUND,),

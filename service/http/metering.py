@@ -31,6 +31,7 @@ from service.settings import Settings
 
 _COSTS = {
     "symbolic": 20,
+    "dynamics": 20,
     "inverse-kinematics": 10,
     "workspace": 20,
     "scm": 10,

@@ -11,6 +11,7 @@ from service.http.openapi import problems, request_body
 from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.http.validation import validated
 from service.schemas.symbolic_request import SYMBOLIC, SymbolicAnswer, SymbolicRequest
+from service.wire.symbolic_forms import written_answer
 from service.wire.symbolic_tasks import answered, task_of
 
 router = api_router("kinematics", route_class=DirectRoute)
@@ -43,4 +44,4 @@ async def symbolic(request: ApiRequest) -> Response:
         return BytesResponse(known)
     wire = validated(_REQUEST, body)
     task = await request.in_turn(partial(task_of, wire, request.settings, parts=wire.wanted()))
-    return await answered(request, task, question)
+    return await answered(request, task, question, written_answer)

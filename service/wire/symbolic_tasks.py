@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import partial
-from typing import Any
+from typing import Any, Protocol, TypeVar
 
 from pydantic import TypeAdapter
 
@@ -13,8 +13,6 @@ from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name
 from kinematics.cells.exact import snapped
 from kinematics.expressions import Expression, pi_times
 from kinematics.jacobian import JacobianFrame
-from kinematics.scm import ReadChain
-from kinematics.scm.products import ReadProducts
 from kinematics.se3 import check_transform
 from kinematics.symbolic.exact_poses import decimal, exact_pose
 from kinematics.symbolic.parameter_values import with_values
@@ -27,7 +25,7 @@ from service.revision import revision
 from service.schemas.symbolic_request import SymbolicJacobianRequest, WritingQuestion
 from service.settings import Settings
 from service.wire.prepared_robots import listed_robot
-from service.wire.symbolic_forms import FormPart, SymbolicTask, written_answer, written_jacobians
+from service.wire.symbolic_forms import FormPart, SymbolicTask, written_jacobians
 from service.work.limiters import WorkKind
 from service.work.shared_answers import SharedAnswers
 from service.work.workers import Lane
@@ -77,11 +75,18 @@ def task_of(
     )
 
 
+class WritingTask(Protocol):
+    """Something that a worker process derives and writes."""
+
+    def is_quick(self) -> bool:
+        """Whether the answer is certain to be small."""
+
+
+Task = TypeVar("Task", bound=WritingTask)
+
+
 async def answered(
-    request: ApiRequest,
-    task: SymbolicTask,
-    question: bytes,
-    write: Callable[[SymbolicTask], bytes] = written_answer,
+    request: ApiRequest, task: Task, question: bytes, write: Callable[[Task], bytes]
 ) -> BytesResponse:
     """The answer to a task, from a worker process.
 
@@ -105,11 +110,7 @@ async def answered(
     return BytesResponse(answer)
 
 
-def form_address(
-    closed_forms: SharedAnswers,
-    task: SymbolicTask,
-    write: Callable[[SymbolicTask], bytes] = written_answer,
-) -> str:
+def form_address(closed_forms: SharedAnswers, task: Task, write: Callable[[Task], bytes]) -> str:
     """Return the address of the answer to a task: the same for everybody who means the same."""
     return closed_forms.address(revision(), write.__name__, repr(task))
 
@@ -150,9 +151,19 @@ def _read(question: WritingQuestion, settings: Settings) -> ReadTable:
         return read_table(question.table.raw(), settings.cell_limits)
 
 
-def exact_values(
-    read: ReadTable | ReadChain | ReadProducts, given: Mapping[str, Any]
-) -> dict[str, Expression]:
+class NamedValues(Protocol):
+    """What has parameters: a table, a chain, products of motions."""
+
+    @property
+    def parameters(self) -> Mapping[str, ParameterKind]:
+        """The parameters, and what each measures."""
+
+    @property
+    def angle_unit(self) -> AngleUnit:
+        """Unit of the angles among given values."""
+
+
+def exact_values(read: NamedValues, given: Mapping[str, Any]) -> dict[str, Expression]:
     """Given values as exact expressions: decimals as typed, degrees as multiples of π.
 
     Raises:

@@ -46,6 +46,7 @@ EVERY: dict[str, tuple[tuple[Any, ...], dict[str, Any]]] = {
     "jacobian": ((TABLE, [0.1, 0.2]), {"parameters": LENGTHS, "frame": "end"}),
     "inverse_kinematics": arguments("/inverse-kinematics", ROBOT),
     "symbolic": ((TABLE,), {"formats": ["text"], "parts": ["transform"]}),
+    "dynamics": arguments("/dynamics", ROBOT, "joints"),
     "rates": arguments("/rates", ROBOT, "joints"),
     "trajectory": arguments("/trajectory", ROBOT, "start", "end"),
     "workspace": ((TABLE,), {"parameters": LENGTHS, "samples": 200}),

@@ -1,0 +1,136 @@
+"""Links as handed in: cells with numbers, names and expressions, read into exact bodies in SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from kinematics.cells import DEFAULT, Cell, Limits, ParameterKind, ReadTable
+from kinematics.cells.entries import cell_meaning
+from kinematics.cells.meaning import Position
+from kinematics.cells.refusals import CellRefusal
+from kinematics.cells.scaling import scaled_cell
+from kinematics.cells.variables import variable_index
+from kinematics.dynamics.links import RigidBody, SymbolicBody
+from kinematics.errors import CellError, DescriptionError, Fault
+from kinematics.expressions import ZERO, Expression, JointVariable, joint_variables_in
+
+NOTHING: tuple[Cell, Cell, Cell] = (0, 0, 0)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RawBody:
+    """A link as handed in.
+
+    Attributes:
+        mass: [kg].
+        centre: centre of mass in the link's frame, in the table's length unit.
+        inertia: 3×3 about the centre of mass, in the axes of the link's frame [kg m²].
+    """
+
+    mass: Cell = 0
+    centre: tuple[Cell, ...] = NOTHING
+    inertia: tuple[tuple[Cell, ...], ...] = (NOTHING, NOTHING, NOTHING)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ReadBodies:
+    """Links and gravity as read.
+
+    Attributes:
+        links: in SI units; names of lengths stand for metres.
+        gravity: acceleration of free fall in frame 0 [m/s²].
+        kinds: the parameters of the table and of the links, and what each measures.
+        lengths: those of them that are lengths: of the table, or in a centre of mass.
+    """
+
+    links: tuple[SymbolicBody, ...]
+    gravity: tuple[Expression, Expression, Expression]
+    kinds: Mapping[str, ParameterKind]
+    lengths: frozenset[str]
+
+
+def read_bodies(
+    read: ReadTable, links: Sequence[RawBody], gravity: Sequence[Cell], limits: Limits = DEFAULT
+) -> ReadBodies:
+    """Read what the links of a table weigh.
+
+    Args:
+        read: the table, in its own unit of length.
+        links: one for each row.
+        gravity: acceleration of free fall in frame 0 [m/s²], three cells.
+        limits: how large cells may be.
+
+    Raises:
+        DescriptionError: not one link for each row.
+        CellError: cells cannot be read, each at ("links", i, …) or ("gravity", i).
+    """
+    expected = len(read.table.rows)
+    if len(links) != expected:
+        params = {"expected": expected, "given": len(links)}
+        raise DescriptionError(Fault(code="links_count", where=("links",), params=params))
+    reader = _BodyReader(read, limits)
+    bodies = [reader.body(link, i) for i, link in enumerate(links)]
+    x, y, z = (reader.cell(cell, ("gravity", i)) for i, cell in enumerate(gravity))
+    if reader.faults:
+        raise CellError(reader.faults)
+    return ReadBodies(
+        links=tuple(bodies), gravity=(x, y, z), kinds=reader.kinds, lengths=frozenset(reader.lengths)
+    )
+
+
+class _BodyReader:
+    def __init__(self, read: ReadTable, limits: Limits) -> None:
+        self._read, self._limits = read, limits
+        self.faults: list[Fault] = []
+        self.kinds = dict(read.parameters)
+        self.lengths = {name for name, kind in self.kinds.items() if kind is ParameterKind.LENGTH}
+        self._ratio = 1 / Fraction(read.length_unit.metres_per_unit)
+
+    def body(self, link: RawBody, i: int) -> SymbolicBody:
+        where: tuple[str | int, ...] = ("links", i)
+        x, y, z = (self._length(cell, (*where, "centre", k)) for k, cell in enumerate(link.centre))
+        rows = []
+        for k, row in enumerate(link.inertia):
+            a, b, c = (self.cell(cell, (*where, "inertia", k, m)) for m, cell in enumerate(row))
+            rows.append((a, b, c))
+        return RigidBody(mass=self.cell(link.mass, (*where, "mass")), centre=(x, y, z), inertia=tuple(rows))
+
+    def cell(self, cell: Cell, where: tuple[str | int, ...]) -> Expression:
+        return self._meaning(cell, where, lambda kinds: None)
+
+    def _length(self, cell: Cell, where: tuple[str | int, ...]) -> Expression:
+        found = self._meaning(cell, where, self.lengths.update)
+        return (
+            scaled_cell(found, ParameterKind.LENGTH, self.kinds, self._ratio) if self._ratio != 1 else found
+        )
+
+    def _meaning(
+        self, cell: Cell, where: tuple[str | int, ...], note: Callable[[list[str]], None]
+    ) -> Expression:
+        try:
+            found = cell_meaning(cell, Position.LENGTH, self._read.angle_unit, self._limits, _variable)
+        except CellRefusal as refusal:
+            self.faults.append(refusal.at(*where))
+            return ZERO
+        if joint_variables_in(found.expression):
+            self.faults.append(Fault(code="body_varies", where=where))
+            return ZERO
+        for name, kind in found.kinds.items():
+            known = self.kinds.setdefault(name, kind)
+            if known is not kind:
+                params: dict[str, str | int] = {
+                    "column": 1,
+                    "name": name,
+                    "kind": kind.value,
+                    "other": known.value,
+                }
+                self.faults.append(Fault(code="parameter_two_kinds", where=where, params=params))
+        note([name for name, kind in found.kinds.items() if kind is ParameterKind.LENGTH])
+        return found.expression
+
+
+def _variable(name: str) -> Expression | None:
+    index = variable_index(name)
+    return None if index is None else JointVariable(index)

@@ -1,0 +1,187 @@
+"""POST /dynamics: numbers, closed forms, units, refusals."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+
+from tests.service.test_bad_input import check_problem
+
+PATH = "/api/v1/dynamics"
+
+
+def bar(i: int) -> dict[str, Any]:
+    inertia = [[0, 0, 0], [0, 0, 0], [0, 0, f"I{i}"]]
+    return {"mass": f"m{i}", "centre": [f"r{i} - L{i}", 0, 0], "inertia": inertia}
+
+
+def table(unit: str = "m", angle: str = "rad") -> dict[str, Any]:
+    rows = [{"theta": f"q{i}", "d": 0, "a": f"L{i}", "alpha": 0} for i in (1, 2)]
+    return {"convention": "standard", "length_unit": unit, "angle_unit": angle, "rows": rows}
+
+
+VALUES = {"L1": 0.4, "L2": 0.3, "r1": 0.2, "r2": 0.15, "m1": 2, "m2": 1, "I1": 0.03, "I2": 0.01}
+ARM: dict[str, Any] = {
+    "table": table(),
+    "parameters": VALUES,
+    "links": [bar(1), bar(2)],
+    "gravity": [0, -9.81, 0],
+    "joints": [0.3, 0.6],
+}
+
+
+def answered(client: httpx.Client, body: dict[str, Any]) -> Any:
+    response = client.post(PATH, json=body, timeout=120)
+    assert response.status_code == 200, response.text
+    return response.json()
+
+
+def test_two_links_by_hand(client: httpx.Client) -> None:
+    """h1 = −m2 L1 r2 sin q2 (2 q̇1 q̇2 + q̇2²), g2 = m2 r2 g cos(q1 + q2)."""
+    found = answered(client, {**ARM, "rates": [1, -2], "accelerations": [0.5, 0.25]})
+    coupling = 0.0225 + 0.01 + 0.4 * 0.15 * math.cos(0.6)
+    assert found["M"][0][1] == found["M"][1][0] == pytest.approx(coupling)
+    h1 = -0.4 * 0.15 * math.sin(0.6) * (2 * -2 + 4)
+    assert found["h"][0] == pytest.approx(h1, abs=1e-12)
+    assert found["g"][1] == pytest.approx(0.15 * 9.81 * math.cos(0.9))
+    M, C = np.array(found["M"]), np.array(found["C"])
+    torque = M @ [0.5, 0.25] + C @ [1, -2] + found["g"]
+    np.testing.assert_allclose(found["torque"], torque, atol=1e-12)
+    np.testing.assert_allclose(C @ [1, -2], found["h"], atol=1e-12)
+    back = answered(client, {**ARM, "rates": [1, -2], "torque": found["torque"]})
+    np.testing.assert_allclose(back["accelerations"], [0.5, 0.25], atol=1e-10)
+
+
+def test_units_of_the_table_change_nothing_that_comes_back(client: httpx.Client) -> None:
+    metres = answered(client, {**ARM, "rates": [1, -2]})
+    lengths = {name: VALUES[name] * 1000 for name in ("L1", "L2", "r1", "r2")}
+    other = {
+        **ARM,
+        "table": table("mm", "deg"),
+        "parameters": {**VALUES, **lengths},
+        "joints": [math.degrees(0.3), math.degrees(0.6)],
+        "rates": [math.degrees(1), math.degrees(-2)],
+    }
+    found = answered(client, other)
+    for name in ("M", "C", "h", "g", "kinetic_energy", "potential_energy"):
+        np.testing.assert_allclose(found[name], metres[name], atol=1e-12)
+    assert found["length_unit"] == "mm"
+
+
+def test_a_slider_in_millimetres(client: httpx.Client) -> None:
+    """A weight of 2 kg on a vertical slider: M = 2 kg, g = 19.62 N, at 500 mm 9.81 J."""
+    body = {
+        "table": {
+            "convention": "modified",
+            "length_unit": "mm",
+            "rows": [{"joint": "prismatic", "alpha": 0, "a": 0, "d": "q1", "theta": 0}],
+        },
+        "links": [{"mass": 2}],
+        "joints": [500],
+        "rates": [1000],
+        "accelerations": [1000],
+    }
+    found = answered(client, body)
+    assert found["M"] == [[2.0]]
+    assert found["g"] == [pytest.approx(19.62)]
+    assert found["torque"] == [pytest.approx(21.62)]
+    assert found["kinetic_energy"] == pytest.approx(1.0)
+    assert found["potential_energy"] == pytest.approx(9.81)
+
+
+def test_closed_forms(client: httpx.Client) -> None:
+    body = {name: value for name, value in ARM.items() if name not in ("joints", "parameters")}
+    body |= {"form": "symbolic", "gravity": [0, "-g", 0], "notation": "short", "parts": ["M", "C", "h", "g"]}
+    found = answered(client, body)
+    assert found["M"]["text"][0][1] == "m2*r2^2 + I2 + m2*L1*r2*c2"
+    assert found["C"]["text"] == [
+        ["-m2*L1*r2*dq2*s2", "-m2*L1*r2*dq1*s2 - m2*L1*r2*dq2*s2"],
+        ["m2*L1*r2*dq1*s2", "0"],
+    ]
+    assert found["h"]["text"][1] == ["m2*L1*r2*dq1^2*s2"]
+    assert found["g"]["text"][1] == ["m2*r2*g*c12"]
+    assert r"\dot{q}_{1}" in found["C"]["latex"]
+    assert found["rates"] == ["dq1", "dq2"]
+    assert set(found["parameters"]) == {"L1", "L2", "r1", "m1", "I1", "r2", "m2", "I2", "g"}
+
+
+def test_closed_forms_as_functions_give_the_numbers(client: httpx.Client) -> None:
+    body = {**ARM, "form": "symbolic", "parameters": {}, "formats": ["python"], "parts": ["M", "C", "g"]}
+    del body["joints"]
+    found = answered(client, body)
+    numbers = answered(client, {**ARM, "rates": [1, -2]})
+    values = [VALUES[name] for name in found["parameters"]]
+    for part, name in (("M", "mass_matrix"), ("C", "coriolis_matrix"), ("g", "gravity_torque")):
+        space: dict[str, Any] = {}
+        exec(found[part]["python"], space)
+        computed = np.array(space[name](ARM["joints"], *values, 1, -2))
+        expected = np.array(numbers[part])
+        np.testing.assert_allclose(computed.reshape(expected.shape), expected, atol=1e-12)
+
+
+def test_values_are_put_in_exactly_and_lengths_in_metres(client: httpx.Client) -> None:
+    body = {**ARM, "form": "symbolic", "table": table("mm"), "formats": ["text"], "parts": ["g"]}
+    body["parameters"] = {"m1": 2, "m2": 1, "r1": 200, "L1": 400, "r2": 150}
+    del body["joints"]
+    assert answered(client, body)["g"]["text"][1] == ["1.4715*cos(q1 + q2)"]
+
+
+def test_the_puma_of_the_catalogue_in_closed_form(client: httpx.Client) -> None:
+    found = answered(
+        client, {"form": "symbolic", "robot": "puma560", "formats": ["text"], "notation": "short"}
+    )
+    assert found["parameters"] == ["a2", "a3", "d3", "d4"]
+    assert found["M"]["text"][5][5] == "0.00004"
+    assert found["g"]["text"][0] == ["0"]
+
+
+WEIGHTLESS = {"links": [{}, {}], "torque": [1, 1], "parameters": {"L1": 1, "L2": 1}}
+
+
+@pytest.mark.parametrize(
+    ("change", "code", "pointer"),
+    [
+        ({"links": None}, "links_missing", "/links"),
+        ({"links": [bar(1)]}, "links_count", "/links"),
+        ({"links": [{**bar(1), "mass": "-m1"}, bar(2)]}, "mass_negative", "/links/0/mass"),
+        ({"links": [{**bar(1), "mass": "q1"}, bar(2)]}, "body_varies", "/links/0/mass"),
+        (
+            {"links": [bar(1), {**bar(2), "inertia": [[0, "I2", 0], [0, 1, 0], [0, 0, 1]]}]},
+            "inertia_not_symmetric",
+            "/links/1/inertia",
+        ),
+        (
+            {"links": [bar(1), {**bar(2), "inertia": [["-I2", 0, 0], [0, 1, 0], [0, 0, 1]]}]},
+            "inertia_negative",
+            "/links/1/inertia",
+        ),
+        ({"joints": [0]}, "joints_wrong_length", "/joints"),
+        ({"rates": [0]}, "joints_wrong_length", "/rates"),
+        ({"accelerations": [0, 0, 0]}, "joints_wrong_length", "/accelerations"),
+        ({"torque": [1]}, "joints_wrong_length", "/torque"),
+        ({"parameters": {**VALUES, "m3": 1}}, "parameter_unused", "/parameters/m3"),
+        ({"parameters": {"L1": 1}}, "parameter_missing", "/parameters/L2"),
+        (WEIGHTLESS, "mass_matrix_singular", "/links"),
+        ({"gravity": [0, "sin(", 0]}, "cell_incomplete", "/gravity/1"),
+        ({"parameters": {**VALUES, "m2": 1e308}}, "dynamics_not_finite", "/links"),
+    ],
+)  # fmt: skip
+def test_refusals(client: httpx.Client, change: dict[str, Any], code: str, pointer: str) -> None:
+    response = client.post(PATH, json={**ARM, **change}, timeout=120)
+    problem = check_problem(response, 422, code)
+    assert problem["pointer"] == pointer
+
+
+def test_closed_forms_take_no_joints(client: httpx.Client) -> None:
+    response = client.post(PATH, json={**ARM, "form": "symbolic"}, timeout=120)
+    assert check_problem(response, 422, "field_unknown")["pointer"] == "/joints"
+
+
+def test_a_name_of_a_rate_is_no_parameter(client: httpx.Client) -> None:
+    body = {**ARM, "form": "symbolic", "parameters": {}, "links": [{"mass": "dq1"}, {}]}
+    del body["joints"]
+    check_problem(client.post(PATH, json=body, timeout=120), 422, "name_of_rate")
