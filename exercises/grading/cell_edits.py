@@ -45,14 +45,14 @@ def alpha_value(work: Work) -> Iterator[Change]:
 
 def sign_of_length(work: Work) -> Iterator[Change]:
     """A with the other sign."""
-    for i, row in work.rows:
+    for i, row in work.rows_of_lengths:
         if row.a:
             yield _set("a_sign", i, "a", -row.a)
 
 
 def sign_of_offset(work: Work) -> Iterator[Change]:
     """D with the other sign."""
-    for i, row in work.rows:
+    for i, row in work.rows_of_lengths:
         if row.d and (row.joint is not JointType.PRISMATIC or work.policy.zero is ZeroRule.FIGURE):
             yield _set("d_sign", i, "d", -row.d)
 
@@ -118,14 +118,14 @@ def offset_value(work: Work) -> Iterator[Change]:
 
 
 def _fitted_lengths(work: Work, cell: str) -> Iterator[Change]:
-    for i, _ in work.rows:
+    for i, _ in work.rows_of_lengths:
         for value in work.fits.get((i, cell), ()):
             yield _set(_story(work, i, cell, value), i, cell, value)
 
 
 def length_in_other_unit(work: Work) -> Iterator[Change]:
     """One length typed in millimetres or centimetres where metres are declared, or the reverse."""
-    for i, row in work.rows:
+    for i, row in work.rows_of_lengths:
         for cell in ("a", "d"):
             if not getattr(row, cell) or (cell == "d" and row.joint is JointType.PRISMATIC):
                 continue
@@ -149,8 +149,8 @@ def any_cell(work: Work, choice: int) -> Iterator[Change]:
         choice: see `fitted_table`.
     """
     for i, row in work.rows:
-        cells = ["a", "alpha"]
-        if row.joint is not JointType.PRISMATIC:
+        cells = ["alpha"] if work.angular else ["a", "alpha"]
+        if row.joint is not JointType.PRISMATIC and not work.angular:
             cells.append("d")
         if row.joint is not JointType.REVOLUTE:
             cells.append("theta")

@@ -25,10 +25,9 @@ from exercises.grading.score import lost, score_of
 from exercises.grading.verdict import Edit, Feedback, HelpLevel, LinkFinding, ParamValue, Repair
 from exercises.grading.work import Work
 from kinematics.cells import ReadTable
-from kinematics.chain import chain_of_table
 from kinematics.equivalence import Decision, Policy
 from kinematics.equivalence.meter import Meter
-from kinematics.equivalence.reference import prepared
+from kinematics.equivalence.reference import prepared_for
 from kinematics.expressions import ZERO
 from kinematics.table import CELLS, DHTable, JointType
 
@@ -149,8 +148,7 @@ def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy:
     strict = policy_of(comparison, policy)
     share = share_of(comparison)
     references = tuple(
-        prepared(key).beside(chain_of_table(answer))
-        for key, answer in zip(comparison.references, comparison.meant, strict=True)
+        prepared_for(key, answer) for key, answer in zip(comparison.references, comparison.meant, strict=True)
     )
     return Work(
         key=tables[0],

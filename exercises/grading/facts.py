@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -121,10 +122,8 @@ class Facts:
     def _has(self, shape: Shape, axes: Sequence[Axis], places: Sequence[int | None]) -> bool:
         """Whether an invariant means in the answer what it means in the key."""
         span = range(min(shape.axes), max(shape.axes) + 1)
-        if (
-            len({None if (place := places[i]) is None else place - i for i in span}) > 1
-            or places[span[0]] is None
-        ):
+        first = places[span[0]]
+        if first is None or any(place != first + k for k, place in enumerate(places[span[0] : span[-1] + 1])):
             return False
         if shape.measure is Measure.ANGLE:
             return True
@@ -143,6 +142,8 @@ class Facts:
                 _are_parallel(axes[i], axes[j]) is _are_parallel(self.axes[i], self.axes[j]) for i, j in pairs
             )
         if shape.measure is Measure.DISTANCE:
+            if len(span) == len(shape.axes) - 2:
+                return True
             basis: tuple[Vector, ...] = ()
             for i in shape.axes[2:]:
                 rest = outside(axes[i].direction, basis)
@@ -161,7 +162,7 @@ def _places(ours: int, theirs: int, split: int) -> list[int | None]:
 
 
 def least_cost(
-    shapes: Sequence[Shape], axes: int, costs: Floats, fixed: tuple[bool, bool] = (False, False)
+    shapes: tuple[Shape, ...], axes: int, costs: Floats, fixed: tuple[bool, bool] = (False, False)
 ) -> Floats:
     """The least that invariants cost, over which way every axis points: a forward sweep along the chain.
 
@@ -174,6 +175,28 @@ def least_cost(
     Returns:
         (k,) the sums.
     """
+    alone, pairs, free = _links(shapes, axes)
+    single, double = alone @ costs, pairs @ costs
+    steps = np.empty((axes, 2, 2, costs.shape[2]))
+    for before in (0, 1):
+        for now in (0, 1):
+            np.add(double[before ^ now], single[now], out=steps[:, before, now])
+    best = steps[0, 0]
+    if fixed[0]:
+        best[1] = np.inf
+    for step in steps[1:]:
+        best = (best[:, None] + step).min(axis=0)
+    least = best[0] if fixed[1] else best.min(axis=0)
+    return np.asarray(least + costs[:, free].min(axis=0).sum(axis=0), dtype=np.float64)
+
+
+@lru_cache(maxsize=256)
+def _links(shapes: tuple[Shape, ...], axes: int) -> tuple[Floats, Floats, list[int]]:
+    """Which invariants depend on how one axis points, which on how it and the one before do, and the rest.
+
+    Returns:
+        (axes, q) and (axes, q), one where so, else zero; the places of the rest.
+    """
     alone, pairs = np.zeros((axes, len(shapes))), np.zeros((axes, len(shapes)))
     free = []
     for q, shape in enumerate(shapes):
@@ -184,16 +207,7 @@ def least_cost(
             pairs[j, q] = 1.0
         else:
             free.append(q)
-    single, double = alone @ costs, pairs @ costs
-    best = single[:, 0].copy()
-    if fixed[0]:
-        best[1] = np.inf
-    for j in range(1, axes):
-        same, other = double[0, j], double[1, j]
-        ways = np.minimum(best[0] + same, best[1] + other), np.minimum(best[0] + other, best[1] + same)
-        best = np.array(ways) + single[:, j]
-    least = best[0] if fixed[1] else best.min(axis=0)
-    return np.asarray(least + costs[:, free].min(axis=0).sum(axis=0), dtype=np.float64)
+    return alone, pairs, free
 
 
 def _are_parallel(one: Axis, other: Axis) -> bool:

@@ -10,9 +10,9 @@ from exercises.grading.certificate_report import in_unit
 from exercises.grading.exact_text import angle_text, expression_text
 from exercises.grading.verdict import Feedback, ParamValue
 from kinematics.cells import AngleUnit
-from kinematics.chain import chain_of_table, frames_at_zero
+from kinematics.chain import frames_at_zero
 from kinematics.equivalence import Certificate, ExactCertificate
-from kinematics.equivalence.reference import prepared
+from kinematics.equivalence.reference import prepared, prepared_for
 from kinematics.se3 import Motion, compose, from_matrix, inverse, position, rotation_about, scale, translation
 from kinematics.table import JointType, NumericTable
 
@@ -73,7 +73,7 @@ class _Noticed:
     @classmethod
     def beside(cls, key: NumericTable, answer: NumericTable, certificate: Certificate) -> _Noticed:
         share = NOTICED if certificate.residual <= ROUNDED else NOTICED_IF_ROUNDED
-        return cls(share, share * prepared(key).beside(chain_of_table(answer)).size)
+        return cls(share, share * prepared_for(key, answer).size)
 
 
 def _same_layout(key: NumericTable, answer: NumericTable) -> bool:

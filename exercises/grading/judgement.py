@@ -11,7 +11,7 @@ from kinematics.equivalence import Decision, Kind, Mismatch, Policy, decide_draw
 from kinematics.equivalence.decision import EXACT, convention_fits, mechanism_only
 from kinematics.equivalence.diagnosis import diagnose, mismatches_of
 from kinematics.equivalence.invariants import Invariants
-from kinematics.equivalence.reference import prepared
+from kinematics.equivalence.reference import prepared, prepared_for
 from kinematics.equivalence.results import Certificate
 
 IMPRECISE = Decision(certificate=None, mismatches=(Mismatch(kind=Kind.PRECISION),), same_robot=False)
@@ -71,7 +71,7 @@ def _is_refuted(comparison: Comparison, policy: Policy) -> bool:
 
 def _beyond_digits(comparison: Comparison, policy: Policy, draw: int = 0) -> Invariants | None:
     answer = comparison.meant[draw]
-    reference = prepared(comparison.references[draw]).beside(chain_of_table(answer))
+    reference = prepared_for(comparison.references[draw], answer)
     return beyond_digits(reference, answer, comparison.steps, policy, share_of(comparison))
 
 
@@ -102,6 +102,6 @@ def _held_to_digits(
         far = _beyond_digits(comparison, policy, draw)
         if far is not None:
             chain = chain_of_table(answer)
-            found = mismatches_of(far, prepared(key).beside(chain), answer, chain, policy)
+            found = mismatches_of(far, prepared_for(key, answer), answer, chain, policy)
             return replace(REFUTED, mismatches=found)
     return decision

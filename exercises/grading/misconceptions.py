@@ -55,12 +55,14 @@ class Misconception:
         story: what the student did.
         changes: every way to undo it in a table.
         told_as: codes of the edits it may lead to, if not its own; the message of each is `repair-<code>`.
+        counts: undoing it changes how many joints there are.
     """
 
     code: str
     story: str
     changes: Callable[[Work], Iterator[Change]]
     told_as: tuple[str, ...] = ()
+    counts: bool = False
 
 
 LENGTH_STORIES = ("a_value", "a_missing", "a_not_zero", "a_sign", "cell_length_unit", "cell_parameter")
@@ -158,15 +160,18 @@ CATALOGUE: tuple[Misconception, ...] = (
         story="forgot the variable of a joint",
         changes=joint_left_out,
         told_as=("joint_fixed", "joint_moving"),
+        counts=True,
     ),
     Misconception(code="rows_swapped", story="wrote two rows in the wrong order", changes=rows_swapped),
-    Misconception(code="row_missing", story="left a row out", changes=row_left_out),
+    Misconception(code="row_missing", story="left a row out", changes=row_left_out, counts=True),
     Misconception(
         code="fixed_row_missing",
         story="left out the last row, without a variable, that leads to the marked point",
         changes=fixed_row_left_out,
     ),
-    Misconception(code="row_extra", story="wrote a row that is not needed", changes=row_too_many),
+    Misconception(
+        code="row_extra", story="wrote a row that is not needed", changes=row_too_many, counts=True
+    ),
 )
 
 
@@ -179,9 +184,10 @@ RANKS = {
 
 
 def changes_of(work: Work) -> Iterator[Change]:
-    """Every change of the catalogue that may be made to a table."""
+    """Every change of the catalogue with which a table may have the key's joints."""
     for misconception in CATALOGUE:
-        yield from misconception.changes(work)
+        if misconception.counts or not work.excess:
+            yield from misconception.changes(work)
 
 
 def repair_codes() -> frozenset[str]:

@@ -59,12 +59,12 @@ def find_repairs(work: Work) -> tuple[Repaired, ...]:
 def _found(work: Work) -> Iterator[Repaired]:
     """Single edits, by growing effort; if there are none, pairs."""
     here = tried_unchanged(work)
-    (made,) = tried([work if here is None else replace(work, reach=here.reach)])
-    trials = [trial for trial in made if trial.might]
+    near = work if here is None else replace(work, reach=here.reach, angular=here.angular)
+    (trials,) = tried([near])
     trials.sort(key=lambda trial: _likelihood(trial.change, work.table))
     ways = [_helping(work, trials, Effort.PLAIN)]
     if _says_little(work, here):
-        ways.append(_fitted(work))
+        ways.append(_fitted(near))
     ways.append(_helping(work, trials, Effort.REFINED))
     for way in ways:
         found = False
@@ -107,7 +107,7 @@ def _helping(work: Work, trials: Iterable[Trial], effort: Effort) -> Iterator[Ch
     for trial in trials:
         change = trial.change
         place = (change.code, change.row, change.cell)
-        if not trial.might or place in told:
+        if place in told:
             continue
         if work.accepts(change, effort) and (work.draw or _at_other_draws(work, (change,), effort)):
             told.add(place)
@@ -121,10 +121,10 @@ def _at_other_draws(work: Work, changes: Sequence[Change], effort: Effort) -> bo
 def _mends(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
     """Whether the slips undone here make the table right, with the values that fit here."""
     slips = {changes[0].slip}
-    (trials,) = tried([work], slips=slips)
+    (trials,) = tried([work], slips=slips, finishing=len(changes) == 1)
     if len(changes) > 1:
         return any(_mends(work.edited(trial.change), changes[1:], effort) for trial in trials)
-    if any(trial.might and work.accepts(trial.change, effort) for trial in trials):
+    if any(work.accepts(trial.change, effort) for trial in trials):
         return True
     return effort is Effort.REFINED and any(True for _ in _fitted(work, slips))
 
@@ -132,17 +132,18 @@ def _mends(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
 def _pairs(work: Work, here: Trial | None) -> Iterator[Repaired]:
     """Two edits: first one that brings the table nearer to the key, then each that might finish."""
     before = None if here is None else here.failing
-    first = [trial for trial in tried([work])[0] if trial.meets and _is_nearer(trial.failing, before)]
+    (made,) = tried([work], finishing=False)
+    first = [trial for trial in made if trial.meets and _is_nearer(trial.failing, before)]
     first.sort(key=lambda trial: (trial.failing, RANKS[trial.change.code]))
     told: set[frozenset[tuple[str, int | None, str | None]]] = set()
     together = max(MOST_ROWS_TOGETHER // len(work.table.rows), 1)
     for start in range(0, MOST_FIRST_EDITS, together):
         some = first[start : min(start + together, MOST_FIRST_EDITS)]
-        halves = [work.edited(trial.change, trial.reach) for trial in some]
+        halves = [work.edited(trial.change, trial.reach, angular=trial.angular) for trial in some]
         for trial, half, rest in zip(some, halves, tried(halves), strict=True):
             touched = set(trial.change.places)
             for other in rest:
-                if not other.might or touched & set(other.change.places):
+                if touched & set(other.change.places):
                     continue
                 changes = (trial.change, other.change)
                 places = frozenset((c.code, c.row, c.cell) for c in changes)

@@ -25,7 +25,7 @@ UNSOLVED = {
 
 def cells_swapped(work: Work) -> Iterator[Change]:
     """A and d of a row exchanged."""
-    for i, row in work.rows:
+    for i, row in work.rows_of_lengths:
         if row.a != row.d and row.joint is not JointType.PRISMATIC:
             cells = ((i, "a", row.d), (i, "d", row.a))
             yield Change("a_d_swapped", Extent.ROW, i, cells=cells, touched=((i, "a"), (i, "d")))

@@ -89,6 +89,8 @@ def all_in_radians(work: Work) -> Iterator[Change]:
 
 def all_in_other_length_unit(work: Work) -> Iterator[Change]:
     """All lengths in millimetres where metres are declared, and the like."""
+    if work.angular:
+        return
     extent = sum(abs(row.a) + abs(row.d) for row in work.table.rows)
     for ratio in LENGTH_RATIOS:
         if SMALLEST_EXTENT < extent * ratio / work.reference.size < LARGEST_EXTENT:
@@ -136,6 +138,8 @@ def columns_exchanged(work: Work) -> Iterator[Change]:
     """
     units = {"alpha": 180.0 / math.pi if work.answer.angle_unit is AngleUnit.DEG else 1.0, "a": 1.0, "d": 1.0}
     for one, other in EXCHANGES:
+        if work.angular and {one, other} == set(LENGTHS):
+            continue
         rows = [
             (i, row)
             for i, row in enumerate(work.table.rows)

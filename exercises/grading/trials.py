@@ -35,12 +35,14 @@ class Trial(NamedTuple):
         failing: how many invariants still fail, whichever way the axes point.
         might: none fails, and the axes can be turned so that their signs agree: it may be the robot.
         reach: what an edit must have to do with that mends all that fail: joints from … to.
+        angular: an angle is among them, so that lengths alone do not mend them.
     """
 
     change: Change
     failing: int
     might: bool
     reach: tuple[int, int]
+    angular: bool
 
     @property
     def meets(self) -> bool:
@@ -55,6 +57,8 @@ def tried(
     works: Sequence[Work],
     catalogue: Catalogue = changes_of,
     slips: Collection[tuple[object, ...]] | None = None,
+    *,
+    finishing: bool = True,
 ) -> list[list[Trial]]:
     """The edits of a catalogue, tried on tables.
 
@@ -62,6 +66,7 @@ def tried(
         works: tables for one key, at the same draw.
         catalogue: the edits that may be made to a table.
         slips: which of them; all, if left out.
+        finishing: only edits are wanted after which the table might be the robot.
 
     Returns:
         For every table the edits with which its joints are those of the key.
@@ -72,17 +77,19 @@ def tried(
     made = [
         (number, change)
         for number, work in enumerate(works)
+        for alike in (work.has_the_joints(),)
         for change in catalogue(replace(work, fits=fits[number]))
-        if (slips is None or change.slip in slips) and work.has_the_joints(change.table)
+        if (slips is None or change.slip in slips)
+        and (alike if change.table is None else work.has_the_joints(change.table))
     ]
     trials: list[list[Trial]] = [[] for _ in works]
     while made:
         batch = _Batch(works, made)
         found = batch.trials()
         for (number, _), trial in zip(made, found, strict=True):
-            if trial is not None:
+            if trial is not None and (trial.might or not finishing):
                 trials[number].append(trial)
-        made = batch.solved(found)
+        made = batch.solved(found, finishing=finishing)
     return trials
 
 
@@ -92,8 +99,8 @@ def tried_unchanged(work: Work) -> Trial | None:
         return None
     invariants = work.invariants[work.draw]
     found = measured_as_typed(invariants, work.table, work.comparison.steps, work.policy)[:, :1]
-    ((failing, might, reach),) = _judged(work, found)
-    return Trial(UNCHANGED, failing, might, reach)
+    (judged,) = _judged(work, found)
+    return Trial(UNCHANGED, *judged)
 
 
 def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
@@ -110,11 +117,11 @@ def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
 
 
 def _cells(work: Work) -> list[tuple[int, str]]:
-    """The cells in reach that are no variable's."""
+    """The cells that are no variable's and may mend all that fails."""
     return [
         (i, cell)
         for i, row in work.rows
-        for cell in ("a", "d", "alpha", "theta")
+        for cell in (ANGLES if work.angular else ("a", "d", *ANGLES))
         if not (cell == "d" and row.joint is JointType.PRISMATIC)
         and not (cell == "theta" and row.joint is JointType.REVOLUTE)
     ]
@@ -152,18 +159,23 @@ class _Batch:
         start, end = self._found[k][2]
         return start <= joint <= end
 
-    def solved(self, trials: Sequence[Trial | None]) -> list[tuple[int, Change]]:
-        """The changes that put a value that fits in one more of their unsolved cells; each table once."""
-        unsolved = [k for k, trial in enumerate(trials) if trial is not None and trial.change.unsolved]
-        wanted = [
-            Unsolved(
-                self._variations[k][0],
-                change.cells,
-                [(change.row or 0, cell) for cell in change.unsolved],
-            )
-            for k in unsolved
-            for change in (self._made[k][1],)
-        ]
+    def solved(self, trials: Sequence[Trial | None], *, finishing: bool) -> list[tuple[int, Change]]:
+        """The changes that put a value that fits in one more of their unsolved cells; each table once.
+
+        Angles are solved for before lengths; with a length first, an angle that fails is never mended.
+        """
+        unsolved: list[int] = []
+        wanted: list[Unsolved] = []
+        for k, trial in enumerate(trials):
+            if trial is None or not trial.change.unsolved:
+                continue
+            change = trial.change
+            angles_first = finishing and trial.angular
+            cells = [cell for cell in change.unsolved if cell in ANGLES or not angles_first]
+            if cells:
+                unsolved.append(k)
+                places = [(change.row or 0, cell) for cell in cells]
+                wanted.append(Unsolved(self._variations[k][0], change.cells, places))
         if not wanted:
             return []
         known = {self._content(number, change) for number, change in self._made}
@@ -187,8 +199,8 @@ class _Batch:
         return number, id(change.table), *cells.items()
 
 
-def _judged(work: Work, found: NDArray[np.float64]) -> list[tuple[int, bool, tuple[int, int]]]:
-    """What follows from the invariants (q, k) of tables: `failing`, `might` and `reach` of each trial."""
+def _judged(work: Work, found: NDArray[np.float64]) -> list[tuple[int, bool, tuple[int, int], bool]]:
+    """What a trial says of tables, from their invariants (q, k): `failing`, `might`, `reach`, `angular`."""
     invariants = work.invariants[work.draw]
     failing = invariants.strains(found) > 1.0
     first, last = invariants.spans
@@ -203,4 +215,5 @@ def _judged(work: Work, found: NDArray[np.float64]) -> list[tuple[int, bool, tup
         axes = len(work.reference.chain.axes) + 2
         might[which] = least_cost(invariants.shapes, axes, costs.astype(float), fixed) == 0.0
     reaches = zip(starts.tolist(), ends.tolist(), strict=True)
-    return list(zip(counts.tolist(), might.tolist(), reaches, strict=True))
+    angular = np.where(invariants.angular, failing, False).sum(axis=0) > 0
+    return list(zip(counts.tolist(), might.tolist(), reaches, angular.tolist(), strict=True))

@@ -127,13 +127,14 @@ def _half_step(entry: Expression, cell: str, unit: AngleUnit) -> float | None:
 
 def _of_decimal(value: Fraction) -> float:
     """Half a unit of the last decimal; 0 if the number is no decimal."""
-    rest, decimals = value.denominator, 0
-    for prime in (2, 5):
-        power = 0
-        while rest % prime == 0:
-            rest //= prime
-            power += 1
-        decimals = max(decimals, power)
+    rest = value.denominator
+    twos = (rest & -rest).bit_length() - 1
+    rest >>= twos
+    fives = 0
+    while rest % 5 == 0:
+        rest //= 5
+        fives += 1
+    decimals = max(twos, fives)
     return 0.5 * 10.0**-decimals if rest == 1 and decimals <= _MOST_DECIMALS else 0.0
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
@@ -116,6 +116,7 @@ class Work:
         draw: that draw.
         fits: for cells, other values that make an invariant fit which does not.
         reach: what an edit has to do with, to mend all that is wrong: joints from … to, counted from 1.
+        angular: an angle is wrong that no choice of frames changes: lengths alone do not mend it.
     """
 
     key: ReadTable
@@ -129,6 +130,7 @@ class Work:
     draw: int = 0
     fits: Mapping[Place, list[float]] = field(default_factory=dict)
     reach: tuple[int, int] = EVERYWHERE
+    angular: bool = False
 
     @property
     def reference(self) -> Reference:
@@ -154,10 +156,15 @@ class Work:
         """For every row the number of joints up to it."""
         return list(accumulate(row.joint is not JointType.FIXED for row in self.table.rows))
 
-    @property
-    def rows(self) -> Iterator[tuple[int, NumericRow]]:
+    @cached_property
+    def rows(self) -> tuple[tuple[int, NumericRow], ...]:
         """The rows in which an edit may mend all that is wrong, and their numbers, from 0."""
-        return ((i, row) for i, row in enumerate(self.table.rows) if self.is_near(i))
+        return tuple((i, row) for i, row in enumerate(self.table.rows) if self.is_near(i))
+
+    @property
+    def rows_of_lengths(self) -> tuple[tuple[int, NumericRow], ...]:
+        """The rows in which another length may mend all that is wrong."""
+        return () if self.angular else self.rows
 
     def has_the_joints(self, table: NumericTable | None = None) -> bool:
         """Whether the table, or another, has the key's types of joints in order."""
@@ -165,11 +172,13 @@ class Work:
 
     def at(self, draw: int) -> Work:
         """The answer at another draw."""
-        return replace(self, draw=draw, table=self.comparison.meant[draw], fits={}, reach=EVERYWHERE)
+        return replace(
+            self, draw=draw, table=self.comparison.meant[draw], fits={}, reach=EVERYWHERE, angular=False
+        )
 
-    def edited(self, change: Change, reach: tuple[int, int] = EVERYWHERE) -> Work:
+    def edited(self, change: Change, reach: tuple[int, int] = EVERYWHERE, *, angular: bool = False) -> Work:
         """The table with an edit made, and what another has to do with then."""
-        return replace(self, table=change.of(self.table), fits={}, reach=reach)
+        return replace(self, table=change.of(self.table), fits={}, reach=reach, angular=angular)
 
     def accepts(self, change: Change, effort: Effort) -> bool:
         """Whether an edit makes the table right, at this draw."""

@@ -32,7 +32,7 @@ Variation = tuple[int, Sequence[CellChange]]
 # Where the number of a cell stands among the four of a row: exp(-iα), a, exp(-iθ), d.
 _PLACE = {"alpha": 0, "a": 1, "theta": 2, "d": 3}
 _NUMBERS = len(_PLACE)
-_ALONG_X = ("alpha", "a")
+_PLACE_LOWER = {**_PLACE, **{cell: _PLACE[cell] + _NUMBERS for cell in ("alpha", "a")}}
 _LENGTHS = ("a", "d")
 _NOTHING: tuple[complex, ...] = (1.0, 0.0, 1.0, 0.0)
 
@@ -103,8 +103,9 @@ def _cells(tables: Sequence[NumericTable], variations: Sequence[Variation], whic
     cells = plain.transpose(1, 2, 0).take(which, axis=2)
     k = len(which)
     changes = [
-        (((i + (lower[number] and cell in _ALONG_X)) * _NUMBERS + _PLACE[cell]) * k + at, cell, value)
+        ((i * _NUMBERS + place[cell]) * k + at, cell, value)
         for at, (number, changes) in enumerate(variations)
+        for place in (_PLACE_LOWER if lower[number] else _PLACE,)
         for i, cell, value in changes
     ]
     if changes:

@@ -9,21 +9,22 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TypeAlias
+from functools import lru_cache
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.chain import chain_of_table
 from kinematics.equivalence.certificates import CertificateCandidate, candidate_from
-from kinematics.equivalence.meter import Meter
+from kinematics.equivalence.meter import PER_ROUND, Meter
 from kinematics.equivalence.policy import BaseRule, Tolerance, ZeroRule
 from kinematics.equivalence.reference import Reference
-from kinematics.equivalence.refinement import FREE_TWISTS, RefinementProblem
+from kinematics.equivalence.refinement import FREE_TWISTS, Model, RefinementProblem
 from kinematics.equivalence.search import forced_path
 from kinematics.equivalence.verification import joint_values
-from kinematics.se3 import turns_between
-from kinematics.table import DHTable, NumericTable
+from kinematics.se3 import Transform, cross_arrays
+from kinematics.table import Convention, DHTable, NumericTable
 
 Place: TypeAlias = tuple[int, str]
 """A row, counted from 0, and the name of a cell."""
@@ -39,8 +40,6 @@ WORTHWHILE = 0.8
 # Four configurations of six equations each are enough for a cell, δ, B and E of six joints; six times that.
 FEWER_SAMPLES = 24
 ANGLES = ("alpha", "theta")
-# [rad] For a central difference: its error, the square, is that of the arithmetic divided by it.
-SMALL_ANGLE = 1e-4
 
 
 def fitted_cells(
@@ -64,58 +63,82 @@ def fitted_cells(
     Returns:
         None if the mean error stays above half the tolerance.
     """
-    candidate = _start(reference, table, signs, tolerance)
-    reference = _sampled_less(reference)
-    scales = np.array([1.0 if cell in ANGLES else reference.size for _, cell in places])
-    twists = np.repeat((1.0, reference.size), 3)[:, None] * FREE_TWISTS
+    reference, candidate, here = _start(reference, table, tuple(signs), tolerance)
+    scales = [1.0 if cell in ANGLES else reference.size for _, cell in places]
     for _ in range(ROUNDS):
-        chain = chain_of_table(table)
-        problem = RefinementProblem(
-            reference, chain, tolerance, twists, twists, offsets_free=True, meter=meter
+        if meter is not None:
+            meter.charge(PER_ROUND)
+        columns = [_column(table, place, here.frames) for place in places]
+        model = here.problem.with_columns(
+            here.model, [column * scale for column, scale in zip(columns, scales, strict=True)]
         )
-        joints = joint_values(reference, candidate)
-        columns = [_column(table, place, joints, scale) for place, scale in zip(places, scales, strict=True)]
-        model = problem.linearised(candidate, *columns)
         if model.mean_square() < CLOSE_ENOUGH**2:
             return table
         step = model.least_squares()
         if model.mean_square(step) > WORTHWHILE * model.mean_square() or np.abs(step).max() < SETTLED:
             return None
-        candidate = problem.moved(candidate, step)
-        table = _changed(table, places, (step[-len(places) :] * scales).tolist())
+        candidate = here.problem.moved(candidate, step)
+        cells = zip(step[-len(places) :].tolist(), scales, strict=True)
+        table = _changed(table, places, [change * scale for change, scale in cells])
+        here = _linearised(reference, table, candidate, tolerance)
     return None
 
 
-def _sampled_less(reference: Reference) -> Reference:
-    """The reference with fewer configurations: enough to solve for a handful of numbers."""
-    return replace(
-        reference, joints=reference.joints[:, :FEWER_SAMPLES], poses=reference.poses[:FEWER_SAMPLES]
-    )
+class _Linearised(NamedTuple):
+    """A table beside the reference, with a certificate that nearly stands.
+
+    Attributes:
+        problem: what may change of the certificate.
+        model: the errors, and how they change with it.
+        frames: (samples, rows + 1, 4, 4) the table's frames at the samples.
+    """
+
+    problem: RefinementProblem
+    model: Model
+    frames: Transform
 
 
+@lru_cache(maxsize=64)
 def _start(
-    reference: Reference, table: NumericTable, signs: Sequence[int], tolerance: Tolerance
-) -> CertificateCandidate:
+    reference: Reference, table: NumericTable, signs: tuple[int, ...], tolerance: Tolerance
+) -> tuple[Reference, CertificateCandidate, _Linearised]:
+    """Where the fit of any cell starts, at fewer configurations: enough for a handful of numbers."""
     near = reference.nearnesses(tolerance)[0]
     plan = reference.plans(BaseRule.FREE, ZeroRule.FREE, near)[0]
     chain = chain_of_table(table)
     path = forced_path(plan, chain, plan.starts[0], signs)
-    return candidate_from((reference.chain, chain), plan, path, ZeroRule.FREE, tool_turns=True)
+    candidate = candidate_from((reference.chain, chain), plan, path, ZeroRule.FREE, tool_turns=True)
+    fewer = replace(
+        reference, joints=reference.joints[:, :FEWER_SAMPLES], poses=reference.poses[:FEWER_SAMPLES]
+    )
+    return fewer, candidate, _linearised(fewer, table, candidate, tolerance)
 
 
-def _column(
-    table: NumericTable, place: Place, joints: NDArray[np.float64], scale: float
-) -> NDArray[np.float64]:
-    """How frame N turns and moves with a cell, per unit of the step: (samples, 6).
+def _linearised(
+    reference: Reference, table: NumericTable, candidate: CertificateCandidate, tolerance: Tolerance
+) -> _Linearised:
+    chain = chain_of_table(table)
+    twists = np.repeat((1.0, reference.size), 3)[:, None] * FREE_TWISTS
+    problem = RefinementProblem(reference, chain, tolerance, twists, twists, offsets_free=True)
+    frames = chain.frames(joint_values(reference, candidate).T)
+    return _Linearised(problem, problem.linearised(candidate), frames)
 
-    F_s is an affine function of every length, so its difference is exact.
+
+def _column(table: NumericTable, place: Place, frames: Transform) -> NDArray[np.float64]:
+    """How frame N turns and moves with a cell, (samples, 6).
+
+    α and a turn about and move along x, θ and d about and along z: of the frame before the row, or of the one
+    behind it where the row ends with that.
     """
-    step = SMALL_ANGLE if place[1] in ANGLES else scale
-    before = chain_of_table(_changed(table, (place,), (-step / 2,))).poses(joints.T)
-    after = chain_of_table(_changed(table, (place,), (step / 2,))).poses(joints.T)
-    turn = turns_between(before, after)
-    shift = after[:, :3, 3] - before[:, :3, 3]
-    return np.concatenate([turn, shift], axis=1) * (scale / step)
+    row, cell = place
+    along_x = cell in ("alpha", "a")
+    behind = along_x is (table.convention is Convention.STANDARD)
+    frame = frames[:, row + behind]
+    axis = frame[:, :3, 0 if along_x else 2]
+    if cell in ANGLES:
+        arm = frames[:, -1, :3, 3] - frame[:, :3, 3]
+        return np.concatenate([axis, cross_arrays(axis, arm)], axis=1)
+    return np.concatenate([np.zeros_like(axis), axis], axis=1)
 
 
 def _changed(table: NumericTable, places: Sequence[Place], changes: Sequence[float]) -> NumericTable:

@@ -59,6 +59,11 @@ class Invariants:
         gauge = gauge_of(self.shapes)
         return gauge.first, gauge.last
 
+    @property
+    def angular(self) -> NDArray[np.bool_]:
+        """(q, 1) which are angles, and so do not depend on lengths."""
+        return gauge_of(self.shapes).angular
+
     def measured(self, axes: AxisBatch) -> Floats:
         """(q, k) what they are in submissions, as their axes point."""
         return measured(self.shapes, axes)

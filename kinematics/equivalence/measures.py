@@ -62,6 +62,7 @@ class Gauge:
     Attributes:
         reverses: (q, 1) which have a sign, or a supplement.
         twists: (q, 1) which are angles between two axes.
+        angular: (q, 1) which are angles, and so do not depend on lengths.
         first: (q, 1) the first axis that each concerns.
         last: (q, 1) the last.
         pairs: (2, p) pairs of axes of which it takes the common normal.
@@ -74,6 +75,7 @@ class Gauge:
 
     reverses: NDArray[np.bool_]
     twists: NDArray[np.bool_]
+    angular: NDArray[np.bool_]
     first: NDArray[np.intp]
     last: NDArray[np.intp]
     pairs: NDArray[np.intp]
@@ -111,6 +113,7 @@ def gauge_of(shapes: tuple[Shape, ...]) -> Gauge:
     return Gauge(
         reverses=np.array([shape.reverses for shape in shapes], dtype=bool)[:, None],
         twists=np.array([shape.measure is Measure.ANGLE for shape in shapes], dtype=bool)[:, None],
+        angular=np.array([shape.is_angle for shape in shapes], dtype=bool)[:, None],
         first=np.array([min(shape.axes) for shape in shapes], dtype=np.intp)[:, None],
         last=np.array([max(shape.axes) for shape in shapes], dtype=np.intp)[:, None],
         pairs=np.array(list(numbers), dtype=np.intp).reshape(-1, 2).T,

@@ -119,6 +119,12 @@ def prepared(table: NumericTable) -> Reference:
     return _at_size(table, chain, size or 1.0, scaleless=size == 0.0)
 
 
+def prepared_for(key: NumericTable, answer: NumericTable) -> Reference:
+    """The reference of a key, at the size of an answer if it has none of its own."""
+    reference = prepared(key)
+    return reference.beside(chain_of_table(answer)) if reference.scaleless else reference
+
+
 def _at_size(table: NumericTable, chain: Chain, size: float, *, scaleless: bool) -> Reference:
     joints = sample_joints(len(chain.axes))
     for i, axis in enumerate(chain.axes):

@@ -9,6 +9,7 @@ keep it are used.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -242,13 +243,8 @@ class RefinementProblem:
             scales[:1] = 0.0
         return scales
 
-    def linearised(self, candidate: CertificateCandidate, *more: Matrix) -> Model:
-        """The errors at a certificate, and how they change with it.
-
-        Args:
-            candidate: the certificate.
-            more: (samples, 6) how frame N turns and moves with whatever else may change.
-        """
+    def linearised(self, candidate: CertificateCandidate) -> Model:
+        """The errors at a certificate, and how they change with it."""
         if self.meter is not None:
             self.meter.charge(PER_ROUND)
         size = self.reference.size
@@ -256,15 +252,23 @@ class RefinementProblem:
         right = to_matrix(candidate.base) @ self.reference.poses @ to_matrix(candidate.tool)
         columns = [by_joint * self.joint_scales] if self.offsets_free else []
         columns += [-_twists_of_base(right) @ self.base_twists, -_twists_of_tool(right) @ self.tool_twists]
-        units = np.repeat((self.tolerance.angle, self.tolerance.length * size), 3)
-        columns += [column[:, :, None] for column in more]
-        jacobian = np.concatenate(columns, axis=2) / units[:, None]
-        errors = _mismatch(left, right) / units
+        jacobian = np.concatenate(columns, axis=2) / self._units[:, None]
+        errors = _mismatch(left, right) / self._units
         return Model(
             errors=errors.reshape(-1, 3),
             jacobian=jacobian.reshape(jacobian.shape[0] * jacobian.shape[1], jacobian.shape[2]),
             found=largest(left - right, size),
         )
+
+    def with_columns(self, model: Model, columns: Sequence[Matrix]) -> Model:
+        """A model in which more may change: (samples, 6) how frame N turns and moves with each."""
+        more = [(column / self._units).reshape(-1, 1) for column in columns]
+        return replace(model, jacobian=np.concatenate([model.jacobian, *more], axis=1))
+
+    @property
+    def _units(self) -> Matrix:
+        """(6,) the tolerance of a rotation and of a displacement."""
+        return np.repeat((self.tolerance.angle, self.tolerance.length * self.reference.size), 3)
 
     def moved(self, candidate: CertificateCandidate, step: Matrix) -> CertificateCandidate:
         """The certificate after a step."""
