@@ -6,6 +6,7 @@ VENV := .venv
 PEERS := .venv-peers
 DESCRIPTIONS := .venv-descriptions
 RUNNERS := .venv-runners
+OPENAPI := .venv-openapi-generator
 RUNNERS_LOCK := tests/service/adapters/requirements-runners
 OPENEDX := .venv-openedx
 OPENEDX_LOCK := tests/lti/requirements-openedx
@@ -14,7 +15,7 @@ PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
 export MUED_URL MUED_AUTHORIZATION
 
-.PHONY: accessibility lint-python lint-web help sbom licences serve test mued test-clone test-openedx campaign kill-campaign measure-courses exam explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
+.PHONY: openapi-generator accessibility lint-python lint-web help sbom licences serve test mued test-clone test-openedx campaign kill-campaign measure-courses exam explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -72,6 +73,8 @@ lock: $(VENV)/.dev ## renew the hash locks from pyproject.toml
 	    -o tests/kinematics/urdf/requirements-descriptions.lock
 	$(PY) -m uv pip compile $(RUNNERS_LOCK).txt pyproject.toml --constraint requirements.lock --universal \
 	    --generate-hashes --no-header --no-annotate --python-version 3.11 --quiet -o $(RUNNERS_LOCK).lock
+	$(PY) -m uv pip compile tests/clients/requirements-openapi-generator.txt --universal --generate-hashes --no-header \
+	    --no-annotate --python-version 3.11 --quiet -o tests/clients/requirements-openapi-generator.lock
 	$(PY) -m uv pip compile $(OPENEDX_LOCK).txt --universal --generate-hashes --no-header --no-annotate \
 	    --python-version 3.11 --quiet -o $(OPENEDX_LOCK).lock
 
@@ -108,6 +111,16 @@ $(RUNNERS)/bin/python:
 $(RUNNERS)/.installed: $(RUNNERS_LOCK).lock | $(RUNNERS)/bin/python
 	$(RUNNERS)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes -r $<
 	@touch $@
+
+$(OPENAPI)/bin/python:
+	$(PYTHON) -m venv $(OPENAPI)
+
+$(OPENAPI)/.installed: tests/clients/requirements-openapi-generator.lock | $(OPENAPI)/bin/python
+	$(OPENAPI)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes -r $<
+	@touch $@
+
+openapi-generator: $(VENV)/.dev vendor $(OPENAPI)/.installed ## clients of OpenAPI Generator make every call (needs Java 11; a minute)
+	$(PY) -m tests.clients.openapi_generator $(OPENAPI)/bin
 
 runners: $(RUNNERS)/.installed ## nbgrader and Otter themselves run the examples of docs/lms/examples (a minute)
 	$(RUNNERS)/bin/python -m tests.service.adapters.published_runners
@@ -162,4 +175,4 @@ static/vendor/.complete: package.json package-lock.json tools/vendor.py | $(VENV
 	$(PY) tools/vendor.py
 
 clean: ## remove everything that make built
-	rm -rf $(VENV) .venv-peers .venv-descriptions .venv-runners .venv-openedx node_modules static/vendor build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis
+	rm -rf $(VENV) .venv-peers .venv-descriptions .venv-runners .venv-openedx $(OPENAPI) node_modules static/vendor build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis

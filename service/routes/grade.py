@@ -17,7 +17,7 @@ from service.http.problems import located
 from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.http.validation import validated
 from service.schemas import examples_grading as examples
-from service.schemas.grading import GradeBody, GradeManyRequest, GradeRequest, ManyVerdicts
+from service.schemas.grading import GradeBody, GradeManyRequest, GradeOneRequest, ManyVerdicts
 from service.schemas.verdicts import VerdictModel
 from service.wire.many_grades import lines, members, verdicts
 from service.wire.ungraded import answer_refused
@@ -30,7 +30,7 @@ router = api_router("exercises", route_class=DirectRoute)
 LONG_CELL = 48
 """Characters of a cell that no book prints: sixteen terms at most."""
 
-_REQUEST: TypeAdapter[GradeRequest] = TypeAdapter(GradeRequest)
+_REQUEST: TypeAdapter[GradeOneRequest] = TypeAdapter(GradeOneRequest)
 _MANY: TypeAdapter[GradeManyRequest] = TypeAdapter(GradeManyRequest)
 NDJSON = "application/x-ndjson"
 
@@ -75,7 +75,7 @@ async def _many(request: ApiRequest, body: dict[str, Any]) -> Response:
     return BatchResponse(chain((first,), blocks), slot, form)
 
 
-def _has_long_cells(wire: GradeRequest) -> bool:
+def _has_long_cells(wire: GradeOneRequest) -> bool:
     """Whether a cell has so many terms that a certificate in closed form takes long."""
     rows = (*wire.reference.rows, *wire.submission.rows)
     return any(
@@ -86,7 +86,7 @@ def _has_long_cells(wire: GradeRequest) -> bool:
 
 
 async def _verdict(request: ApiRequest) -> Verdict:
-    wire: GradeRequest = validated(_REQUEST, await request.json())
+    wire: GradeOneRequest = validated(_REQUEST, await request.json())
     limits = request.settings.cell_limits
     policy = wire.policy.policy()
 

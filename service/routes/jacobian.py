@@ -16,7 +16,7 @@ from kinematics.jacobian import jacobian as jacobian_of
 from service.http.openapi import NPY_QUERY, problems, request_body
 from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.schemas import examples
-from service.schemas.jacobian_request import JacobianQuestion, JacobianRequest
+from service.schemas.jacobian_request import JacobianQuestion, NumericJacobianRequest
 from service.schemas.symbolic_request import SYMBOLIC_JACOBIAN, JacobianBody, JacobianReply
 from service.wire.json_chunks import member_chunks, written
 from service.wire.robot_questions import QuestionReader, ReadQuestion, batch_response
@@ -24,7 +24,7 @@ from service.wire.symbolic_tasks import symbolic_body, symbolic_jacobian
 
 router = api_router("kinematics", route_class=DirectRoute)
 
-_READER = QuestionReader(JacobianQuestion, JacobianRequest)
+_READER = QuestionReader(JacobianQuestion, NumericJacobianRequest)
 _NAMES = {JacobianFrame.BASE: "J0", JacobianFrame.END: "Jn"}
 _BLOCK = 512
 """Configurations whose Jacobians are computed and written at a time: a batch stays flat in memory."""

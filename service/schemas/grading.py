@@ -28,7 +28,7 @@ class KeyQuestion(Wire):
     help: Help = HelpLevel.REPAIR
 
 
-class GradeRequest(KeyQuestion):
+class GradeOneRequest(KeyQuestion):
     """A submission to be judged by a key that the caller keeps."""
 
     submission: Table = Field(description="the answer; it may be in other units and in the other convention")
@@ -44,7 +44,7 @@ class GradeManyRequest(KeyQuestion):
     )
 
 
-class GradeBody(RootModel[GradeRequest | GradeManyRequest]):
+class GradeBody(RootModel[GradeOneRequest | GradeManyRequest]):
     """One submission or many, by one key."""
 
 

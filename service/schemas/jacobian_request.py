@@ -45,7 +45,7 @@ class JacobianQuestion(RobotQuestion):
     )
 
 
-class JacobianRequest(JacobianQuestion):
+class NumericJacobianRequest(JacobianQuestion):
     """A robot, and one configuration or a batch of them."""
 
     joints: Joints

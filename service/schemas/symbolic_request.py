@@ -10,7 +10,7 @@ from kinematics.jacobian import JacobianFrame
 from kinematics.printing import SOURCES, Format, Notation
 from service.schemas.base import LONGEST_LIST, Matrix4, Real, Wire
 from service.schemas.examples import PUMA_560, TWO_LINKS
-from service.schemas.jacobian_request import JacobianAnswer, JacobianRequest
+from service.schemas.jacobian_request import JacobianAnswer, NumericJacobianRequest
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 from service.wire.symbolic_forms import FormPart
@@ -142,7 +142,7 @@ class SymbolicAnswer(WritingAnswer):
     jacobian: WrittenJacobians | None = None
 
 
-class JacobianBody(RootModel[JacobianRequest | SymbolicJacobianRequest]):
+class JacobianBody(RootModel[NumericJacobianRequest | SymbolicJacobianRequest]):
     """A question about Jacobians, in numbers or in closed form."""
 
 

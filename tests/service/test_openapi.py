@@ -237,7 +237,7 @@ def test_every_list_of_a_request_has_a_limit() -> None:
         for entry in operation.get("requestBody", {}).get("content", {}).values():
             if "/evaluate" not in name:
                 look(entry.get("schema", {}), name)
-    assert unbounded <= {"ForwardKinematicsRequest.joints", "JacobianRequest.joints"}
+    assert unbounded <= {"ForwardKinematicsRequest.joints", "NumericJacobianRequest.joints"}
 
 
 def test_the_page_about_the_api_names_every_call() -> None:
