@@ -192,7 +192,7 @@ def robots(*, language: str | None = None) -> ApiCall:
 
 def robot(robot_id: str, *, language: str | None = None) -> ApiCall:
     """Return a robot of the catalogue (GET /robots/{robot_id})."""
-    return ApiCall(method="GET", path=f"robots/{_step(robot_id)}", query={"lang": language})
+    return ApiCall(method="GET", path=f"robots/{step(robot_id)}", query={"lang": language})
 
 
 def exercises(*, language: str | None = None) -> ApiCall:
@@ -203,13 +203,13 @@ def exercises(*, language: str | None = None) -> ApiCall:
 def exercise(exercise_id: str, *, seed: str | None = None, language: str | None = None) -> ApiCall:
     """Return an exercise with one student's values (GET /exercises/{exercise_id})."""
     query = {"seed": seed, "lang": language}
-    return ApiCall(method="GET", path=f"exercises/{_step(exercise_id)}", query=query)
+    return ApiCall(method="GET", path=f"exercises/{step(exercise_id)}", query=query)
 
 
 def figure(exercise_id: str, *, seed: str | None = None, language: str | None = None) -> ApiCall:
     """Return an exercise's figure as SVG (GET /exercises/{exercise_id}/figure.svg)."""
     query = {"seed": seed, "lang": language}
-    return ApiCall(method="GET", path=f"exercises/{_step(exercise_id)}/figure.svg", query=query)
+    return ApiCall(method="GET", path=f"exercises/{step(exercise_id)}/figure.svg", query=query)
 
 
 def scorm_package(
@@ -238,7 +238,7 @@ def scorm_package(
         "per_student": "true" if per_student else None,
         "pass": None if passing is None else str(passing),
     }
-    return ApiCall(method="GET", path=f"exercises/{_step(exercise_id)}/scorm.zip", query=query)
+    return ApiCall(method="GET", path=f"exercises/{step(exercise_id)}/scorm.zip", query=query)
 
 
 def grade(reference: Table, submission: Table, **options: Any) -> ApiCall:
@@ -268,7 +268,7 @@ def grade_exercise(exercise_id: str, answer: Mapping[str, Any], *, language: str
         answer: `table` and further parts, `seed`, `help`.
         language: of the sentences.
     """
-    path = f"exercises/{_step(exercise_id)}/grade"
+    path = f"exercises/{step(exercise_id)}/grade"
     return ApiCall(method="POST", path=path, body=dict(answer), query={"lang": language})
 
 
@@ -280,7 +280,7 @@ def receipt(exercise_id: str, answer: Mapping[str, Any], name: str) -> ApiCall:
         answer: as for `grade_exercise`.
         name: the student's, as it is to stand there.
     """
-    return post(f"exercises/{_step(exercise_id)}/receipts", **{**answer, "name": name})
+    return post(f"exercises/{step(exercise_id)}/receipts", **{**answer, "name": name})
 
 
 def verify_receipts(receipts: Sequence[str]) -> ApiCall:
@@ -295,7 +295,39 @@ def receipt_keys() -> ApiCall:
 
 def problem(code: str) -> ApiCall:
     """Return what a code of a refusal means (GET /problems/{code})."""
-    return ApiCall(method="GET", path=f"problems/{_step(code)}")
+    return ApiCall(method="GET", path=f"problems/{step(code)}")
+
+
+def check_jacobian(robot: Table | str, joints: Joints, jacobian: Matrix, **options: Any) -> ApiCall:
+    """Return whether a Jacobian, as numbers, is a table's (POST /check-jacobian).
+
+    Args:
+        robot: a table, or the id of a robot of the catalogue.
+        joints: where it was taken [units of the table].
+        jacobian: the matrix.
+        options: further members of the body: `point`, `frame`, `wrench`, `forces` ….
+    """
+    return _of_robot("check-jacobian", robot, joints=joints, jacobian=jacobian, **options)
+
+
+def check_jacobian_form(robot: Table | str, jacobian: Sequence[Sequence[Any]], **options: Any) -> ApiCall:
+    """Return whether a Jacobian, as functions of the joints, is a table's (POST /check-jacobian-form)."""
+    return _of_robot("check-jacobian-form", robot, jacobian=jacobian, **options)
+
+
+def check_screws(robot: Table | str, screws: Sequence[Any], home: Any, **options: Any) -> ApiCall:
+    """Return whether screws and a home pose describe a table's robot (POST /check-screws)."""
+    return _of_robot("check-screws", robot, screws=screws, home=home, **options)
+
+
+def trees(tree: Mapping[str, Any], **options: Any) -> ApiCall:
+    """Return the frames, Jacobians and tables of an arm that branches (POST /trees).
+
+    Args:
+        tree: its rows, each with the row that it follows, and its ends.
+        options: `parameters`, `joints`.
+    """
+    return post("trees", tree=dict(tree), **options)
 
 
 def post(path: str, **members: Any) -> ApiCall:
@@ -314,7 +346,8 @@ def get(path: str, **query: str | None) -> ApiCall:
     return ApiCall(method="GET", path=path, query=query)
 
 
-def _step(name: str) -> str:
+def step(name: str) -> str:
+    """Return a name as one step of a path, whatever stands in it."""
     return quote(name, safe="")
 
 

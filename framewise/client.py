@@ -10,7 +10,7 @@ from typing import Any, Concatenate, ParamSpec
 
 import httpx
 
-from framewise import calls
+from framewise import calls, exercise_calls
 from framewise.calls import ApiCall, Json
 
 _Arguments = ParamSpec("_Arguments")
@@ -102,7 +102,7 @@ def _later_one_by_one(
 
 
 class Client:
-    """Call the service and wait for its answers; the calls are those of `framewise.calls`.
+    """Call the service and wait for its answers; the calls are those of `calls` and `exercise_calls`.
 
     Args:
         base_url: where the service is, such as `http://127.0.0.1:8000`, with its prefix if it has one.
@@ -170,6 +170,10 @@ class Client:
     assign_frames = _now(calls.assign_frames)
     check_frames = _now(calls.check_frames)
     rotations = _now(calls.rotations)
+    check_jacobian = _now(calls.check_jacobian)
+    check_jacobian_form = _now(calls.check_jacobian_form)
+    check_screws = _now(calls.check_screws)
+    trees = _now(calls.trees)
     check_rotation = _now(calls.check_rotation)
     scm_forward_kinematics = _now(calls.scm_forward_kinematics)
     scm_inverse_transform = _now(calls.scm_inverse_transform)
@@ -188,6 +192,18 @@ class Client:
     verify_receipts = _now(calls.verify_receipts)
     receipt_keys = _now(calls.receipt_keys)
     problem = _now(calls.problem)
+    compare_tables = _now(exercise_calls.compare_tables)
+    plant_mistake = _now(exercise_calls.plant_mistake)
+    signed_link = _now(exercise_calls.signed_link)
+    author_start = _now(exercise_calls.author_start)
+    author_import = _now(exercise_calls.author_import)
+    author_preview = _now(exercise_calls.author_preview)
+    author_check = _now(exercise_calls.author_check)
+    author_right_answers = _now(exercise_calls.author_right_answers)
+    author_mistakes = _now(exercise_calls.author_mistakes)
+    author_grade = _now(exercise_calls.author_grade)
+    receipt_page = _now_bytes(exercise_calls.receipt_page)
+    author_folder = _now_bytes(exercise_calls.author_folder)
     post = _now(calls.post)
     get = _now(calls.get)
     figure = _now_bytes(calls.figure)
@@ -257,6 +273,10 @@ class AsyncClient:
     assign_frames = _later(calls.assign_frames)
     check_frames = _later(calls.check_frames)
     rotations = _later(calls.rotations)
+    check_jacobian = _later(calls.check_jacobian)
+    check_jacobian_form = _later(calls.check_jacobian_form)
+    check_screws = _later(calls.check_screws)
+    trees = _later(calls.trees)
     check_rotation = _later(calls.check_rotation)
     scm_forward_kinematics = _later(calls.scm_forward_kinematics)
     scm_inverse_transform = _later(calls.scm_inverse_transform)
@@ -275,6 +295,18 @@ class AsyncClient:
     verify_receipts = _later(calls.verify_receipts)
     receipt_keys = _later(calls.receipt_keys)
     problem = _later(calls.problem)
+    compare_tables = _later(exercise_calls.compare_tables)
+    plant_mistake = _later(exercise_calls.plant_mistake)
+    signed_link = _later(exercise_calls.signed_link)
+    author_start = _later(exercise_calls.author_start)
+    author_import = _later(exercise_calls.author_import)
+    author_preview = _later(exercise_calls.author_preview)
+    author_check = _later(exercise_calls.author_check)
+    author_right_answers = _later(exercise_calls.author_right_answers)
+    author_mistakes = _later(exercise_calls.author_mistakes)
+    author_grade = _later(exercise_calls.author_grade)
+    receipt_page = _later_bytes(exercise_calls.receipt_page)
+    author_folder = _later_bytes(exercise_calls.author_folder)
     post = _later(calls.post)
     get = _later(calls.get)
     figure = _later_bytes(calls.figure)
