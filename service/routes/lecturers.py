@@ -44,6 +44,7 @@ from service.wire.course_views import attempt_record, csv_of, with_examples
 from service.wire.lti_custom import custom_of
 from service.wire.session_views import attempt_view
 from service.wire.ungraded import known_exercise
+from service.work.regrading_processes import RegradingProcesses
 from service.work.session_grading import asked_exercise
 
 router = api_router("courses", route_class=DirectRoute)
@@ -292,7 +293,8 @@ async def regrade(request: ApiRequest) -> Response:
     def work() -> dict[str, Any]:
         version = grader.version(link.settings)
         run = begin(staff.store, link.id, scope, version, now())
-        rejudge(staff.store, run, lambda batch: grader.rejudge(batch, link.settings))
+        with RegradingProcesses(grader, link.settings, resources_of(request).settings) as judge:
+            rejudge(staff.store, run, judge)
         return {"run": run, "version": version, "changes": changes(staff.store, run)}
 
     found = await staff.run(work)

@@ -107,9 +107,7 @@ class Grader:
         """Judge stored attempts by the exercise as it is now."""
         found = []
         for attempt in attempts:
-            own = replace(settings, exercise_id=attempt.exercise_id)
-            rung = min(attempt.number, len(asked_exercise(self.library, own).access.ladder))
-            judged = _judged_again(self, own, attempt.seed, orjson.dumps(attempt.answer), rung)
+            judged = _judged_again(self, *self.question(attempt, settings))
             found.append(
                 Rejudged(
                     attempt_id=attempt.id,
@@ -120,6 +118,14 @@ class Grader:
                 )
             )
         return found
+
+    def question(
+        self, attempt: Attempt, settings: LinkSettings
+    ) -> tuple[LinkSettings, str | None, bytes, int]:
+        """Return all that the judgement of a stored attempt depends on."""
+        own = replace(settings, exercise_id=attempt.exercise_id)
+        rung = min(attempt.number, len(asked_exercise(self.library, own).access.ladder))
+        return own, attempt.seed, orjson.dumps(attempt.answer), rung
 
 
 def _as_stored(report: Report) -> dict[str, Any]:

@@ -6,6 +6,8 @@ python -m tests.lti.measuring [--students 2000] [--attempts 20]
 from __future__ import annotations
 
 import argparse
+import random
+import resource
 import tempfile
 import time
 from datetime import timedelta
@@ -25,6 +27,8 @@ from exercises.loader import packaged
 from kinematics.cells import DEFAULT
 from service.course_resources import now
 from service.schemas.exercises import ExerciseAnswer
+from service.settings import Settings
+from service.work.regrading_processes import RegradingProcesses
 from service.work.session_grading import Grader, judged_submission
 from tests.courses.classroom import platform
 from tests.web.driving import PUMA
@@ -50,10 +54,13 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--students", type=int, default=2000)
     parser.add_argument("--attempts", type=int, default=20)
+    parser.add_argument(
+        "--different", action="store_true", help="no two answers alike, every second one wrong"
+    )
     chosen = parser.parse_args()
     store = open_store("", Path(tempfile.mkdtemp(prefix="framewise-measuring-", dir="/tmp")))
     grader = Grader(library=packaged(), limits=DEFAULT)
-    session = filled(store, grader, chosen.students, chosen.attempts)
+    session = filled(store, grader, chosen.students, chosen.attempts, different=chosen.different)
     link = session.link
     count = chosen.students * chosen.attempts
     spent = timed(lambda: misconceptions(store, link.id))
@@ -63,7 +70,10 @@ def main() -> None:
     settings = LinkSettings(exercise_id="puma560")
     for scope in Scope:
         run = begin(store, link.id, scope, "2", now())
-        spent = timed(lambda run=run: rejudge(store, run, lambda batch: grader.rejudge(batch, settings)))
+        with RegradingProcesses(grader, settings, Settings()) as judge:
+            spent = timed(lambda run=run, judge=judge: rejudge(store, run, judge))
+        children = resource.getrusage(resource.RUSAGE_CHILDREN)
+        print(f"  processor time of ended processes so far: {children.ru_utime + children.ru_stime:.1f} s")
         found = len(changes(store, run))
         applied = timed(lambda run=run: apply(store, link.id, run, now()))
         print(f"regrading {scope.value}: {spent:.1f} s, {found} changes, applied in {applied:.1f} s")
@@ -77,8 +87,21 @@ def timed(work: Any) -> float:
     return time.perf_counter() - start
 
 
-def filled(store: Store, grader: Grader, students: int, attempts: int) -> CourseSession:
-    """A class whose attempts were judged once each and stored for everybody."""
+def differing(number: int) -> dict[str, Any]:
+    """A table that nobody else hands in; every second one has a twist, a length or an offset of its own."""
+    chance = random.Random(number)
+    cells = [{"theta": f"{row['theta']} + {chance.uniform(1, 170):.4f}"} for row in ROWS]
+    mistake: dict[int, dict[str, str]] = {number % len(ROWS): cells[number % len(ROWS)]}
+    if number % 2:
+        row, name = chance.randrange(len(ROWS)), chance.choice(("alpha", "a", "d"))
+        mistake[row] = {**mistake.get(row, {}), name: f"{chance.uniform(0.1, 1.0):.5f}"}
+    return answer(mistake)
+
+
+def filled(
+    store: Store, grader: Grader, students: int, attempts: int, *, different: bool = False
+) -> CourseSession:
+    """A class whose attempts were judged once each and stored for everybody; or whose answers all differ."""
     told = {
         "role": Role.LEARNER,
         "deployment": "1",
@@ -114,6 +137,7 @@ def filled(store: Store, grader: Grader, students: int, attempts: int) -> Course
                 copy = {
                     **source,
                     **taken,
+                    **({"answer": differing(n * attempts + number)} if different else {}),
                     "number": number,
                     "key": f"c{number}",
                     "at": at + timedelta(seconds=number),

@@ -21,7 +21,7 @@ from courses.storage import open_store
 from service.course_resources import now
 from tests.courses.classroom import platform
 from tests.databases import new_database, postgresql_server
-from tests.lti.test_killed import _killed
+from tests.lti.test_killed import killed
 from tests.web.driving import PUMA
 
 TITLE = "Storing attempts"
@@ -89,7 +89,7 @@ def measure(database: str, folder: Path) -> dict[str, Price]:
     lua = folder / "post.lua"
     lua.write_text(script(tokens))
     found = {STORED: Price(), UNSTORED: Price()}
-    with _killed(database, folder) as (origin, process):
+    with killed(database, folder) as (origin, process):
         port = int(origin.rpartition(":")[2])
         for path in found:
             _wrk(port, path, lua, 1)

@@ -58,7 +58,7 @@ def test_what_was_acknowledged_is_stored_once(database: str, tmp_path: Path) -> 
         tokens.append(arrive(store, told, now())[0])
     acknowledged: set[str] = set()
     for _ in range(KILLS):
-        with _killed(database, tmp_path) as (origin, process):
+        with killed(database, tmp_path) as (origin, process):
             stop = threading.Event()
             threads = [
                 threading.Thread(target=_submit, args=(origin, token, acknowledged, stop)) for token in tokens
@@ -97,7 +97,7 @@ def _submit(origin: str, token: str, acknowledged: set[str], stop: threading.Eve
                 key = uuid.uuid4().hex
 
 
-class _killed:
+class killed:
     """A service in a process of its own, killed at the end."""
 
     def __init__(self, database: str, folder: Path, told: Mapping[str, str] = {}, port: int = 0) -> None:

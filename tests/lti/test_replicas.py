@@ -20,7 +20,7 @@ import pytest
 from courses.storage import open_store
 from tests.databases import new_database
 from tests.lti.classes import Browser, Lms, eventually, hint
-from tests.lti.test_killed import _killed
+from tests.lti.test_killed import killed
 from tests.lti.test_launches import RIGHT, WRONG
 
 REPLICAS = int(os.environ.get("REPLICAS", "2"))
@@ -42,7 +42,7 @@ def replicas(postgresql: str, lms: Lms, tmp_path_factory: pytest.TempPathFactory
         public = f"http://127.0.0.1:{port}"
         told = {"FRAMEWISE_LTI_TRUSTED_ORIGINS": lms.root, "FRAMEWISE_PUBLIC_URL": public}
         origins = [
-            stack.enter_context(_killed(url, tmp_path_factory.mktemp("replica"), told, number))[0]
+            stack.enter_context(killed(url, tmp_path_factory.mktemp("replica"), told, number))[0]
             for number in (port, *[0] * (REPLICAS - 1))
         ]
         lms.control(tool=public)

@@ -44,7 +44,7 @@ def test_every_line_item_ends_at_the_right_score(resources: CourseResources, sto
                 best[session.person.subject] = max(best[session.person.subject], score)
             time.sleep(0.2)
         lms.control(faults=0.2)
-        assert eventually(lambda: _hurried(store) and _settled(lms, best), patience=90)
+        assert eventually(lambda: _hurried(store) and _settled(lms, best), timeout=90)
     finally:
         for sender in senders:
             sender.stop()

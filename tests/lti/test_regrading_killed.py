@@ -1,0 +1,110 @@
+"""`kill -9` in the middle of a regrading: the same request goes on where it was, on both databases."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import httpx
+import pytest
+import sqlalchemy as sa
+
+from courses import records
+from courses.enrolment import arrive
+from courses.model import LinkSettings, Role
+from courses.regrading import BATCH
+from courses.storage import Store, open_store
+from exercises.loader import packaged
+from kinematics.cells import DEFAULT
+from service.course_resources import now
+from service.work.session_grading import Grader
+from tests.courses.classroom import arrival
+from tests.databases import new_database
+from tests.lti.classes import eventually
+from tests.lti.measuring import filled
+from tests.lti.test_killed import killed
+
+STUDENTS, ATTEMPTS = 60, 5
+
+
+@pytest.fixture(params=["sqlite", "postgresql"])
+def database(request: pytest.FixtureRequest) -> Iterator[str]:
+    if request.param == "sqlite":
+        yield ""
+        return
+    with new_database(request.getfixturevalue("postgresql")) as url:
+        yield url
+
+
+def teacher(store: Store) -> str:
+    """Token of a teacher of the course."""
+    told = replace(arrival(store, "tina"), role=Role.STAFF, context="c", resource="r")
+    return arrive(store, told, now())[0]
+
+
+def judged_so_far(store: Store) -> int:
+    with store.reading() as connection:
+        return connection.scalar(sa.select(sa.func.count()).select_from(records.regraded)) or 0
+
+
+def regraded(origin: str, link: int, token: str) -> httpx.Response:
+    path = f"{origin}/api/v1/course/links/{link}/regradings"
+    headers = {"Authorization": f"Bearer {token}"}
+    return httpx.post(path, json={"scope": "all"}, headers=headers, timeout=300, trust_env=False)
+
+
+def test_a_regrading_that_was_killed_goes_on(database: str, tmp_path: Path) -> None:
+    store = open_store(database, tmp_path)
+    grader = Grader(library=packaged(), limits=DEFAULT)
+    link = filled(store, grader, STUDENTS, ATTEMPTS, different=True).link
+    with store.reading() as connection:
+        count = connection.scalar(sa.select(sa.func.count()).select_from(records.attempt)) or 0
+    token = teacher(store)
+
+    def ask(origin: str) -> None:
+        with pytest.raises(httpx.HTTPError):
+            regraded(origin, link.id, token)
+
+    with killed(database, tmp_path) as (origin, process):
+        asking = threading.Thread(target=ask, args=(origin,))
+        asking.start()
+        assert eventually(lambda: judged_so_far(store) >= BATCH, timeout=240)
+        process.send_signal(signal.SIGKILL)
+        asking.join()
+    before = judged_so_far(store)
+    assert BATCH <= before < count
+    with killed(database, tmp_path) as (origin, _):
+        found = regraded(origin, link.id, token).json()
+        assert judged_so_far(store) == count
+        applied = httpx.post(
+            f"{origin}/api/v1/course/links/{link.id}/regradings/{found['run']}/apply",
+            json={},
+            headers={"Authorization": f"Bearer {token}"},
+            timeout=300,
+            trust_env=False,
+        )
+        assert applied.status_code == 204
+    with store.reading() as connection:
+        runs = connection.scalar(sa.select(sa.func.count()).select_from(records.regrading))
+        twice = sa.select(records.regraded.c.attempt_id).group_by(records.regraded.c.attempt_id)
+        assert connection.execute(twice.having(sa.func.count() > 1)).all() == []
+        scores = dict(
+            connection.execute(sa.select(records.regraded.c.attempt_id, records.regraded.c.score)).all()
+        )
+        attempts = {row.id: row for row in connection.execute(sa.select(records.attempt))}
+    store.close()
+    assert runs == 1
+    changed = {entry["id"]: entry["after"] for entry in found["changes"]}
+    assert changed == {number: score for number, score in scores.items() if score != attempts[number].score}
+    own = LinkSettings(exercise_id="puma560")
+    for number in list(scores)[:: len(scores) // 12]:
+        assert grader.judge(own, None, _wire(attempts[number].answer), 1).score == scores[number]
+
+
+def _wire(answer: object) -> object:
+    from service.schemas.exercises import ExerciseAnswer
+
+    return ExerciseAnswer.model_validate(answer)
