@@ -144,6 +144,10 @@ explore: $(VENV)/.dev vendor ## the property tests with fresh seeds; what fails 
 campaign-inverse: $(VENV)/.dev ## inverse kinematics at singularities against brute force (hours; ARGS="--poses 100 --tried 10": some)
 	OMP_NUM_THREADS=1 $(PY) -m tests.kinematics.inverse $(ARGS)
 
+.PHONY: students
+students: $(VENV)/.dev ## simulated students in every exercise: do hints lead to full marks (a few minutes; ARGS="--only scara": some)
+	$(PY) -m tests.exercises.students $(ARGS)
+
 kill-campaign: $(VENV)/.dev ## kill -9 the service 100 times under load, on SQLite and PostgreSQL (KILLS=100)
 	KILLS=$(or $(KILLS),100) $(PY) -m pytest tests/lti/test_killed.py --timeout 7200
 

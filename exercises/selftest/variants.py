@@ -7,7 +7,7 @@ row; a standard table is the same product read from another place in the row. No
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from random import Random
@@ -42,6 +42,29 @@ def variant(
     if wanted is Convention.MODIFIED:
         return DHTable(convention=wanted, rows=tuple(rows))
     return standard_table(rows)
+
+
+def small_changes(
+    table: SymbolicTable, policy: Policy, lengths: tuple[Expression, ...], rng: Random
+) -> Iterator[SymbolicTable]:
+    """Yield right tables that differ from a right one in a single choice, in its own convention.
+
+    Args:
+        table: a right table.
+        policy: what the table is held to; only what it leaves free is changed.
+        lengths: lengths by which origins may be moved.
+        rng: chooses the place.
+    """
+    for rule in _rules(policy):
+        if rule is _insert_row:
+            continue  # a row that no joint needs teaches nothing
+        rows = rule(modified_rows(table), lengths, rng)
+        if table.convention is Convention.MODIFIED:
+            yield DHTable(convention=table.convention, rows=tuple(rows))
+            continue
+        found = standard_table(rows).rows
+        kept = found[:-1] if found[-1] == EMPTY else found
+        yield DHTable(convention=table.convention, rows=kept)
 
 
 def key_as_asked(key: ReadTable, policy: Policy) -> ReadTable:

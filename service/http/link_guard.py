@@ -42,6 +42,7 @@ _CALLS: Mapping[str, tuple[Tool, ...]] = {
     "check-jacobian-form": (Tool.PLAYGROUND,),
     "check-screws": (Tool.PLAYGROUND,),
     "compare-tables": (Tool.PLAYGROUND,),
+    "other-tables": (Tool.PLAYGROUND, Tool.MATRICES),
     "check-inverse-kinematics": (Tool.PLAYGROUND,),
     "understand": (),
     "session": (),

@@ -44,6 +44,7 @@ _COSTS = {
     "check-inverse-kinematics": 10,
     "plant-mistake": 20,
     "compare-tables": 5,
+    "other-tables": 20,
     "check-screws": 10,
     "check-jacobian": 2,
     "check-jacobian-form": 20,

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import numpy as np
 from fastapi import Body
 
+from exercises.alternatives import other_tables
 from exercises.draws import Picker
 from exercises.errors import ExerciseError
 from exercises.grading import Policy, ToolRule, grade
@@ -23,8 +24,11 @@ from service.http.routing import ApiRequest, api_router
 from service.messages import sentence
 from service.schemas import examples
 from service.schemas.planting import (
+    ComparedTable,
     CompareTablesAnswer,
     CompareTablesRequest,
+    OtherTablesAnswer,
+    OtherTablesRequest,
     PlantMistakeAnswer,
     PlantMistakeRequest,
 )
@@ -49,6 +53,7 @@ _REVERSED: dict[str, Any] = {
     "rows": [{**_ELBOW["rows"][0], "alpha": -90}, *_ELBOW["rows"][1:]],
 }
 _PLANT = {"an elbow arm": {"table": _ELBOW, "seed": "ana"}}
+_OTHERS = {"an elbow arm, in its own convention": {"table": _ELBOW, "policy": {"convention": "standard"}}}
 _COMPARE = {"the axes of joints 2 and 3 reversed": {"first": _ELBOW, "second": _REVERSED}}
 
 
@@ -87,6 +92,23 @@ async def compare_tables(
     return await request.resources.limiters[WorkKind.GRADING].run(work)
 
 
+@router.post(
+    "/other-tables",
+    summary="Other tables of the same robot",
+    responses=problems(400, 413, 415, 422, 503),
+)
+async def write_other_tables(
+    body: Annotated[OtherTablesRequest, Body(openapi_examples=examples.named(_OTHERS))],
+    request: ApiRequest,
+) -> OtherTablesAnswer:
+    """Tables that describe the robot of a given one and keep a policy, with what differs in their frames.
+
+    Each was judged against the given table by the checker before it was sent.
+    """
+    work = partial(_others, body, request.settings.cell_limits)
+    return await request.resources.limiters[WorkKind.GRADING].run(work)
+
+
 def _planted(body: PlantMistakeRequest, limits: Limits, language: str) -> PlantMistakeAnswer:
     try:
         seed = seed_text(body.seed)
@@ -112,6 +134,23 @@ def _planted(body: PlantMistakeRequest, limits: Limits, language: str) -> PlantM
         label=sentence(language, f"option-{code}") or code,
         row=chosen.row + 1,
         mended=Table.model_validate(writer.table(read.table), strict=False),
+    )
+
+
+def _others(body: OtherTablesRequest, limits: Limits) -> OtherTablesAnswer:
+    with located("table"):
+        read = read_table(body.table.raw(), limits)
+    with np.errstate(all="ignore"):
+        found = other_tables(read, body.policy.policy(), body.parameters, body.count)
+    writer = TableWriter(angle_unit=read.angle_unit, length_unit=read.length_unit)
+    return OtherTablesAnswer(
+        tables=[
+            ComparedTable(
+                table=Table.model_validate(writer.table(other.table.table), strict=False),
+                reasons=sorted(other.reasons),
+            )
+            for other in found
+        ]
     )
 
 

@@ -1,4 +1,4 @@
-"""POST /plant-mistake and POST /compare-tables on the wire."""
+"""POST /plant-mistake, POST /compare-tables and POST /other-tables on the wire."""
 
 from __future__ import annotations
 
@@ -14,6 +14,8 @@ from service.schemas.spoken import SpokenFeedback
 from service.schemas.tables import Parameters, Table
 from service.schemas.verdicts import PolicyModel
 
+MOST_TABLES = 10
+"""As many as an author is shown of right answers that look different."""
 PlantableCode = Literal[PLANTABLE]  # type: ignore[valid-type]
 
 
@@ -59,3 +61,32 @@ class CompareTablesAnswer(Wire):
         description="of the same robot what differs in the frames; of another one what differs in the robot"
     )
     feedback: list[SpokenFeedback] = Field(description="the explanation of the verdict")
+
+
+class OtherTablesRequest(Wire):
+    """A table, and what is free beside it."""
+
+    table: Table = Field(description="a table of the robot")
+    policy: PolicyModel = Field(default_factory=PolicyModel, description="what the other tables are held to")
+    parameters: Parameters = Field(
+        default_factory=dict, description="values of the table's parameters, in its units"
+    )
+    count: Annotated[int, Field(strict=True, ge=1, le=MOST_TABLES)] = Field(
+        1, description="how many are wanted"
+    )
+
+
+class ComparedTable(Wire):
+    """Another table of the same robot."""
+
+    table: Table = Field(description="it, in the units of the first")
+    reasons: list[ComparisonReason] = Field(description="in what its frames differ from those of the first")
+
+
+class OtherTablesAnswer(Wire):
+    """Other tables of the same robot."""
+
+    tables: list[ComparedTable] = Field(
+        description="the other convention first, if it is free, then tables that differ in one choice; "
+        "fewer than were asked for where the policy leaves little free"
+    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from pydantic import Field
 
@@ -25,9 +25,13 @@ def spoken(feedback: Iterable[Feedback], language: str) -> list[SpokenFeedback]:
         SpokenFeedback(
             code=entry.code,
             params={
-                name: value for name, value in entry.params.items() if isinstance(value, str | int | float)
+                name: value for name, value in _values(entry).items() if isinstance(value, str | int | float)
             },
-            message=sentence(language, f"feedback-{entry.code}", entry.params) or entry.code,
+            message=sentence(language, f"feedback-{entry.code}", _values(entry)) or entry.code,
         )
         for entry in feedback
     ]
+
+
+def _values(entry: Feedback) -> Mapping[str, object]:
+    return entry.params if entry.row is None else {"row": entry.row, **entry.params}

@@ -37,8 +37,8 @@ const DRAGGING_PAUSE = 60;
  * @typedef {{table: any, parameters: Record<string, number>, types: string[], ranges: JointRange[], joints: number[]}} Subject
  *   what is drawn: a table that could be read, values of just its parameters, joint types and ranges, joint values
  * @typedef {{model: import("./scene/robots.js").TableModel, joints: JointRange[], values: number[], size: number,
- *   rows: ReadRow[], whole: boolean}} Robot
- *   `rows` are those that are drawn; `whole` if these are all
+ *   rows: ReadRow[], whole: boolean, parameters: Record<string, number>}} Robot
+ *   `rows` are those that are drawn; `whole` if these are all; values of the table's parameters, in its units
  */
 
 export class LiveRobot extends EventTarget {
@@ -223,7 +223,7 @@ function modelled(
   const named = types.map((type, i) => ({ type, name: variables[i] ?? `q${i + 1}` }));
   const joints = limited(usualRanges(named, size), limits, table.angle_unit);
   const subject = { table, parameters, types, ranges: joints };
-  return { subject, model, joints, size, rows, whole: rows.length === table.rows.length };
+  return { subject, model, joints, size, rows, whole: rows.length === table.rows.length, parameters };
 }
 
 /**

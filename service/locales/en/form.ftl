@@ -286,7 +286,12 @@ form-exercise-write = Attach a frame to every link and write the DH table of thi
 
 form-why = Why each row is right
 form-why-row = Row { $row }: z{ $before } and z{ $row } are { $relation }, so α = { $alpha } and a = { $a }; along z the frames are d = { $d } apart.
-form-second-table = A second valid table: the same robot in the { $convention } convention
+form-second-table = A second valid table
+form-second-other-convention = It is written in the { $convention } convention.
+form-second-axis-reversed = A z axis points the opposite way, or a joint variable counts the opposite way.
+form-second-x-turned = An x axis points elsewhere, so the variable of its joint is zero elsewhere.
+form-second-origin-moved = An origin lies elsewhere on its axis.
+form-second-none = The rules of this exercise leave no other table.
 
 form-ghost-label = Your robot as a ghost over the exercise's
 form-ghost-text = In grey and orange the exercise's robot, in transparent red yours. Both make the same motion. The marked frame { $row }, that of row { $row }, is the first that leaves the robot.

@@ -286,7 +286,12 @@ form-exercise-write = Fije un sistema de referencia a cada eslabón y escriba la
 
 form-why = Por qué es correcta cada fila
 form-why-row = Fila { $row }: posición de los ejes z{ $before } y z{ $row }: { $relation }; por eso α = { $alpha } y a = { $a }; a lo largo de z, los sistemas distan d = { $d }.
-form-second-table = Otra tabla válida: el mismo robot en la convención { $convention }
+form-second-table = Otra tabla válida
+form-second-other-convention = Está escrita en la convención { $convention }.
+form-second-axis-reversed = Un eje z apunta en sentido contrario, o una variable articular cuenta en sentido contrario.
+form-second-x-turned = Un eje x apunta hacia otro lado, de modo que la variable de su articulación vale cero en otra posición.
+form-second-origin-moved = Un origen está en otro punto de su eje.
+form-second-none = Las reglas de este ejercicio no dejan otra tabla.
 
 form-ghost-label = Su robot, como fantasma sobre el del ejercicio
 form-ghost-text = En gris y naranja, el robot del ejercicio; en rojo transparente, el suyo. Los dos hacen el mismo movimiento. El sistema { $row }, marcado, el de la fila { $row }, es el primero que se separa del robot.

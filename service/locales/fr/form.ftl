@@ -286,7 +286,12 @@ form-exercise-write = Attachez un repère à chaque corps et écrivez la table D
 
 form-why = Pourquoi chaque ligne est juste
 form-why-row = Ligne { $row } : position des axes z{ $before } et z{ $row } : { $relation } ; donc α = { $alpha } et a = { $a } ; le long de z, les repères sont distants de d = { $d }.
-form-second-table = Une deuxième table valide : le même robot dans la convention { $convention }
+form-second-table = Un deuxième tableau valide
+form-second-other-convention = Il est écrit dans la convention { $convention }.
+form-second-axis-reversed = Un axe z est de sens opposé, ou une variable articulaire est comptée en sens opposé.
+form-second-x-turned = Un axe x est orienté autrement ; la variable de son articulation est donc nulle ailleurs.
+form-second-origin-moved = Une origine est placée ailleurs sur son axe.
+form-second-none = Les règles de cet exercice ne laissent aucun autre tableau.
 
 form-ghost-label = Votre robot, en fantôme sur celui de l’exercice
 form-ghost-text = En gris et orange, le robot de l’exercice ; en rouge transparent, le vôtre. Les deux font le même mouvement. Le repère { $row }, marqué, celui de la ligne { $row }, est le premier qui quitte le robot.

@@ -286,7 +286,12 @@ form-exercise-write = Fixe um referencial a cada elo e escreva a tabela DH deste
 
 form-why = Porque está certa cada linha
 form-why-row = Linha { $row }: posição dos eixos z{ $before } e z{ $row }: { $relation }; por isso α = { $alpha } e a = { $a }; ao longo de z, os referenciais distam d = { $d }.
-form-second-table = Outra tabela válida: o mesmo robô na convenção { $convention }
+form-second-table = Outra tabela válida
+form-second-other-convention = Está escrita na convenção { $convention }.
+form-second-axis-reversed = Um eixo z aponta no sentido oposto, ou uma variável de junta conta no sentido oposto.
+form-second-x-turned = Um eixo x aponta para outro lado, pelo que a variável da sua junta vale zero noutra posição.
+form-second-origin-moved = Uma origem está noutro ponto do seu eixo.
+form-second-none = As regras deste exercício não deixam outra tabela.
 
 form-ghost-label = O seu robô, como fantasma sobre o do exercício
 form-ghost-text = A cinzento e laranja, o robô do exercício; a vermelho transparente, o seu. Ambos fazem o mesmo movimento. O referencial { $row }, marcado, o da linha { $row }, é o primeiro que se afasta do robô.

@@ -295,7 +295,12 @@ form-exercise-write = Legați un sistem de fiecare element și scrieți tabelul 
 
 form-why = De ce este corect fiecare rând
 form-why-row = Rândul { $row }: poziția axelor z{ $before } și z{ $row }: { $relation }; de aceea α = { $alpha } și a = { $a }; de-a lungul lui z, sistemele sunt la distanța d = { $d }.
-form-second-table = Un al doilea tabel valid: același robot în convenția { $convention }
+form-second-table = Un al doilea tabel valid
+form-second-other-convention = Este scris în convenția { $convention }.
+form-second-axis-reversed = O axă z are sensul opus sau o variabilă de cuplă se măsoară în sens opus.
+form-second-x-turned = O axă x este orientată altfel, deci variabila cuplei ei este zero în altă poziție.
+form-second-origin-moved = O origine se află în alt punct al axei sale.
+form-second-none = Regulile acestui exercițiu nu lasă alt tabel.
 
 form-ghost-label = Robotul dumneavoastră, ca o fantomă peste cel al exercițiului
 form-ghost-text = Cu gri și portocaliu, robotul exercițiului; cu roșu transparent, al dumneavoastră. Amândoi fac aceeași mișcare. Sistemul { $row }, marcat, cel al rândului { $row }, este primul care se desprinde de robot.

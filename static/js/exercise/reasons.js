@@ -1,6 +1,6 @@
 /** After a right answer: why each row is right, from how its two z axes lie, and a second valid table to compare. */
 
-import { el } from "../dom.js";
+import { el, fill } from "../dom.js";
 import { columnName } from "../editor/grid.js";
 import { COLUMNS } from "../editor/model.js";
 import { t } from "../i18n.js";
@@ -31,19 +31,29 @@ export function reasonsList(rows, table, size) {
 }
 
 /**
- * The same robot in the other convention, fetched when it is looked at.
- * @param {import("../api.js").Api} api @param {any} table that was accepted
+ * Another table of the same robot under the exercise's rules, fetched when it is looked at.
+ * @param {import("../api.js").Api} api @param {any} table that was accepted @param {any} policy of the exercise
+ * @param {Record<string, number>} parameters values of the table's parameters
  */
-export function secondTable(api, table) {
-  const to = table.convention === "standard" ? "modified" : "standard";
+export function secondTable(api, table, policy, parameters) {
   const place = el("div");
   const load = async (/** @type {any} */ event) => {
     if (!event.target.open || place.hasChildNodes()) return;
-    const found = await api.post("convert", { table, to }).catch(() => null);
-    place.replaceChildren(found ? tableView(found.table) : el("p", { class: "hint", text: t("form-unreachable") }));
+    const found = await api.post("other-tables", { table, policy, parameters }).catch(() => null);
+    const other = found?.tables[0];
+    const missing = t(found ? "form-second-none" : "form-unreachable");
+    fill(place, other ? [differences(other), tableView(other.table)] : el("p", { class: "hint", text: missing }));
   };
-  const title = t("form-second-table", { convention: t(`form-convention-${to}`) });
-  return el("details", { class: "reasons", ontoggle: load }, el("summary", { text: title }), place);
+  return el("details", { class: "reasons", ontoggle: load }, el("summary", { text: t("form-second-table") }), place);
+}
+
+/** @param {any} other */
+function differences({ table, reasons }) {
+  const convention = t(`form-convention-${table.convention}`);
+  const said = reasons.map((/** @type {string} */ reason) =>
+    t(`form-second-${reason.replaceAll("_", "-")}`, { convention }),
+  );
+  return el("p", { class: "hint", text: said.join(" ") });
 }
 
 /** @param {any} table */

@@ -88,11 +88,12 @@ function receiptButton(exercise, handed) {
 /**
  * What can be learned from a right answer; loaded when there is one.
  * @param {HTMLElement} place @param {import("./access.js").Access | undefined} access @param {Wire.Exercise} exercise @param {any} table
- * @param {Pick<import("../live-robot.js").Robot, "rows" | "size">} drawn
+ * @param {Pick<import("../live-robot.js").Robot, "rows" | "size" | "parameters">} drawn
  */
 async function addReasons(place, access, exercise, table, drawn) {
   const { reasonsList, secondTable } = await import("./reasons.js");
-  const other = exercise.conventions.length > 1 && (access?.converts ?? true) ? secondTable(api, table) : null;
+  const compares = access?.converts ?? true;
+  const other = compares ? secondTable(api, table, exercise.policy, drawn.parameters) : null;
   fill(place, reasonsList(drawn.rows, table, drawn.size), other);
 }
 
