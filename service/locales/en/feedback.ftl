@@ -63,7 +63,7 @@ feedback-length_wrong = Row { $row }: the length a, the distance between two nei
 feedback-offset_wrong = Row { $row }: the offset d, the distance between two neighbouring x axes along z, is not right.
 feedback-angle_wrong = Row { $row }: the angle θ, between two neighbouring x axes about z, is not right.
 feedback-sign_wrong = Row { $row }: one sign is the wrong way round, in one of the cells { $cells }.
-feedback-joint_type_wrong = Row { $row }: the joint is of another type.
+feedback-joint_type_wrong = Row { $row }: the type of the joint is not right.
 feedback-row_missing = A row is missing { $after ->
     [0] before row 1
    *[other] after row { $after }
@@ -87,24 +87,24 @@ repair-columns_late = The columns a and α stand one row too low, as in the othe
 repair-columns_early = The columns a and α stand one row too high, as in the other convention. Which link does each row belong to?
 repair-columns_exchanged = The columns { $one } and { $other } are exchanged. Compare the order of the columns with that of your notes.
 repair-parameter_misnamed = { $name } is not a dimension of this robot. Which one of the figure do you mean?
-repair-parameters_swapped = { $name } and { $other } stand for one another. Compare them with the figure.
+repair-parameters_swapped = { $name } and { $other } have changed places. Compare them with the figure.
 repair-alpha_sign = Row { $row }: α has the wrong sign. Turn one z axis onto the next about x, by the right-hand rule.
-repair-alpha_value = Row { $row }: α is another angle. Look again how the two z axes lie to each other.
+repair-alpha_value = Row { $row }: α should be another angle. Look again how the two z axes lie to each other.
 repair-twists_all_reversed = Every α has the wrong sign. Turn one z axis onto the next about x with your right hand, not your left.
 repair-a_sign = Row { $row }: a has the wrong sign. It is counted along x.
 repair-d_sign = Row { $row }: d has the wrong sign. It is counted along z.
 repair-a_d_swapped = Row { $row }: a and d have changed places. a is measured along x, d along z.
-repair-a_value = Row { $row }: a is another length. Measure along the common normal of the two z axes.
-repair-a_missing = Row { $row }: a is not zero. The two z axes do not meet.
-repair-a_not_zero = Row { $row }: a is zero. The two z axes meet, or are one line.
-repair-d_value = Row { $row }: d is another length. Measure along z, from one x axis to the next.
+repair-a_value = Row { $row }: a should be another length. Measure along the common normal of the two z axes.
+repair-a_missing = Row { $row }: a should not be zero, for the two z axes do not meet.
+repair-a_not_zero = Row { $row }: a should be zero, for the two z axes meet, or are one line.
+repair-d_value = Row { $row }: d should be another length. Measure along z, from one x axis to the next.
 repair-d_missing = Row { $row }: an offset d has been left out.
-repair-d_not_zero = Row { $row }: d is zero. The two x axes meet z at the same point.
+repair-d_not_zero = Row { $row }: d should be zero, for the two x axes meet z at the same point.
 repair-cell_length_unit = Row { $row }: one length is in another unit than the others.
 repair-cell_parameter = Row { $row }: another dimension of the figure belongs here.
 repair-cell_in_degrees = Row { $row }: one angle is in degrees, but the table declares radians.
 repair-cell_in_radians = Row { $row }: one angle is in radians, but the table declares degrees.
-repair-theta_value = Row { $row }: the constant angle θ is another one. Turn one x axis onto the next about z.
+repair-theta_value = Row { $row }: the constant angle θ should be another one. Turn one x axis onto the next about z.
 repair-theta_offset = Row { $row }: θ needs another constant beside the variable, so that the variable is zero in the configuration of the figure.
 repair-variable_sign = Row { $row }: the joint variable counts the wrong way. Give it the opposite sign.
 repair-joint_type = Row { $row }: this joint { $joint_type ->
@@ -139,15 +139,15 @@ feedback-frame_last_x_misses_axis = Frame { $frame }: { rule-last_x_misses_axis 
 feedback-frames_other_convention = These frames obey the rules of the other convention.
 feedback-frames_not_as_asked = The frames obey the rules, and are not placed as the exercise asks.
 feedback-frames_right = The frames are right.
-feedback-repairs_one_cell = Several single changes would each mend the table; all of them are in cell { $cell ->
+feedback-repairs_one_cell = Several single changes would each make the table right; all of them are in cell { $cell ->
     [alpha] α
     [theta] θ
    *[other] { $cell }
 } of row { $row }.
-feedback-repairs_one_row = Several changes would each mend the table; all of them are in row { $row }.
-feedback-repairs_one_column = Several changes would each mend the table; all of them are in the column { $cell ->
+feedback-repairs_one_row = Several changes would each make the table right; all of them are in row { $row }.
+feedback-repairs_one_column = Several changes would each make the table right; all of them are in the column { $cell ->
     [alpha] α
     [theta] θ
    *[other] { $cell }
 }.
-feedback-repairs_one_kind = { $count } changes would each mend the table; all of them are of the same kind.
+feedback-repairs_one_kind = { $count } changes would each make the table right; all of them are of the same kind.

@@ -7,7 +7,7 @@ error-file_unusable = No se puede leer o escribir { $file }: { $reason }.
 error-file_type_unknown = { $file } es de un tipo que aquí no se lee. Se leen { $known }.
 error-file_without_table = { $file } no contiene ninguna tabla DH. Una tabla tiene las columnas theta, d, a y alpha.
 error-files_too_many = { $file } contiene más de { $limit } ficheros.
-error-columns_unknown = Ninguna fila de { $file } nombra las columnas { $known }. Escríbelas encima de la tabla.
+error-columns_unknown = Ninguna fila de { $file } nombra las columnas { $known }. Escríbalas encima de la tabla.
 error-columns_differ_in_length = Las columnas de { $file } tienen longitudes distintas; cada una necesita una entrada por fila.
 error-exercise_not_named = No se dice a qué ejercicio responde. Indícalo, por ejemplo puma560.
 error-artefact_unknown = Aquí no se evalúan artefactos de tipo { $type }; sí { $known }.
@@ -19,7 +19,7 @@ error-version_not_supported = Aquí no se habla esa versión de la API de evalua
 error-api_key_unknown = No hay ninguna clave { $id }.
 error-key_file_unreadable = { $file } no es un archivo de claves utilizable: { $reason }.
 error-receipt_kid_unknown = { $file } no contiene ninguna clave { $id }.
-error-receipt_malformed = Esto no es un resguardo, o no está entero. Cópialo desde el primer carácter hasta el último.
+error-receipt_malformed = Esto no es un resguardo, o no está entero. Cópielo desde el primer carácter hasta el último.
 error-receipt_key_unknown = El resguardo se firmó con una clave que este servicio no tiene. Pregunta al servicio que lo emitió.
 error-receipt_altered = El resguardo se modificó después de emitirse.
 
@@ -29,6 +29,6 @@ evaluation-readable = La respuesta se puede calificar.
 evaluation-unreadable = La respuesta no se puede calificar tal como está; esto no cuenta como intento.
 
 scorm-no-script = Este ejercicio necesita JavaScript.
-scorm-no-lms = No se ha encontrado ninguna plataforma de aprendizaje alrededor de esta página. Puedes practicar, pero no se registrará ninguna nota.
+scorm-no-lms = No se ha encontrado ninguna plataforma de aprendizaje alrededor de esta página. Puede practicar, pero no se registrará ninguna nota.
 
 grade-summary = { $right } correctas, { $wrong } incorrectas, { $ungraded } no calificables.

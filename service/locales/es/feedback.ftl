@@ -10,11 +10,11 @@ feedback-other_convention = Su tabla está escrita en la convención { $conventi
 feedback-axis_reversed = Su z{ $frame }, el eje de la articulación { $joint }, apunta en sentido opuesto al de la solución de referencia. Ambos sentidos son correctos, y los signos de su tabla concuerdan con el suyo.
 feedback-end_axis_reversed = Su z{ $frame } apunta en sentido opuesto al de la solución de referencia. Ambos sentidos son correctos.
 feedback-x_turned = Su x{ $frame } está girado { $degrees }° alrededor de z{ $frame } respecto a la solución de referencia. Su tabla lo tiene en cuenta.
-feedback-origin_slid = El origen de su sistema { $frame } está en otro punto de z{ $frame } que en la solución de referencia. Aquí cualquier punto es correcto.
+feedback-origin_slid = El origen de su sistema { $frame } no está en el mismo punto de z{ $frame } que el de la solución de referencia. Aquí cualquier punto es correcto.
 feedback-axis_moved = Su z{ $frame } está sobre otra recta, paralela a la de la solución de referencia. Aquí solo importa su dirección.
 feedback-frame_elsewhere = Su sistema { $frame } está colocado de otro modo que en la solución de referencia. Podía elegirlo libremente.
 feedback-variable_reversed = Su q{ $joint } cuenta en sentido opuesto al de la solución de referencia. Ambos sentidos son correctos.
-feedback-variable_offset = Donde la q{ $joint } de la solución de referencia es cero, la suya vale { $offset }. El cero de una variable articular se elige libremente.
+feedback-variable_offset = Cuando la q{ $joint } de la solución de referencia vale cero, la suya vale { $offset }. El cero de una variable articular se elige libremente.
 feedback-rounded = Sus valores concuerdan con la solución de referencia dentro de la tolerancia, no exactamente; puede que estén redondeados.
 
 ## Una respuesta incorrecta: el conjunto
@@ -49,7 +49,7 @@ feedback-columns_throughout = Las columnas a y α no corresponden a la convenci�
 feedback-columns_in_disorder = Dos columnas de su tabla están intercambiadas.
 feedback-angles_throughout = Los ángulos de su tabla no están en la unidad que declara.
 feedback-lengths_throughout = Las longitudes de su tabla no están en la unidad que declara.
-feedback-twists_throughout = Los ángulos α de su tabla tienen en todas partes el signo equivocado.
+feedback-twists_throughout = Todos los ángulos α de su tabla tienen el signo equivocado.
 feedback-names_throughout = Una dimensión lleva un nombre equivocado en su tabla.
 feedback-parameter_unknown = El robot no tiene ninguna dimensión llamada { $name }. Sus dimensiones son: { $known }.
 feedback-names_asked = Las dimensiones del robot no tienen valores aquí. Escriba sus nombres: { $known }.
@@ -63,7 +63,7 @@ feedback-length_wrong = Fila { $row }: la longitud a, la distancia entre dos eje
 feedback-offset_wrong = Fila { $row }: el desplazamiento d, la distancia entre dos ejes x vecinos a lo largo de z, no es correcto.
 feedback-angle_wrong = Fila { $row }: el ángulo θ, entre dos ejes x vecinos alrededor de z, no es correcto.
 feedback-sign_wrong = Fila { $row }: hay un signo al revés, en una de las celdas { $cells }.
-feedback-joint_type_wrong = Fila { $row }: la articulación es de otro tipo.
+feedback-joint_type_wrong = Fila { $row }: el tipo de la articulación no es correcto.
 feedback-row_missing = Falta una fila { $after ->
     [0] antes de la fila 1
    *[other] después de la fila { $after }
@@ -82,29 +82,29 @@ repair-convention = Leída en la convención { $meant ->
 }.
 repair-angles_in_degrees = Los ángulos están en grados, pero la tabla declara radianes.
 repair-angles_in_radians = Los ángulos están en radianes, pero la tabla declara grados.
-repair-length_unit = Las longitudes están en otra unidad que la declarada: milímetros en vez de metros, por ejemplo.
+repair-length_unit = Las longitudes están en una unidad distinta de la declarada: milímetros en vez de metros, por ejemplo.
 repair-columns_late = Las columnas a y α están una fila más abajo, como en la otra convención. ¿A qué eslabón pertenece cada fila?
 repair-columns_early = Las columnas a y α están una fila más arriba, como en la otra convención. ¿A qué eslabón pertenece cada fila?
 repair-columns_exchanged = Las columnas { $one } y { $other } están intercambiadas. Compare el orden de las columnas con el de sus apuntes.
 repair-parameter_misnamed = { $name } no es una dimensión de este robot. ¿A cuál de la figura se refiere?
-repair-parameters_swapped = { $name } y { $other } están la una en lugar de la otra. Compárelas con la figura.
+repair-parameters_swapped = { $name } y { $other } están intercambiadas. Compárelas con la figura.
 repair-alpha_sign = Fila { $row }: α tiene el signo equivocado. Gire un eje z hasta el siguiente alrededor de x, según la regla de la mano derecha.
-repair-alpha_value = Fila { $row }: α es otro ángulo. Vuelva a mirar cómo están los dos ejes z uno respecto al otro.
+repair-alpha_value = Fila { $row }: α debería ser otro ángulo. Vuelva a mirar cómo están los dos ejes z uno respecto al otro.
 repair-twists_all_reversed = Todos los α tienen el signo equivocado. Gire un eje z hasta el siguiente alrededor de x con la mano derecha, no con la izquierda.
 repair-a_sign = Fila { $row }: a tiene el signo equivocado. Se cuenta en el sentido de x.
 repair-d_sign = Fila { $row }: d tiene el signo equivocado. Se cuenta en el sentido de z.
 repair-a_d_swapped = Fila { $row }: a y d se han intercambiado. a se mide a lo largo de x, d a lo largo de z.
-repair-a_value = Fila { $row }: a es otra longitud. Mida sobre la perpendicular común a los dos ejes z.
-repair-a_missing = Fila { $row }: a no es cero. Los dos ejes z no se cortan.
-repair-a_not_zero = Fila { $row }: a es cero. Los dos ejes z se cortan o coinciden.
-repair-d_value = Fila { $row }: d es otra longitud. Mida a lo largo de z, de un eje x al siguiente.
+repair-a_value = Fila { $row }: a debería ser otra longitud. Mida sobre la perpendicular común a los dos ejes z.
+repair-a_missing = Fila { $row }: a no debería ser cero, pues los dos ejes z no se cortan.
+repair-a_not_zero = Fila { $row }: a debería ser cero, pues los dos ejes z se cortan o coinciden.
+repair-d_value = Fila { $row }: d debería ser otra longitud. Mida a lo largo de z, de un eje x al siguiente.
 repair-d_missing = Fila { $row }: se ha omitido un desplazamiento d.
-repair-d_not_zero = Fila { $row }: d es cero. Los dos ejes x encuentran a z en el mismo punto.
-repair-cell_length_unit = Fila { $row }: una longitud está en otra unidad que las demás.
+repair-d_not_zero = Fila { $row }: d debería ser cero, pues los dos ejes x cortan a z en el mismo punto.
+repair-cell_length_unit = Fila { $row }: una longitud está en una unidad distinta de las demás.
 repair-cell_parameter = Fila { $row }: aquí corresponde otra dimensión de la figura.
 repair-cell_in_degrees = Fila { $row }: un ángulo está en grados, pero la tabla declara radianes.
 repair-cell_in_radians = Fila { $row }: un ángulo está en radianes, pero la tabla declara grados.
-repair-theta_value = Fila { $row }: el ángulo constante θ es otro. Gire un eje x hasta el siguiente alrededor de z.
+repair-theta_value = Fila { $row }: el ángulo constante θ debería ser otro. Gire un eje x hasta el siguiente alrededor de z.
 repair-theta_offset = Fila { $row }: junto a la variable, θ necesita otra constante, para que la variable sea cero en la postura de la figura.
 repair-variable_sign = Fila { $row }: la variable articular cuenta en el sentido equivocado. Póngale el signo opuesto.
 repair-joint_type = Fila { $row }: esta articulación { $joint_type ->
@@ -125,8 +125,8 @@ repair-row_extra = La fila { $row } está de más.
 
 error-tables_without_value = No se encontraron valores de los parámetros para los que todas las celdas de ambas tablas tengan valor. Revise las raíces, los cocientes y las funciones inversas.
 
-feedback-frame_wrong = Sistema { $frame } incumple una regla.
-feedback-frame_missing = Sistema { $frame } no se ha colocado.
+feedback-frame_wrong = El sistema { $frame } incumple una regla.
+feedback-frame_missing = El sistema { $frame } no se ha colocado.
 feedback-frame_z_not_along_axis = Sistema { $frame }: { rule-z_not_along_axis }
 feedback-frame_origin_not_on_axis = Sistema { $frame }: { rule-origin_not_on_axis }
 feedback-frame_origin_not_on_common_normal = Sistema { $frame }: { rule-origin_not_on_common_normal }
@@ -139,15 +139,15 @@ feedback-frame_last_x_misses_axis = Sistema { $frame }: { rule-last_x_misses_axi
 feedback-frames_other_convention = Estos sistemas cumplen las reglas de la otra convención.
 feedback-frames_not_as_asked = Los sistemas cumplen las reglas, pero no están colocados como pide el ejercicio.
 feedback-frames_right = Los sistemas son correctos.
-feedback-repairs_one_cell = Varios cambios corregirían cada uno la tabla; todos están en la celda { $cell ->
+feedback-repairs_one_cell = Hay varios cambios posibles, y cada uno por sí solo corregiría la tabla; todos están en la celda { $cell ->
     [alpha] α
     [theta] θ
    *[other] { $cell }
 } de la fila { $row }.
-feedback-repairs_one_row = Varios cambios corregirían cada uno la tabla; todos están en la fila { $row }.
-feedback-repairs_one_column = Varios cambios corregirían cada uno la tabla; todos están en la columna { $cell ->
+feedback-repairs_one_row = Hay varios cambios posibles, y cada uno por sí solo corregiría la tabla; todos están en la fila { $row }.
+feedback-repairs_one_column = Hay varios cambios posibles, y cada uno por sí solo corregiría la tabla; todos están en la columna { $cell ->
     [alpha] α
     [theta] θ
    *[other] { $cell }
 }.
-feedback-repairs_one_kind = { $count } cambios corregirían cada uno la tabla; todos son del mismo tipo.
+feedback-repairs_one_kind = Hay { $count } cambios posibles, y cada uno por sí solo corregiría la tabla; todos son del mismo tipo.

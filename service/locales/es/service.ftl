@@ -91,13 +91,13 @@ error-npy_type_unsupported = El archivo npy contiene { $type }. Envíe números 
 error-npy_one_part = Un archivo npy contiene una sola matriz. Nombre una parte: { $allowed }.
 error-one_source = Describa el robot de una sola manera: { $allowed }.
 
-error-api_key_missing = La petición no indica ninguna clave. Envíala como Authorization: Bearer fwk_….
+error-api_key_missing = La petición no indica ninguna clave. Envíela como Authorization: Bearer fwk_….
 error-api_key_invalid = Esta clave no se conoce aquí, ha caducado o fue revocada.
 error-api_key_scope = Esta clave sirve para { $scopes }; la llamada necesita { $needed }.
 error-idempotency_key_length = Una Idempotency-Key tiene de 1 a { $limit } caracteres.
 error-idempotency_key_in_use = Todavía se está respondiendo a una petición con esta Idempotency-Key. Inténtelo de nuevo dentro de un segundo.
 error-idempotency_key_reused = Esta Idempotency-Key ya se usó para otra petición. Use una clave nueva para una petición nueva.
-error-rate_exceeded = Se ha pedido más de { $limit } por minuto, según el coste. Inténtalo de nuevo en { $seconds } s.
+error-rate_exceeded = Se ha pedido más de { $limit } por minuto, según el coste. Inténtelo de nuevo en { $seconds } s.
 error-setting_missing = Falta el ajuste { $name }.
 problem-title-429 = Demasiado de una vez
 error-quaternion_or_axis = Indique a lo sumo uno de «quaternion» y «axis».

@@ -56,14 +56,14 @@ feedback-names_asked = Les cotes du robot n’ont pas de valeur ici. Écrivez le
 
 ## Une réponse fausse : ses lignes
 
-feedback-one_of_these = Une seule des remarques suivantes désigne l'erreur ; le tableau seul ne montre pas laquelle.
+feedback-one_of_these = Une seule des remarques suivantes désigne l’erreur ; le tableau à lui seul ne montre pas laquelle.
 feedback-row_wrong = La ligne { $row } n’est pas juste.
 feedback-twist_wrong = Ligne { $row } : l’angle de torsion α, entre deux axes z voisins, n’est pas juste.
 feedback-length_wrong = Ligne { $row } : la longueur a, distance entre deux axes z voisins, n’est pas juste.
 feedback-offset_wrong = Ligne { $row } : le décalage d, distance entre deux axes x voisins le long de z, n’est pas juste.
 feedback-angle_wrong = Ligne { $row } : l’angle θ, entre deux axes x voisins autour de z, n’est pas juste.
 feedback-sign_wrong = Ligne { $row } : un signe est à l’envers, dans l’une des cellules { $cells }.
-feedback-joint_type_wrong = Ligne { $row } : l’articulation est d’un autre type.
+feedback-joint_type_wrong = Ligne { $row } : le type de l’articulation n’est pas juste.
 feedback-row_missing = Il manque une ligne { $after ->
     [0] avant la ligne 1
    *[other] après la ligne { $after }
@@ -87,24 +87,24 @@ repair-columns_late = Les colonnes a et α sont une ligne trop bas, comme dans l
 repair-columns_early = Les colonnes a et α sont une ligne trop haut, comme dans l’autre convention. À quel segment chaque ligne appartient-elle ?
 repair-columns_exchanged = Les colonnes { $one } et { $other } sont interverties. Comparez l’ordre des colonnes avec celui de votre cours.
 repair-parameter_misnamed = { $name } n’est pas une cote de ce robot. De laquelle de la figure s’agit-il ?
-repair-parameters_swapped = { $name } et { $other } sont mises l’une pour l’autre. Comparez-les à la figure.
-repair-alpha_sign = Ligne { $row } : α a le mauvais signe. Tournez un axe z vers le suivant autour de x, selon la règle de la main droite.
-repair-alpha_value = Ligne { $row } : α est un autre angle. Regardez à nouveau comment les deux axes z sont placés l’un par rapport à l’autre.
-repair-twists_all_reversed = Tous les α ont le mauvais signe. Tournez un axe z vers le suivant autour de x avec la main droite, non la gauche.
+repair-parameters_swapped = { $name } et { $other } sont interverties. Comparez-les à la figure.
+repair-alpha_sign = Ligne { $row } : α a le mauvais signe. Faites tourner un axe z jusqu’au suivant autour de x, selon la règle de la main droite.
+repair-alpha_value = Ligne { $row } : α devrait être un autre angle. Regardez à nouveau comment les deux axes z sont placés l’un par rapport à l’autre.
+repair-twists_all_reversed = Tous les α ont le mauvais signe. Faites tourner un axe z jusqu’au suivant autour de x avec la main droite, non la gauche.
 repair-a_sign = Ligne { $row } : a a le mauvais signe. Elle se compte dans le sens de x.
 repair-d_sign = Ligne { $row } : d a le mauvais signe. Il se compte dans le sens de z.
 repair-a_d_swapped = Ligne { $row } : a et d ont changé de place. a se mesure le long de x, d le long de z.
-repair-a_value = Ligne { $row } : a est une autre longueur. Mesurez sur la perpendiculaire commune aux deux axes z.
-repair-a_missing = Ligne { $row } : a n’est pas nulle. Les deux axes z ne se coupent pas.
-repair-a_not_zero = Ligne { $row } : a est nulle. Les deux axes z se coupent ou sont confondus.
-repair-d_value = Ligne { $row } : d est une autre longueur. Mesurez le long de z, d’un axe x au suivant.
+repair-a_value = Ligne { $row } : a devrait être une autre longueur. Mesurez sur la perpendiculaire commune aux deux axes z.
+repair-a_missing = Ligne { $row } : a ne devrait pas être nulle, car les deux axes z ne se coupent pas.
+repair-a_not_zero = Ligne { $row } : a devrait être nulle, car les deux axes z se coupent ou sont confondus.
+repair-d_value = Ligne { $row } : d devrait être une autre longueur. Mesurez le long de z, d’un axe x au suivant.
 repair-d_missing = Ligne { $row } : un décalage d a été oublié.
-repair-d_not_zero = Ligne { $row } : d est nul. Les deux axes x rencontrent z au même point.
+repair-d_not_zero = Ligne { $row } : d devrait être nul, car les deux axes x rencontrent z au même point.
 repair-cell_length_unit = Ligne { $row } : une longueur est dans une autre unité que les autres.
 repair-cell_parameter = Ligne { $row } : c’est une autre cote de la figure qui a sa place ici.
 repair-cell_in_degrees = Ligne { $row } : un angle est en degrés, mais le tableau déclare des radians.
 repair-cell_in_radians = Ligne { $row } : un angle est en radians, mais le tableau déclare des degrés.
-repair-theta_value = Ligne { $row } : l’angle constant θ est un autre. Tournez un axe x vers le suivant autour de z.
+repair-theta_value = Ligne { $row } : l’angle constant θ devrait être un autre. Faites tourner un axe x jusqu’au suivant autour de z.
 repair-theta_offset = Ligne { $row } : à côté de la variable, θ a besoin d’une autre constante, pour que la variable soit nulle dans la position représentée.
 repair-variable_sign = Ligne { $row } : la variable articulaire est comptée à l’envers. Donnez-lui le signe opposé.
 repair-joint_type = Ligne { $row } : cette articulation { $joint_type ->
@@ -125,8 +125,8 @@ repair-row_extra = La ligne { $row } est de trop.
 
 error-tables_without_value = Aucune valeur des paramètres n’a été trouvée pour laquelle chaque cellule des deux tableaux ait une valeur. Vérifiez les racines, les quotients et les fonctions réciproques.
 
-feedback-frame_wrong = Repère { $frame } enfreint une règle.
-feedback-frame_missing = Repère { $frame } n'a pas été placé.
+feedback-frame_wrong = Le repère { $frame } enfreint une règle.
+feedback-frame_missing = Le repère { $frame } n’a pas été placé.
 feedback-frame_z_not_along_axis = Repère { $frame } : { rule-z_not_along_axis }
 feedback-frame_origin_not_on_axis = Repère { $frame } : { rule-origin_not_on_axis }
 feedback-frame_origin_not_on_common_normal = Repère { $frame } : { rule-origin_not_on_common_normal }
@@ -139,15 +139,15 @@ feedback-frame_last_x_misses_axis = Repère { $frame } : { rule-last_x_misses_ax
 feedback-frames_other_convention = Ces repères suivent les règles de l'autre convention.
 feedback-frames_not_as_asked = Les repères suivent les règles, mais ne sont pas placés comme l'exercice le demande.
 feedback-frames_right = Les repères sont justes.
-feedback-repairs_one_cell = Plusieurs modifications rendraient chacune le tableau juste ; toutes concernent la case { $cell ->
+feedback-repairs_one_cell = Plusieurs modifications suffiraient chacune à rendre le tableau juste ; toutes concernent la cellule { $cell ->
     [alpha] α
     [theta] θ
    *[other] { $cell }
 } de la ligne { $row }.
-feedback-repairs_one_row = Plusieurs modifications rendraient chacune le tableau juste ; toutes concernent la ligne { $row }.
-feedback-repairs_one_column = Plusieurs modifications rendraient chacune le tableau juste ; toutes concernent la colonne { $cell ->
+feedback-repairs_one_row = Plusieurs modifications suffiraient chacune à rendre le tableau juste ; toutes concernent la ligne { $row }.
+feedback-repairs_one_column = Plusieurs modifications suffiraient chacune à rendre le tableau juste ; toutes concernent la colonne { $cell ->
     [alpha] α
     [theta] θ
    *[other] { $cell }
 }.
-feedback-repairs_one_kind = { $count } modifications rendraient chacune le tableau juste ; toutes sont du même type.
+feedback-repairs_one_kind = { $count } modifications suffiraient chacune à rendre le tableau juste ; toutes sont du même type.
