@@ -189,6 +189,8 @@ def _insert_row(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Row
 def _other_zero(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
     """A joint variable that is zero elsewhere."""
     places = [i for i, row in enumerate(rows) if row.joint is not JointType.FIXED]
+    if not places:
+        return rows
     i = rng.choice(places)
     changed = list(rows)
     if rows[i].joint is JointType.REVOLUTE:
@@ -201,7 +203,10 @@ def _other_zero(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Row
 
 def _other_sense(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
     """A joint variable that counts the other way."""
-    i = rng.choice([i for i, row in enumerate(rows) if row.joint is not JointType.FIXED])
+    places = [i for i, row in enumerate(rows) if row.joint is not JointType.FIXED]
+    if not places:
+        return rows
+    i = rng.choice(places)
     changed = list(rows)
     changed[i] = replace(rows[i], sign=-rows[i].sign)
     return changed

@@ -9,8 +9,9 @@ import pytest
 from exercises.alternatives import other_tables
 from exercises.answers import RawAnswer, parse
 from exercises.grader import grade
-from exercises.grading import ConventionRule
+from exercises.grading import ConventionRule, Policy
 from exercises.instance import generate
+from exercises.parts.compare_tables import ComparisonReason
 from exercises.selftest.robustness import strictest_policy
 from exercises.selftest.variants import key_as_asked
 from exercises.written_table import written_table
@@ -51,3 +52,10 @@ def test_another_table_is_there_and_is_right_under_every_rule(
 def test_where_nothing_is_left_to_choose_there_is_none() -> None:
     policy = replace(strictest_policy(exercise("twolink").policy), convention=ConventionRule.STANDARD)
     assert other_tables(read_table(ONE_JOINT), policy, {}, 1) == ()
+
+
+def test_a_table_without_joints_has_no_joint_to_reverse() -> None:
+    fixed = replace(ONE_JOINT, rows=(replace(ONE_JOINT.rows[0], joint=JointType.FIXED, theta="30"),))
+    policy = Policy(convention=ConventionRule.STANDARD)
+    others = other_tables(read_table(fixed), policy, {}, 3)
+    assert {reason for other in others for reason in other.reasons} == {ComparisonReason.ORIGIN_MOVED}
