@@ -147,15 +147,16 @@ class _Sorter:
         self.long = fold_length(tolerance)
         self.blind = lost_value(tolerance)
         self.beside = max(BESIDE, 20.0 * tolerance)
+        self.most = MOST_FOLLOWED_WITH_SPARE if arm.spare else MOST_FOLLOWED
         self.ways: list[FamilyPath] = []
 
     def sorted(self, joints: Array) -> list[Component]:
         left = list(joints if self.arm.spare < 2 else joints[:MOST_MEMBERS])
         found: list[Component] = []
-        followed, most = 0, MOST_FOLLOWED_WITH_SPARE if self.arm.spare else MOST_FOLLOWED
+        followed = 0
         while left:
             q, *left = left
-            if followed < most:
+            if followed < self.most:
                 J = self.follower.jacobian(q / self.arm.units)
                 new = self._components(q, blind_directions(J, self.blind))
             else:
@@ -255,7 +256,7 @@ class _Sorter:
                 branch = self.follower.path(x, way, np.empty((0, len(x))))
                 if self._is_long(branch):
                     found.append(branch)
-                if len(found) == MOST_FOLLOWED:
+                if len(found) == self.most:
                     return found
         return found
 

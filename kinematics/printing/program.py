@@ -100,7 +100,7 @@ def program(
     import sympy
     from sympy.simplify.cse_main import tree_cse
 
-    atoms = _Atoms(stepwise=stepwise)
+    atoms = SourceAtoms(stepwise=stepwise)
     nodes = SympyNodes(atoms=atoms.symbol, evaluate=stepwise)
     entries = [[nodes.convert(entry) for entry in row] for row in matrix]
     steps: list[ProgramStep] = []
@@ -127,7 +127,7 @@ def program(
     )
 
 
-class _Atoms:
+class SourceAtoms:
     """Symbols for what SymPy must leave alone.
 
     It would fold π and write decimals as fractions, and the sines and cosines of joint variables have names

@@ -10,11 +10,17 @@ from fastapi import Body
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
+from service.schemas.inverse_forms import (
+    SYMBOLIC_INVERSE,
+    InverseQuestion,
+    SymbolicInverseAnswer,
+    SymbolicInverseRequest,
+)
 from service.schemas.inverse_kinematics import (
     InverseKinematicsAnswer,
     InverseKinematicsAnswers,
-    InverseKinematicsRequest,
 )
+from service.wire.inverse_forms import solved_in_symbols
 from service.wire.inverse_solutions import solved, solved_each
 
 router = api_router("kinematics")
@@ -56,17 +62,24 @@ _EXAMPLES = {
     responses=problems(400, 413, 415, 422, 503),
 )
 async def inverse_kinematics(
-    body: Annotated[InverseKinematicsRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    body: Annotated[InverseQuestion, Body(openapi_examples=examples.named(_EXAMPLES | SYMBOLIC_INVERSE))],
     request: ApiRequest,
-) -> InverseKinematicsAnswer | InverseKinematicsAnswers:
+) -> InverseKinematicsAnswer | InverseKinematicsAnswers | SymbolicInverseAnswer:
     """All distinct solutions of arms that have a closed form, and of other arms those that a search finds.
 
     Closed forms: most arms of five and six turning joints with a wrist or parallel axes, arms of up to four
     joints of any kind, and up to three joints of any kind before a wrist. Others, of up to twelve joints, are
     searched from many starts. Every residual is that of the forward kinematics. Unreachable and singular are
     results. Of many `targets` the answer is `answers`, one for each.
+
+    With `"form": "symbolic"` and no target the answer is the inverse kinematics in symbols, as books print
+    it: one joint after another by atan2, with the branch signs and the conditions, and as source code. It is
+    known for arms whose axes are at right angles: planar arms, SCARA, cylindrical arms, arms with a spherical
+    wrist such as the PUMA and the Stanford arm, those of SCORBOT and Universal Robots.
     """
     resources = request.resources
+    if isinstance(body, SymbolicInverseRequest):
+        return await solved_in_symbols(body, request.settings, resources.workers)
     robot = await request.in_turn(partial(resources.robots.prepare, body))
     if body.targets is not None:
         return await solved_each(body, robot, resources.workers)

@@ -10,6 +10,7 @@ from pydantic_core import PydanticCustomError
 from kinematics.inverse.results import IKStatus, Isolation, Method, UnreachableReason
 from service.schemas.base import Matrix4, Real, Vector3, Wire
 from service.schemas.joint_limits import JointRanges
+from service.schemas.numeric_form import NumericForm
 from service.schemas.pose_input import PoseInput
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
@@ -46,6 +47,8 @@ class InverseKinematicsRequest(RobotQuestion):
         description="how far the target may be off, as a distance in the table's unit and as an angle "
         "in rad: of a pose rounded to five decimals 1e-5. Left out, what its rotation part shows of rounding",
     )
+
+    form: NumericForm = Field("numeric", description="numeric: joint values; symbolic is another request")
 
     @model_validator(mode="after")
     def _one_target(self) -> Self:

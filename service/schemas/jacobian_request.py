@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, TypeAlias
+from typing import Annotated, TypeAlias
 
-from pydantic import BeforeValidator, Field
-from pydantic_core import PydanticCustomError
+from pydantic import Field
 
 from kinematics.jacobian import JacobianFrame
 from service.schemas.base import Matrix4, Real, Wire
 from service.schemas.joints import Joints
+from service.schemas.numeric_form import NumericForm
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
@@ -17,16 +17,6 @@ Matrix6: TypeAlias = Annotated[
     list[list[Real]],
     Field(min_length=6, max_length=6, description="6×n: three linear rows, three angular rows"),
 ]
-
-
-_FORMS = ("numeric", "symbolic")
-
-
-def _known_form(form: object) -> object:
-    if form not in _FORMS:
-        expected = " or ".join(map(repr, _FORMS))
-        raise PydanticCustomError("value_not_allowed", "this must be {expected}", {"expected": expected})
-    return form
 
 
 class JacobianQuestion(RobotQuestion):
@@ -37,9 +27,7 @@ class JacobianQuestion(RobotQuestion):
     frame: Annotated[JacobianFrame, Field(strict=False)] | None = Field(
         None, description="base for J0 alone, end for Jn alone; both if left out"
     )
-    form: Annotated[Literal["numeric"], BeforeValidator(_known_form)] = Field(
-        "numeric", description="the word symbolic asks for closed forms instead"
-    )
+    form: NumericForm = Field("numeric", description="the word symbolic asks for closed forms instead")
     tolerance: Real = Field(
         1e-9, gt=0, lt=1, description="singular values below this fraction of the largest count as zero"
     )

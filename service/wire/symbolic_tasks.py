@@ -22,6 +22,7 @@ from service.http.routing import NPY, ApiRequest, BytesResponse
 from service.http.validation import validated
 from service.resources import resources_of
 from service.revision import revision
+from service.schemas.robot_question import RobotQuestion
 from service.schemas.symbolic_request import SymbolicJacobianRequest, WritingQuestion
 from service.settings import Settings
 from service.wire.prepared_robots import listed_robot
@@ -45,7 +46,7 @@ def task_of(
     Raises:
         KinematicsError: the table cannot be read, a parameter does not fit it, or base or tool is no pose.
     """
-    read = _read(question, settings)
+    read = read_symbolic(question, settings)
     values = exact_values(read, question.parameters)
     with located("table"):
         table = with_values(read.table, values)
@@ -144,7 +145,12 @@ async def symbolic_jacobian(request: ApiRequest, body: Mapping[str, Any]) -> Byt
     return await answered(request, task, question, written_jacobians)
 
 
-def _read(question: WritingQuestion, settings: Settings) -> ReadTable:
+def read_symbolic(question: RobotQuestion, settings: Settings) -> ReadTable:
+    """The table of a question, cells as expressions.
+
+    Raises:
+        KinematicsError: the table cannot be read.
+    """
     if question.table is None:
         return listed_robot(str(question.robot)).table
     with located("table"):

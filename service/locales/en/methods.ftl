@@ -1,5 +1,6 @@
 # Inverse kinematics.
 
+error-inverse_form_unknown = The axes of this arm do not follow one another in a way whose inverse kinematics is known in symbols: they have to be at right angles or parallel, with a planar pair or triple of joints and a wrist through one point. In numbers it is solved all the same.
 error-inverse_joint_count = Inverse kinematics takes 1 to { $limit } joints; this table has { $count }.
 error-limits_wrong_length = The arm has { $expected } joints, but { $given } limits were given; give one for each, null where there is none.
 error-limits_reversed = The limits of joint { $joint } are its least and its greatest value, in this order.

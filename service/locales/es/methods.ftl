@@ -1,5 +1,6 @@
 # Cinemática inversa.
 
+error-inverse_form_unknown = Los ejes de este brazo no se suceden de un modo cuya cinemática inversa se conozca en símbolos: han de ser perpendiculares o paralelos, con dos o tres articulaciones que se mueven en un plano y una muñeca cuyos ejes pasan por un punto. En números se resuelve igualmente.
 error-inverse_joint_count = La cinemática inversa admite de 1 a { $limit } articulaciones; esta tabla tiene { $count }.
 error-limits_wrong_length = El brazo tiene { $expected } articulaciones, pero se dieron { $given } límites; dé uno por articulación, null donde no haya.
 error-limits_reversed = Los límites de la articulación { $joint } son su valor mínimo y su valor máximo, en este orden.

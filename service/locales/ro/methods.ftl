@@ -1,5 +1,6 @@
 # Cinematica inversă.
 
+error-inverse_form_unknown = Axele acestui braț nu se succed într-un mod a cărui cinematică inversă să fie cunoscută în simboluri: ele trebuie să fie perpendiculare sau paralele, cu două sau trei cuple care se mișcă într-un plan și cu o încheietură ale cărei axe trec printr-un punct. În numere se rezolvă oricum.
 error-inverse_joint_count = Cinematica inversă se calculează pentru 1 până la { $limit } cuple; tabelul are { $count }.
 error-limits_wrong_length = Brațul are { $expected } cuple, dar s-au dat { $given } limite; dați câte una pentru fiecare cuplă, null acolo unde nu există limită.
 error-limits_reversed = Limitele cuplei { $joint } sunt valoarea minimă și valoarea maximă, în această ordine.

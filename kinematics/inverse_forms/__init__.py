@@ -1,0 +1,29 @@
+"""Inverse kinematics in symbols, as books print it.
+
+derivation     how an arm is taken apart, and which joint follows from what
+signed_axes    axes at right angles, in symbols
+planar_joints  joints that move in a plane
+axis_turns     turns about axes through one point
+steps          what is written down: equations, branch signs, conditions
+branches       the numbers of each branch
+"""
+
+from kinematics.inverse_forms.branches import joint_values
+from kinematics.inverse_forms.derivation import inverse_form
+from kinematics.inverse_forms.steps import (
+    ConditionKind,
+    InverseCondition,
+    InverseForm,
+    InverseReach,
+    InverseStep,
+)
+
+__all__ = [
+    "ConditionKind",
+    "InverseCondition",
+    "InverseForm",
+    "InverseReach",
+    "InverseStep",
+    "inverse_form",
+    "joint_values",
+]

@@ -1,0 +1,72 @@
+"""The equations of an arm for the pose of its tool in the world."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import chain
+
+from kinematics.expressions import Expression, Parameter, add, multiply, negate, walk
+from kinematics.inverse_forms.steps import InverseForm, InverseStep
+
+Matrix = Sequence[Sequence[Expression]]
+
+_ROTATION = tuple(tuple(f"t{i}{j}" for j in (1, 2, 3)) for i in (1, 2, 3))
+_POSITION = ("t_x", "t_y", "t_z")
+
+
+def with_base_and_tool(
+    form: InverseForm, base: Matrix | None, tool: Matrix | None, taken: Sequence[str] = ()
+) -> InverseForm:
+    """The form for targets base · ⁰T_N · tool, its first steps ⁰T_N = base⁻¹ · target · tool⁻¹.
+
+    Args:
+        form: for ⁰T_N.
+        base: 4×4 pose of frame 0 in the world, or None.
+        tool: 4×4 pose of the tool in frame N, or None.
+        taken: names that nothing else may have.
+    """
+    if base is None and tool is None:
+        return form
+    used = {*taken, *(step.name for step in form.steps), *form.branches}
+    mark = "" if used.isdisjoint(chain(_POSITION, *_ROTATION)) else "0"
+    rotation = tuple(tuple(name + mark for name in row) for row in _ROTATION)
+    position = tuple(name + mark for name in _POSITION)
+    R: Matrix = [[Parameter(name) for name in row] for row in rotation]
+    p: Sequence[Expression] = [Parameter(name) for name in position]
+    if tool is not None:  # R toolᵀ, p - R toolᵀ t
+        R = _product(R, _transposed(tool))
+        p = _moved(R, [row[3] for row in tool[:3]], p)
+    if base is not None:  # baseᵀ R, baseᵀ (p - b)
+        back = _transposed(base)
+        off = [add((x, negate(row[3]))) for x, row in zip(p, base[:3], strict=True)]
+        R = _product(back, R)
+        p = [add(multiply(pair) for pair in zip(row, off, strict=True)) for row in back]
+    values = dict(zip(chain(*form.rotation, form.position), chain(*R, p), strict=True))
+    needed = {
+        node.name
+        for value in (step.value for step in form.steps)
+        for node in walk(value)
+        if isinstance(node, Parameter)
+    }
+    first = [InverseStep(name=name, value=value) for name, value in values.items() if name in needed]
+    return replace(form, steps=(*first, *form.steps), rotation=rotation, position=position)
+
+
+def _transposed(pose: Matrix) -> Matrix:
+    return [[pose[j][i] for j in range(3)] for i in range(3)]
+
+
+def _product(A: Matrix, B: Matrix) -> Matrix:
+    columns = list(zip(*B, strict=True))
+    return [
+        [add(multiply(pair) for pair in zip(row, column, strict=True)) for column in columns] for row in A
+    ]
+
+
+def _moved(R: Matrix, t: Sequence[Expression], p: Sequence[Expression]) -> list[Expression]:
+    """Return p - R t."""
+    return [
+        add((x, *(negate(multiply(pair)) for pair in zip(row, t, strict=True))))
+        for x, row in zip(p, R, strict=True)
+    ]

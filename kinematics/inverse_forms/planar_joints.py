@@ -1,0 +1,247 @@
+"""Two or three joints that move in a plane: turns about its normal h, and slides in it.
+
+In coordinates u, v along f and g = h × f a turn by φ takes (1, 0) to (cos φ, sin φ). Two joints bring a point
+to its place; three, of which the last turns, a point and a direction: the axis of the last is such a point.
+
+Source: for two turning joints, J. J. Craig, Introduction to robotics, 3rd ed. (2005) §4.4 eq. 4.13 to 4.27;
+R. P. Paul, Robot manipulators (1981) §3.4 for a cos + b sin = d.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from kinematics.expressions import ONE, ZERO, Expression, Function, add, negate
+from kinematics.inverse_forms.signed_axes import (
+    Axis,
+    SignedJoint,
+    Vector,
+    along,
+    circular,
+    cross,
+    dot,
+    signed,
+)
+from kinematics.inverse_forms.steps import (
+    InverseDerivation,
+    atan2,
+    determined,
+    halved,
+    over,
+    reachable,
+    root,
+    square,
+    times,
+)
+
+Point: TypeAlias = tuple[Expression, Expression]
+
+
+@dataclass(frozen=True, slots=True)
+class JointPlane:
+    """A plane with its coordinates.
+
+    Attributes:
+        h: its normal.
+        f: direction of the first coordinate.
+    """
+
+    h: Axis
+    f: Axis
+
+    @property
+    def g(self) -> Axis:
+        """Direction of the second coordinate."""
+        return cross(self.h, self.f)
+
+    def point(self, v: Vector) -> Point:
+        """Coordinates of a point."""
+        return along(self.f, v), along(self.g, v)
+
+    def moves_in(self, joint: SignedJoint) -> bool:
+        """Whether a joint moves points in the plane: it turns about its normal, or slides across that."""
+        return (dot(joint.axis, self.h) != 0) is joint.turns
+
+    def sense(self, joint: SignedJoint) -> int:
+        """1 if a joint turns about h, -1 if about -h."""
+        return dot(joint.axis, self.h)
+
+    def way(self, joint: SignedJoint) -> tuple[int, int]:
+        """Direction of a slide."""
+        return dot(joint.axis, self.f), dot(joint.axis, self.g)
+
+    def turn_of(self, joints: Sequence[SignedJoint]) -> Expression:
+        """The sum of the angles by which joints turn the plane."""
+        return add(signed(self.sense(j), j.angle) for j in joints if j.turns)
+
+
+def place_point(
+    write: InverseDerivation, plane: JointPlane, joints: Sequence[SignedJoint], start: Vector, target: Point
+) -> bool:
+    """Write down two joints that bring a point of the plane to its place.
+
+    Args:
+        write: where to.
+        plane: the plane.
+        joints: two.
+        start: the point at θ = 0.
+        target: its place, coordinates in the plane.
+
+    Returns:
+        Whether there is a form for these joints.
+    """
+    first, second = joints
+    if first.turns and second.turns:
+        _two_turns(write, plane, first, second, plane.point(start), target)
+    elif first.turns:
+        _turn_and_slide(write, plane, first, second, plane.point(start), target)
+    elif second.turns:
+        _slide_and_turn(write, plane, first, second, plane.point(start), target)
+    elif dot(first.axis, second.axis) == 0:
+        off = _from(target, plane.point(start))
+        for joint in joints:
+            write.joint(joint, _component(plane.way(joint), off))
+    else:
+        return False
+    return True
+
+
+def place_pose(
+    write: InverseDerivation,
+    plane: JointPlane,
+    joints: Sequence[SignedJoint],
+    start: Vector,
+    target: Point,
+    turn: Expression,
+) -> bool:
+    """Write down three joints that bring a point to its place and turn the plane by an angle."""
+    *others, last = joints
+    if not last.turns:
+        return False
+    lever = _from(plane.point(start), plane.point(last.point))
+    if lever != (ZERO, ZERO):
+        c, s = circular(Function.COS, turn), circular(Function.SIN, turn)
+        reach = _from(target, _turned(c, s, lever))
+        target = write.let("u", reach[0]), write.let("v", reach[1])
+    if not place_point(write, plane, others, last.point, target):
+        return False
+    rest = add((turn, negate(plane.turn_of(others))))
+    write.joint(last, rest, sense=plane.sense(last))
+    return True
+
+
+def _two_turns(
+    write: InverseDerivation,
+    plane: JointPlane,
+    first: SignedJoint,
+    second: SignedJoint,
+    start: Point,
+    target: Point,
+) -> None:
+    """By the law of cosines: with U from the first axis, L between the axes, F from the second."""
+    a, b = plane.point(first.point), plane.point(second.point)
+    U, L, F = _named(write, "u", "v", _from(target, a)), _from(b, a), _from(start, b)
+    (lx, ly), (fx, fy) = L, F
+    squares = [square(U[0]), square(U[1]), *(negate(square(x)) for x in (lx, ly, fx, fy))]
+    half = halved(add(squares))
+    if ly == ZERO:  # as books have it, divided by the upper arm
+        equation = fx, negate(fy), over(half, lx)
+    elif lx == ZERO:
+        equation = fy, fx, over(half, ly)
+    else:
+        A = add((times(lx, fx), times(ly, fy)))
+        B = add((times(ly, fx), negate(times(lx, fy))))
+        equation = write.let("A", A), write.let("B", B), half
+    phi = _circular_root(write, *equation, second, plane.sense(second))
+    c, s = circular(Function.COS, phi), circular(Function.SIN, phi)
+    x, y = _turned(c, s, F)
+    W = _named(write, "k_x", "k_y", (add((lx, x)), add((ly, y))))
+    angle = add((atan2(U[1], U[0]), negate(atan2(W[1], W[0]))))
+    write.joint(first, angle, determined(U[0], U[1]), sense=plane.sense(first))
+
+
+def _turn_and_slide(
+    write: InverseDerivation,
+    plane: JointPlane,
+    first: SignedJoint,
+    second: SignedJoint,
+    start: Point,
+    target: Point,
+) -> None:
+    """|U|² = (k + d)² + m², the slide's way d counted from where the point is nearest to the axis."""
+    a = plane.point(first.point)
+    U, W = _named(write, "u", "v", _from(target, a)), _from(start, a)
+    way = plane.way(second)
+    k, m = _component(way, W), _component((-way[1], way[0]), W)
+    sign = write.sign()
+    radicand = add((square(U[0]), square(U[1]), negate(square(m))))
+    length = add((times(sign, root(radicand)), negate(k)))
+    d = write.joint(second, length, reachable(radicand), branch=sign)
+    W = add((W[0], signed(way[0], d))), add((W[1], signed(way[1], d)))
+    angle = add((atan2(U[1], U[0]), negate(atan2(W[1], W[0]))))
+    write.joint(first, angle, determined(U[0], U[1]), sense=plane.sense(first))
+
+
+def _slide_and_turn(
+    write: InverseDerivation,
+    plane: JointPlane,
+    first: SignedJoint,
+    second: SignedJoint,
+    start: Point,
+    target: Point,
+) -> None:
+    """The turn from what is across the slide, the slide from what is along it."""
+    b = plane.point(second.point)
+    U, F = _from(target, b), _from(start, b)
+    way = plane.way(first)
+    aside = (-way[1], way[0])
+    phi = _circular_root(
+        write,
+        _component(aside, F),
+        _component(aside, (negate(F[1]), F[0])),
+        _component(aside, U),
+        second,
+        plane.sense(second),
+    )
+    c, s = circular(Function.COS, phi), circular(Function.SIN, phi)
+    write.joint(first, _component(way, _from(U, _turned(c, s, F))))
+
+
+def _circular_root(
+    write: InverseDerivation, a: Expression, b: Expression, d: Expression, joint: SignedJoint, sense: int
+) -> Expression:
+    """Write down φ with a cos φ + b sin φ = d; returned is φ in terms of the joint's variable."""
+    sign = write.sign()
+    if b == ZERO:
+        c = write.let("K", over(d, a))
+        radicand = add((ONE, negate(square(c))))
+        angle = atan2(times(sign, root(radicand)), c)
+    elif a == ZERO:
+        s = write.let("K", over(d, b))
+        radicand = add((ONE, negate(square(s))))
+        angle = atan2(s, times(sign, root(radicand)))
+    else:
+        d = write.let("K", d)
+        radicand = add((square(a), square(b), negate(square(d))))
+        angle = add((atan2(b, a), atan2(times(sign, root(radicand)), d)))
+    theta = write.joint(joint, angle, reachable(radicand), branch=sign, sense=sense)
+    return theta if sense > 0 else negate(theta)
+
+
+def _named(write: InverseDerivation, x: str, y: str, point: Point) -> Point:
+    return write.let(x, point[0]), write.let(y, point[1])
+
+
+def _from(point: Point, other: Point) -> Point:
+    return add((point[0], negate(other[0]))), add((point[1], negate(other[1])))
+
+
+def _turned(c: Expression, s: Expression, point: Point) -> Point:
+    x, y = point
+    return add((times(c, x), negate(times(s, y)))), add((times(s, x), times(c, y)))
+
+
+def _component(way: tuple[int, int], point: Point) -> Expression:
+    return add((signed(way[0], point[0]), signed(way[1], point[1])))

@@ -1,0 +1,201 @@
+"""Arms whose axes are at right angles, in symbols: directions and points of the axes at θ = 0.
+
+Where every twist and every constant turn is a multiple of π/2, an axis has the direction of ±x, ±y or ±z, and
+its points have coordinates that are sums of the table's lengths. Any other constant turn about a joint's own
+axis is an offset of that joint.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+from kinematics.dh import MotionKind
+from kinematics.expressions import (
+    ONE,
+    ZERO,
+    Expression,
+    Function,
+    JointVariable,
+    add,
+    call,
+    multiply,
+    negate,
+    pi_fraction,
+)
+from kinematics.symbolic.motions import Motion, motions_of
+from kinematics.table import JointType, SymbolicTable
+
+Vector: TypeAlias = tuple[Expression, Expression, Expression]
+Axis: TypeAlias = tuple[int, int, int]
+"""One of ±x, ±y, ±z."""
+
+_X, _Y, _Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class SignedJoint:
+    """A joint at θ = 0.
+
+    Attributes:
+        number: of the joint, from 1.
+        turns: whether it turns.
+        axis: about which it turns, or along which it slides, with its variable's sign.
+        point: a point of the axis.
+        offset: θ - q [rad].
+    """
+
+    number: int
+    turns: bool
+    axis: Axis
+    point: Vector
+    offset: Expression = ZERO
+
+    @property
+    def angle(self) -> Expression:
+        """θ = q + offset."""
+        return add((JointVariable(self.number), self.offset))
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class SignedArm:
+    """A chain of such joints.
+
+    Attributes:
+        joints: base first.
+        end: position of the hand at θ = 0.
+        columns: the x, y and z axis of the hand at θ = 0.
+    """
+
+    joints: tuple[SignedJoint, ...]
+    end: Vector
+    columns: tuple[Axis, Axis, Axis]
+
+
+def signed_arm_of(table: SymbolicTable) -> SignedArm | None:
+    """The arm of a table, or None if an axis is not at right angles to the others."""
+    walker = _Walker(table)
+    for row in motions_of(table):
+        for motion in row:
+            if not walker.takes(motion):
+                return None
+    if walker.ahead != ZERO:
+        return None
+    return SignedArm(joints=tuple(walker.joints), end=walker.point, columns=walker.columns)
+
+
+class _Walker:
+    """The frame that has been reached, and the joints passed."""
+
+    def __init__(self, table: SymbolicTable) -> None:
+        self.columns: tuple[Axis, Axis, Axis] = (_X, _Y, _Z)
+        self.point: Vector = (ZERO, ZERO, ZERO)
+        self.joints: list[SignedJoint] = []
+        self.ahead: Expression = ZERO
+        self._on_axis = False
+        self._types = [row.joint for row in table.rows if row.joint is not JointType.FIXED]
+
+    def takes(self, motion: Motion) -> bool:
+        """Whether a motion leaves the axes at right angles."""
+        x, _, z = self.columns
+        if motion.joint:
+            turns = motion.kind is MotionKind.TURN_Z
+            axis = z if motion.sign > 0 else opposite(z)
+            offset = signed(motion.sign, self.ahead) if turns else ZERO
+            self.joints.append(
+                SignedJoint(number=motion.joint, turns=turns, axis=axis, point=self.point, offset=offset)
+            )
+            self._on_axis = turns or self._on_axis
+            self.ahead = ZERO if turns else self.ahead
+        elif motion.kind is MotionKind.SHIFT_Z:
+            self.point = plus(self.point, scaled(z, motion.amount))
+        elif motion.kind is MotionKind.SHIFT_X:
+            self.point = plus(self.point, scaled(x, motion.amount))
+            self._on_axis = False
+            return self.ahead == ZERO
+        else:
+            return self._turn(motion)
+        return True
+
+    def _turn(self, motion: Motion) -> bool:
+        turns = pi_fraction(motion.amount)
+        quarters = None if turns is None or (2 * turns).denominator != 1 else int(2 * turns) % 4
+        x, y, z = self.columns
+        if motion.kind is MotionKind.TURN_X:
+            self._on_axis = False
+            if quarters is None or self.ahead != ZERO:
+                return False
+            for _ in range(quarters):
+                y, z = z, opposite(y)
+        elif quarters is not None:
+            for _ in range(quarters):
+                x, y = y, opposite(x)
+        elif self._on_axis:
+            last = next(i for i in reversed(range(len(self.joints))) if self.joints[i].turns)
+            joint = self.joints[last]
+            offset = add((joint.offset, signed(dot(joint.axis, z), motion.amount)))
+            self.joints[last] = replace(joint, offset=offset)
+        else:
+            self.ahead = add((self.ahead, motion.amount))
+        self.columns = (x, y, z)
+        return True
+
+
+def opposite(axis: Axis) -> Axis:
+    """The axis the other way round."""
+    return -axis[0], -axis[1], -axis[2]
+
+
+def dot(one: Axis, other: Axis) -> int:
+    """Cosine of the angle between two axes: 1, 0 or -1."""
+    return sum(a * b for a, b in zip(one, other, strict=True))
+
+
+def cross(one: Axis, other: Axis) -> Axis:
+    """Vector product of two axes."""
+    (a, b, c), (d, e, f) = one, other
+    return b * f - c * e, c * d - a * f, a * e - b * d
+
+
+def along(axis: Axis, v: Sequence[Expression]) -> Expression:
+    """Component of a vector along an axis."""
+    return add(signed(a, x) for a, x in zip(axis, v, strict=True))
+
+
+def signed(sign: int, x: Expression) -> Expression:
+    """x, -x or 0."""
+    return (ZERO, x, negate(x))[sign]
+
+
+def scaled(axis: Axis, length: Expression) -> Vector:
+    """A length along an axis."""
+    a, b, c = (signed(entry, length) for entry in axis)
+    return a, b, c
+
+
+def plus(v: Vector, w: Vector) -> Vector:
+    """Sum of two vectors."""
+    a, b, c = (add(pair) for pair in zip(v, w, strict=True))
+    return a, b, c
+
+
+def minus(v: Vector, w: Vector) -> Vector:
+    """Difference of two vectors."""
+    return plus(v, tuple(map(negate, w)))  # type: ignore[arg-type]
+
+
+def turned(axis: Axis, cosine: Expression, sine: Expression, v: Vector) -> Vector:
+    """A vector turned about an axis: (a·v) a + cos (v - (a·v) a) + sin a × v."""
+    kept = scaled(axis, along(axis, v))
+    across = minus(v, kept)
+    aside = [along(cross(unit, axis), v) for unit in (_X, _Y, _Z)]  # unit·(axis × v) = (unit × axis)·v
+    c, s = (tuple(multiply((factor, x)) for x in part) for factor, part in ((cosine, across), (sine, aside)))
+    return plus(kept, plus(c, s))  # type: ignore[arg-type]
+
+
+def circular(function: Function, angle: Expression) -> Expression:
+    """Sine or cosine of an angle; of 0 what it is."""
+    if angle == ZERO:
+        return ONE if function is Function.COS else ZERO
+    return call(function, angle)

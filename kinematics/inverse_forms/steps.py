@@ -1,0 +1,209 @@
+"""Solutions in symbols: equations one after another, with their branch signs and conditions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from fractions import Fraction
+from itertools import chain, count
+
+from kinematics.expressions import (
+    ZERO,
+    Expression,
+    Function,
+    JointVariable,
+    Number,
+    Parameter,
+    Product,
+    add,
+    call,
+    multiply,
+    negate,
+    power,
+)
+from kinematics.inverse_forms.signed_axes import Axis, SignedJoint, Vector, along
+
+ROTATION_NAMES = tuple(tuple(f"r{i}{j}" for j in (1, 2, 3)) for i in (1, 2, 3))
+POSITION_NAMES = ("p_x", "p_y", "p_z")
+
+
+class ConditionKind(StrEnum):
+    """What a condition says.
+
+    REACHABLE: the value is 0 or more, or the branch does not exist. DETERMINED: the value is not 0, or the
+    joint may be chosen: a singularity. FULFILLED: the value is 0, or no configuration reaches the target.
+    """
+
+    REACHABLE = "reachable"
+    DETERMINED = "determined"
+    FULFILLED = "fulfilled"
+
+
+class InverseReach(StrEnum):
+    """What of the target the equations use: its pose, or its position alone."""
+
+    POSE = "pose"
+    POSITION = "position"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class InverseCondition:
+    """A condition on a value."""
+
+    kind: ConditionKind
+    value: Expression
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class InverseStep:
+    """One equation.
+
+    Attributes:
+        name: what it defines; of a joint variable nothing.
+        joint: number of the joint whose variable it defines, 0 of an intermediate.
+        value: in the entries of the target, the lengths, branch signs, and what was defined before.
+        branch: the sign that it introduces, or nothing.
+        conditions: what has to hold.
+    """
+
+    name: str
+    joint: int = 0
+    value: Expression
+    branch: str = ""
+    conditions: tuple[InverseCondition, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class InverseForm:
+    """Inverse kinematics of an arm in closed form.
+
+    Attributes:
+        steps: in the order in which they can be computed.
+        branches: names of the signs, each +1 or -1 freely: 2 to the power of their number solutions.
+        reach: what of the target is used.
+        rotation: 3×3 names of the target's rotation.
+        position: names of its position.
+        conditions: what the target has to fulfil, if the arm has fewer joints than a pose has freedoms.
+    """
+
+    steps: tuple[InverseStep, ...]
+    branches: tuple[str, ...]
+    reach: InverseReach
+    rotation: tuple[tuple[str, ...], ...]
+    position: tuple[str, ...]
+    conditions: tuple[InverseCondition, ...] = ()
+
+
+class InverseDerivation:
+    """Writes down equations, each name once.
+
+    Attributes:
+        steps: what has been written.
+        branches: the signs introduced.
+    """
+
+    def __init__(self, taken: Iterable[str]) -> None:
+        self.steps: list[InverseStep] = []
+        self.branches: list[str] = []
+        self._taken = set(taken)
+
+    def fresh(self, name: str) -> str:
+        """The name, or one like it that nothing else has."""
+        fresh = next(
+            each for each in chain((name,), (f"{name}{k}" for k in count(2))) if each not in self._taken
+        )
+        self._taken.add(fresh)
+        return fresh
+
+    def let(self, name: str, value: Expression, *conditions: InverseCondition) -> Expression:
+        """A name for a value; a value that is a number or a name already is left alone."""
+        if not conditions and isinstance(value, Number | Parameter):
+            return value
+        name = self.fresh(name)
+        self.steps.append(InverseStep(name=name, value=value, conditions=conditions))
+        return Parameter(name)
+
+    def sign(self) -> Expression:
+        """A new branch sign."""
+        self.branches.append(self.fresh(f"sigma{len(self.branches) + 1}"))
+        return Parameter(self.branches[-1])
+
+    def joint(
+        self,
+        joint: SignedJoint,
+        value: Expression,
+        *conditions: InverseCondition,
+        branch: Expression | None = None,
+        sense: int = 1,
+    ) -> Expression:
+        """Write down q = sense·value - offset; returned is θ, or the way of a slide."""
+        value = add((value if sense > 0 else negate(value), negate(joint.offset)))
+        sign = branch.name if isinstance(branch, Parameter) else ""
+        self.steps.append(
+            InverseStep(
+                name=f"q{joint.number}", joint=joint.number, value=value, branch=sign, conditions=conditions
+            )
+        )
+        return joint.angle if joint.turns else JointVariable(joint.number)
+
+
+def reachable(value: Expression) -> InverseCondition:
+    """The value is 0 or more."""
+    return InverseCondition(kind=ConditionKind.REACHABLE, value=value)
+
+
+def fulfilled(value: Expression) -> InverseCondition:
+    """The value is 0."""
+    return InverseCondition(kind=ConditionKind.FULFILLED, value=value)
+
+
+def determined(*values: Expression) -> InverseCondition:
+    """The values are not all 0."""
+    (first, *more) = values
+    value = add(square(each) for each in values) if more else first
+    return InverseCondition(kind=ConditionKind.DETERMINED, value=value)
+
+
+def square(value: Expression) -> Expression:
+    """value², a sum left together and a minus sign left out."""
+    return power(positive(value), 2)
+
+
+def positive(value: Expression) -> Expression:
+    """The value or its opposite, whichever has no minus sign before it."""
+    head = value.factors[0] if isinstance(value, Product) else value
+    return negate(value) if isinstance(head, Number) and head.value < 0 else value
+
+
+def root(value: Expression) -> Expression:
+    """√value."""
+    return call(Function.SQRT, value)
+
+
+def atan2(y: Expression, x: Expression) -> Expression:
+    """The angle of (x, y); 0 where y is 0 and x a positive number."""
+    if y == ZERO and isinstance(x, Number) and x.value > 0:
+        return ZERO
+    return call(Function.ATAN2, y, x)
+
+
+def times(*factors: Expression) -> Expression:
+    """Product."""
+    return multiply(factors)
+
+
+def over(value: Expression, divisor: Expression) -> Expression:
+    """Quotient."""
+    return multiply((value, power(divisor, -1)))
+
+
+def halved(value: Expression) -> Expression:
+    """Value / 2."""
+    return multiply((Number(Fraction(1, 2)), value))
+
+
+def product_with(matrix: Sequence[Vector], axis: Axis) -> Vector:
+    """A matrix, given by its rows, times an axis."""
+    x, y, z = (along(axis, row) for row in matrix)
+    return x, y, z

@@ -1,0 +1,161 @@
+"""From a request for inverse kinematics in symbols to the written equations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from itertools import chain
+from typing import Any
+
+from kinematics.errors import Fault, FormSizeError
+from kinematics.expressions import Expression, Parameter, walk
+from kinematics.inverse_forms import InverseCondition, InverseForm, inverse_form
+from kinematics.inverse_forms.outer_frames import with_base_and_tool
+from kinematics.printing import LIMIT, Notation
+from kinematics.printing.equation_lists import (
+    SOURCE_FORMATS,
+    EquationFormat,
+    EquationPrinter,
+    NamedValue,
+    source_of,
+    symbols_of,
+)
+from kinematics.printing.notation import Names
+from kinematics.se3 import check_transform
+from kinematics.symbolic import Matrix, count_operations
+from kinematics.symbolic.exact_poses import exact_pose
+from kinematics.symbolic.parameter_values import with_values
+from kinematics.table import SymbolicTable, table_parameters
+from service.http.problems import located
+from service.schemas.inverse_forms import SymbolicInverseAnswer, SymbolicInverseRequest
+from service.settings import Settings
+from service.wire.symbolic_tasks import exact_values, read_symbolic
+from service.work.workers import Lane, Workers
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class InverseFormTask:
+    """Equations to be found and written.
+
+    Attributes:
+        table: the DH table, values substituted.
+        variables: names of the joint variables.
+        formats: in which formats.
+        notation: how sines and cosines are written.
+        base: 4×4 pose of frame 0, or None.
+        tool: 4×4 pose of the tool, or None.
+        head: what the answer says besides.
+    """
+
+    table: SymbolicTable
+    variables: tuple[str, ...]
+    formats: tuple[EquationFormat, ...]
+    notation: Notation
+    base: Matrix | None
+    tool: Matrix | None
+    head: Mapping[str, Any]
+
+
+async def solved_in_symbols(
+    question: SymbolicInverseRequest, settings: Settings, workers: Workers
+) -> SymbolicInverseAnswer:
+    """The inverse kinematics of a robot in closed form, from a worker process.
+
+    Raises:
+        KinematicsError: the table cannot be read, a parameter does not fit it, base or tool is no pose, or
+            the arm has no such form.
+        ServiceError: no place for the task, or it took too long.
+    """
+    written = await workers.run(Lane.SLOW, written_inverse, _task_of(question, settings))
+    return SymbolicInverseAnswer(**written)
+
+
+def _task_of(question: SymbolicInverseRequest, settings: Settings) -> InverseFormTask:
+    read = read_symbolic(question, settings)
+    with located("table"):
+        table = with_values(read.table, exact_values(read, question.parameters))
+    for name in ("base", "tool"):
+        matrix = getattr(question, name)
+        if matrix is not None:
+            check_transform(matrix, where=(name,))
+    variables = read.variables or tuple(f"q{joint}" for joint in range(1, table.n_joints + 1))
+    return InverseFormTask(
+        table=table,
+        variables=variables,
+        formats=tuple(dict.fromkeys(question.formats)),
+        notation=question.notation,
+        base=None if question.base is None else exact_pose(question.base),
+        tool=None if question.tool is None else exact_pose(question.tool),
+        head={
+            "angle_unit": read.angle_unit.value,
+            "length_unit": read.length_unit.value,
+            "variables": list(variables),
+            "parameters": list(table_parameters(table)),
+            "notation": question.notation.value,
+        },
+    )
+
+
+def written_inverse(task: InverseFormTask) -> dict[str, Any]:
+    """The answer to a task.
+
+    Raises:
+        TableError: the arm has no such form.
+        FormSizeError: the equations have too many operations to be written out.
+    """
+    parameters = table_parameters(task.table)
+    with located("table"):
+        form = inverse_form(task.table, taken=task.variables)
+    form = with_base_and_tool(form, task.base, task.tool, (*parameters, *task.variables))
+    expressions = [*(step.value for step in form.steps), *_values_of(form)]
+    if count_operations(expressions) > LIMIT:
+        raise FormSizeError(Fault(code="closed_form_too_large", params={"limit": LIMIT}))
+    names = Names(
+        notation=task.notation,
+        parameters=frozenset((*parameters, *(step.name for step in form.steps if not step.joint))),
+        variables=task.variables,
+    )
+    printer = EquationPrinter(names)
+    equations = [NamedValue(step.name, step.joint, step.value) for step in form.steps]
+    arguments = _arguments(form, expressions, parameters)
+    sources = [chosen for chosen in task.formats if chosen in SOURCE_FORMATS]
+
+    def conditions(some: Iterable[InverseCondition]) -> list[dict[str, Any]]:
+        return [{"kind": one.kind, **printer.value(one.value, task.formats)} for one in some]
+
+    answer: dict[str, Any] = {
+        **task.head,
+        "target": {
+            "reach": form.reach,
+            "rotation": [list(row) for row in form.rotation],
+            "position": list(form.position),
+        },
+        "branches": list(form.branches),
+        "equations": [
+            {
+                **printer.equation(equation, task.formats),
+                "joint": step.joint or None,
+                "branch": step.branch or None,
+                "conditions": conditions(step.conditions),
+            }
+            for equation, step in zip(equations, form.steps, strict=True)
+        ],
+        "conditions": conditions(form.conditions),
+        "arguments": arguments,
+    }
+    if sources:
+        n_joints = task.table.n_joints
+        answer["code"] = {one.value: source_of(equations, arguments, n_joints, one) for one in sources}
+    if task.notation is Notation.SHORT:
+        answer["symbols"] = symbols_of(names, expressions)
+    return answer
+
+
+def _values_of(form: InverseForm) -> list[Expression]:
+    return [one.value for one in chain(form.conditions, *(step.conditions for step in form.steps))]
+
+
+def _arguments(form: InverseForm, expressions: Iterable[Expression], parameters: Iterable[str]) -> list[str]:
+    used = {node.name for value in expressions for node in walk(value) if isinstance(node, Parameter)}
+    target = [name for name in chain(*form.rotation, form.position) if name in used]
+    return [*target, *form.branches, *parameters]

@@ -1,0 +1,106 @@
+"""The equations as source code: functions agree with the equations, branch by branch."""
+
+import json
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+
+from kinematics.catalogue import robot
+from kinematics.cells import bind_parameters, parameter_values
+from kinematics.forward import end_pose
+from kinematics.inverse_forms import inverse_form, joint_values
+from kinematics.printing import Notation
+from kinematics.printing.equation_lists import EquationFormat, EquationPrinter, NamedValue, source_of
+from kinematics.printing.notation import Names
+
+ROBOTS = ["puma560", "stanford", "ur5", "scara", "twolink", "scorbot"]
+
+
+def asked(robot_id):
+    """The function's arguments and values for one pose, and its source in a language."""
+    given = robot(robot_id)
+    table = given.table.table
+    values = parameter_values(given.table.parameters, given.table.angle_unit, given.parameters)
+    form = inverse_form(table)
+    numbers = bind_parameters(given.table, given.parameters)
+    target = end_pose(numbers, np.random.default_rng(5).uniform(0.2, 1.0, numbers.n_joints))
+    entries = {name: target[i, j] for i, row in enumerate(form.rotation) for j, name in enumerate(row)}
+    entries |= dict(zip(form.position, target[:3, 3], strict=True))
+    equations = [NamedValue(step.name, step.joint, step.value) for step in form.steps]
+    arguments = [*entries, *form.branches, *values]
+    expected = dict(joint_values(form, target, values))
+    calls = [
+        [*map(float, entries.values()), *map(float, signs), *map(float, values.values())]
+        for signs in expected
+    ]
+    return equations, arguments, calls, np.array(list(expected.values())), numbers.n_joints
+
+
+@pytest.mark.parametrize("robot_id", ROBOTS)
+def test_python_and_numpy(robot_id):
+    equations, arguments, calls, expected, n = asked(robot_id)
+    spaces = [{}, {}]
+    for space, chosen in zip(spaces, (EquationFormat.PYTHON, EquationFormat.NUMPY), strict=True):
+        exec(source_of(equations, arguments, n, chosen), space)
+    found = np.array([spaces[0]["inverse_kinematics"](*call) for call in calls])
+    assert np.allclose(found, expected, atol=1e-12)
+    assert np.allclose(spaces[1]["inverse_kinematics"](*np.array(calls).T), expected, atol=1e-12)
+
+
+@pytest.mark.parametrize("robot_id", ROBOTS)
+def test_c(robot_id, tmp_path):
+    compiler = shutil.which("cc")
+    if compiler is None:
+        pytest.skip("no C compiler")
+    equations, arguments, calls, expected, n = asked(robot_id)
+    source = source_of(equations, arguments, n, EquationFormat.C)
+    lines = ["#include <stdio.h>", source, f"int main(void) {{ double q[{n}];"]
+    for call in calls:
+        lines.append(f"inverse_kinematics({', '.join(map(repr, call))}, q);")
+        lines += [f'for (int i = 0; i < {n}; i++) printf("%.17g ", q[i]);', 'puts("");']
+    (tmp_path / "all.c").write_text("\n".join([*lines, "return 0; }"]))
+    program = str(tmp_path / "all")
+    flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-Wno-unused-parameter"]
+    subprocess.run([compiler, *flags, "-o", program, str(tmp_path / "all.c"), "-lm"], check=True)
+    printed = subprocess.run([program], check=True, capture_output=True, text=True).stdout
+    assert np.allclose(
+        [list(map(float, line.split())) for line in printed.splitlines()], expected, atol=1e-12
+    )
+
+
+@pytest.mark.parametrize("robot_id", ROBOTS)
+def test_javascript(robot_id, tmp_path):
+    node = shutil.which("node")
+    if node is None:
+        pytest.skip("no Node.js")
+    equations, arguments, calls, expected, n = asked(robot_id)
+    source = source_of(equations, arguments, n, EquationFormat.JAVASCRIPT)
+    made = f"console.log(JSON.stringify({json.dumps(calls)}.map((call) => inverse_kinematics(...call))));"
+    (tmp_path / "all.mjs").write_text(f"{source}\n{made}\n")
+    printed = subprocess.run(
+        [node, str(tmp_path / "all.mjs")], check=True, capture_output=True, text=True
+    ).stdout
+    assert np.allclose(json.loads(printed), expected, atol=1e-12)
+
+
+@pytest.mark.parametrize("chosen", [EquationFormat.MATLAB, EquationFormat.JULIA])
+def test_other_languages_define_before_they_use(chosen):
+    equations, arguments, _, _, n = asked("puma560")
+    source = source_of(equations, arguments, n, chosen)
+    defined = [line.split(" = ")[0].strip() for line in source.splitlines() if " = " in line]
+    assert len(set(defined)) == len(defined)
+    positions = [source.index(f"    q{joint} = ") for joint in (1, 3, 2, 4, 5, 6)]
+    assert positions == sorted(positions)
+
+
+def test_an_equation_reads_like_a_book():
+    equations, *_ = asked("twolink")
+    printer = EquationPrinter(Names(notation=Notation.SHORT))
+    both = (EquationFormat.TEXT, EquationFormat.LATEX)
+    written = {one["name"]: one for one in (printer.equation(each, both) for each in equations)}
+    assert written["q2"]["text"] == "atan2(sigma1*sqrt(-K^2 + 1), K)"
+    assert written["q1"]["latex"] == (
+        r"q_{1}=\operatorname{atan2}(p_{y}, p_{x})-\operatorname{atan2}(k_{y}, k_{x})"
+    )

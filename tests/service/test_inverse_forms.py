@@ -1,0 +1,103 @@
+"""POST /inverse-kinematics with "form": "symbolic" over HTTP."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+
+URL = "/api/v1/inverse-kinematics"
+
+
+def asked(client: httpx.Client, **body: Any) -> dict[str, Any]:
+    response = client.post(URL, json={"form": "symbolic", **body})
+    assert response.status_code == 200, response.text
+    answer: dict[str, Any] = response.json()
+    return answer
+
+
+def test_scara_as_books_print_it(client: httpx.Client) -> None:
+    answer = asked(client, robot="scara", notation="short", formats=["text", "latex", "json"])
+    names = [equation["name"] for equation in answer["equations"]]
+    assert {"q1", "q2", "q3", "q4"} <= set(names)
+    assert answer["branches"] == ["sigma1"]
+    assert answer["target"]["reach"] == "pose"
+    (branching,) = [one for one in answer["equations"] if "branch" in one]
+    assert branching["joint"] == 2
+    assert branching["latex"].startswith(r"q_{2}=\operatorname{atan2}")
+    assert branching["json"]["type"] == "call"
+    assert {condition["kind"] for condition in branching["conditions"]} == {"reachable"}
+    assert answer["symbols"]["c2"] == "cos(q2)"
+    assert "code" not in answer
+
+
+def test_code_with_base_and_tool_reaches_the_target(client: httpx.Client) -> None:
+    base = [[0, -1, 0, 0.1], [1, 0, 0, -0.2], [0, 0, 1, 0.3], [0, 0, 0, 1]]
+    tool = [[1, 0, 0, 0], [0, 0, -1, 0.05], [0, 1, 0, 0.12], [0, 0, 0, 1]]
+    forward = client.post(
+        "/api/v1/forward-kinematics",
+        json={"robot": "puma560", "joints": [20, -40, 70, 30, 50, -80], "base": base, "tool": tool},
+    ).json()
+    target = np.array(forward["transform"])
+    answer = asked(client, robot="puma560", base=base, tool=tool, formats=["python"])
+    space: dict[str, Any] = {}
+    exec(answer["code"]["python"], space)
+    parameters = client.get("/api/v1/robots/puma560").json()["parameters"]
+    entries = {
+        n: target[i, j] for i, row in enumerate(answer["target"]["rotation"]) for j, n in enumerate(row)
+    }
+    entries |= dict(zip(answer["target"]["position"], target[:3, 3], strict=True))
+    known = entries | parameters
+    solutions = set()
+    for signs in itertools.product((1.0, -1.0), repeat=len(answer["branches"])):
+        values = known | dict(zip(answer["branches"], signs, strict=True))
+        q = space["inverse_kinematics"](*(values[name] for name in answer["arguments"]))
+        solutions.add(tuple(round(math.remainder(x, math.tau), 9) for x in q))
+        reached = client.post(
+            "/api/v1/forward-kinematics",
+            json={"robot": "puma560", "joints": np.degrees(q).tolist(), "base": base, "tool": tool},
+        ).json()
+        assert np.abs(np.array(reached["transform"]) - target).max() < 1e-12
+    assert len(solutions) == 8
+
+
+def test_given_lengths_stand_in_the_equations(client: httpx.Client) -> None:
+    answer = asked(client, robot="twolink", parameters={"L1": 0.5, "L2": 0.3}, formats=["text"])
+    assert answer["parameters"] == []
+    assert answer["target"]["reach"] == "position"
+    assert "0.34" in str(answer["equations"])
+
+
+@pytest.mark.parametrize("robot", ["panda", "ssrms", "onelink"])
+def test_arms_without_such_a_form_are_refused(client: httpx.Client, robot: str) -> None:
+    response = client.post(URL, json={"form": "symbolic", "robot": robot})
+    assert response.status_code == 422
+    assert response.json()["errors"][0]["code"] == "inverse_form_unknown"
+
+
+@pytest.mark.parametrize(
+    ("body", "code"),
+    [
+        ({"form": "short"}, "value_not_allowed"),
+        ({"form": "symbolic", "target": [[1]]}, "field_unknown"),
+        ({"form": "symbolic", "formats": []}, "list_too_short"),
+        ({"form": "symbolic", "formats": ["mathml"]}, "value_not_allowed"),
+        ({"form": "symbolic", "parameters": {"x": 1}}, "parameter_unused"),
+        ({"form": "symbolic", "base": [[1, 0, 0, 0]] * 4}, "pose_bottom_row"),
+    ],
+)
+def test_what_cannot_be_meant_is_refused(client: httpx.Client, body: dict[str, Any], code: str) -> None:
+    response = client.post(URL, json={"robot": "scara", **body})
+    assert response.status_code == 422
+    assert code in [error["code"] for error in response.json()["errors"]]
+
+
+def test_numeric_is_what_is_answered_without_a_form(client: httpx.Client) -> None:
+    target = [[1, 0, 0, 0.5], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    body = {"robot": "twolink", "position": [0.4, 0.3, 0], "form": "numeric"}
+    assert client.post(URL, json=body).status_code == 200
+    assert client.post(URL, json={"robot": "twolink", "target": target}).status_code == 200
