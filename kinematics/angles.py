@@ -47,6 +47,9 @@ def nearest_twelfth(angle: float, tolerance: float) -> int | None:
         tolerance: how far from k·π/12 it may be [rad].
     """
     k = round(angle / TWELFTH)
+    rest = abs(angle - k * TWELFTH)
+    if rest > tolerance + _NEARLY_INTEGER * (1.0 + abs(angle)):  # most angles are none
+        return None
     return k if abs(angle - twelfths(k)) <= tolerance else None
 
 

@@ -82,6 +82,31 @@ class Facts:
             axes: its joint axes between base and tool, as those of the key.
             found: (q, 1) its invariants, if they are known; of an answer with the key's number of joints.
         """
+        lost, fits, has = self._compared(axes, found)
+        weights, shapes = self.weights, self.invariants.shapes
+        worth = np.array([weights.of(shape.measure) for shape in shapes], dtype=np.float64)[:, None]
+        costs = np.where(fits & has, 0.0, np.where(has, weights.sign, 1.0) * worth)
+        least = least_cost(shapes, len(self.axes), costs, self.fixed)
+        return float((least + lost).min()) + weights.joint * max(len(axes) - len(self.axes), 0)
+
+    def shared(self, axes: Sequence[Axis]) -> NDArray[np.bool_]:
+        """(q,) which invariants an answer has, but for signs.
+
+        Args:
+            axes: as for `wrong`.
+        """
+        return np.asarray(self._compared(axes, None)[2].any(axis=1), dtype=np.bool_)
+
+    def _compared(
+        self, axes: Sequence[Axis], found: Floats | None
+    ) -> tuple[list[float], NDArray[np.bool_], NDArray[np.bool_]]:
+        """An answer compared with the key, its joints placed beside the key's in k ways.
+
+        Returns:
+            (k,) the weight of the joints that are missing or of another type; (2, q, k) which invariants fit
+            as the axes point, and with one of them turned round; (q, k) which do either way and mean the
+            same.
+        """
         shift = len(axes) - len(self.axes)
         splits = range(min(len(axes), len(self.axes)) - 1) if shift else range(1)
         placings = [_places(len(self.axes), len(axes), split) for split in splits]
@@ -90,18 +115,15 @@ class Facts:
             for places in placings
         ]
         lost = [self._lost(*one) for one in zip(besides, placings, strict=True)]
-        weights, shapes = self.weights, self.invariants.shapes
         if found is None:
             found = self.invariants.measured(axis_batch(besides))
         fits = np.array(self.invariants.fits(found))
-        worth = np.array([weights.of(shape.measure) for shape in shapes], dtype=np.float64)[:, None]
         has = np.logical_or(fits[0], fits[1])
         if shift or not has[self._twists].all() or not self._alike(axes):
+            shapes = self.invariants.shapes
             for q, k in zip(*map(np.ndarray.tolist, np.nonzero(has)), strict=True):
                 has[q, k] = self._has(shapes[q], besides[k], placings[k])
-        costs = np.where(fits & has, 0.0, np.where(has, weights.sign, 1.0) * worth)
-        least = least_cost(shapes, len(self.axes), costs, self.fixed)
-        return float((least + lost).min()) + weights.joint * max(shift, 0)
+        return lost, fits, has
 
     @property
     def _twists(self) -> list[int]:

@@ -18,6 +18,8 @@ from kinematics.se3 import ORIGIN, Z_AXIS
 
 HIGHEST_PARTIAL = 0.95
 """What a wrong answer earns at the most."""
+MOST_OF_A_SLIP = 0.5
+"""The share of the facts to be earned that a named slip in more than one cell costs at the most."""
 DECIMALS = 2
 """What is shown of a score."""
 RULES = frozenset({Kind.ZERO, Kind.DIRECTION, Kind.CONVENTION})
@@ -42,14 +44,31 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
         return 0.0
     off = max(weights.sign, lost(decision, work, weights))
     if repairs and len(repairs[0].changes) == 1:
-        off = min(off, _cost(repairs[0].changes, weights))
+        off = min(off, _cost(repairs[0].changes[0], work, weights, nothing))
     return round(min(max(1.0 - off / nothing, 0.0), HIGHEST_PARTIAL), DECIMALS)
 
 
-def _cost(changes: Sequence[Change], weights: Weights) -> float:
-    """What the slips cost that changes undo, in facts."""
-    of_extent = {Extent.CELL: 1.0, Extent.ROW: weights.row, Extent.TABLE: weights.table}
-    return sum(weights.sign if change.code in SIGNS else of_extent[change.extent] for change in changes)
+def _cost(change: Change, work: Work, weights: Weights, nothing: float) -> float:
+    """What the slip costs that a change undoes, in facts.
+
+    A robot of two lengths has no more facts to earn than the slip of a row costs; where some of them are
+    right, a slip in more than one cell costs half of them at the most.
+    """
+    if change.extent is Extent.CELL:
+        return weights.sign if change.code in SIGNS else 1.0
+    cost = weights.row if change.extent is Extent.ROW else weights.table
+    most = MOST_OF_A_SLIP * nothing
+    return most if cost > most and _earns(work, weights) else cost
+
+
+def _earns(work: Work, weights: Weights) -> bool:
+    """Whether an answer has a fact that a table of zeros does not have."""
+    facts = _facts(work.reference, work.invariants[0], work.policy, weights)
+    axes = axes_of(chain_of_table(work.table), work.policy)
+    if not axes:
+        return False
+    has = facts.shared(axes)
+    return bool((has & ~facts.shared(_zeros(facts))).any())
 
 
 def lost(decision: Decision, work: Work, weights: Weights) -> float:
@@ -82,8 +101,11 @@ def _unconfirmed(policy: Policy) -> int:
 @lru_cache(maxsize=256)
 def _of_nothing(reference: Reference, policy: Policy, weights: Weights) -> float:
     """The weight of the facts that a table of zeros has wrong, the types of its joints being right."""
-    ours = axes_of(reference.chain, policy)
-    zeros = [Axis(axis.prismatic, Z_AXIS, ORIGIN) for axis in ours]
-    slack = tightened(reference, None, {}, policy, 0.0)
-    wrong = _facts(reference, slack, policy, weights).wrong(zeros) if zeros else 0.0
+    facts = _facts(reference, tightened(reference, None, {}, policy, 0.0), policy, weights)
+    wrong = facts.wrong(_zeros(facts)) if facts.axes else 0.0
     return wrong + weights.rule * _unconfirmed(policy)
+
+
+def _zeros(facts: Facts) -> list[Axis]:
+    """The axes of a table of zeros with the key's types of joints."""
+    return [Axis(axis.prismatic, Z_AXIS, ORIGIN) for axis in facts.axes]

@@ -218,16 +218,18 @@ def angle_form(
     values: Sequence[float], atoms: Sequence[Expression], draws: Sequence[Mapping[str, float]]
 ) -> Expression | None:
     """A multiple of π/12, plus or minus some of the atoms, that takes these values at these draws."""
-    for chosen in islice(_choices(atoms), MOST_ANGLE_SUMS):
-        rest = [
-            value - sum(sign * evaluate(atom, draw) for sign, atom in chosen)
-            for value, draw in zip(values, draws, strict=True)
-        ]
+    known = [[evaluate(atom, draw) for draw in draws] for atom in atoms]
+    for chosen in islice(_choices(range(len(atoms))), MOST_ANGLE_SUMS):
+        rest = list(values)
+        for sign, i in chosen:
+            rest = [value - sign * atom for value, atom in zip(rest, known[i], strict=True)]
         steps = {None if k is None else k % 24 for k in (nearest_twelfth(value, CLOSE) for value in rest)}
         step = steps.pop() if len(steps) == 1 else None
         if step is not None:
             turn = _multiple(step)
-            return add([turn, *(multiply((number(sign), atom)) for sign, atom in chosen)]) if chosen else turn
+            return (
+                add([turn, *(multiply((number(sign), atoms[i])) for sign, i in chosen)]) if chosen else turn
+            )
     return None
 
 
@@ -238,7 +240,8 @@ def _multiple(steps: int) -> Expression:
     return pi_times(half_turns - 2 if half_turns > 1 else half_turns)
 
 
-def _choices(atoms: Sequence[Expression]) -> Iterable[tuple[tuple[int, Expression], ...]]:
+def _choices(atoms: Sequence[int]) -> Iterable[tuple[tuple[int, int], ...]]:
+    """Sums of at most two atoms, by sign and number."""
     yield ()
     for i, one in enumerate(atoms):
         for sign in (1, -1):

@@ -293,6 +293,21 @@ def test_two_mistakes() -> None:
     assert verdict.score < grade(KEY, read("standard", with_cells(PUMA, (5, 0, 0))), USUAL, VALUES).score
 
 
+@pytest.mark.parametrize("missing", range(4))
+def test_a_forgotten_row_leaves_what_the_others_say(missing: int) -> None:
+    """A SCARA has two facts to earn, its lengths; of three right rows in four at least half is left."""
+    key = read("modified", SCARA)
+    kept = [row for i, row in enumerate(SCARA) if i != missing]
+    rows: Rows = [
+        (0, a, f"q{i}", 0) if d else (0, a, 0, f"q{i}") for i, (_, a, d, _) in enumerate(kept, start=1)
+    ]
+    verdict = grade(key, read("modified", rows), USUAL, {"a2": 0.4, "a3": 0.3})
+    assert verdict.repairs[0].edits[0].code == "row_missing"
+    assert verdict.score == 0.5
+    zeros: Rows = [(0, 0, d, theta) for _, _, d, theta in rows]
+    assert grade(key, read("modified", zeros), USUAL, {"a2": 0.4, "a3": 0.3}).score == 0.0
+
+
 def test_three_mistakes_still_earn_something() -> None:
     rows = with_cells(PUMA, (1, 0, 0), (2, 1, 0), (4, 2, 0), (5, 0, 0))
     verdict = grade(KEY, read("standard", rows), USUAL, VALUES)
