@@ -133,7 +133,9 @@ def _meaning(hand_in: HandIn, settings: ClassSettings) -> bytes:
 
 
 def _marked(hand_in: HandIn, chunk: _Chunk, place: int) -> Mark:
-    return replace(chunk.mark(place), student=hand_in.student, source=hand_in.source)
+    return replace(
+        chunk.mark(place), student=hand_in.student, source=hand_in.source, identifier=hand_in.identifier
+    )
 
 
 @lru_cache(maxsize=4)

@@ -32,6 +32,7 @@ class Mark:
         codes: what was found, as stable codes.
         feedback: the same in sentences.
         source: the file or receipt that it stems from.
+        identifier: what the LMS calls the student, where it is known.
     """
 
     student: str
@@ -42,6 +43,7 @@ class Mark:
     codes: tuple[str, ...]
     feedback: str
     source: str
+    identifier: str | None = None
 
     @property
     def score(self) -> float | None:
@@ -76,8 +78,8 @@ def write_marks(marks: Iterable[Mark], stream: TextIO, form: GradebookFormat = G
             writer.writerow(("Identifier", "Full name", "Grade", "Maximum Grade", "Feedback comments"))
             for mark in marks:
                 writer.writerow(
-                    (safe(mark.student), safe(mark.student), _number(mark.points), _number(mark.max_points),
-                     safe(mark.feedback))
+                    (safe(mark.identifier or mark.student), safe(mark.student), _number(mark.points),
+                     _number(mark.max_points), safe(mark.feedback))
                 )  # fmt: skip
         case GradebookFormat.CANVAS:
             _write_canvas(marks, writer)
@@ -94,13 +96,12 @@ def _write_canvas(marks: Iterable[Mark], writer: csv._writer) -> None:  # type: 
     exercises = {mark.exercise: mark.max_points for mark in marks}
     writer.writerow(("Student", "ID", "SIS Login ID", "Section", *exercises))
     writer.writerow(("    Points Possible", "", "", "", *map(_number, exercises.values())))
-    students: dict[str, dict[str, float | None]] = {}
+    students: dict[tuple[str, str], dict[str, float | None]] = {}
     for mark in marks:
-        students.setdefault(mark.student, {})[mark.exercise] = mark.points
-    for student, points in students.items():
-        writer.writerow(
-            (safe(student), "", safe(student), "", *(_number(points.get(name)) for name in exercises))
-        )
+        students.setdefault((mark.student, mark.identifier or ""), {})[mark.exercise] = mark.points
+    for (student, identifier), points in students.items():
+        given = (_number(points.get(name)) for name in exercises)
+        writer.writerow((safe(student), safe(identifier), "" if identifier else safe(student), "", *given))
 
 
 def _plain_row(mark: Mark) -> tuple[str, ...]:

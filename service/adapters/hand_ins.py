@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 import zipfile
-from collections.abc import Iterator
+import zlib
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
@@ -14,6 +15,9 @@ from service.http.problems import RequestError
 
 MOST_FILES = 50_000
 """Files of a folder or archive: several for each student of the largest course."""
+
+_DAMAGE = (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, NotImplementedError, OSError)
+"""What reading a member raises that is damaged, encrypted, or packed in a way that nobody reads."""
 
 _MOODLE = re.compile(r"^(?P<name>.+?)_(?P<id>\d+)_(?:assignsubmission_|onlinetext)")
 _CANVAS = re.compile(r"^(?P<name>[^_/]+)_(?:LATE_)?(?:(?P<id>\d+)_\d+)_")
@@ -29,12 +33,14 @@ class HandIn:
         source: the file, and for an archive the path in it.
         found: the table; None if the file could not be read.
         faults: why it could not.
+        identifier: of the student in the LMS, where the LMS has put it into the file's name.
     """
 
     student: str
     source: str
     found: FoundTable | None
     faults: tuple[Fault, ...] = ()
+    identifier: str | None = None
 
 
 def hand_ins(path: Path, settings: TableSettings) -> Iterator[HandIn]:
@@ -48,25 +54,32 @@ def hand_ins(path: Path, settings: TableSettings) -> Iterator[HandIn]:
         RequestError: nothing can be read at the path.
     """
     for name, content in _files(path):
-        student = student_of(name)
+        student, identifier = student_of(name), identifier_of(name)
         try:
+            if isinstance(content, RequestError):
+                raise content
             tables = read_tables(name, content, settings)
         except RequestError as error:
-            yield HandIn(student=student, source=name, found=None, faults=error.faults)
+            yield HandIn(student=student, source=name, found=None, faults=error.faults, identifier=identifier)
             continue
         for found in tables:
-            yield HandIn(student=found.student or student, source=name, found=found)
+            own = None if found.student else identifier
+            yield HandIn(student=found.student or student, source=name, found=found, identifier=own)
 
 
 def count_files(path: Path) -> int:
-    """Return how many files with tables a path holds; 0 where nothing can be read."""
-    if path.is_dir():
-        return sum(1 for file in path.rglob("*") if _is_table(file.name))
+    """Return how many files a path holds that get a line; 0 where nothing can be read."""
     try:
-        with zipfile.ZipFile(path) as archive:
-            return sum(1 for entry in archive.infolist() if _is_table(entry.filename))
-    except (zipfile.BadZipFile, OSError):
-        return int(path.is_file())
+        if path.is_dir():
+            names = [file.relative_to(path).as_posix() for file in path.rglob("*") if file.is_file()]
+        elif path.suffix.lower() == ".zip":
+            with zipfile.ZipFile(path) as archive:
+                names = [entry.filename for entry in archive.infolist() if not entry.is_dir()]
+        else:
+            return int(path.is_file())
+        return len(_worth_a_line(names, path))
+    except (zipfile.BadZipFile, OSError, RequestError):
+        return 0
 
 
 def student_of(name: str) -> str:
@@ -84,45 +97,85 @@ def student_of(name: str) -> str:
     return PurePosixPath(name).stem
 
 
-def _files(path: Path) -> Iterator[tuple[str, bytes]]:
+def identifier_of(name: str) -> str | None:
+    """Return what Moodle or Canvas call a student, and import by: `Participant 12`, a user's number."""
+    for part in PurePosixPath(name).parts:
+        if found := _MOODLE.search(part):
+            return f"Participant {found['id']}"
+        if (found := _CANVAS.search(part)) and not _BLACKBOARD.search(part):
+            return found["id"]
+    return None
+
+
+def _files(path: Path) -> Iterator[tuple[str, bytes | RequestError]]:
+    """Yield names with contents, or why there is none: a damaged file is one student's."""
     if path.is_dir():
-        files = sorted(file for file in path.rglob("*") if _is_table(file.name) and file.is_file())
-        if len(files) > MOST_FILES:
-            raise _unreadable("files_too_many", path, limit=MOST_FILES)
-        for file in files:
-            with file.open("rb") as stream:
-                yield file.relative_to(path).as_posix(), stream.read(LARGEST_FILE + 1)
-    elif zipfile.is_zipfile(path) and path.suffix.lower() == ".zip":
+        found = {file.relative_to(path).as_posix(): file for file in path.rglob("*") if file.is_file()}
+        for name in _worth_a_line(sorted(found), path):
+            try:
+                with found[name].open("rb") as stream:
+                    yield name, stream.read(LARGEST_FILE + 1)
+            except OSError as error:
+                yield name, _unreadable("file_unreadable", name, reason=error.strerror or str(error))
+    elif path.suffix.lower() == ".zip" and path.is_file():
         yield from _archived(path)
     else:
         try:
             with path.open("rb") as stream:
                 yield path.name, stream.read(LARGEST_FILE + 1)
         except FileNotFoundError:
-            raise _unreadable("file_missing", path) from None
+            raise _unreadable("file_missing", path.name) from None
         except OSError as error:
-            raise _unreadable("file_unreadable", path, reason=error.strerror or str(error)) from None
+            raise _unreadable("file_unreadable", path.name, reason=error.strerror or str(error)) from None
 
 
-def _archived(path: Path) -> Iterator[tuple[str, bytes]]:
+def _archived(path: Path) -> Iterator[tuple[str, bytes | RequestError]]:
     """Read the members in memory; nothing of an archive is written, and no more read than a file may hold."""
     try:
-        with zipfile.ZipFile(path) as archive:
-            members = [entry for entry in archive.infolist() if _is_table(entry.filename)]
-            if len(members) > MOST_FILES:
-                raise _unreadable("files_too_many", path, limit=MOST_FILES)
-            for member in members:
-                with archive.open(member) as stream:
-                    yield member.filename, stream.read(LARGEST_FILE + 1)
-    except (zipfile.BadZipFile, RuntimeError, OSError) as error:
-        raise _unreadable("file_unreadable", path, reason=str(error)) from None
+        archive = zipfile.ZipFile(path)
+    except (zipfile.BadZipFile, OSError) as error:
+        raise _unreadable("file_unreadable", path.name, reason=str(error)) from None
+    with archive:
+        members = {entry.filename: entry for entry in archive.infolist() if not entry.is_dir()}
+        for name in _worth_a_line(list(members), path):
+            try:
+                with archive.open(members[name]) as stream:
+                    yield name, stream.read(LARGEST_FILE + 1)
+            except _DAMAGE as error:
+                yield name, _unreadable("file_unreadable", name, reason=str(error))
+
+
+def _worth_a_line(names: Sequence[str], path: Path) -> list[str]:
+    """Return the files with tables, and the others of students who have handed in no table.
+
+    Raises:
+        RequestError: they are too many.
+    """
+    tables = {name for name in names if _is_table(name)}
+    heard = {student_of(name) for name in tables}
+    chosen = [
+        name for name in names if name in tables or (_is_handed_in(name) and student_of(name) not in heard)
+    ]
+    if len(chosen) > MOST_FILES:
+        raise _unreadable("files_too_many", path.name, limit=MOST_FILES)
+    return chosen
+
+
+def _is_handed_in(name: str) -> bool:
+    """Whether a file of any type is a student's: it lies in a folder of theirs, or an LMS has named it."""
+    path = PurePosixPath(name)
+    named = any(scheme.search(path.name) for scheme in (_MOODLE, _BLACKBOARD, _CANVAS))
+    return not _is_hidden(path) and (len(path.parts) > 1 or named)
+
+
+def _is_hidden(path: PurePosixPath) -> bool:
+    return any(part.strip(".") and part.startswith((".", "~$", "__MACOSX")) for part in path.parts)
 
 
 def _is_table(name: str) -> bool:
     path = PurePosixPath(name)
-    hidden = path.name.startswith((".", "~$")) or "__MACOSX" in path.parts
-    return path.suffix.lower() in SUFFIXES and not hidden
+    return path.suffix.lower() in SUFFIXES and not _is_hidden(path)
 
 
-def _unreadable(code: str, path: Path, **params: str | int) -> RequestError:
-    return RequestError(Fault(code=code, where=(path.name,), params={"file": path.name, **params}))
+def _unreadable(code: str, name: str, **params: str | int) -> RequestError:
+    return RequestError(Fault(code=code, params={"file": PurePosixPath(name).name, **params}))

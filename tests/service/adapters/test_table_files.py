@@ -10,7 +10,7 @@ from xml.sax.saxutils import escape
 
 import pytest
 
-from service.adapters.hand_ins import hand_ins, student_of
+from service.adapters.hand_ins import count_files, hand_ins, identifier_of, student_of
 from service.adapters.table_files import LARGEST_FILE, TableSettings, read_tables
 from service.http.problems import RequestError
 
@@ -172,3 +172,45 @@ def test_an_archive_is_read_in_memory_and_bounded(tmp_path: Path) -> None:
     assert found[0].found is not None
     assert [fault.code for fault in found[1].faults] == ["file_too_large"]
     assert sorted(tmp_path.rglob("*")) == before
+
+
+GOOD = b"theta,d,a,alpha\nq1,0,L1,0\nq2,0,L2,0\n" + b"\n" * 300
+
+
+def test_a_damaged_member_is_one_students_and_not_the_classs(tmp_path: Path) -> None:
+    names = ["Ann Lee_11_assignsubmission_file_/t.csv", "Bob_12_assignsubmission_file_/t.csv"]
+    for damage in (0, 3):
+        archive = tmp_path / f"class{damage}.zip"
+        with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as written:
+            for name in (
+                *names,
+                "Cy_13_assignsubmission_file_/scan.pdf",
+                "Bob_12_assignsubmission_file_/x.png",
+            ):
+                written.writestr(name, GOOD)
+        content = bytearray(archive.read_bytes())
+        begin = content.find(b"t.csv") + len("t.csv") + damage
+        content[begin : begin + 6] = bytes(255 - byte for byte in content[begin : begin + 6])
+        archive.write_bytes(content)
+        found = {hand_in.student: hand_in for hand_in in hand_ins(archive, TableSettings())}
+        codes = {name: [fault.code for fault in hand_in.faults] for name, hand_in in found.items()}
+        assert codes == {"Ann Lee": ["file_unreadable"], "Bob": [], "Cy": ["file_type_unknown"]}
+        assert [hand_in.identifier for hand_in in found.values()] == [
+            f"Participant {number}" for number in (11, 12, 13)
+        ]
+        assert count_files(archive) == 3
+
+
+def test_half_an_archive_is_said_to_be_none(tmp_path: Path) -> None:
+    archive = tmp_path / "class.zip"
+    with zipfile.ZipFile(archive, "w") as written:
+        written.writestr("ann.csv", GOOD)
+    archive.write_bytes(archive.read_bytes()[:60])
+    with pytest.raises(RequestError) as refused:
+        list(hand_ins(archive, TableSettings()))
+    assert refused.value.faults[0].code == "file_unreadable"
+
+
+def test_marks_bear_what_the_gradebook_imports_by() -> None:
+    names = ("Ann Lee_11_assignsubmission_file_/t.csv", "lee_LATE_1234_5678_t.csv", "t.csv")
+    assert [identifier_of(name) for name in names] == ["Participant 11", "1234", None]
