@@ -129,7 +129,11 @@ def read_known_matrix(cells: CellMatrix, reading: Reading, part: str, *where: in
 
 
 def read_functions(
-    cells: Sequence[Cell], joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where
+    cells: Sequence[Cell],
+    joint_types: Sequence[JointType],
+    angle_unit: AngleUnit,
+    where: Where,
+    position: Position = Position.LENGTH,
 ) -> list[Expression | Fault]:
     """Return what each cell of a row means, or what is wrong with it; numbers are not angles.
 
@@ -139,7 +143,7 @@ def read_functions(
 
     def entry(cell: Cell, k: int) -> Expression | Fault:
         try:
-            return _read(cell, Position.LENGTH, angle_unit, CELL_LIMITS, variable)
+            return _read(cell, position, angle_unit, CELL_LIMITS, variable)
         except CellRefusal as refusal:
             return refusal.at(*where, k)
         except _NameError as error:

@@ -3,4 +3,8 @@
 joint_answers   joint values that reach a pose: one, all, families of them, or none
 screw_answers   joint screws and a home pose
 jacobian_answers  Jacobians in numbers, and the joint forces that hold a wrench
+jacobian_forms  the same as functions of the joint variables
+singularity_answers  conditions for singularities, as a set, and the motion that is lost
+singular_arms   families of singularities and points of them
+unit_multiples  is a function a product of given ones, up to what never vanishes
 """

@@ -40,6 +40,7 @@ _CALLS: Mapping[str, tuple[Tool, ...]] = {
     "check-rotation": (Tool.PLAYGROUND,),
     "check-jacobian": (Tool.PLAYGROUND,),
     "check-jacobian-form": (Tool.PLAYGROUND,),
+    "check-singularities": (Tool.PLAYGROUND,),
     "check-screws": (Tool.PLAYGROUND,),
     "compare-tables": (Tool.PLAYGROUND,),
     "other-tables": (Tool.PLAYGROUND, Tool.MATRICES),

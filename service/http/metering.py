@@ -48,6 +48,7 @@ _COSTS = {
     "check-screws": 10,
     "check-jacobian": 2,
     "check-jacobian-form": 20,
+    "check-singularities": 40,
     "rotations": 2,
     "check-rotation": 1,
 }

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from functools import partial
 from typing import Annotated, Any
@@ -11,11 +10,10 @@ from fastapi import Body
 
 from exercises.parts.jacobian_forms import LOADS
 from exercises.parts.matrix_cells import read_functions
-from kinematics import catalogue
 from kinematics.answers.jacobian_answers import JacobianMistake
 from kinematics.answers.jacobian_forms import FormRobot, judge_force_form, judge_jacobian_form
 from kinematics.answers.screw_answers import ScrewOrder
-from kinematics.cells import AngleUnit, Cell, ParameterKind
+from kinematics.cells import Cell, ParameterKind
 from kinematics.errors import CellError, Fault, JointValueError
 from kinematics.expressions import Expression, parameters_in
 from kinematics.rotations.sequences import EulerSequence
@@ -28,6 +26,7 @@ from service.messages import sentence
 from service.schemas import examples
 from service.schemas.jacobian_answers import JacobianMistakeModel
 from service.schemas.jacobian_form_answers import CheckJacobianFormAnswer, CheckJacobianFormRequest
+from service.wire.form_values import form_values
 from service.wire.prepared_robots import PreparedRobot
 from service.work.limiters import WorkKind
 
@@ -83,12 +82,7 @@ def _checked(body: CheckJacobianFormRequest, robot: PreparedRobot, language: str
     if body.angles is not None:
         with located("angles"):
             angles = EulerSequence(axes=body.angles.axes, turning=body.angles.turning)
-    degrees = robot.read.angle_unit is AngleUnit.DEG
-    kinds = robot.read.parameters
-    values = {
-        name: math.radians(value) if degrees and kinds.get(name) is ParameterKind.ANGLE else value
-        for name, value in _parameters(body, robot).items()
-    }
+    values, kinds = form_values(body, robot), robot.read.parameters
     named = {**{name: 7.0 + 3.0 * i for i, name in enumerate(LOADS)}, **values}
     lengths = {name for name in values if kinds.get(name, ParameterKind.LENGTH) is ParameterKind.LENGTH}
     form = FormRobot(
@@ -126,13 +120,6 @@ def _checked(body: CheckJacobianFormRequest, robot: PreparedRobot, language: str
             "mistakes": [_spoken(*entry, language) for entry in mistakes],
         }
     )
-
-
-def _parameters(body: CheckJacobianFormRequest, robot: PreparedRobot) -> dict[str, float]:
-    """Return the values of the table's parameters, in the request's units."""
-    if body.robot is None:
-        return dict(body.parameters)
-    return {**catalogue.robot(body.robot).parameters, **body.parameters}
 
 
 def _read(

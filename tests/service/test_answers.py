@@ -124,3 +124,45 @@ def test_joint_values_of_ones_own_table_are_carried_over_by_its_certificate(clie
     stranger = {**own, "rows": [*own["rows"][:1], {**own["rows"][1], "a": 0.4}, own["rows"][2]]}
     found = post(client, "check-inverse-kinematics", {**body, "own": stranger})
     assert (found["own_accepted"], found["correct"]) == (False, False)
+
+
+def test_singularities_are_judged_as_a_set(client: httpx.Client) -> None:
+    puma = {"robot": "puma560", "conditions": ["a3*s3 + d4*c3", "q5 = 0, 180°", "a2*c2 + a3*c23 = d4*s23"]}
+    found = post(client, "check-singularities", puma)
+    assert (found["correct"], found["proof"], found["whole"]) == (True, "proved", True)
+    less = post(client, "check-singularities", {**puma, "conditions": ["q5 = 0", "cos(q1)"]}, "de, fr")
+    assert not less["correct"]
+    assert sorted(family["found"] for family in less["families"]) == [0, 0, 0, 1]
+    assert [entry["status"] for entry in less["conditions"]] == ["singular", "invented"]
+    assert "singulier" in less["conditions"][1]["message"]
+    assert len(less["conditions"][1]["example"]) == 6
+    links = {
+        "table": {
+            "convention": "standard",
+            "rows": [{"theta": f"q{i}", "d": 0, "a": 0.5, "alpha": 0} for i in (1, 2)],
+        }
+    }
+    lost = {**links, "motion": "translation", "joints": [0, 0], "lost": [2, 0, 0]}
+    assert post(client, "check-singularities", lost)["lost"] is True
+    assert post(client, "check-singularities", {**lost, "lost": [0, 1, 0]})["correct"] is False
+
+
+@pytest.mark.parametrize(
+    ("more", "code", "pointer"),
+    [
+        ({}, "conditions_empty", ""),
+        ({"conditions": ["q1 < 2"]}, "condition_not_equation", "/conditions/0"),
+        ({"conditions": [0, "x*sin(q1)"]}, "parameter_missing", "/conditions/1"),
+        ({"lost": [1, 0, 0]}, "joint_row_length", "/lost"),
+        ({"lost": [1, 0, 0, 0, 0, 0], "joints": [1] * 6}, "not_singular", "/joints"),
+        ({"robot": "iiwa14", "conditions": ["sin(q4)"]}, "form_too_large", ""),
+    ],
+)
+def test_singularities_that_cannot_be_judged_are_refused(
+    client: httpx.Client, more: dict[str, Any], code: str, pointer: str
+) -> None:
+    answer = client.post("/api/v1/check-singularities", json={"robot": "puma560", **more})
+    assert answer.status_code == 422, answer.text
+    assert [(error["code"], error.get("pointer", "")) for error in answer.json()["errors"]] == [
+        (code, pointer)
+    ]

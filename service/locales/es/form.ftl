@@ -173,6 +173,7 @@ form-part-compare-tables = Dos tablas
 form-part-screws = Producto de exponenciales
 form-part-jacobian = Jacobiana y estática
 form-part-jacobian-form = Jacobiana en forma cerrada
+form-part-singularities = Singularidades
 form-part-wrong = Por revisar:
 form-radius-inner = Radio interior
 form-radius-outer = Radio exterior

@@ -173,6 +173,7 @@ form-part-compare-tables = Duas tabelas
 form-part-screws = Produto de exponenciais
 form-part-jacobian = Jacobiana e estática
 form-part-jacobian-form = Jacobiana em forma fechada
+form-part-singularities = Singularidades
 form-part-wrong = A rever:
 form-radius-inner = Raio interior
 form-radius-outer = Raio exterior

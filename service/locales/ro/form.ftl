@@ -178,6 +178,7 @@ form-part-compare-tables = Două tabele
 form-part-screws = Produs de exponențiale
 form-part-jacobian = Jacobian și statică
 form-part-jacobian-form = Jacobianul în formă închisă
+form-part-singularities = Singularități
 form-part-wrong = De revăzut:
 form-radius-inner = Raza interioară
 form-radius-outer = Raza exterioară

@@ -183,6 +183,7 @@ form-part-compare-tables = Дві таблиці
 form-part-screws = Добуток експонент
 form-part-jacobian = Якобіан і статика
 form-part-jacobian-form = Якобіан у замкненому вигляді
+form-part-singularities = Особливі положення
 form-part-wrong = Варто переглянути:
 form-radius-inner = Внутрішній радіус
 form-radius-outer = Зовнішній радіус

@@ -1,0 +1,167 @@
+"""Conditions as students write them: `sin(q3)`, `q3 = 0, π`, `q5 = k·π`, `a2*c2 = d4*s23`.
+
+A cell holds one or several. Each becomes a function that vanishes just where it holds. An equation between
+angles holds whatever full turns they differ by: lhs ≡ rhs means sin((lhs - rhs)/2) = 0, and with k·2π/N on
+its right sin(N(lhs - rhs)/2) = 0.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import gcd
+
+from exercises.parts.matrix_cells import Where, read_functions
+from kinematics.cells import AngleUnit, Cell
+from kinematics.cells.meaning import Position
+from kinematics.errors import Fault
+from kinematics.expressions import (
+    Call,
+    Expression,
+    Function,
+    JointVariable,
+    Number,
+    Power,
+    Product,
+    Sum,
+    add,
+    call,
+    joint_variables_in,
+    multiply,
+    negate,
+    pi_fraction,
+)
+from kinematics.symbolic.angles import angle_of
+from kinematics.table import JointType
+
+MOST_TURNS = 24
+"""Solutions in one turn that k·2π/N may stand for; multiples of π/12 have closed forms."""
+_NO_EQUATION = re.compile(r"[<>≤≥≠]|!=")
+_INTEGERS = re.compile(r",?\s*\(?\s*\b[knm]\s*(?:∈|\bin\b)\s*(?:ℤ|\bZ\b|\bintegers?\b).*$")
+_LETTER = re.compile(r"(?<![A-Za-z_])[knm](?=(?:pi|π)\b|π|[^A-Za-z_0-9(]|$)")
+_OR = re.compile(r"\bor\b|∨|\n")
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Equation:
+    """Two sides as typed."""
+
+    left: str
+    right: str
+
+
+def read_conditions(
+    cell: Cell, joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where
+) -> list[Expression | Fault]:
+    """Return for each condition in a cell a function that vanishes just where it holds, or what is wrong.
+
+    Args:
+        cell: one condition, or several with commas, semicolons or "or" between them.
+        joint_types: types of joint 1 … n.
+        angle_unit: unit of plain numbers where an angle stands.
+        where: place of the cell, for faults.
+    """
+    text = _INTEGERS.sub("", str(cell))
+    if _NO_EQUATION.search(text):
+        return [Fault(code="condition_not_equation", where=where, params={"text": str(cell)[:80]})]
+    equations = list(_equations(text.replace("==", "=")))
+    if not equations or any("=" in equation.right for equation in equations):
+        return [Fault(code="condition_not_equation", where=where, params={"text": str(cell)[:80]})]
+    return [_function(equation, joint_types, angle_unit, where) for equation in equations]
+
+
+def _equations(text: str) -> Iterator[_Equation]:
+    left: str | None = None
+    for piece in _pieces(_OR.sub(";", text)):
+        if "=" in piece:
+            left, piece = (side.strip() for side in piece.split("=", 1))
+        if left is None:
+            yield _Equation(left=piece, right="0")
+        elif piece.startswith(("±", "+-", "+/-")):
+            value = piece.lstrip("±+/-").strip()
+            yield _Equation(left=left, right=value)
+            yield _Equation(left=left, right=f"-({value})")
+        else:
+            yield _Equation(left=left, right=piece)
+
+
+def _pieces(text: str) -> Iterator[str]:
+    """Yield what stands between commas and semicolons outside of parentheses."""
+    depth, start = 0, 0
+    for i, character in enumerate(f"{text};"):
+        depth += (character in "({[") - (character in ")}]")
+        if (character in ",;" and depth <= 0) or i == len(text):
+            piece = text[start:i].strip()
+            if piece:
+                yield piece
+            start = i + 1
+
+
+def _function(
+    equation: _Equation, joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where
+) -> Expression | Fault:
+    def read(text: str, position: Position) -> Expression | Fault:
+        (found,) = read_functions((text,), joint_types, angle_unit, where, position)
+        return replace(found, where=where) if isinstance(found, Fault) else found
+
+    left = read(equation.left, Position.LENGTH)
+    if isinstance(left, Fault):
+        return left
+    turning = {i for i, kind in enumerate(joint_types, 1) if kind is JointType.REVOLUTE}
+    if not _outside(left) & turning:
+        right = read(equation.right, Position.LENGTH)
+        if isinstance(right, Fault):
+            return right
+        return (
+            Fault(code="condition_angle_nonlinear", where=where)
+            if _outside(right) & turning
+            else (add((left, negate(right))))
+        )
+    sides = [read(equation.left, Position.ANGLE)]
+    sides += [read(_LETTER.sub(value, equation.right), Position.ANGLE) for value in ("(0)", "(1)")]
+    known = [side for side in sides if not isinstance(side, Fault)]
+    if len(known) < len(sides):
+        return next(side for side in sides if isinstance(side, Fault))
+    left, first, second = known
+    period = pi_fraction(add((second, negate(first))))
+    return _angle_equation(add((left, negate(first))), period, where)
+
+
+def _angle_equation(angle: Expression, period: Fraction | None, where: Where) -> Expression | Fault:
+    """Return what vanishes where an angle is a multiple of a period, or of a full turn if that is 0."""
+    weights = [weight for part, weight in angle_of(angle).parts if isinstance(part, JointVariable)]
+    others = [part for part, _ in angle_of(angle).parts if not isinstance(part, JointVariable)]
+    if not weights or any(joint_variables_in(part) for part in others):
+        return Fault(code="condition_angle_nonlinear", where=where)
+    common = Fraction(
+        gcd(*(weight.numerator for weight in weights)), _least_multiple([w.denominator for w in weights])
+    )
+    if period is None:
+        return Fault(code="condition_period", where=where)
+    turns = Fraction(2) * common / abs(period) if period else Fraction(1)
+    if turns.denominator != 1 or turns > MOST_TURNS:
+        return Fault(code="condition_period", where=where)
+    return call(Function.SIN, multiply((Number(turns / common / 2), angle)))
+
+
+def _least_multiple(numbers: Sequence[int]) -> int:
+    product = 1
+    for value in numbers:
+        product = product * value // gcd(product, value)
+    return product
+
+
+def _outside(expression: Expression) -> set[int]:
+    """Return the joint variables that stand outside of all functions."""
+    match expression:
+        case JointVariable(index):
+            return {index}
+        case Sum(parts) | Product(parts):
+            return set[int]().union(*map(_outside, parts))
+        case Power(base, _):
+            return _outside(base)
+        case Call(Function.ABS | Function.SQRT, arguments):
+            return set[int]().union(*map(_outside, arguments))
+    return set()

@@ -1,0 +1,334 @@
+"""Singularities: where an arm loses a motion, as conditions that count as a set, and which one it loses."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from random import Random
+from typing import Annotated, ClassVar
+
+from exercises.definition import Exercise, Part
+from exercises.draws import Draw, Picker
+from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.grading.verdict import ParamValue
+from exercises.instance import Instance
+from exercises.names import renamed, unknown_name
+from exercises.parts.conditions import read_conditions
+from exercises.parts.context import Context
+from exercises.parts.given_table import given_table
+from exercises.parts.joint_draws import drawn_joints, in_radians, read_joints
+from exercises.parts.number_cells import read_numbers_of
+from exercises.parts.protocol import (
+    TABLE,
+    FieldShape,
+    FormField,
+    GivenNumbers,
+    Length,
+    PartTask,
+    PartType,
+    Reading,
+    RobotFacts,
+)
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.reading import Reader
+from kinematics.answers.singular_arms import SingularArm, arm_of
+from kinematics.answers.singularity_answers import (
+    ConditionStatus,
+    is_sine_for_cosine,
+    judge_singularities,
+    lost_motion_is_right,
+    lost_motions_at,
+)
+from kinematics.cells import AngleUnit, Cell
+from kinematics.cells.meaning import Position
+from kinematics.errors import Fault, FormSizeError
+from kinematics.expressions import Expression, joint_variables_in, parameters_in
+from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
+from kinematics.symbolic.determinants import MotionRows, largest_minor
+from kinematics.table import JointType
+
+MOST = 16
+"""Conditions in one answer; the arms of the documents have five families."""
+DECIMALS = 4
+ConditionRow = Annotated[tuple[Cell, ...], Length(least=1, most=1)]
+Conditions = Annotated[tuple[ConditionRow, ...], Length(most=MOST)]
+Motion = Annotated[tuple[Cell, ...], Length(least=3, most=6)]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class SingularityCells:
+    """Conditions for a singularity, and a motion that is lost.
+
+    Attributes:
+        conditions: rows of one cell: a function that vanishes (sin(q3)), or an equation (q3 = 0, π).
+        lost: what every velocity of the end has no component along: three numbers for v, or six for (v, ω).
+    """
+
+    conditions: Conditions | None = None
+    lost: Motion | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class SingularityAnswer:
+    """The same, read: for each row the functions that vanish where its conditions hold."""
+
+    conditions: tuple[tuple[Expression, ...], ...] | None
+    lost: tuple[float, ...] | None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class SingularitiesPart(Part):
+    """Where the key's robot is singular.
+
+    Attributes:
+        rows: which motion counts.
+        joints: a singular configuration in which the lost motion is asked, or None.
+        draws: per joint, from where a student's own value is drawn, or None.
+    """
+
+    rows: MotionRows
+    joints: tuple[Fraction, ...] | None
+    draws: tuple[Draw | None, ...]
+
+
+class SingularitiesType(PartType[SingularitiesPart, SingularityCells, SingularityAnswer]):
+    """Where an arm is singular, and which motion it loses there."""
+
+    kind = "singularities"
+    raw: ClassVar = SingularityCells
+    meaning = "the conditions for a singularity, and a motion that is lost"
+    disclosures: ClassVar = {
+        "singularities_missing": Disclosure(level=HelpLevel.ROW),
+        "singularity_missing_at": Disclosure(level=HelpLevel.REPAIR),
+        "singularity_invented": Disclosure(level=HelpLevel.ROW),
+        "singularity_invented_at": Disclosure(level=HelpLevel.REPAIR),
+        "singularity_sine_for_cosine": Disclosure(level=HelpLevel.REPAIR),
+        "singularity_half": Disclosure(level=HelpLevel.REPAIR),
+        "lost_motion_wrong": Disclosure(level=HelpLevel.ROW),
+        "lost_motion_is_kept": Disclosure(level=HelpLevel.REPAIR),
+    }
+
+    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> SingularitiesPart:
+        """Return the part with the motion that counts, and the configuration of the lost one."""
+        asked = reader.given("joints")
+        joints, draws = read_joints(reader, robot) if asked else (None, ())
+        rows = reader.choice("motion", MotionRows, MotionRows.TWIST)
+        return SingularitiesPart(kind=self.kind, points=points, rows=rows, joints=joints, draws=draws)
+
+    def inconsistencies(self, part: SingularitiesPart, exercise: Exercise) -> Iterator[Fault]:
+        """Yield a fault where conditions cannot say all, where there are none, or where nothing is lost."""
+        try:
+            minor, only = largest_minor(exercise.reference.table, part.rows)
+        except FormSizeError as error:
+            yield from error.faults
+            return
+        if not only or not joint_variables_in(minor.expression()):
+            yield Fault(code="singularities_no_families", where=("motion",))
+        usual = {parameter.name: float(parameter.value) for parameter in exercise.parameters}
+        arm = _arm(part, exercise, usual)
+        if part.joints is not None and not lost_motions_at(arm, in_radians(exercise, part.joints)):
+            yield Fault(code="not_singular", where=("joints",))
+
+    def draw(
+        self, part: SingularitiesPart, exercise: Exercise, picker: Picker
+    ) -> tuple[Fraction, ...] | None:
+        """Return the student's singular configuration [the exercise's units]."""
+        if part.joints is None:
+            return None
+        return drawn_joints(part.joints, part.draws, picker, self.kind)
+
+    def task(self, part: SingularitiesPart, instance: Instance) -> PartTask:
+        """Show the key, and the configuration of the lost motion."""
+        exercise = instance.exercise
+        numbers = [given_table(instance)] if exercise.part(TABLE) is None else []
+        form = [
+            FormField(name="conditions", shape=FieldShape.LIST, labels=("g(q) = 0",), rows=MOST),
+        ]
+        if part.joints is not None:
+            degrees = exercise.angle_unit is AngleUnit.DEG
+            labels = tuple(
+                f"q{i} [{_unit(kind, degrees, exercise.length_unit.value)}]"
+                for i, kind in enumerate(exercise.reference.table.joint_types, 1)
+            )
+            drawn: tuple[Fraction, ...] = instance.drawn[self.kind]
+            row = tuple(float(value) for value in drawn)
+            numbers.append(GivenNumbers(name="configuration", labels=labels, rows=(row,)))
+            form.append(FormField(name="lost", shape=FieldShape.VECTOR, labels=_labels(part)))
+        return PartTask(
+            message="task-singularities",
+            values={
+                "motion": part.rows.value,
+                "lost": "no" if part.joints is None else "yes",
+                "unit": exercise.length_unit.value,
+            },
+            form=tuple(form),
+            numbers=tuple(numbers),
+        )
+
+    def read(self, raw: SingularityCells, reading: Reading) -> SingularityAnswer | None:
+        """Return the functions that vanish, row by row, and the motion."""
+        before = len(reading.faults)
+        exercise = reading.instance.exercise
+        types = exercise.reference.table.joint_types
+        known = {*exercise.reference.parameters, *exercise.aliases}
+        rows: list[tuple[Expression, ...]] = []
+        for i, (cell,) in enumerate(raw.conditions or ()):
+            where = (self.kind, "conditions", i, 0)
+            found = read_conditions(cell, types, exercise.angle_unit, where)
+            functions = [entry for entry in found if not isinstance(entry, Fault)]
+            reading.faults.extend(entry for entry in found if isinstance(entry, Fault))
+            reading.faults.extend(
+                unknown_name(name, exercise, where)
+                for entry in functions
+                for name in sorted(parameters_in(entry) - known)
+            )
+            rows.append(tuple(renamed(entry, exercise.aliases) for entry in functions))
+        lost = None
+        part = next(part for part in exercise.parts if isinstance(part, SingularitiesPart))
+        if raw.lost is not None and len(raw.lost) != len(_labels(part)):
+            params = {"expected": len(_labels(part)), "given": len(raw.lost)}
+            reading.fault("joint_row_length", self.kind, "lost", **params)
+        elif raw.lost is not None:
+            lost = read_numbers_of(raw.lost, Position.LENGTH, reading, self.kind, "lost")
+        if raw.conditions is None and raw.lost is None:
+            reading.fault("conditions_empty", self.kind)
+        if len(reading.faults) > before:
+            return None
+        conditions = tuple(rows) if raw.conditions is not None else None
+        return SingularityAnswer(conditions=conditions, lost=lost)
+
+    def grade(self, part: SingularitiesPart, answer: SingularityAnswer, context: Context) -> PartReport:
+        """Judge the conditions as a set; the lost motion counts a quarter, if it is asked."""
+        arm = _arm(part, context.instance.exercise, context.reference_values)
+        facts: list[Fact] = []
+        feedback: list[Feedback] = []
+        score = _conditions(arm, answer, facts, feedback, _told(context))
+        if part.joints is not None:
+            drawn: tuple[Fraction, ...] = context.instance.drawn[self.kind]
+            joints = in_radians(context.instance.exercise, drawn)
+            score = 0.75 * score + 0.25 * _lost(arm, joints, answer, facts, feedback)
+        if score == 1.0:
+            feedback.insert(0, Feedback(code="singularities_right"))
+        return judged(part, score, Credit.KEY, facts=facts, feedback=feedback)
+
+    def right(self, part: SingularitiesPart, context: Context) -> SingularityCells:
+        """Return a condition for each family, and a motion that is lost."""
+        arm = _arm(part, context.instance.exercise, context.reference_values)
+        n, names = arm.table.n_joints, tuple(context.reference.parameters)
+        printer = MatrixPrinter(n_joints=n, parameters=names, notation=Notation.FULL)
+        purpose = Purpose(name="conditions", meaning="Conditions.")
+        rows = tuple((family,) for family in arm.families)
+        written = printer.write(rows, (Format.TEXT,), purpose)["text"]
+        answer = SingularityCells(conditions=tuple((row[0],) for row in written))
+        if part.joints is None:
+            return answer
+        drawn: tuple[Fraction, ...] = context.instance.drawn[self.kind]
+        motion = lost_motions_at(arm, in_radians(context.instance.exercise, drawn))[0]
+        return replace(answer, lost=tuple(round(value, DECIMALS) + 0.0 for value in motion))
+
+    def wrong(
+        self, part: SingularitiesPart, context: Context, rng: Random
+    ) -> Iterator[tuple[str, SingularityCells]]:
+        """Yield the conditions without one of them, with one too many, and one that always holds."""
+        right = self.right(part, context)
+        rows = list(right.conditions or ())
+        k = rng.randrange(len(rows))
+        yield "singularities_missing", replace(right, conditions=tuple(rows[:k] + rows[k + 1 :]))
+        yield "singularity_invented", replace(right, conditions=(*rows, ("sin(q1) = 1/3",)))
+        yield "singularity_everywhere", replace(right, conditions=(*rows, ("sin(q1)^2 + cos(q1)^2 - 1",)))
+        if right.lost is not None:
+            yield "lost_motion_wrong", replace(right, lost=(1, 2, -3, *right.lost[3:]))
+
+
+def _arm(part: SingularitiesPart, exercise: Exercise, values: dict[str, float]) -> SingularArm:
+    """Return the key's arm with a student's values [rad, the exercise's length]."""
+    return arm_of(exercise.reference.table, part.rows, tuple(sorted(values.items())))
+
+
+def _labels(part: SingularitiesPart) -> tuple[str, ...]:
+    translation = ("vx", "vy", "vz")
+    return translation if part.rows is MotionRows.TRANSLATION else (*translation, "ωx", "ωy", "ωz")
+
+
+def _unit(kind: JointType, degrees: bool, length: str) -> str:
+    return length if kind is JointType.PRISMATIC else "°" if degrees else "rad"
+
+
+def _told(context: Context) -> tuple[bool, ...]:
+    """Return for each joint whether its values are told in degrees."""
+    degrees = context.instance.exercise.angle_unit is AngleUnit.DEG
+    return tuple(degrees and kind is JointType.REVOLUTE for kind in context.reference.table.joint_types)
+
+
+def _configuration(joints: Sequence[float], degrees: Sequence[bool]) -> str:
+    """Return a configuration as a person reads it, angles within half a turn."""
+    parts = []
+    for i, (value, angle) in enumerate(zip(joints, degrees, strict=True), 1):
+        shown = math.degrees(math.remainder(value, math.tau)) if angle else value
+        parts.append(f"q{i} = {round(shown, 1 if angle else 3) + 0.0:g}{'°' if angle else ''}")
+    return ", ".join(parts)
+
+
+def _conditions(
+    arm: SingularArm,
+    answer: SingularityAnswer,
+    facts: list[Fact],
+    feedback: list[Feedback],
+    degrees: Sequence[bool],
+) -> float:
+    """Judge the conditions; note what is found, and return their share."""
+    if answer.conditions is None:
+        facts.append(Fact(where=("conditions",), finding=Finding.MISSING))
+        feedback.append(Feedback(code="conditions_missing"))
+        return 0.0
+    flat = [(i, function) for i, row in enumerate(answer.conditions) for function in row]
+    found = judge_singularities(arm, [function for _, function in flat])
+    for (i, function), entry in zip(flat, found.conditions, strict=True):
+        if entry.status is ConditionStatus.SINGULAR:
+            continue
+        params: dict[str, ParamValue] = {"condition": i + 1}
+        feedback.append(Feedback(code=f"singularity_{entry.status.value}", params=params))
+        if entry.status is not ConditionStatus.NOWHERE:
+            facts.append(Fact(where=("conditions", i, 0), finding=Finding.WRONG))
+        if entry.example is not None:
+            at = _configuration(entry.example, degrees)
+            feedback.append(Feedback(code="singularity_invented_at", params={**params, "at": at}))
+            if is_sine_for_cosine(arm, function):
+                feedback.append(Feedback(code="singularity_sine_for_cosine", params=params))
+    missing = [family for family in found.families if family.found < 1.0]
+    if missing:
+        params = {"found": len(found.families) - len(missing), "count": len(found.families)}
+        feedback.append(Feedback(code="singularities_missing", params=params))
+        if missing[0].found > 0.0:
+            feedback.append(Feedback(code="singularity_half"))
+        if missing[0].example is not None:
+            at = _configuration(missing[0].example, degrees)
+            feedback.append(Feedback(code="singularity_missing_at", params={"at": at}))
+    return 1.0 if found.right else min(found.share, 0.8)
+
+
+def _lost(
+    arm: SingularArm,
+    joints: Sequence[float],
+    answer: SingularityAnswer,
+    facts: list[Fact],
+    feedback: list[Feedback],
+) -> float:
+    """Judge the lost motion; note what is found, and return its share."""
+    if answer.lost is None:
+        facts.append(Fact(where=("lost",), finding=Finding.MISSING))
+        feedback.append(Feedback(code="lost_motion_missing"))
+        return 0.0
+    right = lost_motion_is_right(arm, joints, answer.lost)
+    if right:
+        return 1.0
+    facts.append(Fact(where=("lost",), finding=Finding.WRONG))
+    feedback.append(Feedback(code="lost_motion_wrong"))
+    if right is False:
+        feedback.append(Feedback(code="lost_motion_is_kept"))
+    return 0.0
+
+
+PART = SingularitiesType()

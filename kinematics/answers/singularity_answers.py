@@ -1,0 +1,313 @@
+"""Singularities as an answer: do some conditions hold exactly where an arm loses a motion?
+
+    S = { q : rank J(q) < the rank that J(q) has almost everywhere }      answered by  Z(g_1) ∪ … ∪ Z(g_m)
+
+What counts is the set. Of an arm with one largest minor D (det J, if J is square) S = Z(D), the union of
+the zeros
+of D's irreducible factors, its families. A condition g is compared with the product P of the families on
+which
+it vanishes: if g = c · P with a c that never vanishes, its zeros are theirs, which is proved by the canonical
+forms. Other conditions (arcs, rounded numbers) are verified: J loses rank at their zeros, found along
+lines through the joint space, and they vanish at points of a family, found in the same way.
+
+Source: J. J. Craig, Introduction to Robotics, sec. 5.8; Y. Nakamura, Advanced Robotics, ch. 4.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.answers.jacobian_answers import jacobian_at
+from kinematics.answers.singular_arms import LOST, SingularArm
+from kinematics.answers.unit_multiples import factors_of, is_product_of
+from kinematics.expressions import (
+    Call,
+    Expression,
+    JointVariable,
+    Number,
+    Power,
+    Product,
+    Sum,
+    add,
+    joint_variables_in,
+    multiply,
+    pi_times,
+    walk,
+)
+from kinematics.jacobian import JacobianFrame
+from kinematics.se3 import Floats
+from kinematics.symbolic import ProofStatus
+from kinematics.symbolic.determinants import MotionRows
+from kinematics.table import JointType
+
+ROUNDED = 5e-4
+"""Share of its usual value below which a condition with numbers rounded to four digits counts as zero."""
+COARSE = 10
+"""Denominators from here on are those of decimals: 1/2 is exact, 0.43 may be rounded."""
+
+
+class ConditionStatus(StrEnum):
+    """What is said of a condition.
+
+    SINGULAR: wherever it holds, the arm is singular. INVENTED: it holds in a configuration that is not
+    singular.
+    EVERYWHERE: it holds for all q. NOWHERE: it never holds, and says nothing.
+    """
+
+    SINGULAR = "singular"
+    INVENTED = "invented"
+    EVERYWHERE = "everywhere"
+    NOWHERE = "nowhere"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class JudgedCondition:
+    """A condition and what is said of it.
+
+    Attributes:
+        status: of it.
+        example: of an invented one (n,) a configuration where it holds and the arm is not singular.
+    """
+
+    status: ConditionStatus
+    example: tuple[float, ...] | None = None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class JudgedFamily:
+    """A family of singularities and whether the conditions cover it.
+
+    Attributes:
+        found: a share: 1 if they hold everywhere in it.
+        example: (n,) a configuration of it, where none of the conditions holds if some are missing.
+    """
+
+    found: float
+    example: tuple[float, ...] | None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SingularityVerdict:
+    """What is said of the conditions.
+
+    Attributes:
+        conditions: of each.
+        families: of each family of the arm.
+        proof: PROVED: the sets are the same by exact identities; UNDECIDED: compared at samples; REFUTED:
+            they are not the same.
+    """
+
+    conditions: tuple[JudgedCondition, ...]
+    families: tuple[JudgedFamily, ...]
+    proof: ProofStatus
+
+    @property
+    def right(self) -> bool:
+        """The conditions hold just where the arm is singular."""
+        honest = (ConditionStatus.SINGULAR, ConditionStatus.NOWHERE)
+        return all(entry.found == 1.0 for entry in self.families) and all(
+            entry.status in honest for entry in self.conditions
+        )
+
+    @property
+    def share(self) -> float:
+        """Share of what was found, less that of what was invented."""
+        if not self.families:
+            return float(self.right)
+        found = sum(entry.found for entry in self.families) / len(self.families)
+        wrong = sum(
+            entry.status in (ConditionStatus.INVENTED, ConditionStatus.EVERYWHERE)
+            for entry in self.conditions
+        )
+        return max(0.0, found - wrong / len(self.families))
+
+
+def judge_singularities(arm: SingularArm, conditions: Sequence[Expression]) -> SingularityVerdict:
+    """Judge conditions as a set.
+
+    What is right for the arm's lengths and not proved is judged with other lengths as well, if the conditions
+    hold no decimals: lengths may be equal by chance.
+
+    Args:
+        arm: which arm, and which motion.
+        conditions: functions of the joint variables, each of which is said to vanish; products may be split.
+
+    Raises:
+        FormSizeError: the determinant of the arm is too large to be formed.
+    """
+    found = _judged(arm, conditions)
+    if not found.right or found.proof is ProofStatus.PROVED or any(map(_is_rounded, conditions)):
+        return found
+    other = _judged(arm.other(), conditions)
+    if other.right or len(other.families) != len(found.families):
+        return found
+    return SingularityVerdict(
+        conditions=tuple(JudgedCondition(status=entry.status) for entry in other.conditions),
+        families=tuple(JudgedFamily(found=entry.found, example=None) for entry in other.families),
+        proof=ProofStatus.REFUTED,
+    )
+
+
+@np.errstate(all="ignore")
+def _judged(arm: SingularArm, conditions: Sequence[Expression]) -> SingularityVerdict:
+    """Judge conditions at the arm's own lengths."""
+    families = arm.families
+    covered = [np.zeros(points.shape[1], dtype=bool) for points in arm.witnesses]
+    proved: set[int] = set()
+    judged: list[JudgedCondition] = []
+    exact = True
+    for condition in conditions:
+        statuses = []
+        for factor in factors_of(condition):
+            vanishing = _where(arm, factor, covered)
+            here = frozenset(j for j, all_of_it in enumerate(vanishing) if all_of_it)
+            if here and is_product_of(factor, families, here):
+                proved |= here
+                statuses.append(JudgedCondition(status=ConditionStatus.SINGULAR))
+            else:
+                statuses.append(_verified(arm, factor))
+                exact = False
+        judged.append(_together(statuses))
+    told = tuple(
+        JudgedFamily(found=1.0 if j in proved else float(found.mean()), example=_example(points, found))
+        for j, (found, points) in enumerate(zip(covered, arm.witnesses, strict=True))
+    )
+    verdict = SingularityVerdict(conditions=tuple(judged), families=told, proof=ProofStatus.REFUTED)
+    if not verdict.right:
+        return verdict
+    whole = exact and arm.whole and len(proved) == len(families)
+    return replace(verdict, proof=ProofStatus.PROVED if whole else ProofStatus.UNDECIDED)
+
+
+def lost_motion_is_right(arm: SingularArm, joints: Sequence[float], given: Sequence[float]) -> bool | None:
+    """Judge a motion that the end lost: λ ≠ 0 with λ · J q̇ = 0 for all q̇.
+
+    Args:
+        arm: which arm, and which motion.
+        joints: a singular configuration.
+        given: λ: what multiplies v, and, of the whole twist, what multiplies ω; in frame 0.
+
+    Returns:
+        Whether it is; None if it is zero, or zero but for motions that the arm never makes.
+    """
+    J, moving = _scaled(arm, joints)
+    vector = np.array(given, dtype=np.float64)
+    vector[:3] *= arm.size
+    norm = float(np.linalg.norm(vector))
+    if not np.isfinite(norm) or norm == 0.0 or np.linalg.norm(vector[moving]) <= ROUNDED * norm:
+        return None
+    return bool(np.linalg.norm(vector @ J) <= 5 * ROUNDED * norm * float(np.linalg.norm(J)))
+
+
+def lost_motions_at(arm: SingularArm, joints: Sequence[float]) -> list[tuple[float, ...]]:
+    """Return a basis of the motions that are lost in a configuration, the largest component 1."""
+    J, moving = _scaled(arm, joints)
+    left, values, _ = np.linalg.svd(J[moving])
+    usual = arm.usual
+    rank = int((usual > 1e-9 * usual.max(initial=0.0)).sum())
+    kept = int((values[:rank] > LOST * usual[:rank]).sum())
+    found = []
+    for k in range(kept, rank):
+        vector = np.zeros(len(moving))
+        vector[moving] = left[:, k]
+        vector[:3] /= arm.size
+        vector /= vector[np.argmax(np.abs(vector))]
+        found.append(tuple(vector.tolist()))
+    return found
+
+
+def _scaled(arm: SingularArm, joints: Sequence[float]) -> tuple[Floats, NDArray[np.bool_]]:
+    """Return J in the arm's size for a length, and which of its rows are not always zero."""
+    count = 6 if arm.rows is MotionRows.TWIST else 3
+    slides = np.array([axis.prismatic for axis in arm.chain.axes], dtype=bool)
+    J = jacobian_at(arm.chain, joints, JacobianFrame.BASE) * np.where(slides, arm.size, 1.0)
+    J[:3] /= arm.size
+    samples = arm.chain.jacobian(arm.lines[0].T)[:, :count]
+    moving: NDArray[np.bool_] = np.abs(samples).max(axis=(0, 2)) > LOST * arm.size
+    return J[:count], moving
+
+
+def _where(arm: SingularArm, factor: Expression, covered: Sequence[NDArray[np.bool_]]) -> list[bool]:
+    """Note where in the families a function vanishes; return in which it does everywhere."""
+    scale = float(np.nanmedian(np.abs(arm.values_of(factor, arm.lines[0]))))
+    limit = ROUNDED if _is_rounded(factor) else LOST
+    found = []
+    for seen, points in zip(covered, arm.witnesses, strict=True):
+        values = np.abs(arm.values_of(factor, points))
+        zero = values <= limit * scale if np.isfinite(scale) else np.zeros(len(values), dtype=bool)
+        seen |= zero
+        found.append(bool(zero.all()))
+    return found
+
+
+def _verified(arm: SingularArm, factor: Expression) -> JudgedCondition:
+    """Return what the zeros of a function show."""
+    sample = arm.values_of(factor, arm.grid)
+    finite = sample[np.isfinite(sample)]
+    if len(finite) and np.abs(finite).max() <= 1e-12:
+        return JudgedCondition(status=ConditionStatus.EVERYWHERE)
+    zeros = arm.zeros(factor)
+    if not zeros.shape[1]:
+        return JudgedCondition(status=ConditionStatus.NOWHERE)
+    lost = arm.lost(zeros)
+    if (lost <= (ROUNDED if _is_rounded(factor) else LOST)).all():
+        return JudgedCondition(status=ConditionStatus.SINGULAR)
+    worst = zeros[:, int(np.argmax(lost))]
+    return JudgedCondition(status=ConditionStatus.INVENTED, example=tuple(worst.tolist()))
+
+
+def is_sine_for_cosine(arm: SingularArm, condition: Expression) -> bool:
+    """Return whether a condition is one of singularities, but for a quarter turn of one of its angles."""
+    quarter = pi_times(Fraction(1, 2))
+    for factor in factors_of(condition):
+        for joint in sorted(joint_variables_in(factor)):
+            if arm.table.joint_types[joint - 1] is JointType.PRISMATIC:
+                continue
+            turned = _turned(factor, joint, add((JointVariable(joint), quarter)))
+            zeros = arm.zeros(turned)
+            if zeros.shape[1] and (arm.lost(zeros) <= LOST).all():
+                return True
+    return False
+
+
+def _turned(expression: Expression, joint: int, by: Expression) -> Expression:
+    """Return an expression with a joint variable replaced."""
+    match expression:
+        case JointVariable(index) if index == joint:
+            return by
+        case Sum(terms):
+            return add(_turned(term, joint, by) for term in terms)
+        case Product(factors):
+            return multiply(_turned(factor, joint, by) for factor in factors)
+        case Power(base, exponent):
+            return Power(_turned(base, joint, by), exponent)
+        case Call(function, arguments):
+            return Call(function, tuple(_turned(argument, joint, by) for argument in arguments))
+    return expression
+
+
+def _is_rounded(expression: Expression) -> bool:
+    """Return whether an expression holds decimals."""
+    numbers = (node.value for node in walk(expression) if isinstance(node, Number))
+    return any(value.denominator >= COARSE and 24 % value.denominator for value in numbers)
+
+
+def _together(statuses: Sequence[JudgedCondition]) -> JudgedCondition:
+    """Return what is said of a condition whose factors are judged."""
+    order = (ConditionStatus.EVERYWHERE, ConditionStatus.INVENTED, ConditionStatus.SINGULAR)
+    for status in order:
+        for found in statuses:
+            if found.status is status:
+                return found
+    return JudgedCondition(status=ConditionStatus.NOWHERE)
+
+
+def _example(points: Floats, found: NDArray[np.bool_]) -> tuple[float, ...]:
+    k = int(np.argmin(found)) if len(found) else 0
+    return tuple(points[:, k].tolist())

@@ -1,0 +1,154 @@
+"""Where an arm is singular, as somebody wrote it."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Annotated, Any
+
+from fastapi import Body
+
+from exercises.parts.conditions import read_conditions
+from kinematics.answers.singular_arms import SingularArm, arm_of
+from kinematics.answers.singularity_answers import (
+    ConditionStatus,
+    SingularityVerdict,
+    judge_singularities,
+    lost_motion_is_right,
+    lost_motions_at,
+)
+from kinematics.errors import CellError, Fault, JointValueError
+from kinematics.expressions import Expression, parameters_in
+from kinematics.inverse.lengths import check_lengths
+from kinematics.symbolic.determinants import MotionRows
+from service.http.languages import language_of
+from service.http.openapi import problems
+from service.http.routing import ApiRequest, api_router
+from service.messages import sentence
+from service.schemas import examples
+from service.schemas.singularity_answers import CheckSingularitiesAnswer, CheckSingularitiesRequest
+from service.wire.fault_pointers import traced
+from service.wire.form_values import form_values
+from service.wire.joint_values import values_in_radians
+from service.wire.prepared_robots import PreparedRobot
+from service.work.limiters import WorkKind
+
+router = api_router("kinematics")
+
+_EXAMPLES: dict[str, Any] = {
+    "two links that position a point": {
+        "table": examples.TWO_LINKS,
+        "parameters": {"L1": 0.5, "L2": 0.3},
+        "motion": "translation",
+        "conditions": ["q2 = 0, pi"],
+        "joints": [0, 0],
+        "lost": [1, 0, 0],
+    },
+    "PUMA 560: the wrist is missing": {
+        "robot": "puma560",
+        "conditions": ["tan(q3) = -d4/a3", "a2*c2 + a3*c23 - d4*s23 = 0"],
+    },
+}
+
+
+@router.post(
+    "/check-singularities",
+    summary="Is the arm singular just where these conditions hold?",
+    responses=problems(400, 413, 415, 422, 503),
+)
+async def check_singularities(
+    body: Annotated[CheckSingularitiesRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    request: ApiRequest,
+) -> CheckSingularitiesAnswer:
+    """Conditions are judged as a set, whatever their number, order, factors and signs.
+
+    For each that also holds elsewhere, and for each family that they miss, a configuration shows it. Asked
+    for as well: whether a vector is a motion that the arm has lost in a configuration.
+    """
+    robot = await request.in_turn(partial(request.resources.robots.prepare, body))
+    work = partial(_checked, body, robot, language_of(request))
+    return await request.resources.limiters[WorkKind.GRADING].run(work)
+
+
+def _checked(
+    body: CheckSingularitiesRequest, robot: PreparedRobot, language: str
+) -> CheckSingularitiesAnswer:
+    with traced(body):
+        check_lengths(robot.table)
+    if body.conditions is None and body.lost is None:
+        raise JointValueError(Fault(code="conditions_empty"))
+    values = form_values(body, robot)
+    arm = arm_of(robot.read.table, body.motion, tuple(sorted(values.items())))
+    lost = None if body.lost is None else _lost(body, robot, arm)
+    found, numbers = None, list[int]()
+    if body.conditions is not None:
+        read = [_read(cell, robot, values.keys(), i) for i, cell in enumerate(body.conditions)]
+        numbers = [i + 1 for i, row in enumerate(read) for _ in row]
+        found = judge_singularities(arm, [function for row in read for function in row])
+    return CheckSingularitiesAnswer.model_validate(
+        {
+            **robot.units,
+            "correct": lost is not False and (found is None or found.right),
+            "proof": None if found is None else found.proof,
+            "whole": arm.whole,
+            "conditions": [] if found is None else _conditions(found, numbers, robot, language),
+            "families": []
+            if found is None
+            else [
+                {"found": entry.found, "example": _typed(entry.example, robot)} for entry in found.families
+            ],
+            "lost": lost,
+        }
+    )
+
+
+def _conditions(
+    found: SingularityVerdict, numbers: list[int], robot: PreparedRobot, language: str
+) -> list[dict[str, Any]]:
+    told = []
+    for number, entry in zip(numbers, found.conditions, strict=True):
+        message = None
+        if entry.status is not ConditionStatus.SINGULAR:
+            message = sentence(language, f"feedback-singularity_{entry.status.value}", {"condition": number})
+        told.append(
+            {
+                "number": number,
+                "status": entry.status,
+                "example": _typed(entry.example, robot),
+                "message": message,
+            }
+        )
+    return told
+
+
+def _typed(joints: tuple[float, ...] | None, robot: PreparedRobot) -> list[float] | None:
+    """Return joint values in the request's units."""
+    if joints is None:
+        return None
+    return [value / unit for value, unit in zip(joints, robot.joint_units, strict=True)]
+
+
+def _read(cell: Any, robot: PreparedRobot, known: Any, i: int) -> list[Expression]:
+    where = ("conditions", i)
+    read = read_conditions(cell, robot.read.table.joint_types, robot.read.angle_unit, where)
+    faults = [entry for entry in read if isinstance(entry, Fault)]
+    functions = [entry for entry in read if not isinstance(entry, Fault)]
+    faults += [
+        Fault(code="parameter_missing", where=where, params={"name": name})
+        for entry in functions
+        for name in sorted(parameters_in(entry) - set(known))
+    ]
+    if faults:
+        raise CellError(faults)
+    return functions
+
+
+def _lost(body: CheckSingularitiesRequest, robot: PreparedRobot, arm: SingularArm) -> bool:
+    expected = 3 if body.motion is MotionRows.TRANSLATION else 6
+    given = body.lost or []
+    if len(given) != expected:
+        params = {"expected": expected, "given": len(given)}
+        raise JointValueError(Fault(code="joint_row_length", where=("lost",), params=params))
+    joints = values_in_radians(body.joints or [], robot.joint_units, "joints")
+    if not lost_motions_at(arm, joints):
+        raise JointValueError(Fault(code="not_singular", where=("joints",)))
+    return bool(lost_motion_is_right(arm, joints, given))

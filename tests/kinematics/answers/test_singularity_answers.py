@@ -1,0 +1,178 @@
+"""Singularities as sets: against textbook determinants, which are tested by differences of poses."""
+
+from __future__ import annotations
+
+import random
+
+import numpy as np
+import pytest
+
+from exercises.parts.conditions import read_conditions
+from kinematics.answers.singular_arms import arm_of
+from kinematics.answers.singularity_answers import (
+    ConditionStatus,
+    is_sine_for_cosine,
+    judge_singularities,
+    lost_motion_is_right,
+    lost_motions_at,
+)
+from kinematics.cells import AngleUnit
+from kinematics.errors import Fault, FormSizeError
+from kinematics.expressions import evaluate
+from kinematics.jacobian import JacobianFrame
+from kinematics.symbolic import ProofStatus
+from kinematics.symbolic.determinants import MotionRows
+from kinematics.table import JointType
+from tests.kinematics.answers.joint_values import robot
+from tests.kinematics.answers.singular_sets import ARMS, TEXTBOOK, arm, cases, read
+from tests.kinematics.answers.test_jacobian_answers import differences
+
+PUMA = ("puma560", MotionRows.TWIST)
+SHOULDER, ELBOW, WRIST = "a2*c2 + a3*c23 = d4*s23", "a3*s3 + d4*c3", "q5 = k*pi"
+
+
+def judged(name: str, rows: MotionRows, *texts: str):
+    return judge_singularities(arm(name, rows), [function for text in texts for function in read(name, text)])
+
+
+@pytest.mark.parametrize(("name", "rows"), ARMS)
+def test_the_textbooks_factors_make_the_determinant_of_differences(name: str, rows: MotionRows) -> None:
+    table, found = robot(name), arm(name, rows)
+    rng = random.Random(4)
+    ratios = []
+    for _ in range(5):
+        q = [rng.uniform(0.2, 1.4) for _ in table.joint_types]
+        J = differences(table, q, JacobianFrame.BASE)
+        J = J if rows is MotionRows.TWIST else J[:3]
+        J = J[np.abs(J).max(axis=1) > 1e-7]
+        factors = [evaluate(read(name, text)[0], found.values, q) for text in TEXTBOOK[name, rows]]
+        if name == "stanford":
+            factors.append(q[2])  # the slider's length enters twice
+        ratios.append(np.linalg.det(J) / np.prod(factors))
+    assert np.ptp(ratios) < 1e-5 * abs(ratios[0])
+
+
+def test_right_sets_are_accepted_however_written_and_wrong_ones_refused() -> None:
+    for name, found, texts, right in cases(120, 3):
+        functions = [function for text in texts for function in read(name, text)]
+        assert judge_singularities(found, functions).right is right, (name, texts)
+
+
+def test_factors_of_the_determinant_are_proved() -> None:
+    assert judged(*PUMA, SHOULDER, ELBOW, WRIST).proof is ProofStatus.PROVED
+    assert judged(*PUMA, f"({ELBOW})*sin(q5)", SHOULDER).proof is ProofStatus.PROVED
+    rounded = judged(*PUMA, SHOULDER, "q3 = 92.6917°, -87.3083°", WRIST)
+    assert (rounded.right, rounded.proof) == (True, ProofStatus.UNDECIDED)
+
+
+def test_each_missing_family_is_shown_where_none_of_the_conditions_holds() -> None:
+    found = judged(*PUMA, SHOULDER, WRIST)
+    assert [family.found for family in found.families].count(1.0) == 3
+    (missing,) = [family for family in found.families if family.found < 1.0]
+    assert missing.example is not None
+    joints = list(missing.example)
+    values = arm(*PUMA).values
+    assert abs(evaluate(read("puma560", ELBOW)[0], values, joints)) < 1e-9
+    assert np.linalg.svd(differences(robot("puma560"), joints, JacobianFrame.BASE))[1][-1] < 1e-6
+    assert found.share == pytest.approx(0.75)
+
+
+def test_the_other_branch_of_a_family_is_missed() -> None:
+    found = judged(*PUMA, SHOULDER, "q3 = atan2(-d4, a3)", WRIST)
+    assert not found.right
+    assert 0.0 < min(family.found for family in found.families) < 1.0
+
+
+def test_an_invented_condition_is_shown_where_the_arm_can_move() -> None:
+    found = judged(*PUMA, SHOULDER, ELBOW, WRIST, "cos(q5)")
+    assert [entry.status for entry in found.conditions] == [ConditionStatus.SINGULAR] * 3 + [
+        ConditionStatus.INVENTED
+    ]
+    joints = found.conditions[-1].example
+    assert joints is not None
+    assert np.linalg.svd(differences(robot("puma560"), list(joints), JacobianFrame.BASE))[1][-1] > 1e-4
+    assert is_sine_for_cosine(arm(*PUMA), read("puma560", "cos(q5)")[0])
+    assert not is_sine_for_cosine(arm(*PUMA), read("puma560", "sin(q1) - 1/3")[0])
+
+
+def test_conditions_that_hold_always_or_never_are_called_so() -> None:
+    found = judged("twolink", MotionRows.TRANSLATION, "sin(q2)", "s1^2 + c1^2 = 1", "sin(q1) = 2", "1/0.5")
+    status = [entry.status for entry in found.conditions]
+    assert status[1:] == [ConditionStatus.EVERYWHERE, ConditionStatus.NOWHERE, ConditionStatus.NOWHERE]
+    assert not found.right
+    assert judged("twolink", MotionRows.TRANSLATION, "sin(q2)", "sin(q1) = 2").right
+    assert judged("twolink", MotionRows.TRANSLATION).share == 0.0
+
+
+def test_lengths_that_are_equal_by_chance_are_not_one() -> None:
+    listed = arm("rx90", MotionRows.TWIST)
+    equal = arm_of(listed.table, listed.rows, tuple((name, 0.45) for name in sorted(listed.values)))
+    named = [function for text in ("cos(q3)", "sin(q5)") for function in read("rx90", text)]
+    right = read("rx90", "D3*cos(q2) - RL4*sin(q2 + q3)")
+    swapped = read("rx90", "RL4*cos(q2) - D3*sin(q2 + q3)")
+    assert judge_singularities(equal, [*named, *right]).right
+    assert not judge_singularities(equal, [*named, *swapped]).right
+
+
+def test_an_arm_that_is_never_singular_has_no_families() -> None:
+    assert arm("onelink", MotionRows.TWIST).families == ()
+    assert arm("twolink", MotionRows.TWIST).families == ()
+
+
+def test_an_arm_of_five_joints_is_singular_where_two_equations_hold_too() -> None:
+    assert not arm("scorbot", MotionRows.TWIST).whole
+    found = judged("scorbot", MotionRows.TWIST, "sin(q3)")
+    assert (found.right, found.proof) == (True, ProofStatus.UNDECIDED)
+
+
+def test_determinants_beyond_the_limit_are_refused() -> None:
+    with pytest.raises(FormSizeError):
+        _ = arm("iiwa14", MotionRows.TWIST).families
+
+
+@pytest.mark.parametrize("folded", [0.0, np.pi])
+def test_lost_motions_have_no_power_with_any_velocity(folded: float) -> None:
+    found = arm("twolink", MotionRows.TRANSLATION)
+    joints = [0.4, folded]
+    (motion,) = lost_motions_at(found, joints)
+    along = (np.cos(0.4), np.sin(0.4), 0.0)
+    assert abs(np.dot(motion, (-along[1], along[0], 0.0))) < 1e-9
+    assert lost_motion_is_right(found, joints, along)
+    assert lost_motion_is_right(found, joints, [-3 * value for value in along])
+    assert lost_motion_is_right(found, joints, (along[1], -along[0], 0.0)) is False
+    assert lost_motion_is_right(found, joints, (0.0, 0.0, 1.0)) is None  # it never moves that way
+    assert lost_motion_is_right(found, joints, (0.0, 0.0, 0.0)) is None
+    assert lost_motions_at(found, [0.4, 1.0]) == []
+
+
+def test_where_all_three_families_meet_three_motions_are_lost_or_fewer() -> None:
+    found = arm("stanford", MotionRows.TWIST)
+    joints = [0.3, 0.0, 0.4, 0.2, 0.0, 0.1]
+    motions = lost_motions_at(found, joints)
+    J = differences(robot("stanford"), joints, JacobianFrame.BASE)
+    assert len(motions) == 6 - np.linalg.matrix_rank(J, tol=1e-6)
+    for motion in motions:
+        assert np.abs(np.array(motion) @ J).max() < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("", "condition_not_equation"),
+        ("q3 < 0", "condition_not_equation"),
+        ("q3 = 0 = q5", "condition_not_equation"),
+        ("q3 = sin(q5)", "condition_angle_nonlinear"),
+        ("q3*q5 = 0", "angle_product"),
+        ("q3 = k*pi/3.3", "condition_period"),
+        ("q3 = ", "cell_empty"),
+        ("sin(q3", "parenthesis_not_closed"),
+        ("1/0", "division_by_zero"),
+        ("q9", "joint_variable_unknown"),
+        ("k" * 3000, "cell_too_long"),
+    ],
+)
+def test_what_is_no_condition_is_refused(text: str, code: str) -> None:
+    types = (JointType.REVOLUTE,) * 6
+    (found,) = read_conditions(text, types, AngleUnit.DEG, ("conditions", 0))
+    assert isinstance(found, Fault)
+    assert (found.code, found.where[:2]) == (code, ("conditions", 0))
