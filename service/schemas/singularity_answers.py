@@ -44,7 +44,7 @@ class ConditionModel(Wire):
     message: str | None = Field(description="the sentence, in the caller's language; null of a right one")
 
 
-class FamilyModel(Wire):
+class SingularFamilyModel(Wire):
     """A family of singular configurations."""
 
     found: float = Field(description="share of it where the conditions hold: 1 if all of it")
@@ -66,5 +66,5 @@ class CheckSingularitiesAnswer(Units):
         "where two equations hold at a time"
     )
     conditions: list[ConditionModel]
-    families: list[FamilyModel]
+    families: list[SingularFamilyModel]
     lost: bool | None = Field(description="whether λ is a motion that is lost; null if none was given")
