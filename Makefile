@@ -15,7 +15,7 @@ PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
 export MUED_URL MUED_AUTHORIZATION
 
-.PHONY: openapi-generator accessibility lint-python lint-web help sbom licences serve test mued test-clone test-openedx campaign kill-campaign measure-courses exam explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
+.PHONY: university openapi-generator accessibility lint-python lint-web help sbom licences serve test mued test-clone test-openedx campaign kill-campaign measure-courses exam explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -157,6 +157,9 @@ measure-courses: $(VENV)/.dev ## regrading and statistics of 2 000 students with
 
 exam: $(VENV)/.dev ## the start of an exam of STUDENTS=2000, each with values of their own, or VARIANTS=20 prepared before
 	$(PY) -m tests.lti.exam --students $(or $(STUDENTS),2000) $(if $(VARIANTS),--variants $(VARIANTS)) $(ARGS)
+
+university: $(VENV)/.dev ## 100 000 students on the evening of a deadline: what saturates first (ARGS="--students 5000")
+	$(PY) -m tests.lti.university $(ARGS)
 
 sbom: $(VENV)/.runtime ## bill of materials of the installation, CycloneDX JSON (INTO=file)
 	@$(PY) tools/sbom.py $(INTO)

@@ -34,7 +34,7 @@ from courses.model import LinkSettings, Role
 from courses.storage import Store, open_store
 from service.course_resources import now
 from tests.courses.classroom import platform
-from tests.lti.test_killed import _killed
+from tests.lti.test_killed import killed
 from tests.web.driving import PUMA
 
 WORKERS = 2
@@ -260,7 +260,7 @@ def run(
         }
         warm = [sys.executable, "-m", "service", "warm", COURSE]
         subprocess.run(warm, env={**os.environ, **where}, check=True)
-    with _killed(database, folder, told) as (origin, process):
+    with killed(database, folder, told) as (origin, process):
         port = int(origin.rpartition(":")[2])
         asyncio.run(_ready(port))
         outcome, acknowledged = asyncio.run(sat(port, tokens, process.pid, within))
