@@ -273,7 +273,8 @@ def run(
 
 async def _ready(port: int) -> None:
     """Wait until every worker answers: connections are shared out among them."""
-    for _ in range(200):
+    until = time.monotonic() + PATIENCE
+    while time.monotonic() < until:
         browsers = [Browser(port, "") for _ in range(4 * WORKERS)]
         found = await asyncio.gather(*(browser.ask("GET", "/readyz") for browser in browsers))
         for browser in browsers:
