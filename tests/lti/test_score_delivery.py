@@ -14,7 +14,8 @@ from courses.gradebook import resend
 from courses.storage import Store
 from service.course_resources import CourseResources, now
 from service.settings import Settings
-from service.work.score_sender import ScoreSender
+from service.work import score_sender
+from service.work.score_sender import SIMULTANEOUS, ScoreSender
 from tests.courses.classroom import submitted
 from tests.lti.classes import Lms, eventually
 from tests.lti.delivery import enrolled
@@ -101,3 +102,27 @@ def test_two_senders_send_each_score_once(resources: CourseResources, store: Sto
     assert sent
     users = [entry["user"] for entry in lms.state()["scores"] if entry["resource"] == link]
     assert sorted(users) == sorted(set(users))
+
+
+def test_a_slow_platform_is_sent_several_scores_at_a_time(
+    resources: CourseResources, store: Store, lms: Lms, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """All of one wave have to be under way before any of them goes on."""
+    link = f"together-{store.is_postgresql}"
+    for n in range(SIMULTANEOUS):
+        submitted(store, enrolled(store, lms, f"together-{n}", resource=link), 0.5, key="k")
+    _hurried(store)
+    together = threading.Barrier(SIMULTANEOUS, timeout=60)
+    post = score_sender.post_score
+
+    def waiting(*arguments: object) -> object:
+        together.wait()
+        return post(*arguments)
+
+    monkeypatch.setattr(score_sender, "post_score", waiting)
+    sender = ScoreSender(resources)
+    assert sender.send_due() == SIMULTANEOUS
+    sender.stop()
+    resources.close()
+    users = [entry["user"] for entry in lms.state()["scores"] if entry["resource"] == link]
+    assert len(set(users)) == len(users) == SIMULTANEOUS

@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from bench.report import write
 from courses.model import LinkSettings
 from courses.storage import open_store
+from service.work.score_sender import SIMULTANEOUS
 from tests.databases import new_database, postgresql_server
 from tests.lti.exam import Browser, Outcome, cpu_of, enrolled, handed_in, opened, table
 from tests.lti.test_killed import killed
@@ -33,8 +34,8 @@ Array = NDArray[np.float64]
 
 EVENING = 6 * 3600
 """Seconds from six o'clock to the deadline at midnight."""
-MARKS_A_SECOND = 5.0
-"""Marks that a process of the service delivers, one after another, to a platform that takes 0.2 s a mark."""
+MARKS_A_SECOND = SIMULTANEOUS / 0.2
+"""Marks that a process of the service delivers to a platform that takes 0.2 s for each."""
 CORES = (2, 4, 8, 16, 32)
 
 
@@ -268,9 +269,8 @@ def _first(peak: list[float]) -> list[str]:
     return [
         f"What saturates first is {first} ({needed[first]:.1f} cores or processes in the",
         f"busiest minute), then {second} ({needed[second]:.1f}), then {third}",
-        f"({needed[third]:.1f}). Each process sends marks one after another, {MARKS_A_SECOND:.0f} a second",
-        "to a platform that takes 0.2 s; a mark that waits is",
-        "stored and not lost.",
+        f"({needed[third]:.1f}). Each process sends {SIMULTANEOUS} marks at a time,",
+        f"{MARKS_A_SECOND:.0f} a second to a platform that takes 0.2 s for one; what waits is not lost.",
     ]
 
 
