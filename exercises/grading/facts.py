@@ -67,13 +67,17 @@ class Facts:
         axes: the key's joint axes between what stands for its base and its tool.
         invariants: its lengths and angles, each with the slack within which an answer has it.
         fixed: of base and tool, whether the policy fixes which way z points.
-        weights: what the facts are worth.
+        worth: (q,) what each of these is worth.
+        joint: what a joint is worth.
+        sign: the share of a fact that is lost where only its sign is wrong.
     """
 
     axes: Sequence[Axis]
     invariants: Invariants
     fixed: tuple[bool, bool]
-    weights: Weights
+    worth: Floats
+    joint: float
+    sign: float
 
     def wrong(self, axes: Sequence[Axis], found: Floats | None = None) -> float:
         """The weight of the facts that an answer does not have.
@@ -83,11 +87,9 @@ class Facts:
             found: (q, 1) its invariants, if they are known; of an answer with the key's number of joints.
         """
         lost, fits, has = self._compared(axes, found)
-        weights, shapes = self.weights, self.invariants.shapes
-        worth = np.array([weights.of(shape.measure) for shape in shapes], dtype=np.float64)[:, None]
-        costs = np.where(fits & has, 0.0, np.where(has, weights.sign, 1.0) * worth)
-        least = least_cost(shapes, len(self.axes), costs, self.fixed)
-        return float((least + lost).min()) + weights.joint * max(len(axes) - len(self.axes), 0)
+        costs = np.where(fits & has, 0.0, np.where(has, self.sign, 1.0) * self.worth[:, None])
+        least = least_cost(self.invariants.shapes, len(self.axes), costs, self.fixed)
+        return float((least + lost).min()) + self.joint * max(len(axes) - len(self.axes), 0)
 
     def shared(self, axes: Sequence[Axis]) -> NDArray[np.bool_]:
         """(q,) which invariants an answer has, but for signs.
@@ -136,7 +138,7 @@ class Facts:
     def _lost(self, beside: Sequence[Axis], places: Sequence[int | None]) -> float:
         """The weight of the joints that are missing or of another type."""
         ours = self.axes
-        return self.weights.joint * sum(
+        return self.joint * sum(
             place is None or beside[i].prismatic is not ours[i].prismatic
             for i, place in enumerate(places[1:-1], 1)
         )
