@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -102,9 +102,12 @@ class Follower:
     """
 
     def __init__(self, arm: Arm, target: Array, tolerance: float) -> None:
-        self.arm, self.target, self.tolerance = arm, target, tolerance
+        # A tolerance is as many units of length as radians: corrections weigh them alike.
+        alike = arm.size > 1.0 and bool(arm.revolute.all())
+        self.arm = replace(arm, size=1.0) if alike else arm
+        self.target, self.tolerance = target, tolerance
         self.lost = max(LOST, math.sqrt(tolerance))
-        self._farthest = FARTHEST * (1.0 + float(np.linalg.norm(target[:3, 3])) / arm.size)
+        self._farthest = FARTHEST * (1.0 + float(np.linalg.norm(target[:3, 3])) / self.arm.size)
 
     def _seen(self, x: Array) -> tuple[Array, Array]:
         """Error vector and Jacobian in units."""
