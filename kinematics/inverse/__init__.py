@@ -8,7 +8,8 @@ closed_form    methods that yield all solutions, and which arm has which:
   wrist          three axes through one point
   wrist_blocks   the same for many targets
   wrist_scalars  the same for one target that is well away from singularities
-  wrist_tapes    what both have recorded of an arm
+  clear_blocks   both: many targets that are well away from singularities
+  wrist_tapes    what these have recorded of an arm
   parallel       three parallel axes
   general        six turning joints of any kind, as an eigenproblem
   partition      arms of few joints, or with slides before a wrist

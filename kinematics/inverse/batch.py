@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from kinematics.errors import Fault, PoseError
 from kinematics.evaluation.plan import plan_of
 from kinematics.inverse.arm import ArmReach, Array
+from kinematics.inverse.clear_blocks import SOLUTIONS, clear_solutions
 from kinematics.inverse.components import LONG, fold_length, merging_value
 from kinematics.inverse.distinct import SAME, differences
 from kinematics.inverse.families import LOST
@@ -27,6 +28,7 @@ from kinematics.inverse.results import IKStatus, InverseKinematics
 from kinematics.inverse.solve import Solver
 from kinematics.inverse.wrist import WristArm
 from kinematics.inverse.wrist_blocks import candidates_of_many, has_blocks
+from kinematics.inverse.wrist_scalars import ClearWrist
 from kinematics.se3 import cross_arrays
 
 Indices = NDArray[np.intp]
@@ -43,6 +45,9 @@ AS_IT_IS = 1e-11
 
 TOGETHER = 500
 """How many targets are solved in the same array operations: more would not fit into the cache."""
+
+AT_ONCE = 1000
+"""The same of targets that are away from singularities, with fewer arrays."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -92,10 +97,17 @@ def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
         and solver.arm.reach is ArmReach.POSE
         and len(poses)
     ):
-        for start in range(0, len(poses), TOGETHER):
-            block = slice(start, start + TOGETHER)
-            part, done[block] = _together(solver, closed, poses[block])
-            parts.append(part._replace(target=part.target + start))
+        left = np.arange(len(poses))
+        if solver.clear is not None:
+            for start in range(0, len(poses), AT_ONCE):
+                block = slice(start, start + AT_ONCE)
+                part, done[block] = _at_once(solver, solver.clear, poses[block])
+                parts.append(part._replace(target=part.target + start))
+            left = left[~done]
+        for start in range(0, len(left), TOGETHER):
+            some = left[start : start + TOGETHER]
+            part, done[some] = _together(solver, closed, poses[some])
+            parts.append(part._replace(target=some[part.target]))
     status = [IKStatus.SOLVED] * len(poses)
     complete = done.copy()
     for i in np.flatnonzero(~done).tolist():
@@ -149,7 +161,7 @@ def _checked(targets: ArrayLike) -> Array:
         return poses
     R = poses[:, :3, :3]
     with np.errstate(all="ignore"):
-        off = np.abs(R.transpose(0, 2, 1) @ R - np.eye(3)).reshape(-1, 9)
+        off = _off_orthonormal(R)
         handed = (cross_arrays(R[:, :, 0], R[:, :, 1]) * R[:, :, 2]).sum(axis=1)
         bottom = poses[:, 3] - (0.0, 0.0, 0.0, 1.0)
     far = np.abs(poses[:, :3, 3])
@@ -163,9 +175,40 @@ def _checked(targets: ArrayLike) -> Array:
     return rigid
 
 
+def _off_orthonormal(R: Array) -> Array:
+    """(m, 6): how far the entries of RᵀR on and above the diagonal are from those of the identity."""
+    columns = np.ascontiguousarray(R.transpose(2, 1, 0))
+    off = np.empty((6, len(R)))
+    for row, (i, j) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))):
+        np.einsum("km,km->m", columns[i], columns[j], out=off[row])
+    off[:3] -= 1.0
+    return np.abs(off, out=off).T
+
+
+def _at_once(solver: Solver, clear: ClearWrist, poses: Array) -> tuple[_Part, NDArray[np.bool_]]:
+    """Solutions of the targets that are away from singularities, and which targets those are."""
+    joints, position, angle, done = clear_solutions(clear, poses)
+    owner = np.repeat(np.arange(len(poses)), SOLUTIONS)
+    found = _Part(joints.reshape(-1, 6), owner, position.ravel(), angle.ravel())
+    if done.all() and not solver.box.limited:
+        return found, done
+    kept = done[owner]
+    if solver.box.limited:
+        inside, fits = within_limits(found.joints, solver.arm.revolute, solver.box, solver.arm.size)
+        found = found._replace(joints=inside)
+        kept &= fits
+        done &= np.bincount(owner[kept], minlength=len(poses)) > 0
+        kept &= done[owner]
+    part = _Part(found.joints[kept], owner[kept], found.position_error[kept], found.orientation_error[kept])
+    return part, done
+
+
 def _together(solver: Solver, wrist: WristArm, poses: Array) -> tuple[_Part, NDArray[np.bool_]]:
     """Solutions of the targets that need no care, and which targets those are."""
     joints, counts = candidates_of_many(wrist, poses)
+    if not len(joints):
+        nothing = np.empty(0)
+        return _Part(joints, np.empty(0, dtype=np.intp), nothing, nothing), np.zeros(len(poses), dtype=bool)
     owner = np.repeat(np.arange(len(poses)), counts)
     plan = plan_of(solver.table, solver.base, solver.tool)
     position, angle, volume, fingerprint = judge(plan, joints, poses, counts)

@@ -188,6 +188,8 @@ class _Sorter:
             return [Component(q, dimension=len(blind))]
         x = q / self.arm.units
         moving = [d for d in blind if self._moves(x, d)]
+        if not moving and len(blind) < 2:
+            return [Component(q)]
         if len(moving) > 1 and self._spanned(x, moving):
             directions = np.array(moving)
             paths = self._paths_of_surface(x, directions)

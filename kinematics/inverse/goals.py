@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from kinematics.errors import Fault, PoseError
-from kinematics.inverse.lengths import is_far, too_long
+from kinematics.inverse.lengths import LARGEST_LENGTH, is_far, too_long
 from kinematics.se3 import ORTHONORMAL_TOLERANCE, Transform, check_transform
 
 LEAST_TOLERANCE = 7e-10
@@ -60,6 +60,8 @@ def read_goal(target: ArrayLike, tolerance: float | None, where: tuple[str | int
 
     Source: N. J. Higham, Matrix nearness problems and applications (1989) §3, the orthogonal polar factor.
     """
+    if tolerance is None and type(target) is np.ndarray and target.shape == (4, 4) and _is_exact(target):
+        return Goal(target.astype(np.float64), LEAST_TOLERANCE)
     if tolerance is not None and not 0.0 < tolerance <= LARGEST_TOLERANCE:
         params = {"limit": LARGEST_TOLERANCE}
         raise PoseError(Fault(code="pose_tolerance_out_of_range", where=("tolerance",), params=params))
@@ -74,4 +76,25 @@ def read_goal(target: ArrayLike, tolerance: float | None, where: tuple[str | int
         pose[:3, :3] = U @ V
     return Goal(
         pose, max(OF_ROUNDING * off, LEAST_TOLERANCE) if tolerance is None else max(tolerance, ROUNDING)
+    )
+
+
+def _is_exact(target: NDArray[Any]) -> bool:
+    """Whether an array is a rigid motion that was not rounded and is not too far away; never long."""
+    if target.dtype != np.float64:
+        return False
+    rows: list[list[float]] = target.tolist()
+    (a, b, c, x), (d, e, f, y), (g, h, i, z), bottom = rows
+    return (
+        bottom == [0.0, 0.0, 0.0, 1.0]
+        and abs(a * a + d * d + g * g - 1.0) <= EXACT
+        and abs(b * b + e * e + h * h - 1.0) <= EXACT
+        and abs(c * c + f * f + i * i - 1.0) <= EXACT
+        and abs(a * b + d * e + g * h) <= EXACT
+        and abs(a * c + d * f + g * i) <= EXACT
+        and abs(b * c + e * f + h * i) <= EXACT
+        and (a * e - b * d) * i > (a * f - c * d) * h - (b * f - c * e) * g
+        and -LARGEST_LENGTH < x < LARGEST_LENGTH
+        and -LARGEST_LENGTH < y < LARGEST_LENGTH
+        and -LARGEST_LENGTH < z < LARGEST_LENGTH
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import NamedTuple
 
 from kinematics.se3 import Transform
 
@@ -82,8 +83,7 @@ class Family:
     members: tuple[tuple[float, ...], ...] = ()
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class IKSolution:
+class IKSolution(NamedTuple):
     """One way to reach the target.
 
     Attributes:

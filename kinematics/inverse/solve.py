@@ -116,10 +116,7 @@ class Solver:
             status=IKStatus.SOLVED,
             complete=True,
             method=Method.CLOSED_FORM,
-            solutions=tuple(
-                IKSolution(joints=q, position_error=position, orientation_error=angle)
-                for q, position, angle in found
-            ),
+            solutions=tuple([IKSolution(*one) for one in found]),
             outside_limits=count - len(found),
             tolerance=goal.tolerance,
         )
@@ -235,7 +232,8 @@ class Solver:
 
 
 def _way(solution: ClearSolution) -> float:
-    return sum(map(abs, solution.joints))
+    q1, q2, q3, q4, q5, q6 = solution.joints
+    return abs(q1) + abs(q2) + abs(q3) + abs(q4) + abs(q5) + abs(q6)
 
 
 def inverse_kinematics(

@@ -17,6 +17,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -47,6 +48,9 @@ FARTHER = 16.0
 """k = p_x² + g_2² - … moves by at most four times what the wrist's centre and p_x do, and (2 a_2 ρ)² - k² by
 4 a_2 ρ times that where it vanishes; twice as much is beyond reach."""
 
+FLIPPED = 1e-15
+"""What adding π to two angles leaves of rounding [rad]."""
+
 _LOOKS = 5
 """Configurations at which a closed form recorded for an arm is tried before it is believed."""
 
@@ -74,6 +78,7 @@ class ClearWrist:
         lever: distance from the wrist's centre to the tool's origin [m].
         least_volume: |det J| divided by the least singular value, at most.
         spread: how far the wrist's centre may be off for each unit of tolerance, in the arm's size.
+        seen: (12, 16) from a target's entries to the nine of R and the three of p that the normal form sees.
         left_over, wrist_error, centre_error: the recorded computations as functions.
     """
 
@@ -81,6 +86,7 @@ class ClearWrist:
     lever: float
     least_volume: float
     spread: float
+    seen: Array
     left_over: Callable[..., tuple[float, ...]]
     wrist_error: Callable[..., tuple[float, ...]]
     centre_error: Callable[..., tuple[float, ...]]
@@ -94,10 +100,10 @@ class ClearWrist:
         """
         w = self.wrist
         a1, ca1, sa1, d2, a2, ca2, _, rho, zeta = w.head
-        (n1, n2, n3, x), (n4, n5, n6, y), (n7, n8, n9, z), _ = (w.before @ target @ w.after).tolist()
+        n1, n2, n3, n4, n5, n6, n7, n8, n9, x, y, z = (self.seen @ target.ravel()).tolist()
         x, y, z = x / w.size, y / w.size, z / w.size
-        lost = self.least_volume * lost_value(tolerance)
-        least = self.least_volume * merging_value(tolerance)
+        lost, least = _least_values(tolerance)
+        lost, least = self.least_volume * lost, self.least_volume * least
         off_centre = tolerance * self.spread
         sideways = off_centre + math.sqrt(off_centre / FOLD)
         f3 = d2 + ca2 * zeta
@@ -134,15 +140,21 @@ class ClearWrist:
                 alone = apart and bent > APART * length and sine > APART
                 if volume * sine <= (lost if alone else least):
                     return None
-                for t4, t5, t6 in _right_wrist(w.wrist[1], w.wrist[3], N):
-                    off = self.wrist_error(
-                        math.cos(t4), math.sin(t4), math.cos(t5), math.sin(t5), math.cos(t6), math.sin(t6), *N
-                    )[0]
-                    angle = math.sqrt(0.5 * off)
-                    if angle > EXACT or away > EXACT * w.size:
-                        return None
-                    joints = tuple(map(_turned, (t1, t2, t3, t4, t5, t6), w.zeros))
-                    found.append(ClearSolution(joints, away + self.lever * angle, angle))
+                (t4, t5, t6), flipped = _right_wrist(w.wrist[1], w.wrist[3], N)
+                off = self.wrist_error(
+                    math.cos(t4), math.sin(t4), math.cos(t5), math.sin(t5), math.cos(t6), math.sin(t6), *N
+                )[0]
+                angle = math.sqrt(0.5 * off)
+                if angle > EXACT or away > EXACT * w.size:
+                    return None
+                o1, o2, o3, o4, o5, o6 = w.zeros
+                q1, q2, q3 = _turned(t1, o1), _turned(t2, o2), _turned(t3, o3)
+                joints = q1, q2, q3, _turned(t4, o4), _turned(t5, o5), _turned(t6, o6)
+                found.append(ClearSolution(joints, away + self.lever * angle, angle))
+                t4, t5, t6 = flipped  # they make the same rotation
+                angle += FLIPPED
+                joints = q1, q2, q3, _turned(t4, o4), _turned(t5, o5), _turned(t6, o6)
+                found.append(ClearSolution(joints, away + self.lever * angle, angle))
         return found or None
 
 
@@ -157,6 +169,17 @@ def _right_wrist(
     t4, t5 = math.atan2(s4, c4), math.atan2(s5, c5)
     t6 = math.atan2(-sa4 * sa5 * (c4 * n21 - s4 * n11), c5 * (c4 * n11 + s4 * n21) + s5 * sa4 * n31)
     return (t4, t5, t6), (t4 + math.pi, -t5, t6 + math.pi)
+
+
+@lru_cache(maxsize=256)
+def _least_values(tolerance: float) -> tuple[float, float]:
+    return lost_value(tolerance), merging_value(tolerance)
+
+
+def _seen(wrist: WristArm) -> Array:
+    """(12, 16): T ↦ before · T · after on the entries of T, the last row left out."""
+    both = np.einsum("ik,lj->ijkl", wrist.before, wrist.after).reshape(4, 4, 16)
+    return np.concatenate((both[:3, :3].reshape(9, 16), both[:3, 3]))
 
 
 def _turned(turn: float, zero: float) -> float:
@@ -176,6 +199,7 @@ def clear_wrist_of(arm: Arm, wrist: WristArm) -> ClearWrist | None:
         wrist=wrist,
         lever=lever,
         spread=(1.0 + lever) / wrist.size,
+        seen=_seen(wrist),
         least_volume=arm.larger_five,
         left_over=function_of_floats(left_over_tape(wrist)),
         wrist_error=function_of_floats(wrist_error_tape(wrist.wrist)),
