@@ -7,6 +7,7 @@ PEERS := .venv-peers
 DESCRIPTIONS := .venv-descriptions
 RUNNERS := .venv-runners
 OPENAPI := .venv-openapi-generator
+FUZZ := .venv-fuzz
 RUNNERS_LOCK := tests/service/adapters/requirements-runners
 OPENEDX := .venv-openedx
 OPENEDX_LOCK := tests/lti/requirements-openedx
@@ -71,6 +72,8 @@ lock: $(VENV)/.dev ## renew the hash locks from pyproject.toml
 	$(PY) -m uv pip compile tests/kinematics/urdf/requirements-descriptions.txt --constraint requirements-dev.lock \
 	    --universal --generate-hashes --no-header --no-annotate --python-version 3.11 --quiet \
 	    -o tests/kinematics/urdf/requirements-descriptions.lock
+	$(PY) -m uv pip compile tests/fuzz/requirements-fuzz.txt pyproject.toml --constraint requirements.lock --universal \
+	    --generate-hashes --no-header --no-annotate --python-version 3.11 --quiet -o tests/fuzz/requirements-fuzz.lock
 	$(PY) -m uv pip compile $(RUNNERS_LOCK).txt pyproject.toml --constraint requirements.lock --universal \
 	    --generate-hashes --no-header --no-annotate --python-version 3.11 --quiet -o $(RUNNERS_LOCK).lock
 	$(PY) -m uv pip compile tests/clients/requirements-openapi-generator.txt --universal --generate-hashes --no-header \
@@ -160,6 +163,15 @@ exam: $(VENV)/.dev ## the start of an exam of STUDENTS=2000, each with values of
 
 university: $(VENV)/.dev ## 100 000 students on the evening of a deadline: what saturates first (ARGS="--students 5000")
 	$(PY) -m tests.lti.university $(ARGS)
+
+$(FUZZ)/.installed: tests/fuzz/requirements-fuzz.lock
+	$(PYTHON) -m venv $(FUZZ)
+	$(FUZZ)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes -r $<
+	@touch $@
+
+.PHONY: fuzz
+fuzz: $(FUZZ)/.installed ## bytes to every reader, guided by coverage, for MINUTES=10 (ARGS="--only cells urdf": some)
+	nice -n 19 $(FUZZ)/bin/python -m tests.fuzz --minutes $(or $(MINUTES),10) $(ARGS)
 
 sbom: $(VENV)/.runtime ## bill of materials of the installation, CycloneDX JSON (INTO=file)
 	@$(PY) tools/sbom.py $(INTO)

@@ -81,7 +81,7 @@ def _entries(archive: zipfile.ZipFile) -> tuple[str, Mapping[str, zipfile.ZipInf
     for entry in listed:
         if _BESIDE.fullmatch(entry.filename):
             continue
-        if entry.is_dir() and entry.file_size == 0 and entry.filename.count("/") == 1:
+        if entry.filename.endswith("/") and entry.file_size == 0 and entry.filename.count("/") == 1:
             continue
         named = _NAME.fullmatch(entry.filename)
         kind = stat.S_IFMT(entry.external_attr >> 16)

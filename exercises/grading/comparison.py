@@ -31,6 +31,10 @@ NAMED = 0.02
 """How far a number may be from the value of the name that it stands for, as a share, whatever its digits."""
 
 
+LARGEST_ENTRY = 1e70
+"""Volumes and fourth powers of lengths are computed, and sums of them over all rows: doubles end at 1e308."""
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Comparison:
     """Two tables and the parameter values at which they are compared; lengths in the submission's unit.
@@ -108,8 +112,9 @@ def comparisons(
         if (comparison := _comparison(key, answer, fixed, values)) is not None
     ]
     if not found:
-        bind(key.table, {name: float(value) for name, value in values.given.items()})
-        bind(submission.table, {name: float(value) for name, value in values.given.items()})
+        given = {name: float(value) for name, value in values.given.items()}
+        _within_bounds(bind(key.table, given))
+        _within_bounds(bind(submission.table, given))
         raise ParameterError(
             Fault(
                 code="tables_without_value",
@@ -261,8 +266,8 @@ def _comparison(
     for attempt in range(ATTEMPTS if names else 1):
         draw = {name: _drawn(name, attempt, values) for name in names}
         try:
-            bound = _bound(key, tuple(draw.items())), bind(answer, draw)
-            meanings.append(bound[1] if typed.table is answer else bind(typed.table, draw))
+            bound = _bound(key, tuple(draw.items())), _within_bounds(bind(answer, draw))
+            meanings.append(bound[1] if typed.table is answer else _within_bounds(bind(typed.table, draw)))
         except ParameterError:
             continue
         draws.append(draw)
@@ -324,7 +329,24 @@ def _is_exact(key: SymbolicTable) -> bool:
 @lru_cache(maxsize=1024)
 def _bound(key: SymbolicTable, draw: tuple[tuple[str, float], ...]) -> NumericTable:
     """The key at a draw; remembered, for one key is compared with many answers."""
-    return bind(key, dict(draw))
+    return _within_bounds(bind(key, dict(draw)))
+
+
+def _within_bounds(table: NumericTable) -> NumericTable:
+    """Return a table whose invariants can be computed.
+
+    Raises:
+        ParameterError: an entry is too large: its powers would be infinite.
+    """
+    faults = [
+        Fault(code="result_not_finite", where=("rows", i, cell))
+        for i, row in enumerate(table.rows)
+        for cell in CELLS
+        if abs(getattr(row, cell)) > LARGEST_ENTRY
+    ]
+    if faults:
+        raise ParameterError(faults)
+    return table
 
 
 def _drawn(name: str, attempt: int, values: Values) -> float:

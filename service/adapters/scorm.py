@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -82,9 +83,9 @@ def manifest(what: ScormPackage) -> str:
   </metadata>
   <organizations default="organization">
     <organization identifier="organization">
-      <title>{xml(what.title)}</title>
+      <title>{_xml(what.title)}</title>
       <item identifier="item" identifierref="resource">
-        <title>{xml(what.title)}</title>
+        <title>{_xml(what.title)}</title>
 {item(what)}      </item>
 {edition.after_items}    </organization>
   </organizations>
@@ -133,6 +134,14 @@ _2004 = _Edition(
       </imsss:sequencing>
 """,
 )
+
+
+_NOT_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+"""What no XML document can hold, however it is written (XML 1.0 §2.2)."""
+
+
+def _xml(text: str) -> str:
+    return xml(_NOT_XML.sub("", text))
 
 
 def _item_1_2(what: ScormPackage) -> str:

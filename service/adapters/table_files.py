@@ -206,10 +206,11 @@ def _delimited(name: str, content: bytes) -> Grid:
     headers = ((mark, line) for line in lines[:_HEADER_WITHIN] for mark in "\t;,|")
     delimiter = next((mark for mark, line in headers if _is_header(line.split(mark))), ",")
     csv.field_size_limit(LARGEST_FILE)
-    return [
-        row
-        for row, _ in zip(csv.reader(io.StringIO(text), delimiter=delimiter), range(MOST_ROWS), strict=False)
-    ]
+    rows = csv.reader(io.StringIO(text, newline=None), delimiter=delimiter)
+    try:
+        return [row for row, _ in zip(rows, range(MOST_ROWS), strict=False)]
+    except csv.Error:
+        raise _refused("file_unreadable", name, reason="columns") from None
 
 
 def _grid_tables(name: str, grid: Grid, settings: TableSettings) -> Iterator[FoundTable]:

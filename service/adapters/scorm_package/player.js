@@ -127,18 +127,18 @@
     if (message.subject === "framewise.ready") {
       frame.contentWindow.postMessage({ subject: "framewise.restore", state: restored }, service);
     } else if (message.subject === "framewise.draft") {
-      pending = message.state;
+      pending = message.state ?? null;
       save();
     } else if (message.subject === "framewise.verdict") {
-      pending = message.state;
+      pending = message.state ?? null;
       take(message);
     }
   }
 
   /** The best verdict counts: a student who goes on trying loses nothing. */
   function take({ points, max_points: most, complete, receipt }) {
-    if (!lms || !(most > 0)) return;
-    const percent = Math.round((1e4 * points) / most) / 100;
+    if (!lms || ![points, most].every(Number.isFinite) || !(points >= 0 && most >= points && most > 0)) return;
+    const percent = Math.round(1e4 * (points / most)) / 100;
     save();
     if (best === null || percent >= best) {
       best = percent;
@@ -147,13 +147,13 @@
       lms.set(`${NAMES.score}.raw`, percent);
       const passed = points >= settings.pass * most - 1e-9;
       if (lms.version === 2004) {
-        lms.set("cmi.score.scaled", Math.round((1e4 * points) / most) / 1e4);
+        lms.set("cmi.score.scaled", Math.round(1e4 * (points / most)) / 1e4);
         lms.set("cmi.success_status", passed ? "passed" : "failed");
         lms.set("cmi.completion_status", complete ? "completed" : "incomplete");
       } else {
         lms.set("cmi.core.lesson_status", passed ? "passed" : complete ? "failed" : "incomplete");
       }
-      if (receipt) lms.set(NAMES.receipt, receipt);
+      if (receipt && typeof receipt === "string") lms.set(NAMES.receipt, receipt);
     }
     clock();
     lms.commit();
@@ -161,9 +161,22 @@
 
   function save() {
     if (!lms || pending === null) return;
-    const text = JSON.stringify(pending);
-    if (text.length <= NAMES.suspendLimit) lms.set("cmi.suspend_data", text);
-    else lms.set("cmi.suspend_data", JSON.stringify({ table: pending.table }).slice(0, NAMES.suspendLimit));
+    for (const state of [pending, { table: pending.table }]) {
+      const text = written(state);
+      if (text.length <= NAMES.suspendLimit) {
+        lms.set("cmi.suspend_data", text);
+        return;
+      }
+    }
+  }
+
+  /** A state as JSON; "" of what has none. */
+  function written(state) {
+    try {
+      return JSON.stringify(state) ?? "";
+    } catch {
+      return "";
+    }
   }
 
   function leave() {
