@@ -185,8 +185,9 @@ browser: ## Chromium for the end-to-end tests (Debian; needs root)
 proxy: ## nginx for the test of the documented reverse proxy (Debian; needs root)
 	apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq nginx-light
 
-picture: $(VENV)/.dev vendor ## renew the README's pictures from the live page (needs Chromium)
+picture: $(VENV)/.dev vendor ## renew the pictures of the README and of docs/lms from live pages (needs Chromium)
 	$(PY) -m tools.picture
+	$(PY) -m tools.course_pictures
 
 vendor: static/vendor/.complete
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import shutil
 import socket
 import subprocess
@@ -17,15 +18,16 @@ from playwright.sync_api import Browser, sync_playwright
 
 ROOT = Path(__file__).resolve().parent.parent
 ARGUMENTS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking"]
-PATIENCE = 30.0
+PATIENCE = 120.0
 
 
 @contextlib.contextmanager
-def service() -> Iterator[str]:
-    """The service in a process of its own; yields its origin."""
+def service(**settings: str) -> Iterator[str]:
+    """The service in a process of its own, with settings as variables; yields its origin."""
     with socket.create_server(("127.0.0.1", 0)) as listener:
         port = listener.getsockname()[1]
-    process = subprocess.Popen([sys.executable, "-m", "service", "--port", str(port)], cwd=ROOT)
+    command = [sys.executable, "-m", "service", "--port", str(port)]
+    process = subprocess.Popen(command, cwd=ROOT, env={**os.environ, **settings})
     origin = f"http://127.0.0.1:{port}"
     try:
         give_up = time.monotonic() + PATIENCE

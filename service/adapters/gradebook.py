@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import TextIO
@@ -76,13 +76,18 @@ def write_marks(marks: Iterable[Mark], stream: TextIO, form: GradebookFormat = G
         case GradebookFormat.MOODLE:
             # Site administration calls the columns what it likes; these are the grade import's own names.
             writer.writerow(("Identifier", "Full name", "Grade", "Maximum Grade", "Feedback comments"))
-            for mark in marks:
+            for mark in _of_students(marks):
                 writer.writerow(
                     (safe(mark.identifier or mark.student), safe(mark.student), _number(mark.points),
                      _number(mark.max_points), safe(mark.feedback))
                 )  # fmt: skip
         case GradebookFormat.CANVAS:
-            _write_canvas(marks, writer)
+            _write_canvas(_of_students(marks), writer)
+
+
+def _of_students(marks: Iterable[Mark]) -> Iterator[Mark]:
+    """Leave out what belongs to nobody, such as a forged receipt: a gradebook has no line for it."""
+    return (mark for mark in marks if mark.student and mark.exercise)
 
 
 def safe(text: str) -> str:
@@ -93,7 +98,10 @@ def safe(text: str) -> str:
 def _write_canvas(marks: Iterable[Mark], writer: csv._writer) -> None:  # type: ignore[name-defined]
     """Canvas wants one column for an assignment and a second row with what it is worth."""
     marks = list(marks)
-    exercises = {mark.exercise: mark.max_points for mark in marks}
+    exercises: dict[str, float | None] = {}
+    for mark in marks:
+        worth = exercises.get(mark.exercise)
+        exercises[mark.exercise] = mark.max_points if worth is None else worth
     writer.writerow(("Student", "ID", "SIS Login ID", "Section", *exercises))
     writer.writerow(("    Points Possible", "", "", "", *map(_number, exercises.values())))
     students: dict[tuple[str, str], dict[str, float | None]] = {}

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -100,6 +101,21 @@ def test_gradebooks(class_folder: Path) -> None:
     assert written[GradebookFormat.CANVAS][0][-1] == "twolink"
     assert written[GradebookFormat.CANVAS][1][0].strip() == "Points Possible"
     assert written[GradebookFormat.CANVAS][4][-1] == ""  # not graded is no zero
+
+
+def test_a_gradebook_has_no_line_for_nobody_and_keeps_what_an_exercise_is_worth() -> None:
+    ann = Mark(
+        student="Ann", exercise="x", points=1, max_points=2, correct=False, codes=(), feedback="", source="a"
+    )
+    forged = replace(ann, student="", exercise="", points=None, max_points=None)
+    late = replace(ann, student="Bob", points=None, max_points=None)
+    for form in (GradebookFormat.MOODLE, GradebookFormat.CANVAS):
+        stream = io.StringIO()
+        write_marks([forged, ann, late], stream, form)
+        found = list(csv.reader(io.StringIO(stream.getvalue())))
+        assert all(any(row) for row in found)
+        if form is GradebookFormat.CANVAS:
+            assert [row[4:] for row in found] == [["x"], ["2"], ["1"], [""]]
 
 
 def test_no_cell_of_a_gradebook_is_a_formula() -> None:
