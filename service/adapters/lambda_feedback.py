@@ -18,6 +18,7 @@ from service.adapters.judging import JudgedAnswer, judge, told_fault
 from service.messages import sentence
 from service.schemas.evaluation import EvaluateRequest, FunctionCall
 
+_OF_ROWS = ("convention", "angle_unit", "length_unit")
 _CHECKED = "twolink"
 """The exercise by which the service checks itself: the smallest that has something to mistake."""
 
@@ -61,7 +62,7 @@ def _request(call: FunctionCall, *, check: bool) -> EvaluateRequest:
     exercise = call.params.get("exercise")
     if exercise is None:
         exercise = call.answer if isinstance(call.answer, str) else None
-    content = call.response if isinstance(call.response, Mapping) else {"value": call.response}
+    content = _content(call)
     preference = {
         name: value for name in ("detail", "language") if isinstance(value := call.params.get(name), str)
     }
@@ -73,6 +74,16 @@ def _request(call: FunctionCall, *, check: bool) -> EvaluateRequest:
             "preSubmissionFeedback": {"enabled": check},
         }
     )
+
+
+def _content(call: FunctionCall) -> Mapping[str, Any]:
+    """Return the answer as an object: a table, or its rows alone, with what `params` say of them."""
+    if isinstance(call.response, Mapping):
+        return call.response
+    if not isinstance(call.response, list):
+        return {"value": call.response}
+    told = {name: call.params[name] for name in _OF_ROWS if name in call.params}
+    return {"convention": "standard", **told, "rows": call.response}
 
 
 def _evaluation(request: EvaluateRequest, language: str, library: Library) -> dict[str, Any]:

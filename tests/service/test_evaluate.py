@@ -153,6 +153,9 @@ def test_an_evaluation_function_judges_as_evaluate_does(client: httpx.Client) ->
     right = function(client, {"response": TABLE, "answer": "twolink"})
     assert right["command"] == "eval"
     assert right["result"]["is_correct"] is True
+    told = {name: value for name, value in TABLE.items() if name != "rows"}
+    alone = {"response": TABLE["rows"], "answer": "twolink", "params": told}
+    assert function(client, alone)["result"] == right["result"]
     wrong = function(client, {"response": WRONG, "answer": "twolink", "params": {"language": "fr"}}, "eval")
     assert wrong["result"]["is_correct"] is False
     assert 0 < wrong["result"]["mark"] < 1
