@@ -163,6 +163,16 @@ class Derivation:
     def _sum(self, parts: Iterable[tuple[Nested, Nested]]) -> Expression:
         return self._table.expression(self._table.total(parts))
 
+    @cached_property
+    def mass_rate(self) -> Matrix:
+        """Ṁ = Σ_k ∂M/∂q_k q̇_k."""
+        table = self._table
+        written = {
+            pair: self._sum((self._rates[k], table.nested(table.derivative(m, k))) for k in self._joints)
+            for pair, m in self._masses.items()
+        }
+        return tuple(tuple(written[min(i, j), max(i, j)] for j in self._joints) for i in self._joints)
+
     def equations(self) -> EquationsOfMotion:
         """All of them."""
         return EquationsOfMotion(

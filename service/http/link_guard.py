@@ -41,6 +41,7 @@ _CALLS: Mapping[str, tuple[Tool, ...]] = {
     "check-jacobian": (Tool.PLAYGROUND,),
     "check-jacobian-form": (Tool.PLAYGROUND,),
     "check-singularities": (Tool.PLAYGROUND,),
+    "check-dynamics": (Tool.PLAYGROUND,),
     "check-screws": (Tool.PLAYGROUND,),
     "compare-tables": (Tool.PLAYGROUND,),
     "other-tables": (Tool.PLAYGROUND, Tool.MATRICES),

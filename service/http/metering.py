@@ -49,6 +49,7 @@ _COSTS = {
     "check-jacobian": 2,
     "check-jacobian-form": 20,
     "check-singularities": 40,
+    "check-dynamics": 20,
     "rotations": 2,
     "check-rotation": 1,
 }

@@ -107,6 +107,18 @@ def weighed(question: WeighedRobot, settings: Settings) -> WeighedTable:
     return WeighedTable(read=read, metric=in_length_unit(read, LengthUnit.M), bodies=bodies, usual=usual)
 
 
+def parameter_numbers(found: WeighedTable, given: Mapping[str, float]) -> dict[str, float]:
+    """The values of all parameters in SI units, from those given in the request's.
+
+    Raises:
+        ParameterError: a value is missing, not needed or not a finite number.
+    """
+    read, bodies = found.read, found.bodies
+    values = parameter_values(bodies.kinds, read.angle_unit, {**found.usual, **given})
+    metres = float(read.length_unit.metres_per_unit)
+    return {name: value * metres if name in bodies.lengths else value for name, value in values.items()}
+
+
 @np.errstate(all="ignore")
 def numeric_answer(question: DynamicsRequest, settings: Settings) -> dict[str, Any]:
     """The dynamics at one configuration.
@@ -117,10 +129,8 @@ def numeric_answer(question: DynamicsRequest, settings: Settings) -> dict[str, A
     """
     found = weighed(question, settings)
     read, bodies = found.read, found.bodies
-    given = {**found.usual, **question.parameters}
-    values = parameter_values(bodies.kinds, read.angle_unit, given)
+    values = parameter_numbers(found, question.parameters)
     metres = float(read.length_unit.metres_per_unit)
-    values = {name: value * metres if name in bodies.lengths else value for name, value in values.items()}
     with located("table"):
         table = bind(found.metric.table, values)
     with traced(question):

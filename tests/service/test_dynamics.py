@@ -185,3 +185,62 @@ def test_a_name_of_a_rate_is_no_parameter(client: httpx.Client) -> None:
     body = {**ARM, "form": "symbolic", "parameters": {}, "links": [{"mass": "dq1"}, {}]}
     del body["joints"]
     check_problem(client.post(PATH, json=body, timeout=120), 422, "name_of_rate")
+
+
+CHECK = "/api/v1/check-dynamics"
+H = "m2*L1*r2*s2"
+ASKED: dict[str, Any] = {
+    "table": table(),
+    "links": [bar(1), bar(2)],
+    "parameters": {**VALUES, "g": 9.81},
+    "gravity": [0, "-g", 0],
+}
+
+
+def test_equations_are_checked_by_what_they_mean(client: httpx.Client) -> None:
+    body = {**ASKED, "C": [[f"-2*{H}*dq2", f"-{H}*dq2"], [f"{H}*dq1", 0]], "h": None}
+    found = client.post(CHECK, json=body, timeout=120).json()
+    assert (found["correct"], found["proof"], found["skew"]) == (True, "proved", False)
+    assert found["M"] is found["g"] is None
+    wrong = {**ASKED, "g": ["-(m1*r1 + m2*L1)*g*c1 - m2*r2*g*c12", "-m2*r2*g*c12"]}
+    response = client.post(CHECK, json=wrong, headers={"accept-language": "fr"}, timeout=120)
+    found = response.json()
+    assert found["g"] == [False, False]
+    assert found["mistakes"][0]["code"] == "gravity_sign"
+    assert "signe opposé" in found["mistakes"][0]["message"]
+
+
+@pytest.mark.parametrize(
+    ("change", "code", "pointer"),
+    [
+        ({}, "motion_empty", ""),
+        ({"M": [[1, 0]]}, "motion_row_count", "/M"),
+        ({"M": [[1, 0], [1]]}, "joint_row_length", "/M/1"),
+        ({"g": [1]}, "joint_row_length", "/g"),
+        ({"h": ["dq3", 0]}, "parameter_missing", "/h/0"),
+        ({"h": ["sin(", 0]}, "cell_incomplete", "/h/0"),
+        ({"g": [0, 0], "parameters": {}}, "parameter_missing", "/parameters/L1"),
+        ({"g": [0, 0], "links": None}, "links_missing", "/links"),
+    ],
+)
+def test_equations_that_cannot_be_read(
+    client: httpx.Client, change: dict[str, Any], code: str, pointer: str
+) -> None:
+    response = client.post(CHECK, json={**ASKED, **change}, timeout=120)
+    assert check_problem(response, 422, code)["pointer"] == pointer
+
+
+def test_a_student_writes_some_of_the_equations(client: httpx.Client) -> None:
+    """In the exercise link i's frame lies at its near end: r and L mean what the figure shows."""
+    answer = {
+        "mass": [
+            ["m1*r1^2 + m2*(L1^2 + r2^2 + 2*L1*r2*c2) + I1 + I2", "m2*r2*(r2 + L1*c2) + I2"],
+            ["m2*r2*(r2 + L1*c2) + I2", "I2 + m2*r2^2"],
+        ],
+        "coriolis": [[f"-2*{H}*dq2", f"-{H}*dq2"], [f"{H}*dq1", 0]],
+    }
+    body = {"equations_of_motion": answer, "seed": "ada"}
+    found = client.post("/api/v1/exercises/twolink-dynamics/grade", json=body, timeout=120).json()
+    part = found["parts"]["equations_of_motion"]
+    assert part["points"] == 50
+    assert [entry["code"] for entry in part["feedback"]] == ["motion_skew_wrong", "motion_missing"]

@@ -9,3 +9,39 @@ error-links_missing = Say what the links weigh: links, one entry for each row of
 error-name_of_rate = { $name } is the name of a joint’s rate in closed forms. Call the parameter something else.
 error-body_varies = What a link weighs, and where, does not change with the joint variables: they stand in the table only.
 error-dynamics_not_finite = The masses, lengths or rates are so large that the result is no number.
+
+task-equations-of-motion =
+    The table of the robot is given, and what moves with frame i of it. Write M(q), C(q, q̇) and g(q) of M q̈ + C q̇ + g = τ, as far as they are asked, as functions of q1, q2, …, their rates dq1, dq2, … and the names that are given; lengths in { $unit }, per radian. { $skew ->
+        [yes] Any C with the right C q̇ is right; besides, Ṁ − 2C shall be skew-symmetric.
+       *[no] Any C with the right C q̇ is right.
+    }
+given-link-weights = The links: mass, centre in frame i, moments about it [kg { $unit }²]
+given-gravity-vector = Free fall in frame 0 [{ $unit }/s²]
+given-weights = Values of the names
+field-mass = Mass matrix M
+field-coriolis = Matrix C
+field-velocity = Coriolis and centrifugal terms C q̇
+field-gravity = Gravity terms g
+feedback-motion_right = These are the equations of motion.
+feedback-motion_mass_wrong = Not every entry of M is right.
+feedback-motion_coriolis_wrong = Not every row of C q̇ is right.
+feedback-motion_velocity_wrong = Not every Coriolis and centrifugal term is right.
+feedback-motion_skew_wrong = With this C, Ṁ − 2C is not skew-symmetric. Christoffel symbols give one with which it is.
+feedback-motion_gravity_wrong = Not every entry of g is right.
+feedback-motion_missing =
+    { $what ->
+        [mass] The mass matrix is missing.
+        [coriolis] The matrix C is missing.
+        [skew] Without the matrix C there is no Ṁ − 2C.
+        [velocity] The Coriolis and centrifugal terms are missing.
+       *[gravity] The gravity terms are missing.
+    }
+feedback-motion_asymmetric = A mass matrix is symmetric; this one is not.
+feedback-motion_point_masses = This is M of point masses: the links’ own moments of inertia are missing.
+feedback-motion_gravity_sign = This g has the opposite sign: g is what the joints must do against gravity, the gradient of the potential energy.
+feedback-motion_velocity_sign = This C q̇ has the opposite sign.
+feedback-motion_coupling_once = Each product q̇j q̇k of two different joints occurs twice in C q̇, as jk and as kj; here it counts once.
+feedback-motion_mass_rate = This is Ṁ q̇. The gradient of the kinetic energy, ½ ∂(q̇ᵀM q̇)/∂q, has to be subtracted.
+error-motion_row_count = The matrix has one row for each joint: { $expected }, not { $given }.
+error-motion_empty = Write at least one of the matrices or rows that are asked.
+error-motion_cell = Here stands a number or an expression; of a place or of moments, three of them.

@@ -174,6 +174,7 @@ form-part-screws = Product of exponentials
 form-part-jacobian = Jacobian and statics
 form-part-jacobian-form = Jacobian in closed form
 form-part-singularities = Singularities
+form-part-equations-of-motion = Equations of motion
 form-part-wrong = To look at again:
 form-radius-inner = Inner radius
 form-radius-outer = Outer radius

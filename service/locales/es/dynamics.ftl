@@ -9,3 +9,39 @@ error-links_missing = Indique la masa de los eslabones: links, una entrada por c
 error-name_of_rate = { $name } es el nombre de la velocidad de una articulación en las formas cerradas. Llame al parámetro de otro modo.
 error-body_varies = La masa de un eslabón y su lugar no cambian con las variables articulares: estas solo figuran en la tabla.
 error-dynamics_not_finite = Las masas, longitudes o velocidades son tan grandes que el resultado no es un número.
+
+task-equations-of-motion =
+    Se dan la tabla del robot y lo que se mueve con su sistema i. Escriba M(q), C(q, q̇) y g(q) de M q̈ + C q̇ + g = τ, en lo que se pida, como funciones de q1, q2, …, sus velocidades dq1, dq2, … y los nombres dados; longitudes en { $unit }, por radián. { $skew ->
+        [yes] Es correcta toda C con el C q̇ correcto; además, Ṁ − 2C debe ser antisimétrica.
+       *[no] Es correcta toda C con el C q̇ correcto.
+    }
+given-link-weights = Los eslabones: masa, centro en el sistema i, momentos respecto de él [kg { $unit }²]
+given-gravity-vector = Gravedad en el sistema 0 [{ $unit }/s²]
+given-weights = Valores de los nombres
+field-mass = Matriz de masas M
+field-coriolis = Matriz C
+field-velocity = Términos de Coriolis y centrífugos C q̇
+field-gravity = Términos gravitatorios g
+feedback-motion_right = Estas son las ecuaciones de movimiento.
+feedback-motion_mass_wrong = No todos los elementos de M son correctos.
+feedback-motion_coriolis_wrong = No todas las filas de C q̇ son correctas.
+feedback-motion_velocity_wrong = No todos los términos de Coriolis y centrífugos son correctos.
+feedback-motion_skew_wrong = Con esta C, Ṁ − 2C no es antisimétrica. Los símbolos de Christoffel dan una con la que lo es.
+feedback-motion_gravity_wrong = No todos los elementos de g son correctos.
+feedback-motion_missing =
+    { $what ->
+        [mass] Falta la matriz de masas.
+        [coriolis] Falta la matriz C.
+        [skew] Sin la matriz C no hay Ṁ − 2C.
+        [velocity] Faltan los términos de Coriolis y centrífugos.
+       *[gravity] Faltan los términos gravitatorios.
+    }
+feedback-motion_asymmetric = Una matriz de masas es simétrica; esta no lo es.
+feedback-motion_point_masses = Esta es la M de masas puntuales: faltan los momentos de inercia propios de los eslabones.
+feedback-motion_gravity_sign = Esta g tiene el signo opuesto: g es lo que las articulaciones deben hacer contra la gravedad, el gradiente de la energía potencial.
+feedback-motion_velocity_sign = Este C q̇ tiene el signo opuesto.
+feedback-motion_coupling_once = Cada producto q̇j q̇k de dos articulaciones distintas aparece dos veces en C q̇, como jk y como kj; aquí cuenta una sola vez.
+feedback-motion_mass_rate = Esto es Ṁ q̇. Hay que restar el gradiente de la energía cinética, ½ ∂(q̇ᵀM q̇)/∂q.
+error-motion_row_count = La matriz tiene una fila por articulación: { $expected }, no { $given }.
+error-motion_empty = Escriba al menos una de las matrices o filas que se piden.
+error-motion_cell = Aquí va un número o una expresión; de un lugar o de momentos, tres.

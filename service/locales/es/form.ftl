@@ -174,6 +174,7 @@ form-part-screws = Producto de exponenciales
 form-part-jacobian = Jacobiana y estática
 form-part-jacobian-form = Jacobiana en forma cerrada
 form-part-singularities = Singularidades
+form-part-equations-of-motion = Ecuaciones de movimiento
 form-part-wrong = Por revisar:
 form-radius-inner = Radio interior
 form-radius-outer = Radio exterior

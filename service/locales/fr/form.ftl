@@ -174,6 +174,7 @@ form-part-screws = Produit d'exponentielles
 form-part-jacobian = Jacobienne et statique
 form-part-jacobian-form = Jacobienne sous forme littérale
 form-part-singularities = Singularités
+form-part-equations-of-motion = Équations du mouvement
 form-part-wrong = À revoir :
 form-radius-inner = Rayon intérieur
 form-radius-outer = Rayon extérieur

@@ -9,3 +9,39 @@ error-links_missing = Indique a massa dos elos: links, uma entrada para cada lin
 error-name_of_rate = { $name } é o nome da velocidade de uma junta nas formas fechadas. Dê outro nome ao parâmetro.
 error-body_varies = A massa de um elo e o seu lugar não mudam com as variáveis de junta: estas figuram só na tabela.
 error-dynamics_not_finite = As massas, comprimentos ou velocidades são tão grandes que o resultado não é um número.
+
+task-equations-of-motion =
+    São dadas a tabela do robô e o que se move com o seu sistema i. Escreva M(q), C(q, q̇) e g(q) de M q̈ + C q̇ + g = τ, no que for pedido, como funções de q1, q2, …, das suas velocidades dq1, dq2, … e dos nomes dados; comprimentos em { $unit }, por radiano. { $skew ->
+        [yes] Toda C com o C q̇ certo está certa; além disso, Ṁ − 2C deve ser antissimétrica.
+       *[no] Toda C com o C q̇ certo está certa.
+    }
+given-link-weights = Os elos: massa, centro no sistema i, momentos em torno dele [kg { $unit }²]
+given-gravity-vector = Gravidade no sistema 0 [{ $unit }/s²]
+given-weights = Valores dos nomes
+field-mass = Matriz de massa M
+field-coriolis = Matriz C
+field-velocity = Termos de Coriolis e centrífugos C q̇
+field-gravity = Termos gravitacionais g
+feedback-motion_right = Estas são as equações do movimento.
+feedback-motion_mass_wrong = Nem todos os elementos de M estão certos.
+feedback-motion_coriolis_wrong = Nem todas as linhas de C q̇ estão certas.
+feedback-motion_velocity_wrong = Nem todos os termos de Coriolis e centrífugos estão certos.
+feedback-motion_skew_wrong = Com esta C, Ṁ − 2C não é antissimétrica. Os símbolos de Christoffel dão uma com a qual é.
+feedback-motion_gravity_wrong = Nem todos os elementos de g estão certos.
+feedback-motion_missing =
+    { $what ->
+        [mass] Falta a matriz de massa.
+        [coriolis] Falta a matriz C.
+        [skew] Sem a matriz C não há Ṁ − 2C.
+        [velocity] Faltam os termos de Coriolis e centrífugos.
+       *[gravity] Faltam os termos gravitacionais.
+    }
+feedback-motion_asymmetric = Uma matriz de massa é simétrica; esta não é.
+feedback-motion_point_masses = Esta é a M de massas pontuais: faltam os momentos de inércia próprios dos elos.
+feedback-motion_gravity_sign = Este g tem o sinal oposto: g é o que as juntas devem fazer contra a gravidade, o gradiente da energia potencial.
+feedback-motion_velocity_sign = Este C q̇ tem o sinal oposto.
+feedback-motion_coupling_once = Cada produto q̇j q̇k de duas juntas diferentes ocorre duas vezes em C q̇, como jk e como kj; aqui conta uma só vez.
+feedback-motion_mass_rate = Isto é Ṁ q̇. É preciso subtrair o gradiente da energia cinética, ½ ∂(q̇ᵀM q̇)/∂q.
+error-motion_row_count = A matriz tem uma linha para cada junta: { $expected }, não { $given }.
+error-motion_empty = Escreva pelo menos uma das matrizes ou linhas pedidas.
+error-motion_cell = Aqui fica um número ou uma expressão; de um lugar ou de momentos, três.

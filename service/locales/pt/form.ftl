@@ -174,6 +174,7 @@ form-part-screws = Produto de exponenciais
 form-part-jacobian = Jacobiana e estática
 form-part-jacobian-form = Jacobiana em forma fechada
 form-part-singularities = Singularidades
+form-part-equations-of-motion = Equações do movimento
 form-part-wrong = A rever:
 form-radius-inner = Raio interior
 form-radius-outer = Raio exterior

@@ -179,6 +179,7 @@ form-part-screws = Produs de exponențiale
 form-part-jacobian = Jacobian și statică
 form-part-jacobian-form = Jacobianul în formă închisă
 form-part-singularities = Singularități
+form-part-equations-of-motion = Ecuații de mișcare
 form-part-wrong = De revăzut:
 form-radius-inner = Raza interioară
 form-radius-outer = Raza exterioară

@@ -184,6 +184,7 @@ form-part-screws = Добуток експонент
 form-part-jacobian = Якобіан і статика
 form-part-jacobian-form = Якобіан у замкненому вигляді
 form-part-singularities = Особливі положення
+form-part-equations-of-motion = Рівняння руху
 form-part-wrong = Варто переглянути:
 form-radius-inner = Внутрішній радіус
 form-radius-outer = Зовнішній радіус

@@ -1,0 +1,356 @@
+"""The equations of motion of a robot whose links have weights: M(q), C(q, q̇) and g(q) as functions.
+
+The robot's table is given, with names and values for what its links weigh. Every C with the right C q̇ is
+right; whether Ṁ − 2C is skew-symmetric is asked for separately (`kinematics.answers.dynamics_answers`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from fractions import Fraction
+from functools import lru_cache
+from random import Random
+from typing import Annotated, Any, ClassVar
+
+from exercises.definition import DrawnParameter, Exercise, Part
+from exercises.draws import Picker, read_draw
+from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.instance import Instance
+from exercises.parts.context import Context
+from exercises.parts.given_table import given_table
+from exercises.parts.matrix_cells import read_row, write_matrix
+from exercises.parts.protocol import (
+    FieldShape,
+    FormField,
+    GivenNumbers,
+    Length,
+    PartTask,
+    PartType,
+    Reading,
+    RobotFacts,
+)
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.reading import Reader
+from kinematics.answers.dynamics_answers import (
+    DynamicsMistake,
+    DynamicsQuestion,
+    DynamicsVerdict,
+    EquationsAnswer,
+    judge_dynamics,
+)
+from kinematics.cells import Cell, LengthUnit, ReadTable
+from kinematics.dynamics import rate_name
+from kinematics.dynamics.reading import NOTHING, RawBody, ReadBodies, read_bodies
+from kinematics.errors import Fault, KinematicsError
+from kinematics.symbolic import Matrix
+
+CellRow = Annotated[tuple[Cell, ...], Length(least=1, most=64)]
+CellRows = Annotated[tuple[CellRow, ...], Length(least=1, most=64)]
+
+MOST_OF_WRONG = 0.8
+"""Of a matrix with a wrong entry no more than this is earned, however many entries are right."""
+_COLUMNS = ("m [kg]", "x", "y", "z", "Ixx", "Iyy", "Izz")
+
+
+class MotionAsk(StrEnum):
+    """What is asked: M, some C, that Ṁ − 2C is skew-symmetric as well, C q̇ alone, g."""
+
+    MASS = "mass"
+    CORIOLIS = "coriolis"
+    SKEW = "skew"
+    VELOCITY = "velocity"
+    GRAVITY = "gravity"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class MotionCells:
+    """The equations of motion: expressions in q1 … qn, the rates dq1 … dqn, and the names that are given.
+
+    Attributes:
+        mass: n×n, the mass matrix M.
+        coriolis: n×n, C with the right C q̇.
+        velocity: n, C q̇, where it is asked instead.
+        gravity: n, what gravity asks of the joints.
+    """
+
+    mass: CellRows | None = None
+    coriolis: CellRows | None = None
+    velocity: CellRow | None = None
+    gravity: CellRow | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class MotionPart(Part):
+    """Equations of motion.
+
+    Attributes:
+        ask: what is asked.
+        links: one for each row of the table; lengths in the exercise's unit.
+        gravity: acceleration of free fall in frame 0.
+        weights: the names in these that the table does not hold, and their values.
+        tolerance: of an entry that is not proved.
+    """
+
+    ask: tuple[MotionAsk, ...]
+    links: tuple[RawBody, ...]
+    gravity: tuple[Cell, ...]
+    weights: tuple[DrawnParameter, ...]
+    tolerance: float
+
+
+class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
+    """M, C and g as functions."""
+
+    kind = "equations_of_motion"
+    raw: ClassVar = MotionCells
+    meaning = (
+        "the mass matrix, Coriolis and gravity terms as functions of the joint variables and their rates"
+    )
+    disclosures: ClassVar = {
+        **{f"motion_{question.value}_wrong": Disclosure(level=HelpLevel.ROW) for question in MotionAsk},
+        **{f"motion_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in DynamicsMistake},
+    }
+
+    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> MotionPart:
+        """Return the part with what is asked and what the links weigh."""
+        links = []
+        for entry in reader.entries("links", needed=True):
+            links.append(
+                RawBody(
+                    mass=_cell(entry, "mass"),
+                    centre=_cells(entry, "centre"),
+                    inertia=tuple(
+                        tuple(value if i == k else 0 for k in range(3))
+                        for i, value in enumerate(_cells(entry, "moments"))
+                    ),
+                )
+            )
+            entry.finish()
+        weights = []
+        for name, inner in reader.tables("weights"):
+            weights.append(
+                DrawnParameter(
+                    name=inner.name(name), value=inner.exact("value"), draw=read_draw(inner, "draw")
+                )
+            )
+            inner.finish()
+        return MotionPart(
+            kind=self.kind,
+            points=points,
+            ask=reader.choices("ask", MotionAsk, ("mass", "coriolis", "gravity")),
+            links=tuple(links),
+            gravity=_cells(reader, "gravity"),
+            weights=tuple(weights),
+            tolerance=reader.number("tolerance", 0.005),
+        )
+
+    def inconsistencies(self, part: MotionPart, exercise: Exercise) -> Iterator[Fault]:
+        """Yield what is wrong with the links, and names without a value or without a use."""
+        try:
+            bodies = _bodies(part, exercise.reference)
+        except KinematicsError as error:
+            yield from error.faults
+            return
+        used = set(bodies.kinds) - set(exercise.reference.parameters)
+        given = {weight.name for weight in part.weights}
+        for name in sorted(used - given):
+            yield Fault(code="parameter_missing", where=("weights", name), params={"name": name})
+        for name in sorted(given - used):
+            yield Fault(code="parameter_unused", where=("weights", name), params={"name": name})
+        for joint in range(1, exercise.reference.table.n_joints + 1):
+            if rate_name(joint) in bodies.kinds:
+                yield Fault(code="name_of_rate", where=("links",), params={"name": rate_name(joint)})
+
+    def draw(self, part: MotionPart, exercise: Exercise, picker: Picker) -> Mapping[str, Fraction]:
+        """Return the student's values of what the links weigh."""
+        return {
+            weight.name: picker.value(weight.value, weight.draw, f"{self.kind}.{weight.name}")
+            for weight in part.weights
+        }
+
+    def task(self, part: MotionPart, instance: Instance) -> PartTask:
+        """Show the table, the links, gravity and the values."""
+        n = instance.exercise.reference.table.n_joints
+        names = tuple(f"q{i}" for i in range(1, n + 1))
+        unit = instance.exercise.length_unit.value
+        form = []
+        if MotionAsk.MASS in part.ask:
+            form.append(FormField(name="mass", shape=FieldShape.MATRIX, labels=names, rows=n))
+        if _asks_matrix(part):
+            form.append(FormField(name="coriolis", shape=FieldShape.MATRIX, labels=names, rows=n))
+        elif MotionAsk.VELOCITY in part.ask:
+            form.append(FormField(name="velocity", shape=FieldShape.VECTOR, labels=names))
+        if MotionAsk.GRAVITY in part.ask:
+            form.append(FormField(name="gravity", shape=FieldShape.VECTOR, labels=names))
+        weights: Mapping[str, Fraction] = instance.drawn[self.kind]
+        numbers = [given_table(instance), _given_links(part, unit)]
+        gravity = tuple(entry if isinstance(entry, str) else float(entry) for entry in part.gravity)
+        told = {"unit": unit}
+        numbers.append(
+            GivenNumbers(name="gravity-vector", labels=("x", "y", "z"), rows=(gravity,), values=told)
+        )
+        if weights:
+            values = tuple(float(value) for value in weights.values())
+            numbers.append(GivenNumbers(name="weights", labels=tuple(weights), rows=(values,)))
+        return PartTask(
+            message="task-equations-of-motion",
+            values={"unit": unit, "skew": "yes" if MotionAsk.SKEW in part.ask else "no"},
+            form=tuple(form),
+            numbers=tuple(numbers),
+        )
+
+    def read(self, raw: MotionCells, reading: Reading) -> EquationsAnswer | None:
+        """Return the functions."""
+        before = len(reading.faults)
+        n = len(reading.joint_types)
+        part = reading.instance.exercise.part(self.kind)
+        assert isinstance(part, MotionPart)
+        names = {weight.name for weight in part.weights} | {rate_name(i) for i in range(1, n + 1)}
+        found: dict[str, Any] = {}
+        for field in ("mass", "coriolis", "velocity", "gravity"):
+            given = getattr(raw, field)
+            if given is None:
+                continue
+            rows = given if field in ("mass", "coriolis") else (given,)
+            count = n if field in ("mass", "coriolis") else 1
+            where = (field,) if count == 1 else None
+            if len(rows) != count:
+                reading.fault("motion_row_count", self.kind, field, expected=n, given=len(rows))
+                continue
+            read = []
+            for i, row in enumerate(rows):
+                place = where or (field, i)
+                if len(row) != n:
+                    reading.fault("joint_row_length", self.kind, *place, expected=n, given=len(row))
+                    continue
+                read.append(read_row(row, reading, self.kind, *place, names=names))
+            found[field] = tuple(read) if count == n and where is None else read[0] if read else None
+        if not found and len(reading.faults) == before:
+            reading.fault("motion_empty", self.kind)
+        return None if len(reading.faults) > before else EquationsAnswer(**found)
+
+    def grade(self, part: MotionPart, answer: EquationsAnswer, context: Context) -> PartReport:
+        """Judge M entry by entry, C q̇ and g row by row; what is asked counts the same."""
+        verdict = judge_dynamics(_question(part, context), answer, part.tolerance)
+        facts: list[Fact] = []
+        feedback: list[Feedback] = []
+        total = 0.0
+        for question in part.ask:
+            right = _findings(question, verdict)
+            if right is None:
+                facts.append(Fact(where=(question.value,), finding=Finding.MISSING))
+                feedback.append(Feedback(code="motion_missing", params={"what": question.value}))
+                continue
+            good = sum(right.values())
+            total += 1.0 if good == len(right) else min(MOST_OF_WRONG, good / len(right))
+            if good < len(right):
+                feedback.append(Feedback(code=f"motion_{question.value}_wrong"))
+                facts += [
+                    Fact(where=(question.value, *place), finding=Finding.WRONG)
+                    for place, good in right.items()
+                    if not good
+                ]
+        feedback += [Feedback(code=f"motion_{mistake.value}") for mistake in verdict.mistakes]
+        if not feedback:
+            feedback.append(Feedback(code="motion_right"))
+        return judged(part, total / len(part.ask), Credit.KEY, facts=facts, feedback=feedback)
+
+    def right(self, part: MotionPart, context: Context) -> MotionCells:
+        """Return the equations with the C that is made of Christoffel symbols."""
+        found = _question(part, context).equations
+        n = context.reference.table.n_joints
+        names = (*found.names, *(rate_name(i) for i in range(1, n + 1)))
+
+        def rows(matrix: Matrix) -> tuple[tuple[Cell, ...], ...]:
+            return tuple(tuple(row) for row in write_matrix(matrix, n, names))
+
+        def row(matrix: Matrix) -> tuple[Cell, ...]:
+            return tuple(entry for (entry,) in write_matrix(matrix, n, names))
+
+        return MotionCells(
+            mass=rows(found.mass) if MotionAsk.MASS in part.ask else None,
+            coriolis=rows(found.coriolis) if _asks_matrix(part) else None,
+            velocity=row(found.velocity)
+            if MotionAsk.VELOCITY in part.ask and not _asks_matrix(part)
+            else None,
+            gravity=row(found.gravity) if MotionAsk.GRAVITY in part.ask else None,
+        )
+
+    def wrong(self, part: MotionPart, context: Context, rng: Random) -> Iterator[tuple[str, MotionCells]]:
+        """Yield gravity of the wrong sign, and an M with a wrong corner."""
+        right = self.right(part, context)
+        if right.gravity is not None and any(cell != "0" for cell in right.gravity):
+            opposite = tuple(f"-({cell})" for cell in right.gravity)
+            yield "motion_gravity_sign", replace(right, gravity=opposite)
+        if right.mass is not None:
+            first, *rest = right.mass
+            changed = (f"2*({first[0]})", *first[1:])
+            yield "motion_mass_wrong", replace(right, mass=(changed, *rest))
+
+
+def _cell(reader: Reader, key: str) -> Cell:
+    value = reader.values.get(key) if reader.given(key) else 0
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
+        reader.fault("motion_cell", key)
+        return 0
+    return value
+
+
+def _cells(reader: Reader, key: str) -> tuple[Cell, ...]:
+    """Return three cells; zeros where they are left out."""
+    value = reader.values.get(key) if reader.given(key) else NOTHING
+    entries = tuple(value) if isinstance(value, list | tuple) else ()
+    good = all(isinstance(entry, int | float | str) and not isinstance(entry, bool) for entry in entries)
+    if len(entries) != len(NOTHING) or not good:
+        reader.fault("motion_cell", key)
+        return NOTHING
+    return entries
+
+
+def _asks_matrix(part: MotionPart) -> bool:
+    return MotionAsk.CORIOLIS in part.ask or MotionAsk.SKEW in part.ask
+
+
+@lru_cache(maxsize=64)
+def _bodies(part: MotionPart, read: ReadTable) -> ReadBodies:
+    """Return the links; all lengths stay in the exercise's unit, so a unit is read as it stands."""
+    return read_bodies(replace(read, length_unit=LengthUnit.M), part.links, part.gravity)
+
+
+def _question(part: MotionPart, context: Context) -> DynamicsQuestion:
+    weights: Mapping[str, Fraction] = context.instance.drawn[part.kind]
+    bodies = _bodies(part, context.reference)
+    values = {**context.reference_values, **{name: float(value) for name, value in weights.items()}}
+    return DynamicsQuestion(
+        table=context.reference.table, links=bodies.links, gravity=bodies.gravity, values=values
+    )
+
+
+def _given_links(part: MotionPart, unit: str) -> GivenNumbers:
+    """Return what the links weigh, without the columns in which everything is zero."""
+    table = [(link.mass, *link.centre, *(link.inertia[i][i] for i in range(3))) for link in part.links]
+    kept = [k for k in range(len(_COLUMNS)) if k == 0 or any(row[k] != 0 for row in table)]
+    labels = tuple(f"{name} [{unit}]" if name in ("x", "y", "z") else name for name in _COLUMNS)
+    return GivenNumbers(
+        name="link-weights",
+        labels=("i", *(labels[k] for k in kept)),
+        rows=tuple((str(i), *(str(row[k]) for k in kept)) for i, row in enumerate(table, 1)),
+        values={"unit": unit},
+    )
+
+
+def _findings(question: MotionAsk, verdict: DynamicsVerdict) -> dict[tuple[int, ...], bool] | None:
+    """Return what is right of one question, by place; None if it was not answered."""
+    if question is MotionAsk.SKEW:
+        return None if verdict.skew is None else {(): verdict.skew}
+    if question is MotionAsk.MASS:
+        if verdict.mass is None:
+            return None
+        return {(i, j): good for i, row in enumerate(verdict.mass) for j, good in enumerate(row)}
+    rows = verdict.gravity if question is MotionAsk.GRAVITY else verdict.velocity
+    return None if rows is None else {(i,): good for i, good in enumerate(rows)}
+
+
+PART = MotionType()

@@ -1,0 +1,323 @@
+"""Equations of motion as an answer: are M, C and g those of the robot, as functions?
+
+    M(q) q̈ + C(q, q̇) q̇ + g(q) = τ
+
+M and g are unique, so each entry is right when it is the same function. C is not: every C with C q̇ = h is
+right, h being the Coriolis and centrifugal forces, so rows of C q̇ are compared. Whether Ṁ − 2C is
+skew-symmetric, which distinguishes some of these C, is a question of its own: C + Cᵀ = Ṁ.
+
+Where entries are exact this is equality of canonical forms (`kinematics.symbolic.canonical`). What is not
+proved, such as numbers in the place of names, is compared at configurations that are drawn from the answer:
+at the robot's values, and with other values for the names that the entry itself holds.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from fractions import Fraction
+from functools import cached_property, lru_cache
+
+import numpy as np
+
+from kinematics.dynamics import Derivation, RigidBody, SymbolicBody, rate_name
+from kinematics.errors import FormSizeError
+from kinematics.expressions import (
+    ONE,
+    ZERO,
+    Expression,
+    Number,
+    Parameter,
+    add,
+    multiply,
+    negate,
+    parameters_in,
+)
+from kinematics.expressions.arrays import values_at
+from kinematics.se3 import Floats
+from kinematics.symbolic import Matrix, ProofStatus, compare
+from kinematics.symbolic.parameter_values import substitute
+from kinematics.table import SymbolicTable
+
+POINTS = 8
+"""Configurations at which functions are compared, for each set of values."""
+PRODUCTS = 100_000
+"""Products of terms that a proof of one entry may form, some 50 ms."""
+HALF = Number(Fraction(1, 2))
+TOLERANCE = 0.005
+"""Of an entry that is not proved, as a share of its size: two decimals and a half."""
+
+
+class DynamicsMistake(StrEnum):
+    """What a wrong answer looks like.
+
+    ASYMMETRIC: M is not symmetric. POINT_MASSES: M without the links' own moments of inertia. GRAVITY_SIGN: g
+    pulls the other way. VELOCITY_SIGN: C q̇ has the other sign. COUPLING_ONCE: products q̇_j q̇_k of two joints
+    count once, not twice. MASS_RATE: Ṁ q̇ is taken for C q̇: the gradient of the kinetic energy is missing.
+    """
+
+    ASYMMETRIC = "asymmetric"
+    POINT_MASSES = "point_masses"
+    GRAVITY_SIGN = "gravity_sign"
+    VELOCITY_SIGN = "velocity_sign"
+    COUPLING_ONCE = "coupling_once"
+    MASS_RATE = "mass_rate"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class DynamicsQuestion:
+    """A robot with weights.
+
+    Attributes:
+        table: its table.
+        links: what moves with frame 1 … N.
+        gravity: acceleration of free fall in frame 0.
+        values: of every name in these.
+    """
+
+    table: SymbolicTable
+    links: tuple[SymbolicBody, ...]
+    gravity: tuple[Expression, Expression, Expression]
+    values: Mapping[str, float]
+
+    @cached_property
+    def equations(self) -> Derivation:
+        """M, C q̇, g and Ṁ in closed form."""
+        return _derived(self.table, self.links, self.gravity)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class EquationsAnswer:
+    """Equations of motion as functions of q1 … qn and dq1 … dqn; None of what was not answered.
+
+    Attributes:
+        mass: n×n, M.
+        coriolis: n×n, some C; or else
+        velocity: n, C q̇.
+        gravity: n, g.
+    """
+
+    mass: Matrix | None = None
+    coriolis: Matrix | None = None
+    velocity: tuple[Expression, ...] | None = None
+    gravity: tuple[Expression, ...] | None = None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class DynamicsVerdict:
+    """What is said of an answer; None of what was not answered.
+
+    Attributes:
+        mass: n×n which entries of M are right.
+        velocity: which rows of C q̇ are right.
+        skew: whether Ṁ − 2C is skew-symmetric, M being the robot's; None without C.
+        gravity: which entries of g are right.
+        proof: PROVED: all of it is equal as functions; UNDECIDED: some was compared at samples only; REFUTED:
+            some differs.
+        mistakes: what wrong parts look like.
+    """
+
+    mass: tuple[tuple[bool, ...], ...] | None
+    velocity: tuple[bool, ...] | None
+    skew: bool | None
+    gravity: tuple[bool, ...] | None
+    proof: ProofStatus
+    mistakes: tuple[DynamicsMistake, ...]
+
+    @property
+    def right(self) -> bool:
+        """Everything that was answered is right, whether or not Ṁ − 2C is skew-symmetric."""
+        rows = (*(self.mass or ()), self.velocity or (), self.gravity or ())
+        return all(all(row) for row in rows)
+
+
+@np.errstate(all="ignore")
+def judge_dynamics(
+    question: DynamicsQuestion, answer: EquationsAnswer, tolerance: float = TOLERANCE
+) -> DynamicsVerdict:
+    """Judge equations of motion.
+
+    Args:
+        question: the robot.
+        answer: with n rows and columns; its names are those of the question and of the rates.
+        tolerance: of an entry that is not proved.
+
+    Raises:
+        FormSizeError: the robot's own equations are too large to be derived.
+    """
+    judge = _EntryJudge(question, repr(answer), tolerance)
+    found = question.equations
+    mass = velocity = gravity = skew = None
+    mistakes: list[DynamicsMistake] = []
+    if answer.mass is not None:
+        mass = judge.mass(answer.mass)
+        if not all(map(all, mass)):
+            mistakes += _mistakes_of_mass(judge, question, answer.mass)
+    given = answer.velocity if answer.coriolis is None else _applied(answer.coriolis)
+    if given is not None:
+        velocity = judge.vector(given, _column(found.velocity))
+        if not all(velocity):
+            mistakes += _mistakes_of_velocity(judge, question, given)
+    if answer.coriolis is not None:
+        skew = judge.skew(answer.coriolis)
+    if answer.gravity is not None:
+        gravity = judge.vector(answer.gravity, _column(found.gravity))
+        if not all(gravity) and judge.agrees(answer.gravity, [negate(g) for g in _column(found.gravity)]):
+            mistakes.append(DynamicsMistake.GRAVITY_SIGN)
+    return DynamicsVerdict(
+        mass=mass,
+        velocity=velocity,
+        skew=skew,
+        gravity=gravity,
+        proof=judge.proof,
+        mistakes=tuple(mistakes),
+    )
+
+
+class _EntryJudge:
+    """Compares functions; remembers how surely they agreed."""
+
+    def __init__(self, question: DynamicsQuestion, answer: str, tolerance: float) -> None:
+        self._question, self._tolerance = question, tolerance
+        self._random = random.Random(answer)  # noqa: S311 - the same answer, the same points
+        self._n = question.table.n_joints
+        self.proof = ProofStatus.PROVED
+
+    def mass(self, given: Matrix) -> tuple[tuple[bool, ...], ...]:
+        ours = self._question.equations.mass
+        return tuple(
+            tuple(self._same(given[i][j], ours[i][j], (ours[i][i], ours[j][j])) for j in range(self._n))
+            for i in range(self._n)
+        )
+
+    def vector(self, given: Sequence[Expression], ours: Sequence[Expression]) -> tuple[bool, ...]:
+        return tuple(
+            self._same(one, other, (other, other) if other != ZERO else tuple(ours))
+            for one, other in zip(given, ours, strict=True)
+        )
+
+    def skew(self, coriolis: Matrix) -> bool:
+        """C + Cᵀ = Ṁ; what is said of it is no part of the proof."""
+        before = self.proof
+        rate = self._question.equations.mass_rate
+        sizes = tuple(entry for row in rate for entry in row if entry != ZERO) or (ONE,)
+        found = all(
+            self._same(add((coriolis[i][j], coriolis[j][i])), rate[i][j], sizes)
+            for i in range(self._n)
+            for j in range(i + 1)
+        )
+        self.proof = before
+        return found
+
+    def agrees(self, given: Sequence[Expression], other: Sequence[Expression]) -> bool:
+        """Whether an answer is some other one than the right one."""
+        before = self.proof
+        found = all(self.vector(given, other)) and any(entry != ZERO for entry in other)
+        self.proof = before
+        return found
+
+    def _same(self, given: Expression, ours: Expression, sizes: Sequence[Expression]) -> bool:
+        if given == ours or _proved(given, ours):
+            return True
+        near = self._near(given, ours, sizes, {})
+        names = sorted(parameters_in(given) & self._question.values.keys())
+        if near and names:
+            other = {name: self._random.uniform(0.3, 3.0) * self._value(name) for name in names}
+            near = self._near(given, ours, sizes, other)
+        if self.proof is not ProofStatus.REFUTED:
+            self.proof = ProofStatus.UNDECIDED if near else ProofStatus.REFUTED
+        return near
+
+    def _near(
+        self,
+        given: Expression,
+        ours: Expression,
+        sizes: Sequence[Expression],
+        other: Mapping[str, float],
+    ) -> bool:
+        values = {**self._question.values, **other}
+        points: dict[str, Floats] = {name: np.full(POINTS, value) for name, value in values.items()}
+        for joint in range(1, self._n + 1):
+            points[rate_name(joint)] = self._drawn()
+        joints = np.array([self._drawn() for _ in range(self._n)])
+        size = max(float(np.abs(values_at(entry, points, joints)).max()) for entry in sizes)
+        difference = np.abs(values_at(given, points, joints) - values_at(ours, points, joints))
+        return bool((difference <= self._tolerance * size).all())
+
+    def _drawn(self) -> Floats:
+        return np.array([self._random.uniform(-3.0, 3.0) for _ in range(POINTS)])
+
+    def _value(self, name: str) -> float:
+        return self._question.values[name] or 1.0
+
+
+@lru_cache(maxsize=64)
+def _derived(
+    table: SymbolicTable,
+    links: tuple[SymbolicBody, ...],
+    gravity: tuple[Expression, Expression, Expression],
+) -> Derivation:
+    return Derivation(table, links, gravity)
+
+
+def _proved(given: Expression, ours: Expression) -> bool:
+    try:
+        return compare(given, ours, limit=PRODUCTS) is ProofStatus.PROVED
+    except (FormSizeError, ZeroDivisionError):
+        return False
+
+
+def _applied(coriolis: Matrix) -> tuple[Expression, ...]:
+    """C q̇."""
+    return tuple(
+        add(multiply((entry, Parameter(rate_name(j)))) for j, entry in enumerate(row, 1)) for row in coriolis
+    )
+
+
+def _column(matrix: Matrix) -> tuple[Expression, ...]:
+    return tuple(row[0] for row in matrix)
+
+
+def _mistakes_of_mass(judge: _EntryJudge, question: DynamicsQuestion, given: Matrix) -> list[DynamicsMistake]:
+    n = len(given)
+    found = []
+    pairs = [(i, j) for i in range(n) for j in range(i)]
+    upper, lower = ([given[i][j] for i, j in pairs], [given[j][i] for i, j in pairs])
+    if upper and not judge.agrees(upper, lower) and upper != lower:
+        found.append(DynamicsMistake.ASYMMETRIC)
+    points = tuple(
+        RigidBody(mass=link.mass, centre=link.centre, inertia=((ZERO,) * 3,) * 3) for link in question.links
+    )
+    bare = _derived(question.table, points, question.gravity).mass
+    flat = [entry for row in given for entry in row]
+    if judge.agrees(flat, [entry for row in bare for entry in row]):
+        found.append(DynamicsMistake.POINT_MASSES)
+    return found
+
+
+def _mistakes_of_velocity(
+    judge: _EntryJudge, question: DynamicsQuestion, given: Sequence[Expression]
+) -> list[DynamicsMistake]:
+    ours = question.equations
+    n = question.table.n_joints
+    rates = [Parameter(rate_name(j)) for j in range(1, n + 1)]
+    right = _column(ours.velocity)
+    squares = []
+    for i in range(n):
+        only = []
+        for j in range(n):
+            alone = {rate_name(k + 1): ZERO for k in range(n) if k != j}
+            only.append(multiply((substitute(ours.coriolis[i][j], alone), rates[j])))
+        squares.append(add(only))
+    once = [
+        add((multiply((HALF, row)), multiply((HALF, square))))
+        for row, square in zip(right, squares, strict=True)
+    ]
+    tried = (
+        (DynamicsMistake.VELOCITY_SIGN, [negate(row) for row in right]),
+        (DynamicsMistake.COUPLING_ONCE, once),
+        (DynamicsMistake.MASS_RATE, list(_applied(ours.mass_rate))),
+    )
+    return [mistake for mistake, other in tried if judge.agrees(given, other)][:1]

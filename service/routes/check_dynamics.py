@@ -1,0 +1,120 @@
+"""Equations of motion that somebody wrote."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Annotated, Any
+
+from fastapi import Body
+
+from exercises.parts.matrix_cells import read_functions
+from kinematics.answers.dynamics_answers import DynamicsQuestion, EquationsAnswer, judge_dynamics
+from kinematics.cells import ReadTable
+from kinematics.dynamics import rate_name
+from kinematics.errors import CellError, Fault, JointValueError
+from kinematics.expressions import Expression, parameters_in
+from service.http.languages import language_of
+from service.http.openapi import problems
+from service.http.routing import ApiRequest, api_router
+from service.messages import sentence
+from service.schemas import examples
+from service.schemas.dynamics_answers import (
+    CHECK_DYNAMICS,
+    CheckDynamicsAnswer,
+    CheckDynamicsRequest,
+    DynamicsMistakeModel,
+)
+from service.settings import Settings
+from service.wire.dynamics import parameter_numbers, weighed
+from service.work.limiters import WorkKind
+
+router = api_router("kinematics")
+
+
+@router.post(
+    "/check-dynamics",
+    summary="Are these M, C and g those of the robot?",
+    responses=problems(400, 413, 415, 422, 503),
+)
+async def check_dynamics(
+    body: Annotated[CheckDynamicsRequest, Body(openapi_examples=examples.named(CHECK_DYNAMICS))],
+    request: ApiRequest,
+) -> CheckDynamicsAnswer:
+    """M and g entry by entry, C by C q̇: every C with the right C q̇ is right.
+
+    Equal functions are proved equal where entries are exact, and compared at many configurations where not.
+    Whether Ṁ − 2C is skew-symmetric is told separately. Names of lengths stand for metres, as in `/dynamics`.
+    """
+    work = partial(_checked, body, request.settings, language_of(request))
+    return await request.resources.limiters[WorkKind.GRADING].run(work)
+
+
+def _checked(body: CheckDynamicsRequest, settings: Settings, language: str) -> CheckDynamicsAnswer:
+    found = weighed(body, settings)
+    question = DynamicsQuestion(
+        table=found.metric.table,
+        links=found.bodies.links,
+        gravity=found.bodies.gravity,
+        values=parameter_numbers(found, body.parameters),
+    )
+    answer = EquationsAnswer(
+        mass=_matrix(body.M, found.read, question, "M"),
+        coriolis=_matrix(body.C, found.read, question, "C"),
+        velocity=None if body.h is None else _row(body.h, found.read, question, "h"),
+        gravity=None if body.g is None else _row(body.g, found.read, question, "g"),
+    )
+    if body.M is body.C is body.h is body.g is None:
+        raise JointValueError(Fault(code="motion_empty"))
+    verdict = judge_dynamics(question, answer, body.tolerance)
+    told: dict[str, Any] = {
+        "angle_unit": found.read.angle_unit.value,
+        "length_unit": found.read.length_unit.value,
+        "correct": verdict.right,
+        "proof": verdict.proof,
+        "M": None if verdict.mass is None else [list(row) for row in verdict.mass],
+        "h": None if verdict.velocity is None else list(verdict.velocity),
+        "skew": verdict.skew,
+        "g": None if verdict.gravity is None else list(verdict.gravity),
+        "mistakes": [
+            DynamicsMistakeModel(
+                code=mistake,
+                message=sentence(language, f"feedback-motion_{mistake.value}", {}) or mistake.value,
+            )
+            for mistake in verdict.mistakes
+        ],
+    }
+    return CheckDynamicsAnswer.model_validate(told)
+
+
+def _matrix(
+    rows: list[list[Any]] | None, read: ReadTable, question: DynamicsQuestion, name: str
+) -> tuple[tuple[Expression, ...], ...] | None:
+    if rows is None:
+        return None
+    expected = question.table.n_joints
+    if len(rows) != expected:
+        params = {"expected": expected, "given": len(rows)}
+        raise JointValueError(Fault(code="motion_row_count", where=(name,), params=params))
+    return tuple(_row(row, read, question, name, i) for i, row in enumerate(rows))
+
+
+def _row(
+    cells: list[Any], read: ReadTable, question: DynamicsQuestion, *where: str | int
+) -> tuple[Expression, ...]:
+    n = question.table.n_joints
+    if len(cells) != n:
+        params = {"expected": n, "given": len(cells)}
+        raise JointValueError(Fault(code="joint_row_length", where=where, params=params))
+    found = read_functions(cells, read.table.joint_types, read.angle_unit, where)
+    faults = [entry for entry in found if isinstance(entry, Fault)]
+    functions = [entry for entry in found if not isinstance(entry, Fault)]
+    known = {*question.values, *(rate_name(joint) for joint in range(1, n + 1))}
+    if not faults:
+        faults = [
+            Fault(code="parameter_missing", where=(*where, k), params={"name": name})
+            for k, entry in enumerate(functions)
+            for name in sorted(parameters_in(entry) - known)
+        ]
+    if faults:
+        raise CellError(faults)
+    return tuple(functions)
