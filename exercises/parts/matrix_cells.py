@@ -119,7 +119,9 @@ def read_entries(
     return [[entry(cell, r, k) for k, cell in enumerate(row)] for r, row in enumerate(cells)]
 
 
-def read_known_matrix(cells: CellMatrix, reading: Reading, part: str, *where: int) -> SymbolicMatrix | None:
+def read_known_matrix(
+    cells: CellMatrix, reading: Reading, part: str, *where: str | int
+) -> SymbolicMatrix | None:
     """Return the matrix that a 4×4 of cells means in the joint variables of a student's answer.
 
     Its faults are kept in the reading, at `where` inside the part.

@@ -166,3 +166,24 @@ def test_singularities_that_cannot_be_judged_are_refused(
     assert [(error["code"], error.get("pointer", "")) for error in answer.json()["errors"]] == [
         (code, pointer)
     ]
+
+
+def test_a_mistake_is_planted_in_a_matrix(client: httpx.Client) -> None:
+    table = {
+        "convention": "standard",
+        "rows": [{"theta": f"q{i}", "d": 0, "a": f"L{i}", "alpha": "pi/2"} for i in (1, 2, 3)],
+    }
+    for matrix in ("link", "transform"):
+        body = {"table": table, "matrix": matrix, "seed": 4}
+        found = post(client, "plant-matrix-mistake", body, "uk")
+        assert post(client, "plant-matrix-mistake", body, "uk") == found
+        apart = [
+            {"row": r + 1, "column": c + 1}
+            for r in range(4)
+            for c in range(4)
+            if found["matrix"][r][c] != found["mended"][r][c]
+        ]
+        assert found["wrong_cells"]
+        assert all(cell in apart for cell in found["wrong_cells"])
+        assert (found["row"] is None) == (matrix == "transform")
+        assert found["label"] != found["mistake"]

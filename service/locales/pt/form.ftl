@@ -169,6 +169,7 @@ form-part-rotation-check = Rotação ou não
 form-part-frame-chain = Cadeia de sistemas
 form-part-inverse-kinematics = Cinemática inversa
 form-part-find-mistake = Encontre o erro
+form-part-matrix-mistake = Encontrar o erro numa matriz
 form-part-compare-tables = Duas tabelas
 form-part-screws = Produto de exponenciais
 form-part-jacobian = Jacobiana e estática

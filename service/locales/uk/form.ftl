@@ -179,6 +179,7 @@ form-part-rotation-check = Поворот чи ні
 form-part-frame-chain = Ланцюг систем
 form-part-inverse-kinematics = Обернена кінематика
 form-part-find-mistake = Знайдіть помилку
+form-part-matrix-mistake = Знайти помилку в матриці
 form-part-compare-tables = Дві таблиці
 form-part-screws = Добуток експонент
 form-part-jacobian = Якобіан і статика

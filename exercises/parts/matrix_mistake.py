@@ -1,0 +1,264 @@
+"""Find the mistake in a matrix: planted in that of a row, or in ⁰T_N; find it, name it, mend it.
+
+The table is given, so the right matrix is one function of the joint variables, in whatever form it is
+written. A
+wrong entry is every one that differs from it; so is a name right that gives the matrix that is shown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from random import Random
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from exercises.definition import Exercise, Part
+from exercises.draws import Picker
+from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.instance import Instance
+from exercises.parts.context import Context
+from exercises.parts.given_table import given_table
+from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
+from exercises.parts.planted_matrices import (
+    MATRIX_MISTAKES,
+    MatrixKind,
+    PlantedMatrix,
+    differing,
+    plantable_in,
+)
+from exercises.parts.protocol import (
+    TABLE,
+    FieldShape,
+    FormField,
+    GivenNumbers,
+    Length,
+    PartTask,
+    PartType,
+    Reading,
+    RobotFacts,
+)
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.reading import Reader
+from kinematics.cells import Cell
+from kinematics.errors import Fault
+from kinematics.expressions import parameters_in
+from kinematics.expressions.arrays import values_at
+from kinematics.symbolic import Matrix
+
+FourCells = Annotated[tuple[Cell, ...], Length(least=4, most=4)]
+FourRows = Annotated[tuple[FourCells, ...], Length(least=4, most=4)]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FoundMatrixMistakeCells:
+    """Where a mistake stands in a matrix, what it is, and the matrix as it should be.
+
+    Attributes:
+        cell_row: row of a wrong entry, from 1.
+        cell_column: its column, from 1.
+        mistake: the mistake, a code of the catalogue.
+        mended_matrix: the 4×4 matrix as it should be, in the variables of the table.
+    """
+
+    cell_row: int | str | None = None
+    cell_column: int | str | None = None
+    mistake: str | None = None
+    mended_matrix: FourRows | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FoundMatrixMistake:
+    """The same, read: the entry from 0."""
+
+    cell: tuple[int, int] | None
+    mistake: str | None
+    mended: SymbolicMatrix | None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class MatrixMistakePart(Part):
+    """A matrix with a planted mistake.
+
+    Attributes:
+        matrix: which one.
+        mistakes: codes of those that may be planted.
+    """
+
+    matrix: MatrixKind
+    mistakes: tuple[str, ...]
+
+
+class MatrixMistakeType(PartType[MatrixMistakePart, FoundMatrixMistakeCells, FoundMatrixMistake]):
+    """Find the mistake in a matrix."""
+
+    kind = "matrix_mistake"
+    raw: ClassVar = FoundMatrixMistakeCells
+    meaning = "the planted mistake in a matrix: a wrong entry, its name, and the matrix as it should be"
+    disclosures: ClassVar = {
+        "matrix_mistake_place_wrong": Disclosure(level=HelpLevel.ROW),
+        "matrix_mistake_name_wrong": Disclosure(level=HelpLevel.ROW),
+        "matrix_not_mended": Disclosure(level=HelpLevel.ROW),
+        "matrix_mistake_missing": Disclosure(level=HelpLevel.ROW),
+    }
+
+    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> MatrixMistakePart:
+        """Return the part with the matrix and the mistakes that may be planted."""
+        kind = reader.choice("matrix", MatrixKind, MatrixKind.LINK)
+        catalogue = MATRIX_MISTAKES[kind]
+        codes = reader.texts("mistakes", default=catalogue)
+        for i, code in enumerate(codes):
+            if code not in catalogue:
+                reader.fault("misconception_unknown", "mistakes", i, name=code, known=", ".join(catalogue))
+        known = tuple(code for code in codes if code in catalogue)
+        return MatrixMistakePart(kind=self.kind, points=points, matrix=kind, mistakes=known or catalogue)
+
+    def inconsistencies(self, part: MatrixMistakePart, exercise: Exercise) -> Iterator[Fault]:
+        """Yield a fault where nothing can be planted, or where the key would be given away."""
+        table = exercise.reference.table
+        if not any(plantable_in(table, part.matrix, code) for code in part.mistakes):
+            yield Fault(code="no_mistake_does_harm", where=("mistakes",))
+        if exercise.part(TABLE) is not None:
+            yield Fault(code="key_given_away", where=("kind",))
+
+    def draw(self, part: MatrixMistakePart, exercise: Exercise, picker: Picker) -> PlantedMatrix:
+        """Return the student's matrix."""
+        table = exercise.reference.table
+        harmful = {code: plantable_in(table, part.matrix, code) for code in part.mistakes}
+        code = picker.choice(tuple(code for code, ways in harmful.items() if ways), f"{self.kind} mistake")
+        return picker.choice(harmful[code], f"{self.kind} place")
+
+    def task(self, part: MatrixMistakePart, instance: Instance) -> PartTask:
+        """Show the table and the matrix."""
+        found: PlantedMatrix = instance.drawn[self.kind]
+        shown = GivenNumbers(
+            name="matrix-with-mistake",
+            labels=(),
+            rows=tuple(tuple(str(cell) for cell in row) for row in _written(instance, found.shown)),
+            values={"matrix": part.matrix.value, "row": (found.link or 0) + 1},
+        )
+        return PartTask(
+            message="task-matrix-mistake",
+            values={"matrix": part.matrix.value, "row": (found.link or 0) + 1},
+            form=(
+                FormField(name="cell_row", shape=FieldShape.CHOICE, options=("1", "2", "3")),
+                FormField(name="cell_column", shape=FieldShape.CHOICE, options=("1", "2", "3", "4")),
+                FormField(name="mistake", shape=FieldShape.CHOICE, options=MATRIX_MISTAKES[part.matrix]),
+                FormField(name="mended_matrix", shape=FieldShape.MATRIX, labels=("",) * 4, rows=4),
+            ),
+            numbers=(given_table(instance), shown),
+        )
+
+    def read(self, raw: FoundMatrixMistakeCells, reading: Reading) -> FoundMatrixMistake | None:
+        """Return the answer with the mended matrix."""
+        before = len(reading.faults)
+        row = _number(raw.cell_row, 3, "cell_row", reading)
+        column = _number(raw.cell_column, 4, "cell_column", reading)
+        known = {code for codes in MATRIX_MISTAKES.values() for code in codes}
+        if raw.mistake is not None and raw.mistake not in known:
+            params = {"name": raw.mistake, "known": ", ".join(sorted(known))}
+            reading.fault("misconception_unknown", self.kind, "mistake", **params)
+        mended = None
+        if raw.mended_matrix is not None:
+            mended = read_known_matrix(raw.mended_matrix, reading, self.kind, "mended_matrix")
+        if len(reading.faults) > before:
+            return None
+        cell = None if row is None or column is None else (row - 1, column - 1)
+        return FoundMatrixMistake(cell=cell, mistake=raw.mistake, mended=mended)
+
+    def grade(self, part: MatrixMistakePart, answer: FoundMatrixMistake, context: Context) -> PartReport:
+        """A third each for place, name and repair; a repair that does says where the mistake was."""
+        found: PlantedMatrix = context.instance.drawn[self.kind]
+        table = context.reference.table
+        mended = answer.mended is not None and _is_right(found, answer.mended, context)
+        right = {
+            "cell_row": mended or answer.cell in found.wrong_cells,
+            "mistake": answer.mistake is not None and found.shows(answer.mistake, table),
+            "mended_matrix": mended,
+        }
+        given = {"cell_row": answer.cell, "mistake": answer.mistake, "mended_matrix": answer.mended}
+        facts = [
+            Fact(
+                where=(name,),
+                finding=Finding.OK if good else Finding.MISSING if given[name] is None else Finding.WRONG,
+            )
+            for name, good in right.items()
+        ]
+        codes = {
+            "cell_row": "matrix_mistake_place_wrong",
+            "mistake": "matrix_mistake_name_wrong",
+            "mended_matrix": "matrix_not_mended",
+        }
+        feedback = [
+            Feedback(code="matrix_mistake_missing", params={"what": name})
+            if given[name] is None
+            else Feedback(code=codes[name])
+            for name, good in right.items()
+            if not good
+        ]
+        if not feedback:
+            feedback.append(Feedback(code="mistake_found"))
+        return judged(part, sum(right.values()) / 3, Credit.KEY, facts=facts, feedback=feedback)
+
+    def right(self, part: MatrixMistakePart, context: Context) -> FoundMatrixMistakeCells:
+        """Return a wrong entry, the planted mistake, and the right matrix."""
+        found: PlantedMatrix = context.instance.drawn[self.kind]
+        row, column = min(found.wrong_cells)
+        return FoundMatrixMistakeCells(
+            cell_row=row + 1,
+            cell_column=column + 1,
+            mistake=found.code,
+            mended_matrix=_rows(_written(context.instance, found.right)),
+        )
+
+    def wrong(
+        self, part: MatrixMistakePart, context: Context, rng: Random
+    ) -> Iterator[tuple[str, FoundMatrixMistakeCells]]:
+        """Yield the matrix as it was, and nothing but a name."""
+        found: PlantedMatrix = context.instance.drawn[self.kind]
+        right = self.right(part, context)
+        shown = _rows(_written(context.instance, found.shown))
+        yield "matrix_not_mended", replace(right, mended_matrix=shown)
+        yield "matrix_mistake_missing", FoundMatrixMistakeCells(mistake=right.mistake)
+
+
+def _number(raw: int | str | None, most: int, field: str, reading: Reading) -> int | None:
+    if raw is None or raw == "":
+        return None
+    text = str(raw)
+    number = int(text) if text.isascii() and text.isdecimal() and len(text) < 4 else 0
+    if not 1 <= number <= most:
+        reading.fault("row_unknown", MatrixMistakeType.kind, field, count=most)
+        return None
+    return number
+
+
+def _written(instance: Instance, matrix: Matrix) -> CellMatrix:
+    reference = instance.exercise.reference
+    return write_matrix(matrix, reference.table.n_joints, tuple(reference.parameters))
+
+
+def _rows(cells: Sequence[Sequence[Cell]]) -> FourRows:
+    return tuple(tuple(row) for row in cells)
+
+
+def _is_right(found: PlantedMatrix, mended: SymbolicMatrix, context: Context) -> bool:
+    """Return whether a matrix is the right one: the same functions, or in numbers at the student's values."""
+    nominal = context.values(mended.names())
+    # what is named holds for every value of the name, what is a number at the student's values
+    moved = {name: value * (1.1 + 0.07 * i) for i, (name, value) in enumerate(sorted(nominal.items()))}
+    joints = context.configurations(context.reference.table.joint_types).T
+    tolerance = context.policy.tolerance
+    for r, c in differing(mended.entries, found.right):
+        names = parameters_in(mended.entries[r][c])
+        values = {name: moved[name] if name in names else value for name, value in nominal.items()}
+        given, right = (values_at(of[r][c], values, joints) for of in (mended.entries, found.right))
+        limit = tolerance.length * context.size if c == 3 and r < 3 else tolerance.angle
+        if not bool((np.abs(given - right) <= limit).all()):
+            return False
+    return True
+
+
+PART = MatrixMistakeType()

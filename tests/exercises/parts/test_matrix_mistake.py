@@ -1,0 +1,91 @@
+"""Mistakes in matrices: planted, found, named and mended."""
+
+from __future__ import annotations
+
+import pytest
+
+from exercises.grading import Finding
+from exercises.parts.matrix_cells import CELL_LIMITS
+from exercises.parts.matrix_mistake import PART, FoundMatrixMistakeCells
+from exercises.parts.planted_matrices import MATRIX_MISTAKES, MatrixKind, PlantedMatrix, plantable_in
+from exercises.parts.protocol import RawAnswer, Reading
+from kinematics import catalogue
+from tests.exercises.parts.mended_matrices import EXERCISES, cases, student
+
+
+def test_repairs_are_judged_by_what_they_mean() -> None:
+    for found, rows, right in cases(80, 5):
+        report = found.judged(FoundMatrixMistakeCells(mended_matrix=tuple(tuple(row) for row in rows)))
+        finding = {fact.where: fact.finding for fact in report.facts}
+        assert (finding["mended_matrix",] is Finding.OK) is right
+        assert (finding["cell_row",] is Finding.OK) is right  # a repair that does says where it was
+
+
+@pytest.mark.parametrize("name", EXERCISES)
+def test_place_name_and_repair_earn_a_third_each(name: str) -> None:
+    found = student(name, 3)
+    planted: PlantedMatrix = found.instance.drawn[PART.kind]
+    for r in range(3):
+        for c in range(4):
+            report = found.judged(FoundMatrixMistakeCells(cell_row=str(r + 1), cell_column=c + 1))
+            assert report.score == pytest.approx(((r, c) in planted.wrong_cells) / 3)
+    assert found.judged(FoundMatrixMistakeCells(mistake=planted.code)).score == pytest.approx(1 / 3)
+    right = PART.right(found.part, found.context)
+    assert found.judged(right).score == 1.0
+
+
+def test_each_kind_of_mistake_changes_a_matrix_of_some_robot() -> None:
+    for kind, codes in MATRIX_MISTAKES.items():
+        for code in codes:
+            ways = [
+                way
+                for name in ("stanford", "ur5", "scorbot")
+                for way in plantable_in(catalogue.robot(name).table.table, kind, code)
+            ]
+            assert ways, code
+            assert all(way.wrong_cells for way in ways)
+
+
+def test_a_mistake_may_be_called_by_every_name_that_makes_it() -> None:
+    table = catalogue.robot("twolink").table.table
+    ways = [
+        way for code in MATRIX_MISTAKES[MatrixKind.LINK] for way in plantable_in(table, MatrixKind.LINK, code)
+    ]
+    for way in ways:
+        names = {other.code for other in ways if other.link == way.link and other.shown == way.shown}
+        assert all(way.shows(name, table) for name in names)
+    assert not any(way.shows("rotation_transposed", table) for way in ways if way.code == "position_sign")
+
+
+def test_students_get_different_matrices_and_each_the_same_again() -> None:
+    drawn = [student("puma560-matrix-mistake", k).instance.drawn[PART.kind] for k in range(12)]
+    assert len({(way.code, way.link, way.shown) for way in drawn}) > 6
+    again = student("puma560-matrix-mistake", 3).instance.drawn[PART.kind]
+    assert (again.code, again.shown) == (drawn[3].code, drawn[3].shown)
+
+
+@pytest.mark.parametrize(
+    ("raw", "code", "where"),
+    [
+        (FoundMatrixMistakeCells(cell_row=5), "row_unknown", ("matrix_mistake", "cell_row")),
+        (FoundMatrixMistakeCells(cell_column="x"), "row_unknown", ("matrix_mistake", "cell_column")),
+        (FoundMatrixMistakeCells(mistake="typo"), "misconception_unknown", ("matrix_mistake", "mistake")),
+        (
+            FoundMatrixMistakeCells(mended_matrix=(("1/0", 0, 0, 0), *((0, 0, 0, 0),) * 3)),
+            "division_by_zero",
+            ("matrix_mistake", "mended_matrix", 0, 0),
+        ),
+        (
+            FoundMatrixMistakeCells(mended_matrix=((0, 0, "zz", 0), *((0, 0, 0, 0),) * 3)),
+            "name_unknown",
+            ("matrix_mistake", "mended_matrix", 0, 2),
+        ),
+    ],
+)
+def test_what_cannot_be_read_is_refused_with_its_place(
+    raw: FoundMatrixMistakeCells, code: str, where: tuple[str | int, ...]
+) -> None:
+    found = student("puma560-matrix-mistake", 1)
+    reading = Reading(instance=found.instance, raw=RawAnswer(), table=None, limits=CELL_LIMITS, faults=[])
+    assert PART.read(raw, reading) is None
+    assert [(fault.code, fault.where) for fault in reading.faults] == [(code, where)]
