@@ -32,10 +32,13 @@ from kinematics.expressions.arrays import values_at
 from kinematics.se3 import Floats
 from kinematics.symbolic import ClosedForm, Matrix, closed_form
 from kinematics.symbolic.angles import angle_of, cosine_and_sine
+from kinematics.symbolic.size import refuse_longer_than
 from kinematics.table import Convention, DHTable, SymbolicTable
 
 SAMPLES = 12
 """Points at which matrices are compared: random ones, at which two functions that differ agree nowhere."""
+OPERATIONS = 5_000
+"""Operations of ⁰T_N: nobody looks for a mistake in one that is longer, and it is evaluated many times."""
 SAME = 1e-9
 """Difference of two entries that are the same function, beside numbers of the order of one."""
 
@@ -173,6 +176,8 @@ MATRIX_MISTAKES: Mapping[MatrixKind, tuple[str, ...]] = {
 def plantable_in(table: SymbolicTable, kind: MatrixKind, code: str) -> tuple[PlantedMatrix, ...]:
     """Return the ways to make a mistake in the matrices of a table that change one of them."""
     form = _form(table)
+    if kind is MatrixKind.TRANSFORM:
+        refuse_longer_than(OPERATIONS, (entry for row in form.transform for entry in row))
     rights: list[tuple[int | None, Matrix]] = [(None, form.transform)]
     if kind is MatrixKind.LINK:
         rights = list(enumerate(form.links))

@@ -39,12 +39,15 @@ from kinematics.symbolic import Matrix, ProofStatus, jacobian
 from kinematics.symbolic.analytic import analytic_form
 from kinematics.symbolic.form_reader import FormReader
 from kinematics.symbolic.ring import Ring
+from kinematics.symbolic.size import refuse_longer_than
 from kinematics.table import JointType, SymbolicTable, bind
 
 POINTS = 8
 """Configurations with the table's lengths, and as many with others."""
 PRODUCTS = 100_000
 """Products of terms that a proof may form, some 50 ms; all entries of a PUMA need a tenth."""
+OPERATIONS = 20_000
+"""Operations of a Jacobian that is compared; an arm with a wrist has a thousand."""
 QUICK = 1_000
 """Products of terms that are tried before anything is sampled: enough for arms in a plane."""
 LARGE_RATE = 20.0
@@ -189,6 +192,7 @@ def jacobian_form(table: SymbolicTable, frame: JacobianFrame, angles: EulerSeque
         JointValueError: the angles have rates in no configuration.
     """
     found = _geometric(table, frame) if angles is None else analytic_form(table, angles)
+    refuse_longer_than(OPERATIONS, in_turn.from_iterable(found or ()))
     if found is None:
         assert angles is not None
         raise JointValueError(Fault(code="angles_locked", where=("angles",), params={"axes": angles.axes}))
@@ -199,7 +203,7 @@ def force_form(
     table: SymbolicTable, wrench: Sequence[Expression], frame: JacobianFrame
 ) -> tuple[Expression, ...]:
     """Return τ = Jᵀ (f, m) in closed form."""
-    rows = _geometric(table, frame)
+    rows = jacobian_form(table, frame)
     return tuple(
         add(multiply((rows[r][c], wrench[r])) for r in range(6) if ZERO not in (rows[r][c], wrench[r]))
         for c in range(table.n_joints)

@@ -15,9 +15,11 @@ from collections.abc import Sequence
 from enum import StrEnum
 from functools import lru_cache
 from itertools import combinations
+from math import comb
 from typing import Any
 
 from kinematics.dh import MotionKind
+from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import (
     Expression,
     Function,
@@ -40,6 +42,8 @@ from kinematics.table import JointType, SymbolicTable
 
 PRODUCTS = 100_000
 """Products of terms for one Jacobian and its minors; arms with a wrist need a tenth of them."""
+MINORS = 1_000
+"""Minors of one size that are looked through; an arm of seven joints has seven of the largest."""
 FACTORABLE = 400
 """Terms of a minor that are factored: a general arm of six joints has thousands, which take minutes."""
 
@@ -103,6 +107,8 @@ def largest_minor(table: SymbolicTable, rows: MotionRows) -> tuple[Canonical, bo
         r for r in range(len(columns[0])) if any(not reader.ring.is_zero(column[r]) for column in columns)
     ]
     for rank in range(min(len(kept), len(columns)), 0, -1):
+        if comb(len(columns), rank) * comb(len(kept), rank) > MINORS:
+            raise FormSizeError(Fault(code="form_too_large", params={"limit": MINORS}))
         minors = [
             ([columns[c] for c in of], chosen)
             for of in combinations(range(len(columns)), rank)

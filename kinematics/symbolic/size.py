@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Sequence
 
+from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import Call, Expression, Number, Power, Product, Sum
 
 
@@ -63,6 +64,16 @@ def count_operations(expressions: Iterable[Expression]) -> int:
     for node in bottom_up(roots):
         known[id(node)] = operations_of(node, [known[id(child)] for child in children(node)])
     return sum(known[id(root)] for root in roots)
+
+
+def refuse_longer_than(limit: int, expressions: Iterable[Expression]) -> None:
+    """Refuse expressions with more operations, written out: node by node they take as long to evaluate.
+
+    Raises:
+        FormSizeError: they have.
+    """
+    if count_operations(expressions) > limit:
+        raise FormSizeError(Fault(code="form_too_large", params={"limit": limit}))
 
 
 def operations_of(node: Expression, below: Sequence[int]) -> int:

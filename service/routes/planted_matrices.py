@@ -21,7 +21,7 @@ from service.http.problems import RequestError, located
 from service.http.routing import ApiRequest, api_router
 from service.messages import sentence
 from service.schemas import examples
-from service.schemas.planted_matrices import (
+from service.schemas.matrix_planting import (
     PlantMatrixMistakeAnswer,
     PlantMatrixMistakeRequest,
     WrongCell,
