@@ -13,18 +13,28 @@ COPY package.json package-lock.json .npmrc ./
 COPY tools/vendor.py tools/vendor.py
 RUN /opt/node/bin/python tools/vendor.py --omit-dev
 
-# What the service imports: without the packages' own tests, and without the locale data of languages that it does not speak.
+# What the service imports: without the packages' own tests, type stubs and headers, the symbol tables of their
+# libraries, and the locale data of languages that it does not speak. Libraries that were patched for their wheel
+# (numpy, psycopg) stay as they are: strip leaves them unusable.
 FROM ${PYTHON_IMAGE} AS packages
+# hadolint ignore=DL3008
+RUN apt-get update \
+    && apt-get install --yes --no-install-recommends binutils \
+    && rm -rf /var/lib/apt/lists/*
 WORKDIR /build
 COPY requirements.lock ./
 RUN python -m venv /opt/framewise \
-    && /opt/framewise/bin/pip install --no-cache-dir --disable-pip-version-check --require-hashes \
+    && /opt/framewise/bin/pip install --no-cache-dir --no-compile --disable-pip-version-check --require-hashes \
        --only-binary :all: -r requirements.lock \
     && /opt/framewise/bin/python -m pip uninstall --yes pip \
     && find /opt/framewise -path '*/babel/locale-data/*.dat' ! -name root.dat ! -name en.dat ! -name es.dat \
        ! -name fr.dat ! -name pt.dat ! -name ro.dat ! -name uk.dat -delete \
-    && find /opt/framewise -type d -name tests -path '*/site-packages/sympy/*' -prune -exec rm -r {} + \
-    && find /opt/framewise -type d -name tests -path '*/site-packages/mpmath/*' -prune -exec rm -r {} +
+    && find /opt/framewise -type d -name tests -path '*/site-packages/*' -prune -exec rm -r {} + \
+    && find /opt/framewise -type f \( -name '*.pyi' -o -name '*.pyx' -o -name '*.pxd' -o -name '*.h' -o -name '*.a' \
+       -o -path '*.dist-info/sboms/*' \) -delete \
+    && find /opt/framewise -type f -name '*.so*' ! -path '*.libs/*' ! -path '*/numpy/*' ! -path '*/psycopg_binary/*' \
+       -exec strip --strip-unneeded {} + \
+    && /opt/framewise/bin/python -m compileall -q /opt/framewise/lib
 
 FROM ${PYTHON_IMAGE} AS service
 RUN useradd --uid 10001 --user-group --no-create-home --shell /usr/sbin/nologin framewise

@@ -151,8 +151,8 @@ campaign-inverse: $(VENV)/.dev ## inverse kinematics at singularities against br
 students: $(VENV)/.dev ## simulated students in every exercise: do hints lead to full marks (a few minutes; ARGS="--only scara": some)
 	$(PY) -m tests.exercises.students $(ARGS)
 
-kill-campaign: $(VENV)/.dev ## kill -9 the service 100 times under load, on SQLite and PostgreSQL (KILLS=100)
-	KILLS=$(or $(KILLS),100) $(PY) -m pytest tests/lti/test_killed.py --timeout 7200
+kill-campaign: $(VENV)/.dev ## kill -9 the service 100 times under load, on SQLite and PostgreSQL, and its worker processes (KILLS=100)
+	KILLS=$(or $(KILLS),100) $(PY) -m pytest tests/lti/test_killed.py tests/service/test_workers.py -k kill --timeout 7200
 
 measure-courses: $(VENV)/.dev ## regrading and statistics of 2 000 students with 20 attempts each
 	$(PY) -m tests.lti.measuring
@@ -195,4 +195,4 @@ static/vendor/.complete: package.json package-lock.json tools/vendor.py | $(VENV
 	$(PY) tools/vendor.py
 
 clean: ## remove everything that make built
-	rm -rf $(VENV) .venv-peers .venv-descriptions .venv-runners .venv-openedx $(OPENAPI) node_modules static/vendor build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis
+	rm -rf $(VENV) $(FUZZ) .venv-peers .venv-descriptions .venv-runners .venv-openedx $(OPENAPI) node_modules static/vendor build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis

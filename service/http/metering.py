@@ -7,19 +7,16 @@ Nothing here is on until the operator sets it: without `FRAMEWISE_API_KEYS` ever
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable
 from datetime import UTC, datetime
 
-from limits import RateLimitItemPerMinute
-from limits.storage import MemoryStorage
-from limits.strategies import SlidingWindowCounterRateLimiter
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from kinematics.errors import Fault
 from service.http.api_keys import PREFIX, ApiKey, KeyFile, KeyScope
+from service.http.cost_window import CostWindow
 from service.http.problems import (
     ForbiddenError,
     RateError,
@@ -76,7 +73,7 @@ class MeteringMiddleware:
         self._refuse = refuse
         self._settings = settings
         self._keys = KeyFile(settings.api_keys) if settings.api_keys else None
-        self._limiter = SlidingWindowCounterRateLimiter(MemoryStorage())
+        self._window = CostWindow()
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one connection."""
@@ -147,16 +144,10 @@ class MeteringMiddleware:
         Raises:
             RateError: it is more than is left.
         """
-        limit = RateLimitItemPerMinute(most)
-        allowed = self._limiter.hit(limit, caller, cost=min(cost, most))
-        window = self._limiter.get_window_stats(limit, caller)
-        wait = max(1, math.ceil(window.reset_time - time.time()))
-        headers = {
-            "ratelimit-limit": most,
-            "ratelimit-remaining": max(window.remaining, 0),
-            "ratelimit-reset": wait,
-        }
-        if not allowed:
+        charged = self._window.charge(caller, min(cost, most), most)
+        wait = max(1, math.ceil(charged.wait))
+        headers = {"ratelimit-limit": most, "ratelimit-remaining": charged.left, "ratelimit-reset": wait}
+        if not charged.allowed:
             fault = Fault(code="rate_exceeded", params={"limit": most, "seconds": wait})
             told = {name: str(value) for name, value in headers.items()}
             raise RateError(fault, headers={**told, "Retry-After": str(wait)})

@@ -2,8 +2,8 @@
 
 Each stage gets a folder for its root; absolute paths of the Dockerfile are moved below it; COPY sees only
 what .dockerignore lets through; RUN runs in a shell whose `python` is this machine's. What only an engine can
-do, making the user, is checked on paper. Stages that depend on locks alone are kept under build/, named by
-what they were made from.
+do, making the user and installing the system's tools, is checked on paper. Stages that depend on locks alone
+are kept under build/, named by what they were made from.
 """
 
 from __future__ import annotations
@@ -32,6 +32,8 @@ pytestmark = [pytest.mark.xdist_group("container"), pytest.mark.timeout(900)]
 
 DOCKERFILE = ROOT / "Dockerfile"
 KEPT = ROOT / "build" / "container"
+LARGEST_PACKAGES = 275_000_000
+"""Bytes of all installed packages: what they weigh now, and a little more."""
 
 
 @dataclass
@@ -96,7 +98,7 @@ class Builder:
                 work.mkdir(parents=True, exist_ok=True)
             elif keyword == "COPY":
                 self.copy(rest, root, work)
-            elif keyword == "RUN" and not rest.startswith("useradd"):
+            elif keyword == "RUN" and not rest.startswith(("useradd", "apt-get")):
                 self.run(rest, root, work)
 
     def copy(self, rest: str, root: Path, work: Path) -> None:
@@ -270,3 +272,11 @@ def unprivileged(image: Path, service: Stage) -> int | None:
     except (OSError, subprocess.CalledProcessError):
         return None
     return user
+
+
+def test_the_packages_hold_nothing_that_is_not_run(image: Path) -> None:
+    packages = next((image / "opt" / "framewise" / "lib").glob("python3*/site-packages"))
+    assert not [path for path in packages.rglob("tests") if path.is_dir()]
+    assert not list(packages.rglob("*.pyi"))
+    weight = sum(path.stat().st_size for path in packages.rglob("*") if path.is_file())
+    assert weight < LARGEST_PACKAGES, f"{weight / 1e6:.0f} MB"

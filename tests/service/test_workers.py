@@ -21,6 +21,9 @@ from service.work.fair_queue import current_client
 from service.work.workers import Lane, Workers
 from tests.service.tasks import asleep, crash, double, endless, greedy, imported, noted, pid, refuse
 
+KILLS = int(os.environ.get("KILLS", "0"))
+"""Times that worker processes are killed, in turns of all combinations; the suite kills each once."""
+
 
 @asynccontextmanager
 async def workers(**settings: Any) -> AsyncIterator[Workers]:
@@ -158,8 +161,9 @@ def test_one_client_of_many_tasks_does_not_keep_another_out() -> None:
 def test_killed_processes_are_replaced_and_nothing_is_refused() -> None:
     async def test() -> None:
         async with workers() as pool:
-            for combination in range(3):
-                lanes = [lane for bit, lane in enumerate(Lane) if (combination + 1) >> bit & 1]
+            combinations = 2 ** len(Lane) - 1
+            for kill in range(max(KILLS, combinations)):
+                lanes = [lane for bit, lane in enumerate(Lane) if (kill % combinations + 1) >> bit & 1]
                 for lane in lanes:
                     os.kill(await pool.run(lane, pid), signal.SIGKILL)
                 for number, lane in enumerate(Lane):

@@ -1,0 +1,104 @@
+"""The clock jumps: forwards and backwards by hours, while students are signed in and scores wait."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+import service.course_resources
+import service.routes.receipts
+from courses.enrolment import Arrival, arrive
+from courses.model import Role
+from courses.storage import Store, open_store
+from service.course_resources import now
+from service.settings import Settings
+from tests.courses.classroom import platform
+from tests.live_service import running
+from tests.lti.test_launches import RIGHT, WRONG
+
+
+class Clock:
+    """The system's clock, with a jump."""
+
+    jump = timedelta()
+
+    @classmethod
+    def now(cls, zone: Any) -> datetime:
+        return datetime.now(UTC).astimezone(zone) + cls.jump
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> type[Clock]:
+    monkeypatch.setattr(Clock, "jump", timedelta())
+    monkeypatch.setattr(service.course_resources, "datetime", Clock)
+    return Clock
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Iterator[Store]:
+    opened = open_store("", tmp_path)
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def student(store: Store, clock: type[Clock], tmp_path: Path) -> Iterator[httpx.Client]:
+    """Somebody who is signed in; their scores go to a gradebook."""
+    told = {"deployment": "1", "context": "c", "resource": "r", "exercise_id": "puma560"}
+    item = "https://lms.example.edu/items/1"
+    arrival = Arrival(platform=platform(store), subject="s", role=Role.LEARNER, line_item=item, **told)
+    token, _ = arrive(store, arrival, now())
+    with (
+        running(Settings(storage="on", data_folder=tmp_path)) as origin,
+        httpx.Client(
+            base_url=f"{origin}/api/v1/",
+            headers={"Authorization": f"Bearer {token}"},
+            trust_env=False,
+            timeout=60,
+        ) as client,
+    ):
+        yield client
+
+
+def test_backwards_nobody_is_signed_out_and_nothing_is_lost(
+    student: httpx.Client, clock: type[Clock]
+) -> None:
+    assert student.post("session/attempts", json=WRONG).status_code == 200
+    clock.jump = timedelta(hours=-5)
+    assert student.get("session").status_code == 200
+    again = student.post("session/attempts", json=RIGHT)
+    assert (again.status_code, again.json()["attempt"]) == (200, 2)
+    clock.jump = timedelta()
+    session = student.get("session").json()
+    assert [attempt["number"] for attempt in session["attempts"]] == [1, 2]
+    assert session["grade"]["attempt"] == 2
+
+
+def test_forwards_a_session_ends_and_another_finds_everything(
+    student: httpx.Client, store: Store, clock: type[Clock]
+) -> None:
+    assert student.post("session/attempts", json=RIGHT).status_code == 200
+    clock.jump = timedelta(hours=5)
+    refused = student.get("session")
+    assert (refused.status_code, refused.json()["code"]) == (401, "session_expired")
+    told = {"deployment": "1", "context": "c", "resource": "r", "exercise_id": "puma560"}
+    token, _ = arrive(store, Arrival(platform=platform(store), subject="s", role=Role.LEARNER, **told), now())
+    student.headers["Authorization"] = f"Bearer {token}"
+    assert len(student.get("session").json()["attempts"]) == 1
+
+
+def test_a_receipt_holds_whatever_the_clock_says(
+    student: httpx.Client, clock: type[Clock], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(service.routes.receipts, "datetime", Clock)
+    clock.jump = timedelta(hours=5)
+    made = student.post("exercises/puma560/receipts", json={**RIGHT, "name": "Ann"}).json()["receipt"]
+    for hours in (0, -5, 24 * 365):
+        clock.jump = timedelta(hours=hours)
+        (checked,) = student.post("receipts/verify", json={"receipts": [made]}).json()["receipts"]
+        assert checked["valid"]
