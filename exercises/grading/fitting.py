@@ -80,6 +80,7 @@ def fitting_values(
         wanted: the cells.
     """
     invariants, scale = work.invariants[work.draw], work.reference.size
+    turns = any(shape.measure is Measure.TURN for shape in invariants.shapes)
     variations: list[Variation] = []
     for unsolved in wanted:
         variations.append((unsolved.number, unsolved.cells))
@@ -87,7 +88,7 @@ def fitting_values(
             here = _entry(tables, unsolved, place)
             around = [here - scale, here + scale]
             if place[1] in ANGLES:
-                around = [0.0, THIRD, -THIRD, here + SMALL_TURN]
+                around = [0.0, THIRD, -THIRD, *([here + SMALL_TURN] if turns else ())]
             variations += [(unsolved.number, (*unsolved.cells, (*place, value))) for value in around]
     found = measured(work, tables, variations)
     functions = _Functions(invariants, found, scale)
@@ -103,7 +104,7 @@ def fitting_values(
                 here = _entry(tables, unsolved, place)
                 values = functions.solved(strained, own, column, here, angular=angular)
                 solved[-1][place] = [0.0 if abs(x) < NEGLIGIBLE * scale else x for x in values]
-            column += 4 if angular else 2
+            column += 2 if not angular else 4 if turns else 3
     return solved
 
 

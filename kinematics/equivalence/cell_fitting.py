@@ -68,7 +68,7 @@ def fitted_cells(
     for _ in range(ROUNDS):
         if meter is not None:
             meter.charge(PER_ROUND)
-        columns = [_column(table, place, here.frames) for place in places]
+        columns = [motion_with_cell(table, place, here.frames) for place in places]
         model = here.problem.with_columns(
             here.model, [column * scale for column, scale in zip(columns, scales, strict=True)]
         )
@@ -124,7 +124,7 @@ def _linearised(
     return _Linearised(problem, problem.linearised(candidate), frames)
 
 
-def _column(table: NumericTable, place: Place, frames: Transform) -> NDArray[np.float64]:
+def motion_with_cell(table: NumericTable, place: Place, frames: Transform) -> NDArray[np.float64]:
     """How frame N turns and moves with a cell, (samples, 6).
 
     α and a turn about and move along x, θ and d about and along z: of the frame before the row, or of the one

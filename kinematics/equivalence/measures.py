@@ -23,6 +23,8 @@ PARALLEL = 1e-7
 class Measure(StrEnum):
     """What an invariant measures."""
 
+    __hash__ = str.__hash__  # an Enum's own hash is a Python function, and shapes are looked up everywhere
+
     ANGLE = "angle"
     DISTANCE = "distance"
     OFFSET = "offset"

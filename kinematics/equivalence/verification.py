@@ -47,7 +47,8 @@ def differences(
 ) -> NDArray[np.float64]:
     """F_s(σ∘q + δ) - B · F_r(q) · E at every sampled configuration: (samples, 4, 4)."""
     difference = submission.poses(joint_values(reference, candidate).T)
-    difference -= to_matrix(candidate.base) @ reference.poses @ to_matrix(candidate.tool)
+    poses = reference.poses.reshape(-1, 4) @ to_matrix(candidate.tool)
+    difference -= to_matrix(candidate.base) @ poses.reshape(reference.poses.shape)
     return difference
 
 
