@@ -315,6 +315,16 @@ def check_jacobian_form(robot: Table | str, jacobian: Sequence[Sequence[Any]], *
     return _of_robot("check-jacobian-form", robot, jacobian=jacobian, **options)
 
 
+def check_dynamics(robot: Table | str, **options: Any) -> ApiCall:
+    """Return whether M, C and g are those of a robot with weights (POST /check-dynamics).
+
+    Args:
+        robot: a table, or the id of a robot of the catalogue.
+        options: the answer's `M`, `C` or `h`, and `g`; `links`, `gravity`, `parameters`, `tolerance`.
+    """
+    return _of_robot("check-dynamics", robot, **options)
+
+
 def check_screws(robot: Table | str, screws: Sequence[Any], home: Any, **options: Any) -> ApiCall:
     """Return whether screws and a home pose describe a table's robot (POST /check-screws)."""
     return _of_robot("check-screws", robot, screws=screws, home=home, **options)

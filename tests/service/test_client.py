@@ -82,6 +82,7 @@ EVERY: dict[str, tuple[tuple[Any, ...], dict[str, Any]]] = {
     "problem": (("cell_incomplete",), {}),
     "check_jacobian": arguments("/check-jacobian", ROBOT, "joints", "jacobian"),
     "check_jacobian_form": arguments("/check-jacobian-form", ROBOT, "jacobian"),
+    "check_dynamics": arguments("/check-dynamics", ROBOT),
     "check_screws": arguments("/check-screws", ROBOT, "screws", "home"),
     "trees": arguments("/trees", "tree"),
     "compare_tables": arguments("/compare-tables", "first", "second"),
