@@ -315,6 +315,17 @@ def check_jacobian_form(robot: Table | str, jacobian: Sequence[Sequence[Any]], *
     return _of_robot("check-jacobian-form", robot, jacobian=jacobian, **options)
 
 
+def check_singularities(robot: Table | str, conditions: Sequence[str], **options: Any) -> ApiCall:
+    """Return whether an arm is singular just where conditions hold (POST /check-singularities).
+
+    Args:
+        robot: a table, or the id of a robot of the catalogue.
+        conditions: functions that vanish, or equations.
+        options: further members of the body: `motion`, `joints`, `lost`, `parameters` ….
+    """
+    return _of_robot("check-singularities", robot, conditions=list(conditions), **options)
+
+
 def check_dynamics(robot: Table | str, **options: Any) -> ApiCall:
     """Return whether M, C and g are those of a robot with weights (POST /check-dynamics).
 

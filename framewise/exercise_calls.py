@@ -16,6 +16,16 @@ def compare_tables(first: Table, second: Table, **options: Any) -> ApiCall:
     return post("compare-tables", first=dict(first), second=dict(second), **options)
 
 
+def other_tables(table: Table, **options: Any) -> ApiCall:
+    """Return other tables of the same robot (POST /other-tables).
+
+    Args:
+        table: one of them.
+        options: further members of the body: `policy`, `count`, `parameters`.
+    """
+    return post("other-tables", table=dict(table), **options)
+
+
 def plant_mistake(table: Table, seed: str, **options: Any) -> ApiCall:
     """Return a right table with one mistake in it (POST /plant-mistake).
 
@@ -25,6 +35,17 @@ def plant_mistake(table: Table, seed: str, **options: Any) -> ApiCall:
         options: further members of the body: `kinds`, `parameters` ….
     """
     return post("plant-mistake", table=dict(table), seed=seed, **options)
+
+
+def plant_matrix_mistake(table: Table, seed: str, **options: Any) -> ApiCall:
+    """Return a matrix of a robot with one mistake in it (POST /plant-matrix-mistake).
+
+    Args:
+        table: the robot's table.
+        seed: from which the mistake is drawn.
+        options: further members of the body.
+    """
+    return post("plant-matrix-mistake", table=dict(table), seed=seed, **options)
 
 
 def signed_link(exercise_id: str, **settings: Any) -> ApiCall:

@@ -31,7 +31,7 @@ LISTS_OF_EITHER = ("scm_forward_kinematics",)
 takes every list for one of shapes."""
 
 
-ROWS_IN_ANSWERS = ("plant_mistake", "author_right_answers", "author_mistakes")
+ROWS_IN_ANSWERS = ("plant_mistake", "other_tables", "author_right_answers", "author_mistakes")
 """Answers with rows as they were typed, whose `d` the generator cannot read: these calls are only sent."""
 
 
