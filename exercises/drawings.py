@@ -8,12 +8,16 @@ from functools import lru_cache
 
 from exercises.consistency import values_in_radians
 from exercises.figures.description import Sentence, describe
-from exercises.figures.drawing import draw_figure
+from exercises.figures.drawing import DimensionLayout, dimension_layout, draw_figure
 from exercises.figures.geometry import Scene, Vector, build_scene
 from exercises.figures.points import rotation_rpy
+from exercises.figures.skeleton import usual_dimensions
+from exercises.figures.specification import DimensionMark
 from exercises.grading import DirectionRule, ZeroRule
+from exercises.grading.exact_text import expression_text
 from exercises.grading.verdict import Matrix4
 from exercises.instance import Instance
+from kinematics.expressions import Parameter
 from kinematics.table import JointType
 
 KEPT = 512
@@ -64,6 +68,43 @@ def figure_svg(instance: Instance, *, title: str, description: str, language: st
         language=language,
         note="" if scene.to_scale else note,
     )
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FigureDimensions:
+    """The dimensions of a figure: what its definition says of them, or would say, and where they stand.
+
+    Attributes:
+        marks: as a definition has them under `figure.dimensions`, in order.
+        layout: where they stand, in the same order.
+    """
+
+    marks: tuple[Mapping[str, object], ...]
+    layout: DimensionLayout
+
+
+def figure_dimensions(instance: Instance, note: str = "") -> FigureDimensions:
+    """The dimensions of the figure as `figure_svg` draws it with the same note."""
+    exercise = instance.exercise
+    figure = exercise.figure
+    scene = _scene(instance, drawn=True)
+    marks = figure.dimensions or tuple(usual_dimensions(exercise.reference.table))
+    return FigureDimensions(
+        marks=tuple(_mark(mark) for mark in marks),
+        layout=dimension_layout(scene, figure.view, figure.width, note="" if scene.to_scale else note),
+    )
+
+
+def _mark(mark: DimensionMark) -> dict[str, object]:
+    """Return a dimension as a definition has it."""
+    found: dict[str, object] = {"name": mark.name, "from": mark.start, "to": mark.end}
+    if mark.value != Parameter(mark.name):
+        found["value"] = expression_text(mark.value)
+    if mark.offset is not None:
+        found["offset"] = mark.offset
+    if mark.distance != 1.0:
+        found["distance"] = mark.distance
+    return found
 
 
 def figure_sentences(instance: Instance) -> tuple[Sentence, ...]:

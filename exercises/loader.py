@@ -254,11 +254,9 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
     aliases = _aliases(reader, reference.parameters)
     needs = _needs(reader, reference.parameters)
     parameters = _parameters(reader, reference, values)
-    types = reference.table.joint_types
-    degrees = reference.angle_unit is AngleUnit.DEG
-    limits = catalogue.robot(robot).limits if robot else None
-    parts = _parts(reader, RobotFacts(joint_types=types, degrees=degrees, limits=limits))
-    figure = read_figure(reader.table("figure"), types, degrees)
+    facts = _robot_facts(reference, robot)
+    parts = _parts(reader, facts)
+    figure = read_figure(reader.table("figure"), facts.joint_types, facts.degrees)
     remarks = _remarks(reader)
     tests = reader.table("tests")
     misconceptions = tests.texts("misconceptions", default=())
@@ -316,6 +314,19 @@ def _reference(reader: Reader, robot: str | None) -> tuple[ReadTable | None, Map
     raw = read_raw_table(inner)
     inner.finish()
     return (inner.guarded(lambda: read_table(raw)) if raw is not None else None), {}
+
+
+def robot_facts(exercise: Exercise) -> RobotFacts:
+    """Return what the definitions of an exercise's parts are read beside."""
+    return _robot_facts(exercise.reference, exercise.robot)
+
+
+def _robot_facts(reference: ReadTable, robot: str | None) -> RobotFacts:
+    return RobotFacts(
+        joint_types=reference.table.joint_types,
+        degrees=reference.angle_unit is AngleUnit.DEG,
+        limits=catalogue.robot(robot).limits if robot else None,
+    )
 
 
 def _parts(reader: Reader, robot: RobotFacts) -> tuple[Part, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -18,6 +18,10 @@ _TAIL = 20.0
 GAP = 4.0
 BEYOND = 5.0
 HEAD = (8.0, 2.7)
+USUAL_OFFSET = 22.0
+"""Where a dimension of distance 1 prefers to stand."""
+ALIKE = 0.02
+"""Ways that differ by less on paper are one."""
 SHORT = 30.0
 """Dimension lines shorter than this on paper have their arrows outside."""
 
@@ -50,7 +54,7 @@ def dimension_places(dimension: Dimension, camera: Camera, paper: PaperMap) -> P
     ways = np.repeat(units, len(OFFSETS), axis=0)
     distances = np.tile(OFFSETS, len(units))
     offsets = ways * distances[:, None]
-    usual = 22.0 * dimension.distance
+    usual = USUAL_OFFSET * dimension.distance
     outside = float(np.linalg.norm(on_paper[1] - on_paper[0])) < SHORT
     size = np.array([text_width(dimension.name, FONT_SIZE), FONT_SIZE])
     normal = np.array([-along[1], along[0]])
@@ -105,6 +109,42 @@ def _cells_of_extensions(ends: Array, units: Array, paper: PaperMap) -> Cells:
     cells = paper.cells(runs)
     cells[:, :, 0] = paper.nowhere  # a line that was not moved has none
     return np.moveaxis(cells, 0, 2).reshape(len(units) * len(OFFSETS), -1)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class DimensionWay:
+    """A direction in which the line of a dimension may be moved off its points.
+
+    Attributes:
+        offset: the direction in the figure's space, as a definition says it.
+        shift: the same on paper, a unit vector.
+    """
+
+    offset: tuple[float, float, float]
+    shift: tuple[float, float]
+
+
+def dimension_ways(dimension: Dimension, camera: Camera) -> tuple[tuple[Array, Array], list[DimensionWay]]:
+    """Return the ends of a dimension on paper, and the ways in which its line may be moved: one of a kind."""
+    ends = np.array([dimension.start, dimension.end])
+    on_paper = camera.project(ends)
+    along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
+    screen = cross_arrays(along, camera.eye)
+    ways: list[DimensionWay] = []
+    for offset in (*_AXES, screen, -screen):
+        free = replace(dimension, offset=_triple(offset))
+        units, costs = _directions(free, ends, _unit(on_paper[1] - on_paper[0]), camera)
+        wished = units[costs < _WISHED]
+        if len(wished) and all(np.abs(wished[0] - way.shift).max() > ALIKE for way in ways):
+            ways.append(
+                DimensionWay(offset=_triple(offset), shift=(float(wished[0][0]), float(wished[0][1])))
+            )
+    return (on_paper[0], on_paper[1]), ways
+
+
+def _triple(vector: Array) -> tuple[float, float, float]:
+    x, y, z = (round(float(value), 4) + 0.0 for value in vector)
+    return x, y, z
 
 
 def draw_extensions(canvas: Canvas, dimension: DimensionLine) -> None:
@@ -162,6 +202,7 @@ def _directions(dimension: Dimension, ends: Array, on_paper: Array, camera: Came
 
 _AXES = np.concatenate([[axis, -axis] for axis in np.eye(3)])
 _DIRECTION_COSTS = np.array([-60.0, *[0.0] * 6, 15.0, 15.0])
+_WISHED = -30.0
 """What the direction that was wished for costs, those of the axes, and those along the paper."""
 
 

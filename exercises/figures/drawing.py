@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
@@ -11,7 +12,7 @@ import numpy as np
 from exercises.figures import dimensioning
 from exercises.figures.bodies import Body, body_of, corners, outline
 from exercises.figures.camera import Array, Camera, camera_for, fitted
-from exercises.figures.dimensioning import DimensionLine, halo
+from exercises.figures.dimensioning import DimensionLine, DimensionWay, dimension_ways, halo
 from exercises.figures.geometry import Scene, scene_points
 from exercises.figures.labels import DISC, NAME_SIZE, Written, name_places, number_places
 from exercises.figures.placement import PaperMap, Placer, Places
@@ -66,6 +67,71 @@ def draw_figure(
         language: language of title and description.
         note: a few words below the figure.
     """
+    drawing = _drawn(scene, view, width, note)
+    return document(drawing.canvas, drawing.box(), title=title, description=description, language=language)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class DimensionPlace:
+    """Where a dimension stands in a drawing, and where else it may stand.
+
+    Attributes:
+        ends: its two points on paper.
+        line: the ends of its line.
+        label: the middle of its name.
+        ways: in which directions the line may be moved off its points.
+    """
+
+    ends: tuple[tuple[float, float], tuple[float, float]]
+    line: tuple[tuple[float, float], tuple[float, float]]
+    label: tuple[float, float]
+    ways: tuple[DimensionWay, ...]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class DimensionLayout:
+    """The places of a drawing's dimensions.
+
+    Attributes:
+        box: left, top, width and height of the paper.
+        distances: how far a line may be moved [unit of the paper].
+        usual: the distance that a definition calls 1.
+        places: one for each dimension, in order.
+    """
+
+    box: tuple[float, float, float, float]
+    distances: tuple[float, ...]
+    usual: float
+    places: tuple[DimensionPlace, ...]
+
+
+def dimension_layout(scene: Scene, view: View, width: float = 480.0, *, note: str = "") -> DimensionLayout:
+    """Return where dimensions stand in a drawing, and where else they may; arguments as in `draw_figure`."""
+    drawing = _drawn(scene, view, width, note)
+    places = []
+    for dimension, found in zip(scene.dimensions, drawing.dimensions, strict=True):
+        (start, end), ways = dimension_ways(dimension, drawing.camera)
+        places.append(
+            DimensionPlace(
+                ends=(_pair(start), _pair(end)),
+                line=(_pair(found.start), _pair(found.end)),
+                label=_pair(found.label),
+                ways=tuple(ways),
+            )
+        )
+    return DimensionLayout(
+        box=drawing.box(),
+        distances=dimensioning.OFFSETS,
+        usual=dimensioning.USUAL_OFFSET,
+        places=tuple(places),
+    )
+
+
+def _pair(point: Array) -> tuple[float, float]:
+    return round(float(point[0]), 2), round(float(point[1]), 2)
+
+
+def _drawn(scene: Scene, view: View, width: float, note: str) -> _Drawing:
     unscaled = camera_for(view)
     bodies = [body_of(axis, scene.size, unscaled) for axis in scene.axes]
     extent = _extent(scene, bodies)
@@ -80,7 +146,7 @@ def draw_figure(
     drawing.draw()
     if note:
         drawing.draw_note(note)
-    return document(drawing.canvas, drawing.box(), title=title, description=description, language=language)
+    return drawing
 
 
 class _Drawing:
@@ -98,6 +164,7 @@ class _Drawing:
         top = float(low[1]) - 110.0
         self.paper = PaperMap(4.0 - MARGIN, top, width - 8.0, float(high[1]) + 110.0 - top)
         self.seen: list[Array] = [points]
+        self.dimensions: list[DimensionLine] = []
 
     def draw(self) -> None:
         """Everything, from the back to the front."""
@@ -112,6 +179,7 @@ class _Drawing:
         gripper, ground = gripper_lines(scene, camera), ground_lines(scene, camera)
         self.take(axes, senses, gripper, ground)
         dimensions, labels = self.place(axes, senses)
+        self.dimensions = dimensions
         for run, width in ground:
             self.canvas.path(line(run), "ground", stroke="currentColor", stroke_width=width)
         for dimension in dimensions:

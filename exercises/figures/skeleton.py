@@ -74,7 +74,7 @@ def completed(
         points=points,
         joints=joints,
         links=chain,
-        dimensions=specification.dimensions or tuple(_dimensions(reference)),
+        dimensions=specification.dimensions or tuple(usual_dimensions(reference)),
         ground=ground,
     )
 
@@ -189,7 +189,7 @@ def _runs_along(axis: Array, direction: Array) -> bool:
     return abs(float(axis @ direction)) > 1 - 1e-6
 
 
-def _dimensions(table: SymbolicTable) -> list[DimensionMark]:
+def usual_dimensions(table: SymbolicTable) -> list[DimensionMark]:
     """One dimension for each constant length, named as in the table; a name is drawn once."""
     standard = table.convention is Convention.STANDARD
     marks: dict[str, DimensionMark] = {}

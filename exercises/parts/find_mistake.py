@@ -19,6 +19,7 @@ from exercises.grading import Feedback, Finding, HelpLevel, accept
 from exercises.instance import Instance
 from exercises.names import table_faults, without_aliases
 from exercises.parts.context import Context
+from exercises.parts.definition_keys import DefinitionKey, choices
 from exercises.parts.given_table import columns_of, given_table
 from exercises.parts.planting import PLANTABLE, REPAIRS, Planted, as_given, explanations, planted, usable
 from exercises.parts.protocol import TABLE, FieldShape, FormField, PartTask, PartType, Reading, RobotFacts
@@ -85,6 +86,10 @@ class FindMistakeType(PartType[FindMistakePart, FoundMistakeCells, FoundMistake]
                 reader.fault("misconception_unknown", "mistakes", i, name=code, known=", ".join(PLANTABLE))
         known = tuple(code for code in codes if code in PLANTABLE)
         return FindMistakePart(kind=self.kind, points=points, mistakes=known or PLANTABLE)
+
+    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
+        """Return the keys of the mistakes that may be planted."""
+        return (choices("mistakes", PLANTABLE),)
 
     def inconsistencies(self, part: FindMistakePart, exercise: Exercise) -> Iterator[Fault]:
         """Yield a fault where nothing can be planted, or where the key would be given away."""

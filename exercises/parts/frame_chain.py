@@ -20,6 +20,14 @@ from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.comparison import Matrices
 from exercises.parts.context import Context
+from exercises.parts.definition_keys import (
+    TOLERANCE,
+    DefinitionKey,
+    KeyShape,
+    Start,
+    joint_keys,
+    usual_joints,
+)
 from exercises.parts.joint_draws import drawn_joints, key_frames
 from exercises.parts.matrix_cells import CellMatrix, read_numbers
 from exercises.parts.protocol import (
@@ -111,6 +119,23 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, Matrices]):
             path=path or (),
             tolerance=reader.number("tolerance", 0.005),
         )
+
+    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
+        """Return the keys of the joint values, the known poses and the one that is asked."""
+        return (
+            *joint_keys(robot, single=False),
+            DefinitionKey(name="known", shape=KeyShape.FRAME_PAIRS),
+            DefinitionKey(name="asked", shape=KeyShape.FRAMES),
+            TOLERANCE,
+        )
+
+    def start(self, robot: RobotFacts) -> Start:
+        """Return two known poses, and the one that leads from the first frame to the last."""
+        return {
+            "joints": usual_joints(robot),
+            "known": [{"from": 0, "to": 1}, {"from": 1, "to": len(robot.joint_types)}],
+            "asked": {"from": 0, "to": len(robot.joint_types)},
+        }
 
     def inconsistencies(self, part: FrameChainPart, exercise: Exercise) -> Iterator[Fault]:
         """Yield the frames that the key does not have."""

@@ -19,6 +19,7 @@ from exercises.definition import Exercise, Part
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
+from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, choice, choices, sequence_keys
 from exercises.parts.given_table import given_table
 from exercises.parts.jacobians import (
     OF_FORCES,
@@ -127,6 +128,16 @@ class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
             ask=asked,
             wrench=tuple(wrench),
             tolerance=reader.number("tolerance", 0.005),
+        )
+
+    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
+        """Return the keys of what is asked, the angles and the load."""
+        return (
+            choices("ask", JacobianAsk),
+            choice("frame", JacobianFrame),
+            *sequence_keys("axes", "turning"),
+            DefinitionKey(name="wrench", shape=KeyShape.CELLS, labels=LOADS),
+            TOLERANCE,
         )
 
     def inconsistencies(self, part: JacobianFormPart, exercise: Exercise) -> Iterator[Fault]:

@@ -20,6 +20,18 @@ from exercises.draws import Draw, Picker
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
+from exercises.parts.definition_keys import (
+    COMPONENTS,
+    TOLERANCE,
+    DefinitionKey,
+    KeyShape,
+    Start,
+    choice,
+    choices,
+    joint_keys,
+    sequence_keys,
+    usual_joints,
+)
 from exercises.parts.drawn_orientations import read_sequence
 from exercises.parts.given_table import given_table
 from exercises.parts.joint_draws import drawn_joints, in_radians, key_numbers, read_joints
@@ -160,6 +172,21 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
             wrench=tuple(float(value) for value in wrench),
             tolerance=reader.number("tolerance", 0.005),
         )
+
+    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
+        """Return the keys of the joint values, of what is asked, and of the angles."""
+        return (
+            *joint_keys(robot),
+            choices("ask", JacobianAsk),
+            choice("frame", JacobianFrame),
+            *sequence_keys("axes", "turning"),
+            DefinitionKey(name="wrench", shape=KeyShape.NUMBERS, labels=COMPONENTS),
+            TOLERANCE,
+        )
+
+    def start(self, robot: RobotFacts) -> Start:
+        """Return joint values to begin with."""
+        return {"joints": usual_joints(robot)}
 
     def draw(self, part: JacobianPart, exercise: Exercise, picker: Picker) -> tuple[Fraction, ...]:
         """Return the student's joint values [the exercise's units]."""

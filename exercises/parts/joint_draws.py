@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from enum import StrEnum
 from fractions import Fraction
 
 import numpy as np
@@ -18,6 +19,23 @@ from kinematics.cells import AngleUnit
 from kinematics.forward import forward_kinematics
 from kinematics.se3 import Transform
 from kinematics.table import JointType, NumericTable, bind
+
+
+class PoseCase(StrEnum):
+    """What the pose of a student is.
+
+    REACHED: that of the drawn joint values. OUT_OF_REACH: the same orientation, too far away.
+    """
+
+    REACHED = "reached"
+    OUT_OF_REACH = "out_of_reach"
+
+
+class SolutionsAsked(StrEnum):
+    """How many solutions of inverse kinematics are asked."""
+
+    ALL = "all"
+    ONE = "one"
 
 
 def read_joints(reader: Reader, robot: RobotFacts) -> tuple[tuple[Fraction, ...], tuple[Draw | None, ...]]:

@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from fractions import Fraction
 from random import Random
 from typing import Annotated, ClassVar
@@ -21,9 +20,17 @@ from exercises.definition import Exercise, Part
 from exercises.draws import Draw, Picker
 from exercises.grading import BaseRule, Feedback, Finding, HelpLevel, ToolRule, accept
 from exercises.instance import Instance
+from exercises.parts import definition_keys as defined
 from exercises.parts.context import Context
 from exercises.parts.given_table import given_table
-from exercises.parts.joint_draws import drawn_joints, in_radians, key_numbers, read_joints
+from exercises.parts.joint_draws import (
+    PoseCase,
+    SolutionsAsked,
+    drawn_joints,
+    in_radians,
+    key_numbers,
+    read_joints,
+)
 from exercises.parts.joint_feedback import joint_feedback
 from exercises.parts.number_cells import read_numbers_of
 from exercises.parts.protocol import (
@@ -61,16 +68,6 @@ MOST_ROWS = 20
 OUT = 3.0
 """How many times as far away a pose is put that cannot be reached: no arm of the catalogue folds so much."""
 ConfigurationRow = Annotated[tuple[Cell, ...], Length(least=1, most=12)]
-
-
-class PoseCase(StrEnum):
-    """What the pose of a student is.
-
-    REACHED: that of the drawn joint values. OUT_OF_REACH: the same orientation, too far away.
-    """
-
-    REACHED = "reached"
-    OUT_OF_REACH = "out_of_reach"
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -145,10 +142,24 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
             joints=joints,
             draws=draws,
             cases=reader.choices("cases", PoseCase, ()) or (PoseCase.REACHED,),
-            every=reader.choice("solutions", _Asked, _Asked.ALL) is _Asked.ALL,
+            every=reader.choice("solutions", SolutionsAsked, SolutionsAsked.ALL) is SolutionsAsked.ALL,
             reach=reader.choice("reach", ArmReach, ArmReach.POSE),
             tolerance=reader.number("tolerance", USUAL_TOLERANCE),
         )
+
+    def keys(self, robot: RobotFacts) -> tuple[defined.DefinitionKey, ...]:
+        """Return the keys of the joint values, and of what is asked of the pose."""
+        return (
+            *defined.joint_keys(robot),
+            defined.choices("cases", PoseCase),
+            defined.choice("solutions", SolutionsAsked),
+            defined.choice("reach", (ArmReach.POSE, ArmReach.POSITION)),
+            defined.TOLERANCE,
+        )
+
+    def start(self, robot: RobotFacts) -> defined.Start:
+        """Return joint values to begin with."""
+        return {"joints": defined.usual_joints(robot)}
 
     def inconsistencies(self, part: InverseKinematicsPart, exercise: Exercise) -> Iterator[Fault]:
         """Yield a fault where students choose the frames in which the pose would have to be given."""
@@ -309,13 +320,6 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         if part.every and len(right.solutions) > 1 and right.claim is JointClaim.FINITE:
             yield "joints_missing", replace(right, solutions=right.solutions[1:])
         yield "claim_wrong", JointAnswerCells(claim=JointClaim.OUT_OF_REACH)
-
-
-class _Asked(StrEnum):
-    """How many solutions are asked."""
-
-    ALL = "all"
-    ONE = "one"
 
 
 def _target(part: InverseKinematicsPart, instance: Instance) -> Transform:

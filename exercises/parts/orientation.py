@@ -19,6 +19,17 @@ from exercises.draws import Draw, Picker, read_draw
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
+from exercises.parts.definition_keys import (
+    DEGREES,
+    RADIANS,
+    TOLERANCE,
+    DefinitionKey,
+    KeyShape,
+    Start,
+    choice,
+    choices,
+    sequence_keys,
+)
 from exercises.parts.drawn_orientations import drawn_triple, read_sequence
 from exercises.parts.number_cells import read_numbers_of
 from exercises.parts.orientation_cells import OrientationAnswer, OrientationCells, OrientationNotation
@@ -119,6 +130,26 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
             asked_sequence=read_sequence(reader, "asked_axes", "asked_turning", sequence),
             tolerance=reader.number("tolerance", USUAL_TOLERANCE),
         )
+
+    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
+        """Return the keys of the angles, and of what is given and asked."""
+        return (
+            choice("given", OrientationNotation),
+            *sequence_keys("axes", "turning"),
+            DefinitionKey(name="angles", shape=KeyShape.NUMBERS, labels=("1", "2", "3")),
+            DefinitionKey(name="turns", shape=KeyShape.DRAW),
+            DefinitionKey(name="middle", shape=KeyShape.DRAW),
+            choices("ask", OrientationNotation),
+            *sequence_keys("asked_axes", "asked_turning"),
+            TOLERANCE,
+        )
+
+    def start(self, robot: RobotFacts) -> Start:
+        """Return an orientation in roll, pitch and yaw, of which the matrix is asked."""
+        return {
+            "angles": list(DEGREES[:3] if robot.degrees else RADIANS[:3]),
+            "ask": [OrientationNotation.MATRIX.value],
+        }
 
     def draw(self, part: OrientationPart, exercise: Exercise, picker: Picker) -> Triple:
         """Return the student's angles [rad]."""

@@ -33,6 +33,7 @@ from exercises.grading import (
 from exercises.instance import Instance
 from exercises.parts.comparison import Matrices, agreeing, inverse, transposed_cells, transposed_rotation
 from exercises.parts.context import Context
+from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, Start, joint_keys, usual_joints
 from exercises.parts.joint_draws import drawn_joints
 from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_numbers
 from exercises.parts.protocol import TABLE, PartTask, PartType, Reading, RobotFacts
@@ -117,6 +118,14 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
         draws = tuple(slides if type_ is JointType.PRISMATIC else turns for type_ in robot.joint_types)
         tolerance = reader.number("tolerance", 0.005)
         return PosePart(kind=self.kind, points=points, joints=joints, draws=draws, tolerance=tolerance)
+
+    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
+        """Return the keys of the joint values and their draws."""
+        return (*joint_keys(robot, single=False), TOLERANCE)
+
+    def start(self, robot: RobotFacts) -> Start:
+        """Return joint values to begin with."""
+        return {"joints": usual_joints(robot)}
 
     def draw(self, part: PosePart, exercise: Exercise, picker: Picker) -> tuple[Fraction, ...]:
         """Return the student's joint values [the exercise's units]."""

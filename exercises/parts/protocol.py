@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 from exercises.definition import Exercise, Part
 from exercises.draws import Picker
 from exercises.grading import HelpLevel
+from exercises.parts.definition_keys import DefinitionKey, Start
 from exercises.parts.report import Disclosure, PartReport, shown
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit, LengthUnit, Limits, ParameterKind, ReadTable
@@ -255,6 +256,14 @@ class PartType(ABC, Generic[P, Raw, Read]):
             robot: what the definition is about.
         """
         return Part(kind=self.kind, points=points)  # type: ignore[return-value]
+
+    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
+        """Return what the definition may say beside `kind` and `points`: what `define` reads."""
+        return ()
+
+    def start(self, robot: RobotFacts) -> Start:
+        """Return what a definition must say beside `kind` and `points`, to go on from."""
+        return {}
 
     def inconsistencies(self, part: P, exercise: Exercise) -> Iterable[Fault]:
         """Return what does not fit the rest of the exercise; places inside the part's entry."""

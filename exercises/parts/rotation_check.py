@@ -14,6 +14,7 @@ from exercises.draws import Draw, Picker, read_draw
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
+from exercises.parts.definition_keys import DEGREES, RADIANS, DefinitionKey, KeyShape, Start, sequence_keys
 from exercises.parts.drawn_orientations import drawn_triple, read_sequence
 from exercises.parts.orientation import DECIMALS
 from exercises.parts.protocol import (
@@ -96,6 +97,18 @@ class RotationCheckType(PartType[RotationCheckPart, RotationClaimCells, Rotation
             angles=angles,
             turns=read_draw(reader, "turns"),
         )
+
+    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
+        """Return the keys of the angles of its matrix."""
+        return (
+            *sequence_keys("axes", "turning"),
+            DefinitionKey(name="angles", shape=KeyShape.NUMBERS, labels=("1", "2", "3")),
+            DefinitionKey(name="turns", shape=KeyShape.DRAW),
+        )
+
+    def start(self, robot: RobotFacts) -> Start:
+        """Return the angles of its matrix."""
+        return {"angles": list(DEGREES[:3] if robot.degrees else RADIANS[:3])}
 
     def draw(self, part: RotationCheckPart, exercise: Exercise, picker: Picker) -> Matrix3:
         """Return the student's matrix: a rotation, or one with a planted defect."""

@@ -20,6 +20,7 @@ from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.comparison import inverse
 from exercises.parts.context import Context
+from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, names_of_joints
 from exercises.parts.protocol import PartTask, PartType, Reading, RobotFacts
 from exercises.parts.reach import Interval, Reach, reach
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
@@ -164,6 +165,19 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, WorkspaceAnswer]):
             limits=_limits(reader, len(robot.joint_types), robot.limits),
             tolerance=reader.number("tolerance", 0.01),
         )
+
+    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
+        """Return the keys of the point, from where it is measured, and the limits."""
+        return (
+            DefinitionKey(name="point", shape=KeyShape.POINT),
+            DefinitionKey(name="from", shape=KeyShape.POINT, options=(ReachFrom.AXIS.value,)),
+            DefinitionKey(name="limits", shape=KeyShape.RANGES, labels=names_of_joints(robot)),
+            TOLERANCE,
+        )
+
+    def start(self, robot: RobotFacts) -> Start:
+        """Return a point by its usual name."""
+        return {"point": "P", "from": ReachFrom.AXIS.value}
 
     def inconsistencies(self, part: WorkspacePart, exercise: Exercise) -> Iterator[Fault]:
         """Yield the points that the figure does not mark."""

@@ -131,6 +131,13 @@ class PreviewAnswer(Wire):
     statements: Languages = Field(description="the statements as HTML, safe to put into a page, by language")
     policy: AdmissionModel
     key: dict[str, Any] = Field(description="the key, as a DH table")
+    dimensions: dict[str, Any] = Field(
+        description="the figure's dimensions as a definition has them (`mark`), where their lines stand in "
+        "the units of the SVG, and in which directions (`ways`) and how far (`distances`) they may be moved"
+    )
+    kinds: list[dict[str, Any]] = Field(
+        description="the kinds of part: with what a definition begins, and what else it may say"
+    )
 
 
 class SelfTestLine(Wire):

@@ -14,8 +14,12 @@ from exercises.authoring.admission import PolicyAdmission
 from exercises.authoring.draft import ExerciseDraft, exercise_of_draft
 from exercises.consistency import FILE
 from exercises.definition import Exercise
+from exercises.drawings import figure_dimensions
 from exercises.errors import DefinitionError
-from exercises.instance import generate
+from exercises.instance import Instance, generate
+from exercises.loader import robot_facts
+from exercises.parts.protocol import RobotFacts
+from exercises.parts.registry import part_type, part_types
 from exercises.selftest.findings import Failure, Findings
 from exercises.selftest.rehearsal import RehearsedAnswer
 from exercises.statements import to_html
@@ -94,6 +98,52 @@ def preview_body(draft: ExerciseDraft, admission: PolicyAdmission, language: str
             or "",
         },
         "key": written_table(exercise.reference),
+        "dimensions": _dimensions(instance, language),
+        "kinds": [_kind(kind, robot_facts(exercise), language) for kind in part_types()],
+    }
+
+
+def _dimensions(instance: Instance, language: str) -> dict[str, Any]:
+    """The dimensions of the figure, and where their lines may be moved."""
+    found = figure_dimensions(instance, sentence(language, "figure-note") or "")
+    layout = found.layout
+    return {
+        "box": layout.box,
+        "distances": layout.distances,
+        "usual": layout.usual,
+        "lines": [
+            {"mark": mark, "ends": place.ends, "line": place.line, "label": place.label, "ways": place.ways}
+            for mark, place in zip(found.marks, layout.places, strict=True)
+        ],
+    }
+
+
+def _kind(kind: str, robot: RobotFacts, language: str) -> dict[str, Any]:
+    """A kind of part that may be asked about a robot: with what a definition begins, what else it may say."""
+    part = part_type(kind)
+    return {
+        "kind": kind,
+        "label": sentence(language, f"form-part-{kind.replace('_', '-')}") or kind,
+        "start": part.start(robot),
+        "keys": [
+            {
+                "name": key.name,
+                "label": sentence(language, f"author-key-{key.name}")
+                or sentence(language, "author-key-one-joint", {"name": key.name}),
+                "shape": key.shape.value,
+                "labels": key.labels,
+                "options": [
+                    {
+                        "value": option,
+                        "label": sentence(language, f"author-choice-{option}")
+                        or sentence(language, f"option-{option}")
+                        or option,
+                    }
+                    for option in key.options
+                ],
+            }
+            for key in part.keys(robot)
+        ],
     }
 
 

@@ -1,52 +1,73 @@
 /** What is asked and what it is worth; what a table is held to; values drawn per student; help. */
 
 import { el, fill } from "../dom.js";
-import { knows, t } from "../i18n.js";
-import { choiceField, field, numberField, numberInput, numberOf, part, textField, tick } from "./fields.js";
+import { t } from "../i18n.js";
+import { choiceField, field, numberField, numberInput, part, tick } from "./fields.js";
+import { markEnd } from "./figure-form.js";
+import { choicesField, group, keyField, numbersField, wordsField } from "./shapes.js";
 
 /** @typedef {import("./draft-store.js").DraftStore} DraftStore */
 
-const KINDS = ["schematic", "table", "frames", "link_matrices", "transform", "pose", "workspace"];
 const POINTS = 15;
+/** What an exercise with a table usually asks, in the order in which it is asked; other kinds come after. */
+const FIRST = ["schematic", "table", "frames", "link_matrices", "transform", "pose", "workspace"];
 
-/** The parts, each with its points. @param {DraftStore} store */
+/** The parts, each with its points and what else its definition may say, as the service describes the kinds. @param {DraftStore} store */
 export function partsSection(store) {
   const element = el("div", { class: "stack" });
   const total = el("p", { class: "hint", role: "status" });
   const parts = () => store.at(["definition", "parts"]) ?? [];
+  /** @type {any[]} */
+  let kinds = [];
+  /** @type {string[]} */
+  let points = [];
+  let built = "";
 
-  /** @param {string} kind @param {boolean} on */
+  /** @param {any} kind @param {boolean} on */
   function ask(kind, on) {
-    const others = parts().filter((/** @type {any} */ entry) => entry.kind !== kind);
-    const next = on ? [...others, partOf(kind)] : others;
-    next.sort((/** @type {any} */ a, /** @type {any} */ b) => KINDS.indexOf(a.kind) - KINDS.indexOf(b.kind));
-    store.set(["definition", "parts"], next);
+    const others = parts().filter((/** @type {any} */ entry) => entry.kind !== kind.kind);
+    const start = kind.start.point && points.length ? { ...kind.start, point: points[0] } : kind.start;
+    const next = on ? [...others, { kind: kind.kind, points: POINTS, ...start }] : others;
+    const place = (/** @type {any} */ part) => kinds.findIndex((known) => known.kind === part.kind);
+    store.set(
+      ["definition", "parts"],
+      next.sort((/** @type {any} */ a, /** @type {any} */ b) => place(a) - place(b)),
+    );
+    if (on && start.point && !points.length) markEnd(store, true, 0);
     build();
-  }
-
-  /** @param {string} kind */
-  function partOf(kind) {
-    if (kind === "pose") return { kind, points: POINTS, joints: postureOf(store) };
-    if (kind === "workspace") return { kind, points: POINTS, point: endName(store), from: "axis" };
-    return { kind, points: POINTS };
   }
 
   function build() {
     const asked = parts();
+    built = JSON.stringify([kinds, points, asked.map((/** @type {any} */ { kind }) => kind)]);
     fill(
       element,
-      KINDS.filter((kind) => knows(`form-part-${kind.replaceAll("_", "-")}`)).map((kind) => {
-        const i = asked.findIndex((/** @type {any} */ entry) => entry.kind === kind);
-        const name = t(`form-part-${kind.replaceAll("_", "-")}`);
-        const path = ["definition", "parts", i, "points"];
-        const points = i < 0 ? null : numberInput(store, path, { "aria-label": t("author-points-of", { part: name }) });
+      kinds.map((kind) => {
+        const i = asked.findIndex((/** @type {any} */ entry) => entry.kind === kind.kind);
+        const path = ["definition", "parts", i];
+        const worth = { "aria-label": t("author-points-of", { part: kind.label }) };
         return el(
           "div",
-          { class: "row author-part" },
-          tick(name, i >= 0, (on) => ask(kind, on), { dataset: { part: kind } }),
-          points,
-          i < 0 ? null : el("span", { class: "hint", text: t("author-points") }),
-          i >= 0 && kind === "workspace" ? pointField(i) : null,
+          { class: "stack" },
+          el(
+            "div",
+            { class: "row author-part" },
+            tick(kind.label, i >= 0, (on) => ask(kind, on), { dataset: { part: kind.kind } }),
+            i < 0 ? null : numberInput(store, [...path, "points"], worth),
+            i < 0 ? null : el("span", { class: "hint", text: t("author-points") }),
+          ),
+          i >= 0 && kind.keys.length
+            ? el(
+                "details",
+                { class: "author-keys", open: true },
+                el("summary", { text: t("author-part-keys", { part: kind.label }) }),
+                el(
+                  "div",
+                  { class: "row" },
+                  kind.keys.map((/** @type {any} */ key) => keyField(store, path, key, points)),
+                ),
+              )
+            : null,
         );
       }),
       total,
@@ -54,28 +75,23 @@ export function partsSection(store) {
     show();
   }
 
-  /** Of which point the workspace is asked. @param {number} i */
-  function pointField(i) {
-    return textField(store, t("author-workspace-point"), ["definition", "parts", i, "point"], { size: "5" });
-  }
-
   function show() {
     const sum = parts().reduce((/** @type {number} */ all, /** @type {any} */ entry) => all + Number(entry.points), 0);
     total.textContent = t("author-points-total", { points: sum });
   }
-  return { element, fill: build, show };
-}
-
-/** @param {DraftStore} store */
-function postureOf(store) {
-  const n =
-    store.at(["definition", "figure", "posture"])?.length ?? store.at(["definition", "reference", "rows"])?.length ?? 1;
-  return Array.from({ length: n }, (_, i) => [30, 45, -60, 90, -30, 60][i % 6]);
-}
-
-/** A marked point, or the name that one would have. @param {DraftStore} store */
-function endName(store) {
-  return store.at(["definition", "figure", "marks"])?.[0] ?? "P";
+  return {
+    element,
+    fill: build,
+    /** @param {any} view */
+    show: (view) => {
+      const rank = (/** @type {any} */ { kind }) => (FIRST.includes(kind) ? FIRST.indexOf(kind) : FIRST.length);
+      kinds = view.kinds.toSorted((/** @type {any} */ a, /** @type {any} */ b) => rank(a) - rank(b));
+      points = store.at(["definition", "figure", "marks"]) ?? [];
+      const asked = parts().map((/** @type {any} */ { kind }) => kind);
+      if (JSON.stringify([kinds, points, asked]) !== built) build();
+      else show();
+    },
+  };
 }
 
 /** @type {Record<string, {usual: string, values: string[]}>} */
@@ -150,25 +166,25 @@ export function valuesSection(store) {
             build();
           }),
           draw
-            ? ["from", "to", "step"].map((what) =>
-                field(t(`author-draw-${what}-short`), numberInput(store, [...path, "draw", what], label(what))),
-              )
+            ? [
+                ...["from", "to", "step"].map((what) =>
+                  field(t(`author-draw-${what}-short`), numberInput(store, [...path, "draw", what], label(what))),
+                ),
+                numbersField(store, t("author-draw-without"), [...path, "draw", "without"]),
+              ]
             : null,
-          aliasField(path),
+          wordsField(store, t("author-aliases"), [...path, "aliases"]),
         );
       }),
-    );
-  }
-  /** @param {(string | number)[]} path */
-  function aliasField(path) {
-    const value = (store.at([...path, "aliases"]) ?? []).join(" ");
-    const set = (/** @type {any} */ event) => {
-      const names = event.target.value.split(/[\s,]+/).filter(Boolean);
-      store.set([...path, "aliases"], names.length ? names : undefined);
-    };
-    return field(
-      t("author-aliases"),
-      el("input", { type: "text", size: "8", value, oninput: set, autocomplete: "off" }),
+      names.length ? part("author-needs", true) : null,
+      names.length
+        ? choicesField(
+            store,
+            t("author-needs"),
+            ["definition", "needs"],
+            names.map((value) => ({ value, label: value })),
+          )
+        : null,
     );
   }
   return { element, fill: build, show: () => undefined };
@@ -184,6 +200,8 @@ function rangeOf(value) {
 }
 
 const LEVELS = ["verdict", "row", "kind", "repair"];
+/** What each is where nothing is said. */
+const WEIGHTS = { joint: "1", twist: "1", length: "1", offset: "1", rule: "1", sign: "0.5", row: "2", table: "3" };
 const TOOLS = ["catalogue", "playground", "matrices", "trainer"];
 
 /** How much is told, how often one may try, and what may be used meanwhile. @param {DraftStore} store */
@@ -199,109 +217,58 @@ export function helpSection(store) {
         const most = store.at(["definition", "help", "most"]) ?? "repair";
         const rungs = LEVELS.slice(1, Math.max(2, LEVELS.indexOf(most) + 1));
         store.set(["definition", "help", "ladder"], on ? rungs : undefined);
+        build();
       }),
+      ladder ? rungsField(ladder) : null,
       numberField(store, t("author-attempts"), ["definition", "access", "attempts"], { placeholder: "∞" }),
+      numberField(store, t("author-variants"), ["definition", "access", "variants"], { placeholder: "∞" }),
       ...part("author-access", true),
       TOOLS.map((tool) =>
-        tick(t(`author-access-${tool}`), store.at(["definition", "access", tool]) !== false, (on) =>
-          store.set(["definition", "access", tool], on ? undefined : false),
+        tick(
+          t(`author-access-${tool}`),
+          store.at(["definition", "access", tool]) !== false,
+          (on) => store.set(["definition", "access", tool], on ? undefined : false),
+          { dataset: { path: `definition/access/${tool}` } },
         ),
       ),
-    );
-  }
-  return { element, fill: build, show: () => undefined };
-}
-
-/** From where the robot is seen, in which posture, and what is marked. @param {DraftStore} store */
-export function figureSection(store) {
-  const element = el("div", { class: "stack" });
-  /** @type {any[]} */
-  let joints = [];
-  function build() {
-    const posture = store.at(["definition", "figure", "posture"]) ?? joints.map(() => 0);
-    const names = Object.keys(store.at(["definition", "parameters"]) ?? {});
-    fill(
-      element,
+      ...part("author-weights", true),
       el(
         "div",
         { class: "author-columns" },
-        slider(t("author-view-azimuth"), ["view", "azimuth"], -180, 180, -60),
-        slider(t("author-view-elevation"), ["view", "elevation"], 0, 90, 24),
-      ),
-      ...part("author-posture"),
-      el(
-        "div",
-        { class: "row" },
-        posture.map((/** @type {number} */ value, /** @type {number} */ i) =>
-          field(`q${i + 1}`, jointInput(posture.length, i, value)),
+        Object.entries(WEIGHTS).map(([name, usual]) =>
+          numberField(store, t(`author-weight-${name}`), ["definition", "weights", name], { placeholder: usual }),
         ),
-      ),
-      ...part("author-marks", true),
-      pointFields(),
-      names.length ? part("author-lengths", true) : null,
-      el(
-        "div",
-        { class: "row" },
-        names.map((name) => numberField(store, name, ["definition", "figure", "lengths", name])),
       ),
     );
   }
 
-  /** @param {string} label @param {string[]} key @param {number} min @param {number} max @param {number} usual */
-  function slider(label, key, min, max, usual) {
-    const path = ["definition", "figure", ...key];
-    const input = el("input", {
-      type: "range",
-      min,
-      max,
-      step: 1,
-      value: store.at(path) ?? usual,
-      oninput: (event) => store.set(path, Number(event.target.value)),
-    });
-    return field(label, input);
-  }
-
-  /** @param {number} count @param {number} i @param {number} value */
-  function jointInput(count, i, value) {
-    const set = (/** @type {any} */ event) => {
-      const now = store.at(["definition", "figure", "posture"]) ?? Array.from({ length: count }, () => 0);
-      const next = numberOf(event.target.value) ?? 0;
-      store.set(
-        ["definition", "figure", "posture"],
-        now.map((/** @type {any} */ entry, /** @type {number} */ k) => (k === i ? next : entry)),
-      );
+  /** The most that is told at the first attempt, the second, and so on. @param {string[]} ladder */
+  function rungsField(ladder) {
+    const path = ["definition", "help", "ladder"];
+    const become = (/** @type {string[]} */ next) => {
+      store.set(path, next);
+      build();
     };
-    return el("input", { type: "text", inputmode: "decimal", size: "5", value, oninput: set, autocomplete: "off" });
+    const rung = (/** @type {string} */ level, /** @type {number} */ i) =>
+      field(
+        t("author-rung", { number: i + 1 }),
+        el(
+          "select",
+          {
+            dataset: { path: [...path, i].join("/") },
+            onchange: (event) => become(ladder.map((entry, k) => (k === i ? event.target.value : entry))),
+          },
+          LEVELS.map((value) => el("option", { value, selected: value === level, text: t(`form-help-${value}`) })),
+        ),
+      );
+    const last = ladder[ladder.length - 1];
+    return group(t("author-rungs"), [
+      ...ladder.map(rung),
+      el("button", { type: "button", onclick: () => become([...ladder, last]), text: t("author-rung-more") }),
+      ladder.length > 1
+        ? el("button", { type: "button", onclick: () => become(ladder.slice(0, -1)), text: t("author-rung-less") })
+        : null,
+    ]);
   }
-
-  /** The one marked point that a tool needs: in the last frame, on its axes. */
-  function pointFields() {
-    const marks = store.at(["definition", "figure", "marks"]) ?? [];
-    const rows = store.at(["definition", "reference", "rows"])?.length;
-    const marked = marks.includes("P");
-    return tick(t("author-mark-end"), marked, (on) => {
-      const figure = store.at(["definition", "figure"]) ?? {};
-      const points = { ...figure.points };
-      if (on) points.P ??= { frame: rows ?? joints.length };
-      else delete points.P;
-      const next = {
-        ...figure,
-        points,
-        marks: on ? [...marks, "P"] : marks.filter((/** @type {string} */ m) => m !== "P"),
-      };
-      if (!next.marks.length) delete next.marks;
-      if (!Object.keys(points).length) delete next.points;
-      store.set(["definition", "figure"], next);
-    });
-  }
-  return {
-    element,
-    fill: build,
-    /** @param {any} view */
-    show: (view) => {
-      const changed = joints.length !== view.exercise.joints.length;
-      joints = view.exercise.joints;
-      if (changed) build();
-    },
-  };
+  return { element, fill: build, show: () => undefined };
 }

@@ -99,9 +99,10 @@ export class DraftStore extends EventTarget {
 function put(node, [step, ...rest], value) {
   const inner = rest.length ? put(node?.[step], rest, value) : value;
   if (Array.isArray(node)) return node.map((entry, i) => (i === step ? inner : entry));
+  if (node === undefined && inner === undefined) return undefined;
   const next = { ...node, [step]: inner };
   if (inner === undefined) delete next[step];
-  return next;
+  return rest.length && !Object.keys(next).length ? undefined : next;
 }
 
 /** Work from data that anybody may have written; what it means is for the API to judge. @param {any} data @returns {Work | null} */

@@ -2,7 +2,7 @@
 
 import { el, fill, segmented } from "../dom.js";
 import { language, t } from "../i18n.js";
-import { field, textField } from "./fields.js";
+import { field, numberField, textField } from "./fields.js";
 
 const LANGUAGES = { en: "English", ro: "Română", pt: "Português", fr: "Français", uk: "Українська", es: "Español" };
 
@@ -26,6 +26,7 @@ export function textsSection(store) {
       body,
       textField(store, t("author-title-of"), ["definition", "title", shown], { lang: shown, maxlength: "200" }),
       field(t("author-statement"), area, t("author-statement-hint")),
+      numberField(store, t("author-version"), ["definition", "version"]),
       el("h3", { text: t("author-statement-preview") }),
       reading,
     );

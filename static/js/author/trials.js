@@ -6,6 +6,7 @@ import { language, t } from "../i18n.js";
 import { plain } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import { tick } from "./fields.js";
+import { keepSample } from "./samples.js";
 import { tableOf } from "./start.js";
 
 const SEEDS = [null, 1, 2];
@@ -178,7 +179,17 @@ export function asStudent(api, store, view) {
       changed: () => verdict.outdated(),
       submit: (kind) => submit(kind),
     });
-    fill(place, form, problem, card);
+    const kept = el("p", {});
+    fill(place, form, problem, card, kept);
+
+    /** @param {any} table @param {boolean} correct */
+    function keepButton(table, correct) {
+      const keep = () => {
+        keepSample(store, table, correct);
+        fill(kept, t("author-sample-kept"));
+      };
+      return el("button", { type: "button", onclick: keep, text: t("author-sample-keep") });
+    }
 
     /** @param {string} [kind] one part alone */
     async function submit(kind) {
@@ -189,6 +200,7 @@ export function asStudent(api, store, view) {
         const graded = await api.post("author/grade", { draft: store.draft, answer: request });
         fill(problem);
         answer.showRefusal([], request.table);
+        if (request.table) fill(kept, keepButton(request.table, graded.basis !== "refuted"));
         const convention = answer.convention;
         verdict.show(graded, {
           exercise,

@@ -2,7 +2,10 @@
 
 import { Latest } from "../api.js";
 import { DraftStore, workIn } from "../author/draft-store.js";
-import { figureSection, helpSection, partsSection, policySection, valuesSection } from "../author/asked.js";
+import { DimensionHandles } from "../author/dimension-handles.js";
+import { figureSection } from "../author/figure-form.js";
+import { samplesSection } from "../author/samples.js";
+import { helpSection, partsSection, policySection, valuesSection } from "../author/asked.js";
 import { Start } from "../author/start.js";
 import { takeAlong } from "../author/take-along.js";
 import { textsSection } from "../author/texts.js";
@@ -37,8 +40,10 @@ class AuthorPage {
       values: valuesSection(this.store),
       help: helpSection(this.store),
       figure: figureSection(this.store),
+      samples: samplesSection(this.store),
       take: takeAlong(api, this.store),
     };
+    this.handles = new DimensionHandles(this.store, $("author-dimension-handles"));
     this.look = debounced(() => this.#look(), REST);
     this.test = debounced(() => this.selfTest.run(), LONG_REST);
   }
@@ -94,6 +99,7 @@ class AuthorPage {
       this.#markFaults([]);
       for (const section of Object.values(this.sections)) section.show(this.view);
       showFigure(this.view);
+      this.handles.show(this.view.dimensions);
       this.test();
     } catch (error) {
       if (error instanceof Error && error.name === "AbortError") return;
