@@ -17,6 +17,7 @@ from exercises.instance import Instance
 from exercises.names import renamed, unknown_name
 from exercises.parts.conditions import read_conditions
 from exercises.parts.context import Context
+from exercises.parts.definition_keys import DefinitionKey, choice, joint_keys
 from exercises.parts.given_table import given_table
 from exercises.parts.joint_draws import drawn_joints, in_radians, read_joints
 from exercises.parts.number_cells import read_numbers_of
@@ -116,6 +117,10 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         joints, draws = read_joints(reader, robot) if asked else (None, ())
         rows = reader.choice("motion", MotionRows, MotionRows.TWIST)
         return SingularitiesPart(kind=self.kind, points=points, rows=rows, joints=joints, draws=draws)
+
+    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
+        """Return the keys of the motion that counts, and of the singular configuration."""
+        return choice("motion", MotionRows), *joint_keys(robot)
 
     def inconsistencies(self, part: SingularitiesPart, exercise: Exercise) -> Iterator[Fault]:
         """Yield a fault where conditions cannot say all, where there are none, or where nothing is lost."""

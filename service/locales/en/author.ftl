@@ -303,3 +303,6 @@ author-choice-axis = the axis of joint 1
 author-key-one-joint = { $name } drawn by itself
 author-version = Version: raise it when right answers or values change
 author-variants = Sets of values for all students together
+author-key-motion = Motion that counts
+author-choice-twist = velocity and angular velocity
+author-choice-translation = velocity alone

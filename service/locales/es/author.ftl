@@ -303,3 +303,6 @@ author-choice-axis = el eje de la articulación 1
 author-key-one-joint = { $name } sorteada aparte
 author-version = Versión: auméntela cuando cambien las respuestas correctas o los valores
 author-variants = Juegos de valores para todos los estudiantes
+author-key-motion = Movimiento que cuenta
+author-choice-twist = velocidad lineal y angular
+author-choice-translation = solo la velocidad lineal

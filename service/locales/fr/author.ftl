@@ -303,3 +303,6 @@ author-choice-axis = l’axe de l’articulation 1
 author-key-one-joint = { $name } tirée à part
 author-version = Version : augmentez-la quand les réponses justes ou les valeurs changent
 author-variants = Jeux de valeurs pour l’ensemble des étudiants
+author-key-motion = Mouvement pris en compte
+author-choice-twist = vitesses linéaire et angulaire
+author-choice-translation = la vitesse linéaire seule

@@ -303,3 +303,6 @@ author-choice-axis = o eixo da junta 1
 author-key-one-joint = { $name } sorteada à parte
 author-version = Versão: aumente-a quando mudarem as respostas certas ou os valores
 author-variants = Conjuntos de valores para todos os estudantes
+author-key-motion = Movimento que conta
+author-choice-twist = velocidades linear e angular
+author-choice-translation = só a velocidade linear

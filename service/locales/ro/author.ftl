@@ -306,3 +306,6 @@ author-choice-axis = axa cuplei 1
 author-key-one-joint = { $name } trasă la sorți separat
 author-version = Versiunea: măriți-o când se schimbă răspunsurile corecte sau valorile
 author-variants = Seturi de valori pentru toți studenții
+author-key-motion = Mișcarea care contează
+author-choice-twist = viteza liniară și cea unghiulară
+author-choice-translation = doar viteza liniară

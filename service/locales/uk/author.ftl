@@ -306,3 +306,6 @@ author-choice-axis = осі зчленування 1
 author-key-one-joint = { $name } випадає окремо
 author-version = Версія: збільште її, коли змінюються правильні відповіді або значення
 author-variants = Наборів значень на всіх студентів разом
+author-key-motion = Рух, що береться до уваги
+author-choice-twist = лінійна й кутова швидкості
+author-choice-translation = лише лінійна швидкість
