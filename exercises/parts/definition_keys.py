@@ -28,6 +28,8 @@ class KeyShape(StrEnum):
     each label. CELLS: a number or a name for each label. DRAW: from where a student's own value is drawn.
     POINT: the name of a point of the figure. FRAMES: from a frame to another. FRAME_PAIRS: several of these.
     RANGES: for each label the least and the greatest value, or none; or the word `catalogue`.
+    BODIES: for each row mass, centre and moments of what moves with it. QUANTITIES: by name a value, and from
+    where a student's own is drawn.
     """
 
     NUMBER = "number"
@@ -41,6 +43,8 @@ class KeyShape(StrEnum):
     FRAMES = "frames"
     FRAME_PAIRS = "frame_pairs"
     RANGES = "ranges"
+    BODIES = "bodies"
+    QUANTITIES = "quantities"
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -19,6 +19,7 @@ from exercises.draws import Picker, read_draw
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
+from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, choices
 from exercises.parts.given_table import given_table
 from exercises.parts.matrix_cells import read_row, write_matrix
 from exercises.parts.protocol import (
@@ -145,6 +146,26 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
             weights=tuple(weights),
             tolerance=reader.number("tolerance", 0.005),
         )
+
+    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
+        """Return the keys of what is asked, of the weights of the links, and of their values."""
+        return (
+            choices("ask", MotionAsk),
+            DefinitionKey(name="links", shape=KeyShape.BODIES),
+            DefinitionKey(name="gravity", shape=KeyShape.CELLS, labels=("x", "y", "z")),
+            DefinitionKey(name="weights", shape=KeyShape.QUANTITIES),
+            TOLERANCE,
+        )
+
+    def start(self, robot: RobotFacts) -> Start:
+        """Return a mass and a moment of inertia about z for each joint, in names, under gravity."""
+        numbers = range(1, len(robot.joint_types) + 1)
+        masses, moments = {f"m{i}": {"value": 1} for i in numbers}, {f"I{i}": {"value": 0.1} for i in numbers}
+        return {
+            "links": [{"mass": m, "moments": [0, 0, j]} for m, j in zip(masses, moments, strict=True)],
+            "gravity": [0, 0, "-g"],
+            "weights": {**masses, **moments, "g": {"value": 9.81}},
+        }
 
     def inconsistencies(self, part: MotionPart, exercise: Exercise) -> Iterator[Fault]:
         """Yield what is wrong with the links, and names without a value or without a use."""

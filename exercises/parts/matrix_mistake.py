@@ -20,6 +20,7 @@ from exercises.draws import Picker
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
+from exercises.parts.definition_keys import DefinitionKey, choice, choices
 from exercises.parts.given_table import given_table
 from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
 from exercises.parts.planted_matrices import (
@@ -114,6 +115,11 @@ class MatrixMistakeType(PartType[MatrixMistakePart, FoundMatrixMistakeCells, Fou
                 reader.fault("misconception_unknown", "mistakes", i, name=code, known=", ".join(catalogue))
         known = tuple(code for code in codes if code in catalogue)
         return MatrixMistakePart(kind=self.kind, points=points, matrix=kind, mistakes=known or catalogue)
+
+    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
+        """Return the keys of the matrix and of the mistakes that may be planted in it."""
+        every = dict.fromkeys(code for codes in MATRIX_MISTAKES.values() for code in codes)
+        return choice("matrix", MatrixKind), choices("mistakes", every)
 
     def inconsistencies(self, part: MatrixMistakePart, exercise: Exercise) -> Iterator[Fault]:
         """Yield a fault where nothing can be planted, or where the key would be given away."""

@@ -17,7 +17,7 @@ from exercises.instance import Instance
 from exercises.names import renamed, unknown_name
 from exercises.parts.conditions import read_conditions
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import DefinitionKey, choice, joint_keys
+from exercises.parts.definition_keys import DefinitionKey, Start, choice, joint_keys
 from exercises.parts.given_table import given_table
 from exercises.parts.joint_draws import drawn_joints, in_radians, read_joints
 from exercises.parts.number_cells import read_numbers_of
@@ -121,6 +121,11 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
         """Return the keys of the motion that counts, and of the singular configuration."""
         return choice("motion", MotionRows), *joint_keys(robot)
+
+    def start(self, robot: RobotFacts) -> Start:
+        """Return the motion of which an arm of so few joints can lose a direction."""
+        few = len(robot.joint_types) < 6
+        return {"motion": (MotionRows.TRANSLATION if few else MotionRows.TWIST).value}
 
     def inconsistencies(self, part: SingularitiesPart, exercise: Exercise) -> Iterator[Fault]:
         """Yield a fault where conditions cannot say all, where there are none, or where nothing is lost."""

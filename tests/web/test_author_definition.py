@@ -21,7 +21,15 @@ from tests.web.conftest import OpenPage
 
 PATIENCE = 40_000
 GUIDE = (Path(__file__).parents[2] / "docs" / "authoring.md").read_text(encoding="utf-8")
-WITH_NEW_KINDS = ("puma560-inverse", "kr125-orientation", "scara-jacobian", "puma560-find-mistake", "puma560")
+WITH_NEW_KINDS = (
+    "puma560-inverse",
+    "kr125-orientation",
+    "scara-jacobian",
+    "puma560-find-mistake",
+    "twolink-dynamics",
+    "puma560-matrix-mistake",
+    "puma560",
+)
 ELSEWHERE = re.compile(
     r"definition/(reference|robot|title|remarks|tests/misconceptions)(/|$)|statements/|definition/parts/\d+/kind"
 )

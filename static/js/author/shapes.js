@@ -177,6 +177,17 @@ export function keyField(store, path, key, points) {
       );
     case "ranges":
       return rangesField(store, key.label, at, key.labels);
+    case "bodies":
+      return entriesField(
+        store,
+        key.label,
+        at,
+        (inner) => bodyFields(store, inner),
+        () => ({ mass: 0 }),
+        (number) => t("author-body", { number }),
+      );
+    case "quantities":
+      return quantitiesField(store, key.label, at);
     case "point":
       return optionalChoice(store, key.label, at, [
         ...key.options,
@@ -189,6 +200,54 @@ export function keyField(store, path, key, points) {
 
 const TURNS = { from: -90, to: 90, step: 15, without: [0] };
 const SLIDES = { from: 0.1, to: 0.3, step: 0.05 };
+
+/** Mass, centre and moments of inertia of a link. @param {DraftStore} store @param {Path} path */
+function bodyFields(store, path) {
+  const coordinates = ["x", "y", "z"];
+  return [
+    massField(store, [...path, "mass"]),
+    listField(store, t("author-body-centre"), [...path, "centre"], coordinates, { names: true }),
+    listField(store, t("author-body-moments"), [...path, "moments"], coordinates, { names: true }),
+  ];
+}
+
+/** @param {DraftStore} store @param {Path} path */
+function massField(store, path) {
+  return textField(store, t("author-body-mass"), path, {
+    size: "5",
+    oninput: (/** @type {any} */ event) => store.set(path, numberOf(event.target.value)),
+  });
+}
+
+/** Quantities by name, each with a value and perhaps a draw. @param {DraftStore} store @param {string} label @param {Path} path */
+function quantitiesField(store, label, path) {
+  const place = el("div", { class: "stack" });
+  const name = el("input", { type: "text", size: "5", autocomplete: "off", "aria-label": t("author-quantity-name") });
+  const build = () =>
+    fill(
+      place,
+      ...Object.keys(store.at(path) ?? {}).map((quantity) =>
+        group(quantity, [
+          numberField(store, t("author-quantity-value"), [...path, quantity, "value"]),
+          drawField(store, t("author-quantity-draw"), [...path, quantity, "draw"], { from: 1, to: 2, step: 0.25 }),
+          iconButton("remove", t("author-remove", { name: quantity }), () => change(quantity, undefined)),
+        ]),
+      ),
+      el(
+        "div",
+        { class: "row" },
+        name,
+        el("button", { type: "button", onclick: add, text: t("author-add", { name: label }) }),
+      ),
+    );
+  const change = (/** @type {string} */ quantity, /** @type {any} */ value) => {
+    store.set([...path, quantity], value);
+    build();
+  };
+  const add = () => name.value.trim() && change(name.value.trim(), { value: 1 });
+  build();
+  return place;
+}
 
 /** One of some words, or none. @param {DraftStore} store @param {string} label @param {Path} path @param {{value: string, label: string}[]} options */
 function optionalChoice(store, label, path, options) {
