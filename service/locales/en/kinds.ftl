@@ -16,9 +16,9 @@ option-xyzw = x, y, z, w: scalar last
 option-sum = the sum: first + last
 option-difference = the difference: first − last
 option-rotation = is a rotation
-option-unit_columns = is none: a column is not of length 1
-option-perpendicular_columns = is none: two columns are not at right angles
-option-right_handed = is none: its columns are left-handed (determinant −1)
+option-unit_columns = is not a rotation: a column is not of length 1
+option-perpendicular_columns = is not a rotation: two columns are not at right angles
+option-right_handed = is not a rotation: its columns are left-handed (determinant −1)
 given-rotation = The orientation as a rotation matrix
 given-quaternion = The orientation as a unit quaternion
 given-axis_angle = The orientation as axis and angle
@@ -44,7 +44,7 @@ task-orientation =
         } axes { $asked_axes } one triple is enough.
        *[none] {""}
     }
-task-rotation-check = Is this matrix a rotation? If it is none, say which property of rotations fails.
+task-rotation-check = Is this matrix a rotation? If not, say which property of a rotation it lacks.
 task-frame-chain = The poses below are known. Write the pose of frame { $end } in frame { $start } as a 4×4 matrix, lengths in { $unit }.
 feedback-orientation_right = Every notation describes the given orientation.
 feedback-orientation_wrong =
@@ -74,13 +74,13 @@ feedback-rotation_solution_missing = There is a second triple with the same orie
 feedback-rotation_solution_twice = Your triples differ by full turns only: they are the same. There is another one.
 feedback-rotation_family_missing = This is gimbal lock: there are infinitely many triples. Say which combination of the first and the last angle is fixed.
 feedback-rotation_quadrant = An angle lies in the wrong quadrant, half a turn away: take atan2 instead of atan, and mind the sign of the middle angle.
-feedback-rotation_unit_columns = This is no rotation: a column is not of length 1.
-feedback-rotation_perpendicular_columns = This is no rotation: two columns are not at right angles.
-feedback-rotation_right_handed = This is no rotation but a reflection: its determinant is −1.
+feedback-rotation_unit_columns = This is not a rotation: a column is not of length 1.
+feedback-rotation_perpendicular_columns = This is not a rotation: two columns are not at right angles.
+feedback-rotation_right_handed = This is not a rotation but a reflection: its determinant is −1.
 feedback-claim_right = That is true of this matrix.
-feedback-claim_not_rotation = It is none: check the lengths of the columns, their right angles, and the determinant.
+feedback-claim_not_rotation = It is not a rotation: check the lengths of the columns, the angles between them, and the determinant.
 feedback-claim_rotation = It is a rotation after all: columns of length 1, at right angles, determinant +1.
-feedback-claim_other_property = It is no rotation, but this property holds; another one fails.
+feedback-claim_other_property = It is not a rotation, but this property holds; another one fails.
 feedback-chain_right = The pose is the one that follows from the chain of frames.
 feedback-chain_wrong = This is not the pose that follows from the known ones.
 feedback-chain_rotation_right = Its rotation is right.
@@ -91,16 +91,16 @@ feedback-chain_inverse_without_transpose = The inverse of a pose was formed with
 feedback-chain_inverse_position = The position of an inverse is −Rᵀp, not −p.
 feedback-chain_order_reversed = The factors were multiplied in reverse order.
 feedback-chain_transposed = The rotation is transposed.
-feedback-chain_not_rigid = This is no rigid motion: its first three columns are not those of a rotation.
-error-euler_axes_unknown = { $axes } is no sequence of axes: three of X, Y, Z, neighbours different.
-error-component_order_missing = Say where the scalar of the quaternion stands: wxyz or xyzw.
+feedback-chain_not_rigid = This is not a rigid motion: its first three columns are not those of a rotation.
+error-euler_axes_unknown = { $axes } is not a sequence of axes: name three of X, Y and Z, neighbours different.
+error-component_order_missing = Say where the scalar of the quaternion is: wxyz or xyzw.
 error-axis_and_angle = An axis needs an angle, and an angle an axis.
 error-family_incomplete = A family of triples needs all three: the middle angle, sum or difference, and its value.
 error-orientation_empty = Write the orientation in one of the notations that are asked.
 error-frames_not_connected = The known poses do not lead from frame { $start } to frame { $end }.
 
 error-one_notation = Give the orientation in one notation: { $known }.
-error-expected_not_rotation = The expected matrix is no rotation.
+error-expected_not_rotation = The expected matrix is not a rotation.
 
 field-solutions = Joint values
 field-combinations = If infinitely many: what stays the same along them (coefficients)
@@ -209,12 +209,12 @@ task-find-mistake = This table should describe the robot of the figure, but one 
 task-compare-tables = Do these two tables describe the same robot, whichever way the frames were chosen? Say why.
 
 feedback-mistake_found = Found, named and mended.
-feedback-mistake_row_wrong = The mistake stands in another row.
+feedback-mistake_row_wrong = The mistake is in another row.
 feedback-mistake_name_wrong = The mistake is of another kind.
 feedback-mistake_not_mended = With this row the table still does not describe the robot.
 feedback-mistake_missing =
     { $what ->
-        [row] Say in which row the mistake stands.
+        [row] Say which row holds the mistake.
         [name] Say what is wrong.
        *[mended] Write the row as it should be.
     }
@@ -253,8 +253,8 @@ feedback-screw_moment_sign =
 feedback-screw_other_frame = These are the screws in the other frame: space and body have been confused.
 feedback-screw_home_inverted = The home pose is inverted.
 feedback-screw_home = The screws are right; the home pose M is not.
-feedback-screw_not_rigid = The home pose is no rigid motion: its columns are not unit vectors at right angles, or its last row is not 0 0 0 1.
-feedback-screws_relation_wrong = The axes of joints { $joint } and { $next } do not lie to each other as in the figure.
+feedback-screw_not_rigid = The home pose is not a rigid motion: its columns are not unit vectors at right angles, or its last row is not 0 0 0 1.
+feedback-screws_relation_wrong = The axes of joints { $joint } and { $next } are not arranged as in the figure.
 error-screw_count = The robot has { $expected } joints, and { $given } screws were given.
 
 error-screw_too_large = A number is too large for a robot; the largest is { $limit }.
@@ -301,7 +301,7 @@ feedback-forces_sign = Every sign is reversed: τ = Jᵀ(f, m) is asked, for the
 feedback-forces_other_frame = Force and moment were taken in the axes of the other frame.
 feedback-forces_rows_exchanged = Force and moment were exchanged.
 feedback-forces_spatial = The force was taken to act at the origin of frame 0.
-error-row_order_missing = Say which rows stand first: linear_first or angular_first.
+error-row_order_missing = Say which rows come first: linear_first or angular_first.
 error-jacobian_empty = Give the Jacobian or the joint forces.
 
 error-wrench_missing = Joint forces belong to a force and a moment: give the wrench.

@@ -56,10 +56,10 @@ feedback-orientation_wrong =
     }
 feedback-orientation_missing =
     { $notation ->
-        [matrix] La matriz falta.
-        [quaternion] El cuaternión falta.
-        [axis_angle] El eje y el ángulo faltan.
-       *[other] Los ángulos faltan.
+        [matrix] Falta la matriz.
+        [quaternion] Falta el cuaternión.
+        [axis_angle] Faltan el eje y el ángulo.
+       *[other] Faltan los ángulos.
     }
 
 feedback-rotation_transposed = Esta es la rotación inversa: se han intercambiado filas y columnas, o el sentido de giro.
@@ -90,7 +90,7 @@ feedback-chain_not_inverted = Se usó tal cual una pose conocida que antes hay q
 feedback-chain_inverse_without_transpose = La inversa de una pose se formó con R; hace falta Rᵀ: (Rᵀ, −Rᵀp).
 feedback-chain_inverse_position = La posición de una inversa es −Rᵀp, no −p.
 feedback-chain_order_reversed = Los factores se multiplicaron en orden inverso.
-feedback-chain_transposed = La rotación está transpuesta.
+feedback-chain_transposed = La rotación está traspuesta.
 feedback-chain_not_rigid = Esto no es un movimiento rígido: sus tres primeras columnas no son las de una rotación.
 error-euler_axes_unknown = { $axes } no es una secuencia de ejes: tres de X, Y, Z, con vecinos distintos.
 error-component_order_missing = Diga dónde está el escalar del cuaternión: wxyz o xyzw.

@@ -56,10 +56,10 @@ feedback-orientation_wrong =
     }
 feedback-orientation_missing =
     { $notation ->
-        [matrix] La matrice manque.
-        [quaternion] Le quaternion manque.
-        [axis_angle] L'axe et l'angle manquent.
-       *[other] Les angles manquent.
+        [matrix] Il manque la matrice.
+        [quaternion] Il manque le quaternion.
+        [axis_angle] Il manque l'axe et l'angle.
+       *[other] Il manque les angles.
     }
 
 feedback-rotation_transposed = C'est la rotation inverse : lignes et colonnes, ou le sens de rotation, ont été échangés.
@@ -282,8 +282,8 @@ feedback-jacobian_follows_table = Cela découle de votre tableau et rapporte ses
 feedback-jacobian_needs_table = La jacobienne est celle de votre propre tableau : rendez aussi le tableau, avec toutes les articulations.
 feedback-jacobian_missing =
     { $what ->
-        [jacobian] La jacobienne manque.
-       *[forces] Les couples et forces articulaires manquent.
+        [jacobian] Il manque la jacobienne.
+       *[forces] Il manque les couples et forces articulaires.
     }
 feedback-jacobian_wrong = Les colonnes de la jacobienne ne sont pas toutes justes.
 feedback-forces_wrong = Les couples et forces articulaires ne sont pas tous justes.
