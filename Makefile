@@ -38,7 +38,7 @@ serve: $(VENV)/.runtime vendor ## run the service on http://127.0.0.1:8000 (PORT
 	$(PY) -m service --port $(PORT)
 
 test: $(VENV)/.dev vendor lint ## every check and test
-	$(PY) -m pytest -n 2 --dist loadgroup
+	$(PY) -m pytest -n 2 --dist loadgroup --durations 30
 
 mued: $(VENV)/.dev ## ask a µEd service at MUED_URL= (this checkout, if left out) whether it keeps the standard
 	$(PY) -m pytest -n 0 tests/mued
