@@ -37,10 +37,11 @@ LANGUAGES = ("en", "ro", "pt", "fr", "uk", "es")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """One worker drives the browser: two would share the cores and start everything twice."""
-    for item in items:
-        if Path(__file__).parent in item.path.parents:
-            item.add_marker(pytest.mark.xdist_group("web"))
+    """Share the files out among two groups: a worker runs one of them with one browser and one service."""
+    here = [item for item in items if Path(__file__).parent in item.path.parents]
+    files = sorted({item.path for item in here})
+    for item in here:
+        item.add_marker(pytest.mark.xdist_group(f"web-{files.index(item.path) % 2}"))
 
 
 @pytest.fixture(scope="session")
