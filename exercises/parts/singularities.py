@@ -106,6 +106,7 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         "singularity_invented": Disclosure(level=HelpLevel.ROW),
         "singularity_invented_at": Disclosure(level=HelpLevel.REPAIR),
         "singularity_sine_for_cosine": Disclosure(level=HelpLevel.REPAIR),
+        "singularity_everywhere": Disclosure(level=HelpLevel.ROW),
         "singularity_half": Disclosure(level=HelpLevel.REPAIR),
         "lost_motion_wrong": Disclosure(level=HelpLevel.ROW),
         "lost_motion_is_kept": Disclosure(level=HelpLevel.REPAIR),

@@ -160,14 +160,18 @@ def image() -> Iterator[Path]:
     parsed = stages()
     kept = KEPT / fingerprint()
     if not kept.exists():
-        shutil.rmtree(KEPT, ignore_errors=True)
-        partial = KEPT / "partial"
+        for old in KEPT.glob("[0-9a-f]*"):
+            shutil.rmtree(old, ignore_errors=True)
+        partial = KEPT / f"partial-{os.getpid()}"
         builder = Builder(partial)
         builder.build(parsed["vendor"])
         builder.build(parsed["packages"])
         shutil.rmtree(partial / "vendor" / "opt")
         shutil.rmtree(partial / "vendor" / "build" / "node_modules")
-        partial.rename(kept)
+        if kept.exists():  # somebody else has built the same meanwhile
+            shutil.rmtree(partial)
+        else:
+            partial.rename(kept)
     with tempfile.TemporaryDirectory() as folder:
         Path(folder).chmod(0o755)
         builder = Builder(Path(folder) / "image")

@@ -26,7 +26,10 @@ BLOCKS = re.findall(r"^```(\w+)(?: (\w+)=(\S+))?\n(.*?)^```$", PAGE, re.MULTILIN
 
 
 DOCS = Path(__file__).parents[2] / "docs"
-PAGES = ("find-the-mistake.md", "jacobian-answers.md", "joint-answers.md", "rotations.md", "screws.md")
+PAGES = (
+    *("dynamics.md", "find-the-mistake.md", "jacobian-answers.md", "joint-answers.md"),
+    *("rotations.md", "screws.md", "singularities.md"),
+)
 """Pages of kinds with definitions of their own."""
 ALONE = [
     tomllib.loads(block)
@@ -73,6 +76,10 @@ def test_the_full_definition_says_what_its_comments_say(desk: Path) -> None:
     assert len(crane.samples) == 1
 
 
+NAMED = {("points",), ("lengths",), ("parameters",), ("joints",), ("title",), ("weights",)}
+"""Tables with names of things for keys."""
+
+
 def keys(node: Any, where: tuple[str, ...] = ()) -> Iterator[str]:
     """Keys of a definition; names that an author makes up are none."""
     if isinstance(node, list):
@@ -80,7 +87,7 @@ def keys(node: Any, where: tuple[str, ...] = ()) -> Iterator[str]:
             yield from keys(entry, where)
     if isinstance(node, dict):
         for key, value in node.items():
-            if where[-1:] not in {("points",), ("lengths",), ("parameters",), ("joints",), ("title",)}:
+            if where[-1:] not in NAMED and not re.fullmatch(r"q\d+", key):
                 yield key
             yield from keys(value, (*where, key))
 
