@@ -16,13 +16,13 @@ from typing import ClassVar
 import numpy as np
 
 from exercises.definition import Exercise, Part
-from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.grading import Feedback, Finding
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, choice, choices, sequence_keys
 from exercises.parts.given_table import given_table
 from exercises.parts.jacobians import (
-    OF_FORCES,
+    DISCLOSURES,
     JacobianAsk,
     JacobianCells,
     read_angles,
@@ -39,9 +39,8 @@ from exercises.parts.protocol import (
     Reading,
     RobotFacts,
 )
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Credit, Fact, PartReport, judged
 from exercises.reading import Reader
-from kinematics.answers.jacobian_answers import JacobianMistake
 from kinematics.answers.jacobian_forms import (
     FormRobot,
     force_form,
@@ -94,16 +93,7 @@ class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
     raw: ClassVar = JacobianCells
     meaning = "the Jacobian and the joint forces that hold a wrench, as functions of the joint variables"
     follows_table = True
-    disclosures: ClassVar = {
-        "jacobian_wrong": Disclosure(level=HelpLevel.ROW),
-        "forces_wrong": Disclosure(level=HelpLevel.ROW),
-        **{
-            f"jacobian_{mistake.value}": Disclosure(level=HelpLevel.REPAIR)
-            for mistake in JacobianMistake
-            if mistake is not JacobianMistake.SIGN
-        },
-        **{f"forces_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in OF_FORCES},
-    }
+    disclosures: ClassVar = DISCLOSURES
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> JacobianFormPart:
         """Return the part with what is asked."""

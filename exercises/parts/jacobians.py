@@ -80,6 +80,17 @@ OF_FORCES = (
     JacobianMistake.SPATIAL,
 )
 """What wrong joint forces may look like."""
+DISCLOSURES = {
+    "jacobian_wrong": Disclosure(level=HelpLevel.ROW),
+    "forces_wrong": Disclosure(level=HelpLevel.ROW),
+    **{
+        f"jacobian_{mistake.value}": Disclosure(level=HelpLevel.REPAIR)
+        for mistake in JacobianMistake
+        if mistake is not JacobianMistake.SIGN
+    },
+    **{f"forces_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in OF_FORCES},
+}
+"""Help at which each word on a Jacobian, in numbers or in closed form, is said."""
 
 
 class JacobianAsk(StrEnum):
@@ -142,16 +153,7 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
     raw: ClassVar = JacobianCells
     meaning = "the Jacobian in numbers, and the joint forces that hold a wrench"
     follows_table = True
-    disclosures: ClassVar = {
-        "jacobian_wrong": Disclosure(level=HelpLevel.ROW),
-        "forces_wrong": Disclosure(level=HelpLevel.ROW),
-        **{
-            f"jacobian_{mistake.value}": Disclosure(level=HelpLevel.REPAIR)
-            for mistake in JacobianMistake
-            if mistake is not JacobianMistake.SIGN
-        },
-        **{f"forces_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in OF_FORCES},
-    }
+    disclosures: ClassVar = DISCLOSURES
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> JacobianPart:
         """Return the part with its joint values and what is asked."""
