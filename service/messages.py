@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import re
 from collections.abc import Mapping
 from functools import cache, lru_cache
 from pathlib import Path
@@ -29,11 +30,44 @@ def languages() -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=32)
-def bundle(language: str) -> FluentBundle:
-    """All messages of a language: every file of its folder, read once."""
-    messages = FluentBundle([language, DEFAULT_LANGUAGE], use_isolating=False)
+def _sources(language: str) -> dict[str, str]:
+    """Every message of a language as it is written: each is read by Fluent when it is first told.
+
+    To read all of a language takes a quarter of a second and some megabytes, and most of it is never told.
+    """
+    found: dict[str, str] = {}
     for path in sorted((LOCALES / language).glob("*.ftl")):
-        messages.add_resource(FluentResource(path.read_text(encoding="utf-8")))
+        text = path.read_text(encoding="utf-8")
+        begins = list(_BEGIN.finditer(text))
+        ends = [match.start() for match in begins[1:]] + [len(text)]
+        for match, end in zip(begins, ends, strict=True):
+            found.setdefault(match[1], text[match.start() : end])
+    return found
+
+
+_BEGIN = re.compile(r"^([a-zA-Z][\w-]*) *=", re.MULTILINE)
+_REFERENCE = re.compile(r"\{\s*([a-zA-Z][\w-]*)\s*[}.]")
+
+
+@lru_cache(maxsize=32)
+def _bundle(language: str) -> FluentBundle:
+    return FluentBundle([language, DEFAULT_LANGUAGE], use_isolating=False)
+
+
+def has_sentence(language: str, identifier: str) -> bool:
+    """Whether a language has a message of its own."""
+    return identifier in _sources(language)
+
+
+def _read(language: str, identifier: str) -> FluentBundle | None:
+    """The language's messages with this one, and those that it refers to, among them; None if it has none."""
+    messages, source = _bundle(language), _sources(language).get(identifier)
+    if source is None:
+        return None
+    if not messages.has_message(identifier):
+        for other in _REFERENCE.findall(source):
+            _read(language, other)
+        messages.add_resource(FluentResource(source))
     return messages
 
 
@@ -45,8 +79,8 @@ def sentence(language: str, identifier: str, params: Mapping[str, object] | None
 @lru_cache(maxsize=SENTENCES)
 def _formatted(language: str, identifier: str, arguments: tuple[tuple[str, str | int], ...]) -> str | None:
     for candidate in dict.fromkeys((language, DEFAULT_LANGUAGE)):
-        messages = bundle(candidate)
-        if not messages.has_message(identifier):
+        messages = _read(candidate, identifier)
+        if messages is None:
             continue
         pattern = messages.get_message(identifier).value
         if pattern is None:
@@ -73,24 +107,16 @@ def _argument(value: object) -> str | int:
 @cache
 def refusal_codes() -> frozenset[str]:
     """Every code that has a message."""
-    identifiers = _patterns(DEFAULT_LANGUAGE)
+    identifiers = _sources(DEFAULT_LANGUAGE)
     return frozenset(name.removeprefix("error-") for name in identifiers if name.startswith("error-"))
 
 
 def template(language: str, identifier: str) -> str:
     """The message with the names of its parameters in braces; of a choice, the usual form."""
-    return _patterns(language)[identifier]
-
-
-@lru_cache(maxsize=32)
-def _patterns(language: str) -> dict[str, str]:
-    parser = FluentParser()
-    found: dict[str, str] = {}
-    for path in sorted((LOCALES / language).glob("*.ftl")):
-        for entry in parser.parse(path.read_text(encoding="utf-8")).body:
-            if isinstance(entry, ast.Message) and entry.value:
-                found[entry.id.name] = _plain(entry.value)
-    return found
+    (message,) = FluentParser().parse(_sources(language)[identifier]).body[:1]
+    assert isinstance(message, ast.Message)
+    assert message.value
+    return _plain(message.value)
 
 
 def _plain(pattern: ast.Pattern) -> str:

@@ -1,10 +1,14 @@
 from __future__ import annotations
 
+import re
+
 import pytest
+from fluent.runtime import FluentBundle
+from fluent.syntax import FluentParser, ast
 
 from kinematics.keys import ValueKind
 from service.http.languages import language_for
-from service.messages import languages, sentence, template
+from service.messages import LOCALES, has_sentence, languages, sentence, template
 
 
 def test_six_languages_are_spoken() -> None:
@@ -30,6 +34,22 @@ def test_what_a_caller_sent_is_cut_short_in_a_sentence() -> None:
 
 def test_numbers_that_are_not_counts_keep_their_digits() -> None:
     assert "1e-09" in (sentence("fr", "error-number_too_small", {"limit": 1e-9}) or "")
+
+
+@pytest.mark.parametrize("language", ["en", "uk"])
+def test_messages_are_found_as_fluent_finds_them(language: str) -> None:
+    whole = FluentBundle([language, "en"], use_isolating=False)
+    texts = [path.read_text(encoding="utf-8") for path in sorted((LOCALES / language).glob("*.ftl"))]
+    read = FluentParser().parse("\n".join(texts)).body
+    whole.add_resource(ast.Resource(read))
+    named = dict.fromkeys(re.findall(r"\$([\w-]+)", "".join(texts)), 3)
+    for entry in read:
+        assert not isinstance(entry, (ast.Junk, ast.Term))
+        if isinstance(entry, ast.Message) and entry.value:
+            pattern = whole.get_message(entry.id.name).value
+            assert pattern is not None
+            assert has_sentence(language, entry.id.name)
+            assert sentence(language, entry.id.name, named) == whole.format_pattern(pattern, named)[0]
 
 
 def test_an_unknown_message_is_none() -> None:
