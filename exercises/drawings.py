@@ -7,12 +7,14 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from exercises.consistency import values_in_radians
+from exercises.definition import Exercise
 from exercises.figures.description import Sentence, describe
 from exercises.figures.drawing import DimensionLayout, dimension_layout, draw_figure
-from exercises.figures.geometry import Scene, Vector, build_scene
+from exercises.figures.geometry import Scene, Vector, build_scene, without_signs
 from exercises.figures.points import rotation_rpy
 from exercises.figures.skeleton import usual_dimensions
 from exercises.figures.specification import DimensionMark
+from exercises.figures.svg import SvgDrawing, document
 from exercises.grading import DirectionRule, ZeroRule
 from exercises.grading.exact_text import expression_text
 from exercises.grading.verdict import Matrix4
@@ -20,11 +22,9 @@ from exercises.instance import Instance
 from kinematics.expressions import Parameter
 from kinematics.table import JointType
 
-KEPT = 512
-"""Instances whose `KeyPose` is kept: some hundred students, each with one or two exercises at a time."""
-
-LATELY = 64
-"""Scenes that are kept: one page asks for its figure's numbers, words and drawing one after the other."""
+KEPT = 2048
+"""Instances whose scene and `KeyPose` are kept: a large class asks for numbers, words and drawings of its
+figures one after the other, and hands in later."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -42,9 +42,12 @@ class KeyPose:
     directions: tuple[Vector, ...]
 
 
+@lru_cache(maxsize=KEPT)
 def true_scene(instance: Instance) -> Scene:
     """The scene with the student's own lengths."""
-    return _scene(instance, drawn=False)
+    exercise = instance.exercise
+    scene = _signed(instance)
+    return scene if _shows_signs(exercise) else without_signs(scene)
 
 
 def figure_svg(instance: Instance, *, title: str, description: str, language: str, note: str = "") -> str:
@@ -57,17 +60,25 @@ def figure_svg(instance: Instance, *, title: str, description: str, language: st
         language: of both.
         note: what is written below a figure that is not to scale.
     """
+    drawing = figure_drawing(instance, note)
+    return document(drawing, title=title, description=description, language=language)
+
+
+def figure_drawing(instance: Instance, note: str = "") -> SvgDrawing:
+    """The figure without the words that tell of it.
+
+    Args:
+        instance: the exercise with the student's values.
+        note: what is written below a figure that is not to scale.
+    """
     figure = instance.exercise.figure
-    scene = _scene(instance, drawn=True)
-    return draw_figure(
-        scene,
-        figure.view,
-        figure.width,
-        title=title,
-        description=description,
-        language=language,
-        note="" if scene.to_scale else note,
-    )
+    scene = _drawn_scene(instance)
+    return draw_figure(scene, figure.view, figure.width, note="" if scene.to_scale else note)
+
+
+def drawn_values(instance: Instance) -> dict[str, float]:
+    """The values with which the robot is drawn: those of all students where the figure names its own."""
+    return {**values(instance), **instance.exercise.figure.lengths}
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -87,7 +98,7 @@ def figure_dimensions(instance: Instance, note: str = "") -> FigureDimensions:
     """The dimensions of the figure as `figure_svg` draws it with the same note."""
     exercise = instance.exercise
     figure = exercise.figure
-    scene = _scene(instance, drawn=True)
+    scene = _drawn_scene(instance)
     marks = figure.dimensions or tuple(usual_dimensions(exercise.reference.table))
     return FigureDimensions(
         marks=tuple(_mark(mark) for mark in marks),
@@ -162,32 +173,41 @@ def key_pose(instance: Instance) -> KeyPose:
     types = exercise.reference.table.joint_types
     posture = figure.posture or (0.0,) * len(types)
     metres = float(exercise.length_unit.metres_per_unit)
-    scene = build_scene(figure, exercise.reference.table, values(instance), signed_axes=True, drawn=False)
     return KeyPose(
         base=tuple(tuple(row) for row in rotation_rpy(*figure.upright).tolist()),
         posture=tuple(
             value * metres if joint_type is JointType.PRISMATIC else value
             for value, joint_type in zip(posture, types, strict=True)
         ),
-        directions=tuple(axis.direction for axis in scene.axes),
+        directions=tuple(axis.direction for axis in _signed(instance).axes),
     )
 
 
-def _scene(instance: Instance, *, drawn: bool) -> Scene:
-    return _built(instance, drawn and bool(instance.exercise.figure.lengths))
-
-
-@lru_cache(maxsize=LATELY)
-def _built(instance: Instance, drawn: bool) -> Scene:
+@lru_cache(maxsize=KEPT)
+def _signed(instance: Instance) -> Scene:
+    """The scene with the senses of all axes, as the key has them."""
     exercise = instance.exercise
+    return build_scene(
+        exercise.figure, exercise.reference.table, values(instance), signed_axes=True, drawn=False
+    )
+
+
+def _drawn_scene(instance: Instance) -> Scene:
+    exercise = instance.exercise
+    if not exercise.figure.lengths:
+        return true_scene(instance)
     return build_scene(
         exercise.figure,
         exercise.reference.table,
         values(instance),
-        signed_axes=exercise.policy.direction is DirectionRule.FIGURE
-        or exercise.policy.zero is ZeroRule.FIGURE,
-        drawn=drawn,
+        signed_axes=_shows_signs(exercise),
+        drawn=True,
     )
+
+
+def _shows_signs(exercise: Exercise) -> bool:
+    """Whether the policy fixes what the figure then shows: the positive sense of the joint variables."""
+    return exercise.policy.direction is DirectionRule.FIGURE or exercise.policy.zero is ZeroRule.FIGURE
 
 
 def values(instance: Instance) -> Mapping[str, float]:

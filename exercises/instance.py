@@ -17,6 +17,8 @@ from kinematics.errors import Fault
 
 SEED_CHARACTERS = 200
 """Characters of a seed: a name, a mail address or a digest."""
+KEPT = 2048
+"""Instances that are kept, some kilobytes each: a large class opens an exercise, and hands in later."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -42,6 +44,15 @@ class Instance:
         return {name: float(value) for name, value in self.exact.items()}
 
 
+def kept_instance(exercise: Exercise, seed: str | None) -> Instance:
+    """What `generate` returns, one object for all who ask for the same: what follows from it is shared.
+
+    Raises:
+        AnswerError: the seed is longer than 200 characters.
+    """
+    return _kept(exercise, variant_of(exercise.id, seed_text(seed), exercise.access.variants))
+
+
 def generate(exercise: Exercise, seed: str | int | None = None) -> Instance:
     """Return the exercise with the values of a seed.
 
@@ -63,6 +74,11 @@ def generate(exercise: Exercise, seed: str | int | None = None) -> Instance:
     return Instance(
         exercise=exercise, seed=text, exact=MappingProxyType(exact), drawn=MappingProxyType(drawn)
     )
+
+
+@lru_cache(maxsize=KEPT)
+def _kept(exercise: Exercise, text: str | None) -> Instance:
+    return generate(exercise, text)
 
 
 def variant_of(exercise_id: str, seed: str | None, variants: int | None) -> str | None:

@@ -25,7 +25,7 @@ from exercises.figures.shapes import (
 )
 from exercises.figures.specification import View
 from exercises.figures.strokes import in_front
-from exercises.figures.svg import Canvas, document, line, text_width
+from exercises.figures.svg import Canvas, SvgDrawing, line, text_width
 from kinematics.table import JointType
 
 HEIGHT = 450.0
@@ -46,29 +46,17 @@ _TUBE = np.array(((-2.5, 0.0), (2.5, 0.0), (0.0, -2.5), (0.0, 2.5), (0.0, 0.0)))
 Style = dict[str, Any]
 
 
-def draw_figure(
-    scene: Scene,
-    view: View,
-    width: float = 480.0,
-    *,
-    title: str,
-    description: str,
-    language: str,
-    note: str = "",
-) -> str:
-    """The figure of a scene as an SVG document.
+def draw_figure(scene: Scene, view: View, width: float = 480.0, *, note: str = "") -> SvgDrawing:
+    """The figure of a scene.
 
     Args:
         scene: what is drawn.
         view: from where it is seen.
         width: of the paper.
-        title: what it is, in a few words.
-        description: the same in full, for those who do not see it.
-        language: language of title and description.
         note: a few words below the figure.
     """
     drawing = _drawn(scene, view, width, note)
-    return document(drawing.canvas, drawing.box(), title=title, description=description, language=language)
+    return SvgDrawing(box=drawing.box(), elements="".join(drawing.canvas.parts))
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 import numpy as np
@@ -155,6 +155,14 @@ def build_scene(
     if points.faults:
         raise DefinitionError(points.faults)
     return scene
+
+
+def without_signs(scene: Scene) -> Scene:
+    """The scene with axes whose sense tells nothing."""
+    axes = tuple(
+        replace(axis, direction=_unsigned(np.array(axis.direction)), signed=False) for axis in scene.axes
+    )
+    return replace(scene, axes=axes)
 
 
 def scene_points(scene: Scene) -> Iterator[Vector]:

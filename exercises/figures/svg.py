@@ -83,20 +83,29 @@ def line(points: Sequence[Array] | Array) -> str:
     return "M" + "L".join([f"{x:.1f} {y:.1f}" for x, y in np.asarray(points).tolist()])
 
 
-def document(
-    canvas: Canvas, box: tuple[float, float, float, float], *, title: str, description: str, language: str
-) -> str:
+@dataclass(frozen=True, kw_only=True, slots=True)
+class SvgDrawing:
+    """What is drawn, without a word that tells of it.
+
+    Attributes:
+        box: left, top, width and height of the paper.
+        elements: the elements in the order of drawing.
+    """
+
+    box: tuple[float, float, float, float]
+    elements: str
+
+
+def document(drawing: SvgDrawing, *, title: str, description: str, language: str) -> str:
     """The file.
 
     Args:
-        canvas: the elements.
-        box: left, top, width and height of the paper.
+        drawing: what is drawn.
         title: what the figure shows, in a few words.
         description: the same in full, for those who do not see it.
         language: language of title and description.
     """
-    left, top, width, height = box
-    body = "".join(canvas.parts)
+    left, top, width, height = drawing.box
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="framewise-figure" role="img"'
         f" lang={quoteattr(language)}"
@@ -105,7 +114,7 @@ def document(
         f' fill="none" stroke-linecap="round" stroke-linejoin="round" font-family="{FONT}">'
         f'<title id="figure-title">{escape(title)}</title>'
         f'<desc id="figure-description">{escape(description)}</desc>'
-        f"<style>{STYLE}</style>{body}</svg>"
+        f"<style>{STYLE}</style>{drawing.elements}</svg>"
     )
 
 

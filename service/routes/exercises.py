@@ -26,7 +26,7 @@ from service.schemas import examples_grading as examples
 from service.schemas.exercises import AnswerBase, ExerciseAnswer, ExerciseList, ExerciseModel, GradedModel
 from service.web.responses import packed_response, text_response
 from service.wire.exercise_views import attempts_of, exercise_list, exercise_view, instance_of
-from service.wire.figure_files import figure_address, figure_path, packed_figure
+from service.wire.figure_files import figure_address, figure_path, known_figure, packed_figure
 from service.wire.ungraded import answer_refused, known_exercise
 from service.wire.verdicts import encoded, report_body
 from service.work.limiters import WorkKind
@@ -121,7 +121,7 @@ async def show_addressed_figure(
 async def _figure(request: Request, instance: Instance, language: str, caching: str) -> Response:
     resources = resources_of(request)
     address = figure_address(resources.figures, instance, language)
-    packed = resources.figures.known(address)
+    packed = known_figure(resources.figures, instance, language)
     if packed is None:
         work = partial(packed_figure, resources.figures, instance, language)
         packed = await resources.limiters[WorkKind.DRAWING].run(work)

@@ -9,9 +9,9 @@ from typing import Any
 
 from exercises.access import lowest
 from exercises.definition import Exercise, Part
-from exercises.drawings import LATELY, figure_geometry, figure_sentences
+from exercises.drawings import figure_geometry, figure_sentences
 from exercises.grading import ConventionRule, HelpLevel
-from exercises.instance import Instance, generate
+from exercises.instance import Instance, kept_instance
 from exercises.loader import Library
 from exercises.needs import unneeded_dimensions
 from exercises.parts.protocol import TABLE, FormField, GivenNumbers
@@ -24,7 +24,9 @@ from service.schemas.exercises import TASK_FIELDS
 FRAMED = (TABLE, "frames", "screws")
 """Kinds of part that are held to the rules on frames."""
 KEPT = 512
-"""Instances that are kept."""
+"""Exercises whose dimensions have been looked through."""
+DESCRIBED = 2048
+"""Instances whose figure has been put into words: the exercise tells them, and then its figure."""
 
 
 def instance_of(library: Library, exercise_id: str, seed: str | None) -> Instance:
@@ -33,12 +35,7 @@ def instance_of(library: Library, exercise_id: str, seed: str | None) -> Instanc
     Raises:
         ExerciseError: there is no such exercise, or the seed is too long.
     """
-    return _instance(library.exercise(exercise_id), seed)
-
-
-@lru_cache(maxsize=KEPT)
-def _instance(found: Exercise, seed: str | None) -> Instance:
-    return generate(found, seed)
+    return kept_instance(library.exercise(exercise_id), seed)
 
 
 def exercise_list(library: Library, language: str, context: LinkContext | None = None) -> dict[str, Any]:
@@ -149,7 +146,7 @@ def _language_note(found: Exercise, language: str) -> str | None:
     return sentence(language, "exercise-other-language", {"language": written})
 
 
-@lru_cache(maxsize=LATELY)
+@lru_cache(maxsize=DESCRIBED)
 def figure_description(instance: Instance, language: str) -> str:
     """The figure in words."""
     sentences = (

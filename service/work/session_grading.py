@@ -21,7 +21,7 @@ from exercises.definition import Exercise
 from exercises.errors import UnknownExerciseError
 from exercises.grader import Report, grade
 from exercises.grading import HelpLevel
-from exercises.instance import Instance, generate
+from exercises.instance import kept_instance
 from exercises.loader import Library
 from kinematics.cells import Limits
 from kinematics.errors import Fault
@@ -87,12 +87,12 @@ class Grader:
             KinematicsError, ExerciseError: it cannot be graded.
         """
         asked = asked_exercise(self.library, settings)
-        answer = parse(_instance(asked, seed), wire.raw(), self.limits)
+        answer = parse(kept_instance(asked, seed), wire.raw(), self.limits)
         level = wire.help if settings.help is None else HelpLevel(settings.help)
-        report = grade(_instance(asked, seed), answer, self.help_now(level), attempt)
+        report = grade(kept_instance(asked, seed), answer, self.help_now(level), attempt)
         told = analysis = _as_stored(report)
         if report.help_level is not HelpLevel.REPAIR and not report.correct:
-            open_ = _instance(replace(asked, access=ExerciseAccess()), seed)
+            open_ = kept_instance(replace(asked, access=ExerciseAccess()), seed)
             analysis = _as_stored(grade(open_, answer, drawn=False))
         return SessionJudgement(
             found=report,
@@ -173,11 +173,6 @@ def with_exercise_rules(library: Library, session: CourseSession) -> CourseSessi
 def _with_parts(found: Exercise, kinds: tuple[str, ...]) -> Exercise:
     chosen = tuple(part for part in found.parts if part.kind in kinds)
     return replace(found, parts=chosen) if chosen else found
-
-
-@lru_cache(maxsize=512)
-def _instance(found: Exercise, seed: str | None) -> Instance:
-    return generate(found, seed)
 
 
 def judged_submission(

@@ -66,6 +66,11 @@ class SharedAnswers(BackgroundThread):
                 self._cache.put(address.encode(), found)
         return found
 
+    def remember(self, address: str, answer: bytes) -> None:
+        """Keep in memory what is made from other answers in no time."""
+        with self._lock:
+            self._cache.put(address.encode(), answer)
+
     def keep(self, address: str, answer: bytes) -> None:
         """Keep an answer in memory, and have it written down."""
         with self._lock:

@@ -110,7 +110,7 @@ def test_what_one_process_has_drawn_another_does_not_draw(shared: Sharing) -> No
     told = first.get(f"{API}/exercises/puma560?seed=ada").json()["figure"]["file"]
     drawn = first.get(f"{API}/{told}")
     shared.wait(1)
-    with patch.object(figure_files, "figure_svg", side_effect=AssertionError("drawn again")):
+    with patch.object(figure_files, "figure_drawing", side_effect=AssertionError("drawn again")):
         assert second.get(f"{API}/exercises/puma560?seed=ada").json()["figure"]["file"] == told
         assert second.get(f"{API}/{told}").content == drawn.content
 
