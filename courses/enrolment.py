@@ -173,6 +173,7 @@ _SESSION = (
         records.participation.c.extra_seconds,
         records.participation.c.extra_attempts,
         records.participation.c.made,
+        records.participation.c.draft_at,
         sa.select(sa.func.max(sa.literal_column("other.extra_seconds")))
         .select_from(records.participation.alias("other"))
         .where(sa.literal_column("other.link_id") == records.link.c.id)
@@ -260,6 +261,7 @@ def _session(row: Any) -> CourseSession:
             extra_time=timedelta(seconds=row.extra_seconds), extra_attempts=row.extra_attempts
         ),
         made=row.made,
+        has_draft=row.draft_at is not None,
         longest=float(row.longest or 0),
         locale=row.locale,
         return_url=row.return_url,

@@ -179,16 +179,14 @@ def _queue(connection: sa.Connection, changes: Sequence[GradeChange], now: datet
                 "revision": 1,
             }
         )
-    upsert_all(
-        connection,
-        _OUTBOX,
-        ("link_id", "person_id"),
-        rows,
-        lambda new: {
-            "due": sa.case((_OUTBOX.c.lease.is_(None), new.due), else_=_OUTBOX.c.due),
-            "revision": _OUTBOX.c.revision + 1,
-        },
-    )
+    upsert_all(connection, _OUTBOX, ("link_id", "person_id"), rows, _queued_again)
+
+
+def _queued_again(new: Any) -> Mapping[str, Any]:
+    return {
+        "due": sa.case((_OUTBOX.c.lease.is_(None), new.due), else_=_OUTBOX.c.due),
+        "revision": _OUTBOX.c.revision + 1,
+    }
 
 
 def _handed_in(connection: sa.Connection, change: GradeChange) -> datetime | None:

@@ -218,6 +218,7 @@ class CourseSession:
 
     Attributes:
         made: how many attempts they have made.
+        has_draft: they have typed something that was kept.
         longest: longest extra time of any student of the link, in seconds.
     """
 
@@ -228,6 +229,7 @@ class CourseSession:
     link: Link
     allowance: Allowance
     made: int
+    has_draft: bool
     longest: float
     locale: str | None
     return_url: str | None

@@ -104,44 +104,63 @@ def store_submissions(
     ]
 
 
+_OF_STUDENTS = sa.tuple_(_PART.c.link_id, _PART.c.person_id).in_(sa.bindparam("students", expanding=True))
+_TURNS = (
+    sa.select(_PART.c.link_id)
+    .where(_OF_STUDENTS)
+    .order_by(_PART.c.link_id, _PART.c.person_id)
+    .with_for_update()
+)
+_STANDING = (
+    sa.select(
+        _PART.c.link_id,
+        _PART.c.person_id,
+        _PART.c.made,
+        _PART.c.extra_seconds,
+        _PART.c.extra_attempts,
+        _GRADE.c.score,
+        _GRADE.c.number,
+        _OUTBOX.c.revision,
+        _LINK.c.exercise_id,
+        _LINK.c.settings,
+        _LINK.c.line_item,
+        _LINK.c.line_items,
+        _LINK.c.released_at,
+        _ATTEMPT.c.id.label("known"),
+    )
+    .join(_LINK, _LINK.c.id == _PART.c.link_id)
+    .outerjoin(_GRADE, sa.and_(_PART.c.link_id == _GRADE.c.link_id, _PART.c.person_id == _GRADE.c.person_id))
+    .outerjoin(
+        _OUTBOX, sa.and_(_PART.c.link_id == _OUTBOX.c.link_id, _PART.c.person_id == _OUTBOX.c.person_id)
+    )
+    .outerjoin(
+        _ATTEMPT,
+        sa.and_(
+            _PART.c.link_id == _ATTEMPT.c.link_id,
+            _PART.c.person_id == _ATTEMPT.c.person_id,
+            _ATTEMPT.c.key.in_(sa.bindparam("keys", expanding=True)),
+        ),
+    )
+    .where(_OF_STUDENTS)
+)
+"""Written once: to write a statement takes longer than to carry it out."""
+
+
 def _take_turns(connection: sa.Connection, students: Sequence[Student]) -> None:
-    """Lock the students' rows, always in the same order: their submissions come one after another."""
-    turn = sa.select(_PART.c.link_id).where(_of(_PART, students))
-    connection.execute(turn.order_by(_PART.c.link_id, _PART.c.person_id).with_for_update())
+    """Lock the students' rows, always in the same order: their submissions come one after another.
+
+    On SQLite a transaction that writes is alone.
+    """
+    if connection.dialect.name == "postgresql":
+        connection.execute(_TURNS, {"students": students})
 
 
 def _standings(
     connection: sa.Connection, submissions: Sequence[JudgedSubmission], students: Sequence[Student]
 ) -> tuple[dict[Student, _Standing], set[int]]:
     """How far the students are, by the rules that their links have now; and attempts that come again."""
-    same = [_PART.c.link_id == _GRADE.c.link_id, _PART.c.person_id == _GRADE.c.person_id]
-    again = [_PART.c.link_id == _ATTEMPT.c.link_id, _PART.c.person_id == _ATTEMPT.c.person_id]
-    again.append(_ATTEMPT.c.key.in_({submission.attempt.key for submission in submissions}))
-    queued = [_PART.c.link_id == _OUTBOX.c.link_id, _PART.c.person_id == _OUTBOX.c.person_id]
-    wanted = (
-        sa.select(
-            _PART.c.link_id,
-            _PART.c.person_id,
-            _PART.c.made,
-            _PART.c.extra_seconds,
-            _PART.c.extra_attempts,
-            _GRADE.c.score,
-            _GRADE.c.number,
-            _OUTBOX.c.revision,
-            _LINK.c.exercise_id,
-            _LINK.c.settings,
-            _LINK.c.line_item,
-            _LINK.c.line_items,
-            _LINK.c.released_at,
-            _ATTEMPT.c.id.label("known"),
-        )
-        .join(_LINK, _LINK.c.id == _PART.c.link_id)
-        .outerjoin(_GRADE, sa.and_(*same))
-        .outerjoin(_OUTBOX, sa.and_(*queued))
-        .outerjoin(_ATTEMPT, sa.and_(*again))
-        .where(_of(_PART, students))
-    )
-    found_rows = connection.execute(wanted).all()
+    keys = list({submission.attempt.key for submission in submissions})
+    found_rows = connection.execute(_STANDING, {"students": students, "keys": keys}).all()
     rows = {(row.link_id, row.person_id): row for row in found_rows}
     repeated = {row.known for row in found_rows if row.known is not None}
     rules: dict[int, Any] = {}
@@ -208,11 +227,8 @@ def _insert(
     new = [each for each in attempts if isinstance(each, Attempt) and not each.id]
     if not new:
         return {}
-    inserting = sa.insert(_ATTEMPT).returning(
-        _ATTEMPT.c.id, _ATTEMPT.c.link_id, _ATTEMPT.c.person_id, _ATTEMPT.c.number
-    )
     rows = [{name: getattr(attempt, name) for name in _COLUMNS} for attempt in new]
-    ids = {(row.link_id, row.person_id, row.number): row.id for row in connection.execute(inserting, rows)}
+    ids = {(row.link_id, row.person_id, row.number): row.id for row in connection.execute(_INSERTING, rows)}
     stored = {}
     findings: list[dict[str, Any]] = []
     for attempt in new:
@@ -220,10 +236,19 @@ def _insert(
         stored[own] = replace(attempt, id=ids[own])
         findings += finding_rows(ids[own], attempt.link_id, analyses[own])
     if findings:
-        connection.execute(sa.insert(records.finding), findings)
+        connection.execute(_FINDING, findings)
     return stored
 
 
+_INSERTING = sa.insert(_ATTEMPT).returning(
+    _ATTEMPT.c.id, _ATTEMPT.c.link_id, _ATTEMPT.c.person_id, _ATTEMPT.c.number
+)
+_FINDING = sa.insert(records.finding)
+_COUNTING = (
+    sa.update(_PART)
+    .where(_PART.c.link_id == sa.bindparam("own_link"), _PART.c.person_id == sa.bindparam("own_person"))
+    .values(made=sa.bindparam("now_made"))
+)
 _COLUMNS = tuple(column.name for column in _ATTEMPT.columns if column.name != "id")
 
 
@@ -231,13 +256,11 @@ def _note(connection: sa.Connection, standings: Mapping[Student, _Standing], now
     """Write down how many attempts were made and what they are worth; what changed is sent."""
     if not standings:
         return
-    own = [_PART.c.link_id == sa.bindparam("own_link"), _PART.c.person_id == sa.bindparam("own_person")]
-    counting = sa.update(_PART).where(*own).values(made=sa.bindparam("now_made"))
     made = [
         {"own_link": link, "own_person": person, "now_made": standing.session.made}
         for (link, person), standing in standings.items()
     ]
-    connection.execute(counting, made)
+    connection.execute(_COUNTING, made)
     changes = [
         GradeChange(
             link=standing.session.link,
@@ -253,7 +276,3 @@ def _note(connection: sa.Connection, standings: Mapping[Student, _Standing], now
         if standing.grade is not None
     ]
     store_changes(connection, changes, now)
-
-
-def _of(table: sa.Table, students: Sequence[Student]) -> sa.ColumnElement[bool]:
-    return sa.tuple_(table.c.link_id, table.c.person_id).in_(students)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
+from collections.abc import Callable
 from datetime import UTC, datetime
 
 from courses.enrolment import sessions_of
@@ -33,6 +34,8 @@ _ANSWER_LIVES = 2.0
 """Seconds for which what the database answered on its own health is believed."""
 PUBLISHED_KEPT = 512
 """Published exercises that are kept as read: some tens of megabytes."""
+_CROWDED_PAUSE = 0.05
+"""Seconds in which judged answers are gathered for one transaction while many others wait to be judged."""
 _MEMBERS_LIVE = 300.0
 """Seconds for which a class list of the platform is not fetched again."""
 _COURSES_KNOWN = 100
@@ -51,7 +54,13 @@ class CourseResources:
         keep: stores a judged submission.
     """
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: Settings, is_crowded: Callable[[], bool] = lambda: False) -> None:
+        """Open the database.
+
+        Args:
+            settings: the operator's choices.
+            is_crowded: whether so many answers wait to be judged that a moment more is nothing.
+        """
         self.store: Store = open_store(settings.database_url, settings.data_folder)
         self.fetcher = Fetcher(frozenset(settings.lti_trusted_origins))
         self.platform_keys = PlatformKeys(self.fetcher)
@@ -68,6 +77,7 @@ class CourseResources:
             batches=1,
             capacity=capacity,
             gives_up=_database_is_gone,
+            pause=lambda: _CROWDED_PAUSE if is_crowded() else 0.0,
         )
         self._lock = threading.Lock()
         self._members: dict[int, tuple[dict[str, str | None] | None, float]] = {}
@@ -128,6 +138,10 @@ class CourseResources:
             draft = draft_of_files(exercise_id, files)
             self._editions[exercise_id] = publish(self.store, draft, now()).address
         return self._editions[exercise_id]
+
+    def knows_edition(self, exercise_id: str | None) -> bool:
+        """Whether the address of an exercise is known without asking the database."""
+        return exercise_id is None or exercise_id in self._editions or exercise_id in self._published
 
     def class_members(self, course: Course) -> dict[str, str | None] | None:
         """Names of a course's students by their pseudonyms, as the platform tells them; None: it does not.

@@ -30,6 +30,8 @@ from service.work.workers import Workers
 
 UPLOADS = 4
 """So many bodies of the largest size may be in memory at a time."""
+CROWD = 8
+"""When more answers wait to be judged, those that were judged share their transactions."""
 
 
 class Resources:
@@ -54,7 +56,11 @@ class Resources:
 
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
-        self.courses = CourseResources(settings) if settings.storage == "on" else None
+        self.limiters = limiters(settings)
+        grading = self.limiters[WorkKind.GRADING].queue
+        self.courses = (
+            CourseResources(settings, lambda: grading.waiting > CROWD) if settings.storage == "on" else None
+        )
         shelf = self.courses.published if self.courses is not None else None
         self.exercises = Library(settings.exercise_folders, shelf)
         self.exercises.read_all()
@@ -63,7 +69,6 @@ class Resources:
         store = self.courses.store if self.courses is not None else None
         self.closed_forms = SharedAnswers("closed-form", store)
         self.figures = SharedAnswers("figure", store)
-        self.limiters = limiters(settings)
         self.workers = Workers(settings)
         self.receipt_keys = receipt_keys(settings)
         self.callbacks = Callbacks(settings.callback_hosts, self.receipt_keys.sign)

@@ -93,13 +93,16 @@ async def show_session(request: ApiRequest) -> Response:
     grader = grader_of(request)
 
     def work() -> dict[str, Any]:
-        attempts = attempts_of(courses.store, session.link.id, session.person.id)
+        attempts = attempts_of(courses.store, session.link.id, session.person.id) if session.made else []
+        draft = draft_of(courses.store, session) if session.has_draft else None
         outcomes = [attempt.outcome for attempt in attempts]
         grade = counted(session.link.settings.policy, outcomes, session.allowance)
         version = _version_now(grader, session)
-        return session_view(session, attempts, draft_of(courses.store, session), grade, version)
+        return session_view(session, attempts, draft, grade, version)
 
-    return json_response(await in_thread(request, work))
+    exercise = session.link.settings.exercise_id
+    is_first_visit = not session.made and not session.has_draft and courses.knows_edition(exercise)
+    return json_response(work() if is_first_visit else await in_thread(request, work))
 
 
 def _version_now(grader: Grader, session: CourseSession) -> str | None:

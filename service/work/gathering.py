@@ -1,13 +1,15 @@
 """Work on many things at once: what comes while one batch is worked on makes the next one.
 
-Nobody waits for a batch to fill: under little load a batch is one thing, under much load it grows by itself,
-and what a transaction costs (round trips, the flush of its commit) is shared by all that wait for it.
+Under little load nobody waits for a batch to fill: a batch is one thing. Under much load it grows by itself,
+and may be given a moment to grow: what a transaction costs (statements, round trips, the flush of its commit)
+is shared by all that wait for it.
 """
 
 from __future__ import annotations
 
 import asyncio
 import threading
+import time
 from collections import deque
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -33,6 +35,7 @@ class Gathering(Generic[_Thing, _Result]):
         batches: int,
         capacity: int,
         gives_up: Callable[[Exception], bool] = lambda _: False,
+        pause: Callable[[], float] = lambda: 0.0,
     ) -> None:
         """Make a gathering.
 
@@ -41,9 +44,11 @@ class Gathering(Generic[_Thing, _Result]):
             batches: how many are worked on at the same time.
             capacity: how many things may wait.
             gives_up: whether a batch that failed so would fail thing by thing, too.
+            pause: how long a batch that is not full may grow before it is worked on [s].
         """
         self._work = work
         self._gives_up = gives_up
+        self._pause = pause
         self._batches = batches
         self._capacity = capacity
         self._waiting: deque[tuple[_Thing, asyncio.Future[_Result]]] = deque()
@@ -82,6 +87,8 @@ class Gathering(Generic[_Thing, _Result]):
                     loop.call_soon_threadsafe(_deliver, mine)
 
     def _next(self) -> list[tuple[_Thing, asyncio.Future[_Result]]]:
+        if 0 < len(self._waiting) < MOST and (seconds := self._pause()) > 0.0:
+            time.sleep(seconds)
         with self._lock:
             batch = [self._waiting.popleft() for _ in range(min(MOST, len(self._waiting)))]
             if not batch:
