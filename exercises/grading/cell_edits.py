@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from exercises.grading.fitting import fitted_table
+from exercises.grading.typed import meant_in_radians
 from exercises.grading.work import Change, Extent, Work, with_row
 from kinematics.cells import AngleUnit
 from kinematics.equivalence import DirectionRule, ZeroRule
@@ -83,7 +84,7 @@ def angle_in_radians(work: Work) -> Iterator[Change]:
         return
     for i, cell, angle in _angles(work):
         if 0 < abs(angle) <= math.radians(2 * math.pi) + SAME:
-            yield _set("cell_in_radians", i, cell, math.degrees(angle))
+            yield _set("cell_in_radians", i, cell, meant_in_radians(angle))
 
 
 def _angles(work: Work) -> Iterator[tuple[int, str, float]]:

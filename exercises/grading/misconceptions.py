@@ -56,6 +56,7 @@ class Misconception:
         changes: every way to undo it in a table.
         told_as: codes of the edits it may lead to, if not its own; the message of each is `repair-<code>`.
         counts: undoing it changes how many joints there are.
+        beforehand: it is undone first where it comes together with one that changed their number.
     """
 
     code: str
@@ -63,6 +64,7 @@ class Misconception:
     changes: Callable[[Work], Iterator[Change]]
     told_as: tuple[str, ...] = ()
     counts: bool = False
+    beforehand: bool = False
 
 
 LENGTH_STORIES = ("a_value", "a_missing", "a_not_zero", "a_sign", "cell_length_unit", "cell_parameter")
@@ -73,35 +75,49 @@ CATALOGUE: tuple[Misconception, ...] = (
         code="convention",
         story="wrote the table in the other convention than declared",
         changes=other_convention,
+        beforehand=True,
     ),
     Misconception(
-        code="angles_in_degrees", story="typed degrees in a table in radians", changes=all_in_degrees
+        code="angles_in_degrees",
+        story="typed degrees in a table in radians",
+        changes=all_in_degrees,
+        beforehand=True,
     ),
     Misconception(
-        code="angles_in_radians", story="typed radians in a table in degrees", changes=all_in_radians
+        code="angles_in_radians",
+        story="typed radians in a table in degrees",
+        changes=all_in_radians,
+        beforehand=True,
     ),
     Misconception(
         code="length_unit",
         story="typed all lengths in another unit than declared",
         changes=all_in_other_length_unit,
+        beforehand=True,
     ),
     Misconception(
         code="columns_late",
         story="wrote a and α one row too low: read a standard table as a modified one",
         changes=columns_a_row_late,
+        beforehand=True,
     ),
     Misconception(
         code="columns_early",
         story="wrote a and α one row too high: read a modified table as a standard one",
         changes=columns_a_row_early,
+        beforehand=True,
     ),
     Misconception(
         code="columns_exchanged",
         story="wrote two columns in each other's place: a table in another order of columns",
         changes=columns_exchanged,
+        beforehand=True,
     ),
     Misconception(
-        code="parameter_misnamed", story="used a name that is not in the figure", changes=parameter_misnamed
+        code="parameter_misnamed",
+        story="used a name that is not in the figure",
+        changes=parameter_misnamed,
+        beforehand=True,
     ),
     Misconception(
         code="cell_in_degrees",
@@ -119,12 +135,16 @@ CATALOGUE: tuple[Misconception, ...] = (
         code="twists_all_reversed",
         story="turned every twist the wrong way (left-handed)",
         changes=all_twists_turned_round,
+        beforehand=True,
     ),
     Misconception(code="a_sign", story="measured a length against the x axis", changes=sign_of_length),
     Misconception(code="d_sign", story="measured an offset against the z axis", changes=sign_of_offset),
     Misconception(code="a_d_swapped", story="wrote a under d and d under a", changes=cells_swapped),
     Misconception(
-        code="parameters_swapped", story="used two names for one another", changes=parameters_swapped
+        code="parameters_swapped",
+        story="used two names for one another",
+        changes=parameters_swapped,
+        beforehand=True,
     ),
     Misconception(
         code="cell_length_unit",
@@ -154,6 +174,7 @@ CATALOGUE: tuple[Misconception, ...] = (
         code="joint_type",
         story="took a revolute joint for a prismatic one, or the reverse",
         changes=joint_of_other_type,
+        beforehand=True,
     ),
     Misconception(
         code="joint_fixed",
@@ -162,7 +183,12 @@ CATALOGUE: tuple[Misconception, ...] = (
         told_as=("joint_fixed", "joint_moving"),
         counts=True,
     ),
-    Misconception(code="rows_swapped", story="wrote two rows in the wrong order", changes=rows_swapped),
+    Misconception(
+        code="rows_swapped",
+        story="wrote two rows in the wrong order",
+        changes=rows_swapped,
+        beforehand=True,
+    ),
     Misconception(code="row_missing", story="left a row out", changes=row_left_out, counts=True),
     Misconception(
         code="fixed_row_missing",
@@ -188,6 +214,22 @@ def changes_of(work: Work) -> Iterator[Change]:
     for misconception in CATALOGUE:
         if misconception.counts or not work.excess:
             yield from misconception.changes(work)
+
+
+def changes_beforehand(work: Work) -> Iterator[Change]:
+    """The changes of a table whose joints are not the key's that leave them one too many or one too few.
+
+    A change that mends the joints may come after.
+    """
+    if work.has_the_joints():
+        return
+    for misconception in CATALOGUE:
+        if misconception.beforehand:
+            yield from (
+                change
+                for change in misconception.changes(work)
+                if work.is_a_joint_off(work.table if change.table is None else change.table)
+            )
 
 
 def repair_codes() -> frozenset[str]:

@@ -9,10 +9,10 @@ from itertools import islice
 
 from exercises.grading.cell_edits import any_cell
 from exercises.grading.fitting import MOST_SIGNS
-from exercises.grading.misconceptions import RANKS
-from exercises.grading.row_edits import any_row_left_out
-from exercises.grading.trials import Trial, tried, tried_unchanged
-from exercises.grading.work import Change, Extent, Work, after
+from exercises.grading.misconceptions import RANKS, changes_beforehand, changes_of
+from exercises.grading.row_edits import any_row_left_out, joint_left_out
+from exercises.grading.trials import Catalogue, Trial, tried, tried_unchanged
+from exercises.grading.work import EVERYWHERE, Change, Extent, Work, after
 from kinematics.equivalence.meter import WorkExhaustedError
 from kinematics.equivalence.search import Effort
 from kinematics.table import NumericTable
@@ -25,6 +25,7 @@ WORK_OF_ONE_WAY = 180_000
 WORK_OF_FITTING = 120_000
 # A bound of the work: every one of them is followed by all the edits there are.
 MOST_FIRST_EDITS = 24
+MOST_BEFOREHAND = 48
 # A bound of what is held in memory at once: tables that are tried together, times their rows.
 MOST_ROWS_TOGETHER = 160
 # More explanations than these explain nothing.
@@ -67,14 +68,16 @@ def _found(work: Work) -> Iterator[Repaired]:
         ways.append(_fitted(near))
     ways.append(_helping(work, trials, Effort.REFINED))
     for way in ways:
-        found = False
+        found: list[Change] = []
         with work.meter.at_most(WORK_OF_ONE_WAY):
             for change in way:
-                found = True
+                found.append(change)
                 yield Repaired((change,))
         if found:
+            if all(change.code == "row_missing" for change in found):
+                yield from _pairs(work, _nearer(work, here, joint_left_out))
             return
-    yield from _pairs(work, here)
+    yield from _pairs(work, [*_nearer(work, here), *_beforehand(work)])
 
 
 def _says_little(work: Work, here: Trial | None) -> bool:
@@ -121,29 +124,27 @@ def _at_other_draws(work: Work, changes: Sequence[Change], effort: Effort) -> bo
 def _mends(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
     """Whether the slips undone here make the table right, with the values that fit here."""
     slips = {changes[0].slip}
-    (trials,) = tried([work], slips=slips, finishing=len(changes) == 1)
     if len(changes) > 1:
-        return any(_mends(work.edited(trial.change), changes[1:], effort) for trial in trials)
+        (trials,) = tried([work], slips=slips, finishing=False)
+        first = [*trials, *(trial for trial in _beforehand(work) if trial.change.slip in slips)]
+        return any(_mends(half, changes[1:], effort) for half in _halves(work, first))
+    (trials,) = tried([work], slips=slips)
     if any(work.accepts(trial.change, effort) for trial in trials):
         return True
     return effort is Effort.REFINED and any(True for _ in _fitted(work, slips))
 
 
-def _pairs(work: Work, here: Trial | None) -> Iterator[Repaired]:
-    """Two edits: first one that brings the table nearer to the key, then each that might finish."""
-    before = None if here is None else here.failing
-    (made,) = tried([work], finishing=False)
-    first = [trial for trial in made if trial.meets and _is_nearer(trial.failing, before)]
-    first.sort(key=lambda trial: (trial.failing, RANKS[trial.change.code]))
+def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
+    """Two edits: one of the first, then each that might finish."""
     told: set[frozenset[tuple[str, int | None, str | None]]] = set()
     together = max(MOST_ROWS_TOGETHER // len(work.table.rows), 1)
-    for start in range(0, MOST_FIRST_EDITS, together):
-        some = first[start : min(start + together, MOST_FIRST_EDITS)]
-        halves = [work.edited(trial.change, trial.reach, angular=trial.angular) for trial in some]
+    for start in range(0, len(first), together):
+        some = first[start : start + together]
+        halves = _halves(work, some)
         for trial, half, rest in zip(some, halves, tried(halves), strict=True):
-            touched = set(trial.change.places)
+            touched, throughout = set(trial.change.places), trial.change.row is None
             for other in rest:
-                if touched & set(other.change.places):
+                if touched & set(other.change.places) and not (throughout and half.excess):
                     continue
                 changes = (trial.change, other.change)
                 places = frozenset((c.code, c.row, c.cell) for c in changes)
@@ -155,5 +156,25 @@ def _pairs(work: Work, here: Trial | None) -> Iterator[Repaired]:
                     yield Repaired(tuple(sorted(shown, key=lambda c: -1 if c.row is None else c.row)))
 
 
+def _halves(work: Work, trials: Iterable[Trial]) -> list[Work]:
+    """The table with each of some edits made."""
+    return [work.edited(trial.change, trial.reach, angular=trial.angular) for trial in trials]
+
+
+def _nearer(work: Work, here: Trial | None, catalogue: Catalogue = changes_of) -> list[Trial]:
+    """The edits of a catalogue that bring the table nearer to the key, so that one more may mend it."""
+    before = None if here is None else here.failing
+    (made,) = tried([work], catalogue, finishing=False)
+    first = [trial for trial in made if trial.meets and _is_nearer(trial.failing, before)]
+    first.sort(key=lambda trial: (trial.failing, RANKS[trial.change.code]))
+    return first[:MOST_FIRST_EDITS]
+
+
 def _is_nearer(failing: int, before: int | None) -> bool:
     return before is None or failing < before or failing == before == 0
+
+
+def _beforehand(work: Work) -> list[Trial]:
+    """The edits after which one that mends the count of the joints might finish; they cannot be tried."""
+    changes = islice(changes_beforehand(work), MOST_BEFOREHAND)
+    return [Trial(change, 0, might=False, reach=EVERYWHERE, angular=False) for change in changes]

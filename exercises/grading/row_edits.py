@@ -15,6 +15,7 @@ from kinematics.table import CELLS, DHRow, JointType, NumericTable
 
 # In longer tables only neighbouring rows are exchanged.
 MOST_ROWS_FOR_ALL_PAIRS = 8
+OTHER_TYPE = {JointType.REVOLUTE: JointType.PRISMATIC, JointType.PRISMATIC: JointType.REVOLUTE}
 _VARIABLE_CELLS = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
 UNSOLVED = {
     JointType.REVOLUTE: ("alpha", "a", "d"),
@@ -32,13 +33,11 @@ def cells_swapped(work: Work) -> Iterator[Change]:
 
 
 def joint_of_other_type(work: Work) -> Iterator[Change]:
-    """A revolute joint made prismatic, or the reverse."""
+    """A revolute joint made prismatic, or the reverse; any of them, if their count is not the key's."""
     wanted, given = work.reference.table.joint_types, work.table.joint_types
-    if len(wanted) != len(given):
-        return
     for joint, index in enumerate(work.table.joint_rows):
-        if wanted[joint] is not given[joint]:
-            yield _of_type(work, "joint_type", index, wanted[joint])
+        if len(wanted) != len(given) or wanted[joint] is not given[joint]:
+            yield _of_type(work, "joint_type", index, OTHER_TYPE[given[joint]])
 
 
 def joint_left_out(work: Work) -> Iterator[Change]:

@@ -9,7 +9,7 @@ from itertools import combinations
 from operator import neg
 
 from exercises.grading.substitution import substituted
-from exercises.grading.typed import Place
+from exercises.grading.typed import Place, meant_in_radians
 from exercises.grading.work import Change, Extent, Work
 from kinematics.cells import AngleUnit
 from kinematics.equivalence.batches import CellChange
@@ -81,9 +81,9 @@ def all_in_radians(work: Work) -> Iterator[Change]:
         return
 
     def small(angle: float) -> float:
-        return math.degrees(angle) if abs(angle) <= math.radians(CLEARLY_DEGREES) + 1e-9 else angle
+        return meant_in_radians(angle) if abs(angle) <= math.radians(CLEARLY_DEGREES) + 1e-9 else angle
 
-    for unit in (math.degrees, small):
+    for unit in (meant_in_radians, small):
         yield from _every_cell(work, "angles_in_radians", ANGLES, unit)
 
 

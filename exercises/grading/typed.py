@@ -107,6 +107,16 @@ def half_steps(table: SymbolicTable, unit: AngleUnit) -> dict[Place, float]:
     return found
 
 
+def meant_in_radians(angle: float) -> float:
+    """What an angle [rad] was meant to be, if radians were typed where degrees are declared.
+
+    Of a multiple of π/12 two decimals are enough: they were chosen before anybody looked at the unit.
+    """
+    typed = math.degrees(angle)
+    exact = round(typed / TWELFTH) * TWELFTH
+    return exact if abs(typed - exact) <= COARSEST_ANGLE / 2 else typed
+
+
 def _is_variable(joint: JointType, cell: str) -> bool:
     return (joint is JointType.REVOLUTE and cell == "theta") or (joint is JointType.PRISMATIC and cell == "d")
 

@@ -170,6 +170,13 @@ class Work:
         """Whether the table, or another, has the key's types of joints in order."""
         return (table or self.table).joint_types == self.reference.table.joint_types
 
+    def is_a_joint_off(self, table: NumericTable) -> bool:
+        """Whether a table has the key's types of joints in order, but for one too many or too few."""
+        shorter, longer = sorted((table.joint_types, self.reference.table.joint_types), key=len)
+        return len(longer) == len(shorter) + 1 and any(
+            (*longer[:k], *longer[k + 1 :]) == shorter for k in range(len(longer))
+        )
+
     def at(self, draw: int) -> Work:
         """The answer at another draw."""
         return replace(

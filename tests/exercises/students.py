@@ -5,7 +5,7 @@ where to look, they look there, then one row to either side (what a row says of 
 next one), and derive afresh what they find; told of the whole table, they think again about what concerns the
 whole. Who finds nothing is lost: they ask for the next rung, and on the last one they give up.
 
-    python -m tests.exercises.students       every exercise that asks for a table, single mistakes and pairs
+    python -m tests.exercises.students       every exercise that asks for a table
 """
 
 from __future__ import annotations
@@ -14,15 +14,16 @@ import argparse
 import re
 import sys
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
+from itertools import chain, pairwise
 from random import Random
 
 from exercises.answers import RawAnswer, parse
 from exercises.errors import AnswerError
 from exercises.grader import Report, grade
 from exercises.grading import Finding, HelpLevel
+from exercises.grading.misconceptions import CATALOGUE
 from exercises.instance import Instance, generate
 from exercises.selftest.answers import other_frames
 from exercises.selftest.mistakes import MISTAKES
@@ -34,6 +35,8 @@ from tests.exercises.packaged import exercise, table_ids
 
 LADDER = (HelpLevel.ROW, HelpLevel.KIND, HelpLevel.REPAIR)
 MOST_ATTEMPTS = 12
+CODES = [code for code in MISTAKES if code != "parameter_misnamed"]
+COUNTS = tuple(entry.code for entry in CATALOGUE if entry.counts)
 NAME = re.compile(r"[A-Za-zα-ω]+\d*|\d+(?:\.\d+)?")
 
 
@@ -152,13 +155,24 @@ def _found_again(truth: ReadTable, slips: Sequence[Slip], report: Report, reach:
 
 def students(name: str, pairs: int, seed: int = 0) -> Iterator[tuple[Instance, ReadTable, tuple[Slip, ...]]]:
     """Every misconception by itself, and some of them two by two."""
+    rng = Random(f"{name} {seed}")
+    singles = [(code,) for code in CODES]
+    yield from _who_made(name, (*singles, *(tuple(rng.sample(CODES, 2)) for _ in range(pairs))), rng)
+
+
+def miscounted(name: str, seed: int = 0) -> Iterator[tuple[Instance, ReadTable, tuple[Slip, ...]]]:
+    """Every misconception that changes how many joints there are, together with every other one."""
+    pairs = [(count, other) for count in COUNTS for other in CODES if other not in COUNTS]
+    return _who_made(name, pairs, Random(f"{name} miscounted {seed}"))
+
+
+def _who_made(
+    name: str, slips_made: Iterable[tuple[str, ...]], rng: Random
+) -> Iterator[tuple[Instance, ReadTable, tuple[Slip, ...]]]:
     asked = exercise(name)
     held = replace(asked, access=replace(asked.access, ladder=LADDER))
     instance = generate(held)
-    rng = Random(f"{name} {seed}")
-    codes = [code for code in MISTAKES if code != "parameter_misnamed"]
-    singles = [(code,) for code in codes]
-    for chosen in (*singles, *(tuple(rng.sample(codes, 2)) for _ in range(pairs))):
+    for chosen in slips_made:
         truth = other_frames(instance, rng)
         slips = tuple(Slip(code, rng.randrange(8)) for code in chosen)
         if table_with(truth, slips) is not None:
@@ -242,7 +256,7 @@ def main() -> None:
     total: Counter[str] = Counter()
     for name in options.only:
         count: Counter[str] = Counter()
-        for instance, truth, slips in students(name, options.pairs):
+        for instance, truth, slips in chain(students(name, options.pairs), miscounted(name)):
             found = walk(instance, truth, slips)
             if found is None:
                 continue

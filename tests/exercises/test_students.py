@@ -3,12 +3,28 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from itertools import pairwise
 
 import pytest
 
+from exercises.answers import RawAnswer, parse
 from exercises.definition import LANGUAGES
-from tests.exercises.students import falling, revealed, sentences, students, walk
+from exercises.grader import grade
+from exercises.grading import Verdict
+from exercises.instance import Instance
+from exercises.written_table import written_table
+from kinematics.cells import ReadTable
+from tests.exercises.students import (
+    Slip,
+    falling,
+    miscounted,
+    revealed,
+    sentences,
+    students,
+    table_with,
+    walk,
+)
 
 SOME = ("scara", "stanford", "puma560")
 PLACEABLE = re.compile(r"[{}]|\[(feedback|repair)-")
@@ -31,6 +47,45 @@ def test_hints_lead_every_student_to_full_marks_and_tell_no_value_of_the_key(nam
             assert told
             assert not any(PLACEABLE.search(text) for text in told), told
     assert walked >= 12
+
+
+def test_one_more_slip_beside_a_wrong_count_of_joints_is_told() -> None:
+    """Where columns were moved a row on, what stood in the last one is lost: no edit brings it back."""
+    told: list[bool] = []
+    for instance, truth, slips in miscounted("uw"):
+        found = walk(instance, truth, slips)
+        if found is None:
+            continue
+        assert found.correct, (slips, found.scores)
+        codes = {slip.code for slip in slips}
+        verdict = repaired(instance, truth, slips)
+        if not codes & {"columns_late", "columns_early"}:
+            told.append(bool(verdict.repairs))
+            assert verdict.repairs or "joint_fixed" not in codes, slips
+    assert len(told) > 30
+    assert sum(told) >= 0.95 * len(told)
+
+
+def test_a_row_without_its_variable_is_named_though_a_row_put_in_would_do() -> None:
+    """Along parallel axes a row put in mends both slips; whoever made them finds nothing there."""
+    slips = (Slip("d_sign", 7), Slip("joint_fixed", 3))
+    instance, truth = next((i, t) for i, t, made in students("uw", pairs=20) if made == slips)
+    found = [[edit.code for edit in repair.edits] for repair in repaired(instance, truth, slips).repairs]
+    assert ["row_missing"] in found
+    assert ["joint_fixed", "d_sign"] in found
+    walked = walk(instance, truth, slips)
+    assert walked is not None
+    assert walked.correct
+
+
+def repaired(instance: Instance, truth: ReadTable, slips: Sequence[Slip]) -> Verdict:
+    """The verdict on a student's first table, with everything told."""
+    table = table_with(truth, slips)
+    assert table is not None
+    answer = parse(instance, RawAnswer(table=written_table(table)))
+    verdict = grade(instance, answer, attempt=3).verdict
+    assert verdict is not None
+    return verdict
 
 
 @pytest.mark.parametrize("name", SOME)
