@@ -38,7 +38,7 @@ serve: $(VENV)/.runtime vendor ## run the service on http://127.0.0.1:8000 (PORT
 	$(PY) -m service --port $(PORT)
 
 test: $(VENV)/.dev vendor lint ## every check and test
-	$(PY) -m pytest -n 2 --dist loadgroup --durations 30
+	$(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder --durations 30
 
 mued: $(VENV)/.dev ## ask a µEd service at MUED_URL= (this checkout, if left out) whether it keeps the standard
 	$(PY) -m pytest -n 0 tests/mued
@@ -142,7 +142,7 @@ campaign: $(VENV)/.dev ## the checker against two million tables, valid and wron
 	$(PY) -m tests.kinematics.equivalence $(ARGS)
 
 explore: $(VENV)/.dev vendor ## the property tests with fresh seeds; what fails becomes an example (ARGS="tests/kinematics": some)
-	FRAMEWISE_EXPLORE=1 $(PY) -m pytest -n 2 --dist loadgroup $(or $(ARGS),tests/kinematics tests/exercises tests/service)
+	FRAMEWISE_EXPLORE=1 $(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder $(or $(ARGS),tests/kinematics tests/exercises tests/service)
 
 campaign-inverse: $(VENV)/.dev ## inverse kinematics at singularities against brute force (hours; ARGS="--poses 100 --tried 10": some)
 	OMP_NUM_THREADS=1 $(PY) -m tests.kinematics.inverse $(ARGS)

@@ -28,7 +28,7 @@ import pytest
 from tests.architecture.serving import fetched, serving
 from tests.architecture.sources import ROOT
 
-pytestmark = [pytest.mark.xdist_group("container"), pytest.mark.timeout(900)]
+pytestmark = pytest.mark.timeout(900)
 
 DOCKERFILE = ROOT / "Dockerfile"
 KEPT = ROOT / "build" / "container"

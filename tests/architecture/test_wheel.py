@@ -14,8 +14,6 @@ import pytest
 from tests.architecture.serving import fetched, serving
 from tests.architecture.sources import PACKAGES, ROOT
 
-pytestmark = pytest.mark.xdist_group("wheel")
-
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:

@@ -6,13 +6,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from hypothesis import settings
 
 from courses.storage import Store, open_store
 from tests.databases import new_database, postgresql_server
-
-settings.register_profile("framewise", deadline=None)
-settings.load_profile("framewise")
 
 
 @pytest.fixture(scope="session")

@@ -36,14 +36,6 @@ expect.set_options(timeout=PATIENCE)
 LANGUAGES = ("en", "ro", "pt", "fr", "uk", "es")
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Share the files out among two groups: a worker runs one of them with one browser and one service."""
-    here = [item for item in items if Path(__file__).parent in item.path.parents]
-    files = sorted({item.path for item in here})
-    for item in here:
-        item.add_marker(pytest.mark.xdist_group(f"web-{files.index(item.path) % 2}"))
-
-
 @pytest.fixture(scope="session")
 def web() -> Iterator[str]:
     """Origin of a running service that may be shown in any frame.
