@@ -141,8 +141,8 @@ test-openedx: $(VENV)/.dev $(OPENEDX)/.installed ## launches and scores against 
 campaign: $(VENV)/.dev ## the checker against two million tables, valid and wrong (half an hour; ARGS="--valid 100000": some)
 	$(PY) -m tests.kinematics.equivalence $(ARGS)
 
-explore: $(VENV)/.dev vendor ## the property tests with fresh seeds; what fails becomes an example (ARGS="tests/kinematics": some)
-	FRAMEWISE_EXPLORE=1 $(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder $(or $(ARGS),tests/kinematics tests/exercises tests/service)
+explore: $(VENV)/.dev vendor ## the property tests with fresh seeds, and long ones in full; what fails becomes an example (ARGS="tests/kinematics": some)
+	FRAMEWISE_EXPLORE=1 $(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder $(or $(ARGS),tests/kinematics tests/exercises tests/service tests/web/test_trainer.py)
 
 campaign-inverse: $(VENV)/.dev ## inverse kinematics at singularities against brute force (hours; ARGS="--poses 100 --tried 10": some)
 	OMP_NUM_THREADS=1 $(PY) -m tests.kinematics.inverse $(ARGS)

@@ -1,14 +1,43 @@
-"""Settings of the property tests.
+"""Settings of the property tests, and what several rooms share.
 
 The default run draws the same examples every time, so that it passes or fails for everybody alike.
 Exploring with fresh seeds (`make explore`) is a search for faults; what it finds becomes an example.
 """
 
+import gc
 import os
+from collections.abc import Iterator
+from pathlib import Path
 
+import pytest
 from hypothesis import settings
+
+from tests.databases import postgresql_server
 
 # The machine that runs the tests may be busy: time is measured by the benchmarks, not by tests.
 settings.register_profile("framewise", deadline=None, derandomize=True, database=None)
 settings.register_profile("explore", deadline=None)
 settings.load_profile("explore" if os.environ.get("FRAMEWISE_EXPLORE") else "framewise")
+
+LONG = ("web", "lti", "service")
+"""Rooms that start first, so that no worker is left with a long file at the end."""
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    rank = {Path(__file__).parent / room: place for place, room in enumerate(LONG)}
+    items.sort(
+        key=lambda item: min((rank[room] for room in item.path.parents if room in rank), default=len(LONG))
+    )
+
+
+def pytest_collection_finish() -> None:
+    """Ten thousand collected tests stay until the end: no garbage collection looks at them again."""
+    gc.collect()
+    gc.freeze()
+
+
+@pytest.fixture(scope="session")
+def postgresql() -> Iterator[str]:
+    """URL of a PostgreSQL server."""
+    with postgresql_server() as url:
+        yield url

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from service.app import create_app
-from service.settings import Settings
+from tests.document import DOCUMENT
 
-DOCUMENT: dict[str, Any] = create_app(Settings()).openapi()
 JSON = "application/json"
 
 

@@ -13,7 +13,8 @@ import tempfile
 from pathlib import Path
 
 from service.settings import Settings
-from tests.clients.calls import DOCUMENT, calls
+from tests.clients.calls import calls
+from tests.document import DOCUMENT
 from tests.live_service import running
 
 HERE = Path(__file__).parent

@@ -15,7 +15,8 @@ from typing import Any
 
 import pytest
 
-from tests.clients.calls import DOCUMENT, Call, calls
+from tests.clients.calls import Call, calls
+from tests.document import DOCUMENT
 
 pytest.importorskip("openapi_python_client") if not os.environ.get("CI") else None
 

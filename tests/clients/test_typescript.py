@@ -14,7 +14,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.clients.calls import DOCUMENT, calls
+from tests.clients.calls import calls
+from tests.document import DOCUMENT
 
 TOOLS = Path(__file__).parent / "typescript"
 MISSING = "node and npm cannot be had, or the tools of tests/clients/typescript cannot be installed"

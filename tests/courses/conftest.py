@@ -8,14 +8,7 @@ from pathlib import Path
 import pytest
 
 from courses.storage import Store, open_store
-from tests.databases import new_database, postgresql_server
-
-
-@pytest.fixture(scope="session")
-def postgresql() -> Iterator[str]:
-    """URL of a PostgreSQL server."""
-    with postgresql_server() as url:
-        yield url
+from tests.databases import new_database
 
 
 @pytest.fixture(params=["sqlite", "postgresql"])

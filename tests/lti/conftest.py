@@ -9,16 +9,9 @@ import pytest
 
 from courses.storage import Store, open_store
 from service.settings import Settings
-from tests.databases import new_database, postgresql_server
+from tests.databases import new_database
 from tests.live_service import running
 from tests.lti.classes import Browser, Lms, lms_process
-
-
-@pytest.fixture(scope="session")
-def postgresql() -> Iterator[str]:
-    """URL of a PostgreSQL server."""
-    with postgresql_server() as url:
-        yield url
 
 
 @pytest.fixture(scope="module")

@@ -11,10 +11,8 @@ from typing import Any
 import pytest
 
 from framewise import AsyncClient, Client, ProblemError, calls, exercise_calls
-from service.app import create_app
-from service.settings import Settings
+from tests.document import DOCUMENT
 
-DOCUMENT = create_app(Settings()).openapi()
 CALLS = {
     name: function
     for module in (calls, exercise_calls)

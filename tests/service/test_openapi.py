@@ -16,10 +16,8 @@ from hypothesis import HealthCheck, Phase, settings
 from jsonschema import Draft202012Validator
 from schemathesis.specs.openapi.checks import negative_data_rejection, positive_data_acceptance
 
-from service.app import create_app
-from service.settings import Settings
+from tests.document import DOCUMENT
 
-DOCUMENT: dict[str, Any] = create_app(Settings()).openapi()
 OPERATIONS = {
     f"{method.upper()} {path}": (path, method, operation)
     for path, operations in DOCUMENT["paths"].items()
