@@ -3,9 +3,10 @@
     (v, ω) = J(q) q̇        (v, (α, β, γ)˙) = J_A(q) q̇        τ = J(q)ᵀ (f, m)
 
 An entry is right when it is the same function as that of the table. Where both are exact this is equality of
-their canonical forms (`kinematics.symbolic.canonical`). What is not (numbers rounded on paper, roots of
-lengths, rates of angles) is compared at configurations that nobody knows before the answer is written: they
-are drawn from it; and, if the answer names every length, with other lengths, too.
+their canonical forms: of polynomials in sines and cosines (`kinematics.symbolic.polynomials`), which most
+entries are, else of sums of exponentials (`kinematics.symbolic.canonical`). What is not equal so (numbers
+rounded on paper, roots of lengths, rates of angles) is compared at configurations that nobody knows before
+the answer is written: they are drawn from it; and, if it names every length, with other lengths, too.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ from kinematics.answers.jacobian_answers import (
     JacobianMistake,
     JacobianVerdict,
     entry_limits,
+    jacobian_at,
     judge_forces,
     judge_jacobian,
 )
@@ -38,6 +40,7 @@ from kinematics.se3 import Floats
 from kinematics.symbolic import Matrix, ProofStatus, jacobian
 from kinematics.symbolic.analytic import analytic_form
 from kinematics.symbolic.form_reader import FormReader
+from kinematics.symbolic.polynomials import Polynomial, PolynomialReader
 from kinematics.symbolic.ring import Ring
 from kinematics.symbolic.size import refuse_longer_than
 from kinematics.table import JointType, SymbolicTable, bind
@@ -48,10 +51,8 @@ PRODUCTS = 100_000
 """Products of terms that a proof may form, some 50 ms; all entries of a PUMA need a tenth."""
 OPERATIONS = 20_000
 """Operations of a Jacobian that is compared; an arm with a wrist has a thousand."""
-QUICK = 1_000
-"""Products of terms that are tried before anything is sampled: enough for arms in a plane."""
 LARGE_RATE = 20.0
-"""Rate of an angle per rate of a joint: more of it is next to gimbal lock, where roundings grow, too."""
+"""Rate of an angle per rate of a joint: more of it is next to gimbal lock, where roundings tell."""
 DOUBLED = 1e-9
 """How nearly twice the lengths must double an entry: far above rounding, below any length left out."""
 
@@ -107,6 +108,11 @@ class _Samples:
         found = [values_at(entry, self.parameters, self.joints) for entry in entries]
         return np.array(found).reshape(len(found), self.joints.shape[1])
 
+    def at(self, k: int) -> _Samples:
+        """Return one of the points."""
+        parameters = {name: values[k : k + 1] for name, values in self.parameters.items()}
+        return _Samples(parameters=parameters, joints=self.joints[:, k : k + 1])
+
 
 @np.errstate(all="ignore")
 def judge_jacobian_form(
@@ -129,24 +135,25 @@ def judge_jacobian_form(
         JointValueError: the angles have rates in no configuration.
     """
     n = robot.table.n_joints
-    ours = jacobian_form(robot.table, frame, angles)
-    pairs = list(zip(in_turn.from_iterable(given), in_turn.from_iterable(ours), strict=True))
-    if _proved(pairs, QUICK) is ProofStatus.PROVED:
-        return FormVerdict(entries=np.ones((6, n), dtype=np.bool_), proof=ProofStatus.PROVED)
-    samples = _samples(robot, *zip(*pairs, strict=True))
-    limit = entry_limits(robot.chain, tolerance)[:, :, None]
-    actual, expected = (samples.of(entries).reshape(6, n, -1) for entries in zip(*pairs, strict=True))
+    key = _key(robot.table, frame, angles)
+    flat = tuple(in_turn.from_iterable(given))
+    other, refuted = key.unlike(flat)
+    right = np.ones(6 * n, dtype=np.bool_)
+    if not other:
+        return FormVerdict(entries=right.reshape(6, n), proof=ProofStatus.PROVED)
+    compared = other if angles is None else range(6 * n)
+    samples = _samples(robot, [flat[k] for k in compared], [key.entries[k] for k in compared])
+    actual, expected = samples.of([flat[k] for k in compared]), samples.of([key.entries[k] for k in compared])
+    limit = entry_limits(robot.chain, tolerance).reshape(6 * n, 1)[list(compared)]
     if angles is not None:
-        usable = _where_rates_are_small(robot, expected)
-        actual, expected = actual[:, :, usable], expected[:, :, usable]
-        # which of the two triples is meant may change from one configuration to the next
-        other = (np.abs(actual[MIDDLE] + expected[MIDDLE]) <= limit[MIDDLE]).all(axis=0)
-        expected[MIDDLE] *= np.where(other, -1.0, 1.0)
-    right: NDArray[np.bool_] = np.all(np.abs(actual - expected) <= limit, axis=2)
+        actual, expected = _in_the_same_triple(robot, actual, expected, limit)
+    right[list(compared)] = np.all(np.abs(actual - expected) <= limit, axis=1)
     if right.all():
-        return FormVerdict(entries=right, proof=_proved_but_for_signs(given, ours, angles is not None))
-    mistakes = _mistakes(robot, given, frame, tolerance, angles)
-    return FormVerdict(entries=right, proof=ProofStatus.REFUTED, mistakes=mistakes)
+        return FormVerdict(
+            entries=right.reshape(6, n), proof=_proof(key, flat, other, refuted, angles is not None)
+        )
+    mistakes = _mistakes(robot, {k: flat[k] for k in compared}, frame, tolerance, angles)
+    return FormVerdict(entries=right.reshape(6, n), proof=ProofStatus.REFUTED, mistakes=mistakes)
 
 
 @np.errstate(all="ignore")
@@ -166,32 +173,41 @@ def judge_force_form(
         frame: in whose axes the wrench is given.
         tolerance: as a share of what force and moment can do at the robot's size.
     """
+    reader = PolynomialReader()
     ours = force_form(robot.table, wrench, frame)
-    samples = _samples(robot, given, ours)
+    key = _Key(entries=ours, polynomials=tuple(map(reader.read, ours)), reader=reader)
+    other, refuted = key.unlike(given)
+    right = [True] * len(given)
+    if not other:
+        return tuple(right), ProofStatus.PROVED, None
+    samples = _samples(robot, [given[k] for k in other], [ours[k] for k in other])
     load = np.abs(samples.of(wrench))
     force, moment = load[:3].sum(axis=0), load[3:].sum(axis=0)
-    slides = [kind is JointType.PRISMATIC for kind in robot.table.joint_types]
-    limit = tolerance * np.array([force if slide else force * robot.size + moment for slide in slides])
-    close: NDArray[np.bool_] = np.all(np.abs(samples.of(given) - samples.of(ours)) <= limit, axis=1)
-    right = tuple(close.tolist())
+    actual, expected = samples.of([given[k] for k in other]), samples.of([ours[k] for k in other])
+    for k, one, two in zip(other, actual, expected, strict=True):
+        slides = robot.table.joint_types[k] is JointType.PRISMATIC
+        limit = tolerance * (force if slides else force * robot.size + moment)
+        right[k] = bool(np.all(np.abs(one - two) <= limit))
     if all(right):
-        return right, _proved(list(zip(given, ours, strict=True))), None
+        proof = ProofStatus.REFUTED if refuted else _proved([(given[k], ours[k]) for k in other])
+        return tuple(right), proof, None
     found: set[JacobianMistake | None] = set()
     for k in range(2):
-        here = _at(samples, k)
+        here = samples.at(k)
         numbers = here.of(wrench)[:, 0].tolist()
         typed = np.nan_to_num(here.of(given)[:, 0], nan=np.inf).tolist()
         found.add(judge_forces(robot.chain, here.joints[:, 0].tolist(), numbers, typed, frame, tolerance)[1])
-    return right, ProofStatus.REFUTED, found.pop() if len(found) == 1 else None
+    return tuple(right), ProofStatus.REFUTED, found.pop() if len(found) == 1 else None
 
 
+@lru_cache(maxsize=64)
 def jacobian_form(table: SymbolicTable, frame: JacobianFrame, angles: EulerSequence | None = None) -> Matrix:
     """Return the Jacobian in closed form, linear rows first: the geometric one, or that of some angles.
 
     Raises:
         JointValueError: the angles have rates in no configuration.
     """
-    found = _geometric(table, frame) if angles is None else analytic_form(table, angles)
+    found = jacobian(table, frame) if angles is None else analytic_form(table, angles)
     refuse_longer_than(OPERATIONS, in_turn.from_iterable(found or ()))
     if found is None:
         assert angles is not None
@@ -210,9 +226,9 @@ def force_form(
     )
 
 
-def _proved(pairs: Iterable[tuple[Expression, Expression]], limit: int = PRODUCTS) -> ProofStatus:
+def _proved(pairs: Iterable[tuple[Expression, Expression]]) -> ProofStatus:
     """Return whether each pair of entries is one function; all are read into one ring."""
-    reader = FormReader(Ring(limit=limit))
+    reader = FormReader(Ring(limit=PRODUCTS))
     try:
         for given, ours in pairs:
             if given == ours:
@@ -225,50 +241,72 @@ def _proved(pairs: Iterable[tuple[Expression, Expression]], limit: int = PRODUCT
     return ProofStatus.PROVED
 
 
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Key:
+    """Entries in closed form, row by row, and what they are as polynomials, if they are."""
+
+    entries: tuple[Expression, ...]
+    polynomials: tuple[Polynomial | None, ...]
+    reader: PolynomialReader
+
+    def unlike(self, given: Sequence[Expression]) -> tuple[list[int], list[int]]:
+        """Return which entries of an answer are not proved to be these, and which are proved to be others."""
+        reader, unlike, refuted = self.reader.copy(), [], []
+        for k, (entry, ours) in enumerate(zip(given, self.polynomials, strict=True)):
+            found = reader.read(entry)
+            if found is None or ours is None or found != ours:
+                unlike.append(k)
+                if found is not None and ours is not None:
+                    refuted.append(k)
+        return unlike, refuted
+
+
 @lru_cache(maxsize=64)
-def _geometric(table: SymbolicTable, frame: JacobianFrame) -> Matrix:
-    return jacobian(table, frame)
+def _key(table: SymbolicTable, frame: JacobianFrame, angles: EulerSequence | None) -> _Key:
+    reader, entries = PolynomialReader(), tuple(in_turn.from_iterable(jacobian_form(table, frame, angles)))
+    return _Key(entries=entries, polynomials=tuple(map(reader.read, entries)), reader=reader)
 
 
-def _proved_but_for_signs(given: Expressions, ours: Expressions, analytic: bool) -> ProofStatus:
+def _proof(
+    key: _Key, given: Sequence[Expression], unlike: Sequence[int], refuted: Sequence[int], analytic: bool
+) -> ProofStatus:
     """Return what is proved of a Jacobian whose row of the middle angle may have either sign anywhere."""
-    free = analytic and tuple(given[MIDDLE]) != tuple(ours[MIDDLE])
-    rows = [r for r in range(6) if not (free and r == MIDDLE)]
-    proof = _proved([pair for r in rows for pair in zip(given[r], ours[r], strict=True)])
+    n = len(given) // 6
+    free = {k for k in unlike if analytic and k // n == MIDDLE}
+    if set(refuted) - free:
+        return ProofStatus.REFUTED
+    proof = _proved([(given[k], key.entries[k]) for k in unlike if k not in free])
     return ProofStatus.UNDECIDED if free and proof is ProofStatus.PROVED else proof
 
 
-def _samples(robot: FormRobot, given: Iterable[Expression], ours: Iterable[Expression]) -> _Samples:
+def _samples(robot: FormRobot, given: Sequence[Expression], ours: Sequence[Expression]) -> _Samples:
     """Return points drawn from the answer; with other lengths only if both name every length."""
-    given, ours = tuple(given), tuple(ours)
     rng = random.Random(repr(given))  # noqa: S311 - the same answer, the same points
-    kinds = robot.table.joint_types
-
-    def drawn() -> Floats:
-        return np.array(
-            [
-                [
-                    rng.uniform(-3.0, 3.0) * (robot.size / 3.0 if kind is JointType.PRISMATIC else 1.0)
-                    for _ in range(POINTS)
-                ]
-                for kind in kinds
-            ]
-        ).reshape(len(kinds), POINTS)
-
-    usual = {name: np.full(POINTS, value) for name, value in robot.values.items()}
-    samples = _Samples(parameters=usual, joints=drawn())
-    if not _names_every_length(robot, samples, given, ours):
-        return samples
+    usual = _usual(robot, rng)
+    if not _names_every_length(robot, usual, given, ours):
+        return usual
     other = {
         name: np.array([robot.size * rng.uniform(0.2, 1.2) for _ in range(POINTS)])
         if name in robot.lengths
         else values
-        for name, values in usual.items()
+        for name, values in usual.parameters.items()
     }
     return _Samples(
-        parameters={name: np.concatenate([usual[name], other[name]]) for name in usual},
-        joints=np.hstack([samples.joints, drawn()]),
+        parameters={name: np.concatenate([usual.parameters[name], other[name]]) for name in other},
+        joints=np.hstack([usual.joints, _drawn(robot, rng)]),
     )
+
+
+def _usual(robot: FormRobot, rng: random.Random) -> _Samples:
+    """Return points with the robot's own values."""
+    values = {name: np.full(POINTS, value) for name, value in robot.values.items()}
+    return _Samples(parameters=values, joints=_drawn(robot, rng))
+
+
+def _drawn(robot: FormRobot, rng: random.Random) -> Floats:
+    reach = [robot.size if kind is JointType.PRISMATIC else 3.0 for kind in robot.table.joint_types]
+    joints = [[rng.uniform(-most, most) for _ in range(POINTS)] for most in reach]
+    return np.array(joints).reshape(len(reach), POINTS)
 
 
 def _names_every_length(
@@ -284,41 +322,53 @@ def _names_every_length(
         joints=samples.joints * np.where(slides, 2.0, 1.0),
     )
 
-    def grown(entries: Sequence[Expression], factor: float) -> NDArray[np.bool_]:
+    def grown(entries: Sequence[Expression]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         before, after = samples.of(entries), twice.of(entries)
         limit = DOUBLED * max(1.0, robot.size, float(np.nan_to_num(np.abs(before)).max(initial=0.0)))
-        same: NDArray[np.bool_] = np.all(np.abs(after - factor * before) <= limit, axis=1)
-        return same
+        return (
+            np.all(np.abs(after - before) <= limit, axis=1),
+            np.all(np.abs(after - 2.0 * before) <= limit, axis=1),
+        )
 
-    kept, doubled = (grown(ours, factor) & grown(given, factor) for factor in (1.0, 2.0))
-    return bool((kept | doubled).all())
-
-
-def _where_rates_are_small(robot: FormRobot, expected: Floats) -> NDArray[np.bool_]:
-    """Return at which samples no rate is so large that rounding tells; all, if everywhere one is."""
-    usable: NDArray[np.bool_] = np.all(np.abs(expected[3:]) < LARGE_RATE, axis=(0, 1))
-    return usable if usable.any() else np.all(np.isfinite(expected), axis=(0, 1))
+    kept, doubled = zip(grown(ours), grown(given), strict=True)
+    return bool((kept[0] & kept[1] | doubled[0] & doubled[1]).all())
 
 
-def _at(samples: _Samples, k: int) -> _Samples:
-    parameters = {name: values[k : k + 1] for name, values in samples.parameters.items()}
-    return _Samples(parameters=parameters, joints=samples.joints[:, k : k + 1])
+def _in_the_same_triple(
+    robot: FormRobot, actual: Floats, expected: Floats, limit: Floats
+) -> tuple[Floats, Floats]:
+    """Return the values of an analytic Jacobian's entries where rates are small enough to be compared.
+
+    Which of the two triples is meant may change from one configuration to the next.
+    """
+    n = robot.table.n_joints
+    rates = np.abs(expected[3 * n :])
+    usable: NDArray[np.bool_] = np.all(rates < LARGE_RATE, axis=0)
+    usable = usable if usable.any() else np.all(np.isfinite(expected), axis=0)
+    actual, expected = actual[:, usable], expected[:, usable]
+    middle = slice(MIDDLE * n, (MIDDLE + 1) * n)
+    other = (np.abs(actual[middle] + expected[middle]) <= limit[middle]).all(axis=0)
+    expected[middle] *= np.where(other, -1.0, 1.0)
+    return actual, expected
 
 
 def _mistakes(
-    robot: FormRobot, given: Expressions, frame: JacobianFrame, tolerance: float, angles: EulerSequence | None
+    robot: FormRobot,
+    given: Mapping[int, Expression],
+    frame: JacobianFrame,
+    tolerance: float,
+    angles: EulerSequence | None,
 ) -> tuple[tuple[JacobianMistake, int | None], ...]:
-    """Return the slips that explain wrong columns at two configurations alike."""
-    entries = tuple(in_turn.from_iterable(given))
-    samples = _samples(robot, entries, entries)
+    """Return the slips that explain wrong columns at two configurations alike; other entries are right."""
+    samples = _usual(robot, random.Random(repr(given)))  # noqa: S311 - the same answer, the same points
     found: list[set[tuple[JacobianMistake, int | None]]] = []
     for k in range(2):
-        here = _at(samples, k)
-        numbers = np.nan_to_num(here.of(entries)[:, 0], nan=np.inf).reshape(6, -1)
+        here = samples.at(k)
+        joints = here.joints[:, 0].tolist()
         try:
-            told = judge_jacobian(
-                robot.chain, here.joints[:, 0].tolist(), numbers, frame, tolerance, angles
-            ).mistakes
+            numbers = jacobian_at(robot.chain, joints, frame, angles)
+            numbers.flat[list(given)] = np.nan_to_num(here.of(given.values())[:, 0], nan=np.inf)
+            told = judge_jacobian(robot.chain, joints, numbers, frame, tolerance, angles).mistakes
         except JointValueError:
             continue
         found.append(set(told))

@@ -1,0 +1,125 @@
+"""Polynomials in cosines and sines, against the ring of exponentials."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kinematics.expressions import add, call, multiply, power
+from kinematics.expressions.trees import PI, Function, JointVariable, Number, Parameter, number, pi_times
+from kinematics.symbolic import ProofStatus, compare
+from kinematics.symbolic.polynomials import PolynomialReader
+
+q1, q2, d3, L, alpha = JointVariable(1), JointVariable(2), JointVariable(3), Parameter("L"), Parameter("a")
+
+
+def sin(*terms):
+    return call(Function.SIN, add(terms))
+
+
+def cos(*terms):
+    return call(Function.COS, add(terms))
+
+
+whole = st.sampled_from([-2, -1, 1, 2, 3]).map(number)
+angles = st.builds(
+    lambda a, b, quarters: add((multiply((a, q1)), multiply((b, alpha)), pi_times(Fraction(quarters, 2)))),
+    whole,
+    st.sampled_from([number(0), number(1), number(-1)]),
+    st.integers(-3, 3),
+)
+atoms = st.one_of(
+    st.sampled_from([q2, d3, L, number("0.25")]),
+    whole,
+    st.builds(call, st.sampled_from([Function.SIN, Function.COS]), angles),
+)
+functions = st.recursive(
+    atoms,
+    lambda of: st.one_of(
+        st.lists(of, min_size=2, max_size=3).map(add),
+        st.lists(of, min_size=2, max_size=3).map(multiply),
+        st.builds(power, of, st.sampled_from([2, 3])),
+    ),
+    max_leaves=6,
+)
+
+
+@given(functions, functions)
+def test_equality_is_that_of_the_ring(a, b):
+    reader = PolynomialReader()
+    one, other, sum_of_both = reader.read(a), reader.read(b), reader.read(add((a, b)))
+    assert (one == other) == (compare(a, b) is ProofStatus.PROVED)
+    assert reader.read(add((b, a))) == sum_of_both
+    product = reader.product([one, other])
+    assert product == reader.read(multiply((b, a)))
+    for symbol, degree in reader.degree(product).items():
+        if one and other:
+            assert degree == reader.degree(one)[symbol] + reader.degree(other)[symbol]
+
+
+@pytest.mark.parametrize(
+    ("a", "b"),
+    [
+        (sin(q1, q2), add((multiply((sin(q1), cos(q2))), multiply((cos(q1), sin(q2)))))),
+        (power(sin(q1), 4), power(add((number(1), multiply((number(-1), power(cos(q1), 2))))), 2)),
+        (cos(q1, PI), multiply((number(-1), cos(q1)))),
+        (
+            sin(multiply((number(3), q1))),
+            add((multiply((number(3), sin(q1))), multiply((number(-4), power(sin(q1), 3))))),
+        ),
+        (add((power(sin(alpha), 2), power(cos(alpha), 2))), number(1)),
+        (multiply((L, add((d3, L)))), add((power(L, 2), multiply((L, d3))))),
+    ],
+)
+def test_identities(a, b):
+    reader = PolynomialReader()
+    assert reader.read(a) == reader.read(b)
+
+
+def test_half_angles_are_read_where_angles_are_counted_in_halves():
+    half = multiply((Number(Fraction(1, 2)), q1))
+    assert PolynomialReader().read(sin(half)) is None
+    reader = PolynomialReader(parts=2)
+    assert reader.read(sin(q1)) == reader.read(multiply((number(2), sin(half), cos(half))))
+    assert reader.degree(reader.read(sin(q1))) == {q1: 2}
+
+
+def test_units_are_left_out_of_a_normalised_polynomial():
+    reader = PolynomialReader()
+    one = reader.read(add((multiply((L, sin(q1))), multiply((number(2), L, d3)))))
+    other = reader.read(multiply((number(-3), add((sin(q1), multiply((number(2), d3)))))))
+    assert one != other
+    assert reader.normalised(one) == reader.normalised(other)
+    assert reader.normalised(reader.read(d3)) == reader.read(d3)
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        power(L, -1),
+        power(L, Fraction(1, 2)),
+        power(L, 65),
+        call(Function.ATAN2, L, d3),
+        sin(pi_times(Fraction(1, 6)), q1),
+        sin(number(1), q1),
+        sin(L, multiply((number(25), q1))),
+        multiply((L, PI)),
+        multiply([power(L, 60)] * 40),
+        power(add((L, d3, cos(q1), cos(q2), sin(q1))), 30),
+    ],
+)
+def test_what_is_no_such_polynomial_or_a_long_one_is_left_to_the_ring(expression):
+    reader = PolynomialReader()
+    assert reader.read(expression) is None
+
+
+def test_a_copy_leaves_its_original_as_it_was():
+    reader = PolynomialReader()
+    known = reader.read(add((sin(q1), L)))
+    copy = reader.copy()
+    assert copy.read(multiply((d3, cos(q2), alpha))) is not None
+    assert copy.read(add((L, sin(q1)))) == known
+    assert reader.degree(known) == {q1: 1}
