@@ -13,6 +13,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.answers.unit_multiples import FamilyProducts
 from kinematics.chain import Chain, chain_of_table, size_of
 from kinematics.expressions import Expression
 from kinematics.expressions.arrays import values_at
@@ -62,6 +63,11 @@ class SingularArm:
     def families(self) -> tuple[Expression, ...]:
         """The irreducible factors that vanish in some configuration, where the arm then is singular."""
         return tuple(factor for factor, _ in self._found)
+
+    @cached_property
+    def products(self) -> FamilyProducts:
+        """Their products."""
+        return FamilyProducts(self.families)
 
     @cached_property
     def witnesses(self) -> tuple[Floats, ...]:

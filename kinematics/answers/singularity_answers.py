@@ -3,12 +3,10 @@
     S = { q : rank J(q) < the rank that J(q) has almost everywhere }      answered by  Z(g_1) ∪ … ∪ Z(g_m)
 
 What counts is the set. Of an arm with one largest minor D (det J, if J is square) S = Z(D), the union of
-the zeros
-of D's irreducible factors, its families. A condition g is compared with the product P of the families on
-which
-it vanishes: if g = c · P with a c that never vanishes, its zeros are theirs, which is proved by the canonical
-forms. Other conditions (arcs, rounded numbers) are verified: J loses rank at their zeros, found along
-lines through the joint space, and they vanish at points of a family, found in the same way.
+the zeros of D's irreducible factors, its families. A condition g is compared with products P of powers of
+families: if g = c · P with a c that never vanishes, its zeros are theirs, which is proved by the canonical
+forms. Other conditions (arcs, rounded numbers) are verified: J loses rank at their zeros, found along lines
+through the joint space, and they vanish at points of a family, found in the same way.
 
 Source: J. J. Craig, Introduction to Robotics, sec. 5.8; Y. Nakamura, Advanced Robotics, ch. 4.
 """
@@ -25,7 +23,7 @@ from numpy.typing import NDArray
 
 from kinematics.answers.jacobian_answers import jacobian_at
 from kinematics.answers.singular_arms import LOST, SingularArm
-from kinematics.answers.unit_multiples import factors_of, is_product_of
+from kinematics.answers.unit_multiples import factors_of
 from kinematics.expressions import (
     Call,
     Expression,
@@ -157,7 +155,6 @@ def judge_singularities(arm: SingularArm, conditions: Sequence[Expression]) -> S
 @np.errstate(all="ignore")
 def _judged(arm: SingularArm, conditions: Sequence[Expression]) -> SingularityVerdict:
     """Judge conditions at the arm's own lengths."""
-    families = arm.families
     covered = [np.zeros(points.shape[1], dtype=bool) for points in arm.witnesses]
     proved: set[int] = set()
     judged: list[JudgedCondition] = []
@@ -165,14 +162,20 @@ def _judged(arm: SingularArm, conditions: Sequence[Expression]) -> SingularityVe
     for condition in conditions:
         statuses = []
         for factor in factors_of(condition):
-            vanishing = _where(arm, factor, covered)
-            here = frozenset(j for j, all_of_it in enumerate(vanishing) if all_of_it)
-            if here and is_product_of(factor, families, here):
-                proved |= here
-                statuses.append(JudgedCondition(status=ConditionStatus.SINGULAR))
-            else:
+            here = arm.products.zeros(factor)
+            if here is None:
+                vanishing = _where(arm, factor, covered)
+                found = frozenset(j for j, all_of_it in enumerate(vanishing) if all_of_it)
+                here = found if found and arm.products.is_product(factor, found) else None
+            if here is None:
                 statuses.append(_verified(arm, factor))
                 exact = False
+                continue
+            proved |= here
+            for j in here:
+                covered[j][:] = True
+            status = ConditionStatus.SINGULAR if here else ConditionStatus.NOWHERE
+            statuses.append(JudgedCondition(status=status))
         judged.append(_together(statuses))
     told = tuple(
         JudgedFamily(found=1.0 if j in proved else float(found.mean()), example=_example(points, found))
@@ -181,7 +184,7 @@ def _judged(arm: SingularArm, conditions: Sequence[Expression]) -> SingularityVe
     verdict = SingularityVerdict(conditions=tuple(judged), families=told, proof=ProofStatus.REFUTED)
     if not verdict.right:
         return verdict
-    whole = exact and arm.whole and len(proved) == len(families)
+    whole = exact and arm.whole and len(proved) == len(arm.families)
     return replace(verdict, proof=ProofStatus.PROVED if whole else ProofStatus.UNDECIDED)
 
 
@@ -270,6 +273,8 @@ def is_sine_for_cosine(arm: SingularArm, condition: Expression) -> bool:
             if arm.table.joint_types[joint - 1] is JointType.PRISMATIC:
                 continue
             turned = _turned(factor, joint, add((JointVariable(joint), quarter)))
+            if arm.products.zeros(turned):
+                return True
             zeros = arm.zeros(turned)
             if zeros.shape[1] and (arm.lost(zeros) <= LOST).all():
                 return True

@@ -1,14 +1,18 @@
 """Is a function a product of given ones, times what never vanishes?
 
 Numbers, lengths and roots of numbers never vanish; they may stand before the product, for det J and its
-factors count up to a unit. Both sides are brought to their canonical forms and compared term by term.
+factors count up to a unit. As a polynomial in cosines and sines of half angles a function can be but one
+product of given ones, and its degrees say how often each of them is a factor; functions that are no such
+polynomials are compared in their canonical forms, each factor once.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import lru_cache
 from itertools import chain as in_turn
+from itertools import islice
 from typing import Any
 
 from kinematics.errors import FormSizeError
@@ -28,9 +32,15 @@ from kinematics.expressions import (
 )
 from kinematics.symbolic import Canonical, canonical
 from kinematics.symbolic.elements import Monomial
+from kinematics.symbolic.polynomials import Polynomial, PolynomialReader, Symbol
 
+_ZERO = Fraction(0)
 FORMED = 20_000
 """Products of terms that a proof may form."""
+MOST_PRODUCTS = 64
+"""Products of families that are compared with one function; mostly its degrees fit but one."""
+MOST_KEPT = 1_000
+"""Products of the families of one arm; with powers of up to three the five of an arm have as many."""
 
 
 def factors_of(condition: Expression) -> list[Expression]:
@@ -47,6 +57,99 @@ def factors_of(condition: Expression) -> list[Expression]:
         case Parameter():
             return []
     return [condition]
+
+
+def never_vanishes(function: Expression) -> bool:
+    """Return whether its numbers alone show that a function has no zeros, such as 2 + cos q1."""
+    bounds = _bounds(function)
+    return bounds is not None and (bounds[0] > 0 or bounds[1] < 0)
+
+
+def _bounds(function: Expression) -> tuple[Fraction, Fraction] | None:
+    match function:
+        case Number(value):
+            return value, value
+        case Call(Function.SIN | Function.COS):
+            return Fraction(-1), Fraction(1)
+        case Sum(terms):
+            parts = [_bounds(term) for term in terms]
+            known = [part for part in parts if part is not None]
+            if len(known) < len(parts):
+                return None
+            return sum((low for low, _ in known), _ZERO), sum((high for _, high in known), _ZERO)
+        case Product(factors):
+            low, high = Fraction(1), Fraction(1)
+            for factor in factors:
+                part = _bounds(factor)
+                if part is None:
+                    return None
+                ends = [one * other for one in (low, high) for other in part]
+                low, high = min(ends), max(ends)
+            return low, high
+        case Power(base, exponent) if exponent.denominator == 1 and exponent > 0:
+            part = _bounds(base)
+            if part is None:
+                return None
+            ends = [end**exponent.numerator for end in part]
+            crosses = exponent.numerator % 2 == 0 and part[0] < 0 < part[1]
+            return (_ZERO if crosses else min(ends)), max(ends)
+    return None
+
+
+class FamilyProducts:
+    """The products of some functions, up to what never vanishes."""
+
+    def __init__(self, families: Sequence[Expression]) -> None:
+        self._families = tuple(families)
+        self._reader = PolynomialReader(parts=2)
+        self._factors = [self._reader.read(cleared(family)) for family in families]
+        self._degrees = [self._reader.degrees(factor or {}) for factor in self._factors]
+        self._products: dict[tuple[int, ...], Polynomial | None] = {}
+
+    def zeros(self, function: Expression) -> frozenset[int] | None:
+        """Return the families whose zeros are proved to be those of a function; None if it is not proved."""
+        if never_vanishes(function):
+            return frozenset()
+        reader = self._reader.copy()
+        given = reader.read(cleared(function))
+        if not given:
+            return None
+        degrees = reader.degrees(given)
+        if not degrees:
+            return frozenset() if len(given) == 1 else None  # a sum of lengths may vanish
+        for times in islice(self._fitting(degrees), MOST_PRODUCTS):
+            product = self._product(times)
+            if product and reader.normalised(given) == reader.normalised(product):
+                return frozenset(j for j, count in enumerate(times) if count)
+        return None
+
+    def is_product(self, function: Expression, of: frozenset[int]) -> bool:
+        """Return whether a function that may be no polynomial is proved to be a product, each factor once."""
+        if None not in self._factors and self._reader.copy().read(cleared(function)) is not None:
+            return False  # `zeros` has told
+        return is_product_of(function, self._families, of)
+
+    def _fitting(self, degrees: Mapping[Symbol, int], first: int = 0) -> Iterator[tuple[int, ...]]:
+        """Yield how often each family from one on may be a factor of what has these degrees."""
+        if first == len(self._factors):
+            if not any(degrees.values()):
+                yield ()
+            return
+        own = self._degrees[first] if self._factors[first] else {}
+        most = min((degrees.get(symbol, 0) // by for symbol, by in own.items()), default=0)
+        for times in range(most, -1, -1):
+            left = {symbol: degree - times * own.get(symbol, 0) for symbol, degree in degrees.items()}
+            for rest in self._fitting(left, first + 1):
+                yield (times, *rest)
+
+    def _product(self, times: tuple[int, ...]) -> Polynomial | None:
+        if times not in self._products and len(self._products) < MOST_KEPT:
+            reader = self._reader.copy()
+            factors = [
+                factor for factor, count in zip(self._factors, times, strict=True) for _ in range(count)
+            ]
+            self._products[times] = reader.product(factor for factor in factors if factor is not None)
+        return self._products.get(times)
 
 
 def is_product_of(factor: Expression, families: Sequence[Expression], of: frozenset[int]) -> bool:

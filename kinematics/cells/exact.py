@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import lru_cache
 
 from kinematics.angles import TWELFTH, nearest_twelfth
 from kinematics.errors import ParameterError
@@ -92,9 +93,15 @@ def trigonometric(function: Function, angle: Expression) -> Expression:
     Raises:
         ZeroDivisionError: the tangent of a right angle.
     """
-    turns = pi_fraction(angle)
-    if turns is None:
+    if pi_fraction(angle) is None:
         return call(function, angle)
+    return _of_turns(function, angle)
+
+
+@lru_cache(maxsize=512)
+def _of_turns(function: Function, angle: Expression) -> Expression:
+    turns = pi_fraction(angle)
+    assert turns is not None
     if function is Function.COS:
         turns += _HALF
     if function is Function.TAN:

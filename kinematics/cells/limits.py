@@ -48,7 +48,7 @@ class Limits:
     def admits(self, value: Fraction) -> bool:
         """Whether a number is of a size that is read."""
         numerator, denominator = abs(value.numerator), value.denominator
-        if not numerator:
+        if not numerator or (denominator == 1 and numerator < self.largest and self.smallest < 1.0):
             return True
         smallest, largest = _exact_range(self.smallest, self.largest)
         return (

@@ -40,6 +40,7 @@ from kinematics.expressions import (
     Function,
     Number,
     Parameter,
+    Product,
     add,
     call,
     evaluate,
@@ -198,7 +199,9 @@ class _Interpreter:
         if len(angles) > 1:
             raise CellRefusal("angle_product", column=angles[1].column)
         product = multiply(value.expression for value in values)
-        _refuse_out_of_range(product, factors[0], self.limits)
+        weight = product.factors[0] if isinstance(product, Product) else product
+        if isinstance(weight, Number):  # numbers further down were made, and looked at, before
+            _refuse_size(weight.value, factors[0], self.limits)
         return _Value(product, is_angle=bool(angles))
 
     def _reciprocal(self, node: Node, operand: Node, position: Position) -> _Value:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
@@ -95,6 +95,7 @@ Expression: TypeAlias = Number | Pi | Parameter | JointVariable | Sum | Product 
 ZERO = Number(Fraction(0))
 ONE = Number(Fraction(1))
 MINUS_ONE = Number(Fraction(-1))
+_UNIT = Fraction(1)
 PI = Pi()
 
 
@@ -127,15 +128,21 @@ def pi_fraction(expression: Expression) -> Fraction | None:
 
 def add(terms: Iterable[Expression]) -> Expression:
     """Sum of the terms: flattened, numbers and rational multiples of π added exactly, like terms merged."""
-    weights: dict[Expression, Fraction] = {}
-    constant = Fraction(0)
-    for term in _flat_terms(terms):
-        if isinstance(term, Number):
-            constant += term.value
-            continue
-        weight, rest = _split_weight(term)
-        weights[rest] = weights.get(rest, Fraction(0)) + weight
-    kept = [multiply((Number(weight), rest)) for rest, weight in weights.items() if weight]
+    merged: dict[Expression, tuple[Fraction, Expression | None]] = {}
+    constant: Fraction | None = None
+    for given in terms:
+        for term in given.terms if type(given) is Sum else (given,):
+            if type(term) is Number:
+                constant = term.value if constant is None else constant + term.value
+                continue
+            weight, rest = _split_weight(term)
+            known = merged.get(rest)
+            merged[rest] = (weight, term) if known is None else (known[0] + weight, None)
+    kept = [
+        multiply((Number(weight), rest)) if term is None else term
+        for rest, (weight, term) in merged.items()
+        if weight
+    ]
     if constant:
         kept.append(Number(constant))
     if not kept:
@@ -145,19 +152,23 @@ def add(terms: Iterable[Expression]) -> Expression:
 
 def multiply(factors: Iterable[Expression]) -> Expression:
     """Product of the factors: flattened, rational numbers multiplied exactly and put first."""
-    weight = Fraction(1)
+    weight: Fraction | None = None
     rest: list[Expression] = []
-    for factor in _flat_factors(factors):
-        if isinstance(factor, Number):
-            weight *= factor.value
-        else:
-            rest.append(factor)
-    if not weight:
-        return ZERO
+    for given in factors:
+        for factor in given.factors if type(given) is Product else (given,):
+            if type(factor) is Number:
+                weight = factor.value if weight is None else weight * factor.value
+            else:
+                rest.append(factor)
+    if weight is not None:
+        if not weight:
+            return ZERO
+        if not rest:
+            return Number(weight)
+        if weight != 1:
+            rest.insert(0, Number(weight))
     if not rest:
-        return Number(weight)
-    if weight != 1:
-        rest.insert(0, Number(weight))
+        return ONE
     return rest[0] if len(rest) == 1 else Product(tuple(rest))
 
 
@@ -199,24 +210,8 @@ def call(function: Function, *arguments: Expression) -> Expression:
     return Call(function, arguments)
 
 
-def _flat_terms(terms: Iterable[Expression]) -> Iterator[Expression]:
-    for term in terms:
-        if isinstance(term, Sum):
-            yield from term.terms
-        else:
-            yield term
-
-
-def _flat_factors(factors: Iterable[Expression]) -> Iterator[Expression]:
-    for factor in factors:
-        if isinstance(factor, Product):
-            yield from factor.factors
-        else:
-            yield factor
-
-
 def _split_weight(term: Expression) -> tuple[Fraction, Expression]:
-    if isinstance(term, Product) and isinstance(term.factors[0], Number):
+    if type(term) is Product and type(term.factors[0]) is Number:
         rest = term.factors[1:]
         return term.factors[0].value, rest[0] if len(rest) == 1 else Product(rest)
-    return Fraction(1), term
+    return _UNIT, term

@@ -99,13 +99,16 @@ class PolynomialReader:
             return None
         return result
 
-    def degree(self, polynomial: Polynomial) -> dict[Symbol, int]:
-        """Return the degree in the cosine and sine of each angle; those of a product are sums."""
-        found = {}
+    def degrees(self, polynomial: Polynomial) -> dict[Symbol, int]:
+        """Return the degree in cosine and sine of each angle, and in each slider; a product's are sums."""
+        found: dict[Symbol, int] = {}
         for symbol, shift in self._angles.items():
             powers = [(key >> shift & _FIELD) + (key >> shift + _BITS & _FIELD) for key in polynomial]
             found[symbol] = max(powers, default=0)
-        return found
+        for symbol, shift in self._names.items():
+            if type(symbol) is JointVariable and not found.get(symbol):
+                found[symbol] = max((key >> shift & _FIELD for key in polynomial), default=0)
+        return {symbol: degree for symbol, degree in found.items() if degree}
 
     def normalised(self, polynomial: Polynomial) -> Polynomial:
         """Return a polynomial without its rational content's sign and size, and common powers of names."""
@@ -117,22 +120,21 @@ class PolynomialReader:
         return {key - common: Fraction(weight) / lead for key, weight in polynomial.items()}
 
     def _read(self, node: Expression) -> Polynomial:
-        kind = type(node)
-        if kind is Product:
-            return self._product(node.factors)  # type: ignore[union-attr]
-        if kind is Call:
-            return self._call(node.function, node.arguments)  # type: ignore[union-attr]
-        if kind is Sum:
-            return self._sum(node.terms)  # type: ignore[union-attr]
-        if kind is Number:
-            value = node.value  # type: ignore[union-attr]
+        if type(node) is Product:
+            return self._product(node.factors)
+        if type(node) is Call:
+            return self._call(node.function, node.arguments)
+        if type(node) is Sum:
+            return self._sum(node.terms)
+        if type(node) is Number:
+            value = node.value
             if value.denominator != 1:
                 return {0: value}
             return {0: value.numerator} if value.numerator else _NOTHING
-        if kind is Parameter or kind is JointVariable:
-            return {1 << self._name(node): 1}  # type: ignore[arg-type]
-        if kind is Power:
-            return self._power(node.base, node.exponent)  # type: ignore[union-attr]
+        if type(node) is Parameter or type(node) is JointVariable:
+            return {1 << self._name(node): 1}
+        if type(node) is Power:
+            return self._power(node.base, node.exponent)
         raise _NotReadError
 
     def _product(self, factors: tuple[Expression, ...]) -> Polynomial:

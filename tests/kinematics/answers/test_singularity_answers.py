@@ -16,6 +16,7 @@ from kinematics.answers.singularity_answers import (
     lost_motion_is_right,
     lost_motions_at,
 )
+from kinematics.answers.unit_multiples import never_vanishes
 from kinematics.cells import AngleUnit
 from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import evaluate
@@ -176,3 +177,27 @@ def test_what_is_no_condition_is_refused(text: str, code: str) -> None:
     (found,) = read_conditions(text, types, AngleUnit.DEG, ("conditions", 0))
     assert isinstance(found, Fault)
     assert (found.code, found.where[:2]) == (code, ("conditions", 0))
+
+
+def test_powers_and_products_with_what_never_vanishes_are_proved() -> None:
+    shoulder = "(a2*c2 + a3*c23 - d4*s23)*sin(q5)*(sin(q1)^2 + cos(q1)^2)"
+    found = judged(*PUMA, "(2 + cos(q1))*(a3*s3 + d4*c3)^2", "cos(q5)^2 = 1", shoulder)
+    assert found.right
+    assert found.proof is ProofStatus.PROVED
+
+
+@pytest.mark.parametrize(
+    ("text", "never"),
+    [
+        ("2 + cos(q1)", True),
+        ("1 + cos(q1)", False),
+        ("-3 + 2*sin(q1)*cos(q2)", True),
+        ("1 + sin(q1)^2", True),
+        ("1/2 - sin(q1)^3", False),
+        ("L1 + 2", False),
+        ("(2 + sin(q1))*(cos(q1) - 3)", True),
+    ],
+)
+def test_what_never_vanishes_is_told_by_its_numbers(text: str, never: bool) -> None:
+    (function,) = read("kr125", text)
+    assert never_vanishes(function) is never
