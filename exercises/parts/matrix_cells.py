@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TypeAlias, cast
 
 import numpy as np
@@ -105,12 +106,12 @@ def read_entries(
 
     Args as in `read_matrix`.
     """
-    variable = _variables(joint_types)
+    types = tuple(joint_types)
 
     def entry(cell: Cell, r: int, k: int) -> Expression | Fault:
         position = Position.LENGTH if k == 3 and r < 3 else Position.RATIO
         try:
-            return _read(cell, position, angle_unit, limits, variable)
+            return _read(cell, position, angle_unit, limits, types)
         except CellRefusal as refusal:
             return refusal.at(*where, r, k)
         except _NameError as error:
@@ -141,11 +142,11 @@ def read_functions(
 
     Args as in `read_matrix`.
     """
-    variable = _variables(joint_types)
+    types = tuple(joint_types)
 
     def entry(cell: Cell, k: int) -> Expression | Fault:
         try:
-            return _read(cell, position, angle_unit, CELL_LIMITS, variable)
+            return _read(cell, position, angle_unit, CELL_LIMITS, types)
         except CellRefusal as refusal:
             return refusal.at(*where, k)
         except _NameError as error:
@@ -226,14 +227,12 @@ def write_matrix(matrix: Matrix, n_joints: int, parameters: Sequence[str]) -> Ce
     return written
 
 
+@lru_cache(maxsize=8192, typed=True)
 def _read(
-    cell: Cell,
-    position: Position,
-    unit: AngleUnit,
-    limits: Limits,
-    variable: Callable[[str], Expression | None],
+    cell: Cell, position: Position, unit: AngleUnit, limits: Limits, joint_types: tuple[JointType, ...]
 ) -> Expression:
     """The expression of one cell; the columns of a refusal are those of the cell as typed."""
+    variable = _variables(joint_types)
     if not isinstance(cell, str):
         return cell_meaning(cell, position, unit, limits, variable).expression
     text = _GREEK.sub(lambda m: f"{m[1]}{m[2]}".rjust(len(m[0])), cell)

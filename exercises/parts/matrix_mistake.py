@@ -1,8 +1,8 @@
 """Find the mistake in a matrix: planted in that of a row, or in ⁰T_N; find it, name it, mend it.
 
 The table is given, so the right matrix is one function of the joint variables, in whatever form it is
-written. A
-wrong entry is every one that differs from it; so is a name right that gives the matrix that is shown.
+written. A wrong entry is every one that differs from it; a name is right if doing that gives the matrix that
+is shown.
 """
 
 from __future__ import annotations
@@ -252,12 +252,15 @@ def _rows(cells: Sequence[Sequence[Cell]]) -> FourRows:
 
 def _is_right(found: PlantedMatrix, mended: SymbolicMatrix, context: Context) -> bool:
     """Return whether a matrix is the right one: the same functions, or in numbers at the student's values."""
+    other = differing(mended.entries, found.right)
+    if not other:
+        return True
     nominal = context.values(mended.names())
     # what is named holds for every value of the name, what is a number at the student's values
     moved = {name: value * (1.1 + 0.07 * i) for i, (name, value) in enumerate(sorted(nominal.items()))}
     joints = context.configurations(context.reference.table.joint_types).T
     tolerance = context.policy.tolerance
-    for r, c in differing(mended.entries, found.right):
+    for r, c in other:
         names = parameters_in(mended.entries[r][c])
         values = {name: moved[name] if name in names else value for name, value in nominal.items()}
         given, right = (values_at(of[r][c], values, joints) for of in (mended.entries, found.right))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -32,6 +32,7 @@ from kinematics.expressions.arrays import values_at
 from kinematics.se3 import Floats
 from kinematics.symbolic import ClosedForm, Matrix, closed_form
 from kinematics.symbolic.angles import angle_of, cosine_and_sine
+from kinematics.symbolic.polynomials import PolynomialReader
 from kinematics.symbolic.size import refuse_longer_than
 from kinematics.table import Convention, DHTable, SymbolicTable
 
@@ -69,37 +70,47 @@ class PlantedMatrix:
     code: str
     link: int | None
 
-    @property
+    @cached_property
     def wrong_cells(self) -> frozenset[tuple[int, int]]:
         """The entries that are wrong, from 0."""
         return differing(self.shown, self.right)
 
     def shows(self, code: str, table: SymbolicTable) -> bool:
         """Return whether the mistake may be called by a name: whether doing that gives the matrix."""
-        return code == self.code or any(
-            not differing(way, self.shown) for way in _ways_of(code, self.right, table, self.link)
-        )
+        return code == self.code or _shows(self, code, table)
+
+
+@lru_cache(maxsize=512)
+def _shows(planted: PlantedMatrix, code: str, table: SymbolicTable) -> bool:
+    ways = _ways_of(code, planted.right, table, planted.link)
+    return any(not differing(way, planted.shown) for way in ways)
 
 
 Way = Callable[[Matrix], Iterator[Matrix]]
 
 
 def differing(first: Matrix, second: Matrix) -> frozenset[tuple[int, int]]:
-    """Return at which entries two matrices are different functions."""
-    pairs = {
-        (r, c): (a, b)
-        for r, (ours, theirs) in enumerate(zip(first, second, strict=True))
-        for c, (a, b) in enumerate(zip(ours, theirs, strict=True))
-        if a != b
-    }
-    names = frozenset[str]().union(*(parameters_in(entry) for pair in pairs.values() for entry in pair))
+    """Return at which entries two matrices are different functions.
+
+    Polynomials in sines and cosines are equal if their normal forms are; others are compared at points.
+    """
+    reader = PolynomialReader()
+    found: set[tuple[int, int]] = set()
+    unread: dict[tuple[int, int], tuple[Expression, Expression]] = {}
+    for r, (ours, theirs) in enumerate(zip(first, second, strict=True)):
+        for c, (a, b) in enumerate(zip(ours, theirs, strict=True)):
+            one, other = reader.read(a), reader.read(b)
+            if one is None or other is None:
+                unread[r, c] = a, b
+            elif one != other:
+                found.add((r, c))
+    names = frozenset[str]().union(*(parameters_in(entry) for pair in unread.values() for entry in pair))
     parameters, joints = _points(tuple(sorted(names)))
-
-    def apart(a: Expression, b: Expression) -> bool:
+    for place, (a, b) in unread.items():
         gap = values_at(a, parameters, joints) - values_at(b, parameters, joints)
-        return not bool((np.abs(gap) <= SAME).all())
-
-    return frozenset(place for place, (a, b) in pairs.items() if apart(a, b))
+        if not bool((np.abs(gap) <= SAME).all()):
+            found.add(place)
+    return frozenset(found)
 
 
 @lru_cache(maxsize=64)
