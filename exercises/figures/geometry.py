@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TypeAlias
@@ -12,7 +13,7 @@ from exercises.errors import DefinitionError
 from exercises.figures.camera import Array
 from exercises.figures.points import Points
 from exercises.figures.specification import DimensionMark, FigureGripper, FigureSpecification, JointMark
-from kinematics.se3 import cross_arrays
+from kinematics.se3 import cross
 from kinematics.table import JointType, SymbolicTable
 
 Vector: TypeAlias = tuple[float, float, float]
@@ -180,7 +181,8 @@ def _axis(points: Points, joint: int, mark: JointMark, size: float, *, signed: b
     direction: Array = pose[:3, 2]
     point = points.point(mark.at, "joints", joint, "at")
     joint_type = points.reference.joint_types[joint - 1]
-    distance = np.linalg.norm(cross_arrays(point - pose[:3, 3], direction))
+    off = (point - pose[:3, 3]).tolist()
+    distance = math.hypot(*cross(off, direction.tolist()))
     if joint_type is JointType.REVOLUTE and distance > ON_AXIS * size:
         points.fault(
             "joint_off_axis",
@@ -229,7 +231,7 @@ def _ground(points: Points) -> GroundPlate | None:
 def _gripper(points: Points, gripper: FigureGripper) -> GripperPose | None:
     at = points.point(gripper.at, "gripper", "at")
     origin = points.point(gripper.away_from, "gripper", "away_from")
-    if np.allclose(at, origin):
+    if close(at, origin):
         points.fault("gripper_without_direction", ("gripper",))
         return None
     direction = (at - origin) / np.linalg.norm(at - origin)
@@ -241,6 +243,11 @@ def _gripper(points: Points, gripper: FigureGripper) -> GripperPose | None:
         points.fault("jaws_along_gripper", ("gripper", "jaws"))
         return None
     return GripperPose(at=_vector(at), direction=_vector(direction), jaws=_unit(across))
+
+
+def close(a: Array, b: Array) -> bool:
+    """Whether two points are one, but for rounding."""
+    return bool((np.abs(a - b) <= 1e-8 + 1e-5 * np.abs(b)).all())
 
 
 def _diagonal(points: list[Array]) -> float:

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from exercises.figures.camera import Array
-from exercises.figures.skeleton import completed
+from exercises.figures.skeleton import completed, says_all
 from exercises.figures.specification import (
     FigureSpecification,
     Point,
@@ -29,7 +29,7 @@ class Points:
     """Resolves the names of a specification at its posture; collects what is wrong with it.
 
     Attributes:
-        specification: completed from the table where it says nothing.
+        specification: completed from the table where it says nothing, or names a point that it does not say.
         reference: the table whose geometry is drawn.
         frames: (4, 4) poses of frame 0 … N of the reference in the figure.
         faults: what was found wrong, each with its place in the figure's specification.
@@ -45,7 +45,10 @@ class Points:
         base = rotation_rpy(*specification.upright)
         posture = specification.posture or (0.0,) * table.n_joints
         self.frames: list[Transform] = [base, *forward_kinematics(table, posture, base=base).frames]
-        self.specification = completed(specification, reference, values, self.frames)
+        self.specification = specification
+        self._is_completed = False
+        if not says_all(specification, reference):
+            self._complete()
         self._resolved: dict[str, Array] = {}
 
     def axis_pose(self, joint: int) -> Transform:
@@ -57,10 +60,13 @@ class Points:
         if name in self._resolved:
             return self._resolved[name]
         self._resolved[name] = np.zeros(3)  # a circle of names ends here
+        is_origin = name[:1] == "O" and name[1:].isdecimal() and int(name[1:]) < len(self.frames)
+        if name not in self.specification.points and not is_origin and not self._is_completed:
+            self._complete()
         point = self.specification.points.get(name)
         if point is not None:
             value = self._locate(point, "points", name)
-        elif name[:1] == "O" and name[1:].isdecimal() and int(name[1:]) < len(self.frames):
+        elif is_origin:
             value = self.frames[int(name[1:])][:3, 3]
         else:
             origins = (f"O{i}" for i in range(len(self.frames)))
@@ -83,6 +89,11 @@ class Points:
     def fault(self, code: str, where: tuple[str | int, ...], **params: str | float) -> None:
         """Keep a fault."""
         self.faults.append(Fault(code=code, where=where, params=params))
+
+    def _complete(self) -> None:
+        """Add what follows from the table: what is left out, and the usual points."""
+        self._is_completed = True
+        self.specification = completed(self.specification, self.reference, self.values, self.frames)
 
     def _locate(self, point: Point, *where: str | int) -> Array:
         match point:

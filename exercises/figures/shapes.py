@@ -6,7 +6,7 @@ import numpy as np
 
 from exercises.figures.bodies import Body
 from exercises.figures.camera import Array, Camera
-from exercises.figures.geometry import FigureJointAxis, Scene
+from exercises.figures.geometry import FigureJointAxis, Scene, close
 from kinematics.se3 import cross_arrays
 from kinematics.table import JointType
 
@@ -81,7 +81,7 @@ def ground_lines(scene: Scene, camera: Camera) -> list[tuple[Array, float]]:
 def trimmed(chain: Array, scene: Scene) -> Array:
     """The chain, ending at the palm where it would run on between the jaws of the gripper."""
     gripper = scene.gripper
-    if gripper is None or not np.allclose(chain[-1], gripper.at):
+    if gripper is None or not close(chain[-1], np.array(gripper.at)):
         return chain
     palm = np.array(gripper.at) - np.array(gripper.direction) * (FINGER + 0.01) * scene.size
     return np.concatenate([chain[:-1], palm[None]])

@@ -44,6 +44,14 @@ APART = 0.14
 """How far they move, relative to the robot's reach."""
 
 
+def says_all(specification: FigureSpecification, reference: SymbolicTable) -> bool:
+    """Whether a specification leaves nothing out that `completed` adds, but names of points."""
+    joints = range(1, reference.n_joints + 1)
+    return bool(specification.links and specification.dimensions) and all(
+        joint in specification.joints for joint in joints
+    )
+
+
 def completed(
     specification: FigureSpecification,
     reference: SymbolicTable,

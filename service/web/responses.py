@@ -13,7 +13,7 @@ from exercises.access import Tool
 from service.http.languages import language_for
 from service.http.link_guard import context_of, may_open
 from service.http.negotiation import weighted
-from service.messages import languages, sentence
+from service.messages import languages
 from service.resources import resources_of
 from service.settings import Settings
 from service.web.shell import NAVIGATION, Page, render
@@ -82,16 +82,12 @@ def page_response(
     platforms = courses.frame_origins() if courses is not None else ()
     language = page_language(request)
 
-    def translate(identifier: str) -> str:
-        return sentence(language, identifier) or identifier
-
     store = resources.assets
     text = render(
         page,
         language=language,
         version=store.version,
         modules=store.imports(f"js/pages/{page.name}.js"),
-        translate=translate,
         query=[item for item in request.query_params.multi_items() if item[0] != "lang"],
         values=values,
         rooms_open=_rooms_open(request, off),

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -27,8 +27,6 @@ NAVIGATION: Mapping[str, tuple[str, str]] = {
     "lesson": ("lesson", "form-nav-lesson"),
 }
 """Pages that the bar of every page leads to: name, address below the root, message."""
-
-Translate = Callable[[str], str]
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -60,16 +58,33 @@ def template(name: str) -> str:
     return _template(name, (TEMPLATES / f"{name}.html").stat().st_mtime_ns)
 
 
-def fill(text: str, translate: Translate, values: Mapping[str, str]) -> str:
+def told(identifier: str, language: str) -> str:
+    """The text of a message; the message's own name where there is none."""
+    return sentence(language, identifier) or identifier
+
+
+def fill(text: str, language: str, values: Mapping[str, str]) -> str:
     """A template with its messages and values put in, escaped."""
+    literals, fields = _translated(text, language)
+    put = [values[name] if safe else html.escape(values[name]) for name, safe in fields]
+    return "".join(part for pair in zip(literals, [*put, ""], strict=True) for part in pair)
 
-    def put(match: re.Match[str]) -> str:
-        name = match["name"]
-        if not match["value"]:
-            return html.escape(translate(name))
-        return values[name] if match["safe"] else html.escape(values[name])
 
-    return FIELD.sub(put, text)
+@lru_cache(maxsize=128)
+def _translated(text: str, language: str) -> tuple[tuple[str, ...], tuple[tuple[str, bool], ...]]:
+    """A template with its messages put in: what stands around its values, and their names."""
+    literals, fields = [""], []
+    end = 0
+    for match in FIELD.finditer(text):
+        literals[-1] += text[end : match.start()]
+        end = match.end()
+        if match["value"]:
+            fields.append((match["name"], match["safe"] is not None))
+            literals.append("")
+        else:
+            literals[-1] += html.escape(told(match["name"], language))
+    literals[-1] += text[end:]
+    return tuple(literals), tuple(fields)
 
 
 def render(
@@ -78,7 +93,6 @@ def render(
     language: str,
     version: str,
     modules: Sequence[str],
-    translate: Translate,
     query: Sequence[tuple[str, str]] = (),
     values: Mapping[str, str] | None = None,
     rooms_open: Sequence[str] = tuple(NAVIGATION),
@@ -90,35 +104,34 @@ def render(
         language: one that has a folder of messages.
         version: the assets' version.
         modules: what the page's module imports, to be fetched at once.
-        translate: message id → text in that language.
         query: the address's query without its language; links to the other languages keep it.
         values: what the page's own template asks for; `title` overrides the page's title.
         rooms_open: names of the pages that the bar leads to.
     """
     root = "../" * page.depth or "./"
     own = {"root": root, "assets": f"{root}static/{version}", "lang": language, **(values or {})}
-    body = fill(template(page.name), translate, own)
+    body = fill(template(page.name), language, own)
     return fill(
         template("shell"),
-        translate,
+        language,
         {
-            "title": translate(page.title),
+            "title": told(page.title, language),
             **own,
             "page": page.name,
             "rooms": "+".join(("form", *page.rooms)),
             "body": body,
             "styles": "".join(_style(own["assets"], name) for name in page.styles),
             "preload": "".join(_preload(own["assets"], name) for name in modules),
-            "navigation": "".join(_entry(name, root, language, translate) for name in rooms_open),
+            "navigation": "".join(_entry(name, root, language) for name in rooms_open),
             "language": _own_name(language),
             "languages": _language_links(language, query),
         },
     )
 
 
-def _entry(name: str, root: str, language: str, translate: Translate) -> str:
+def _entry(name: str, root: str, language: str) -> str:
     address = html.escape(f"{root}{NAVIGATION[name][0]}?lang={language}")
-    text = html.escape(translate(NAVIGATION[name][1]))
+    text = html.escape(told(NAVIGATION[name][1], language))
     return f'<a href="{address}" data-nav="{name}">{text}</a>'
 
 
@@ -133,8 +146,9 @@ def _preload(assets: str, name: str) -> str:
 def _language_links(language: str, query: Sequence[tuple[str, str]]) -> str:
     """A link to this page in every language, with the rest of its query."""
     links = []
+    rest = f"{urlencode(query)}&" if query else ""
     for code in languages():
-        address = html.escape("?" + urlencode([*query, ("lang", code)]))
+        address = html.escape(f"?{rest}lang={code}")
         current = ' aria-current="true"' if code == language else ""
         links.append(
             f'<li><a href="{address}" lang="{code}" hreflang="{code}"{current}>'
