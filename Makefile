@@ -154,6 +154,10 @@ students: $(VENV)/.dev ## simulated students in every exercise: do hints lead to
 kill-campaign: $(VENV)/.dev ## kill -9 the service 100 times under load, on SQLite and PostgreSQL, and its worker processes (KILLS=100)
 	KILLS=$(or $(KILLS),100) $(PY) -m pytest tests/lti/test_killed.py tests/service/test_workers.py -k kill --timeout 7200
 
+.PHONY: attacks
+attacks: $(VENV)/.dev ## an honest client beside 1, 4, 8 clients of each attack (a quarter of an hour; ARGS="--every 10": some)
+	$(PY) -m tests.service.attacks.beside $(ARGS)
+
 measure-courses: $(VENV)/.dev ## regrading and statistics of 2 000 students with 20 attempts each
 	$(PY) -m tests.lti.measuring
 	$(PY) -m tests.lti.storage_price

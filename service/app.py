@@ -207,7 +207,8 @@ async def _refuse_invalid(request: Request, error: Exception) -> Response:
     route = request.scope.get("route")
     field = route.body_field if isinstance(route, APIRoute) else None
     model = field.field_info.annotation if field else None
-    return await _refuse(request, request_error(error.errors(), model))
+    most = resources_of(request).settings.fault_limit
+    return await _refuse(request, request_error(error.errors(), model, most))
 
 
 async def _refuse_http(request: Request, error: Exception) -> Response:

@@ -108,7 +108,9 @@ class Settings(BaseSettings):
         5e-324, description="smallest size of a number in a cell that is not 0"
     )
     number_largest: PositiveFloat = Field(1e15, description="largest size of a number in a cell")
-    fault_limit: PositiveInt = Field(50, description="most faults listed in one problem document")
+    fault_limit: PositiveInt = Field(
+        50, le=50, description="most faults listed in one problem document, at most 50"
+    )
     table_cache: PositiveInt = Field(512, description="tables that are kept parsed")
     symbolic_workers: PositiveInt = Field(1, description="processes for closed forms")
     symbolic_queue: NonNegativeInt = Field(256, description="closed forms that may wait for their turn")

@@ -63,7 +63,7 @@ class MessageId(str):
 class ServiceError(Exception):
     """Root of the errors of this package: one or more faults, and the part of the request they speak of.
 
-    `members` are further members of the problem document.
+    `members` are further members of the problem document; `unlisted` says how many more faults were found.
     """
 
     def __init__(
@@ -73,12 +73,17 @@ class ServiceError(Exception):
         part: RequestPart = RequestPart.BODY,
         headers: Mapping[str, str] | None = None,
         members: Mapping[str, object] | None = None,
+        unlisted: int = 0,
     ) -> None:
         self.faults: tuple[Fault, ...] = (faults,) if isinstance(faults, Fault) else tuple(faults)
         self.part = part
+        self.unlisted = unlisted
         self.headers = dict(headers or {})
         self.members = dict(members or {})
-        super().__init__("; ".join(map(str, self.faults)))
+        super().__init__(self.faults)
+
+    def __str__(self) -> str:
+        return "; ".join(map(str, self.faults))
 
 
 class BodyError(ServiceError):
@@ -205,6 +210,7 @@ class Problem:
         headers: further headers of the response.
         members: further members of the document.
         request_id: what the log calls this request.
+        unlisted: how many more faults were found than are told here.
     """
 
     status: int
@@ -213,6 +219,7 @@ class Problem:
     headers: Mapping[str, str] = field(default_factory=dict)
     members: Mapping[str, object] = field(default_factory=dict)
     request_id: str = ""
+    unlisted: int = 0
 
     def document(self, language: str, *, prefix: str = "", fault_limit: int = 50) -> dict[str, object]:
         """The problem document of RFC 9457 in the given language."""
@@ -227,8 +234,9 @@ class Problem:
             "pointer": first["pointer"],
             "errors": listed,
         }
-        if len(self.faults) > fault_limit:
-            document["errors_total"] = len(self.faults)
+        total = len(self.faults) + self.unlisted
+        if total > fault_limit:
+            document["errors_total"] = total
         if self.request_id:
             document["request_id"] = self.request_id
         for name, value in self.members.items():
@@ -261,6 +269,7 @@ def problem_of(error: ServiceError | KinematicsError, request_id: str = "") -> P
         part=own.part if own else RequestPart.BODY,
         headers=own.headers if own else _headers(error),
         members=own.members if own else {},
+        unlisted=own.unlisted if own else 0,
         request_id=request_id,
     )
 

@@ -46,6 +46,8 @@ CODES: dict[str, str] = {
     "less_than_equal": "number_too_large",
     "none_required": "null_expected",
 }
+MOST_FAULTS = 50
+"""Findings that are told; the others are counted: what is no table may have thousands."""
 CHOICE = "\0"
 """Begins the tags of a union's branches, which are no part of the place of a fault."""
 
@@ -58,12 +60,14 @@ def validated(adapter: TypeAdapter[Any], value: object) -> Any:
     """The value as the adapter's type.
 
     Raises:
-        RequestError: it does not have that form; all faults at once.
+        RequestError: it does not have that form; many faults at once.
     """
     try:
         return adapter.validate_python(value)
     except ValidationError as error:
-        raise RequestError(faults_of(error.errors(include_url=False, include_input=False), adapter)) from None
+        found = error.errors(include_url=False, include_input=False)
+        told = faults_of(found[:MOST_FAULTS], adapter)
+        raise RequestError(told, unlisted=len(found) - len(told)) from None
 
 
 def faults_of(errors: Iterable[ErrorDetails], model: Any = None) -> tuple[Fault, ...]:
@@ -71,16 +75,23 @@ def faults_of(errors: Iterable[ErrorDetails], model: Any = None) -> tuple[Fault,
     return tuple(_fault(error, _place(error["loc"]), model) for error in errors)
 
 
-def request_error(errors: Sequence[Any], body_model: Any = None) -> RequestError:
-    """The refusal of a request that FastAPI found wrong, in its body, query, path or headers."""
-    faults: dict[RequestPart, list[Fault]] = {}
-    for error in errors:
-        head, *rest = error["loc"] or ("body",)
-        part = _PARTS.get(str(head), RequestPart.BODY)
-        model = body_model if part is RequestPart.BODY else None
-        faults.setdefault(part, []).append(_fault(error, _place(rest), model))
-    first = next(iter(faults))
-    return RequestError(faults[first], part=first)
+def request_error(errors: Sequence[Any], body_model: Any = None, most: int = MOST_FAULTS) -> RequestError:
+    """The refusal of a request that FastAPI found wrong, in its body, query, path or headers.
+
+    Args:
+        errors: pydantic's findings.
+        body_model: what the body should have been.
+        most: findings that are told; the others are counted.
+    """
+    first = _part(errors[0])
+    found = [error for error in errors if _part(error) is first]
+    model = body_model if first is RequestPart.BODY else None
+    faults = [_fault(error, _place(error["loc"][1:]), model) for error in found[:most]]
+    return RequestError(faults, part=first, unlisted=max(0, len(found) - most))
+
+
+def _part(error: Any) -> RequestPart:
+    return _PARTS.get(str(error["loc"][0]), RequestPart.BODY) if error["loc"] else RequestPart.BODY
 
 
 def _fault(error: ErrorDetails, where: tuple[int | str, ...], model: Any) -> Fault:
