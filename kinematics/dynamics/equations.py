@@ -141,20 +141,25 @@ class Derivation:
 
     @cached_property
     def _christoffel(self) -> dict[tuple[int, int, int], Nested]:
-        """c_ijk by (i, j, k) with j ≤ k; c_ikj is the same."""
+        """c_ijk by (i, j, k) with j ≤ k; c_ikj is the same.
+
+        M_ik does not depend on q_j for j ≤ i, k: there c_ijk = −c_kji.
+        """
         table, joints = self._table, self._joints
         slopes = {(*pair, k): table.derivative(m, k) for pair, m in self._masses.items() for k in joints}
 
         def slope(i: int, j: int, k: int) -> Waves:
             return slopes[min(i, j), max(i, j), k]
 
-        return {
-            (i, j, k): table.nested(
-                combined(((1, slope(i, j, k)), (1, slope(i, k, j)), (-1, slope(j, k, i)))), _HALF
-            )
-            for i in joints
-            for j, k in combinations_with_replacement(joints, 2)
-        }
+        found: dict[tuple[int, int, int], Nested] = {}
+        for i in joints:
+            for j, k in combinations_with_replacement(joints, 2):
+                if k < i:
+                    found[i, j, k] = table.negative(found[k, j, i])
+                else:
+                    parts = (1, slope(i, j, k)), (1, slope(i, k, j)), (-1, slope(j, k, i))
+                    found[i, j, k] = table.nested(combined(parts), _HALF)
+        return found
 
     @cached_property
     def _rates(self) -> dict[int, Nested]:

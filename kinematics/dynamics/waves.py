@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
+from functools import cache
 from math import lcm
 from typing import NamedTuple, TypeAlias
 
@@ -24,13 +25,15 @@ from kinematics.expressions import (
 )
 from kinematics.symbolic.angles import angle_of, cosine_and_sine
 from kinematics.symbolic.canonical import real_part, symbol_expression
-from kinematics.symbolic.elements import Form, Monomial, RingSymbol, Terms, order_text
+from kinematics.symbolic.elements import Form, Monomial, RingSymbol, order_text
 from kinematics.symbolic.key_layout import ORDER
 from kinematics.symbolic.nested import Arena
 from kinematics.symbolic.ring import Ring
-from kinematics.symbolic.terms import Nested, Rational, Term, plain
+from kinematics.symbolic.terms import Nested, Rational, Term, plain, quotient
 
 Exponents: TypeAlias = tuple[tuple[int, Rational], ...]
+NumberedTerm: TypeAlias = tuple[list[tuple[int, Rational]], Fraction, int]
+"""Exponents of symbols by their numbers, the turn of a root of unity, and a weight."""
 
 _HALF_TURN, _QUARTER_TURN = 12, 6
 """Turns are counted in twenty-fourths, as in the ring."""
@@ -81,29 +84,46 @@ class WaveTable:
         for name in names:
             self._arena.read(Parameter(name))
             self._number(RingSymbol("power", Parameter(name)))
-        terms = [ring.terms(form) for form in forms]
         # what stands in a set comes in no order
-        used = {symbol for found in terms for monomial in found for symbol, _ in monomial.exponents}
-        for symbol in sorted(used - self._numbers.keys(), key=order_text):
+        for symbol in sorted(set(ring.symbols) - self._numbers.keys(), key=order_text):
             self._number(symbol)
-        self.denominator = lcm(*(weight.denominator for found in terms for weight in found.values()))
-        self.waves: tuple[Waves, ...] = tuple(map(self._read, terms))
+        found = [self._terms(ring, form) for form in forms]
+        self.denominator = lcm(*(denominator for _, denominator in found))
+        self.waves: tuple[Waves, ...] = tuple(
+            self._read(terms, self.denominator // denominator) for terms, denominator in found
+        )
 
-    def _read(self, terms: Terms) -> Waves:
+    def _terms(self, ring: Ring, form: Form) -> tuple[list[NumberedTerm], int]:
+        """The terms of a form with whole weights over a denominator."""
+        numbered = ring.numbered_terms(form)
+        if numbered is not None:
+            numbers = [self._numbers[symbol] for symbol in ring.symbols]
+            return [
+                ([(numbers[n], exponent) for n, exponent in exponents], turn, weight)
+                for exponents, turn, weight in numbered
+            ], form.denominator
+        terms = ring.terms(form)
+        denominator = lcm(*(weight.denominator for weight in terms.values()))
+        return [
+            (
+                [(self._numbers[symbol], plain(exponent)) for symbol, exponent in monomial.exponents],
+                monomial.turn,
+                weight.numerator * (denominator // weight.denominator),
+            )
+            for monomial, weight in terms.items()
+        ], denominator
+
+    def _read(self, terms: Iterable[NumberedTerm], scale: int) -> Waves:
         found: dict[Wave, int] = {}
-        for monomial, weight in terms.items():
-            angle: list[tuple[int, Rational]] = []
-            powers: list[tuple[int, Rational]] = []
-            for symbol, exponent in monomial.exponents:
-                item = self._numbers[symbol], plain(exponent)
-                (angle if symbol.kind == "exponential" else powers).append(item)
-            angle.sort()
+        angular = {number for number, symbol in enumerate(self._symbols) if symbol.kind == "exponential"}
+        for exponents, turn, weight in terms:
+            exponents.sort()
+            angle = tuple([item for item in exponents if item[0] in angular])
             if angle and angle[0][1] < 0:
                 continue  # its conjugate stands for both
-            powers.sort()
-            whole = weight.numerator * (self.denominator // weight.denominator)
-            turn = plain(monomial.turn * ORDER)
-            _put(found, tuple(angle), turn, tuple(powers), 2 * whole if angle else whole)
+            powers = tuple([item for item in exponents if item[0] not in angular])
+            weight *= scale
+            _put(found, angle, _steps(turn), powers, 2 * weight if angle else weight)
         return found
 
     def derivative(self, waves: Waves, joint: int) -> Waves:
@@ -127,10 +147,11 @@ class WaveTable:
         for (angle, turn, powers), weight in waves.items():
             groups.setdefault((angle, turn), []).append((powers, weight))
         factor /= self.denominator
+        top, bottom = factor.numerator, factor.denominator
         arena, summands = self._arena, []
         for key in sorted(groups):
             terms: Nested = tuple(
-                (plain(number * weight * factor), names)
+                (quotient(number * weight * top, bottom), names)
                 for (number, names), weight in [(self._power(p), w) for p, w in sorted(groups[key])]
             )
             cosine = self._cosine(key)
@@ -143,6 +164,10 @@ class WaveTable:
     def symbol(self, expression: Expression) -> Nested:
         """A symbol beside the waves, such as a joint's rate."""
         return self._arena.read(expression)
+
+    def negative(self, nested: Nested) -> Nested:
+        """What was written, with the other sign."""
+        return self._arena.negative(nested)
 
     def total(self, parts: Iterable[tuple[Nested, Nested]]) -> Nested:
         """The sum of some products."""
@@ -175,6 +200,11 @@ class WaveTable:
     def _number(self, symbol: RingSymbol) -> None:
         self._numbers[symbol] = len(self._symbols)
         self._symbols.append(symbol)
+
+
+@cache
+def _steps(turn: Fraction) -> Rational:
+    return plain(turn * ORDER)
 
 
 def combined(parts: Iterable[tuple[int, Waves]]) -> Waves:

@@ -100,6 +100,29 @@ class KeyLayout:
         return len(set(symbols)) == len(symbols) and all(symbol.kind != "radical" for symbol in symbols)
 
     @property
+    def are_numbers(self) -> bool:
+        """Whether every symbol has one place, whole exponents, and no relation to others."""
+        plain = all(
+            place.unit == 1 and not place.degree and place.symbol.kind in ("power", "exponential")
+            for place in self.places
+        )
+        return plain and self.are_normal
+
+    def numbered(self, key: int) -> list[tuple[int, int]]:
+        """The exponents in a key without roots of unity, each with the number of its place."""
+        found = []
+        shifts = self._shifts
+        while key:
+            # what is below the lowest bit is zero: the next exponent that is not stands there
+            number = bisect_right(shifts, (key & -key).bit_length() - 1) - 1
+            place = self.places[number]
+            half = 1 << (place.width - 1)
+            raw = (((key >> place.shift) + half) & ((1 << place.width) - 1)) - half
+            key -= raw << place.shift
+            found.append((number, raw))
+        return found
+
+    @property
     def _roots(self) -> list[KeyField]:
         return [place for place in self.places if place.symbol.kind == "root"]
 
@@ -123,14 +146,8 @@ class KeyLayout:
         """The exponents in a key without roots of unity, and what pairs of equal square roots give."""
         factor = Fraction(1)
         found: dict[RingSymbol, Fraction] = {}
-        shifts = self._shifts
-        while key:
-            # what is below the lowest bit is zero: the next exponent that is not stands there
-            lowest = (key & -key).bit_length() - 1
-            place = self.places[bisect_right(shifts, lowest) - 1]
-            half = 1 << (place.width - 1)
-            raw = (((key >> place.shift) + half) & ((1 << place.width) - 1)) - half
-            key -= raw << place.shift
+        for number, raw in self.numbered(key):
+            place = self.places[number]
             exponent = raw * place.unit if place.unit != 1 else Fraction(raw)
             found[place.symbol] = found[place.symbol] + exponent if place.symbol in found else exponent
         for symbol, exponent in list(found.items()):

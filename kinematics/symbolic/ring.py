@@ -14,6 +14,7 @@ KeyLayout mean something only within one `Ring`. `Ring.terms` writes a form with
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import gcd
@@ -95,6 +96,8 @@ class Ring:
         if b is ONE_FORM:
             return a
         self._spend(len(left) * len(right))
+        if len(left) == 1 or len(right) == 1:
+            return _by_term(left, right, a.denominator * b.denominator)
         out: dict[int, int] = {}
         for key_a, x in left.items():
             for key_b, y in right.items():
@@ -155,6 +158,26 @@ class Ring:
     def terms(self, a: Form) -> Terms:
         """A form in its normal form: monomials in the basis, and their rational coefficients."""
         return self._merged(self._parts(self._reduced(a)), a.denominator)
+
+    def numbered_terms(self, a: Form) -> Iterator[tuple[list[tuple[int, int]], Fraction, int]] | None:
+        """The terms of a form by the numbers of their symbols; None if its symbols have roots or relations.
+
+        Yields:
+            (number in `symbols`, exponent) of each symbol, the turn of the root of unity, and the
+            coefficient over the form's denominator.
+        """
+        if not self._keys.are_numbers:
+            return None
+        return (
+            (self._keys.numbered(rest), turn, coefficient)
+            for rest, reduced in self._parts(a).items()
+            for turn, coefficient in reduced.items()
+        )
+
+    @property
+    def symbols(self) -> list[RingSymbol]:
+        """The symbols in use, by their numbers."""
+        return [place.symbol for place in self._keys.places]
 
     def _parts(self, a: Form) -> dict[int, dict[Fraction, int]]:
         """What stands beside each key without roots of unity: a sum of roots of unity in the basis."""
@@ -239,6 +262,19 @@ class Ring:
                 params={"limit": self.limit},
             )
         )
+
+
+def _by_term(left: Mapping[int, int], right: Mapping[int, int], denominator: int) -> Form:
+    """A product one factor of which is a single term: no two of its terms are alike."""
+    ((step, by),), other = (left.items(), right) if len(left) == 1 else (right.items(), left)
+    out: dict[int, int] = {}
+    for key, coefficient in other.items():
+        key += step
+        if key & ROOT_MASK >= HALF_TURN:
+            out[key - HALF_TURN] = -coefficient * by
+        else:
+            out[key] = coefficient * by
+    return Form(out) if denominator == 1 else _lowest(out, denominator)
 
 
 def _lowest(out: dict[int, int], denominator: int) -> Form:

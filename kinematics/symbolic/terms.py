@@ -106,7 +106,7 @@ def stripped(a: Nested) -> tuple[Rational, tuple[int, ...], Nested]:
     if weight == -1:
         a = tuple((-w, f) for w, f in a)
     elif weight != 1:
-        a = tuple((plain(Fraction(w) / weight), f) for w, f in a)
+        a = tuple((quotient(w, weight), f) for w, f in a)
     if shared:
         a = tuple((w, _without(f, shared)) for w, f in a)
     return weight, shared, a
@@ -119,6 +119,12 @@ def _without(factors: tuple[int, ...], shared: tuple[int, ...]) -> tuple[int, ..
     return tuple(left)
 
 
+def quotient(a: Rational, b: Rational) -> Rational:
+    """The quotient a / b."""
+    top, bottom = a.numerator * b.denominator, a.denominator * b.numerator
+    return Fraction(top, bottom) if top % bottom else top // bottom
+
+
 def plain(value: Rational) -> Rational:
     """A whole number as an int, whose arithmetic is faster."""
-    return int(value) if value == int(value) else value
+    return value.numerator if value.denominator == 1 else value
