@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import permutations
 
 import numpy as np
 
@@ -47,9 +46,6 @@ BESIDE_A_CROSSING = 0.3
 
 BESIDE_A_BRANCH = 0.25
 """What is nearer than this part of a step to a path, a step from where it crosses another, is on it."""
-
-SURFACE_STEP = 0.2
-"""Steps over surfaces of solutions [rad, or parts of the size]."""
 
 ROUNDING = 1e-9
 """Singular values below this are zero: at exact singularities rounding leaves some 1e-16, and of solutions
@@ -162,10 +158,14 @@ class _Sorter:
             else:
                 new = [Component(q, dimension=max(self.arm.spare, 1))]
             followed += sum(bool(one.paths) for one in new)
+            left = self._outside(left, new)
             found += new
-            left += self._behind_gaps(new)
-            left = [other for other in left if not any(self._within(one, other) for one in found)]
+            left += self._outside(self._behind_gaps(new), found)
         return found
+
+    def _outside(self, joints: Sequence[Array], components: Sequence[Component]) -> list[Array]:
+        """Those solutions that belong to none of the components."""
+        return [q for q in joints if not any(self._within(one, q) for one in components)]
 
     def _behind_gaps(self, components: Sequence[Component]) -> list[Array]:
         """Members of families that lie on the ways of others, behind gaps in which the target is lost."""
@@ -289,33 +289,17 @@ class _Sorter:
         if any(self._on(path, q) for path in component.paths):
             return True
         x = component.joints / self.arm.units
-        if component.dimension > 1:
-            return self._on_surface(component, q) or self.follower.joined(x, x + apart)
-        near = float(np.abs(apart).max()) <= self.long
-        return near and self.follower.joined(x, x + apart)
+        near = component.dimension > 1 or float(np.abs(apart).max()) <= self.long
+        if near and self.follower.joined(x, x + apart):
+            return True
+        return component.dimension > self.arm.spare and self._leads(component, q)
 
-    def _on_surface(self, component: Component, q: Array) -> bool:
-        """Whether a solution is reached over a surface, its parameters turned to the solution's.
-
-        All at once, or one after another: a way may lead over a fold where another does not.
-        """
-        pivots = list(component.pivots)
-        ways = [[pivots], *([[k] for k in order] for order in permutations(pivots))]
-        return any(self._leads(component, q, way) for way in ways)
-
-    def _leads(self, component: Component, q: Array, turns: Sequence[Sequence[int]]) -> bool:
-        """Whether turning some pivots after others to a solution's leads from a member to it."""
-        held = np.eye(len(q))[list(component.pivots)]
-        x = component.joints / self.arm.units
-        for turned in turns:
-            to = np.zeros(len(q))
-            to[list(turned)] = differences(q, x * self.arm.units, self.arm)[list(turned)]
-            steps = int(np.ceil(float(np.abs(to).max(initial=0.0)) / SURFACE_STEP))
-            for _ in range(steps):
-                x, e, _ = self.follower.corrected(x + to / steps, held)
-                if not self.follower.reached(e):
-                    return False
-        return float(np.abs(differences(q, x * self.arm.units, self.arm)).max()) <= self.beside
+    def _leads(self, component: Component, q: Array) -> bool:
+        """Whether a way along blind directions leads to a family's member, or to what is nearest on a path."""
+        x = q / self.arm.units
+        places = [component.joints / self.arm.units]
+        places += [x - nearest_on(self.arm, path, q)[0] for path in component.paths]
+        return any(self.follower.leads(x, place, self.blind) for place in places)
 
     def _on(self, path: FamilyPath, q: Array) -> bool:
         """Whether a solution is on a path: its nearest chord, corrected, leads to it."""

@@ -52,6 +52,15 @@ STRAIGHT = 0.03
 """Turn of the direction in one step [rad] below which the next step may be twice as long; with three times
 this a step is taken again at half the length."""
 
+WALK, SHORTEST_WALK = 0.2, 1e-2
+"""Steps of a walk from one solution to another [rad, or parts of the size]: longest and shortest."""
+
+NEARER = 0.01
+"""Part of its step by which a walk has to come nearer."""
+
+ASTRAY = 0.01
+"""A walk ends where less than this part of the way to its end lies in directions that it may take."""
+
 ROUNDS = 4
 """Gauss–Newton steps for one step along the path: convergence is quadratic from an error of STRAIGHT·step."""
 
@@ -139,9 +148,12 @@ class Follower:
                 break
         return x, e, J
 
-    def moves(self, x: Array, direction: Array, step: float) -> Array | None:
-        """Where x is after a step along a direction, corrected across it; None if the target is lost."""
-        moved, e, _ = self.corrected(x + step * direction, direction[None])
+    def moves(self, x: Array, direction: Array, step: float, held: Array | None = None) -> Array | None:
+        """Where x is after a step along a direction, corrected across it; None if the target is lost.
+
+        Corrections leave `held` as it is, (k, n) rows among which the direction is; itself if left out.
+        """
+        moved, e, _ = self.corrected(x + step * direction, direction[None] if held is None else held)
         near = float(np.linalg.norm(moved - x - step * direction)) <= abs(step)
         return moved if near and self.reached(e) else None
 
@@ -158,6 +170,44 @@ class Follower:
             if off > 0.5 * length or not self.reached(e):
                 return False
         return True
+
+    def leads(self, x: Array, to: Array, blind: float) -> bool:
+        """Whether steps along blind directions, each corrected across them, lead from a solution to another.
+
+        Of all ways the one is tried that comes nearer with every step: over a surface, or within the width
+        that a tolerance gives to families that cross.
+
+        Args:
+            x: (n,) a solution, in units.
+            to: (n,) the other.
+            blind: singular values up to this are zero.
+        """
+        longest = WALK
+        for _ in range(MOST_STEPS):
+            way = self._back(to, x)
+            left = float(np.linalg.norm(way))
+            if left <= FIRST_STEP:
+                return self.joined(x, x + way)
+            unseen = self._unseen(x, blind)
+            along = unseen.T @ (unseen @ way)
+            length = float(np.linalg.norm(along))
+            if length < ASTRAY * left:
+                return False
+            step = min(longest, length)
+            there = self.moves(x, along / length, step, unseen)
+            if there is None or float(np.linalg.norm(self._back(to, there))) > left - NEARER * step:
+                longest = 0.5 * step
+                if longest < SHORTEST_WALK:
+                    return False
+                continue
+            x, longest = there, min(2.0 * step, WALK)
+        return False
+
+    def _unseen(self, x: Array, blind: float) -> Array:
+        """(k, n) orthonormal directions that the Jacobian does not see, singular values up to `blind`."""
+        _, values, rows = np.linalg.svd(self.jacobian(x))
+        values = np.concatenate((values, np.zeros(len(rows) - len(values))))
+        return np.asarray(rows[values <= blind])
 
     def path(self, x: Array, direction: Array, held: Array) -> FamilyPath:
         """The component through x along a direction, both ways.

@@ -175,7 +175,14 @@ def descend(
     return Descent(q, np.sqrt(ended))
 
 
-def search(arm: Arm, target: Array, box: Box, bounds: Bounds, tolerance: float = TOLERANCE) -> SearchResult:
+def search(
+    arm: Arm,
+    target: Array,
+    box: Box,
+    bounds: Bounds,
+    tolerance: float = TOLERANCE,
+    near: Array | None = None,
+) -> SearchResult:
     """Solutions from many starts, and the nearest configuration.
 
     Rounds of starts, each as large as all before it, go on until one brings nothing new (of arms with
@@ -188,6 +195,7 @@ def search(arm: Arm, target: Array, box: Box, bounds: Bounds, tolerance: float =
         box: joint limits.
         bounds: whether starts and descent keep them.
         tolerance: distance [m] and angle [rad] of a solution, at least `TOLERANCE`.
+        near: (m, n) starts near solutions, where such are known; they come in the first round.
     """
     n = arm.n_joints
     box = box if bounds is Bounds.KEPT else unbounded(n)
@@ -196,7 +204,10 @@ def search(arm: Arm, target: Array, box: Box, bounds: Bounds, tolerance: float =
     ends: list[Array] = []
     done, count = 0, FIRST_ROUND
     while done < min(MOST_STARTS, FIRST_ROUND * 8 ** (n - 1)):
-        descent = descend(measured, target, _starts(arm, target, box, count, done), box)
+        starts = _starts(arm, target, box, count, done)
+        if near is not None and not done:
+            starts = np.concatenate((np.clip(near, box.low, box.high), starts))
+        descent = descend(measured, target, starts, box)
         ends.append(_best(descent))
         arrived = descent.joints[descent.errors < max(ARRIVED, tolerance)]
         before = len(found)

@@ -16,6 +16,7 @@ from kinematics.inverse.families import Follower
 from kinematics.inverse.goals import Goal, read_goal
 from kinematics.inverse.lengths import check_lengths, is_far, too_long
 from kinematics.inverse.limits import JointLimits, read_limits, within_limits
+from kinematics.inverse.locked import LockedArms, locked_arms_of
 from kinematics.inverse.ranges import families_within
 from kinematics.inverse.refinement import solutions_of
 from kinematics.inverse.residuals import errors_of, pose_errors
@@ -29,7 +30,7 @@ from kinematics.inverse.results import (
     NearestPose,
     UnreachableReason,
 )
-from kinematics.inverse.search import MOST_ISOLATED, Bounds, Box, search
+from kinematics.inverse.search import MOST_ISOLATED, Bounds, Box, SearchResult, search
 from kinematics.inverse.search import TOLERANCE as SEARCHED
 from kinematics.inverse.wrist import WristArm
 from kinematics.inverse.wrist_scalars import ClearSolution, ClearWrist, clear_wrist_of
@@ -53,6 +54,7 @@ class Solver:
         arm: its constants and joints.
         closed_form: the method that yields all solutions, if there is one.
         clear: the same in scalars, for targets that are well away from singularities, if there is one.
+        locked: closed forms with one joint locked, if there is one to spare.
         box: joint limits.
     """
 
@@ -62,6 +64,7 @@ class Solver:
     arm: Arm
     closed_form: InverseClosedForm | None
     clear: ClearWrist | None
+    locked: LockedArms | None
     box: Box
 
     def solve(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics:
@@ -188,7 +191,7 @@ class Solver:
         outside = 0 if known is None else len(components_of(self.arm, goal.pose, known, goal.tolerance))
         freely = None
         if not outside and not (self.arm.spare and self.box.limited):
-            freely = search(self.arm, goal.pose, self.box, Bounds.IGNORED, goal.tolerance)
+            freely = self._search(goal, Bounds.IGNORED)
             answer = self._answer(freely.solutions, goal, Method.SEARCH)
             if answer is not None:
                 return answer
@@ -198,14 +201,20 @@ class Solver:
                 return self._unreachable(goal, freely.nearest, 0, method)
         return self._search_within_limits(goal, outside, method)
 
+    def _search(self, goal: Goal, bounds: Bounds) -> SearchResult:
+        near = None if self.locked is None else self.locked.starts(goal.pose)
+        if near is not None and bounds is Bounds.KEPT:
+            near, _ = within_limits(near, self.arm.revolute, self.box, self.arm.size)
+        return search(self.arm, goal.pose, self.box, bounds, goal.tolerance, near)
+
     def _search_within_limits(self, goal: Goal, outside: int, method: Method) -> InverseKinematics:
         """The result where no solution is known within the limits: look there, or report the nearest pose."""
-        found = search(self.arm, goal.pose, self.box, Bounds.KEPT, goal.tolerance)
+        found = self._search(goal, Bounds.KEPT)
         answer = self._answer(found.solutions, goal, Method.SEARCH, outside)
         if answer is not None:
             return answer
         if not outside and self.arm.spare:
-            freely = search(self.arm, goal.pose, self.box, Bounds.IGNORED, goal.tolerance)
+            freely = self._search(goal, Bounds.IGNORED)
             outside = len(components_of(self.arm, goal.pose, freely.solutions, goal.tolerance))
         return self._unreachable(goal, found.nearest, outside, method)
 
@@ -284,7 +293,7 @@ def solver_of(
     for pose, name in ((T_w_0, "base"), (T_n_t, "tool")):
         if pose is not None and is_far(pose):
             raise PoseError(too_long((name,)))
-    arm, closed_form, clear = _prepared(
+    arm, closed_form, clear, locked = _prepared(
         table, None if T_w_0 is None else T_w_0.tobytes(), None if T_n_t is None else T_n_t.tobytes(), reach
     )
     return Solver(
@@ -294,6 +303,7 @@ def solver_of(
         arm=arm,
         closed_form=closed_form,
         clear=clear,
+        locked=locked,
         box=read_limits(limits, arm.revolute.tolist()),
     )
 
@@ -301,7 +311,7 @@ def solver_of(
 @lru_cache(maxsize=256)
 def _prepared(
     table: NumericTable, base: bytes | None, tool: bytes | None, reach: ArmReach
-) -> tuple[Arm, InverseClosedForm | None, ClearWrist | None]:
+) -> tuple[Arm, InverseClosedForm | None, ClearWrist | None, LockedArms | None]:
     check_lengths(table)
     if not 1 <= table.n_joints <= MAX_JOINTS:
         raise TableError(
@@ -315,4 +325,4 @@ def _prepared(
     arm = replace(arm_of(table, *ends), reach=reach)
     closed_form = closed_form_of(arm)
     clear = clear_wrist_of(arm, closed_form) if isinstance(closed_form, WristArm) else None
-    return arm, closed_form, clear
+    return arm, closed_form, clear, locked_arms_of(arm)

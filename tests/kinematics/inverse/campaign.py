@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import islice
 
 import numpy as np
 
@@ -102,9 +103,7 @@ def run(name: str, table: DHTable, poses: int, tried: int, seed: int = 1) -> Tal
     """Ask so many poses of an arm; try so many of the complete answers by brute force."""
     solver = solver_of(table)
     tally = Tally()
-    for k, (q, pose, tolerance) in enumerate(questions(table, solver, seed)):
-        if k == poses:
-            break
+    for k, (q, pose, tolerance) in enumerate(islice(questions(table, solver, seed), poses)):
         tally.poses += 1
         goal = read_goal(pose, tolerance, where=())
         answer = solver.solve(pose, tolerance)

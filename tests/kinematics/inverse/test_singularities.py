@@ -1,6 +1,7 @@
 """Poses at and near singularities: nothing lost, nothing invented, families told as what they are."""
 
 import math
+from itertools import islice
 
 import numpy as np
 import pytest
@@ -11,11 +12,12 @@ from kinematics.inverse import IKStatus, UnreachableReason, inverse_kinematics, 
 from kinematics.inverse.closed_form import closed_form_of
 from kinematics.inverse.components import belongs, components_of
 from kinematics.inverse.general import GeneralArm
+from kinematics.inverse.goals import read_goal
 from kinematics.inverse.results import Isolation, Method
 from kinematics.inverse.search import Bounds, search
 from kinematics.inverse.wrist import WristArm
 from tests.kinematics.inverse.arms import GENERAL, UR5, apart, random_joints, random_table
-from tests.kinematics.inverse.campaign import run
+from tests.kinematics.inverse.campaign import is_among, questions, run
 from tests.kinematics.inverse.models import MODELS
 from tests.kinematics.robots import PLANAR4, PUMA560, RX90
 
@@ -28,6 +30,22 @@ def test_a_small_campaign(name):
     tally = run(name, MODELS[name], poses=12, tried=1)
     assert tally.faults == []
     assert tally.poses == 12
+
+
+@pytest.mark.parametrize(
+    ("name", "seed", "number"),
+    [
+        pytest.param("catalogue rx90", 5, 4, id="over a bent surface"),
+        pytest.param("no offsets", 4, 2, id="within the width of crossing families"),
+        pytest.param("catalogue gen3", 2, 1, id="a family of a single point"),
+    ],
+)
+def test_the_configuration_that_made_the_pose_is_found(name, seed, number):
+    solver = solver_of(MODELS[name])
+    q, pose, tolerance = next(islice(questions(MODELS[name], solver, seed), number, None))
+    answer = solver.solve(pose, tolerance)
+    known = np.array([s.joints for s in answer.solutions])
+    assert is_among(solver, read_goal(pose, tolerance, where=()), q, known)
 
 
 @pytest.mark.parametrize("decimals", [17, 12, 9, 8, 7, 6])
