@@ -17,10 +17,9 @@ from kinematics.errors import Fault, PoseError
 from kinematics.evaluation.plan import plan_of
 from kinematics.inverse.arm import ArmReach, Array
 from kinematics.inverse.clear_blocks import SOLUTIONS, clear_solutions
-from kinematics.inverse.components import LONG, fold_length, merging_value
-from kinematics.inverse.distinct import SAME, differences
-from kinematics.inverse.families import LOST
-from kinematics.inverse.goals import LEAST_TOLERANCE, read_goal
+from kinematics.inverse.delicate_blocks import delicate_targets
+from kinematics.inverse.distinct import SAME
+from kinematics.inverse.goals import read_goal
 from kinematics.inverse.judging import judge
 from kinematics.inverse.lengths import LARGEST_LENGTH
 from kinematics.inverse.limits import within_limits
@@ -32,13 +31,6 @@ from kinematics.inverse.wrist_scalars import ClearWrist
 from kinematics.se3 import cross_arrays
 
 Indices = NDArray[np.intp]
-
-OF_A_FAMILY = max(LOST, 2.0 * LEAST_TOLERANCE / LONG)
-"""Least singular value up to which an exact solution may be of a family. Those of a double root may have
-more, and are told by the other root beside them."""
-
-REGULAR = 1e-14
-"""Determinants up to this, lengths in units of the size, are as good as zero: nothing is inverted."""
 
 AS_IT_IS = 1e-11
 """A candidate this exact [m and rad] needs no Newton step."""
@@ -215,54 +207,13 @@ def _together(solver: Solver, wrist: WristArm, poses: Array) -> tuple[_Part, NDA
     exact = (position <= max(AS_IT_IS, solver.arm.rounding)) & (angle <= AS_IT_IS)
     done = counts > 0
     done[owner[~exact]] = False
-    done[_delicate(solver, joints, volume, counts)] = False
+    done[delicate_targets(solver.arm, poses, joints, volume, counts)] = False
     done[_repeated(fingerprint, counts)] = False
     joints, fits = within_limits(joints, solver.arm.revolute, solver.box, solver.arm.size)
     kept = done[owner] & fits
     done &= np.bincount(owner[kept], minlength=len(poses)) > 0
     kept &= done[owner]
     return _Part(joints[kept], owner[kept], position[kept], angle[kept]), done
-
-
-def _delicate(solver: Solver, joints: Array, volume: Array, counts: Indices) -> Indices:
-    """Targets of which a solution belongs to a family, or two may be one across a fold.
-
-    The least singular value is the volume divided by the product of the others, at least.
-    """
-    scaled = volume / (solver.arm.larger_five * solver.arm.size**3)
-    near = np.flatnonzero(~(scaled > merging_value(LEAST_TOLERANCE)))
-    if not len(near):
-        return near
-    owner = np.repeat(np.arange(len(counts)), counts)
-    lost = near[~(scaled[near] > OF_A_FAMILY)]
-    lost = lost[_least_values(solver, joints[lost], OF_A_FAMILY) <= OF_A_FAMILY]
-    first = (np.cumsum(counts) - counts)[owner[near]]
-    close = np.zeros(len(near), dtype=bool)
-    for k in range(int(counts.max())):
-        other = np.minimum(first + k, len(joints) - 1)
-        theirs = (k < counts[owner[near]]) & (other != near)
-        apart = np.abs(differences(joints[other], joints[near], solver.arm)).max(axis=1)
-        close |= theirs & (apart <= fold_length(LEAST_TOLERANCE))
-    beside = near[close]
-    merging = merging_value(LEAST_TOLERANCE)
-    beside = beside[_least_values(solver, joints[beside], merging) <= merging]
-    return np.unique(owner[np.concatenate((lost, beside))])
-
-
-def _least_values(solver: Solver, joints: Array, enough: float) -> Array:
-    """Least singular values of the Jacobian, or less where they are above what is enough."""
-    if not len(joints):
-        return np.empty(0)
-    J = solver.arm.jacobians(solver.arm.frames(joints))
-    # The least singular value is at least 1 / ‖J⁻¹‖, and the inverse costs a tenth.
-    regular = np.abs(np.linalg.det(J)) > REGULAR
-    J[~regular] = np.eye(6)
-    inverse = np.linalg.inv(J)
-    least = np.where(regular, 1.0 / np.sqrt(np.einsum("mij,mij->m", inverse, inverse)), 0.0)
-    unsure = np.flatnonzero(regular & (least <= enough))
-    if len(unsure):
-        least[unsure] = np.linalg.svd(J[unsure], compute_uv=False)[:, -1]
-    return np.asarray(least)
 
 
 def _repeated(fingerprint: Array, counts: Indices) -> Indices:

@@ -104,6 +104,43 @@ def blind_directions(J: Array, smallest: float) -> Array:
     return np.asarray(basis / np.linalg.norm(basis, axis=1, keepdims=True))
 
 
+def corrected(arm: Arm, targets: Array, x: Array, held: Array) -> tuple[Array, Array, Array]:
+    """The nearest poses with held·x unchanged: x, (m, n), error vectors, (m, 6), and Jacobians, (m, 6, n).
+
+    Args:
+        arm: measured as a `Follower` does.
+        targets: (4, 4), or (m, 4, 4) one each.
+        x: (m, n) in units.
+        held: (m, k, n) rows.
+    """
+    free = np.linalg.svd(held)[2][:, held.shape[1] :]
+    across = free.transpose(0, 2, 1)
+    e, J = _seen(arm, targets, x)
+    going = np.ones(len(x), dtype=bool)
+    for _ in range(ROUNDS):
+        step = (across @ (np.linalg.pinv(J @ across, rcond=1e-7) @ e[:, :, None]))[:, :, 0]
+        tried = x + step
+        new_e, new_J = _seen(arm, targets, tried)
+        going = going & ((new_e * new_e).sum(axis=1) < (e * e).sum(axis=1))
+        x, e = np.where(going[:, None], tried, x), np.where(going[:, None], new_e, e)
+        J = np.where(going[:, None, None], new_J, J)
+        going = going & ((step * step).sum(axis=1) >= 1e-24)
+        if not going.any():
+            break
+    return x, e, J
+
+
+def _seen(arm: Arm, targets: Array, x: Array) -> tuple[Array, Array]:
+    """Error vectors and Jacobians in units."""
+    frames = arm.frames(x * arm.units)
+    return errors_of(arm, frames[-1], targets), arm.jacobians(frames) * arm.units
+
+
+def weighing_alike(arm: Arm) -> Arm:
+    """The arm with its lengths in the unit of a tolerance, of which there are as many as radians."""
+    return replace(arm, size=1.0) if arm.size > 1.0 and bool(arm.revolute.all()) else arm
+
+
 class Follower:
     """Follows components of one target.
 
@@ -111,18 +148,10 @@ class Follower:
     """
 
     def __init__(self, arm: Arm, target: Array, tolerance: float) -> None:
-        # A tolerance is as many units of length as radians: corrections weigh them alike.
-        alike = arm.size > 1.0 and bool(arm.revolute.all())
-        self.arm = replace(arm, size=1.0) if alike else arm
+        self.arm = weighing_alike(arm)
         self.target, self.tolerance = target, tolerance
         self.lost = max(LOST, math.sqrt(tolerance))
         self._farthest = FARTHEST * (1.0 + float(np.linalg.norm(target[:3, 3])) / self.arm.size)
-
-    def _seen(self, x: Array) -> tuple[Array, Array]:
-        """Error vector and Jacobian in units."""
-        frames = self.arm.frames((x * self.arm.units)[None])
-        e = errors_of(self.arm, frames[-1], self.target)[0]
-        return e, self.arm.jacobians(frames)[0] * self.arm.units
 
     def reached(self, e: Array) -> bool:
         """Whether an error vector is within the tolerance."""
@@ -135,18 +164,8 @@ class Follower:
             x: (n,) in units.
             held: (k, n) rows.
         """
-        free = np.linalg.svd(held)[2][len(held) :]
-        e, J = self._seen(x)
-        for _ in range(ROUNDS):
-            step = free.T @ (np.linalg.pinv(J @ free.T, rcond=1e-7) @ e)
-            tried = x + step
-            new_e, new_J = self._seen(tried)
-            if not new_e @ new_e < e @ e:
-                break
-            x, e, J = tried, new_e, new_J
-            if step @ step < 1e-24:
-                break
-        return x, e, J
+        found, e, J = corrected(self.arm, self.target, x[None], held[None])
+        return found[0], e[0], J[0]
 
     def moves(self, x: Array, direction: Array, step: float, held: Array | None = None) -> Array | None:
         """Where x is after a step along a direction, corrected across it; None if the target is lost.

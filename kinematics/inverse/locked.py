@@ -1,11 +1,11 @@
 """Arms with one joint to spare: one joint is locked, and what is left has a closed form.
 
-A family of solutions of such an arm is a curve; wherever it crosses a value of the locked joint the closed form
-finds it, exactly. Where it only comes near the value, or is a single point, the closed form's candidates are the
-configurations that come nearest, from which a descent finds it.
+A family of solutions of such an arm is a curve; wherever it crosses a value of the locked joint the closed
+form finds it, exactly. Where it only comes near the value, or is a single point, the closed form's candidates
+are the configurations that come nearest, from which a descent finds it.
 
-Source: for the joint that is chosen as a parameter, S. Lee, A. K. Bejczy, Redundant arm kinematic control based
-on parameterization, IEEE Int. Conf. Robotics and Automation (1991) 458.
+Source: for the joint that is chosen as a parameter, S. Lee, A. K. Bejczy, Redundant arm kinematic control
+based on parameterization, IEEE Int. Conf. Robotics and Automation (1991) 458.
 """
 
 from __future__ import annotations
