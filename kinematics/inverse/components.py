@@ -295,7 +295,7 @@ class _Sorter:
         return component.dimension > self.arm.spare and self._leads(component, q)
 
     def _leads(self, component: Component, q: Array) -> bool:
-        """Whether a way along blind directions leads to a family's member, or to a path where it is nearest."""
+        """Whether a way along blind directions leads to a family's member, or to a path."""
         x = q / self.arm.units
         places = [component.joints / self.arm.units]
         places += [x - nearest_on(self.arm, path, q)[0] for path in component.paths]

@@ -97,25 +97,24 @@ def _move(arm: Arm, targets: Array, joints: Array) -> NDArray[np.bool_]:
     blind = (values <= lost_value(LEAST_TOLERANCE)).sum(axis=1)
     found = blind > 1
     one = np.flatnonzero(blind == 1)
-    for step in (fold_length(LEAST_TOLERANCE), -fold_length(LEAST_TOLERANCE)):
-        way = step * directions[one, -1]
-        found[one] |= _reach(alike, targets[one], x[one] + way, way, abs(step))
-    return found
+    way = fold_length(LEAST_TOLERANCE) * directions[one, -1]
+    ways, both = np.concatenate((way, -way)), np.concatenate((one, one))
+    found[both[_reach(alike, targets[both], x[both] + ways, ways, fold_length(LEAST_TOLERANCE))]] = True
+    return np.asarray(found)
 
 
 def _joined(arm: Arm, targets: Array, joints: Array, owner: Indices, rows: Indices) -> Indices:
     """Rows whose solution may be joined to another of the same target."""
-    found = [np.empty(0, dtype=np.intp)]
     alike = weighing_alike(arm)
-    for k in range(1, int(np.bincount(owner[rows]).max(initial=0))):
-        one, other = rows[:-k], rows[k:]
-        apart = differences(joints[other], joints[one], arm)
-        near = (owner[one] == owner[other]) & (np.abs(apart).max(axis=1) <= fold_length(LEAST_TOLERANCE))
-        one, way = one[near], apart[near]
-        middle = joints[one] / alike.units + 0.5 * way
-        half = 0.5 * np.linalg.norm(way, axis=1)
-        found.append(one[_reach(alike, targets[owner[one]], middle, way, half)])
-    return np.concatenate(found)
+    pairs = [(rows[:-k], rows[k:]) for k in range(1, int(np.bincount(owner[rows]).max(initial=1)))]
+    one, other = (np.concatenate([pair[i] for pair in pairs] or [rows[:0]]) for i in (0, 1))
+    same = owner[one] == owner[other]
+    one, other = one[same], other[same]
+    apart = differences(joints[other], joints[one], arm)
+    near = np.abs(apart).max(axis=1) <= fold_length(LEAST_TOLERANCE)
+    one, way = one[near], apart[near]
+    middle, half = joints[one] / alike.units + 0.5 * way, 0.5 * np.linalg.norm(way, axis=1)
+    return np.asarray(one[_reach(alike, targets[owner[one]], middle, way, half)])
 
 
 def _reach(arm: Arm, targets: Array, x: Array, way: Array, farthest: Array | float) -> NDArray[np.bool_]:

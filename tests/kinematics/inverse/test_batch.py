@@ -8,6 +8,9 @@ import pytest
 from kinematics.errors import PoseError
 from kinematics.forward import end_poses
 from kinematics.inverse import IKStatus, solve_many, solver_of
+from kinematics.inverse.arm import volumes
+from kinematics.inverse.delicate_blocks import delicate_targets
+from kinematics.inverse.wrist_blocks import candidates_of_many
 from kinematics.table import Convention, DHRow, DHTable, JointType
 from tests.kinematics.inverse.arms import STANFORD, UR5, apart, random_joints
 from tests.kinematics.robots import PUMA560, PUMA560_CRAIG, RX90
@@ -53,6 +56,26 @@ def test_as_one_by_one(table):
         if alone.status is IKStatus.SOLVED:
             known = np.array([solution.joints for solution in alone.solutions])
             assert all(apart(table, row, known).min() < 1e-6 for row in rows)
+
+
+@pytest.mark.parametrize("table", [PUMA560, RX90], ids=["puma", "rx90"])
+def test_beside_folds_as_one_by_one(table):
+    """Elbows that are nearly stretched or folded: most are decided together, and as they are alone."""
+    rng = np.random.default_rng(4)
+    solver = solver_of(table)
+    q = np.array([random_joints(rng, table) for _ in range(40)])
+    q[:, 2] = np.pi * rng.integers(2, size=40) - solver.closed_form.zeros[2] + 10.0 ** rng.uniform(-7, -2, 40)
+    targets = end_poses(table, q)
+    joints, counts = candidates_of_many(solver.closed_form, targets)
+    volume = volumes(solver.arm.jacobians(solver.arm.frames(joints)))
+    volume *= solver.arm.size**3
+    delicate = delicate_targets(solver.arm, targets, joints, volume, counts)
+    assert 0 < len(delicate) < 30
+    batch = solve_many(solver, targets)
+    for i, target in enumerate(targets):
+        alone = solver.solve(target)
+        assert batch.complete[i] == alone.complete
+        assert (batch.target == i).sum() == len(alone.solutions)
 
 
 TWISTED_WRIST = tuple(
