@@ -279,7 +279,7 @@ def test_a_body_that_is_not_json_costs_no_attempt(client: httpx.Client) -> None:
         headers={"Content-Type": "application/json", "Accept-Language": "fr"},
     )
     assert (answer.status_code, answer.json()["attempt_counted"]) == (400, False)
-    assert answer.json()["note"] == "Cette réponse n'a pas été notée et ne coûte aucun essai."
+    assert answer.json()["note"] == "Cette réponse n’a pas été notée et ne coûte aucun essai."
 
 
 def test_less_help_may_be_asked_for(client: httpx.Client) -> None:

@@ -7,7 +7,7 @@ check-counts = { $exercise }: { $passed ->
     [one] { $warnings } warning
    *[other] { $warnings } warnings
 }
-check-structure = Seed { $seed } changes the robot's structure.
+check-structure = Seed { $seed } changes the robot’s structure.
 check-figure = Seed { $seed }: the figure cannot be drawn ({ $reason }).
 check-right = A right table is rejected: { $table }
 check-certificate = The certificate of a right table does not hold: { $table }

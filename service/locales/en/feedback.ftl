@@ -7,14 +7,14 @@ feedback-other_convention = Your table is written in the { $convention ->
     [modified] modified convention, the reference solution in the standard one
    *[standard] standard convention, the reference solution in the modified one
 }; both describe the same robot.
-feedback-axis_reversed = Your z{ $frame }, the axis of joint { $joint }, points the opposite way to the reference solution's. Both ways are right, and the signs in your table agree with yours.
-feedback-end_axis_reversed = Your z{ $frame } points the opposite way to the reference solution's. Both ways are right.
+feedback-axis_reversed = Your z{ $frame }, the axis of joint { $joint }, points the opposite way to the reference solution’s. Both ways are right, and the signs in your table agree with yours.
+feedback-end_axis_reversed = Your z{ $frame } points the opposite way to the reference solution’s. Both ways are right.
 feedback-x_turned = Your x{ $frame } is turned by { $degrees }° about z{ $frame } from where the reference solution has it. Your table takes this into account.
 feedback-origin_slid = The origin of your frame { $frame } lies at another place along z{ $frame } than in the reference solution. Any place is right here.
 feedback-axis_moved = Your z{ $frame } lies on another, parallel line than in the reference solution. Only its direction matters here.
 feedback-frame_elsewhere = Your frame { $frame } lies elsewhere than in the reference solution. You were free to choose it.
-feedback-variable_reversed = Your q{ $joint } counts the opposite way to the reference solution's. Both ways are right.
-feedback-variable_offset = Where the reference solution's q{ $joint } is zero, yours has the value { $offset }. Where a joint variable is zero is free to choose.
+feedback-variable_reversed = Your q{ $joint } counts the opposite way to the reference solution’s. Both ways are right.
+feedback-variable_offset = Where the reference solution’s q{ $joint } is zero, yours has the value { $offset }. Where a joint variable is zero is free to choose.
 feedback-rounded = Your entries agree with the reference solution within the tolerance, not exactly; they may have been rounded.
 
 ## A wrong answer: the whole
@@ -52,7 +52,7 @@ feedback-lengths_throughout = The lengths of your table are not in the unit that
 feedback-twists_throughout = The twists α of your table have the wrong sign throughout.
 feedback-names_throughout = A dimension goes by the wrong name in your table.
 feedback-parameter_unknown = The robot has no dimension called { $name }. Its dimensions are: { $known }.
-feedback-names_asked = The robot's dimensions have no values here. Write their names: { $known }.
+feedback-names_asked = The robot’s dimensions have no values here. Write their names: { $known }.
 
 ## A wrong answer: its rows
 

@@ -234,9 +234,9 @@ form-finding-unknown = open
 form-finding-hidden = –
 form-repairs = What would make it right
 form-repair-or = or
-form-both-label = The exercise's robot and yours, moving together
-form-both-text = Both robots move together: yours with your frames, the exercise's in grey and orange.
-form-both-description = Your frames lie on the exercise's robot, and both follow the same motion.
+form-both-label = The exercise’s robot and yours, moving together
+form-both-text = Both robots move together: yours with your frames, the exercise’s in grey and orange.
+form-both-description = Your frames lie on the exercise’s robot, and both follow the same motion.
 form-both-position = Point of the motion
 form-play = Play
 form-pause = Pause
@@ -254,7 +254,7 @@ form-storage-blocked = The browser keeps nothing here: what you type is lost whe
 
 form-row-play = Play row { $row } in the picture
 form-film = The row as a film
-form-film-hint = Put the cursor into a cell, or press a row's number: the film shows how its four numbers carry frame i−1 into frame i.
+form-film-hint = Put the cursor into a cell, or press a row’s number: the film shows how its four numbers carry frame i−1 into frame i.
 form-film-none = Row { $row } cannot be shown yet: fill it and the rows before it.
 form-film-play = Play the row
 form-film-back = One step back
@@ -296,9 +296,9 @@ form-second-x-turned = An x axis points elsewhere, so the variable of its joint 
 form-second-origin-moved = An origin lies elsewhere on its axis.
 form-second-none = The rules of this exercise leave no other table.
 
-form-ghost-label = Your robot as a ghost over the exercise's
-form-ghost-text = In grey and orange the exercise's robot, in transparent red yours. Both make the same motion. The marked frame { $row }, that of row { $row }, is the first that leaves the robot.
-form-ghost-description = Your robot lies on the exercise's up to frame { $row }, which is marked: there they part.
+form-ghost-label = Your robot as a ghost over the exercise’s
+form-ghost-text = In grey and orange the exercise’s robot, in transparent red yours. Both make the same motion. The marked frame { $row }, that of row { $row }, is the first that leaves the robot.
+form-ghost-description = Your robot lies on the exercise’s up to frame { $row }, which is marked: there they part.
 form-new = New
 form-new-done = A new, empty table.
 
@@ -326,7 +326,7 @@ form-home-author-text = For lecturers: about the arm in your own book, in a quar
 
 form-matrices-withheld = The matrices appear here once the parts that ask for them are right.
 form-sharing = For lecturers: links and packages
-form-sharing-text = A link carries these settings, signed: students who come by it cannot change them, and the service itself obeys them. A SCORM package goes into a course without an administrator; its score comes from the student's browser, the receipt in its comments cannot be forged.
+form-sharing-text = A link carries these settings, signed: students who come by it cannot change them, and the service itself obeys them. A SCORM package goes into a course without an administrator; its score comes from the student’s browser, the receipt in its comments cannot be forged.
 form-sharing-may = Students may use
 form-sharing-catalogue = the catalogue of robots
 form-sharing-playground = the playground

@@ -233,7 +233,7 @@ field-order = Order of a row
 field-screws = Screws, one row for each joint
 field-home = Home pose M
 option-space = the fixed frame (space)
-option-body = the tool's frame at the zero position (body)
+option-body = the tool’s frame at the zero position (body)
 option-linear_first = v, ω: linear part first
 option-angular_first = ω, v: angular part first
 

@@ -28,7 +28,7 @@ error-quaternion_length = A quaternion whose length is zero or overflows is no o
 error-axis_length = An axis whose length is zero or overflows has no direction. Give a unit vector.
 
 error-screw_not_finite = A screw is made of six finite numbers.
-error-screw_not_unit = The angular part of a turning joint's screw, or the linear part of a sliding one's, has length 1.
+error-screw_not_unit = The angular part of a turning joint’s screw, or the linear part of a sliding one’s, has length 1.
 error-screw_has_pitch = This screw has a pitch of { $pitch } per radian. A joint either turns or slides.
 error-screw_of_other_type = Screw { $joint } is said to be of another type than it is: a revolute joint has an angular part, a prismatic one has none.
 error-tree_after_unknown = Row { $row } follows frame { $given }: it has to follow the base (0) or an earlier row. Closed loops are not treated.

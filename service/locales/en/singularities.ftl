@@ -3,7 +3,7 @@ field-lost = A motion that is lost
 
 task-singularities =
     The table of the robot is given. In which configurations does the arm lose a motion: { $motion ->
-        [translation] where has the Jacobian of the last origin's velocity less than its usual rank?
+        [translation] where has the Jacobian of the last origin’s velocity less than its usual rank?
        *[twist] where has the Jacobian less than its usual rank?
     } Write one condition in each row: a function that vanishes there (sin(q3)) or an equation (q3 = 0, π). The set counts, however you write it. { $lost ->
         [yes] For the given configuration, write a vector λ ≠ 0 in the axes of frame 0 with λ · J q̇ = 0 whatever the joints do, at the last origin, lengths in { $unit }: the motion that is lost.

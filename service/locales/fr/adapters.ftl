@@ -1,23 +1,23 @@
 # Fichiers d’étudiants, correcteurs d’autres systèmes, paquets SCORM, récépissés.
 
-error-file_too_large = { $file } dépasse { $limit } octets ; un tableau tient en quelques kilooctets.
+error-file_too_large = { $file } dépasse { $limit } octets ; un tableau tient en quelques kilooctets.
 error-file_missing = Il n’y a ni fichier ni dossier { $file }.
-error-file_unreadable = { $file } ne peut pas être lu : { $reason }.
-error-file_unusable = { $file } ne peut être ni lu ni écrit : { $reason }.
-error-file_type_unknown = { $file } est d’un type qui n’est pas lu ici. Sont lus : { $known }.
+error-file_unreadable = { $file } ne peut pas être lu : { $reason }.
+error-file_unusable = { $file } ne peut être ni lu ni écrit : { $reason }.
+error-file_type_unknown = { $file } est d’un type qui n’est pas lu ici. Sont lus : { $known }.
 error-file_without_table = { $file } ne contient aucun tableau DH. Un tableau a les colonnes theta, d, a et alpha.
 error-files_too_many = { $file } contient plus de { $limit } fichiers.
 error-columns_unknown = Aucune ligne de { $file } ne nomme les colonnes { $known }. Écrivez-les au-dessus du tableau.
-error-columns_differ_in_length = Les colonnes de { $file } n’ont pas la même longueur ; il faut une valeur par ligne dans chacune.
+error-columns_differ_in_length = Les colonnes de { $file } n’ont pas la même longueur ; il faut une valeur par ligne dans chacune.
 error-exercise_not_named = Il n’est pas dit à quel exercice ceci répond. Nommez-le, par exemple puma560.
-error-artefact_unknown = Les productions de type { $type } ne sont pas évaluées ici ; le sont { $known }.
+error-artefact_unknown = Les productions de type { $type } ne sont pas évaluées ici ; le sont { $known }.
 error-function_command_unknown = Les commandes traitées ici sont { $known }.
-error-function_call_invalid = Le corps d’un appel contient `response`, `answer` et `params` (un objet). Ce n’est pas le cas en : { $places }.
+error-function_call_invalid = Le corps d’un appel contient `response`, `answer` et `params` (un objet). Ce n’est pas le cas en : { $places }.
 error-callback_not_allowed = L’exploitant de ce service ne permet pas d’envoyer de retour à cette adresse.
-error-version_not_supported = Cette version de l’API d’évaluation n’est pas prise en charge ici ; l’est { $supported }.
+error-version_not_supported = Cette version de l’API d’évaluation n’est pas prise en charge ici ; l’est { $supported }.
 
 error-api_key_unknown = Il n’y a pas de clé { $id }.
-error-key_file_unreadable = { $file } n’est pas un fichier de clés utilisable : { $reason }.
+error-key_file_unreadable = { $file } n’est pas un fichier de clés utilisable : { $reason }.
 error-receipt_kid_unknown = { $file } ne contient pas de clé { $id }.
 error-receipt_malformed = Ce n’est pas un récépissé, ou pas un récépissé entier. Copiez-le du premier caractère au dernier.
 error-receipt_key_unknown = Le récépissé a été signé avec une clé que ce service n’a pas. Demandez au service qui l’a délivré.
@@ -26,7 +26,7 @@ error-receipt_altered = Le récépissé a été modifié après sa délivrance.
 evaluation-right = Juste
 evaluation-wrong = Pas encore juste
 evaluation-readable = La réponse peut être notée.
-evaluation-unreadable = La réponse ne peut pas être notée telle quelle ; cela ne compte pas comme un essai.
+evaluation-unreadable = La réponse ne peut pas être notée telle quelle ; cela ne compte pas comme un essai.
 
 scorm-no-script = Cet exercice a besoin de JavaScript.
 scorm-no-lms = Aucune plateforme d’apprentissage n’a été trouvée autour de cette page. Vous pouvez vous entraîner, mais aucune note ne sera enregistrée.

@@ -1,10 +1,10 @@
 # Fichiers du catalogue de robots.
 
-error-catalogue_not_toml = Ce n’est pas du TOML : { $reason }.
+error-catalogue_not_toml = Ce n’est pas du TOML : { $reason }.
 error-catalogue_key_missing = { $key } manque.
 error-catalogue_key_unknown = { $key } ne signifie rien ici. Les clés connues sont { $known }.
 error-catalogue_value_type = { $key } doit être { expected-value }.
-error-catalogue_limits_reversed = Articulation { $joint } : la limite inférieure doit être en dessous de la limite supérieure.
+error-catalogue_limits_reversed = Articulation { $joint } : la limite inférieure doit être en dessous de la limite supérieure.
 error-catalogue_outside_limits = L’articulation { $joint } de cette configuration sort de ses limites.
 error-robot_unknown = Le catalogue ne contient pas de robot { $robot }. Il contient { $known }.
 expected-value = { $expected ->
@@ -18,7 +18,7 @@ expected-value = { $expected ->
     [tables] une liste de tables
     [cell] un nombre ou une expression
     [cells] une liste de { $count } nombres ou expressions
-    [choice] l’une de ces valeurs : { $known }
+    [choice] l’une de ces valeurs : { $known }
     [direction] une liste de trois nombres non tous nuls
     [point_names] une liste de { $count } noms de points
     [point_chains] une liste de listes d’au moins deux noms de points

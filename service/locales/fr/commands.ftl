@@ -1,6 +1,6 @@
 ### Ce que l'autovérification d'un exercice dit à son auteur.
 
-check-counts = { $exercise } : { $passed ->
+check-counts = { $exercise } : { $passed ->
     [one] { $passed } vérification réussie
    *[other] { $passed } vérifications réussies
 }, { $failed } en échec, { $warnings ->
@@ -8,19 +8,19 @@ check-counts = { $exercise } : { $passed ->
    *[other] { $warnings } avertissements
 }
 check-structure = La graine { $seed } change la structure du robot.
-check-figure = Graine { $seed } : la figure ne peut pas être dessinée ({ $reason }).
-check-right = Un tableau juste est refusé : { $table }
-check-certificate = Le certificat d'un tableau juste n'est pas vérifié : { $table }
-check-harmless = Un tableau faux est accepté : { $table }
-check-mistake = L'erreur { $mistake } n'est pas expliquée dans { $table }
-check-part = Graine { $seed } : une réponse juste à la partie { $part } est refusée.
-check-follow_through = Graine { $seed } : ce qui découle d'un tableau faux ne rapporte pas de points dans la partie { $part }.
-check-wrong_part = Graine { $seed } : une réponse fausse à la partie { $part } n'est pas expliquée par { $mistake }, mais par { $told }.
-check-invalid = Un tableau mal formé est noté : { $name }.
-check-sample = L'exemple « { $name } » n'est pas jugé comme prévu ; il est dit : { $told }.
-check-rounded = Un tableau juste arrondi à { $digits } chiffres est refusé avec la règle d'outil { $rule } : { $table }
-check-tool_rule = Un tableau juste est refusé avec la règle d'outil { $rule } : { $table }
-check-crash = Graine { $seed } : la notation échoue : { $reason }
-check-unneeded = Aucune réponse juste n'a besoin de { $name } : on peut choisir des repères où cette cote n'apparaît pas. Fixez le repère de la base ou celui de l'outil si la réponse doit la contenir, ou retirez-la de l'énoncé.
-warm-counts = { $exercise } : { $values } jeux de valeurs vérifiés et dessinés, { $figures } figures, { $forms } formes explicites, { $failed } échecs, { $seconds } s
-error-nothing_to_warm = Il n'y a ni exercice ni cours avec des liens nommé { $name }.
+check-figure = Graine { $seed } : la figure ne peut pas être dessinée ({ $reason }).
+check-right = Un tableau juste est refusé : { $table }
+check-certificate = Le certificat d’un tableau juste n’est pas vérifié : { $table }
+check-harmless = Un tableau faux est accepté : { $table }
+check-mistake = L’erreur { $mistake } n’est pas expliquée dans { $table }
+check-part = Graine { $seed } : une réponse juste à la partie { $part } est refusée.
+check-follow_through = Graine { $seed } : ce qui découle d’un tableau faux ne rapporte pas de points dans la partie { $part }.
+check-wrong_part = Graine { $seed } : une réponse fausse à la partie { $part } n’est pas expliquée par { $mistake }, mais par { $told }.
+check-invalid = Un tableau mal formé est noté : { $name }.
+check-sample = L’exemple « { $name } » n’est pas jugé comme prévu ; il est dit : { $told }.
+check-rounded = Un tableau juste arrondi à { $digits } chiffres est refusé avec la règle d’outil { $rule } : { $table }
+check-tool_rule = Un tableau juste est refusé avec la règle d’outil { $rule } : { $table }
+check-crash = Graine { $seed } : la notation échoue : { $reason }
+check-unneeded = Aucune réponse juste n’a besoin de { $name } : on peut choisir des repères où cette cote n’apparaît pas. Fixez le repère de la base ou celui de l’outil si la réponse doit la contenir, ou retirez-la de l’énoncé.
+warm-counts = { $exercise } : { $values } jeux de valeurs vérifiés et dessinés, { $figures } figures, { $forms } formes explicites, { $failed } échecs, { $seconds } s
+error-nothing_to_warm = Il n’y a ni exercice ni cours avec des liens nommé { $name }.

@@ -6,13 +6,13 @@ problem-title-409 = Pas maintenant
 
 ## Stockage
 
-error-storage_folder = Le dossier de données { $folder } est inutilisable : { $reason }. Indiquez dans FRAMEWISE_DATA_FOLDER un dossier accessible en écriture, ou mettez FRAMEWISE_STORAGE à off.
+error-storage_folder = Le dossier de données { $folder } est inutilisable : { $reason }. Indiquez dans FRAMEWISE_DATA_FOLDER un dossier accessible en écriture, ou mettez FRAMEWISE_STORAGE à off.
 error-storage_address = FRAMEWISE_DATABASE_URL ne désigne pas une base PostgreSQL. Elle a la forme postgresql://utilisateur:motdepasse@serveur/base.
-error-storage_unusable = La base de données { $location } est inutilisable : { $reason }.
-error-storage_unavailable = La base de données ne répond pas pour l'instant. Ce qui a déjà été confirmé est en sécurité. Renvoyez ceci dans quelques secondes.
-error-schema_newer = Les données ont été écrites par une version plus récente du programme (schéma { $found } ; cette version connaît { $known }). Installez la version plus récente.
-error-storage_not_empty = Une sauvegarde n’est restaurée que dans une base vide ; la relation { $table } contient déjà des lignes.
-error-backup_unreadable = { $file } ne peut être ni lu ni écrit comme sauvegarde : { $reason }.
+error-storage_unusable = La base de données { $location } est inutilisable : { $reason }.
+error-storage_unavailable = La base de données ne répond pas pour l’instant. Ce qui a déjà été confirmé est en sécurité. Renvoyez ceci dans quelques secondes.
+error-schema_newer = Les données ont été écrites par une version plus récente du programme (schéma { $found } ; cette version connaît { $known }). Installez la version plus récente.
+error-storage_not_empty = Une sauvegarde n’est restaurée que dans une base vide ; la relation { $table } contient déjà des lignes.
+error-backup_unreadable = { $file } ne peut être ni lu ni écrit comme sauvegarde : { $reason }.
 
 ## Essais
 
@@ -29,21 +29,21 @@ error-attempts_used = { $allowed ->
     [one] Le seul essai que permet cet exercice a été fait.
    *[other] Les { $allowed } essais que permet cet exercice ont tous été faits.
 }
-error-exercise_changed = L’exercice a été modifié après l’ouverture de cette page, et rien n’a été remis. Rechargez la page : ce que vous avez saisi est toujours là.
-error-setting_invalid = { $name } peut valoir : { $known }.
+error-exercise_changed = L’exercice a été modifié après l’ouverture de cette page, et rien n’a été remis. Rechargez la page : ce que vous avez saisi est toujours là.
+error-setting_invalid = { $name } peut valoir : { $known }.
 error-closes_before_opening = L’exercice fermerait avant d’ouvrir.
-error-session_expired = Vous n’êtes plus connecté. Ce que vous avez saisi est toujours là : rouvrez l’exercice depuis votre cours.
-error-administrator_unknown = Cette page s'ouvre avec une adresse qu'affiche framewise lti administer ; elle fonctionne une fois, et pendant deux heures.
+error-session_expired = Vous n’êtes plus connecté. Ce que vous avez saisi est toujours là : rouvrez l’exercice depuis votre cours.
+error-administrator_unknown = Cette page s’ouvre avec une adresse qu’affiche framewise lti administer ; elle fonctionne une fois, et pendant deux heures.
 error-code_used = Cette adresse a déjà servi. Rouvrez l’exercice depuis votre cours.
 error-staff_only = Ceci est réservé à l’équipe enseignante du cours.
 error-publishing_closed =
     { $who ->
-        [staff] Ici, seules les personnes venues d'un cours en tant qu'enseignants, ou munies d'une clé de portée publish, peuvent publier des exercices.
-        [key] Ici, des exercices ne peuvent être publiés qu'avec une clé de portée publish.
-       *[nobody] Personne ne peut publier d'exercices sur ce service.
+        [staff] Ici, seules les personnes venues d’un cours en tant qu’enseignants, ou munies d’une clé de portée publish, peuvent publier des exercices.
+        [key] Ici, des exercices ne peuvent être publiés qu’avec une clé de portée publish.
+       *[nobody] Personne ne peut publier d’exercices sur ce service.
     }
 error-link_without_exercise = Aucun exercice n’a encore été choisi pour ce lien. Un enseignant le choisit en ouvrant le lien.
 error-invitation_used = Cette adresse d’enregistrement a déjà servi ou est trop ancienne. Demandez-en une nouvelle.
-error-storage_off = Cette installation ne conserve pas de cours : son stockage est désactivé.
+error-storage_off = Cette installation ne conserve pas de cours : son stockage est désactivé.
 error-posted_form_too_large = Le formulaire dépasse { $limit } octets.
 error-form_invalid = Le corps n’est pas un formulaire (application/x-www-form-urlencoded).

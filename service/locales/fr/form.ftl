@@ -5,8 +5,8 @@ form-nav-label = Pages
 form-nav-exercises = Exercices
 form-nav-playground = Atelier
 form-language = Langue
-form-needs-script = Cette page a besoin de JavaScript : il dessine le robot et vérifie le tableau pendant la saisie.
-form-unreachable = Le service est injoignable. Votre saisie est conservée ; réessayez dans un instant.
+form-needs-script = Cette page a besoin de JavaScript : il dessine le robot et vérifie le tableau pendant la saisie.
+form-unreachable = Le service est injoignable. Votre saisie est conservée ; réessayez dans un instant.
 form-retry = Réessayer
 form-cancel = Annuler
 form-close = Fermer
@@ -17,10 +17,10 @@ form-home-heading = Décrivez le robot. Tout choix de repères valable compte.
 form-home-lead = Des tableaux de Denavit–Hartenberg, un robot qui bouge pendant la saisie et un correcteur qui prouve si votre tableau décrit le même mécanisme.
 form-home-exercises = Exercices
 form-home-more = Autres pages
-form-home-playground = Un tableau quelconque : poses, jacobiennes, formes littérales, conversions.
+form-home-playground = Un tableau quelconque : poses, jacobiennes, formes littérales, conversions.
 form-home-api = Interface de programmation
 form-home-api-text = La même chose par HTTP, en document OpenAPI.
-form-home-best = Meilleur essai : { $points } points sur { $total }
+form-home-best = Meilleur essai : { $points } points sur { $total }
 form-home-joints =
     { $joints ->
         [one] Une articulation
@@ -36,7 +36,7 @@ form-scene-view-corner = De trois quarts
 form-scene-view-front = De face
 form-scene-view-side = De côté
 form-scene-view-top = De dessus
-form-scene-view-now = Vue : { $view }
+form-scene-view-now = Vue : { $view }
 form-scene-turn-left = Tourner à gauche
 form-scene-turn-right = Tourner à droite
 form-scene-turn-up = Incliner vers le haut
@@ -59,8 +59,8 @@ form-joints-reset = Remettre les articulations en place
 form-convention = Convention
 form-convention-standard = standard
 form-convention-modified = modifiée
-form-convention-now-standard = Vos entrées restent telles quelles et se lisent maintenant dans la convention standard : a et α appartiennent au corps i, l’articulation i agit selon l’axe z du repère i−1.
-form-convention-now-modified = Vos entrées restent telles quelles et se lisent maintenant dans la convention modifiée : a et α appartiennent au corps i−1, l’articulation i agit selon l’axe z du repère i.
+form-convention-now-standard = Vos entrées restent telles quelles et se lisent maintenant dans la convention standard : a et α appartiennent au corps i, l’articulation i agit selon l’axe z du repère i−1.
+form-convention-now-modified = Vos entrées restent telles quelles et se lisent maintenant dans la convention modifiée : a et α appartiennent au corps i−1, l’articulation i agit selon l’axe z du repère i.
 form-angle-unit = Unité des angles
 form-degrees = degrés
 form-radians = radians
@@ -72,8 +72,8 @@ form-unit-convert = Convertir les nombres
 form-unit-converted = Nombres convertis
 form-unit-converted-but =
     { $count ->
-        [one] Nombres convertis, sauf dans une cellule qui n’est pas une simple somme : vérifiez-la.
-       *[other] Nombres convertis, sauf dans { $count } cellules qui ne sont pas de simples sommes : vérifiez-les.
+        [one] Nombres convertis, sauf dans une cellule qui n’est pas une simple somme : vérifiez-la.
+       *[other] Nombres convertis, sauf dans { $count } cellules qui ne sont pas de simples sommes : vérifiez-les.
     }
 
 form-table-caption = Tableau DH, convention { $convention }
@@ -87,11 +87,11 @@ form-row-down = Descendre la ligne { $row }
 form-row-moved = La ligne { $row } est maintenant la ligne { $to }
 form-row-cell = ligne { $row }, { $name }
 form-cell-label = Ligne { $row }, { $name } [{ $unit }]
-form-cell-empty = Vide : écrivez 0 si c’est zéro.
+form-cell-empty = Vide : écrivez 0 si c’est zéro.
 form-faults =
     { $count ->
-        [one] Une cellule est à revoir :
-       *[other] { $count } cellules sont à revoir :
+        [one] Une cellule est à revoir :
+       *[other] { $count } cellules sont à revoir :
     }
 form-undo = Annuler la dernière action
 form-undone = Annulé
@@ -99,16 +99,16 @@ form-redo = Rétablir
 form-redone = Rétabli
 form-symbols = Symboles
 form-symbol-insert = Insérer { $symbol }
-form-keys = Flèches haut et bas : changer de ligne · Alt et flèche : déplacer la ligne · Alt+Entrée : en ajouter une · Alt+Suppr : la supprimer · Ctrl+Z : annuler.
+form-keys = Flèches haut et bas : changer de ligne · Alt et flèche : déplacer la ligne · Alt+Entrée : en ajouter une · Alt+Suppr : la supprimer · Ctrl+Z : annuler.
 form-paste-title = Coller un tableau
 form-paste-label = Un tableau issu d’un tableur, de LaTeX, de Markdown ou d’un PDF
-form-paste-order = Sans en-têtes, les colonnes se lisent dans l’ordre : { $order }
+form-paste-order = Sans en-têtes, les colonnes se lisent dans l’ordre : { $order }
 form-paste-found =
     { $rows ->
-        [one] Une ligne trouvée :
-       *[other] { $rows } lignes trouvées :
+        [one] Une ligne trouvée :
+       *[other] { $rows } lignes trouvées :
     }
-form-paste-nothing = Aucun tableau n’est reconnu dans ce texte : chaque ligne doit contenir les quatre paramètres DH.
+form-paste-nothing = Aucun tableau n’est reconnu dans ce texte : chaque ligne doit contenir les quatre paramètres DH.
 form-paste-preview = Ce qui a été trouvé
 form-paste-apply = Utiliser ce tableau
 form-pasted =
@@ -126,7 +126,7 @@ form-matrix-full = complète
 form-matrix-none = Les matrices apparaissent dès que chaque ligne peut être lue.
 form-matrix-name = Repère { $to } dans le repère { $from }
 form-copy = Copier en
-form-copy-group = Copier : { $what }
+form-copy-group = Copier : { $what }
 form-copied = Copié en { $format }
 form-copy-failed = Le navigateur ne permet pas de copier
 
@@ -140,7 +140,7 @@ form-exercise-rules = Ce qui est libre et ce qui est fixé
 form-figure-mode = Montrer le robot en
 form-figure-drawing = Dessin
 form-figure-space = 3D
-form-figure-alt = Dessin du robot : { $title }. Une description en mots suit.
+form-figure-alt = Dessin du robot : { $title }. Une description en mots suit.
 form-figure-label = { $title } dans l’espace
 form-figure-move = Bouger les articulations
 form-figure-posture = Compté à partir de la posture du dessin.
@@ -168,15 +168,15 @@ form-part-orientation = Orientation
 form-part-rotation-check = Rotation ou non
 form-part-frame-chain = Chaîne de repères
 form-part-inverse-kinematics = Cinématique inverse
-form-part-find-mistake = Trouvez l'erreur
-form-part-matrix-mistake = Trouver l'erreur dans une matrice
+form-part-find-mistake = Trouvez l’erreur
+form-part-matrix-mistake = Trouver l’erreur dans une matrice
 form-part-compare-tables = Deux tableaux
-form-part-screws = Produit d'exponentielles
+form-part-screws = Produit d’exponentielles
 form-part-jacobian = Jacobienne et statique
 form-part-jacobian-form = Jacobienne sous forme littérale
 form-part-singularities = Singularités
 form-part-equations-of-motion = Équations du mouvement
-form-part-wrong = À revoir :
+form-part-wrong = À revoir :
 form-radius-inner = Rayon intérieur
 form-radius-outer = Rayon extérieur
 form-matrix-cell = { $name }, ligne { $row }, colonne { $column }
@@ -203,13 +203,13 @@ form-own-unread =
        *[other] { $count } cellules sont encore illisibles.
     }
 form-own-last = L’image montre le dernier tableau lisible.
-form-own-values = Pour dessiner votre robot, donnez une valeur à : { $names }.
+form-own-values = Pour dessiner votre robot, donnez une valeur à : { $names }.
 form-own-shown =
     { $joints ->
-        [one] Dessiné d’après votre tableau : une articulation.
-       *[other] Dessiné d’après votre tableau : { $joints } articulations.
+        [one] Dessiné d’après votre tableau : une articulation.
+       *[other] Dessiné d’après votre tableau : { $joints } articulations.
     }
-form-own-description = Les repères de votre tableau avec leurs axes x, y et z. Articulations : { $joints }.
+form-own-description = Les repères de votre tableau avec leurs axes x, y et z. Articulations : { $joints }.
 form-own-parameters = Valeurs pour le dessin
 form-joints = Articulations
 form-matrices = Matrices
@@ -220,7 +220,7 @@ form-verdict-wrong = Votre tableau décrit un autre robot.
 form-verdict-all = Tout ce que vous avez rendu est juste.
 form-verdict-some = Tout n’est pas encore juste.
 form-verdict-outdated = Vous avez modifié votre réponse depuis.
-form-basis-proved = Prouvé : l’identité vaut pour toutes les valeurs articulaires.
+form-basis-proved = Prouvé : l’identité vaut pour toutes les valeurs articulaires.
 form-basis-verified = Vérifié sur de nombreuses configurations.
 form-links-caption = Ce qui est juste dans chaque ligne
 form-fact-twist = Torsion α
@@ -235,8 +235,8 @@ form-finding-hidden = –
 form-repairs = Ce qui le rendrait juste
 form-repair-or = ou
 form-both-label = Le robot de l’exercice et le vôtre, en mouvement commun
-form-both-text = Les deux robots bougent ensemble : le vôtre avec vos repères, celui de l’exercice en gris et orange.
-form-both-description = Vos repères sont posés sur le robot de l’exercice ; tous deux suivent le même mouvement.
+form-both-text = Les deux robots bougent ensemble : le vôtre avec vos repères, celui de l’exercice en gris et orange.
+form-both-description = Vos repères sont posés sur le robot de l’exercice ; tous deux suivent le même mouvement.
 form-both-position = Instant du mouvement
 form-play = Lancer
 form-pause = Pause
@@ -250,55 +250,55 @@ form-history-clear = Tout oublier
 form-missing-title = Introuvable
 form-missing-text = Il n’y a pas de telle page ici. Tous les exercices sont sur la première page.
 form-missing-home = Aux exercices
-form-storage-blocked = Le navigateur ne conserve rien ici : votre saisie est perdue si vous fermez ou rechargez cette page.
+form-storage-blocked = Le navigateur ne conserve rien ici : votre saisie est perdue si vous fermez ou rechargez cette page.
 
 form-row-play = Montrer la ligne { $row } dans l’image
 form-film = La ligne pas à pas
-form-film-hint = Placez le curseur dans une cellule ou appuyez sur le numéro d’une ligne : on voit comment ses quatre nombres mènent du repère i−1 au repère i.
-form-film-none = La ligne { $row } ne peut pas encore être montrée : complétez-la, ainsi que les précédentes.
+form-film-hint = Placez le curseur dans une cellule ou appuyez sur le numéro d’une ligne : on voit comment ses quatre nombres mènent du repère i−1 au repère i.
+form-film-none = La ligne { $row } ne peut pas encore être montrée : complétez-la, ainsi que les précédentes.
 form-film-play = Jouer la ligne
 form-film-back = Un pas en arrière
 form-film-forward = Un pas en avant
 form-film-row-before = Ligne précédente
 form-film-row-after = Ligne suivante
-form-film-start = Ligne { $row } : on part du repère { $frame }.
-form-film-turn = Ligne { $row }, { $number } sur 4 : rotation autour de { $axis } de { $letter } = { $value }.
-form-film-slide = Ligne { $row }, { $number } sur 4 : translation le long de { $axis } de { $letter } = { $value }.
+form-film-start = Ligne { $row } : on part du repère { $frame }.
+form-film-turn = Ligne { $row }, { $number } sur 4 : rotation autour de { $axis } de { $letter } = { $value }.
+form-film-slide = Ligne { $row }, { $number } sur 4 : translation le long de { $axis } de { $letter } = { $value }.
 form-scene-enlarge = Plein écran
 form-scene-record = Enregistrer comme image
 form-scene-recorded = Image enregistrée
 form-own-rows =
     { $rows ->
-        [one] Tracé jusqu’ici : une ligne.
-       *[other] Tracé jusqu’ici : { $rows } lignes.
+        [one] Tracé jusqu’ici : une ligne.
+       *[other] Tracé jusqu’ici : { $rows } lignes.
     }
 
 form-matrix-text = Sous forme de texte
-form-matrix-text-label = { $name } sous forme de texte : LaTeX, MATLAB, Python ou cellules d’un tableur
+form-matrix-text-label = { $name } sous forme de texte : LaTeX, MATLAB, Python ou cellules d’un tableur
 form-matrix-text-unread = Aucune matrice 4×4 n’est reconnue dans ce texte.
 form-name-unknown =
     { $known ->
-        [none] { $name } n’est pas une dimension de ce robot ; aucune n’a de nom.
-       *[other] { $name } n’est pas une dimension de ce robot. Ses dimensions : { $names }.
+        [none] { $name } n’est pas une dimension de ce robot ; aucune n’a de nom.
+       *[other] { $name } n’est pas une dimension de ce robot. Ses dimensions : { $names }.
     }
 
 form-nav-lesson = Première leçon
-form-term = Qu’est-ce ? { $term }
-form-convention-what = De quoi s’agit-il ?
+form-term = Qu’est-ce ? { $term }
+form-convention-what = De quoi s’agit-il ?
 form-exercise-write = Attachez un repère à chaque corps et écrivez la table DH de ce robot.
 
 form-why = Pourquoi chaque ligne est juste
-form-why-row = Ligne { $row } : position des axes z{ $before } et z{ $row } : { $relation } ; donc α = { $alpha } et a = { $a } ; le long de z, les repères sont distants de d = { $d }.
+form-why-row = Ligne { $row } : position des axes z{ $before } et z{ $row } : { $relation } ; donc α = { $alpha } et a = { $a } ; le long de z, les repères sont distants de d = { $d }.
 form-second-table = Un deuxième tableau valide
 form-second-other-convention = Il est écrit dans la convention { $convention }.
 form-second-axis-reversed = Un axe z est de sens opposé, ou une variable articulaire est comptée en sens opposé.
-form-second-x-turned = Un axe x est orienté autrement ; la variable de son articulation est donc nulle ailleurs.
+form-second-x-turned = Un axe x est orienté autrement ; la variable de son articulation est donc nulle ailleurs.
 form-second-origin-moved = Une origine est placée ailleurs sur son axe.
 form-second-none = Les règles de cet exercice ne laissent aucun autre tableau.
 
 form-ghost-label = Votre robot, en fantôme sur celui de l’exercice
-form-ghost-text = En gris et orange, le robot de l’exercice ; en rouge transparent, le vôtre. Les deux font le même mouvement. Le repère { $row }, marqué, celui de la ligne { $row }, est le premier qui quitte le robot.
-form-ghost-description = Votre robot coïncide avec celui de l’exercice jusqu’au repère { $row }, qui est marqué : là, ils se séparent.
+form-ghost-text = En gris et orange, le robot de l’exercice ; en rouge transparent, le vôtre. Les deux font le même mouvement. Le repère { $row }, marqué, celui de la ligne { $row }, est le premier qui quitte le robot.
+form-ghost-description = Votre robot coïncide avec celui de l’exercice jusqu’au repère { $row }, qui est marqué : là, ils se séparent.
 form-new = Nouveau
 form-new-done = Un nouveau tableau, vide.
 
@@ -308,25 +308,25 @@ form-progress-typed = pas encore vérifié
 form-part-missing = non rendu
 form-part-empty = Rien n’est encore écrit ici.
 form-submit-part = Vérifier cette partie
-form-points-for = Un tableau faux gagne des points pour ce qu’il a de juste : que chaque articulation soit là avec son type, les torsions, les longueurs et les décalages. Une articulation qui manque coûte le plus, un signe qui a glissé le moins.
+form-points-for = Un tableau faux gagne des points pour ce qu’il a de juste : que chaque articulation soit là avec son type, les torsions, les longueurs et les décalages. Une articulation qui manque coûte le plus, un signe qui a glissé le moins.
 form-help-steps = une étape après l’autre
 form-help-principle = Le principe.
 form-help-worked = Une étape traitée, sur un autre robot.
 form-help-next = L’étape suivante de l’aide vient avec votre prochaine réponse, une fois que vous l’aurez changée.
-form-principle-twist = La torsion α amène un axe z sur le suivant, vue le long de l’axe x, perpendiculaire aux deux. Des axes z parallèles ont 0° ou 180°, des axes perpendiculaires 90° ou −90° ; la main droite, le pouce selon x, donne le signe.
+form-principle-twist = La torsion α amène un axe z sur le suivant, vue le long de l’axe x, perpendiculaire aux deux. Des axes z parallèles ont 0° ou 180°, des axes perpendiculaires 90° ou −90° ; la main droite, le pouce selon x, donne le signe.
 form-principle-length = La longueur a est la distance de deux axes z voisins le long de leur normale commune, qui est l’axe x. Elle vaut 0 si et seulement si les deux droites se coupent.
-form-principle-offset = Le décalage d est la distance, le long d’un axe z, entre deux pieds : là où arrive la normale commune depuis l’axe précédent, et là où part celle vers l’axe suivant. Si des axes voisins sont parallèles, vous choisissez où il se place, mais une seule fois.
-form-principle-joint = Une articulation rotoïde tourne autour de son axe z : sa variable est θ. Une articulation prismatique glisse le long de son axe : sa variable est d. Chaque articulation a une ligne, de la base à l’outil.
-form-worked-twist = Une épaule dont le premier axe est vertical et le deuxième horizontal : les deux axes z sont perpendiculaires. Avec x vers vous, la main droite amène le z vertical sur l’horizontal par −90° ou 90°, selon le sens donné à z ; donc α = −90° ou 90°, jamais 0.
-form-worked-length = Deux corps dans un plan, longs de 0,4 m et 0,3 m : les deux axes sont verticaux, à 0,4 m l’un de l’autre. Leur normale commune est le premier corps, donc a = 0,4 m. Dans un poignet dont les axes se coupent en un point, chaque a vaut 0.
-form-worked-offset = Une épaule se trouve à 0,2 m à côté du premier axe, vertical, et le deuxième axe est horizontal. Le long du deuxième axe, il y a 0,2 m entre le pied de la normale venant du premier et celui de la normale vers le troisième : d = 0,2 m, dans la ligne de la deuxième articulation.
-form-worked-joint = Un portique déplace son chariot le long d’un rail et tourne la pince qui y pend. Le rail est une articulation prismatique : sa ligne a la variable en d et un nombre en θ. La pince est une articulation rotoïde : la variable en θ et un nombre en d.
+form-principle-offset = Le décalage d est la distance, le long d’un axe z, entre deux pieds : là où arrive la normale commune depuis l’axe précédent, et là où part celle vers l’axe suivant. Si des axes voisins sont parallèles, vous choisissez où il se place, mais une seule fois.
+form-principle-joint = Une articulation rotoïde tourne autour de son axe z : sa variable est θ. Une articulation prismatique glisse le long de son axe : sa variable est d. Chaque articulation a une ligne, de la base à l’outil.
+form-worked-twist = Une épaule dont le premier axe est vertical et le deuxième horizontal : les deux axes z sont perpendiculaires. Avec x vers vous, la main droite amène le z vertical sur l’horizontal par −90° ou 90°, selon le sens donné à z ; donc α = −90° ou 90°, jamais 0.
+form-worked-length = Deux corps dans un plan, longs de 0,4 m et 0,3 m : les deux axes sont verticaux, à 0,4 m l’un de l’autre. Leur normale commune est le premier corps, donc a = 0,4 m. Dans un poignet dont les axes se coupent en un point, chaque a vaut 0.
+form-worked-offset = Une épaule se trouve à 0,2 m à côté du premier axe, vertical, et le deuxième axe est horizontal. Le long du deuxième axe, il y a 0,2 m entre le pied de la normale venant du premier et celui de la normale vers le troisième : d = 0,2 m, dans la ligne de la deuxième articulation.
+form-worked-joint = Un portique déplace son chariot le long d’un rail et tourne la pince qui y pend. Le rail est une articulation prismatique : sa ligne a la variable en d et un nombre en θ. La pince est une articulation rotoïde : la variable en θ et un nombre en d.
 form-home-author = Créer un exercice
-form-home-author-text = Pour les enseignants : sur le bras de votre propre livre, en un quart d'heure.
+form-home-author-text = Pour les enseignants : sur le bras de votre propre livre, en un quart d’heure.
 
 form-matrices-withheld = Les matrices apparaissent ici dès que les parties qui les demandent sont justes.
-form-sharing = Pour les enseignants : liens et paquets
-form-sharing-text = Un lien porte ces réglages, signés : qui arrive par lui ne peut pas les changer, et le service lui-même les respecte. Un paquet SCORM entre dans un cours sans administrateur ; sa note vient du navigateur de l’étudiant, mais le reçu dans ses commentaires ne peut pas être falsifié.
+form-sharing = Pour les enseignants : liens et paquets
+form-sharing-text = Un lien porte ces réglages, signés : qui arrive par lui ne peut pas les changer, et le service lui-même les respecte. Un paquet SCORM entre dans un cours sans administrateur ; sa note vient du navigateur de l’étudiant, mais le reçu dans ses commentaires ne peut pas être falsifié.
 form-sharing-may = Les étudiants peuvent utiliser
 form-sharing-catalogue = le catalogue de robots
 form-sharing-playground = l’atelier
@@ -337,7 +337,7 @@ form-sharing-attempts = Essais
 form-sharing-link = Créer un lien
 form-sharing-receipts = Vérifier des reçus
 form-receipt = Prendre un reçu
-form-receipt-text = Un reçu dit ce que cette réponse a rapporté ; ce service le signe. Remettez-le à votre enseignant : en texte, en code QR ou en page à imprimer.
+form-receipt-text = Un reçu dit ce que cette réponse a rapporté ; ce service le signe. Remettez-le à votre enseignant : en texte, en code QR ou en page à imprimer.
 form-receipt-name = Votre nom, tel que le cours le connaît
 form-receipt-as-text = Reçu en texte
 form-receipt-copy = Copier le texte
@@ -345,7 +345,7 @@ form-receipt-qr = Reçu en code QR
 form-receipt-pdf = Page à imprimer (PDF)
 
 form-part-frames = Repères
-form-frames-hint = Dans les coordonnées de la figure, dont l’origine est là où le robot est fixé : X pointe à droite, Y vers l’arrière, Z vers le haut. Longueurs en { $unit }. Une direction peut avoir n’importe quelle longueur.
+form-frames-hint = Dans les coordonnées de la figure, dont l’origine est là où le robot est fixé : X pointe à droite, Y vers l’arrière, Z vers le haut. Longueurs en { $unit }. Une direction peut avoir n’importe quelle longueur.
 form-frames-scene = Le robot avec vos repères
 form-frames-drawn = { $drawn } repères sur { $all } sont dessinés.
 form-frames-frame = Repère { $frame }

@@ -5,24 +5,24 @@ field-component_order = Ordre des composantes
 field-quaternion = Quaternion
 field-axis = Axe de rotation
 field-angle = Angle de rotation
-field-angles = Triplets d'angles
-field-middle = En cas de blocage de cardan : l'angle du milieu
-field-combination = En cas de blocage de cardan : ce qui est fixé du premier et du dernier angle
+field-angles = Triplets d’angles
+field-middle = En cas de blocage de cardan : l’angle du milieu
+field-combination = En cas de blocage de cardan : ce qui est fixé du premier et du dernier angle
 field-value = Sa valeur
 field-claim = La matrice ou pose donnée
 field-pose = Pose
-option-wxyz = w, x, y, z : le scalaire d'abord
-option-xyzw = x, y, z, w : le scalaire à la fin
-option-sum = la somme : premier + dernier
-option-difference = la différence : premier − dernier
+option-wxyz = w, x, y, z : le scalaire d’abord
+option-xyzw = x, y, z, w : le scalaire à la fin
+option-sum = la somme : premier + dernier
+option-difference = la différence : premier − dernier
 option-rotation = est une rotation
-option-unit_columns = n'en est pas une : une colonne n'est pas de longueur 1
-option-perpendicular_columns = n'en est pas une : deux colonnes ne sont pas perpendiculaires
-option-right_handed = n'en est pas une : ses colonnes forment un trièdre indirect (déterminant −1)
-given-rotation = L'orientation, en matrice de rotation
-given-quaternion = L'orientation, en quaternion unitaire
-given-axis_angle = L'orientation, en axe et angle
-given-angles = L'orientation, en angles
+option-unit_columns = n’en est pas une : une colonne n’est pas de longueur 1
+option-perpendicular_columns = n’en est pas une : deux colonnes ne sont pas perpendiculaires
+option-right_handed = n’en est pas une : ses colonnes forment un trièdre indirect (déterminant −1)
+given-rotation = L’orientation, en matrice de rotation
+given-quaternion = L’orientation, en quaternion unitaire
+given-axis_angle = L’orientation, en axe et angle
+given-angles = L’orientation, en angles
 given-matrix = La matrice
 given-frame-pose = Pose du repère { $end } dans le repère { $start }
 
@@ -32,82 +32,82 @@ task-orientation =
             [fixed] fixes
            *[current] courants
         } { $axes }, dans cet ordre.
-       *[other] L'orientation d'un repère est donnée.
+       *[other] L’orientation d’un repère est donnée.
     } Écrivez-la dans les notations ci-dessous. { $ask ->
         [every] Pour les angles autour des axes { $asked_turning ->
             [fixed] fixes
            *[current] courants
-        } { $asked_axes }, tous les triplets sont demandés : les deux ou, en cas de blocage de cardan, l'angle du milieu et ce qui est fixé des deux autres.
+        } { $asked_axes }, tous les triplets sont demandés : les deux ou, en cas de blocage de cardan, l’angle du milieu et ce qui est fixé des deux autres.
         [one] Pour les angles autour des axes { $asked_turning ->
             [fixed] fixes
            *[current] courants
         } { $asked_axes }, un triplet suffit.
        *[none] {""}
     }
-task-rotation-check = Cette matrice est-elle une rotation ? Sinon, dites quelle propriété des rotations n'est pas satisfaite.
+task-rotation-check = Cette matrice est-elle une rotation ? Sinon, dites quelle propriété des rotations n’est pas satisfaite.
 task-frame-chain = Les poses ci-dessous sont connues. Écrivez la pose du repère { $end } dans le repère { $start } en matrice 4×4, longueurs en { $unit }.
-feedback-orientation_right = Toutes les notations décrivent l'orientation donnée.
+feedback-orientation_right = Toutes les notations décrivent l’orientation donnée.
 feedback-orientation_wrong =
     { $notation ->
-        [matrix] La matrice n'est pas celle de cette orientation.
-        [quaternion] Le quaternion n'est pas celui de cette orientation.
-        [axis_angle] L'axe et l'angle ne sont pas ceux de cette orientation.
+        [matrix] La matrice n’est pas celle de cette orientation.
+        [quaternion] Le quaternion n’est pas celui de cette orientation.
+        [axis_angle] L’axe et l’angle ne sont pas ceux de cette orientation.
        *[other] Les angles ne sont pas, ou pas tous, ceux de cette orientation.
     }
 feedback-orientation_missing =
     { $notation ->
         [matrix] Il manque la matrice.
         [quaternion] Il manque le quaternion.
-        [axis_angle] Il manque l'axe et l'angle.
+        [axis_angle] Il manque l’axe et l’angle.
        *[other] Il manque les angles.
     }
 
-feedback-rotation_transposed = C'est la rotation inverse : lignes et colonnes, ou le sens de rotation, ont été échangés.
-feedback-rotation_order_reversed = Les rotations ont été multipliées dans l'ordre inverse : axes fixes et axes courants ont été confondus.
-feedback-rotation_degrees = Un angle en degrés a été pris pour des radians, ou l'inverse.
-feedback-rotation_handedness = Tout tourne dans l'autre sens : c'est la règle de la main gauche.
-feedback-rotation_half_angle = Ce quaternion tourne deux fois trop : il faut le sinus et le cosinus du demi-angle.
-feedback-rotation_component_order = Dans l'autre ordre des composantes, ce quaternion serait juste.
-feedback-rotation_not_unit = Le quaternion n'est pas de norme 1.
-feedback-rotation_no_axis = L'axe est de longueur nulle.
+feedback-rotation_transposed = C’est la rotation inverse : lignes et colonnes, ou le sens de rotation, ont été échangés.
+feedback-rotation_order_reversed = Les rotations ont été multipliées dans l’ordre inverse : axes fixes et axes courants ont été confondus.
+feedback-rotation_degrees = Un angle en degrés a été pris pour des radians, ou l’inverse.
+feedback-rotation_handedness = Tout tourne dans l’autre sens : c’est la règle de la main gauche.
+feedback-rotation_half_angle = Ce quaternion tourne deux fois trop : il faut le sinus et le cosinus du demi-angle.
+feedback-rotation_component_order = Dans l’autre ordre des composantes, ce quaternion serait juste.
+feedback-rotation_not_unit = Le quaternion n’est pas de norme 1.
+feedback-rotation_no_axis = L’axe est de longueur nulle.
 feedback-rotation_solution_missing = Il y a un second triplet de même orientation.
-feedback-rotation_solution_twice = Vos triplets ne diffèrent que de tours complets : c'est le même. Il y en a un autre.
-feedback-rotation_family_missing = Il y a blocage de cardan : les triplets sont en nombre infini. Dites quelle combinaison du premier et du dernier angle est fixée.
-feedback-rotation_quadrant = Un angle est dans le mauvais quadrant, à un demi-tour : prenez atan2 au lieu de atan, et veillez au signe de l'angle du milieu.
-feedback-rotation_unit_columns = Ce n'est pas une rotation : une colonne n'est pas de longueur 1.
-feedback-rotation_perpendicular_columns = Ce n'est pas une rotation : deux colonnes ne sont pas perpendiculaires.
-feedback-rotation_right_handed = Ce n'est pas une rotation mais une réflexion : son déterminant est −1.
-feedback-claim_right = C'est vrai de cette matrice.
-feedback-claim_not_rotation = Ce n'en est pas une : vérifiez les longueurs des colonnes, leurs angles droits et le déterminant.
-feedback-claim_rotation = C'est bien une rotation : colonnes de longueur 1, perpendiculaires, déterminant +1.
-feedback-claim_other_property = Ce n'est pas une rotation, mais cette propriété est satisfaite ; c'en est une autre qui ne l'est pas.
+feedback-rotation_solution_twice = Vos triplets ne diffèrent que de tours complets : c’est le même. Il y en a un autre.
+feedback-rotation_family_missing = Il y a blocage de cardan : les triplets sont en nombre infini. Dites quelle combinaison du premier et du dernier angle est fixée.
+feedback-rotation_quadrant = Un angle est dans le mauvais quadrant, à un demi-tour : prenez atan2 au lieu de atan, et veillez au signe de l’angle du milieu.
+feedback-rotation_unit_columns = Ce n’est pas une rotation : une colonne n’est pas de longueur 1.
+feedback-rotation_perpendicular_columns = Ce n’est pas une rotation : deux colonnes ne sont pas perpendiculaires.
+feedback-rotation_right_handed = Ce n’est pas une rotation mais une réflexion : son déterminant est −1.
+feedback-claim_right = C’est vrai de cette matrice.
+feedback-claim_not_rotation = Ce n’en est pas une : vérifiez les longueurs des colonnes, leurs angles droits et le déterminant.
+feedback-claim_rotation = C’est bien une rotation : colonnes de longueur 1, perpendiculaires, déterminant +1.
+feedback-claim_other_property = Ce n’est pas une rotation, mais cette propriété est satisfaite ; c’en est une autre qui ne l’est pas.
 feedback-chain_right = La pose est bien celle que donne la chaîne de repères.
-feedback-chain_wrong = Ce n'est pas la pose qui découle des poses connues.
+feedback-chain_wrong = Ce n’est pas la pose qui découle des poses connues.
 feedback-chain_rotation_right = Sa rotation est juste.
 feedback-chain_position_right = Sa position est juste.
-feedback-chain_inverted = C'est l'inverse : la pose du premier repère dans le dernier.
-feedback-chain_not_inverted = Une pose connue a été prise telle quelle alors qu'il faut d'abord l'inverser.
-feedback-chain_inverse_without_transpose = L'inverse d'une pose a été formée avec R ; il faut Rᵀ : (Rᵀ, −Rᵀp).
-feedback-chain_inverse_position = La position d'une inverse est −Rᵀp, et non −p.
-feedback-chain_order_reversed = Les facteurs ont été multipliés dans l'ordre inverse.
+feedback-chain_inverted = C’est l’inverse : la pose du premier repère dans le dernier.
+feedback-chain_not_inverted = Une pose connue a été prise telle quelle alors qu’il faut d’abord l’inverser.
+feedback-chain_inverse_without_transpose = L’inverse d’une pose a été formée avec R ; il faut Rᵀ : (Rᵀ, −Rᵀp).
+feedback-chain_inverse_position = La position d’une inverse est −Rᵀp, et non −p.
+feedback-chain_order_reversed = Les facteurs ont été multipliés dans l’ordre inverse.
 feedback-chain_transposed = La rotation est transposée.
-feedback-chain_not_rigid = Ce n'est pas un déplacement rigide : ses trois premières colonnes ne sont pas celles d'une rotation.
-error-euler_axes_unknown = { $axes } n'est pas une suite d'axes : trois parmi X, Y, Z, les voisins différents.
-error-component_order_missing = Dites où se trouve le scalaire du quaternion : wxyz ou xyzw.
+feedback-chain_not_rigid = Ce n’est pas un déplacement rigide : ses trois premières colonnes ne sont pas celles d’une rotation.
+error-euler_axes_unknown = { $axes } n’est pas une suite d’axes : trois parmi X, Y, Z, les voisins différents.
+error-component_order_missing = Dites où se trouve le scalaire du quaternion : wxyz ou xyzw.
 error-axis_and_angle = À un axe il faut un angle, et à un angle un axe.
-error-family_incomplete = Une famille de triplets demande les trois : l'angle du milieu, somme ou différence, et sa valeur.
-error-orientation_empty = Écrivez l'orientation dans l'une des notations demandées.
+error-family_incomplete = Une famille de triplets demande les trois : l’angle du milieu, somme ou différence, et sa valeur.
+error-orientation_empty = Écrivez l’orientation dans l’une des notations demandées.
 error-frames_not_connected = Les poses connues ne mènent pas du repère { $start } au repère { $end }.
 
-error-one_notation = Donnez l'orientation dans une seule notation : { $known }.
-error-expected_not_rotation = La matrice attendue n'est pas une rotation.
+error-one_notation = Donnez l’orientation dans une seule notation : { $known }.
+error-expected_not_rotation = La matrice attendue n’est pas une rotation.
 
 field-solutions = Valeurs articulaires
-field-combinations = S'il y en a une infinité : ce qui y reste constant (coefficients)
-option-finite = n'est atteinte qu'avec ces valeurs articulaires
-option-infinite = est atteinte d'une infinité de façons ; en voici quelques-unes
-option-out_of_reach = n'est pas atteinte : elle est hors d'atteinte
-option-joint_limits = n'est pas atteinte dans les limites des articulations
+field-combinations = S’il y en a une infinité : ce qui y reste constant (coefficients)
+option-finite = n’est atteinte qu’avec ces valeurs articulaires
+option-infinite = est atteinte d’une infinité de façons ; en voici quelques-unes
+option-out_of_reach = n’est pas atteinte : elle est hors d’atteinte
+option-joint_limits = n’est pas atteinte dans les limites des articulations
 given-target = La pose
 given-target-position = La position de la dernière origine
 given-table = Le tableau DH, convention { $convention ->
@@ -117,22 +117,22 @@ given-table = Le tableau DH, convention { $convention ->
 
 task-inverse-kinematics =
     { $variables ->
-        [own] Quelles valeurs de vos propres variables articulaires amènent le dernier repère à cette place dans le repère 0 ?
-       *[given] Le tableau du robot est donné. Quelles valeurs articulaires amènent son dernier repère à cette place dans le repère 0 ?
+        [own] Quelles valeurs de vos propres variables articulaires amènent le dernier repère à cette place dans le repère 0 ?
+       *[given] Le tableau du robot est donné. Quelles valeurs articulaires amènent son dernier repère à cette place dans le repère 0 ?
     } { $solutions ->
         [one] Une solution suffit.
-       *[all] Donnez-les toutes ; les tours complets ne comptent pas.
+       *[all] Donnez-les toutes ; les tours complets ne comptent pas.
     } { $reach ->
         [position] Seule compte la position de la dernière origine, en { $unit }.
-       *[pose] Comptent la position, en { $unit }, et l'orientation.
+       *[pose] Comptent la position, en { $unit }, et l’orientation.
     }
 
 feedback-joints_right = La réponse est juste et complète.
-feedback-joints_searched = Pour cette pose, les solutions ont été trouvées par recherche ; il peut y en avoir d'autres.
-feedback-joints_need_table = Les valeurs articulaires sont celles de vos propres variables : rendez aussi un tableau juste.
-feedback-claim_wrong = Ce n'est pas le cas : recomptez combien de valeurs articulaires atteignent cette pose, s'il y en a.
-feedback-joints_wrong = La ligne { $row } n'atteint pas la pose.
-feedback-joints_twice = Les lignes { $other } et { $row } ne diffèrent que de tours complets : c'est une seule solution.
+feedback-joints_searched = Pour cette pose, les solutions ont été trouvées par recherche ; il peut y en avoir d’autres.
+feedback-joints_need_table = Les valeurs articulaires sont celles de vos propres variables : rendez aussi un tableau juste.
+feedback-claim_wrong = Ce n’est pas le cas : recomptez combien de valeurs articulaires atteignent cette pose, s’il y en a.
+feedback-joints_wrong = La ligne { $row } n’atteint pas la pose.
+feedback-joints_twice = Les lignes { $other } et { $row } ne diffèrent que de tours complets : c’est une seule solution.
 feedback-joints_missing =
     { $count ->
         [one] Il manque une solution.
@@ -140,40 +140,40 @@ feedback-joints_missing =
     }
 feedback-branch_shoulder =
     { $count ->
-        [one] Le bras peut aussi passer en arrière, par l'autre épaule.
-       *[other] Le bras peut aussi passer en arrière, par l'autre épaule : il manque { $count } façons.
+        [one] Le bras peut aussi passer en arrière, par l’autre épaule.
+       *[other] Le bras peut aussi passer en arrière, par l’autre épaule : il manque { $count } façons.
     }
 feedback-branch_elbow =
     { $count ->
-        [one] Le coude peut aussi plier de l'autre côté.
-       *[other] Le coude peut aussi plier de l'autre côté : il manque { $count } façons.
+        [one] Le coude peut aussi plier de l’autre côté.
+       *[other] Le coude peut aussi plier de l’autre côté : il manque { $count } façons.
     }
 feedback-branch_wrist =
     { $count ->
         [one] Le poignet peut aussi être retourné.
-       *[other] Le poignet peut aussi être retourné : il manque { $count } façons.
+       *[other] Le poignet peut aussi être retourné : il manque { $count } façons.
     }
 feedback-branch_other =
     { $count ->
         [one] Il y a une autre branche de solutions.
        *[other] Il y a { $count } autres branches de solutions.
     }
-feedback-joints_quadrant = Ligne { $row } : q{ $joint } est dans le mauvais quadrant, à un demi-tour. Prenez atan2 au lieu de atan.
-feedback-joints_sign = Ligne { $row } : q{ $joint } a le mauvais signe.
-feedback-joints_degrees = Ligne { $row } : des degrés ont été pris pour des radians, ou l'inverse.
-feedback-joints_swapped = Ligne { $row } : q{ $joint } vaut 90° moins ce qu'il faut ; les arguments de atan2 ont été échangés.
-feedback-joints_position_only = La ligne { $row } atteint la position, mais pas l'orientation.
-feedback-joints_orientation_only = La ligne { $row } atteint l'orientation, mais pas la position.
-feedback-joints_limits = La ligne { $row } atteint la pose avec l'articulation { $joint } au-delà de sa limite.
-feedback-joints_family_missing = La pose est singulière : dites quelle combinaison des variables articulaires reste constante le long des solutions.
+feedback-joints_quadrant = Ligne { $row } : q{ $joint } est dans le mauvais quadrant, à un demi-tour. Prenez atan2 au lieu de atan.
+feedback-joints_sign = Ligne { $row } : q{ $joint } a le mauvais signe.
+feedback-joints_degrees = Ligne { $row } : des degrés ont été pris pour des radians, ou l’inverse.
+feedback-joints_swapped = Ligne { $row } : q{ $joint } vaut 90° moins ce qu’il faut ; les arguments de atan2 ont été échangés.
+feedback-joints_position_only = La ligne { $row } atteint la position, mais pas l’orientation.
+feedback-joints_orientation_only = La ligne { $row } atteint l’orientation, mais pas la position.
+feedback-joints_limits = La ligne { $row } atteint la pose avec l’articulation { $joint } au-delà de sa limite.
+feedback-joints_family_missing = La pose est singulière : dites quelle combinaison des variables articulaires reste constante le long des solutions.
 feedback-joints_combination_wrong = La combinaison { $row } ne reste pas constante le long des solutions.
-error-pose_frames_free = La pose est donnée dans le repère 0 et pour le dernier : la politique doit fixer les deux, base = "frame" et tool = "frame".
-error-joint_row_length = Une ligne contient une valeur par articulation : il en faut { $expected }, et { $given } ont été données.
+error-pose_frames_free = La pose est donnée dans le repère 0 et pour le dernier : la politique doit fixer les deux, base = "frame" et tool = "frame".
+error-joint_row_length = Une ligne contient une valeur par articulation : il en faut { $expected }, et { $given } ont été données.
 error-joint_rows_empty = Donnez les valeurs articulaires qui atteignent la pose.
 
-field-row = Ligne qui contient l'erreur
+field-row = Ligne qui contient l’erreur
 field-name = Ce qui est faux
-field-mended = La ligne telle qu'elle devrait être
+field-mended = La ligne telle qu’elle devrait être
 field-verdict = Les deux tableaux décrivent
 field-reason = parce que
 option-alpha_sign = α a le mauvais signe
@@ -189,9 +189,9 @@ option-axis_reversed = seul un axe z, ou une variable articulaire, est inversé
 option-x_turned = seul un axe x est tourné, et le zéro de la variable est ailleurs
 option-origin_moved = seule une origine est ailleurs
 option-other_convention = seule la convention est autre
-option-twist = l'angle entre deux axes diffère
+option-twist = l’angle entre deux axes diffère
 option-length = la distance entre deux axes diffère
-option-offset = un décalage le long d'un axe diffère
+option-offset = un décalage le long d’un axe diffère
 given-table-with-mistake = Le tableau qui contient une erreur ({ $convention ->
     [modified] convention modifiée
    *[standard] convention standard
@@ -205,64 +205,64 @@ given-second-table = Le second tableau ({ $convention ->
    *[standard] convention standard
 })
 
-task-find-mistake = Ce tableau devrait décrire le robot de la figure, mais une ligne contient une erreur. Quelle ligne, qu'est-ce qui est faux, et comment devrait-elle être ?
-task-compare-tables = Ces deux tableaux décrivent-ils le même robot, quel que soit le choix des repères ? Dites pourquoi.
+task-find-mistake = Ce tableau devrait décrire le robot de la figure, mais une ligne contient une erreur. Quelle ligne, qu’est-ce qui est faux, et comment devrait-elle être ?
+task-compare-tables = Ces deux tableaux décrivent-ils le même robot, quel que soit le choix des repères ? Dites pourquoi.
 
 feedback-mistake_found = Trouvée, nommée et corrigée.
-feedback-mistake_row_wrong = L'erreur est dans une autre ligne.
-feedback-mistake_name_wrong = L'erreur est d'un autre genre.
+feedback-mistake_row_wrong = L’erreur est dans une autre ligne.
+feedback-mistake_name_wrong = L’erreur est d’un autre genre.
 feedback-mistake_not_mended = Avec cette ligne, le tableau ne décrit toujours pas le robot.
 feedback-mistake_missing =
     { $what ->
-        [row] Dites dans quelle ligne est l'erreur.
+        [row] Dites dans quelle ligne est l’erreur.
         [name] Dites ce qui est faux.
-       *[mended] Écrivez la ligne telle qu'elle devrait être.
+       *[mended] Écrivez la ligne telle qu’elle devrait être.
     }
-feedback-tables_right = C'est cela, et pour cette raison.
-feedback-tables_same = C'est le même robot : seuls les repères ont été choisis autrement.
-feedback-tables_different = Ce sont des robots différents : aucun choix de repères ne change un tableau en l'autre.
+feedback-tables_right = C’est cela, et pour cette raison.
+feedback-tables_same = C’est le même robot : seuls les repères ont été choisis autrement.
+feedback-tables_different = Ce sont des robots différents : aucun choix de repères ne change un tableau en l’autre.
 feedback-tables_reason_wrong = Le verdict est juste, mais pas pour cette raison.
-feedback-tables_reason_missing = Le verdict est juste ; dites aussi pourquoi.
-error-row_unknown = Donnez le numéro d'une ligne, de 1 à { $count }.
+feedback-tables_reason_missing = Le verdict est juste ; dites aussi pourquoi.
+error-row_unknown = Donnez le numéro d’une ligne, de 1 à { $count }.
 error-no_mistake_does_harm = Aucune de ces erreurs ne change ce robot sous sa politique.
-error-key_given_away = Cette partie montre un tableau ; un exercice qui demande le tableau ne peut pas l'avoir.
+error-key_given_away = Cette partie montre un tableau ; un exercice qui demande le tableau ne peut pas l’avoir.
 error-not_plantable = Aucune erreur demandée du catalogue ne change ce robot.
 
 field-frame = Les torseurs sont écrits dans
-field-order = Ordre d'une ligne
+field-order = Ordre d’une ligne
 field-screws = Torseurs, une ligne par articulation
 field-home = Pose initiale M
 option-space = le repère fixe (espace)
-option-body = le repère de l'outil à la position zéro (corps)
-option-linear_first = v, ω : la partie linéaire d'abord
-option-angular_first = ω, v : la partie angulaire d'abord
+option-body = le repère de l’outil à la position zéro (corps)
+option-linear_first = v, ω : la partie linéaire d’abord
+option-angular_first = ω, v : la partie angulaire d’abord
 
-task-screws = Écrivez le robot comme produit d'exponentielles : les torseurs des articulations 1 à { $n } et la pose initiale M, longueurs en { $unit }. Choisissez le repère, la position zéro et le sens de chaque axe dans le cadre des règles.
+task-screws = Écrivez le robot comme produit d’exponentielles : les torseurs des articulations 1 à { $n } et la pose initiale M, longueurs en { $unit }. Choisissez le repère, la position zéro et le sens de chaque axe dans le cadre des règles.
 
 feedback-screws_right = Les torseurs et la pose initiale décrivent ce robot.
-feedback-screws_wrong = Ce produit d'exponentielles ne décrit pas le robot, quels que soient le repère, le zéro et les sens choisis.
-feedback-screw_not_unit = Articulation { $joint } : ω d'une articulation rotoïde est un vecteur unitaire.
-feedback-screw_pitch = Articulation { $joint } : v a une composante le long de ω ; une articulation rotoïde n'avance pas le long de son axe.
-feedback-screw_joint_type = Articulation { $joint } : une articulation prismatique a ω = 0 et une direction v ; une rotoïde a ω de longueur 1.
-feedback-screw_halves = v et ω sont échangés : dans l'autre ordre, les lignes seraient justes.
+feedback-screws_wrong = Ce produit d’exponentielles ne décrit pas le robot, quels que soient le repère, le zéro et les sens choisis.
+feedback-screw_not_unit = Articulation { $joint } : ω d’une articulation rotoïde est un vecteur unitaire.
+feedback-screw_pitch = Articulation { $joint } : v a une composante le long de ω ; une articulation rotoïde n’avance pas le long de son axe.
+feedback-screw_joint_type = Articulation { $joint } : une articulation prismatique a ω = 0 et une direction v ; une rotoïde a ω de longueur 1.
+feedback-screw_halves = v et ω sont échangés : dans l’autre ordre, les lignes seraient justes.
 feedback-screw_moment_sign =
     { $joint ->
         [0] Tous les v ont le mauvais signe
-       *[other] Articulation { $joint } : v a le mauvais signe
-    } : v = −ω × p, p étant un point quelconque de l'axe.
-feedback-screw_other_frame = Ce sont les torseurs dans l'autre repère : espace et corps ont été confondus.
+       *[other] Articulation { $joint } : v a le mauvais signe
+    } : v = −ω × p, p étant un point quelconque de l’axe.
+feedback-screw_other_frame = Ce sont les torseurs dans l’autre repère : espace et corps ont été confondus.
 feedback-screw_home_inverted = La pose initiale est inversée.
-feedback-screw_home = Les torseurs sont justes ; la pose initiale M ne l'est pas.
-feedback-screw_not_rigid = La pose initiale n'est pas un déplacement rigide : ses colonnes ne sont pas unitaires et perpendiculaires, ou sa dernière ligne n'est pas 0 0 0 1.
+feedback-screw_home = Les torseurs sont justes ; la pose initiale M ne l’est pas.
+feedback-screw_not_rigid = La pose initiale n’est pas un déplacement rigide : ses colonnes ne sont pas unitaires et perpendiculaires, ou sa dernière ligne n’est pas 0 0 0 1.
 feedback-screws_relation_wrong = Les axes des articulations { $joint } et { $next } ne sont pas disposés entre eux comme sur la figure.
 error-screw_count = Le robot a { $expected } articulations, et { $given } torseurs ont été donnés.
 
-error-screw_too_large = Un nombre est trop grand pour un robot ; le plus grand est { $limit }.
+error-screw_too_large = Un nombre est trop grand pour un robot ; le plus grand est { $limit }.
 
 field-jacobian = Jacobienne, une colonne par articulation
 field-forces = Couples et forces articulaires
 given-configuration = La configuration
-given-wrench = Force et moment sur l'outil
+given-wrench = Force et moment sur l’outil
 
 task-jacobian =
     { $variables ->
@@ -270,7 +270,7 @@ task-jacobian =
        *[given] Le tableau du robot et une configuration sont donnés.
     } { $ask ->
         [jacobian] Écrivez la jacobienne géométrique de la dernière origine, longueurs en { $unit }, par radian.
-        [forces] Quels couples et forces articulaires, τ = Jᵀ(f, m), correspondent à la force et au moment à la dernière origine, longueurs en { $unit } ?
+        [forces] Quels couples et forces articulaires, τ = Jᵀ(f, m), correspondent à la force et au moment à la dernière origine, longueurs en { $unit } ?
        *[both] Écrivez la jacobienne géométrique de la dernière origine, longueurs en { $unit }, par radian, et les couples et forces articulaires τ = Jᵀ(f, m).
     } { $frame ->
         [end] Tous les vecteurs sont dans les axes du dernier repère.
@@ -279,7 +279,7 @@ task-jacobian =
 
 feedback-jacobian_right = Tout est juste.
 feedback-jacobian_follows_table = Cela découle de votre tableau et rapporte ses points, bien que le tableau ne soit pas juste.
-feedback-jacobian_needs_table = La jacobienne est celle de votre propre tableau : rendez aussi le tableau, avec toutes les articulations.
+feedback-jacobian_needs_table = La jacobienne est celle de votre propre tableau : rendez aussi le tableau, avec toutes les articulations.
 feedback-jacobian_missing =
     { $what ->
         [jacobian] Il manque la jacobienne.
@@ -287,21 +287,21 @@ feedback-jacobian_missing =
     }
 feedback-jacobian_wrong = Les colonnes de la jacobienne ne sont pas toutes justes.
 feedback-forces_wrong = Les couples et forces articulaires ne sont pas tous justes.
-feedback-jacobian_next_axis = La colonne { $joint } utilise l'axe d'une articulation voisine : voyez quel z appartient à quelle articulation dans votre convention.
-feedback-jacobian_point_swapped = Colonne { $joint } : la partie linéaire est z × (pₙ − p), et non z × (p − pₙ).
-feedback-jacobian_prismatic = Colonne { $joint } : une prismatique donne (z, 0), une rotoïde (z × (pₙ − p), z).
+feedback-jacobian_next_axis = La colonne { $joint } utilise l’axe d’une articulation voisine : voyez quel z appartient à quelle articulation dans votre convention.
+feedback-jacobian_point_swapped = Colonne { $joint } : la partie linéaire est z × (pₙ − p), et non z × (p − pₙ).
+feedback-jacobian_prismatic = Colonne { $joint } : une prismatique donne (z, 0), une rotoïde (z × (pₙ − p), z).
 feedback-jacobian_other_frame =
     { $joint ->
-        [0] C'est la jacobienne dans les axes de l'autre repère.
-       *[other] La colonne { $joint } est dans les axes de l'autre repère.
+        [0] C’est la jacobienne dans les axes de l’autre repère.
+       *[other] La colonne { $joint } est dans les axes de l’autre repère.
     }
 feedback-jacobian_rows_exchanged = Les lignes linéaires et angulaires ont été échangées.
-feedback-jacobian_spatial = C'est la vitesse du point situé à l'origine du repère 0 ; il faut l'origine du dernier repère.
-feedback-forces_sign = Tous les signes sont inversés : c'est τ = Jᵀ(f, m) qui est demandé, avec la force et le moment donnés.
-feedback-forces_other_frame = Force et moment ont été pris dans les axes de l'autre repère.
+feedback-jacobian_spatial = C’est la vitesse du point situé à l’origine du repère 0 ; il faut l’origine du dernier repère.
+feedback-forces_sign = Tous les signes sont inversés : c’est τ = Jᵀ(f, m) qui est demandé, avec la force et le moment donnés.
+feedback-forces_other_frame = Force et moment ont été pris dans les axes de l’autre repère.
 feedback-forces_rows_exchanged = Force et moment ont été échangés.
-feedback-forces_spatial = La force a été supposée agir à l'origine du repère 0.
-error-row_order_missing = Dites quelles lignes viennent en premier : linear_first ou angular_first.
+feedback-forces_spatial = La force a été supposée agir à l’origine du repère 0.
+error-row_order_missing = Dites quelles lignes viennent en premier : linear_first ou angular_first.
 error-jacobian_empty = Donnez la jacobienne ou les forces articulaires.
 
-error-wrench_missing = Aux forces articulaires correspondent une force et un moment : donnez « wrench ».
+error-wrench_missing = Aux forces articulaires correspondent une force et un moment : donnez « wrench ».

@@ -1,7 +1,7 @@
 ### La page qui vérifie un dossier de reçus.
 
 receipts-title = Reçus
-receipts-lead = Déposez les fichiers rendus par vos étudiants ou collez leurs textes : chaque reçu est vérifié, et les notes deviennent un fichier pour Moodle ou Canvas.
+receipts-lead = Déposez les fichiers rendus par vos étudiants ou collez leurs textes : chaque reçu est vérifié, et les notes deviennent un fichier pour Moodle ou Canvas.
 receipts-files = Fichiers de reçus
 receipts-paste = Ou leurs textes, l’un après l’autre
 receipts-verify = Vérifier
@@ -24,4 +24,4 @@ receipts-genuine = authentique
 receipts-repeated = authentique, mais d’autres ont rendu la même réponse
 receipts-by-link = par le lien d’un enseignant
 receipts-answer = Réponse
-receipts-sign = Signé par { $service }. Le code et le texte ci-dessous disent la même chose ; { $page } les vérifie.
+receipts-sign = Signé par { $service }. Le code et le texte ci-dessous disent la même chose ; { $page } les vérifie.

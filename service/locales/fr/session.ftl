@@ -2,14 +2,14 @@
 
 session-launch-title = Ouverture de l’exercice
 session-new-window = Ouvrir dans une nouvelle fenêtre
-session-registered = Framewise est enregistré auprès de { $issuer }. Un administrateur de Framewise active l’enregistrement ; des liens peuvent ensuite être créés.
-session-tool-description = Exercices de cinématique des robots : tout choix valable de repères est accepté, et les tableaux faux sont expliqués.
+session-registered = Framewise est enregistré auprès de { $issuer }. Un administrateur de Framewise active l’enregistrement ; des liens peuvent ensuite être créés.
+session-tool-description = Exercices de cinématique des robots : tout choix valable de repères est accepté, et les tableaux faux sont expliqués.
 session-heading = Votre session
 session-signed-in = Connecté en tant que { $name } · { $course }
-session-attempts = Essais : { $made }
-session-attempts-of = Essais : { $made } sur { $allowed }
-session-closes = Ferme : { $when }
-session-grade = Compte : { $points } points sur { $total }
+session-attempts = Essais : { $made }
+session-attempts-of = Essais : { $made } sur { $allowed }
+session-closes = Ferme : { $when }
+session-grade = Compte : { $points } points sur { $total }
 session-no-more = Aucun essai n’est accepté maintenant
 session-back = Retour au cours
 session-received = L’essai { $attempt } est reçu et conservé. Ce qui a été trouvé sera montré plus tard.

@@ -2,13 +2,13 @@
 
 trainer-title = Entraînement aux repères
 trainer-heading = Placez les repères
-trainer-lead = Repère après repère, dans l’ordre du cours : tous les axes z, les perpendiculaires communes, les origines, tous les axes x. Chaque étape est vérifiée à la fin ; on lit ensuite la table DH.
+trainer-lead = Repère après repère, dans l’ordre du cours : tous les axes z, les perpendiculaires communes, les origines, tous les axes x. Chaque étape est vérifiée à la fin ; on lit ensuite la table DH.
 trainer-back = Retour à l’exercice
 trainer-frames = Repères
 trainer-table = Le tableau qui en découle
 trainer-scene = Axes et repères
-trainer-click = Cliquez sur une flèche ou un point, ou faites-le glisser, pour le choisir ; les listes font de même.
-trainer-complete = Tous les repères respectent la convention : le tableau est complet.
+trainer-click = Cliquez sur une flèche ou un point, ou faites-le glisser, pour le choisir ; les listes font de même.
+trainer-complete = Tous les repères respectent la convention : le tableau est complet.
 trainer-unfinished = Une ligne apparaît dès que ses deux repères sont complets et n’enfreignent aucune règle.
 trainer-status =
     { $broken ->
@@ -16,14 +16,14 @@ trainer-status =
         [one] Une règle est enfreinte.
        *[other] { $broken } règles sont enfreintes.
     }
-trainer-step = Repère { $frame } : { $state }
+trainer-step = Repère { $frame } : { $state }
 trainer-state-open = inachevé
 trainer-state-whole = complet
 trainer-state-broken = enfreint une règle
 trainer-part-z = Direction de z, repère { $frame }
 trainer-part-origin = Origine, repère { $frame }
 trainer-part-x = Direction de x, repère { $frame }
-trainer-opposite = opposé :
+trainer-opposite = opposé :
 trainer-candidate-foot = sur l’axe { $axis }, au pied de la normale à l’axe { $other }
 trainer-candidate-intersection = où les axes { $axis } et { $other } se rencontrent
 trainer-candidate-level = sur l’axe { $axis }, au niveau de l’origine du repère { $frame }
@@ -47,19 +47,19 @@ trainer-step-normals = Perpendiculaires communes
 trainer-step-origin = Origines
 trainer-step-x = Axes x
 trainer-step-read = Lecture
-trainer-task-z = Choisissez pour chaque repère la direction de z. Elle suit l’axe d’une articulation ; laquelle, cela dépend de la convention.
+trainer-task-z = Choisissez pour chaque repère la direction de z. Elle suit l’axe d’une articulation ; laquelle, cela dépend de la convention.
 trainer-task-normals = Les perpendiculaires communes aux axes voisins sont tracées. Les origines et les axes x en découlent.
 trainer-task-origin = Choisissez l’origine de chaque repère. Les perpendiculaires communes sont tracées.
 trainer-task-x = Choisissez pour chaque repère la direction de x. Elle suit la perpendiculaire commune vers l’axe z suivant ou, si les axes se coupent, elle est perpendiculaire aux deux axes z.
-trainer-normal-skew = Les axes { $axis } et { $other } ne sont pas coplanaires : ils ont une seule perpendiculaire commune, qui est tracée.
-trainer-normal-meet = Les axes { $axis } et { $other } se coupent : x est perpendiculaire aux deux, et l’origine est au point d’intersection.
-trainer-normal-parallel = Les axes { $axis } et { $other } sont parallèles ou confondus : toute perpendiculaire commune convient ; choisissez celle qui annule d.
+trainer-normal-skew = Les axes { $axis } et { $other } ne sont pas coplanaires : ils ont une seule perpendiculaire commune, qui est tracée.
+trainer-normal-meet = Les axes { $axis } et { $other } se coupent : x est perpendiculaire aux deux, et l’origine est au point d’intersection.
+trainer-normal-parallel = Les axes { $axis } et { $other } sont parallèles ou confondus : toute perpendiculaire commune convient ; choisissez celle qui annule d.
 trainer-check = Vérifier cette étape
 trainer-onward = Continuer
 trainer-restart = Recommencer
 trainer-step-done = Cette étape est juste.
 trainer-why-z =
-    Chaque z est porté par l’axe de son articulation : { $convention ->
+    Chaque z est porté par l’axe de son articulation : { $convention ->
         [standard] z du repère i−1 par l’axe i, car la ligne i tourne de θ et avance de d par rapport à z du repère i−1.
        *[modified] z du repère i par l’axe i, car la ligne i se termine par θ et d par rapport à z du repère i.
     }
@@ -67,5 +67,5 @@ trainer-why-origin = Chaque origine est là où la normale commune rencontre son
 trainer-why-x = Chaque x est porté par une normale commune ou perpendiculaire aux deux axes, car a et α se mesurent le long et autour de lui.
 trainer-open-choice = Le repère { $frame } n’a pas encore de choix.
 trainer-point-missed = L’origine du repère { $frame } doit être au point marqué { $point }.
-trainer-read = Appuyez sur le numéro d’une ligne : l’image montre comment ses quatre nombres mènent d’un repère au suivant.
+trainer-read = Appuyez sur le numéro d’une ligne : l’image montre comment ses quatre nombres mènent d’un repère au suivant.
 trainer-take = Reporter la table dans l’exercice

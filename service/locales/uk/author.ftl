@@ -39,7 +39,7 @@ author-start-scm = Ланцюг SCM
 author-start-urdf = URDF
 author-start-robot-hint = Робот із джерельних документів, з його таблицею та розмірами.
 author-start-axes-hint = Розставте осі зчленувань одну за одною від основи, коли робот у нулі. Іменовані довжини стануть розмірами рисунка; таблиця складеться сама.
-author-start-table-hint = Розв'язок так, як ви б його записали: числа або імена на зразок L1. Довжини-числа самі отримують імена.
+author-start-table-hint = Розв’язок так, як ви б його записали: числа або імена на зразок L1. Довжини-числа самі отримують імена.
 author-start-scm-hint = Рядок на зчленування: зсуви X Y Z і повороти A B C до наступного; змінна стоїть у своїй клітинці: q1, q2, …
 author-start-urdf-hint = Файл з одним послідовним ланцюгом. Читаються лише зчленування, без сіток.
 author-robot = Робот
@@ -74,7 +74,7 @@ author-opposite = протилежно осі { $axis }
 author-perpendicular = перпендикулярно осі { $axis }, у бік …
 author-across = перпендикулярно осям { $axis } і { $other }
 author-lengths-named = Іменовані довжини
-author-lengths-named-hint = Пишіть у будь-якому полі вище ім'я на зразок L1 чи a2, також суми L1 + L2, а тут задайте значення.
+author-lengths-named-hint = Пишіть у будь-якому полі вище ім’я на зразок L1 чи a2, також суми L1 + L2, а тут задайте значення.
 author-lengths-none = Жодна довжина ще не має імені.
 author-scene = Осі у просторі
 author-scene-hint = Клацніть точку сітки чи іншої осі, щоб поставити туди вибрану вісь, стрілку — щоб її повернути, вісь — щоб вибрати. Усе можна зробити й у полях нижче.
@@ -98,14 +98,14 @@ author-rule-convention-standard = стандартна
 author-rule-convention-modified = модифікована
 author-rule-base = Система 0
 author-rule-base-free = будь-де
-author-rule-base-axis = z як у розв'язку
-author-rule-base-origin = початок як у розв'язку
-author-rule-base-frame = точно як у розв'язку
+author-rule-base-axis = z як у розв’язку
+author-rule-base-origin = початок як у розв’язку
+author-rule-base-frame = точно як у розв’язку
 author-rule-tool = Остання система
 author-rule-tool-free = будь-де
 author-rule-tool-point = початок у позначеній точці
 author-rule-tool-axis = z на останній осі
-author-rule-tool-frame = точно як у розв'язку
+author-rule-tool-frame = точно як у розв’язку
 author-rule-zero = Нуль змінних
 author-rule-zero-free = вільний
 author-rule-zero-figure = як на рисунку
@@ -143,7 +143,7 @@ author-view-azimuth = Погляд: навколо
 author-view-elevation = Погляд: згори
 author-posture = Поза на рисунку
 author-marks = Позначені точки
-author-marks-hint = Правило, що прив'язує останню систему до точки, її потребує.
+author-marks-hint = Правило, що прив’язує останню систему до точки, її потребує.
 author-mark-end = позначити останній початок як P
 author-lengths = Розміри, накреслені інакше
 author-lengths-hint = Дайте малому розміру іншу довжину на рисунку, щоб його було видно; рисунок скаже, що не в масштабі. Порожньо: як є.
@@ -160,7 +160,7 @@ author-test-warnings = Варто знати:
 author-try = Спробувати як студент
 author-right = Показати десять різних правильних відповідей
 author-right-shown = { $wrong ->
-    [0] Прийнято всі { $count }; перша — ваш розв'язок.
+    [0] Прийнято всі { $count }; перша — ваш розв’язок.
    *[other] Відхилено { $wrong } з { $count }.
 }
 author-wrong = Показати найчастіші хибні відповіді та їхні бали
@@ -169,7 +169,7 @@ author-wrong-marks = { $points } з { $most } балів, таблиця { $scor
 author-wrong-refused = не приймається, спроби не коштує
 author-wrong-untold = Виправлення не підказують ({ $code }).
 author-wrong-name = { $code ->
-    [parameter_misnamed] Ім'я, якого немає на рисунку ({ $code }):
+    [parameter_misnamed] Ім’я, якого немає на рисунку ({ $code }):
    *[other] { $code }:
 }
 author-wrong-tested = вправа перевіряє себе цією помилкою

@@ -158,7 +158,7 @@ error-short_form_unknown = { $name } читається як косинус аб
     [few] { $joints } зчленування
    *[other] { $joints } зчленувань
 }.
-error-radius_negative = Радіус не буває від'ємним.
+error-radius_negative = Радіус не буває від’ємним.
 error-schematic_fixed_joint = У структурі перелічуються рухомі зчленування: обертальні або поступальні.
 error-schematic_relations_count = { $joints ->
     [one] { $joints } зчленування має

@@ -95,7 +95,7 @@ feedback-chain_not_rigid = Це не рух твердого тіла: перш�
 error-euler_axes_unknown = { $axes } не є послідовністю осей: потрібні три з X, Y, Z, сусідні різні.
 error-component_order_missing = Укажіть, де стоїть скаляр кватерніона: wxyz чи xyzw.
 error-axis_and_angle = До осі потрібен кут, а до кута — вісь.
-error-family_incomplete = Сім'ї трійок потрібні всі три дані: середній кут, сума чи різниця та її значення.
+error-family_incomplete = Сім’ї трійок потрібні всі три дані: середній кут, сума чи різниця та її значення.
 error-orientation_empty = Запишіть орієнтацію в одній із запитаних форм.
 error-frames_not_connected = Відомі пози не ведуть від системи { $start } до системи { $end }.
 
@@ -120,7 +120,7 @@ task-inverse-kinematics =
         [own] За яких значень ваших власних змінних остання система займе це місце в системі 0?
        *[given] Таблицю робота задано. За яких значень у зчленуваннях його остання система займе це місце в системі 0?
     } { $solutions ->
-        [one] Досить одного розв'язку.
+        [one] Досить одного розв’язку.
        *[all] Наведіть усі; повні оберти не рахуються.
     } { $reach ->
         [position] Важливе лише положення останнього початку координат, у { $unit }.
@@ -128,15 +128,15 @@ task-inverse-kinematics =
     }
 
 feedback-joints_right = Відповідь правильна й повна.
-feedback-joints_searched = Для цієї пози розв'язки знайдено пошуком; можуть бути й інші.
+feedback-joints_searched = Для цієї пози розв’язки знайдено пошуком; можуть бути й інші.
 feedback-joints_need_table = Значення стосуються ваших власних змінних: здайте також правильну таблицю.
 feedback-claim_wrong = Це не так: порахуйте ще раз, скільки значень у зчленуваннях дають цю позу, якщо такі є.
 feedback-joints_wrong = Рядок { $row } не дає цієї пози.
-feedback-joints_twice = Рядки { $other } і { $row } відрізняються лише повними обертами: це один розв'язок.
+feedback-joints_twice = Рядки { $other } і { $row } відрізняються лише повними обертами: це один розв’язок.
 feedback-joints_missing =
     { $count ->
-        [one] Бракує { $count } розв'язку.
-       *[other] Бракує { $count } розв'язків.
+        [one] Бракує { $count } розв’язку.
+       *[other] Бракує { $count } розв’язків.
     }
 feedback-branch_shoulder =
     { $count ->
@@ -150,13 +150,13 @@ feedback-branch_elbow =
     }
 feedback-branch_wrist =
     { $count ->
-        [one] Зап'ястя може бути й перевернутим.
-       *[other] Зап'ястя може бути й перевернутим: бракує способів: { $count }.
+        [one] Зап’ястя може бути й перевернутим.
+       *[other] Зап’ястя може бути й перевернутим: бракує способів: { $count }.
     }
 feedback-branch_other =
     { $count ->
-        [one] Є ще одна гілка розв'язків.
-       *[other] Є інші гілки розв'язків: { $count }.
+        [one] Є ще одна гілка розв’язків.
+       *[other] Є інші гілки розв’язків: { $count }.
     }
 feedback-joints_quadrant = Рядок { $row }: q{ $joint } лежить не в тій чверті, на пів оберту. Беріть atan2 замість atan.
 feedback-joints_sign = Рядок { $row }: q{ $joint } має неправильний знак.
@@ -165,8 +165,8 @@ feedback-joints_swapped = Рядок { $row }: q{ $joint } дорівнює 90°
 feedback-joints_position_only = Рядок { $row } дає положення, але не орієнтацію.
 feedback-joints_orientation_only = Рядок { $row } дає орієнтацію, але не положення.
 feedback-joints_limits = Рядок { $row } дає позу, але зчленування { $joint } виходить за межу.
-feedback-joints_family_missing = Поза сингулярна: укажіть, яка комбінація змінних не змінюється вздовж розв'язків.
-feedback-joints_combination_wrong = Комбінація { $row } змінюється вздовж розв'язків.
+feedback-joints_family_missing = Поза сингулярна: укажіть, яка комбінація змінних не змінюється вздовж розв’язків.
+feedback-joints_combination_wrong = Комбінація { $row } змінюється вздовж розв’язків.
 error-pose_frames_free = Позу задано в системі 0 і для останньої: правила мають фіксувати обидві, base = "frame" і tool = "frame".
 error-joint_row_length = Рядок містить по одному значенню на зчленування: потрібно { $expected }, наведено { $given }.
 error-joint_rows_empty = Наведіть значення у зчленуваннях, що дають цю позу.

@@ -16,7 +16,7 @@ feedback-singularity_missing_at = Особлива конфігурація, у 
 feedback-singularity_invented = Умова { $condition } виконується й там, де положення не особливе.
 feedback-singularity_invented_at = Умова { $condition } виконується за { $at }, де положення не особливе.
 feedback-singularity_sine_for_cosine = Умова { $condition } відрізняється від умови особливості на чверть оберту: сплутано синус і косинус.
-feedback-singularity_half = З однієї родини знайдено лише частину: зважайте на інший розв'язок її рівняння (q = π крім q = 0, складений маніпулятор крім випрямленого).
+feedback-singularity_half = З однієї родини знайдено лише частину: зважайте на інший розв’язок її рівняння (q = π крім q = 0, складений маніпулятор крім випрямленого).
 feedback-singularity_everywhere = Умова { $condition } виконується завжди.
 feedback-singularity_nowhere = Умова { $condition } ніколи не виконується й нічого не каже.
 feedback-conditions_missing = Бракує умов.
