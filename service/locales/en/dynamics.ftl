@@ -1,22 +1,22 @@
 # How forces move a robot.
 
 error-links_count = A list of links has one entry for each row of the table: { $expected }, not { $given }.
-error-mass_negative = A mass is not negative: { $mass } kg.
+error-mass_negative = A mass cannot be negative: { $mass } kg.
 error-inertia_not_symmetric = An inertia matrix is symmetric: the entry xy is the same as yx.
 error-inertia_negative = A moment of inertia about an axis is never negative. This matrix has a negative one about some axis.
-error-mass_matrix_singular = Some joint moves nothing that weighs, so no force says how it accelerates. Give the links mass and inertia.
-error-links_missing = Say what the links weigh: links, one entry for each row of the table.
+error-mass_matrix_singular = Some joint moves nothing that has mass, so no force determines its acceleration. Give the links mass and inertia.
+error-links_missing = Give the masses of the links: links, one entry for each row of the table.
 error-name_of_rate = { $name } is the name of a joint’s rate in closed forms. Call the parameter something else.
-error-body_varies = What a link weighs, and where, does not change with the joint variables: they stand in the table only.
-error-dynamics_not_finite = The masses, lengths or rates are so large that the result is no number.
+error-body_varies = The mass of a link and its place in the link do not change with the joint variables: these stand only in the table.
+error-dynamics_not_finite = The masses, lengths or rates are so large that the result is not a number.
 
 task-equations-of-motion =
-    The table of the robot is given, and what moves with frame i of it. Write M(q), C(q, q̇) and g(q) of M q̈ + C q̇ + g = τ, as far as they are asked, as functions of q1, q2, …, their rates dq1, dq2, … and the names that are given; lengths in { $unit }, per radian. { $skew ->
-        [yes] Any C with the right C q̇ is right; besides, Ṁ − 2C shall be skew-symmetric.
+    The table of the robot is given, and the body that moves with each frame i. Write M(q), C(q, q̇) and g(q) of M q̈ + C q̇ + g = τ, as far as they are asked for, as functions of q1, q2, …, their rates dq1, dq2, … and the names that are given; lengths in { $unit }, per radian. { $skew ->
+        [yes] Any C with the right C q̇ is right; besides, Ṁ − 2C has to be skew-symmetric.
        *[no] Any C with the right C q̇ is right.
     }
 given-link-weights = The links: mass, centre in frame i, moments about it [kg { $unit }²]
-given-gravity-vector = Free fall in frame 0 [{ $unit }/s²]
+given-gravity-vector = Acceleration of free fall in frame 0 [{ $unit }/s²]
 given-weights = Values of the names
 field-mass = Mass matrix M
 field-coriolis = Matrix C
@@ -43,5 +43,5 @@ feedback-motion_velocity_sign = This C q̇ has the opposite sign.
 feedback-motion_coupling_once = Each product q̇j q̇k of two different joints occurs twice in C q̇, as jk and as kj; here it counts once.
 feedback-motion_mass_rate = This is Ṁ q̇. The gradient of the kinetic energy, ½ ∂(q̇ᵀM q̇)/∂q, has to be subtracted.
 error-motion_row_count = The matrix has one row for each joint: { $expected }, not { $given }.
-error-motion_empty = Write at least one of the matrices or rows that are asked.
-error-motion_cell = Here stands a number or an expression; of a place or of moments, three of them.
+error-motion_empty = Write at least one of the matrices or rows that are asked for.
+error-motion_cell = A number or an expression belongs here; for a position or for moments of inertia, three.

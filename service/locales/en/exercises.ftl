@@ -64,7 +64,7 @@ rule-direction-figure = The joint variables count positive as the arrows in the 
 
 ## What is asked
 
-task-schematic = Describe the structure: the type of each joint, and how the axis of each joint lies to the axis of the next.
+task-schematic = Describe the structure: the type of each joint, and how the axis of each joint lies relative to the axis of the next.
 task-table = Choose frames and write the DH table. The cells may hold { $names }, numbers and the joint variables q1 to q{ $n }.
 task-link-matrices = For each row of your table, write the matrix from frame i to frame i−1. You may shorten cos(q1) to c1 and sin(q1 + q2) to s12.
 task-transform = Write ⁰T, the matrix from the last frame to frame 0, in closed form.
@@ -87,7 +87,7 @@ feedback-schematic_joint_count = You list { $given ->
    *[other] { $given } joints
 }; count again how many can move.
 feedback-schematic_joint_type = The type of joint { $joint } is not right.
-feedback-schematic_relation = How axes { $first } and { $second } lie to each other is not right.
+feedback-schematic_relation = How axes { $first } and { $second } are arranged is not right.
 feedback-schematic_angle_right = Axes { $first } and { $second }: the angle between them is right, but not whether they meet.
 feedback-schematic_meeting_right = Axes { $first } and { $second } do meet, but not at this angle.
 feedback-matrices_right = The link matrices are right.
@@ -153,7 +153,7 @@ error-short_form_unknown = { $name } is read as a cosine or a sine, but not all 
     [one] one joint
    *[other] { $joints } joints
 }.
-error-radius_negative = A radius is not negative.
+error-radius_negative = A radius cannot be negative.
 error-schematic_fixed_joint = The structure lists the joints that move: revolute or prismatic.
 error-schematic_relations_count = { $joints ->
     [one] One joint has
@@ -179,21 +179,21 @@ error-exercise_robot_unknown = The catalogue holds no robot { $robot }. It holds
 error-exercise_limits_reversed = The limits of joint { $joint } are given as [lowest, highest].
 error-exercise_limits_unknown = The catalogue knows no limits of this robot.
 error-folder_missing = There is no folder { $folder }.
-error-exercise_id_invalid = { $id } is no id of an exercise; an id has letters, digits and single hyphens.
+error-exercise_id_invalid = { $id } is not the id of an exercise; an id has letters, digits and single hyphens.
 error-exercise_exists = The exercise { $id } exists already.
 error-source_unreadable = The file cannot be read: { $reason }
 error-robot_and_reference = Give either robot or [reference], not both.
 error-statement_missing = The statement in the language { $language } is missing.
 error-statement_name_unknown = { $name } is neither a dimension of the robot nor a point or a dimension of the figure.
-error-misconception_unknown = { $name } is no listed mistake. There are { $known }.
+error-misconception_unknown = { $name } is not a listed mistake. There are { $known }.
 error-nothing_asked = An exercise asks for something: add a part.
-error-part_twice = { $kind } is asked twice.
+error-part_twice = { $kind } is asked for twice.
 error-points_not_positive = A part is worth more than zero points.
 error-draw_empty = There is no value to draw from: “from” must not lie above “to”, and “step” must be positive.
 error-draw_too_large = A draw has at most { $limit } values.
 error-variants_too_many = There are at most { $limit } variants.
 error-tolerance_out_of_range = { $name } lies between 0 and 0.1.
-error-name_invalid = { $name } is no name of a dimension; a name is like L1.
+error-name_invalid = { $name } is not the name of a dimension; a name looks like L1.
 error-width_out_of_range = The width lies between 320 and 960.
 error-unknown_point = There is no point { $name }. There are { $known }.
 error-unknown_frame = There is no such frame: frames are numbered from 0 to { $last }.
@@ -209,7 +209,7 @@ error-name_unknown = { $name } is none of the dimensions of this exercise.{ $fou
    *[one] {" "}Did you mean { $close }?
 } Known are { $known }.
 error-need_unmet = No answer needs { $name } under this policy: students may choose frames in which it does not appear. Fix the base (origin or frame) or the tool (point or frame).
-error-need_unknown = { $name } is no dimension of the table. There are { $known }.
+error-need_unknown = { $name } is not a dimension of the table. There are { $known }.
 error-alias_taken = { $name } already has a meaning.
 error-title_missing = A title in one language at least is needed: [title] with en = "…".
 exercise-other-language = This exercise is not written in your language yet; its text is in { $language }.

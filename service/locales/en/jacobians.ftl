@@ -2,7 +2,7 @@ task-jacobian-analytic =
     { $variables ->
         [own] Take your own table and your own joint variables at these values.
        *[given] The table of the robot and a configuration are given.
-    } Write the analytic Jacobian: the rates of the last origin in frame 0, then those of the three angles about the { $turning ->
+    } Write the analytic Jacobian: the velocity of the last origin in frame 0, then the rates of the three angles about the { $turning ->
             [fixed] fixed
            *[current] current
         } axes { $axes }, in their order. Numbers, lengths in { $unit }, per radian.
@@ -24,11 +24,11 @@ task-jacobian-form-analytic =
     { $variables ->
         [own] Take your own table and your own joint variables.
        *[given] The table of the robot is given.
-    } Write the analytic Jacobian: the rates of the last origin in frame 0, then those of the three angles about the { $turning ->
+    } Write the analytic Jacobian: the velocity of the last origin in frame 0, then the rates of the three angles about the { $turning ->
             [fixed] fixed
            *[current] current
         } axes { $axes }, in their order. The entries are functions of the joint variables.
 
-feedback-jacobian_geometric = The last three rows are those of the angular velocity; the rates of the angles are asked.
-feedback-jacobian_angles_locked = In this configuration, first and last angle turn about the same line: the angles have no rates, and there is no analytic Jacobian.
+feedback-jacobian_geometric = The last three rows are those of the angular velocity; the rates of the angles are asked for.
+feedback-jacobian_angles_locked = In this configuration, the first and the last angle turn about the same line: the angles have no rates, and there is no analytic Jacobian.
 error-angles_locked = The first and the last of the angles { $axes } turn about the same line here: there is no analytic Jacobian. Choose other angles.

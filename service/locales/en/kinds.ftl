@@ -37,7 +37,7 @@ task-orientation =
         [every] Of the angles about the { $asked_turning ->
             [fixed] fixed
            *[current] current
-        } axes { $asked_axes } all triples are asked: both, or at gimbal lock the middle angle and what is fixed of the other two.
+        } axes { $asked_axes } all triples are asked for: both, or at gimbal lock the middle angle and what is fixed of the other two.
         [one] Of the angles about the { $asked_turning ->
             [fixed] fixed
            *[current] current
@@ -86,7 +86,7 @@ feedback-chain_wrong = This is not the pose that follows from the known ones.
 feedback-chain_rotation_right = Its rotation is right.
 feedback-chain_position_right = Its position is right.
 feedback-chain_inverted = This is the inverse: the pose of the first frame in the last.
-feedback-chain_not_inverted = A known pose was used as it is that has to be inverted first.
+feedback-chain_not_inverted = A known pose that has to be inverted first was used as it is.
 feedback-chain_inverse_without_transpose = The inverse of a pose was formed with R; it needs Rᵀ: (Rᵀ, −Rᵀp).
 feedback-chain_inverse_position = The position of an inverse is −Rᵀp, not −p.
 feedback-chain_order_reversed = The factors were multiplied in reverse order.
@@ -96,7 +96,7 @@ error-euler_axes_unknown = { $axes } is not a sequence of axes: name three of X,
 error-component_order_missing = Say where the scalar of the quaternion is: wxyz or xyzw.
 error-axis_and_angle = An axis needs an angle, and an angle an axis.
 error-family_incomplete = A family of triples needs all three: the middle angle, sum or difference, and its value.
-error-orientation_empty = Write the orientation in one of the notations that are asked.
+error-orientation_empty = Write the orientation in one of the notations that are asked for.
 error-frames_not_connected = The known poses do not lead from frame { $start } to frame { $end }.
 
 error-one_notation = Give the orientation in one notation: { $known }.
@@ -124,7 +124,7 @@ task-inverse-kinematics =
        *[all] Give all of them; full turns do not count.
     } { $reach ->
         [position] Only the position of the last origin matters, in { $unit }.
-       *[pose] Position in { $unit } and orientation both matter.
+       *[pose] The position, in { $unit }, and the orientation both matter.
     }
 
 feedback-joints_right = The answer is right and complete.
@@ -188,7 +188,7 @@ option-different = different robots
 option-axis_reversed = only a z axis, or a joint variable, is reversed
 option-x_turned = only an x axis is turned, and the variable is zero elsewhere
 option-origin_moved = only an origin lies elsewhere
-option-other_convention = only the convention is another
+option-other_convention = only the convention is a different one
 option-twist = the angle between two axes differs
 option-length = the distance between two axes differs
 option-offset = an offset along an axis differs
@@ -219,7 +219,7 @@ feedback-mistake_missing =
        *[mended] Write the row as it should be.
     }
 feedback-tables_right = So it is, and for this reason.
-feedback-tables_same = They are the same robot: only the frames were chosen otherwise.
+feedback-tables_same = They are the same robot: only the frames were chosen differently.
 feedback-tables_different = They are different robots: no choice of frames turns one table into the other.
 feedback-tables_reason_wrong = The verdict is right, but not for this reason.
 feedback-tables_reason_missing = The verdict is right; say why, too.
@@ -296,8 +296,8 @@ feedback-jacobian_other_frame =
        *[other] Column { $joint } is in the axes of the other frame.
     }
 feedback-jacobian_rows_exchanged = Linear and angular rows have changed places.
-feedback-jacobian_spatial = This is the velocity of the point at the origin of frame 0; the origin of the last frame is asked.
-feedback-forces_sign = Every sign is reversed: τ = Jᵀ(f, m) is asked, for the force and moment as given.
+feedback-jacobian_spatial = This is the velocity of the point at the origin of frame 0; the origin of the last frame is asked for.
+feedback-forces_sign = Every sign is reversed: τ = Jᵀ(f, m) is asked for, with the force and moment as given.
 feedback-forces_other_frame = Force and moment were taken in the axes of the other frame.
 feedback-forces_rows_exchanged = Force and moment were exchanged.
 feedback-forces_spatial = The force was taken to act at the origin of frame 0.

@@ -1,13 +1,13 @@
 ### Launches from a learning management system (LTI): what is refused, and why.
 
-error-lti_parameter_missing = The learning management system sent no { $name }.
+error-lti_parameter_missing = The learning platform sent no { $name }.
 error-lti_platform_unknown = No platform { $issuer } is registered here. An administrator registers it first.
 error-lti_platform_ambiguous = Several clients of { $issuer } are registered; the login has to name client_id.
 error-lti_platform_inactive = The platform { $issuer } is registered and has not been activated yet.
 error-lti_target_foreign = The address to open is not on this site.
 error-lti_state_unknown = This launch has been used already, or is too old. Open the exercise from your course again.
 error-lti_browser_unknown = This launch was begun in another browser, or the browser blocks cookies in frames. Open it in a new window.
-error-lti_launch_refused = The learning management system refused the launch: { $reason }.
+error-lti_launch_refused = The learning platform refused the launch: { $reason }.
 error-lti_token_malformed = The launch message is not a signed token.
 error-lti_token_algorithm = The launch message is signed with { $algorithm }; only RS256 is accepted.
 error-lti_token_key = The launch message is signed with a key that the platform does not publish.

@@ -20,14 +20,14 @@ task-matrix-mistake =
     { $matrix ->
         [link] The table is right. Somebody wrote the matrix of its row { $row }, from frame { $row } to the one before, and made one mistake.
        *[transform] The table is right. Somebody wrote ⁰T_N, the product of all its matrices, and made one mistake.
-    } Give one entry that is wrong, say what went wrong, and write the whole matrix as it should be.
+    } Give one entry that is wrong, say what is wrong with it, and write the whole matrix as it should be.
 
-feedback-matrix_mistake_place_wrong = This entry is right; the mistake stands elsewhere.
+feedback-matrix_mistake_place_wrong = This entry is right; the mistake is elsewhere.
 feedback-matrix_mistake_name_wrong = The mistake is of another kind.
 feedback-matrix_not_mended = This is not yet the matrix of the table.
 feedback-matrix_mistake_missing =
     { $what ->
-        [cell_row] Give row and column of a wrong entry.
+        [cell_row] Give the row and the column of a wrong entry.
         [mistake] Say what is wrong.
        *[mended_matrix] Write the matrix as it should be.
     }

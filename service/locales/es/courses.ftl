@@ -24,7 +24,7 @@ error-record_unknown = { $kind ->
    *[other] No existe ese registro en este curso.
 }
 error-attempts_not_open = Se admiten intentos a partir de { $opens }.
-error-attempts_closed = El ejercicio se cerró en { $closes }.
+error-attempts_closed = El ejercicio se cerró el { $closes }.
 error-attempts_used = { $allowed ->
     [one] Ya se ha hecho el único intento que permite este ejercicio.
    *[other] Ya se han hecho los { $allowed } intentos que permite este ejercicio.
@@ -38,8 +38,8 @@ error-code_used = Esta dirección ya se ha usado. Vuelva a abrir el ejercicio de
 error-staff_only = Esto está abierto al profesorado del curso.
 error-publishing_closed =
     { $who ->
-        [staff] Aquí solo puede publicar ejercicios quien llega desde un curso como docente, o con una clave de alcance publish.
-        [key] Aquí solo se pueden publicar ejercicios con una clave de alcance publish.
+        [staff] Aquí solo puede publicar ejercicios quien llega desde un curso como docente, o con una clave de ámbito publish.
+        [key] Aquí solo se pueden publicar ejercicios con una clave de ámbito publish.
        *[nobody] En este servicio nadie puede publicar ejercicios.
     }
 error-link_without_exercise = Todavía no se ha elegido un ejercicio para este enlace. Lo elige un docente al abrir el enlace.

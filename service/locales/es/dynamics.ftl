@@ -1,23 +1,23 @@
 # Cómo las fuerzas mueven un robot.
 
 error-links_count = La lista de eslabones tiene una entrada por cada fila de la tabla: { $expected }, no { $given }.
-error-mass_negative = Una masa no es negativa: { $mass } kg.
+error-mass_negative = Una masa no puede ser negativa: { $mass } kg.
 error-inertia_not_symmetric = Una matriz de inercia es simétrica: el elemento xy es igual al yx.
 error-inertia_negative = Un momento de inercia respecto de un eje nunca es negativo. Esta matriz tiene uno negativo respecto de algún eje.
 error-mass_matrix_singular = Alguna articulación no mueve nada que tenga masa, así que ninguna fuerza determina su aceleración. Dé masa e inercia a los eslabones.
 error-links_missing = Indique la masa de los eslabones: links, una entrada por cada fila de la tabla.
 error-name_of_rate = { $name } es el nombre de la velocidad de una articulación en las formas cerradas. Llame al parámetro de otro modo.
-error-body_varies = La masa de un eslabón y su lugar no cambian con las variables articulares: estas solo figuran en la tabla.
+error-body_varies = La masa de un eslabón y su lugar en él no cambian con las variables articulares: estas solo figuran en la tabla.
 error-dynamics_not_finite = Las masas, longitudes o velocidades son tan grandes que el resultado no es un número.
 
 task-equations-of-motion =
-    Se dan la tabla del robot y lo que se mueve con su sistema i. Escriba M(q), C(q, q̇) y g(q) de M q̈ + C q̇ + g = τ, en lo que se pida, como funciones de q1, q2, …, sus velocidades dq1, dq2, … y los nombres dados; longitudes en { $unit }, por radián. { $skew ->
+    Se dan la tabla del robot y el cuerpo que se mueve con cada sistema i. Escriba M(q), C(q, q̇) y g(q) de M q̈ + C q̇ + g = τ, en lo que se pida, como funciones de q1, q2, …, sus velocidades dq1, dq2, … y los nombres dados; longitudes en { $unit }, por radián. { $skew ->
         [yes] Es correcta toda C con el C q̇ correcto; además, Ṁ − 2C debe ser antisimétrica.
        *[no] Es correcta toda C con el C q̇ correcto.
     }
 given-link-weights = Los eslabones: masa, centro en el sistema i, momentos respecto de él [kg { $unit }²]
-given-gravity-vector = Gravedad en el sistema 0 [{ $unit }/s²]
-given-weights = Valores de los nombres
+given-gravity-vector = Aceleración de la gravedad en el sistema 0 [{ $unit }/s²]
+given-weights = Valores de los símbolos
 field-mass = Matriz de masas M
 field-coriolis = Matriz C
 field-velocity = Términos de Coriolis y centrífugos C q̇
@@ -44,4 +44,4 @@ feedback-motion_coupling_once = Cada producto q̇j q̇k de dos articulaciones di
 feedback-motion_mass_rate = Esto es Ṁ q̇. Hay que restar el gradiente de la energía cinética, ½ ∂(q̇ᵀM q̇)/∂q.
 error-motion_row_count = La matriz tiene una fila por articulación: { $expected }, no { $given }.
 error-motion_empty = Escriba al menos una de las matrices o filas que se piden.
-error-motion_cell = Aquí va un número o una expresión; de un lugar o de momentos, tres.
+error-motion_cell = Aquí va un número o una expresión; para una posición o para momentos de inercia, tres.

@@ -58,7 +58,7 @@ rule-tool-point = El origen del último sistema está en el punto marcado { $poi
 rule-tool-axis = El eje z del último sistema está sobre el eje de la última articulación, en cualquiera de los dos sentidos; su origen puede estar en cualquier punto de él.
 rule-tool-frame = El último sistema está prescrito.
 rule-zero-free = Usted elige dónde es cero cada variable articular.
-rule-zero-figure = En la postura de la figura, todas las variables articulares son cero.
+rule-zero-figure = En la configuración de la figura, todas las variables articulares son cero.
 rule-direction-free = Usted elige hacia dónde apunta cada eje.
 rule-direction-figure = Las variables articulares son positivas en el sentido de las flechas de la figura.
 
@@ -67,7 +67,7 @@ rule-direction-figure = Las variables articulares son positivas en el sentido de
 task-schematic = Describa la estructura: el tipo de cada articulación y cómo está el eje de cada una respecto al de la siguiente.
 task-table = Elija los sistemas de referencia y escriba la tabla DH. Las celdas pueden contener { $names }, números y las variables articulares q1 a q{ $n }.
 task-link-matrices = Para cada fila de su tabla, escriba la matriz del sistema i al sistema i−1. Puede abreviar cos(q1) como c1 y sin(q1 + q2) como s12.
-task-transform = Escriba ⁰T, la matriz del último sistema al sistema 0, en forma literal.
+task-transform = Escriba ⁰T, la matriz del último sistema al sistema 0, en forma cerrada.
 task-pose = Evalúe su ⁰T para { $joints } y para las dimensiones dadas aquí, con las longitudes en { $unit }.
 task-workspace-axis = ¿A qué distancia mínima y a qué distancia máxima del eje de la articulación 1 se puede llevar { $point }? { $limits ->
     [none] Cada articulación puede tomar cualquier valor.
@@ -142,7 +142,7 @@ error-link_matrices_count = La tabla tiene { $expected ->
     [one] se da una matriz
    *[other] se dan { $given } matrices
 }. Dé una por cada fila; null omite una.
-error-link_matrices_need_table = Sin la tabla, las matrices de los eslabones se juzgan por su producto. Délas todas.
+error-link_matrices_need_table = Sin la tabla, las matrices de los eslabones se juzgan por su producto. Inclúyalas todas.
 error-pose_needs_table = La posición y la orientación son las de su propia tabla. Entregue también la tabla.
 error-matrix_not_4x4 = Una matriz tiene cuatro filas de cuatro celdas.
 error-joint_variable_unknown = No existe { $name }; el robot tiene { $joints ->
@@ -153,7 +153,7 @@ error-short_form_unknown = { $name } se lee como un coseno o un seno, pero no to
     [one] una articulación
    *[other] { $joints } articulaciones
 }.
-error-radius_negative = Un radio no es negativo.
+error-radius_negative = Un radio no puede ser negativo.
 error-schematic_fixed_joint = La estructura enumera las articulaciones que se mueven: de rotación o prismáticas.
 error-schematic_relations_count = { $joints ->
     [one] Una articulación tiene

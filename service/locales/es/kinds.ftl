@@ -65,7 +65,7 @@ feedback-orientation_missing =
 feedback-rotation_transposed = Esta es la rotación inversa: se han intercambiado filas y columnas, o el sentido de giro.
 feedback-rotation_order_reversed = Las rotaciones se multiplicaron en orden inverso: se confundieron los ejes fijos con los móviles.
 feedback-rotation_degrees = Un ángulo en grados se tomó por radianes, o al revés.
-feedback-rotation_handedness = Todo gira al revés: esto sigue la regla de la mano izquierda.
+feedback-rotation_handedness = Todo gira al revés: se ha aplicado la regla de la mano izquierda.
 feedback-rotation_half_angle = Este cuaternión gira el doble: lleva el seno y el coseno de la mitad del ángulo.
 feedback-rotation_component_order = Con el otro orden de las componentes este cuaternión sería correcto.
 feedback-rotation_not_unit = El cuaternión no tiene longitud 1.
@@ -73,7 +73,7 @@ feedback-rotation_no_axis = El eje tiene longitud cero.
 feedback-rotation_solution_missing = Hay una segunda terna con la misma orientación.
 feedback-rotation_solution_twice = Sus ternas se diferencian solo en vueltas completas: son la misma. Hay otra.
 feedback-rotation_family_missing = Hay bloqueo del cardán: existen infinitas ternas. Diga qué combinación del primer y del último ángulo queda determinada.
-feedback-rotation_quadrant = Un ángulo está en el cuadrante equivocado, a media vuelta: use atan2 en lugar de atan y cuide el signo del ángulo intermedio.
+feedback-rotation_quadrant = Un ángulo está en el cuadrante equivocado, a media vuelta: use atan2 en lugar de atan y atienda al signo del ángulo intermedio.
 feedback-rotation_unit_columns = Esto no es una rotación: una columna no tiene longitud 1.
 feedback-rotation_perpendicular_columns = Esto no es una rotación: dos columnas no son perpendiculares.
 feedback-rotation_right_handed = Esto no es una rotación sino una reflexión: su determinante es −1.
@@ -130,7 +130,7 @@ task-inverse-kinematics =
 feedback-joints_right = La respuesta es correcta y completa.
 feedback-joints_searched = Para esta pose las soluciones se hallaron por búsqueda; puede haber más.
 feedback-joints_need_table = Los valores articulares son los de sus propias variables: entregue también una tabla correcta.
-feedback-claim_wrong = No es así: cuente otra vez cuántos valores articulares alcanzan esta pose, si hay alguno.
+feedback-claim_wrong = No es así: vuelva a contar cuántas soluciones alcanzan esta pose, si hay alguna.
 feedback-joints_wrong = La fila { $row } no alcanza la pose.
 feedback-joints_twice = Las filas { $other } y { $row } se diferencian solo en vueltas completas: son una misma solución.
 feedback-joints_missing =
@@ -241,9 +241,9 @@ task-screws = Escriba el robot como producto de exponenciales: los tornillos de 
 
 feedback-screws_right = Los tornillos y la pose inicial describen este robot.
 feedback-screws_wrong = Este producto de exponenciales no describe el robot, sean cuales sean el sistema, el cero y los sentidos.
-feedback-screw_not_unit = Articulación { $joint }: ω de una articulación rotacional es un vector unitario.
-feedback-screw_pitch = Articulación { $joint }: v tiene una componente a lo largo de ω; una articulación rotacional no avanza por su eje.
-feedback-screw_joint_type = Articulación { $joint }: una prismática tiene ω = 0 y una dirección v; una rotacional tiene ω de longitud 1.
+feedback-screw_not_unit = Articulación { $joint }: ω de una articulación de rotación es un vector unitario.
+feedback-screw_pitch = Articulación { $joint }: v tiene una componente a lo largo de ω; una articulación de rotación no avanza por su eje.
+feedback-screw_joint_type = Articulación { $joint }: una prismática tiene ω = 0 y una dirección v; una de rotación tiene ω de longitud 1.
 feedback-screw_halves = v y ω están intercambiados: en el otro orden las filas serían correctas.
 feedback-screw_moment_sign =
     { $joint ->
@@ -289,7 +289,7 @@ feedback-jacobian_wrong = No todas las columnas de la jacobiana son correctas.
 feedback-forces_wrong = No todos los pares y fuerzas articulares son correctos.
 feedback-jacobian_next_axis = La columna { $joint } usa el eje de una articulación vecina: fíjese en qué z corresponde a cada articulación en su convención.
 feedback-jacobian_point_swapped = Columna { $joint }: la parte lineal es z × (pₙ − p), no z × (p − pₙ).
-feedback-jacobian_prismatic = Columna { $joint }: una prismática da (z, 0); una rotacional, (z × (pₙ − p), z).
+feedback-jacobian_prismatic = Columna { $joint }: una prismática da (z, 0); una de rotación, (z × (pₙ − p), z).
 feedback-jacobian_other_frame =
     { $joint ->
         [0] Esta es la jacobiana en los ejes del otro sistema.

@@ -1,13 +1,13 @@
 ### Accesos desde un sistema de gestión del aprendizaje (LTI): qué se rechaza y por qué.
 
-error-lti_parameter_missing = El sistema de gestión del aprendizaje no envió { $name }.
+error-lti_parameter_missing = La plataforma de aprendizaje no envió { $name }.
 error-lti_platform_unknown = Aquí no está registrada ninguna plataforma { $issuer }. Un administrador tiene que registrarla primero.
 error-lti_platform_ambiguous = Hay varios clientes de { $issuer } registrados; el inicio de sesión debe indicar client_id.
 error-lti_platform_inactive = La plataforma { $issuer } está registrada y aún no se ha activado.
 error-lti_target_foreign = La dirección que se quiere abrir no está en este sitio.
 error-lti_state_unknown = Este acceso ya se ha usado o es demasiado antiguo. Vuelva a abrir el ejercicio desde su curso.
 error-lti_browser_unknown = Este acceso se inició en otro navegador, o el navegador bloquea las cookies en los marcos. Ábralo en una ventana nueva.
-error-lti_launch_refused = El sistema de gestión del aprendizaje rechazó el acceso: { $reason }.
+error-lti_launch_refused = La plataforma de aprendizaje rechazó el acceso: { $reason }.
 error-lti_token_malformed = El mensaje de acceso no es un token firmado.
 error-lti_token_algorithm = El mensaje de acceso está firmado con { $algorithm }; solo se acepta RS256.
 error-lti_token_key = El mensaje de acceso está firmado con una clave que la plataforma no publica.

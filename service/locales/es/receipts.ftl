@@ -1,7 +1,7 @@
 ### La página que verifica una carpeta de comprobantes.
 
 receipts-title = Comprobantes
-receipts-lead = Suelte los archivos que entregaron sus estudiantes o pegue sus textos: se verifica cada comprobante y las notas pasan a un archivo para Moodle o Canvas.
+receipts-lead = Suelte los archivos que entregaron sus estudiantes o pegue sus textos: se verifica cada comprobante y las calificaciones pasan a un archivo para Moodle o Canvas.
 receipts-files = Archivos con comprobantes
 receipts-paste = O sus textos, uno tras otro
 receipts-verify = Verificar

@@ -2,21 +2,21 @@ field-conditions = Condiciones de singularidad
 field-lost = Un movimiento perdido
 
 task-singularities =
-    Se da la tabla del robot. ¿En qué configuraciones pierde el brazo un movimiento: { $motion ->
-        [translation] dónde es el rango de la jacobiana de la velocidad del último origen menor que de ordinario?
-       *[twist] dónde es el rango de la jacobiana menor que de ordinario?
-    } Escriba una condición en cada fila: una función que se anula allí (sin(q3)) o una ecuación (q3 = 0, π). Cuenta el conjunto, se escriba como se escriba. { $lost ->
+    Se da la tabla del robot. ¿En qué configuraciones pierde el brazo un movimiento, es decir, { $motion ->
+        [translation] dónde tiene la jacobiana de la velocidad del último origen un rango menor que el habitual?
+       *[twist] dónde tiene la jacobiana un rango menor que el habitual?
+    } Escriba una condición en cada fila: una función que se anula allí (sin(q3)) o una ecuación (q3 = 0, π). Cuenta el conjunto, sea cual sea la forma de escribirlo. { $lost ->
         [yes] Para la configuración dada, escriba un vector λ ≠ 0 en los ejes del sistema 0 con λ · J q̇ = 0 hagan lo que hagan las articulaciones, en el último origen, con las longitudes en { $unit }: el movimiento que se pierde.
        *[no] {""}
     }
 
 feedback-singularities_right = Las condiciones se cumplen exactamente donde el brazo es singular, y no falta nada.
-feedback-singularities_missing = Se han hallado { $found } de { $count } familias de singularidades.
-feedback-singularity_missing_at = Una configuración singular en la que no se cumple ninguna de sus condiciones: { $at }.
+feedback-singularities_missing = Familias de singularidades halladas: { $found } de { $count }.
+feedback-singularity_missing_at = Ninguna de sus condiciones se cumple en esta configuración singular: { $at }.
 feedback-singularity_invented = La condición { $condition } se cumple también donde el brazo no es singular.
 feedback-singularity_invented_at = La condición { $condition } se cumple en { $at }, donde el brazo no es singular.
 feedback-singularity_sine_for_cosine = La condición { $condition } es la de una singularidad salvo un cuarto de vuelta: se han confundido seno y coseno.
-feedback-singularity_half = De una familia solo se ha hallado una parte: atienda a la otra solución de su ecuación (q = π además de q = 0, el brazo plegado además del extendido).
+feedback-singularity_half = De una familia solo se ha hallado una parte: considere también la otra solución de su ecuación (q = π además de q = 0, el brazo plegado además del extendido).
 feedback-singularity_everywhere = La condición { $condition } se cumple siempre.
 feedback-singularity_nowhere = La condición { $condition } no se cumple nunca y no dice nada.
 feedback-conditions_missing = Faltan las condiciones.
@@ -26,6 +26,6 @@ feedback-lost_motion_is_kept = Con este vector el brazo aún se mueve: λᵀJ no
 error-conditions_empty = Dé condiciones o un movimiento perdido.
 error-condition_not_equation = { $text } no es una condición: escriba una función que se anula o una ecuación con un solo signo =.
 error-condition_angle_nonlinear = Un ángulo articular fuera de seno, coseno y tangente solo puede estar en una ecuación como q2 + q3 = π/2.
-error-condition_period = Lo que se suma k veces ha de ser una fracción entera de una vuelta: 2π, π, π/2…
+error-condition_period = Lo que se suma k veces ha de ser una vuelta dividida por un número entero: 2π, π, π/2 …
 error-singularities_no_families = Ninguna condición puede decir dónde es singular este brazo: no lo es nunca, o solo en familias de menos dimensiones. Elija el otro movimiento u otro robot.
 error-not_singular = El brazo no es singular en esta configuración.

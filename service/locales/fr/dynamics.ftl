@@ -1,23 +1,23 @@
 # Comment les forces meuvent un robot.
 
-error-links_count = La liste des corps a une entrée par ligne du tableau : { $expected }, et non { $given }.
-error-mass_negative = Une masse n’est pas négative : { $mass } kg.
-error-inertia_not_symmetric = Une matrice d’inertie est symétrique : l’élément xy est égal à yx.
-error-inertia_negative = Un moment d’inertie par rapport à un axe n’est jamais négatif. Cette matrice en a un qui l’est.
-error-mass_matrix_singular = Une articulation ne déplace rien qui ait une masse : aucune force ne détermine son accélération. Donnez une masse et une inertie aux corps.
-error-links_missing = Indiquez la masse des corps : links, une entrée par ligne du tableau.
+error-links_count = La liste des segments a une entrée par ligne du tableau : { $expected }, et non { $given }.
+error-mass_negative = Une masse ne peut pas être négative : { $mass } kg.
+error-inertia_not_symmetric = Un tenseur d’inertie est symétrique : l’élément xy est égal à yx.
+error-inertia_negative = Un moment d’inertie par rapport à un axe n’est jamais négatif. Ce tenseur en a un négatif par rapport à un certain axe.
+error-mass_matrix_singular = Une articulation ne déplace rien qui ait une masse : aucune force ne détermine son accélération. Donnez une masse et une inertie aux segments.
+error-links_missing = Indiquez la masse des segments : links, une entrée par ligne du tableau.
 error-name_of_rate = { $name } est le nom de la vitesse d’une articulation dans les formes littérales. Donnez un autre nom au paramètre.
-error-body_varies = La masse d’un corps et sa place ne dépendent pas des variables articulaires : elles ne figurent que dans le tableau.
+error-body_varies = La masse d’un segment et sa place dans celui-ci ne dépendent pas des variables articulaires : celles-ci ne figurent que dans le tableau.
 error-dynamics_not_finite = Les masses, longueurs ou vitesses sont si grandes que le résultat n’est pas un nombre.
 
 task-equations-of-motion =
-    Le tableau du robot est donné, ainsi que ce qui se meut avec son repère i. Écrivez M(q), C(q, q̇) et g(q) de M q̈ + C q̇ + g = τ, dans la mesure où ils sont demandés, en fonction de q1, q2, …, de leurs vitesses dq1, dq2, … et des noms donnés ; longueurs en { $unit }, par radian. { $skew ->
+    Le tableau du robot est donné, ainsi que le corps qui se meut avec chaque repère i. Écrivez M(q), C(q, q̇) et g(q) de M q̈ + C q̇ + g = τ, pour autant qu’ils sont demandés, en fonction de q1, q2, …, de leurs vitesses dq1, dq2, … et des noms donnés ; longueurs en { $unit }, par radian. { $skew ->
         [yes] Toute C donnant le bon C q̇ est juste ; de plus, Ṁ − 2C doit être antisymétrique.
        *[no] Toute C donnant le bon C q̇ est juste.
     }
-given-link-weights = Les corps : masse, centre dans le repère i, moments en ce centre [kg { $unit }²]
-given-gravity-vector = Pesanteur dans le repère 0 [{ $unit }/s²]
-given-weights = Valeurs des noms
+given-link-weights = Les segments : masse, centre dans le repère i, moments en ce centre [kg { $unit }²]
+given-gravity-vector = Accélération de la pesanteur dans le repère 0 [{ $unit }/s²]
+given-weights = Valeurs des symboles
 field-mass = Matrice d’inertie M
 field-coriolis = Matrice C
 field-velocity = Termes de Coriolis et centrifuges C q̇
@@ -37,11 +37,11 @@ feedback-motion_missing =
        *[gravity] Il manque les termes de pesanteur.
     }
 feedback-motion_asymmetric = Une matrice d’inertie est symétrique ; celle-ci ne l’est pas.
-feedback-motion_point_masses = C’est la M de masses ponctuelles : il manque les moments d’inertie propres des corps.
+feedback-motion_point_masses = C’est la M de masses ponctuelles : il manque les moments d’inertie propres des segments.
 feedback-motion_gravity_sign = Ce g est de signe opposé : g est ce que les articulations doivent fournir contre la pesanteur, le gradient de l’énergie potentielle.
 feedback-motion_velocity_sign = Ce C q̇ est de signe opposé.
 feedback-motion_coupling_once = Chaque produit q̇j q̇k de deux articulations différentes figure deux fois dans C q̇, comme jk et comme kj ; ici il ne compte qu’une fois.
 feedback-motion_mass_rate = C’est Ṁ q̇. Il faut en retrancher le gradient de l’énergie cinétique, ½ ∂(q̇ᵀM q̇)/∂q.
 error-motion_row_count = La matrice a une ligne par articulation : { $expected }, et non { $given }.
 error-motion_empty = Écrivez au moins une des matrices ou lignes demandées.
-error-motion_cell = Ici figure un nombre ou une expression ; pour un lieu ou des moments, trois.
+error-motion_cell = Écrivez ici un nombre ou une expression ; pour une position ou des moments d’inertie, trois.

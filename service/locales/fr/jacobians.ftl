@@ -2,7 +2,7 @@ task-jacobian-analytic =
     { $variables ->
         [own] Prenez votre propre tableau et vos propres variables articulaires à ces valeurs.
        *[given] Le tableau du robot et une configuration sont donnés.
-    } Écrivez la jacobienne analytique : les vitesses de la dernière origine dans le repère 0, puis les dérivées des trois angles autour des axes { $turning ->
+    } Écrivez la jacobienne analytique : la vitesse de la dernière origine dans le repère 0, puis les dérivées temporelles des trois angles autour des axes { $turning ->
             [fixed] fixes
            *[current] courants
         } { $axes }, dans leur ordre. En nombres, longueurs en { $unit }, par radian.
@@ -24,7 +24,7 @@ task-jacobian-form-analytic =
     { $variables ->
         [own] Prenez votre propre tableau et vos propres variables articulaires.
        *[given] Le tableau du robot est donné.
-    } Écrivez la jacobienne analytique : les vitesses de la dernière origine dans le repère 0, puis les dérivées des trois angles autour des axes { $turning ->
+    } Écrivez la jacobienne analytique : la vitesse de la dernière origine dans le repère 0, puis les dérivées temporelles des trois angles autour des axes { $turning ->
             [fixed] fixes
            *[current] courants
         } { $axes }, dans leur ordre. Les éléments sont des fonctions des variables articulaires.

@@ -65,7 +65,7 @@ feedback-orientation_missing =
 feedback-rotation_transposed = C’est la rotation inverse : lignes et colonnes, ou le sens de rotation, ont été échangés.
 feedback-rotation_order_reversed = Les rotations ont été multipliées dans l’ordre inverse : axes fixes et axes courants ont été confondus.
 feedback-rotation_degrees = Un angle en degrés a été pris pour des radians, ou l’inverse.
-feedback-rotation_handedness = Tout tourne dans l’autre sens : c’est la règle de la main gauche.
+feedback-rotation_handedness = Tout tourne dans l’autre sens : c’est la règle de la main gauche qui a été suivie.
 feedback-rotation_half_angle = Ce quaternion tourne deux fois trop : il faut le sinus et le cosinus du demi-angle.
 feedback-rotation_component_order = Dans l’autre ordre des composantes, ce quaternion serait juste.
 feedback-rotation_not_unit = Le quaternion n’est pas de norme 1.
@@ -130,7 +130,7 @@ task-inverse-kinematics =
 feedback-joints_right = La réponse est juste et complète.
 feedback-joints_searched = Pour cette pose, les solutions ont été trouvées par recherche ; il peut y en avoir d’autres.
 feedback-joints_need_table = Les valeurs articulaires sont celles de vos propres variables : rendez aussi un tableau juste.
-feedback-claim_wrong = Ce n’est pas le cas : recomptez combien de valeurs articulaires atteignent cette pose, s’il y en a.
+feedback-claim_wrong = Ce n’est pas le cas : recomptez combien de solutions atteignent cette pose, s’il y en a.
 feedback-joints_wrong = La ligne { $row } n’atteint pas la pose.
 feedback-joints_twice = Les lignes { $other } et { $row } ne diffèrent que de tours complets : c’est une seule solution.
 feedback-joints_missing =
@@ -167,7 +167,7 @@ feedback-joints_orientation_only = La ligne { $row } atteint l’orientation, ma
 feedback-joints_limits = La ligne { $row } atteint la pose avec l’articulation { $joint } au-delà de sa limite.
 feedback-joints_family_missing = La pose est singulière : dites quelle combinaison des variables articulaires reste constante le long des solutions.
 feedback-joints_combination_wrong = La combinaison { $row } ne reste pas constante le long des solutions.
-error-pose_frames_free = La pose est donnée dans le repère 0 et pour le dernier : la politique doit fixer les deux, base = "frame" et tool = "frame".
+error-pose_frames_free = La pose est donnée dans le repère 0 et pour le dernier : les règles doivent fixer les deux, base = "frame" et tool = "frame".
 error-joint_row_length = Une ligne contient une valeur par articulation : il en faut { $expected }, et { $given } ont été données.
 error-joint_rows_empty = Donnez les valeurs articulaires qui atteignent la pose.
 
@@ -220,11 +220,11 @@ feedback-mistake_missing =
     }
 feedback-tables_right = C’est cela, et pour cette raison.
 feedback-tables_same = C’est le même robot : seuls les repères ont été choisis autrement.
-feedback-tables_different = Ce sont des robots différents : aucun choix de repères ne change un tableau en l’autre.
+feedback-tables_different = Ce sont des robots différents : aucun choix de repères ne transforme un tableau en l’autre.
 feedback-tables_reason_wrong = Le verdict est juste, mais pas pour cette raison.
 feedback-tables_reason_missing = Le verdict est juste ; dites aussi pourquoi.
 error-row_unknown = Donnez le numéro d’une ligne, de 1 à { $count }.
-error-no_mistake_does_harm = Aucune de ces erreurs ne change ce robot sous sa politique.
+error-no_mistake_does_harm = Aucune de ces erreurs ne change ce robot selon ses règles.
 error-key_given_away = Cette partie montre un tableau ; un exercice qui demande le tableau ne peut pas l’avoir.
 error-not_plantable = Aucune erreur demandée du catalogue ne change ce robot.
 

@@ -1,13 +1,13 @@
 ### Lancements depuis une plateforme pédagogique (LTI) : ce qui est refusé, et pourquoi.
 
-error-lti_parameter_missing = La plateforme pédagogique n’a pas envoyé { $name }.
+error-lti_parameter_missing = La plateforme d’apprentissage n’a pas envoyé { $name }.
 error-lti_platform_unknown = Aucune plateforme { $issuer } n’est enregistrée ici. Un administrateur doit d’abord l’enregistrer.
 error-lti_platform_ambiguous = Plusieurs clients de { $issuer } sont enregistrés ; la connexion doit indiquer client_id.
 error-lti_platform_inactive = La plateforme { $issuer } est enregistrée et n’a pas encore été activée.
 error-lti_target_foreign = L’adresse à ouvrir n’est pas sur ce site.
 error-lti_state_unknown = Ce lancement a déjà servi ou est trop ancien. Rouvrez l’exercice depuis votre cours.
 error-lti_browser_unknown = Ce lancement a commencé dans un autre navigateur, ou le navigateur bloque les cookies dans les cadres. Ouvrez-le dans une nouvelle fenêtre.
-error-lti_launch_refused = La plateforme pédagogique a refusé le lancement : { $reason }.
+error-lti_launch_refused = La plateforme d’apprentissage a refusé le lancement : { $reason }.
 error-lti_token_malformed = Le message de lancement n’est pas un jeton signé.
 error-lti_token_algorithm = Le message de lancement est signé avec { $algorithm } ; seul RS256 est accepté.
 error-lti_token_key = Le message de lancement est signé avec une clé que la plateforme ne publie pas.

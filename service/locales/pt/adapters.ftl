@@ -19,9 +19,9 @@ error-version_not_supported = Esta versão da API de avaliação não é suporta
 error-api_key_unknown = Não há nenhuma chave { $id }.
 error-key_file_unreadable = { $file } não é um ficheiro de chaves utilizável: { $reason }.
 error-receipt_kid_unknown = { $file } não contém nenhuma chave { $id }.
-error-receipt_malformed = Isto não é um recibo, ou não está completo. Copie-o do primeiro ao último carácter.
-error-receipt_key_unknown = O recibo foi assinado com uma chave que este serviço não tem. Pergunte ao serviço que o emitiu.
-error-receipt_altered = O recibo foi alterado depois de emitido.
+error-receipt_malformed = Isto não é um comprovativo, ou não está completo. Copie-o do primeiro ao último carácter.
+error-receipt_key_unknown = O comprovativo foi assinado com uma chave que este serviço não tem. Pergunte ao serviço que o emitiu.
+error-receipt_altered = O comprovativo foi alterado depois de emitido.
 
 evaluation-right = Certo
 evaluation-wrong = Ainda não está certo

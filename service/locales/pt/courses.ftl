@@ -38,7 +38,7 @@ error-code_used = Este endereço já foi usado. Volte a abrir o exercício a par
 error-staff_only = Isto está aberto aos docentes da disciplina.
 error-publishing_closed =
     { $who ->
-        [staff] Aqui só pode publicar exercícios quem vem de um curso como docente, ou com uma chave de âmbito publish.
+        [staff] Aqui só pode publicar exercícios quem vem de uma disciplina como docente, ou com uma chave de âmbito publish.
         [key] Aqui só se podem publicar exercícios com uma chave de âmbito publish.
        *[nobody] Neste serviço ninguém pode publicar exercícios.
     }

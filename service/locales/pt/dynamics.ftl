@@ -1,23 +1,23 @@
 # Como as forças movem um robô.
 
 error-links_count = A lista de elos tem uma entrada para cada linha da tabela: { $expected }, não { $given }.
-error-mass_negative = Uma massa não é negativa: { $mass } kg.
+error-mass_negative = Uma massa não pode ser negativa: { $mass } kg.
 error-inertia_not_symmetric = Uma matriz de inércia é simétrica: o elemento xy é igual ao yx.
 error-inertia_negative = Um momento de inércia em torno de um eixo nunca é negativo. Esta matriz tem um negativo em torno de algum eixo.
 error-mass_matrix_singular = Alguma junta não move nada que tenha massa, e nenhuma força determina a sua aceleração. Dê massa e inércia aos elos.
 error-links_missing = Indique a massa dos elos: links, uma entrada para cada linha da tabela.
 error-name_of_rate = { $name } é o nome da velocidade de uma junta nas formas fechadas. Dê outro nome ao parâmetro.
-error-body_varies = A massa de um elo e o seu lugar não mudam com as variáveis de junta: estas figuram só na tabela.
-error-dynamics_not_finite = As massas, comprimentos ou velocidades são tão grandes que o resultado não é um número.
+error-body_varies = A massa de um elo e o seu lugar nele não mudam com as variáveis das juntas: estas figuram só na tabela.
+error-dynamics_not_finite = As massas, os comprimentos ou as velocidades são tão grandes que o resultado não é um número.
 
 task-equations-of-motion =
-    São dadas a tabela do robô e o que se move com o seu sistema i. Escreva M(q), C(q, q̇) e g(q) de M q̈ + C q̇ + g = τ, no que for pedido, como funções de q1, q2, …, das suas velocidades dq1, dq2, … e dos nomes dados; comprimentos em { $unit }, por radiano. { $skew ->
+    São dadas a tabela do robô e o corpo que se move com cada referencial i. Escreva M(q), C(q, q̇) e g(q) de M q̈ + C q̇ + g = τ, no que for pedido, como funções de q1, q2, …, das suas velocidades dq1, dq2, … e dos nomes dados; comprimentos em { $unit }, por radiano. { $skew ->
         [yes] Toda C com o C q̇ certo está certa; além disso, Ṁ − 2C deve ser antissimétrica.
        *[no] Toda C com o C q̇ certo está certa.
     }
-given-link-weights = Os elos: massa, centro no sistema i, momentos em torno dele [kg { $unit }²]
-given-gravity-vector = Gravidade no sistema 0 [{ $unit }/s²]
-given-weights = Valores dos nomes
+given-link-weights = Os elos: massa, centro no referencial i, momentos em torno dele [kg { $unit }²]
+given-gravity-vector = Aceleração da gravidade no referencial 0 [{ $unit }/s²]
+given-weights = Valores dos símbolos
 field-mass = Matriz de massa M
 field-coriolis = Matriz C
 field-velocity = Termos de Coriolis e centrífugos C q̇
@@ -44,4 +44,4 @@ feedback-motion_coupling_once = Cada produto q̇j q̇k de duas juntas diferentes
 feedback-motion_mass_rate = Isto é Ṁ q̇. É preciso subtrair o gradiente da energia cinética, ½ ∂(q̇ᵀM q̇)/∂q.
 error-motion_row_count = A matriz tem uma linha para cada junta: { $expected }, não { $given }.
 error-motion_empty = Escreva pelo menos uma das matrizes ou linhas pedidas.
-error-motion_cell = Aqui fica um número ou uma expressão; de um lugar ou de momentos, três.
+error-motion_cell = Aqui escreve-se um número ou uma expressão; para uma posição ou momentos de inércia, três.

@@ -38,43 +38,43 @@ figure-dimension = { $name } mede { $length } { $unit }, { $course ->
    *[oblique] em sentido oblíquo
 }, entre { $start } e { $end }.
 figure-point = O ponto { $name } está em { $place }.
-figure-not-to-scale = O desenho não está em escala: nele, { $names } { $count ->
+figure-not-to-scale = O desenho não está à escala: nele, { $names } { $count ->
     [one] não tem o comprimento dado
    *[other] não têm os comprimentos dados
 } aqui.
-figure-note = fora de escala
+figure-note = não está à escala
 
 ## O que é livre e o que é fixado
 
-rule-convention-any = Aceitam-se a convenção clássica (standard) e a modificada.
-rule-convention-standard = Escreva a tabela na convenção clássica (standard).
+rule-convention-any = Aceitam-se a convenção standard e a modificada.
+rule-convention-standard = Escreva a tabela na convenção standard.
 rule-convention-modified = Escreva a tabela na convenção modificada.
 rule-base-free = O referencial 0 pode ficar em qualquer lugar da base.
 rule-base-axis = O eixo z do referencial 0 está sobre o eixo da junta 1, em qualquer dos sentidos.
-rule-base-origin = A origem do referencial 0 é prescrita; as direções são de sua escolha.
+rule-base-origin = A origem do referencial 0 é prescrita; as direções são à sua escolha.
 rule-base-frame = O referencial 0 é prescrito.
 rule-tool-free = O último referencial pode ficar em qualquer lugar do último elo.
 rule-tool-point = A origem do último referencial está no ponto marcado { $points }.
 rule-tool-axis = O eixo z do último referencial está sobre o eixo da última junta, em qualquer dos sentidos; a sua origem pode ficar em qualquer ponto dele.
 rule-tool-frame = O último referencial é prescrito.
-rule-zero-free = Cabe-lhe escolher onde cada variável de junta é zero.
-rule-zero-figure = Na posição mostrada na figura, todas as variáveis de junta são zero.
+rule-zero-free = Cabe-lhe escolher onde cada variável das juntas é zero.
+rule-zero-figure = Na posição mostrada na figura, todas as variáveis das juntas são zero.
 rule-direction-free = Cabe-lhe escolher o sentido de cada eixo.
-rule-direction-figure = As variáveis de junta são positivas no sentido das setas da figura.
+rule-direction-figure = As variáveis das juntas são positivas no sentido das setas da figura.
 
 ## O que se pede
 
 task-schematic = Descreva a estrutura: o tipo de cada junta e como o eixo de cada junta está em relação ao eixo da seguinte.
-task-table = Escolha os referenciais e escreva a tabela DH. As células podem conter { $names }, números e as variáveis de junta q1 a q{ $n }.
+task-table = Escolha os referenciais e escreva a tabela DH. As células podem conter { $names }, números e as variáveis das juntas q1 a q{ $n }.
 task-link-matrices = Para cada linha da sua tabela, escreva a matriz do referencial i para o referencial i−1. Pode abreviar cos(q1) como c1 e sin(q1 + q2) como s12.
-task-transform = Escreva ⁰T, a matriz do último referencial para o referencial 0, em forma literal.
-task-pose = Avalie a sua ⁰T para { $joints } e para as dimensões dadas aqui, com os comprimentos em { $unit }.
+task-transform = Escreva ⁰T, a matriz do último referencial para o referencial 0, em forma fechada.
+task-pose = Calcule a sua ⁰T para { $joints } e para as dimensões dadas aqui, com os comprimentos em { $unit }.
 task-workspace-axis = Até que distância mínima e até que distância máxima do eixo da junta 1 se pode levar { $point }? { $limits ->
-    [none] Cada junta pode assumir qualquer valor.
+    [none] Cada junta pode tomar qualquer valor.
    *[some] As juntas respeitam os seus limites.
 } Dê os dois raios em { $unit }.
 task-workspace-point = Quais são a menor e a maior distância entre { $point } e { $origin }? { $limits ->
-    [none] Cada junta pode assumir qualquer valor.
+    [none] Cada junta pode tomar qualquer valor.
    *[some] As juntas respeitam os seus limites.
 } Dê os dois raios em { $unit }.
 
@@ -85,11 +85,11 @@ feedback-schematic_right = A estrutura está certa.
 feedback-schematic_joint_count = Indicou { $given ->
     [one] uma junta
    *[other] { $given } juntas
-}; conte de novo quantas podem se mover.
+}; conte de novo quantas se podem mover.
 feedback-schematic_joint_type = O tipo da junta { $joint } não está certo.
 feedback-schematic_relation = A posição relativa dos eixos { $first } e { $second } não está certa.
-feedback-schematic_angle_right = Eixos { $first } e { $second }: o ângulo entre eles está certo, mas não se eles se cortam.
-feedback-schematic_meeting_right = Os eixos { $first } e { $second } de facto se cortam, mas não sob esse ângulo.
+feedback-schematic_angle_right = Eixos { $first } e { $second }: o ângulo entre eles está certo, mas não o facto de se cortarem ou não.
+feedback-schematic_meeting_right = Os eixos { $first } e { $second } cortam-se de facto, mas não sob esse ângulo.
 feedback-matrices_right = As matrizes dos elos estão certas.
 feedback-matrices_follow_table = As matrizes dos elos decorrem da sua tabela e recebem os seus pontos, embora a tabela não esteja certa.
 feedback-matrices_right_not_from_table = As matrizes dos elos estão certas para o robô, embora não decorram da sua tabela.
@@ -97,10 +97,10 @@ feedback-matrices_product_wrong = Multiplicadas, as suas matrizes dos elos não 
 feedback-matrix_missing = Falta a matriz { $matrix }.
 feedback-matrix_wrong = A matriz { $matrix } não corresponde à linha { $matrix } da sua tabela.
 feedback-matrix_cells_wrong = A matriz { $matrix } difere da linha { $matrix } da sua tabela nestas células (linha,coluna): { $cells }.
-feedback-matrix_inverse = A matriz { $matrix } está invertida: ela leva do referencial i−1 ao referencial i.
+feedback-matrix_inverse = A matriz { $matrix } está invertida: leva do referencial i−1 ao referencial i.
 feedback-matrix_rotation_transposed = A rotação na matriz { $matrix } está transposta.
 feedback-matrix_other_convention = A matriz { $matrix } foi formada pela regra da outra convenção.
-feedback-matrix_without_variable = A matriz { $matrix } foi escrita para a variável de junta igual a zero; mantenha a variável.
+feedback-matrix_without_variable = A matriz { $matrix } foi escrita para a variável da junta igual a zero; mantenha a variável.
 feedback-matrix_of_other_row = A matriz { $matrix } é a da linha { $other }.
 feedback-matrix_not_rigid = A matriz { $matrix } não é um movimento rígido: as colunas não são vetores unitários perpendiculares ou a última linha não é 0 0 0 1.
 feedback-transform_right = ⁰T está certa.
@@ -111,10 +111,10 @@ feedback-transform_rotation_right = A rotação em ⁰T está certa.
 feedback-transform_position_right = A posição em ⁰T está certa.
 feedback-transform_cells_wrong = ⁰T difere da sua tabela nestas células (linha,coluna): { $cells }.
 feedback-transform_not_rigid = ⁰T não é um movimento rígido: as colunas não são vetores unitários perpendiculares ou a última linha não é 0 0 0 1.
-feedback-transform_inverse = Esta é a inversa de ⁰T: ela leva do referencial 0 ao último referencial.
+feedback-transform_inverse = Esta é a inversa de ⁰T: leva do referencial 0 ao último referencial.
 feedback-transform_rotation_transposed = A rotação em ⁰T está transposta.
 feedback-transform_order_reversed = As matrizes dos elos foram multiplicadas em ordem inversa.
-feedback-transform_links_missing = Este é o produto só até o referencial { $last }; continue até o último referencial.
+feedback-transform_links_missing = Este é o produto só até ao referencial { $last }; continue até ao último referencial.
 feedback-pose_right = A posição e a orientação estão certas.
 feedback-pose_follows_table = A posição e a orientação decorrem da sua tabela e recebem os seus pontos, embora a tabela não esteja certa.
 feedback-pose_wrong = Não é o resultado que a sua tabela dá para esses valores das juntas.
@@ -124,17 +124,17 @@ feedback-pose_inverse = Esta é a transformação inversa.
 feedback-pose_rotation_transposed = A rotação está transposta.
 feedback-pose_degrees_as_radians = Os senos e cossenos foram calculados com graus tomados como radianos.
 feedback-workspace_right = Os dois raios estão certos.
-feedback-workspace_inner_wrong = O raio interno não está certo.
-feedback-workspace_outer_wrong = O raio externo não está certo.
-feedback-workspace_swapped = O raio interno e o externo estão trocados.
+feedback-workspace_inner_wrong = O raio interior não está certo.
+feedback-workspace_outer_wrong = O raio exterior não está certo.
+feedback-workspace_swapped = O raio interior e o exterior estão trocados.
 feedback-workspace_diameters = Estes são diâmetros; pedem-se os raios.
-feedback-workspace_other_length_unit = Os raios estão certos em outra unidade; pedem-se em { $unit }.
+feedback-workspace_other_length_unit = Os raios estão certos noutra unidade; pedem-se em { $unit }.
 
 ## Por que uma resposta não pode ser avaliada
 
 problem-note-ungraded = Esta resposta não foi avaliada e não gasta nenhuma tentativa.
 error-answer_empty = Nada foi entregue. O exercício pede { $known }.
-error-part_not_asked = O exercício não pede { $part }; ele pede { $known }.
+error-part_not_asked = O exercício não pede { $part }; pede { $known }.
 error-link_matrices_count = A tabela tem { $expected ->
     [one] uma linha
    *[other] { $expected } linhas
@@ -142,7 +142,7 @@ error-link_matrices_count = A tabela tem { $expected ->
     [one] foi dada uma matriz
    *[other] foram dadas { $given } matrizes
 }. Dê uma para cada linha; null omite uma.
-error-link_matrices_need_table = Sem a tabela, as matrizes dos elos são julgadas pelo seu produto. Dê todas.
+error-link_matrices_need_table = Sem a tabela, as matrizes dos elos são julgadas pelo seu produto. Dê-as todas.
 error-pose_needs_table = A posição e a orientação são as da sua própria tabela. Entregue também a tabela.
 error-matrix_not_4x4 = Uma matriz tem quatro linhas de quatro células.
 error-joint_variable_unknown = Não existe { $name }; o robô tem { $joints ->
@@ -153,7 +153,7 @@ error-short_form_unknown = { $name } é lido como cosseno ou seno, mas nem todos
     [one] uma junta
    *[other] { $joints } juntas
 }.
-error-radius_negative = Um raio não é negativo.
+error-radius_negative = Um raio não pode ser negativo.
 error-schematic_fixed_joint = A estrutura enumera as juntas que se movem: rotativas ou prismáticas.
 error-schematic_relations_count = { $joints ->
     [one] Uma junta tem
@@ -208,7 +208,7 @@ error-name_unknown = { $name } não é nenhuma das cotas deste exercício.{ $fou
     [0] {""}
    *[one] {" "}Queria dizer { $close }?
 } Conhecem-se { $known }.
-error-need_unmet = Com esta política nenhuma resposta precisa de { $name }: podem escolher-se referenciais em que não aparece. Fixe a base (origin ou frame) ou a ferramenta (point ou frame).
+error-need_unmet = Com estas regras nenhuma resposta precisa de { $name }: podem escolher-se referenciais em que não aparece. Fixe a base (origin ou frame) ou a ferramenta (point ou frame).
 error-need_unknown = { $name } não é nenhuma cota da tabela. Há { $known }.
 error-alias_taken = { $name } já tem um significado.
 error-title_missing = É preciso um título pelo menos numa língua: [title] com en = "…".

@@ -326,7 +326,7 @@ form-home-author-text = Para docentes: sobre o braço do seu próprio livro, num
 
 form-matrices-withheld = As matrizes aparecem aqui quando as partes que as pedem estiverem certas.
 form-sharing = Para docentes: ligações e pacotes
-form-sharing-text = Uma ligação leva estas definições, assinadas: quem chega por ela não as pode mudar, e o próprio serviço cumpre-as. Um pacote SCORM entra num curso sem administrador; a nota vem do navegador do estudante, mas o recibo nos comentários não pode ser forjado.
+form-sharing-text = Uma ligação leva estas definições, assinadas: quem chega por ela não as pode mudar, e o próprio serviço cumpre-as. Um pacote SCORM entra num curso sem administrador; a nota vem do navegador do estudante, mas o comprovativo nos comentários não pode ser forjado.
 form-sharing-may = Os estudantes podem usar
 form-sharing-catalogue = o catálogo de robôs
 form-sharing-playground = a oficina
@@ -335,13 +335,13 @@ form-sharing-trainer = o treinador de referenciais
 form-sharing-help = De uma resposta errada dizer-lhes
 form-sharing-attempts = Tentativas
 form-sharing-link = Criar uma ligação
-form-sharing-receipts = Verificar recibos
-form-receipt = Obter um recibo
-form-receipt-text = Um recibo diz o que esta resposta valeu e é assinado por este serviço. Entregue-o ao docente: como texto, como código QR ou como página impressa.
+form-sharing-receipts = Verificar comprovativos
+form-receipt = Obter um comprovativo
+form-receipt-text = Um comprovativo diz o que esta resposta valeu e é assinado por este serviço. Entregue-o ao docente: como texto, como código QR ou como página impressa.
 form-receipt-name = O seu nome, como o curso o conhece
-form-receipt-as-text = Recibo como texto
+form-receipt-as-text = Comprovativo como texto
 form-receipt-copy = Copiar o texto
-form-receipt-qr = Recibo como código QR
+form-receipt-qr = Comprovativo como código QR
 form-receipt-pdf = Página para imprimir (PDF)
 
 form-part-frames = Referenciais

@@ -2,13 +2,13 @@
 
 field-matrix = Matriz
 field-component_order = Ordem das componentes
-field-quaternion = Quatérnio
+field-quaternion = Quaternião
 field-axis = Eixo de rotação
 field-angle = Ângulo de rotação
-field-angles = Ternas de ângulos
+field-angles = Ternos de ângulos
 field-middle = No bloqueio de cardan: o ângulo do meio
 field-combination = No bloqueio de cardan: o que fica determinado do primeiro e do último ângulo
-field-value = Seu valor
+field-value = O seu valor
 field-claim = A matriz ou pose dada
 field-pose = Pose
 option-wxyz = w, x, y, z: o escalar primeiro
@@ -18,93 +18,93 @@ option-difference = a diferença: primeiro − último
 option-rotation = é uma rotação
 option-unit_columns = não é: uma coluna não tem comprimento 1
 option-perpendicular_columns = não é: duas colunas não são perpendiculares
-option-right_handed = não é: suas colunas formam um triedro à esquerda (determinante −1)
+option-right_handed = não é: as suas colunas formam um triedro esquerdo (determinante −1)
 given-rotation = A orientação como matriz de rotação
-given-quaternion = A orientação como quatérnio unitário
+given-quaternion = A orientação como quaternião unitário
 given-axis_angle = A orientação como eixo e ângulo
 given-angles = A orientação em ângulos
 given-matrix = A matriz
-given-frame-pose = Pose do sistema { $end } no sistema { $start }
+given-frame-pose = Pose do referencial { $end } no referencial { $start }
 
 task-orientation =
     { $given ->
-        [angles] Um sistema de coordenadas é girado de três ângulos em torno dos eixos { $turning ->
+        [angles] Um referencial é rodado de três ângulos em torno dos eixos { $turning ->
             [fixed] fixos
            *[current] correntes
         } { $axes }, nesta ordem.
-       *[other] É dada a orientação de um sistema de coordenadas.
-    } Escreva-a nas notações abaixo. { $ask ->
+       *[other] É dada a orientação de um referencial.
+    } Escreva-a nas notações indicadas abaixo. { $ask ->
         [every] Dos ângulos em torno dos eixos { $asked_turning ->
             [fixed] fixos
            *[current] correntes
-        } { $asked_axes } pedem-se todas as ternas: as duas ou, no bloqueio de cardan, o ângulo do meio e o que fica determinado dos outros dois.
+        } { $asked_axes } pedem-se todos os ternos: os dois ou, no bloqueio de cardan, o ângulo do meio e o que fica determinado dos outros dois.
         [one] Dos ângulos em torno dos eixos { $asked_turning ->
             [fixed] fixos
            *[current] correntes
-        } { $asked_axes } basta uma terna.
+        } { $asked_axes } basta um terno.
        *[none] {""}
     }
-task-rotation-check = Esta matriz é uma rotação? Se não for, diga qual propriedade das rotações falha.
-task-frame-chain = As poses abaixo são conhecidas. Escreva a pose do sistema { $end } no sistema { $start } como matriz 4×4, comprimentos em { $unit }.
+task-rotation-check = Esta matriz é uma rotação? Se não for, diga que propriedade das rotações falha.
+task-frame-chain = Conhecem-se as poses seguintes. Escreva a pose do referencial { $end } no referencial { $start } como matriz 4×4, comprimentos em { $unit }.
 feedback-orientation_right = Todas as notações descrevem a orientação dada.
 feedback-orientation_wrong =
     { $notation ->
         [matrix] A matriz não é a desta orientação.
-        [quaternion] O quatérnio não é o desta orientação.
+        [quaternion] O quaternião não é o desta orientação.
         [axis_angle] O eixo e o ângulo não são os desta orientação.
        *[other] Os ângulos não são todos os desta orientação.
     }
 feedback-orientation_missing =
     { $notation ->
-        [matrix] A matriz está faltando.
-        [quaternion] O quatérnio está faltando.
-        [axis_angle] O eixo e o ângulo estão faltando.
-       *[other] Os ângulos estão faltando.
+        [matrix] Falta a matriz.
+        [quaternion] Falta o quaternião.
+        [axis_angle] Faltam o eixo e o ângulo.
+       *[other] Faltam os ângulos.
     }
 
-feedback-rotation_transposed = Esta é a rotação inversa: linhas e colunas, ou o sentido de giro, foram trocados.
+feedback-rotation_transposed = Esta é a rotação inversa: linhas e colunas, ou o sentido de rotação, foram trocados.
 feedback-rotation_order_reversed = As rotações foram multiplicadas na ordem inversa: confundiram-se eixos fixos e eixos correntes.
 feedback-rotation_degrees = Um ângulo em graus foi tomado por radianos, ou o contrário.
-feedback-rotation_handedness = Tudo gira ao contrário: isto segue a regra da mão esquerda.
-feedback-rotation_half_angle = Este quatérnio gira o dobro: ele leva o seno e o cosseno da metade do ângulo.
-feedback-rotation_component_order = Na outra ordem das componentes este quatérnio estaria certo.
-feedback-rotation_not_unit = O quatérnio não tem norma 1.
+feedback-rotation_handedness = Tudo roda ao contrário: foi seguida a regra da mão esquerda.
+feedback-rotation_half_angle = Este quaternião roda o dobro: leva o seno e o cosseno de metade do ângulo.
+feedback-rotation_component_order = Na outra ordem das componentes este quaternião estaria certo.
+feedback-rotation_not_unit = O quaternião não tem norma 1.
 feedback-rotation_no_axis = O eixo tem comprimento zero.
-feedback-rotation_solution_missing = Há uma segunda terna com a mesma orientação.
-feedback-rotation_solution_twice = Suas ternas diferem só por voltas completas: são a mesma. Há outra.
-feedback-rotation_family_missing = Há bloqueio de cardan: existem infinitas ternas. Diga qual combinação do primeiro e do último ângulo fica determinada.
-feedback-rotation_quadrant = Um ângulo está no quadrante errado, a meia volta: use atan2 em vez de atan e cuide do sinal do ângulo do meio.
+feedback-rotation_solution_missing = Há um segundo terno com a mesma orientação.
+feedback-rotation_solution_twice = Os seus ternos diferem só por voltas completas: são o mesmo. Há outro.
+feedback-rotation_family_missing = Há bloqueio de cardan: existem infinitos ternos. Diga que combinação do primeiro e do último ângulo fica determinada.
+feedback-rotation_quadrant = Um ângulo está no quadrante errado, a meia volta: use atan2 em vez de atan e atenda ao sinal do ângulo do meio.
 feedback-rotation_unit_columns = Isto não é uma rotação: uma coluna não tem comprimento 1.
 feedback-rotation_perpendicular_columns = Isto não é uma rotação: duas colunas não são perpendiculares.
-feedback-rotation_right_handed = Isto não é uma rotação, e sim uma reflexão: seu determinante é −1.
-feedback-claim_right = Isso vale para esta matriz.
-feedback-claim_not_rotation = Não é: verifique os comprimentos das colunas, seus ângulos retos e o determinante.
-feedback-claim_rotation = É, sim, uma rotação: colunas de comprimento 1, perpendiculares, determinante +1.
-feedback-claim_other_property = Não é uma rotação, mas esta propriedade vale; é outra que falha.
-feedback-chain_right = A pose é a que decorre da cadeia de sistemas.
+feedback-rotation_right_handed = Isto não é uma rotação, mas uma reflexão: o seu determinante é −1.
+feedback-claim_right = Assim é nesta matriz.
+feedback-claim_not_rotation = Não é: verifique os comprimentos das colunas, os ângulos retos entre elas e o determinante.
+feedback-claim_rotation = É mesmo uma rotação: colunas de comprimento 1, perpendiculares, determinante +1.
+feedback-claim_other_property = Não é uma rotação, mas esta propriedade verifica-se; é outra que falha.
+feedback-chain_right = A pose é a que decorre da cadeia de referenciais.
 feedback-chain_wrong = Esta não é a pose que decorre das conhecidas.
 feedback-chain_rotation_right = A rotação dela está certa.
 feedback-chain_position_right = A posição dela está certa.
-feedback-chain_inverted = Esta é a inversa: a pose do primeiro sistema no último.
-feedback-chain_not_inverted = Uma pose conhecida foi usada como está, mas antes precisa ser invertida.
+feedback-chain_inverted = Esta é a inversa: a pose do primeiro referencial no último.
+feedback-chain_not_inverted = Uma pose conhecida foi usada tal como está, embora antes tenha de ser invertida.
 feedback-chain_inverse_without_transpose = A inversa de uma pose foi formada com R; é preciso Rᵀ: (Rᵀ, −Rᵀp).
 feedback-chain_inverse_position = A posição de uma inversa é −Rᵀp, e não −p.
 feedback-chain_order_reversed = Os fatores foram multiplicados na ordem inversa.
 feedback-chain_transposed = A rotação está transposta.
-feedback-chain_not_rigid = Isto não é um movimento rígido: suas três primeiras colunas não são as de uma rotação.
+feedback-chain_not_rigid = Isto não é um movimento rígido: as suas três primeiras colunas não são as de uma rotação.
 error-euler_axes_unknown = { $axes } não é uma sequência de eixos: três de X, Y, Z, com vizinhos diferentes.
-error-component_order_missing = Diga onde está o escalar do quatérnio: wxyz ou xyzw.
-error-axis_and_angle = Um eixo precisa de um ângulo, e um ângulo de um eixo.
-error-family_incomplete = Uma família de ternas precisa dos três: o ângulo do meio, soma ou diferença, e seu valor.
-error-orientation_empty = Escreva a orientação em uma das notações pedidas.
-error-frames_not_connected = As poses conhecidas não levam do sistema { $start } ao sistema { $end }.
+error-component_order_missing = Diga onde está o escalar do quaternião: wxyz ou xyzw.
+error-axis_and_angle = Um eixo precisa de um ângulo, e um ângulo precisa de um eixo.
+error-family_incomplete = Uma família de ternos precisa das três coisas: o ângulo do meio, a soma ou a diferença, e o seu valor.
+error-orientation_empty = Escreva a orientação numa das notações pedidas.
+error-frames_not_connected = As poses conhecidas não levam do referencial { $start } ao referencial { $end }.
 
-error-one_notation = Dê a orientação em uma só notação: { $known }.
+error-one_notation = Dê a orientação numa só notação: { $known }.
 error-expected_not_rotation = A matriz esperada não é uma rotação.
 
 field-solutions = Valores das juntas
 field-combinations = Se forem infinitas: o que permanece igual nelas (coeficientes)
-option-finite = é alcançada somente com estes valores das juntas
+option-finite = é alcançada só com estes valores das juntas
 option-infinite = é alcançada com infinitos valores; estes são alguns
 option-out_of_reach = não é alcançada: está fora do espaço de trabalho
 option-joint_limits = não é alcançada dentro dos limites das juntas
@@ -112,13 +112,13 @@ given-target = A pose
 given-target-position = A posição da última origem
 given-table = A tabela DH, convenção { $convention ->
     [modified] modificada
-   *[standard] padrão
+   *[standard] standard
 }
 
 task-inverse-kinematics =
     { $variables ->
-        [own] Que valores das suas próprias variáveis das juntas levam o último sistema a este lugar no sistema 0?
-       *[given] É dada a tabela do robô. Que valores das juntas levam seu último sistema a este lugar no sistema 0?
+        [own] Que valores das suas próprias variáveis das juntas levam o último referencial a este lugar no referencial 0?
+       *[given] É dada a tabela do robô. Que valores das juntas levam o seu último referencial a este lugar no referencial 0?
     } { $solutions ->
         [one] Basta uma solução.
        *[all] Dê todas; voltas completas não contam.
@@ -128,9 +128,9 @@ task-inverse-kinematics =
     }
 
 feedback-joints_right = A resposta está certa e completa.
-feedback-joints_searched = Para esta pose as soluções foram achadas por busca; pode haver mais.
+feedback-joints_searched = Para esta pose as soluções foram encontradas por pesquisa; pode haver mais.
 feedback-joints_need_table = Os valores são os das suas próprias variáveis: entregue também uma tabela certa.
-feedback-claim_wrong = Não é assim: conte de novo quantos valores das juntas alcançam esta pose, se houver algum.
+feedback-claim_wrong = Não é assim: conte de novo quantas soluções alcançam esta pose, se houver alguma.
 feedback-joints_wrong = A linha { $row } não alcança a pose.
 feedback-joints_twice = As linhas { $other } e { $row } diferem só por voltas completas: são uma só solução.
 feedback-joints_missing =
@@ -165,9 +165,9 @@ feedback-joints_swapped = Linha { $row }: q{ $joint } é 90° menos o que deveri
 feedback-joints_position_only = A linha { $row } alcança a posição, mas não a orientação.
 feedback-joints_orientation_only = A linha { $row } alcança a orientação, mas não a posição.
 feedback-joints_limits = A linha { $row } alcança a pose com a junta { $joint } além do limite.
-feedback-joints_family_missing = A pose é singular: diga qual combinação das variáveis das juntas permanece igual nas soluções.
+feedback-joints_family_missing = A pose é singular: diga que combinação das variáveis das juntas permanece igual nas soluções.
 feedback-joints_combination_wrong = A combinação { $row } não permanece igual nas soluções.
-error-pose_frames_free = A pose é dada no sistema 0 e para o último: a política deve fixar os dois, base = "frame" e tool = "frame".
+error-pose_frames_free = A pose é dada no referencial 0 e para o último: as regras têm de fixar os dois, base = "frame" e tool = "frame".
 error-joint_row_length = Uma linha contém um valor por junta: são necessários { $expected }, e foram dados { $given }.
 error-joint_rows_empty = Dê os valores das juntas que alcançam a pose.
 
@@ -185,123 +185,123 @@ option-d_value = d é outro comprimento
 option-a_d_swapped = a e d foram trocados
 option-same = o mesmo robô
 option-different = robôs diferentes
-option-axis_reversed = só um eixo z, ou uma variável de junta, está invertido
-option-x_turned = só um eixo x está girado, e a variável é zero em outro lugar
-option-origin_moved = só uma origem está em outro lugar
+option-axis_reversed = só um eixo z, ou uma variável de uma junta, está invertido
+option-x_turned = só um eixo x está girado, e a variável é zero noutro lugar
+option-origin_moved = só uma origem está noutro lugar
 option-other_convention = só a convenção é outra
 option-twist = o ângulo entre dois eixos é diferente
 option-length = a distância entre dois eixos é diferente
 option-offset = um deslocamento ao longo de um eixo é diferente
 given-table-with-mistake = A tabela com um erro ({ $convention ->
     [modified] convenção modificada
-   *[standard] convenção padrão
+   *[standard] convenção standard
 })
 given-first-table = A primeira tabela ({ $convention ->
     [modified] convenção modificada
-   *[standard] convenção padrão
+   *[standard] convenção standard
 })
 given-second-table = A segunda tabela ({ $convention ->
     [modified] convenção modificada
-   *[standard] convenção padrão
+   *[standard] convenção standard
 })
 
-task-find-mistake = Esta tabela deveria descrever o robô da figura, mas uma linha tem um erro. Qual linha, o que está errado e como ela deveria ser?
-task-compare-tables = Estas duas tabelas descrevem o mesmo robô, seja qual for a escolha dos sistemas? Diga por quê.
+task-find-mistake = Esta tabela deveria descrever o robô da figura, mas uma linha tem um erro. Que linha, o que está errado e como deveria ser?
+task-compare-tables = Estas duas tabelas descrevem o mesmo robô, seja qual for a escolha dos referenciais? Diga por quê.
 
 feedback-mistake_found = Encontrado, nomeado e corrigido.
-feedback-mistake_row_wrong = O erro está em outra linha.
+feedback-mistake_row_wrong = O erro está noutra linha.
 feedback-mistake_name_wrong = O erro é de outro tipo.
 feedback-mistake_not_mended = Com esta linha a tabela ainda não descreve o robô.
 feedback-mistake_missing =
     { $what ->
-        [row] Diga em qual linha está o erro.
+        [row] Diga em que linha está o erro.
         [name] Diga o que está errado.
        *[mended] Escreva a linha como deveria ser.
     }
 feedback-tables_right = É isso, e por esta razão.
-feedback-tables_same = São o mesmo robô: só os sistemas foram escolhidos de outro modo.
-feedback-tables_different = São robôs diferentes: nenhuma escolha de sistemas transforma uma tabela na outra.
-feedback-tables_reason_wrong = O veredito está certo, mas não por esta razão.
-feedback-tables_reason_missing = O veredito está certo; diga também por quê.
+feedback-tables_same = São o mesmo robô: só os referenciais foram escolhidos de outro modo.
+feedback-tables_different = São robôs diferentes: nenhuma escolha de referenciais transforma uma tabela na outra.
+feedback-tables_reason_wrong = O veredicto está certo, mas não por esta razão.
+feedback-tables_reason_missing = O veredicto está certo; diga também por quê.
 error-row_unknown = Dê o número de uma linha, de 1 a { $count }.
-error-no_mistake_does_harm = Nenhum destes erros muda este robô sob sua política.
+error-no_mistake_does_harm = Nenhum destes erros altera este robô segundo as suas regras.
 error-key_given_away = Esta parte mostra uma tabela; um exercício que pede a tabela não pode tê-la.
-error-not_plantable = Nenhum erro pedido do catálogo muda este robô.
+error-not_plantable = Nenhum dos erros pedidos do catálogo altera este robô.
 
 field-frame = Os helicoides são escritos no
 field-order = Ordem de uma linha
 field-screws = Helicoides, uma linha por junta
 field-home = Pose inicial M
-option-space = sistema fixo (espaço)
-option-body = sistema da ferramenta na posição zero (corpo)
+option-space = referencial fixo (espaço)
+option-body = referencial da ferramenta na posição zero (corpo)
 option-linear_first = v, ω: a parte linear primeiro
 option-angular_first = ω, v: a parte angular primeiro
 
-task-screws = Escreva o robô como produto de exponenciais: os helicoides das juntas 1 a { $n } e a pose inicial M, comprimentos em { $unit }. Escolha o sistema, a posição zero e o sentido de cada eixo dentro das regras.
+task-screws = Escreva o robô como produto de exponenciais: os helicoides das juntas 1 a { $n } e a pose inicial M, comprimentos em { $unit }. Escolha o referencial, a posição zero e o sentido de cada eixo dentro das regras.
 
 feedback-screws_right = Os helicoides e a pose inicial descrevem este robô.
-feedback-screws_wrong = Este produto de exponenciais não descreve o robô, sejam quais forem o sistema, o zero e os sentidos.
-feedback-screw_not_unit = Junta { $joint }: ω de uma junta rotacional é um vetor unitário.
-feedback-screw_pitch = Junta { $joint }: v tem uma componente ao longo de ω; uma junta rotacional não avança ao longo do eixo.
-feedback-screw_joint_type = Junta { $joint }: uma prismática tem ω = 0 e uma direção v; uma rotacional tem ω de comprimento 1.
+feedback-screws_wrong = Este produto de exponenciais não descreve o robô, sejam quais forem o referencial, o zero e os sentidos.
+feedback-screw_not_unit = Junta { $joint }: ω de uma junta rotativa é um vetor unitário.
+feedback-screw_pitch = Junta { $joint }: v tem uma componente ao longo de ω; uma junta rotativa não avança ao longo do eixo.
+feedback-screw_joint_type = Junta { $joint }: uma prismática tem ω = 0 e uma direção v; uma rotativa tem ω de comprimento 1.
 feedback-screw_halves = v e ω estão trocados: na outra ordem as linhas estariam certas.
 feedback-screw_moment_sign =
     { $joint ->
         [0] Todos os v têm o sinal errado
        *[other] Junta { $joint }: v tem o sinal errado
     }: v = −ω × p, com p um ponto qualquer do eixo.
-feedback-screw_other_frame = Estes são os helicoides no outro sistema: confundiram-se espaço e corpo.
+feedback-screw_other_frame = Estes são os helicoides no outro referencial: confundiram-se espaço e corpo.
 feedback-screw_home_inverted = A pose inicial está invertida.
 feedback-screw_home = Os helicoides estão certos; a pose inicial M não.
-feedback-screw_not_rigid = A pose inicial não é um movimento rígido: suas colunas não são vetores unitários perpendiculares, ou a última linha não é 0 0 0 1.
+feedback-screw_not_rigid = A pose inicial não é um movimento rígido: as suas colunas não são vetores unitários perpendiculares, ou a última linha não é 0 0 0 1.
 feedback-screws_relation_wrong = Os eixos das juntas { $joint } e { $next } não estão dispostos entre si como na figura.
 error-screw_count = O robô tem { $expected } juntas, e foram dados { $given } helicoides.
 
-error-screw_too_large = Um número é grande demais para um robô; o maior é { $limit }.
+error-screw_too_large = Um número é demasiado grande para um robô; o maior é { $limit }.
 
 field-jacobian = Jacobiana, uma coluna por junta
-field-forces = Torques e forças das juntas
+field-forces = Binários e forças nas juntas
 given-configuration = A configuração
 given-wrench = Força e momento na ferramenta
 
 task-jacobian =
     { $variables ->
-        [own] Tome sua própria tabela e suas próprias variáveis nestes valores.
+        [own] Tome a sua própria tabela e as suas próprias variáveis das juntas nestes valores.
        *[given] São dadas a tabela do robô e uma configuração.
     } { $ask ->
         [jacobian] Escreva a jacobiana geométrica da última origem, comprimentos em { $unit }, por radiano.
-        [forces] Que torques e forças das juntas, τ = Jᵀ(f, m), correspondem à força e ao momento na última origem, comprimentos em { $unit }?
-       *[both] Escreva a jacobiana geométrica da última origem, comprimentos em { $unit }, por radiano, e os torques e forças das juntas τ = Jᵀ(f, m).
+        [forces] Que binários e forças nas juntas, τ = Jᵀ(f, m), correspondem à força e ao momento na última origem, comprimentos em { $unit }?
+       *[both] Escreva a jacobiana geométrica da última origem, comprimentos em { $unit }, por radiano, e os binários e forças nas juntas τ = Jᵀ(f, m).
     } { $frame ->
-        [end] Todos os vetores estão nos eixos do último sistema.
-       *[base] Todos os vetores estão nos eixos do sistema 0.
+        [end] Todos os vetores estão nos eixos do último referencial.
+       *[base] Todos os vetores estão nos eixos do referencial 0.
     }
 
 feedback-jacobian_right = Está tudo certo.
-feedback-jacobian_follows_table = Isto decorre da sua tabela e vale seus pontos, embora a tabela não esteja certa.
+feedback-jacobian_follows_table = Isto decorre da sua tabela e vale os seus pontos, embora a tabela não esteja certa.
 feedback-jacobian_needs_table = A jacobiana é a da sua própria tabela: entregue também a tabela, com todas as juntas.
 feedback-jacobian_missing =
     { $what ->
         [jacobian] Falta a jacobiana.
-       *[forces] Faltam os torques e forças das juntas.
+       *[forces] Faltam os binários e forças nas juntas.
     }
 feedback-jacobian_wrong = Nem todas as colunas da jacobiana estão certas.
-feedback-forces_wrong = Nem todos os torques e forças das juntas estão certos.
+feedback-forces_wrong = Nem todos os binários e forças nas juntas estão certos.
 feedback-jacobian_next_axis = A coluna { $joint } usa o eixo de uma junta vizinha: veja que z pertence a cada junta na sua convenção.
 feedback-jacobian_point_swapped = Coluna { $joint }: a parte linear é z × (pₙ − p), e não z × (p − pₙ).
-feedback-jacobian_prismatic = Coluna { $joint }: uma prismática dá (z, 0); uma rotacional, (z × (pₙ − p), z).
+feedback-jacobian_prismatic = Coluna { $joint }: uma prismática dá (z, 0); uma rotativa, (z × (pₙ − p), z).
 feedback-jacobian_other_frame =
     { $joint ->
-        [0] Esta é a jacobiana nos eixos do outro sistema.
-       *[other] A coluna { $joint } está nos eixos do outro sistema.
+        [0] Esta é a jacobiana nos eixos do outro referencial.
+       *[other] A coluna { $joint } está nos eixos do outro referencial.
     }
 feedback-jacobian_rows_exchanged = As linhas lineares e angulares foram trocadas.
-feedback-jacobian_spatial = Esta é a velocidade do ponto na origem do sistema 0; pede-se a origem do último sistema.
+feedback-jacobian_spatial = Esta é a velocidade do ponto na origem do referencial 0; pede-se a origem do último referencial.
 feedback-forces_sign = Todos os sinais estão invertidos: pede-se τ = Jᵀ(f, m), com a força e o momento dados.
-feedback-forces_other_frame = A força e o momento foram tomados nos eixos do outro sistema.
+feedback-forces_other_frame = A força e o momento foram tomados nos eixos do outro referencial.
 feedback-forces_rows_exchanged = Força e momento foram trocados.
-feedback-forces_spatial = Supôs-se que a força atua na origem do sistema 0.
+feedback-forces_spatial = Supôs-se que a força atua na origem do referencial 0.
 error-row_order_missing = Diga que linhas vêm primeiro: linear_first ou angular_first.
-error-jacobian_empty = Dê a jacobiana ou as forças das juntas.
+error-jacobian_empty = Dê a jacobiana ou as forças nas juntas.
 
-error-wrench_missing = As forças das juntas correspondem a uma força e um momento: dê “wrench”.
+error-wrench_missing = As forças nas juntas correspondem a uma força e a um momento: dê “wrench”.

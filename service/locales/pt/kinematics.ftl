@@ -24,7 +24,7 @@ error-notation_wrong_length =
        *[other] { $what } recebe { $expected } números: { $names }.
     }
 error-notation_not_finite = { $name } de { $what } não é um número finito.
-error-quaternion_length = Um quatérnio de norma nula ou grande demais não é uma orientação. Dê um quatérnio unitário.
+error-quaternion_length = Um quaternião de norma nula ou grande demais não é uma orientação. Dê um quaternião unitário.
 error-axis_length = Um eixo de comprimento nulo ou grande demais não tem direção. Dê um versor.
 
 error-screw_not_finite = Um helicoide é formado por seis números finitos.

@@ -18,11 +18,11 @@ given-matrix-with-mistake =
 
 task-matrix-mistake =
     { $matrix ->
-        [link] A tabela está certa. Alguém escreveu a matriz da sua linha { $row }, do sistema { $row } ao anterior, e cometeu um erro.
+        [link] A tabela está certa. Alguém escreveu a matriz da sua linha { $row }, do referencial { $row } para o anterior, e cometeu um erro.
        *[transform] A tabela está certa. Alguém escreveu ⁰T_N, o produto de todas as suas matrizes, e cometeu um erro.
-    } Dê um elemento errado, diga o que falhou e escreva a matriz inteira como deveria ser.
+    } Dê um elemento errado, diga o que está errado nele e escreva a matriz inteira como deveria ser.
 
-feedback-matrix_mistake_place_wrong = Este elemento está certo; o erro está em outro lugar.
+feedback-matrix_mistake_place_wrong = Este elemento está certo; o erro está noutro lugar.
 feedback-matrix_mistake_name_wrong = O erro é de outro tipo.
 feedback-matrix_not_mended = Esta ainda não é a matriz da tabela.
 feedback-matrix_mistake_missing =

@@ -1,15 +1,15 @@
 ### A página que verifica uma pasta de recibos.
 
-receipts-title = Recibos
-receipts-lead = Largue os ficheiros que os estudantes entregaram ou cole os textos: cada recibo é verificado e as notas passam a um ficheiro para o Moodle ou o Canvas.
-receipts-files = Ficheiros com recibos
+receipts-title = Comprovativos
+receipts-lead = Largue os ficheiros que os estudantes entregaram ou cole os textos: cada comprovativo é verificado e as classificações passam a um ficheiro para o Moodle ou o Canvas.
+receipts-files = Ficheiros com comprovativos
 receipts-paste = Ou os textos, um a seguir ao outro
 receipts-verify = Verificar
-receipts-none = Ainda não há nenhum recibo.
+receipts-none = Ainda não há nenhum comprovativo.
 receipts-found =
     { $all ->
-        [one] { $valid } de um recibo é autêntico.
-       *[other] { $valid } de { $all } recibos são autênticos.
+        [one] { $valid } de um comprovativo é autêntico.
+       *[other] { $valid } de { $all } comprovativos são autênticos.
     }
 receipts-save-csv = CSV
 receipts-save-moodle = CSV para o Moodle

@@ -39,8 +39,8 @@ error-code_used = Această adresă a fost deja folosită. Deschideți din nou ex
 error-staff_only = Aici au acces doar cadrele didactice ale cursului.
 error-publishing_closed =
     { $who ->
-        [staff] Aici pot publica exerciții doar cei veniți dintr-un curs ca titulari, sau cu o cheie având domeniul publish.
-        [key] Aici se pot publica exerciții doar cu o cheie având domeniul publish.
+        [staff] Aici pot publica exerciții doar cadrele didactice venite dintr-un curs sau cine are o cheie cu dreptul publish.
+        [key] Aici se pot publica exerciții doar cu o cheie cu dreptul publish.
        *[nobody] Pe acest serviciu nimeni nu poate publica exerciții.
     }
 error-link_without_exercise = Pentru această legătură nu s-a ales încă un exercițiu. Un profesor îl alege deschizând legătura.

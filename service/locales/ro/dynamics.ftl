@@ -1,23 +1,23 @@
 # Cum mișcă forțele un robot.
 
 error-links_count = Lista elementelor are câte o intrare pentru fiecare rând al tabelului: { $expected }, nu { $given }.
-error-mass_negative = O masă nu este negativă: { $mass } kg.
-error-inertia_not_symmetric = O matrice de inerție este simetrică: elementul xy este egal cu yx.
-error-inertia_negative = Un moment de inerție față de o axă nu este niciodată negativ. Această matrice are unul negativ față de o axă.
+error-mass_negative = O masă nu poate fi negativă: { $mass } kg.
+error-inertia_not_symmetric = Un tensor de inerție este simetric: elementul xy este egal cu yx.
+error-inertia_negative = Un moment de inerție față de o axă nu este niciodată negativ. Acest tensor are unul negativ față de o anumită axă.
 error-mass_matrix_singular = O cuplă nu mișcă nimic care să aibă masă, deci nicio forță nu îi determină accelerația. Dați elementelor masă și inerție.
 error-links_missing = Indicați masa elementelor: links, câte o intrare pentru fiecare rând al tabelului.
-error-name_of_rate = { $name } este numele vitezei unei cuple în formele literale. Dați parametrului alt nume.
-error-body_varies = Masa unui element și locul ei nu depind de variabilele cuplelor: acestea apar numai în tabel.
+error-name_of_rate = { $name } este numele vitezei unei cuple în formele închise. Dați parametrului alt nume.
+error-body_varies = Masa unui element și locul ei în acesta nu depind de variabilele cuplelor: acestea apar numai în tabel.
 error-dynamics_not_finite = Masele, lungimile sau vitezele sunt atât de mari, încât rezultatul nu este un număr.
 
 task-equations-of-motion =
-    Sunt date tabelul robotului și ce se mișcă împreună cu sistemul i al său. Scrieți M(q), C(q, q̇) și g(q) din M q̈ + C q̇ + g = τ, în măsura în care se cer, ca funcții de q1, q2, …, de vitezele lor dq1, dq2, … și de numele date; lungimi în { $unit }, pe radian. { $skew ->
+    Sunt date tabelul robotului și corpul care se mișcă împreună cu fiecare sistem i. Scrieți M(q), C(q, q̇) și g(q) din M q̈ + C q̇ + g = τ, în măsura în care se cer, ca funcții de q1, q2, …, de vitezele lor dq1, dq2, … și de numele date; lungimi în { $unit }, pe radian. { $skew ->
         [yes] Este corectă orice C cu C q̇ corect; în plus, Ṁ − 2C trebuie să fie antisimetrică.
        *[no] Este corectă orice C cu C q̇ corect.
     }
 given-link-weights = Elementele: masă, centru în sistemul i, momente față de el [kg { $unit }²]
-given-gravity-vector = Gravitația în sistemul 0 [{ $unit }/s²]
-given-weights = Valorile numelor
+given-gravity-vector = Accelerația gravitațională în sistemul 0 [{ $unit }/s²]
+given-weights = Valorile simbolurilor
 field-mass = Matricea de inerție M
 field-coriolis = Matricea C
 field-velocity = Termenii Coriolis și centrifugali C q̇
@@ -44,4 +44,4 @@ feedback-motion_coupling_once = Fiecare produs q̇j q̇k a două cuple diferite 
 feedback-motion_mass_rate = Acesta este Ṁ q̇. Trebuie scăzut gradientul energiei cinetice, ½ ∂(q̇ᵀM q̇)/∂q.
 error-motion_row_count = Matricea are câte un rând pentru fiecare cuplă: { $expected }, nu { $given }.
 error-motion_empty = Scrieți cel puțin una dintre matricele sau rândurile cerute.
-error-motion_cell = Aici stă un număr sau o expresie; pentru un loc sau pentru momente, trei.
+error-motion_cell = Aici se scrie un număr sau o expresie; pentru o poziție sau pentru momente de inerție, trei.

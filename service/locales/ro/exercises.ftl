@@ -68,7 +68,7 @@ rule-direction-figure = Variabilele cuplelor sunt pozitive în sensul săgețilo
 task-schematic = Descrieți structura: tipul fiecărei cuple și cum este așezată axa fiecărei cuple față de axa următoarei.
 task-table = Alegeți sistemele de coordonate și scrieți tabelul DH. Celulele pot conține { $names }, numere și variabilele cuplelor q1 … q{ $n }.
 task-link-matrices = Pentru fiecare rând al tabelului, scrieți matricea de la sistemul i la sistemul i−1. Puteți prescurta cos(q1) ca c1 și sin(q1 + q2) ca s12.
-task-transform = Scrieți ⁰T, matricea de la ultimul sistem la sistemul 0, în formă literală.
+task-transform = Scrieți ⁰T, matricea de la ultimul sistem la sistemul 0, în formă închisă.
 task-pose = Evaluați ⁰T pentru { $joints } și pentru cotele date aici, cu lungimile în { $unit }.
 task-workspace-axis = Cât de aproape de axa cuplei 1 poate fi adus { $point } și cât de departe de ea? { $limits ->
     [none] Fiecare cuplă poate lua orice valoare.
@@ -128,7 +128,7 @@ feedback-pose_degrees_as_radians = Sinusurile și cosinusurile au fost calculate
 feedback-workspace_right = Ambele raze sunt corecte.
 feedback-workspace_inner_wrong = Raza interioară nu este corectă.
 feedback-workspace_outer_wrong = Raza exterioară nu este corectă.
-feedback-workspace_swapped = Raza interioară și cea exterioară și-au schimbat locurile.
+feedback-workspace_swapped = Raza interioară și cea exterioară au fost schimbate între ele.
 feedback-workspace_diameters = Acestea sunt diametre; se cer razele.
 feedback-workspace_other_length_unit = Razele sunt corecte în altă unitate; se cer în { $unit }.
 
@@ -159,7 +159,7 @@ error-short_form_unknown = { $name } este citit ca un cosinus sau un sinus, dar 
     [few] { $joints } cuple
    *[other] { $joints } de cuple
 }.
-error-radius_negative = O rază nu este negativă.
+error-radius_negative = O rază nu poate fi negativă.
 error-schematic_fixed_joint = Structura enumeră cuplele care se mișcă: de rotație sau de translație.
 error-schematic_relations_count = { $joints ->
     [one] O cuplă are

@@ -252,7 +252,7 @@ form-pause = Oprește
 form-history-heading = Încercările dumneavoastră
 form-history-restore = Readu în formular
 form-history-restored = Încercarea este din nou în formular
-form-history-kept = Se păstrează numai în acest navigator.
+form-history-kept = Se păstrează numai în acest browser.
 form-history-clear = Uită tot
 
 form-missing-title = Nu există
@@ -335,7 +335,7 @@ form-home-author-text = Pentru profesori: despre brațul din cartea dumneavoastr
 
 form-matrices-withheld = Matricele apar aici când părțile care le cer sunt corecte.
 form-sharing = Pentru profesori: legături și pachete
-form-sharing-text = O legătură poartă aceste setări, semnate: cine vine prin ea nu le poate schimba, iar serviciul însuși le respectă. Un pachet SCORM intră într-un curs fără administrator; nota lui vine din browserul studentului, dar chitanța din comentarii nu poate fi falsificată.
+form-sharing-text = O legătură poartă aceste setări, semnate: cine vine prin ea nu le poate schimba, iar serviciul însuși le respectă. Un pachet SCORM intră într-un curs fără administrator; nota lui vine din browserul studentului, dar recipisa din comentarii nu poate fi falsificată.
 form-sharing-may = Studenții pot folosi
 form-sharing-catalogue = catalogul de roboți
 form-sharing-playground = atelierul
@@ -344,13 +344,13 @@ form-sharing-trainer = antrenorul de sisteme de coordonate
 form-sharing-help = Despre un răspuns greșit li se spune
 form-sharing-attempts = Încercări
 form-sharing-link = Creează o legătură
-form-sharing-receipts = Verifică chitanțe
-form-receipt = Ia o chitanță
-form-receipt-text = Chitanța spune ce a obținut acest răspuns și este semnată de acest serviciu. Predați-o profesorului: ca text, ca un cod QR sau ca pagină tipărită.
+form-sharing-receipts = Verifică recipise
+form-receipt = Ia o recipisă
+form-receipt-text = Recipisa spune ce a obținut acest răspuns și este semnată de acest serviciu. Predați-o profesorului: ca text, ca un cod QR sau ca pagină tipărită.
 form-receipt-name = Numele dumneavoastră, așa cum îl știe cursul
-form-receipt-as-text = Chitanța ca text
+form-receipt-as-text = Recipisa ca text
 form-receipt-copy = Copiază textul
-form-receipt-qr = Chitanța ca un cod QR
+form-receipt-qr = Recipisa ca un cod QR
 form-receipt-pdf = Pagină de tipărit (PDF)
 
 form-part-frames = Sisteme de coordonate

@@ -1,18 +1,18 @@
 task-jacobian-analytic =
     { $variables ->
-        [own] Luați propriul tabel și propriile variabile la aceste valori.
+        [own] Luați propriul tabel și propriile variabile ale cuplelor la aceste valori.
        *[given] Sunt date tabelul robotului și o configurație.
-    } Scrieți jacobianul analitic: vitezele ultimei origini în sistemul 0, apoi derivatele celor trei unghiuri în jurul axelor { $turning ->
+    } Scrieți jacobianul analitic: viteza ultimei origini în sistemul 0, apoi derivatele în raport cu timpul ale celor trei unghiuri în jurul axelor { $turning ->
             [fixed] fixe
            *[current] curente
         } { $axes }, în ordinea lor. În numere, lungimile în { $unit }, pe radian.
 
 task-jacobian-form =
     { $variables ->
-        [own] Luați propriul tabel și propriile variabile.
+        [own] Luați propriul tabel și propriile variabile ale cuplelor.
        *[given] Este dat tabelul robotului.
     } { $ask ->
-        [jacobian] Scrieți jacobianul geometric al ultimei origini în formă analitică închisă: elementele sale sunt funcții de variabilele cuplelor, pe radian.
+        [jacobian] Scrieți jacobianul geometric al ultimei origini în formă închisă: elementele sale sunt funcții de variabilele cuplelor, pe radian.
         [forces] Scrieți momentele și forțele din cuple care corespund forței și momentului din ultima origine, τ = Jᵀ(f, m), ca funcții de variabilele cuplelor.
        *[both] Scrieți jacobianul geometric al ultimei origini în formă închisă, pe radian, și momentele și forțele din cuple τ = Jᵀ(f, m) care corespund forței și momentului din ultima origine.
     } { $frame ->
@@ -22,9 +22,9 @@ task-jacobian-form =
 
 task-jacobian-form-analytic =
     { $variables ->
-        [own] Luați propriul tabel și propriile variabile.
+        [own] Luați propriul tabel și propriile variabile ale cuplelor.
        *[given] Este dat tabelul robotului.
-    } Scrieți jacobianul analitic: vitezele ultimei origini în sistemul 0, apoi derivatele celor trei unghiuri în jurul axelor { $turning ->
+    } Scrieți jacobianul analitic: viteza ultimei origini în sistemul 0, apoi derivatele în raport cu timpul ale celor trei unghiuri în jurul axelor { $turning ->
             [fixed] fixe
            *[current] curente
         } { $axes }, în ordinea lor. Elementele sunt funcții de variabilele cuplelor.

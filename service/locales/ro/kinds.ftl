@@ -62,10 +62,10 @@ feedback-orientation_missing =
        *[other] Unghiurile lipsesc.
     }
 
-feedback-rotation_transposed = Aceasta este rotația inversă: liniile și coloanele, sau sensul de rotire, au fost schimbate între ele.
+feedback-rotation_transposed = Aceasta este rotația inversă: rândurile și coloanele, sau sensul de rotire, au fost schimbate între ele.
 feedback-rotation_order_reversed = Rotațiile au fost înmulțite în ordine inversă: axele fixe au fost confundate cu cele curente.
 feedback-rotation_degrees = Un unghi în grade a fost luat drept radiani, sau invers.
-feedback-rotation_handedness = Totul se rotește invers: aceasta urmează regula mâinii stângi.
+feedback-rotation_handedness = Totul se rotește invers: s-a folosit regula mâinii stângi.
 feedback-rotation_half_angle = Acest cuaternion rotește de două ori mai mult: trebuie sinusul și cosinusul jumătății unghiului.
 feedback-rotation_component_order = În cealaltă ordine a componentelor acest cuaternion ar fi corect.
 feedback-rotation_not_unit = Cuaternionul nu are norma 1.
@@ -130,7 +130,7 @@ task-inverse-kinematics =
 feedback-joints_right = Răspunsul este corect și complet.
 feedback-joints_searched = Pentru această poză soluțiile au fost găsite prin căutare; pot exista și altele.
 feedback-joints_need_table = Valorile sunt cele ale variabilelor dumneavoastră: predați și un tabel corect.
-feedback-claim_wrong = Nu este așa: numărați din nou câte valori ale cuplelor ating această poză, dacă există.
+feedback-claim_wrong = Nu este așa: numărați din nou câte soluții ating această poză, dacă există.
 feedback-joints_wrong = Rândul { $row } nu atinge poza.
 feedback-joints_twice = Rândurile { $other } și { $row } diferă doar prin rotații complete: sunt o singură soluție.
 feedback-joints_missing =
@@ -186,13 +186,13 @@ option-d_value = d este altă lungime
 option-a_d_swapped = a și d au fost schimbate între ele
 option-same = același robot
 option-different = roboți diferiți
-option-axis_reversed = doar o axă z, sau o variabilă, este inversată
-option-x_turned = doar o axă x este rotită, iar variabila este zero în altă parte
+option-axis_reversed = doar o axă z, sau o variabilă a unei cuple, este inversată
+option-x_turned = doar o axă x este rotită, iar zeroul variabilei este în altă parte
 option-origin_moved = doar o origine se află în altă parte
 option-other_convention = doar convenția este alta
 option-twist = unghiul dintre două axe diferă
 option-length = distanța dintre două axe diferă
-option-offset = o deplasare de-a lungul unei axe diferă
+option-offset = un decalaj de-a lungul unei axe diferă
 given-table-with-mistake = Tabelul cu o greșeală ({ $convention ->
     [modified] convenția modificată
    *[standard] convenția standard
@@ -225,7 +225,7 @@ feedback-tables_different = Sunt roboți diferiți: nicio alegere a sistemelor n
 feedback-tables_reason_wrong = Verdictul este corect, dar nu din acest motiv.
 feedback-tables_reason_missing = Verdictul este corect; spuneți și de ce.
 error-row_unknown = Dați numărul unui rând, de la 1 la { $count }.
-error-no_mistake_does_harm = Niciuna dintre aceste greșeli nu schimbă acest robot sub regulile lui.
+error-no_mistake_does_harm = Niciuna dintre aceste greșeli nu schimbă acest robot după regulile lui.
 error-key_given_away = Această parte arată un tabel; un exercițiu care cere tabelul nu o poate avea.
 error-not_plantable = Nicio greșeală cerută din catalog nu schimbă acest robot.
 
@@ -234,7 +234,7 @@ field-order = Ordinea într-un rând
 field-screws = Torsori, câte un rând pentru fiecare cuplă
 field-home = Poza inițială M
 option-space = sistemul fix (spațiu)
-option-body = sistemul uneltei în poziția zero (corp)
+option-body = sistemul sculei în poziția zero (corp)
 option-linear_first = v, ω: partea liniară întâi
 option-angular_first = ω, v: partea unghiulară întâi
 
@@ -242,7 +242,7 @@ task-screws = Scrieți robotul ca produs de exponențiale: torsorii cuplelor 1 p
 
 feedback-screws_right = Torsorii și poza inițială descriu acest robot.
 feedback-screws_wrong = Acest produs de exponențiale nu descrie robotul, oricare ar fi sistemul, zeroul și sensurile alese.
-feedback-screw_not_unit = Cupla { $joint }: ω al unei cuple de rotație este un vector unitar.
+feedback-screw_not_unit = Cupla { $joint }: ω al unei cuple de rotație este un versor.
 feedback-screw_pitch = Cupla { $joint }: v are o componentă de-a lungul lui ω; o cuplă de rotație nu înaintează pe axa ei.
 feedback-screw_joint_type = Cupla { $joint }: una de translație are ω = 0 și o direcție v; una de rotație are ω de lungime 1.
 feedback-screw_halves = v și ω sunt schimbate între ele: în cealaltă ordine rândurile ar fi corecte.
@@ -254,7 +254,7 @@ feedback-screw_moment_sign =
 feedback-screw_other_frame = Aceștia sunt torsorii în celălalt sistem: spațiul și corpul au fost confundate.
 feedback-screw_home_inverted = Poza inițială este inversată.
 feedback-screw_home = Torsorii sunt corecți; poza inițială M nu este.
-feedback-screw_not_rigid = Poza inițială nu este o mișcare rigidă: coloanele nu sunt vectori unitari perpendiculari sau ultimul rând nu este 0 0 0 1.
+feedback-screw_not_rigid = Poza inițială nu este o mișcare rigidă: coloanele nu sunt versori perpendiculari sau ultimul rând nu este 0 0 0 1.
 feedback-screws_relation_wrong = Axele cuplelor { $joint } și { $next } nu sunt așezate una față de alta ca în figură.
 error-screw_count = Robotul are { $expected } cuple, s-au dat { $given } torsori.
 
@@ -263,11 +263,11 @@ error-screw_too_large = Un număr este prea mare pentru un robot; cel mai mare e
 field-jacobian = Jacobianul, câte o coloană pentru fiecare cuplă
 field-forces = Momentele și forțele din cuple
 given-configuration = Configurația
-given-wrench = Forța și momentul asupra uneltei
+given-wrench = Forța și momentul asupra sculei
 
 task-jacobian =
     { $variables ->
-        [own] Luați propriul tabel și propriile variabile la aceste valori.
+        [own] Luați propriul tabel și propriile variabile ale cuplelor la aceste valori.
        *[given] Sunt date tabelul robotului și o configurație.
     } { $ask ->
         [jacobian] Scrieți jacobianul geometric al ultimei origini, lungimile în { $unit }, pe radian.

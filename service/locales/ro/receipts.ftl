@@ -1,15 +1,15 @@
-### Pagina care verifică un dosar de chitanțe.
+### Pagina care verifică un dosar de recipise.
 
-receipts-title = Chitanțe
-receipts-lead = Trageți aici fișierele predate de studenți sau lipiți textele lor: fiecare chitanță este verificată, iar notele devin un fișier pentru Moodle sau Canvas.
-receipts-files = Fișiere cu chitanțe
+receipts-title = Recipise
+receipts-lead = Trageți aici fișierele predate de studenți sau lipiți textele lor: fiecare recipisă este verificată, iar notele devin un fișier pentru Moodle sau Canvas.
+receipts-files = Fișiere cu recipise
 receipts-paste = Sau textele lor, unul după altul
 receipts-verify = Verifică
-receipts-none = Încă nu este nicio chitanță.
+receipts-none = Încă nu este nicio recipisă.
 receipts-found =
     { $all ->
-        [one] { $valid } dintr-o chitanță este autentică.
-       *[other] { $valid } din { $all } chitanțe sunt autentice.
+        [one] { $valid } dintr-o recipisă este autentică.
+       *[other] { $valid } din { $all } recipise sunt autentice.
     }
 receipts-save-csv = CSV
 receipts-save-moodle = CSV pentru Moodle

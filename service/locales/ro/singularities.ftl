@@ -11,12 +11,12 @@ task-singularities =
     }
 
 feedback-singularities_right = Condițiile sunt îndeplinite exact acolo unde brațul este singular și nu lipsește nimic.
-feedback-singularities_missing = Au fost găsite { $found } din { $count } familii de singularități.
-feedback-singularity_missing_at = O configurație singulară în care nu este îndeplinită niciuna dintre condițiile dumneavoastră: { $at }.
+feedback-singularities_missing = Familii de singularități găsite: { $found } din { $count }.
+feedback-singularity_missing_at = Niciuna dintre condițiile dumneavoastră nu este îndeplinită în această configurație singulară: { $at }.
 feedback-singularity_invented = Condiția { $condition } este îndeplinită și acolo unde brațul nu este singular.
 feedback-singularity_invented_at = Condiția { $condition } este îndeplinită în { $at }, unde brațul nu este singular.
-feedback-singularity_sine_for_cosine = Condiția { $condition } este a unei singularități, mai puțin un sfert de rotație: sinusul și cosinusul au fost schimbate între ele.
-feedback-singularity_half = Dintr-o familie s-a găsit doar o parte: gândiți-vă la cealaltă soluție a ecuației (q = π pe lângă q = 0, brațul pliat pe lângă cel întins).
+feedback-singularity_sine_for_cosine = Condiția { $condition } este cea a unei singularități, decalată cu un sfert de rotație: sinusul și cosinusul au fost schimbate între ele.
+feedback-singularity_half = Dintr-o familie s-a găsit doar o parte: gândiți-vă și la cealaltă soluție a ecuației (q = π pe lângă q = 0, brațul pliat pe lângă cel întins).
 feedback-singularity_everywhere = Condiția { $condition } este îndeplinită mereu.
 feedback-singularity_nowhere = Condiția { $condition } nu este îndeplinită niciodată și nu spune nimic.
 feedback-conditions_missing = Lipsesc condițiile.
@@ -26,6 +26,6 @@ feedback-lost_motion_is_kept = Cu acest vector brațul încă se mișcă: λᵀJ
 error-conditions_empty = Dați condiții sau o mișcare pierdută.
 error-condition_not_equation = { $text } nu este o condiție: scrieți o funcție care se anulează sau o ecuație cu un singur semn =.
 error-condition_angle_nonlinear = Un unghi al unei cuple în afara sinusului, cosinusului și tangentei poate sta numai într-o ecuație ca q2 + q3 = π/2.
-error-condition_period = Ceea ce se adună de k ori trebuie să fie o fracțiune întreagă de rotație: 2π, π, π/2…
+error-condition_period = Ceea ce se adună de k ori trebuie să fie o rotație completă împărțită la un număr întreg: 2π, π, π/2…
 error-singularities_no_families = Nicio condiție nu poate spune unde este singular acest braț: nu este niciodată sau numai în familii de dimensiune mai mică. Alegeți cealaltă mișcare sau alt robot.
 error-not_singular = Brațul nu este singular în această configurație.

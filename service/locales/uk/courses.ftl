@@ -24,7 +24,7 @@ error-record_unknown = { $kind ->
    *[other] Такого запису в цьому курсі немає.
 }
 error-attempts_not_open = Спроби приймаються з { $opens }.
-error-attempts_closed = Вправу закрито о { $closes }.
+error-attempts_closed = Вправу закрито: { $closes }.
 error-attempts_used = { $allowed ->
     [one] Використано { $allowed } спробу — усі, що дозволяє ця вправа.
     [few] Використано { $allowed } спроби — усі, що дозволяє ця вправа.

@@ -33,7 +33,7 @@ task-orientation =
            *[current] поточних
         } осей { $axes } у цьому порядку.
        *[other] Задано орієнтацію системи координат.
-    } Запишіть її в наведених нижче формах. { $ask ->
+    } Подайте її в наведених нижче записах. { $ask ->
         [every] Для кутів навколо { $asked_turning ->
             [fixed] нерухомих
            *[current] поточних
@@ -95,11 +95,11 @@ feedback-chain_not_rigid = Це не рух твердого тіла: перш�
 error-euler_axes_unknown = { $axes } не є послідовністю осей: потрібні три з X, Y, Z, сусідні різні.
 error-component_order_missing = Укажіть, де стоїть скаляр кватерніона: wxyz чи xyzw.
 error-axis_and_angle = До осі потрібен кут, а до кута — вісь.
-error-family_incomplete = Сім’ї трійок потрібні всі три дані: середній кут, сума чи різниця та її значення.
-error-orientation_empty = Запишіть орієнтацію в одній із запитаних форм.
+error-family_incomplete = Родині трійок потрібні всі три дані: середній кут, сума чи різниця та її значення.
+error-orientation_empty = Запишіть орієнтацію в одному із записів, про які запитано.
 error-frames_not_connected = Відомі пози не ведуть від системи { $start } до системи { $end }.
 
-error-one_notation = Задайте орієнтацію в одній формі: { $known }.
+error-one_notation = Задайте орієнтацію одним записом: { $known }.
 error-expected_not_rotation = Очікувана матриця не є поворотом.
 
 field-solutions = Значення у зчленуваннях
@@ -110,7 +110,7 @@ option-out_of_reach = не досягається: вона поза робоч�
 option-joint_limits = не досягається в межах рухів зчленувань
 given-target = Поза
 given-target-position = Положення останнього початку координат
-given-table = Таблиця ДХ, { $convention ->
+given-table = Таблиця DH, { $convention ->
     [modified] модифікована
    *[standard] стандартна
 } угода
@@ -130,7 +130,7 @@ task-inverse-kinematics =
 feedback-joints_right = Відповідь правильна й повна.
 feedback-joints_searched = Для цієї пози розв’язки знайдено пошуком; можуть бути й інші.
 feedback-joints_need_table = Значення стосуються ваших власних змінних: здайте також правильну таблицю.
-feedback-claim_wrong = Це не так: порахуйте ще раз, скільки значень у зчленуваннях дають цю позу, якщо такі є.
+feedback-claim_wrong = Це не так: порахуйте ще раз, скільки розв’язків дають цю позу, якщо такі є.
 feedback-joints_wrong = Рядок { $row } не дає цієї пози.
 feedback-joints_twice = Рядки { $other } і { $row } відрізняються лише повними обертами: це один розв’язок.
 feedback-joints_missing =
@@ -185,7 +185,7 @@ option-d_value = d — інша довжина
 option-a_d_swapped = a і d поміняно місцями
 option-same = того самого робота
 option-different = різних роботів
-option-axis_reversed = лише вісь z або змінну зчленування обернено
+option-axis_reversed = лише вісь z або змінну зчленування спрямовано протилежно
 option-x_turned = лише вісь x повернуто, і нуль змінної в іншому місці
 option-origin_moved = лише початок координат розташовано деінде
 option-other_convention = лише угода інша
@@ -225,7 +225,7 @@ feedback-tables_reason_wrong = Висновок правильний, але н�
 feedback-tables_reason_missing = Висновок правильний; поясніть також чому.
 error-row_unknown = Укажіть номер рядка, від 1 до { $count }.
 error-no_mistake_does_harm = Жодна з цих помилок не змінює цього робота за його правилами.
-error-key_given_away = Ця частина показує таблицю; завдання, що питає таблицю, не може її мати.
+error-key_given_away = Ця частина показує таблицю; вправа, у якій запитується таблиця, не може її мати.
 error-not_plantable = Жодна із запитаних помилок каталогу не змінює цього робота.
 
 field-frame = Гвинти записано в

@@ -1,13 +1,13 @@
 ### Запуски із системи керування навчанням (LTI): що відхиляється і чому.
 
-error-lti_parameter_missing = Система керування навчанням не надіслала { $name }.
+error-lti_parameter_missing = Навчальна платформа не надіслала { $name }.
 error-lti_platform_unknown = Платформу { $issuer } тут не зареєстровано. Спершу її має зареєструвати адміністратор.
 error-lti_platform_ambiguous = Зареєстровано кілька клієнтів { $issuer }; вхід має називати client_id.
 error-lti_platform_inactive = Платформу { $issuer } зареєстровано, але ще не активовано.
 error-lti_target_foreign = Адреса, яку треба відкрити, не належить цьому сайту.
 error-lti_state_unknown = Цей запуск уже використано або він застарів. Відкрийте вправу з курсу ще раз.
 error-lti_browser_unknown = Цей запуск почато в іншому браузері, або браузер блокує файли cookie у фреймах. Відкрийте його в новому вікні.
-error-lti_launch_refused = Система керування навчанням відхилила запуск: { $reason }.
+error-lti_launch_refused = Навчальна платформа відхилила запуск: { $reason }.
 error-lti_token_malformed = Повідомлення запуску не є підписаним токеном.
 error-lti_token_algorithm = Повідомлення запуску підписано алгоритмом { $algorithm }; приймається лише RS256.
 error-lti_token_key = Повідомлення запуску підписано ключем, якого платформа не публікує.

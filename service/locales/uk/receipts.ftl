@@ -24,4 +24,4 @@ receipts-genuine = справжня
 receipts-repeated = справжня, але ту саму відповідь здали й інші
 receipts-by-link = за посиланням викладача
 receipts-answer = Відповідь
-receipts-sign = Підписано сервісом { $service }. Код і текст нижче кажуть те саме; їх перевіряє { $page }.
+receipts-sign = Підписано службою { $service }. Код і текст нижче кажуть те саме; їх перевіряє { $page }.

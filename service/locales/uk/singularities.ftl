@@ -1,4 +1,4 @@
-field-conditions = Умови особливості
+field-conditions = Умови сингулярності
 field-lost = Втрачений рух
 
 task-singularities =
@@ -10,12 +10,12 @@ task-singularities =
        *[no] {""}
     }
 
-feedback-singularities_right = Умови виконуються саме там, де положення особливе, і нічого не бракує.
-feedback-singularities_missing = Знайдено { $found } із { $count } родин особливих положень.
-feedback-singularity_missing_at = Особлива конфігурація, у якій не виконується жодна з ваших умов: { $at }.
-feedback-singularity_invented = Умова { $condition } виконується й там, де положення не особливе.
-feedback-singularity_invented_at = Умова { $condition } виконується за { $at }, де положення не особливе.
-feedback-singularity_sine_for_cosine = Умова { $condition } відрізняється від умови особливості на чверть оберту: сплутано синус і косинус.
+feedback-singularities_right = Умови виконуються саме там, де маніпулятор сингулярний, і нічого не бракує.
+feedback-singularities_missing = Знайдено родин сингулярностей: { $found } з { $count }.
+feedback-singularity_missing_at = У цій сингулярній конфігурації не виконується жодна з ваших умов: { $at }.
+feedback-singularity_invented = Умова { $condition } виконується й там, де маніпулятор не сингулярний.
+feedback-singularity_invented_at = Умова { $condition } виконується за { $at }, де маніпулятор не сингулярний.
+feedback-singularity_sine_for_cosine = Умова { $condition } відрізняється від умови сингулярності на чверть оберту: сплутано синус і косинус.
 feedback-singularity_half = З однієї родини знайдено лише частину: зважайте на інший розв’язок її рівняння (q = π крім q = 0, складений маніпулятор крім випрямленого).
 feedback-singularity_everywhere = Умова { $condition } виконується завжди.
 feedback-singularity_nowhere = Умова { $condition } ніколи не виконується й нічого не каже.
@@ -26,6 +26,6 @@ feedback-lost_motion_is_kept = Уздовж цього вектора маніп
 error-conditions_empty = Наведіть умови або втрачений рух.
 error-condition_not_equation = { $text } не є умовою: запишіть функцію, що дорівнює нулю, або рівняння з одним знаком =.
 error-condition_angle_nonlinear = Кут зчленування поза синусом, косинусом і тангенсом може стояти лише в рівнянні на зразок q2 + q3 = π/2.
-error-condition_period = Те, що додається k разів, має бути цілою часткою оберту: 2π, π, π/2…
-error-singularities_no_families = Жодні умови не скажуть, де положення цього маніпулятора особливі: їх немає або вони утворюють лише родини меншої вимірності. Виберіть інший рух або іншого робота.
-error-not_singular = У цій конфігурації положення не особливе.
+error-condition_period = Те, що додається k разів, має бути обертом, поділеним на ціле число: 2π, π, π/2…
+error-singularities_no_families = Жодні умови не скажуть, де цей маніпулятор сингулярний: він ніколи не сингулярний або лише на родинах меншої вимірності. Виберіть інший рух або іншого робота.
+error-not_singular = У цій конфігурації маніпулятор не сингулярний.
