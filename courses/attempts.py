@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from datetime import datetime, timedelta
+from functools import cache
 from itertools import islice
 from typing import Any
 
@@ -14,6 +15,8 @@ from courses.model import Attempt, CourseSession, Draft
 from courses.policies import Shown, disclosed, refusal
 from courses.refusals import AttemptError, unknown_record
 from courses.storage import Store
+from exercises.parts.protocol import TABLE
+from exercises.parts.registry import part_types
 
 _TABLE = records.attempt
 MOST_FINDINGS = 64
@@ -63,7 +66,8 @@ def path_of_codes(report: Mapping[str, Any]) -> Iterator[tuple[str, str, int | N
     """Kind, code and row of everything that a stored report tells: its path of stable codes.
 
     Kinds: `feedback` of the table, `repair` for the edits of the most plausible repair, `wrong` for the facts
-    of rows that do not fit, and `part:<kind>` for what is said of the other parts.
+    of rows that do not fit and for wrong parts that nothing explains, `part:<kind>` for misconceptions found
+    in a part, and `told:<kind>` for whatever else is said of it.
     """
     verdict = report.get("verdict") or {}
     for entry in verdict.get("feedback", ()):
@@ -71,13 +75,30 @@ def path_of_codes(report: Mapping[str, Any]) -> Iterator[tuple[str, str, int | N
     for repair in list(verdict.get("repairs", ()))[:1]:
         for edit in repair.get("edits", ()):
             yield "repair", str(edit["code"]), edit.get("row")
-    for link in verdict.get("links", ()):
-        for fact in ("length", "twist", "offset", "joint"):
-            if link.get(fact) in ("wrong", "missing"):
-                yield "wrong", fact, link.get("row")
+    facts = [
+        (fact, link.get("row"))
+        for link in verdict.get("links", ())
+        for fact in ("length", "twist", "offset", "joint")
+        if link.get(fact) in ("wrong", "missing")
+    ]
+    for fact, row in facts:
+        yield "wrong", fact, row
     for part in report.get("parts", ()):
+        kind, explained = part["kind"], False
         for entry in part.get("feedback", ()):
-            yield f"part:{part['kind']}", str(entry["code"]), entry.get("row")
+            code = str(entry["code"])
+            named = code in _misconceptions(kind)
+            explained |= named
+            yield f"{'part' if named else 'told'}:{kind}", code, entry.get("row")
+        if part["score"] < 1.0 and not explained and not (kind == TABLE and facts):
+            yield "wrong", kind, None
+
+
+@cache
+def _misconceptions(kind: str) -> frozenset[str]:
+    """Codes of a part's misconceptions; none for a kind that there is no longer."""
+    known = part_types().get(kind)
+    return frozenset(known.misconceptions if known else ())
 
 
 def attempts_of(store: Store, link_id: int, person_id: int) -> list[Attempt]:

@@ -64,7 +64,7 @@ class AttemptFilter:
 
 
 def judged(link_ids: Collection[int]) -> sa.CTE:
-    """Attempts of links as rows: id, link_id, person_id, number, at, score, correct, role of who made it."""
+    """Attempts of links: id, link_id, person_id, number, at, score, correct, run, role of who made it."""
     attempt, done, run = records.attempt, records.regraded, records.regrading
     part = records.participation
     newest = (
@@ -84,6 +84,7 @@ def judged(link_ids: Collection[int]) -> sa.CTE:
             attempt.c.at,
             sa.func.coalesce(again.c.score, attempt.c.score).label("score"),
             sa.func.coalesce(again.c.correct, attempt.c.correct).label("correct"),
+            newest.c.run,
             part.c.role,
         )
         .outerjoin(newest, newest.c.attempt_id == attempt.c.id)

@@ -156,18 +156,3 @@ def reports_of(store: Store, attempt_ids: list[int]) -> dict[int, Any]:
     with store.reading() as connection:
         found = connection.execute(sa.select(table.c.id, table.c.report).where(table.c.id.in_(attempt_ids)))
         return {row.id: row.report for row in found}
-
-
-def all_attempts(store: Store, link_id: int) -> Iterator[tuple[Attempt, str]]:
-    """Every attempt at a link with the key of its student, for an export."""
-    table = records.attempt
-    wanted = (
-        sa.select(table, records.person.c.key.label("person_key"))
-        .join(records.person, records.person.c.id == table.c.person_id)
-        .where(table.c.link_id == link_id)
-        .order_by(table.c.id)
-        .execution_options(yield_per=200)
-    )
-    with store.reading() as connection:
-        for row in connection.execute(wanted):
-            yield attempt_of(row), row.person_key

@@ -181,7 +181,11 @@ def misconceptions(store: Store, link_id: int) -> list[dict[str, Any]]:
 
 
 def unexplained(store: Store, link_id: int) -> list[dict[str, Any]]:
-    """Wrong answers that no misconception explains, clustered by what does not fit, largest first."""
+    """Wrong answers that no misconception explains, clustered by what does not fit, largest first.
+
+    What does not fit is a fact of a row (`2:length`) or a part (`:pose`). An answer that is right as far as
+    it goes, with parts that were not handed in, has neither.
+    """
     own = judged((link_id,))
     explained = sa.select(_FINDING.c.attempt_id).where(
         _FINDING.c.link_id == link_id,
@@ -189,7 +193,7 @@ def unexplained(store: Store, link_id: int) -> list[dict[str, Any]]:
     )
     wanted = (
         sa.select(own.c.id, _FINDING.c.code, _FINDING.c.row)
-        .outerjoin(_FINDING, sa.and_(_FINDING.c.attempt_id == own.c.id, _FINDING.c.kind == "wrong"))
+        .join(_FINDING, sa.and_(_FINDING.c.attempt_id == own.c.id, _FINDING.c.kind == "wrong"))
         .where(
             own.c.correct.is_(False),
             of_students(own),
@@ -200,9 +204,7 @@ def unexplained(store: Store, link_id: int) -> list[dict[str, Any]]:
     facts: dict[int, list[str]] = defaultdict(list)
     with store.reading() as connection:
         for row in connection.execute(wanted):
-            known = facts[row.id]
-            if row.code is not None:
-                known.append(f"{row.row}:{row.code}")
+            facts[row.id].append(f"{row.row or ''}:{row.code}")
     clusters: dict[tuple[str, ...], list[int]] = defaultdict(list)
     for attempt_id, found in facts.items():
         clusters[tuple(found)].append(attempt_id)

@@ -10,13 +10,13 @@ from typing import Any, TypeVar
 from fastapi import Response
 from fastapi.responses import StreamingResponse
 
+from courses.attempt_export import exported_attempts
 from courses.audit import log_access
 from courses.enrolment import issue_code, preview, redeem_code
 from courses.gradebook import resend
 from courses.judged import AttemptFilter, Outcome, Progress, attempts_behind
 from courses.link_settings import read, written
 from courses.links import (
-    all_attempts,
     allow,
     attempt_in,
     change_settings,
@@ -314,15 +314,15 @@ async def apply_regrading(request: ApiRequest) -> Response:
 
 @router.get("/course/links/{link}/export.{form}")
 async def export(request: ApiRequest) -> Response:
-    """Every attempt at a link, as CSV or JSON."""
+    """Every attempt of a link's students, as CSV or JSON."""
     staff = await _staff(request)
     link = await staff.link()
     await staff.log("export", link=link.id)
-    found = all_attempts(staff.store, link.id)
+    found = exported_attempts(staff.store, link)
     headers = {"Cache-Control": "no-store"}
     if request.path_params["form"] == "csv":
         return StreamingResponse(csv_of(found), media_type="text/csv; charset=utf-8", headers=headers)
-    records = await staff.run(lambda: [attempt_record(attempt, person) for attempt, person in found])
+    records = await staff.run(lambda: [attempt_record(each) for each in found])
     return json_response({"attempts": records})
 
 

@@ -7,8 +7,8 @@ import io
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+from courses.attempt_export import ExportedAttempt
 from courses.attempts import path_of_codes
-from courses.model import Attempt
 from service.wire.session_views import stored_report
 
 COLUMNS = (
@@ -19,25 +19,34 @@ COLUMNS = (
     "version",
     "seed",
     "score",
+    "points",
+    "max_points",
+    "counted",
     "correct",
     "codes",
 )
+PLACES = 6
+"""Decimals of scores and points: what floating-point arithmetic leaves behind them is not shown."""
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
-def attempt_record(attempt: Attempt, person: str) -> dict[str, Any]:
+def attempt_record(found: ExportedAttempt) -> dict[str, Any]:
     """One attempt of an export: the student by pseudonym, and the path of codes."""
+    attempt = found.attempt
     codes = [
         f"{kind}:{code}" + (f"@{row}" if row else "") for kind, code, row in path_of_codes(attempt.report)
     ]
     return {
-        "person": person,
+        "person": found.person,
         "attempt": attempt.number,
         "time": attempt.at.isoformat(),
         "exercise": attempt.exercise_id,
         "version": attempt.version,
         "seed": attempt.seed,
-        "score": attempt.score,
+        "score": round(attempt.score, PLACES),
+        "points": round(found.points, PLACES),
+        "max_points": found.max_points,
+        "counted": found.counted,
         "correct": attempt.correct,
         "codes": codes,
         "answer": attempt.answer,
@@ -45,12 +54,13 @@ def attempt_record(attempt: Attempt, person: str) -> dict[str, Any]:
     }
 
 
-def csv_of(attempts: Iterable[tuple[Attempt, str]]) -> Iterator[str]:
+def csv_of(attempts: Iterable[ExportedAttempt]) -> Iterator[str]:
     """Attempts as CSV, a line at a time; no cell is a formula to a spreadsheet."""
     yield _line(COLUMNS)
-    for attempt, person in attempts:
-        record = attempt_record(attempt, person)
-        values = {**record, "codes": " ".join(record["codes"]), "correct": int(attempt.correct)}
+    for found in attempts:
+        record = attempt_record(found)
+        flags = {name: int(record[name]) for name in ("counted", "correct")}
+        values = {**record, **flags, "codes": " ".join(record["codes"])}
         yield _line([_harmless(values[name]) for name in COLUMNS])
 
 

@@ -47,3 +47,49 @@ def _broken(language: str, rules: dict[str, str]) -> list[str]:
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_typography_is_that_of_the_language(language: str) -> None:
     assert not _broken(language, TYPOGRAPHY[language])
+
+
+TERMS: dict[str, dict[str, str]] = {
+    "es": {
+        r"[Ff]orma literal": "forma cerrada",
+        r"[Aa]rticulaci\w+ (?:de revolución|rotacional)|\brotacional": "de rotación",
+        r"\bficheros?\b": "archivo",
+        r"(?:inercia|masa) M\b": "matriz de masas M",
+    },
+    "fr": {
+        r"[Tt]ables? DH|[Ff]orme (?:fermée|close)": "tableau DH; forme littérale",
+        r"\b[Tt]entatives?\b": "essai",
+        r"\b[Jj]acobien\b": "la jacobienne",
+        r"plateforme pédagogique": "plateforme d’apprentissage",
+    },
+    "pt": {
+        r"\b[Ss]istemas? (?:\{\}|de coordenadas|fixo)": "referencial",
+        r"(?:último|primeiro|outro) sistema": "referencial",
+        r"[Tt]orques?": "binário",
+        r"[Qq]uatérnio": "quaternião",
+        r"[Cc]onvenção (?:padrão|clássica)": "convenção standard",
+        r"[Ff]orma literal|[Vv]eredito": "forma fechada; veredicto",
+        r"\b[Ee]m outr[oa]s?\b|\bfaltando\b|\baté o\b": "noutro, falta, até ao",
+        r"\b(?:usuário|tela|arquivos? d[eo]|você|salvar|celular|registro)\b": "European Portuguese",
+        r"(?<!\w)(?:Sua|Seu|Suas|Seus) \w+": "an article stands before a possessive",
+    },
+    "ro": {
+        r"[Ff]orm\w+ (?:literal|analitic)\w+": "formă închisă",
+        r"[Uu]n(?:ealt|elt)\w+": "sculă",
+        r"\blegătur\w+ (?:robotului|brațului)": "element",
+        r"\bnavigator\w*|[Cc]hitanț\w+": "browser, recipisă",
+    },
+    "uk": {
+        r"[Кк]онвенц\w+": "угода",
+        r"ДХ": "DH",
+        r"[Уу]загальнен\w+ координат\w*": "змінні зчленувань",
+        r"[Бб]уквен\w+ вигляд\w*|[Аа]налітичн\w+ (?:форм|вигляд)\w*": "замкнений вигляд",
+        r"\b[Сс]хват\w*|\b[Сс]ервіс\w*": "захват; служба",
+    },
+}
+"""What is not said, and what is said instead: one term for one thing."""
+
+
+@pytest.mark.parametrize("language", TERMS)
+def test_one_thing_has_one_term(language: str) -> None:
+    assert not _broken(language, TERMS[language])

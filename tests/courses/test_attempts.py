@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import itertools
 import threading
 import time
@@ -10,18 +11,20 @@ from typing import Any
 
 import pytest
 
+from courses.attempt_export import exported_attempts
 from courses.attempts import attempt_numbered, attempts_of, draft_of, keep_draft
 from courses.enrolment import SESSION, end_session, issue_code, redeem_code, remember_nonce, session_of
 from courses.gradebook import delivered, lease_scores, postponed, resend, undeliverable
 from courses.judged import AttemptFilter, Outcome, Progress, attempts_behind
 from courses.links import allow, change_settings, release_feedback
-from courses.model import CourseSession, LinkSettings
+from courses.model import CourseSession, LinkSettings, Role
 from courses.policies import Allowance, AttemptPolicy, Counting, FeedbackTiming
 from courses.privacy import erase_person, export_person, purge
 from courses.refusals import AttemptError, SessionError, UnknownRecordError
 from courses.regrading import Rejudged, Scope, apply, begin, changes, rejudge
 from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
 from courses.storage import Store
+from service.wire.course_views import attempt_record, csv_of
 from service.work.retention import Retention
 from tests.courses.classroom import NOW, joined, platform, submitted
 
@@ -237,6 +240,67 @@ def test_numbers_of_a_class(store: Store) -> None:
     assert cluster["facts"] == ["2:length"]
     assert behind(store, ann, code="sign_of_twist") == [("bob", 1), ("ann", 1)]
     assert behind(store, ann, ids=tuple(cluster["attempts"])) == [("bob", 2)]
+
+
+RIGHT_TABLE = {"kind": "table", "score": 1.0, "feedback": []}
+
+
+def test_right_tables_with_missing_parts_are_not_unexplained(store: Store) -> None:
+    """Ann stops after a right table; Bob's pose is wrong without a reason, Eve's has a name."""
+    told = {"verdict": {"feedback": [{"code": "proved", "row": None}], "links": []}, "missing": ["pose"]}
+    wrong = {"kind": "pose", "score": 0.5}
+    found = {
+        "ann": [RIGHT_TABLE],
+        "bob": [RIGHT_TABLE, {**wrong, "feedback": [{"code": "pose_rotation_right"}]}],
+        "eve": [RIGHT_TABLE, {**wrong, "feedback": [{"code": "pose_degrees_as_radians"}]}],
+        "max": [RIGHT_TABLE, {"kind": "pose", "score": 1.0, "feedback": [{"code": "pose_right"}]}],
+    }
+    for name, parts in found.items():
+        submitted(store, joined(store, name), 0.6, report={**told, "parts": parts})
+    session = joined(store, "ann")
+    (cluster,) = unexplained(store, session.link.id)
+    assert cluster["facts"] == [":pose"]
+    assert behind(store, session, ids=tuple(cluster["attempts"])) == [("bob", 1)]
+    (named,) = misconceptions(store, session.link.id)
+    assert (named["kind"], named["code"]) == ("part:pose", "pose_degrees_as_radians")
+    assert behind(store, session, kind=named["kind"], code=named["code"]) == [("eve", 1)]
+
+
+def test_an_export_holds_what_counts(store: Store) -> None:
+    """Ann's first attempt was regraded; the second costs a penalty; a teacher's tries are left out."""
+    policy = AttemptPolicy(penalty=0.25)
+    ann = joined(store, "ann")
+    change_settings(store, ann.link.id, LinkSettings(points=8.0, policy=policy), NOW)
+    submitted(store, joined(store, "ann"), 0.5, key="1", report=WRONG)
+    submitted(store, joined(store, "ann"), 0.75, key="2", minutes=1)
+    submitted(store, joined(store, "tina", role=Role.STAFF), 1.0, key="1")
+    judged_anew = {"verdict": None, "parts": []}
+    run = begin(store, ann.link.id, Scope.ALL, "2", NOW)
+    scores = {1: 0.875, 2: 0.75}
+    rejudge(
+        store,
+        run,
+        lambda batch: [
+            Rejudged(
+                attempt_id=each.id,
+                score=scores[each.number],
+                correct=False,
+                report=judged_anew,
+                analysis=judged_anew,
+            )
+            for each in batch
+        ],
+    )
+    link = joined(store, "ann").link
+    before = [(each.attempt.score, each.counted) for each in exported_attempts(store, link)]
+    assert before == [(0.5, True), (0.75, False)]
+    apply(store, link.id, run, NOW)
+    first, second = (attempt_record(each) for each in exported_attempts(store, link))
+    kept = ("attempt", "score", "points", "max_points", "counted", "correct", "report")
+    assert [first[name] for name in kept] == [1, 0.875, 7.0, 8.0, True, False, judged_anew]
+    assert [second[name] for name in kept[:5]] == [2, 0.75, 4.0, 8.0, False]
+    lines = "".join(csv_of(exported_attempts(store, link))).splitlines()
+    assert [row["counted"] for row in csv.DictReader(lines)] == ["1", "0"]
 
 
 def behind(store: Store, session: CourseSession, **asked: Any) -> list[tuple[str, int]]:

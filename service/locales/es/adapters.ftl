@@ -1,12 +1,12 @@
 # Ficheros de estudiantes, correctores de otros sistemas, paquetes SCORM, resguardos.
 
 error-file_too_large = { $file } ocupa más de { $limit } bytes; una tabla ocupa unos pocos kilobytes.
-error-file_missing = No existe ningún fichero ni carpeta { $file }.
+error-file_missing = No existe ningún archivo ni carpeta { $file }.
 error-file_unreadable = No se puede leer { $file }: { $reason }.
 error-file_unusable = No se puede leer o escribir { $file }: { $reason }.
 error-file_type_unknown = { $file } es de un tipo que aquí no se lee. Se leen { $known }.
 error-file_without_table = { $file } no contiene ninguna tabla DH. Una tabla tiene las columnas theta, d, a y alpha.
-error-files_too_many = { $file } contiene más de { $limit } ficheros.
+error-files_too_many = { $file } contiene más de { $limit } archivos.
 error-columns_unknown = Ninguna fila de { $file } nombra las columnas { $known }. Escríbalas encima de la tabla.
 error-columns_differ_in_length = Las columnas de { $file } tienen longitudes distintas; cada una necesita una entrada por fila.
 error-exercise_not_named = No se dice a qué ejercicio responde. Indícalo, por ejemplo puma560.

@@ -30,6 +30,6 @@ error-axis_length = Un eje de longitud nula o demasiado grande no tiene direcci�
 error-screw_not_finite = Un torsor cinemático consta de seis números finitos.
 error-screw_not_unit = La parte angular del torsor de una articulación giratoria, o la parte lineal del de una prismática, tiene longitud 1.
 error-screw_has_pitch = Este torsor tiene un paso de { $pitch } por radián. Una articulación o gira o se desliza.
-error-screw_of_other_type = El torsor { $joint } no es del tipo que se indica: una articulación de revolución tiene parte angular, una prismática no.
+error-screw_of_other_type = El torsor { $joint } no es del tipo que se indica: una articulación de rotación tiene parte angular, una prismática no.
 error-tree_after_unknown = La fila { $row } sigue al sistema { $given }: debe seguir a la base (0) o a una fila anterior. Las cadenas cerradas no se tratan.
 error-frame_unknown = No existe el sistema { $given }; el último es el { $count }.

@@ -285,7 +285,7 @@ form-name-unknown =
 form-nav-lesson = Première leçon
 form-term = Qu’est-ce ? { $term }
 form-convention-what = De quoi s’agit-il ?
-form-exercise-write = Attachez un repère à chaque corps et écrivez la table DH de ce robot.
+form-exercise-write = Attachez un repère à chaque segment et écrivez le tableau DH de ce robot.
 
 form-why = Pourquoi chaque ligne est juste
 form-why-row = Ligne { $row } : position des axes z{ $before } et z{ $row } : { $relation } ; donc α = { $alpha } et a = { $a } ; le long de z, les repères sont distants de d = { $d }.

@@ -2,9 +2,9 @@
 
 lesson-title = Première leçon
 lesson-heading = Un robot en quatre nombres par ligne
-lesson-lead = Ce que dit une table de Denavit–Hartenberg, comment on choisit les repères et pourquoi les livres diffèrent. Dix minutes ; tout ce qui est tracé peut être déplacé.
+lesson-lead = Ce que dit un tableau de Denavit–Hartenberg, comment on choisit les repères et pourquoi les livres diffèrent. Dix minutes ; tout ce qui est tracé peut être déplacé.
 lesson-numbers = Les quatre nombres
-lesson-numbers-text = Un robot est une chaîne de corps reliés par des articulations qui tournent autour d’un axe ou glissent le long de celui-ci. On attache un repère à chaque corps, et une ligne de la table DH mène du repère i−1 au repère i par quatre mouvements : deux selon z, deux selon x.
+lesson-numbers-text = Un robot est une chaîne de corps reliés par des articulations qui tournent autour d’un axe ou glissent le long de celui-ci. On attache un repère à chaque corps, et une ligne de le tableau DH mène du repère i−1 au repère i par quatre mouvements : deux selon z, deux selon x.
 lesson-theta = θ, l’angle articulaire : rotation autour de z jusqu’à ce que x s’aligne sur le x suivant.
 lesson-d = d, le décalage : translation le long de z, d’une perpendiculaire commune à la suivante.
 lesson-a = a, la longueur du corps : translation le long de x, la distance de deux axes z voisins.
@@ -42,7 +42,7 @@ lesson-book-a1 = Distance des axes 1 et 2
 lesson-book-craig = a₁, à la ligne 2 ; a₀ et α₀ sont à la ligne 1
 lesson-book-spong = a₁, à la ligne 1
 lesson-book-khalil = d₂, à la ligne 2 ; r est le décalage le long de z, et α₂ la torsion entre les axes 1 et 2
-lesson-writing = Comment écrire la table
+lesson-writing = Comment écrire le tableau
 lesson-writing-text = Une ligne par articulation, à partir de la base. Les cellules contiennent des nombres, des noms de la figure et des formules : 90, -pi/2, a2, θ3 + 90, sqrt(2)*a2. Écrivez 0 là où un nombre est nul. Votre robot est tracé dès la première ligne ; comparez-le à la figure au fur et à mesure.
 lesson-demo-standard = Standard : ligne du repère i−1 au repère i
 lesson-demo-modified = Modifiée : ligne du repère i−1 au repère i

@@ -2,7 +2,7 @@
 
 trainer-title = Entraînement aux repères
 trainer-heading = Placez les repères
-trainer-lead = Repère après repère, dans l’ordre du cours : tous les axes z, les perpendiculaires communes, les origines, tous les axes x. Chaque étape est vérifiée à la fin ; on lit ensuite la table DH.
+trainer-lead = Repère après repère, dans l’ordre du cours : tous les axes z, les perpendiculaires communes, les origines, tous les axes x. Chaque étape est vérifiée à la fin ; on lit ensuite le tableau DH.
 trainer-back = Retour à l’exercice
 trainer-frames = Repères
 trainer-table = Le tableau qui en découle
@@ -68,4 +68,4 @@ trainer-why-x = Chaque x est porté par une normale commune ou perpendiculaire a
 trainer-open-choice = Le repère { $frame } n’a pas encore de choix.
 trainer-point-missed = L’origine du repère { $frame } doit être au point marqué { $point }.
 trainer-read = Appuyez sur le numéro d’une ligne : l’image montre comment ses quatre nombres mènent d’un repère au suivant.
-trainer-take = Reporter la table dans l’exercice
+trainer-take = Reporter le tableau dans l’exercice

@@ -4,8 +4,8 @@
 
 feedback-same_frames = Os seus referenciais são os da solução de referência.
 feedback-other_convention = A sua tabela está na convenção { $convention ->
-    [modified] modificada e a solução de referência na clássica (standard)
-   *[standard] clássica (standard) e a solução de referência na modificada
+    [modified] modificada e a solução de referência na standard
+   *[standard] standard e a solução de referência na modificada
 }; ambas descrevem o mesmo robô.
 feedback-axis_reversed = O seu z{ $frame }, o eixo da junta { $joint }, aponta no sentido oposto ao da solução de referência. Ambos os sentidos estão certos, e os sinais da sua tabela concordam com o que escolheu.
 feedback-end_axis_reversed = O seu z{ $frame } aponta no sentido oposto ao da solução de referência. Ambos os sentidos estão certos.
@@ -24,10 +24,10 @@ feedback-right_robot = A sua tabela descreve o robô certo, mas não cumpre tudo
 feedback-not_accepted = A sua tabela não cumpre tudo o que o exercício pede.
 feedback-convention_not_asked = O exercício pede a convenção { $asked ->
     [modified] modificada
-   *[standard] clássica (standard)
+   *[standard] standard
 }; a sua tabela está na { $given ->
     [modified] modificada
-   *[standard] clássica (standard)
+   *[standard] standard
 }.
 feedback-joint_count_wrong = { $given ->
     [0] A sua tabela não tem juntas
@@ -75,10 +75,10 @@ feedback-rows_out_of_order = As linhas { $row } e { $other } estão fora de orde
 
 repair-convention = Lida na convenção { $meant ->
     [modified] modificada
-   *[standard] clássica (standard)
+   *[standard] standard
 }, a sua tabela estaria certa; foi declarada a { $declared ->
     [modified] modificada
-   *[standard] clássica (standard)
+   *[standard] standard
 }.
 repair-angles_in_degrees = Os ângulos estão em graus, mas a tabela declara radianos.
 repair-angles_in_radians = Os ângulos estão em radianos, mas a tabela declara graus.
@@ -88,9 +88,9 @@ repair-columns_early = As colunas a e α estão uma linha acima, como na outra c
 repair-columns_exchanged = As colunas { $one } e { $other } estão trocadas. Compare a ordem das colunas com a dos seus apontamentos.
 repair-parameter_misnamed = { $name } não é uma dimensão deste robô. A qual da figura se refere?
 repair-parameters_swapped = { $name } e { $other } estão trocadas. Compare-as com a figura.
-repair-alpha_sign = Linha { $row }: α tem o sinal errado. Rode um eixo z até o seguinte em torno de x, pela regra da mão direita.
+repair-alpha_sign = Linha { $row }: α tem o sinal errado. Rode um eixo z até ao seguinte em torno de x, pela regra da mão direita.
 repair-alpha_value = Linha { $row }: α deveria ser outro ângulo. Veja de novo como os dois eixos z ficam um em relação ao outro.
-repair-twists_all_reversed = Todos os α têm o sinal errado. Rode um eixo z até o seguinte em torno de x com a mão direita, não com a esquerda.
+repair-twists_all_reversed = Todos os α têm o sinal errado. Rode um eixo z até ao seguinte em torno de x com a mão direita, não com a esquerda.
 repair-a_sign = Linha { $row }: a tem o sinal errado. Conta-se no sentido de x.
 repair-d_sign = Linha { $row }: d tem o sinal errado. Conta-se no sentido de z.
 repair-a_d_swapped = Linha { $row }: a e d trocaram de lugar. a mede-se ao longo de x, d ao longo de z.
@@ -104,7 +104,7 @@ repair-cell_length_unit = Linha { $row }: um comprimento está noutra unidade qu
 repair-cell_parameter = Linha { $row }: aqui cabe outra dimensão da figura.
 repair-cell_in_degrees = Linha { $row }: um ângulo está em graus, mas a tabela declara radianos.
 repair-cell_in_radians = Linha { $row }: um ângulo está em radianos, mas a tabela declara graus.
-repair-theta_value = Linha { $row }: o ângulo constante θ deveria ser outro. Rode um eixo x até o seguinte em torno de z.
+repair-theta_value = Linha { $row }: o ângulo constante θ deveria ser outro. Rode um eixo x até ao seguinte em torno de z.
 repair-theta_offset = Linha { $row }: ao lado da variável, θ precisa de outra constante, para que a variável seja zero na posição da figura.
 repair-variable_sign = Linha { $row }: a variável de junta conta no sentido errado. Dê-lhe o sinal oposto.
 repair-joint_type = Linha { $row }: esta junta { $joint_type ->

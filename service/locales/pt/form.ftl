@@ -57,9 +57,9 @@ form-joint-value = { $name } em { $unit }
 form-joints-reset = Repor as juntas
 
 form-convention = Convenção
-form-convention-standard = padrão
+form-convention-standard = standard
 form-convention-modified = modificada
-form-convention-now-standard = Os valores ficam como estão e leem-se agora na convenção padrão: a e α pertencem ao elo i, a junta i move-se segundo o eixo z do referencial i−1.
+form-convention-now-standard = Os valores ficam como estão e leem-se agora na convenção standard: a e α pertencem ao elo i, a junta i move-se segundo o eixo z do referencial i−1.
 form-convention-now-modified = Os valores ficam como estão e leem-se agora na convenção modificada: a e α pertencem ao elo i−1, a junta i move-se segundo o eixo z do referencial i.
 form-angle-unit = Unidade dos ângulos
 form-degrees = graus
@@ -214,7 +214,7 @@ form-own-parameters = Valores para o desenho
 form-joints = Juntas
 form-matrices = Matrizes
 
-form-verdict-heading = Veredito
+form-verdict-heading = Veredicto
 form-verdict-correct = A sua tabela descreve este robô.
 form-verdict-wrong = A sua tabela descreve outro robô.
 form-verdict-all = Tudo o que entregou está certo.

@@ -31,5 +31,5 @@ error-screw_not_finite = Um helicoide é formado por seis números finitos.
 error-screw_not_unit = A parte angular do helicoide de uma junta de rotação, ou a parte linear do de uma junta prismática, tem comprimento 1.
 error-screw_has_pitch = Este helicoide tem passo de { $pitch } por radiano. Uma junta ou gira ou desliza.
 error-screw_of_other_type = O helicoide { $joint } não é do tipo indicado: uma junta de rotação tem parte angular, uma prismática não.
-error-tree_after_unknown = A linha { $row } segue o sistema { $given }: tem de seguir a base (0) ou uma linha anterior. As cadeias fechadas não são tratadas.
-error-frame_unknown = Não existe o sistema { $given }; o último é o { $count }.
+error-tree_after_unknown = A linha { $row } segue o referencial { $given }: tem de seguir a base (0) ou uma linha anterior. As cadeias fechadas não são tratadas.
+error-frame_unknown = Não existe o referencial { $given }; o último é o { $count }.

@@ -151,7 +151,7 @@ export class LinkView {
         t("lecturer-unexplained"),
         [t("lecturer-does-not-fit"), t("lecturer-attempts-made")],
         unexplained.map((/** @type {any} */ { facts, attempts }) => [
-          facts.length ? facts.map(factName).join(", ") : "–",
+          facts.map(factName).join(", "),
           this.#opener(attempts.length, { ids: attempts.slice(0, 200).join(",") }),
         ]),
       ),
@@ -315,8 +315,9 @@ export class LinkView {
   }
 }
 
-/** @param {string} fact such as "2:length" */
+/** @param {string} fact of a row, such as "2:length", or a part, such as ":pose" */
 function factName(fact) {
   const [row, name] = fact.split(":");
+  if (!row) return t(`form-part-${name.replaceAll("_", "-")}`);
   return `${t("form-row-heading")} ${row}: ${t(`form-fact-${name}`)}`;
 }
