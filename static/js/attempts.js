@@ -2,8 +2,8 @@
  * History of attempts. Pages talk to an `AttemptStore`; today's keeps them in the browser, and one that keeps
  * them at the service can take its place.
  *
- * @typedef {{at: string, score: number, correct: boolean, submission: unknown, verdict: unknown, number?: number,
- *   version?: string}} Attempt `at` is an ISO 8601 time, `score` the share of all points, `submission` what the form can
+ * @typedef {{at: string, score: number | null, correct: boolean, submission: unknown, verdict: unknown, number?: number,
+ *   version?: string}} Attempt `at` is an ISO 8601 time, `score` the share of all points (null: not told yet), `submission` what the form can
  *   take back; `number` and `version` (of the exercise) are those of an attempt that the service keeps
  * @typedef {{list: (exercise: string) => Promise<Attempt[]>, add: (exercise: string, attempt: Attempt) => Promise<void>,
  *   clear: (exercise: string) => Promise<void>}} AttemptStore

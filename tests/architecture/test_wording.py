@@ -76,6 +76,7 @@ TERMS: dict[str, dict[str, str]] = {
     "ro": {
         r"[Ff]orm\w+ (?:literal|analitic)\w+": "formă închisă",
         r"[Uu]n(?:ealt|elt)\w+": "sculă",
+        r"\b[Pp]oz(?:a|ă|e|ele|ei|elor)\b": "situare",
         r"\blegătur\w+ (?:robotului|brațului)": "element",
         r"\bnavigator\w*|[Cc]hitanț\w+": "browser, recipisă",
     },

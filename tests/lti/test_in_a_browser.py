@@ -76,7 +76,27 @@ def test_launch_submit_verdict_score_in_a_frame(page: Page, lms: Lms, service: s
     expect(frame.locator("#verdict")).to_be_visible()
     assert eventually(lambda: lms.result("frida", "framed")) == 1.0
     expect(frame.locator(".session-banner")).to_contain_text("1")
+    expect(frame.locator("#history-card")).to_contain_text("Kept in your course.")
+    expect(frame.locator("#history-card").get_by_role("button", name="Forget all")).to_have_count(0)
     page.reload()
+
+
+@pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+def test_a_withheld_score_is_not_shown_as_none(page: Page, service: str, browser: Browser) -> None:
+    """What was found waits for the lecturer: until then an attempt was handed in, and is not worth 0."""
+    told = {"feedback": "on_release", "closes": "2099-01-01T12:00:00Z", "parts": ["table"]}
+    custom = {"exercise": "puma560", "settings": json.dumps(told)}
+    link = hint(resource="withheld", custom=custom)
+    launched = browser.post(browser.authorized(browser.login("wanda", link)))
+    page.goto(urljoin(service, launched.headers["location"]))
+    page.wait_for_selector("html[data-ready=true]")
+    page.evaluate("(table) => (document.querySelector('dh-table-editor').table = table)", RIGHT["table"])
+    page.locator("form button[type=submit]").first.click()
+    expect(page.locator("#history .badge")).to_have_text("handed in")
+    banner = page.locator(".session-banner")
+    expect(banner).to_contain_text("Signed in as")
+    expect(banner).to_contain_text("Closes: Jan 1, 2099")
+    expect(banner).not_to_contain_text("points")
 
 
 @pytest.mark.parametrize("address", ["sqlite"], indirect=True)

@@ -67,6 +67,7 @@ def test_the_class_its_numbers_and_an_attempt(
     for answer in (WRONG, RIGHT):
         assert browser.api("POST", "session/attempts", answer).status_code in (200, 409)
     arrived(page, lms, "tina", hint([TEACHER], **where))
+    expect(page.locator(".page-head")).to_contain_text("Signed in as")
     expect(page.locator("#class table").first).to_be_visible()
     expect(page.locator("#link table").first).to_be_visible()
     expect(page.locator("#link .bars svg[role=img] rect").first).to_be_visible()

@@ -16,3 +16,7 @@ session-received = Attempt { $attempt } has been received and stored. What was f
 session-exercise-changed = The exercise has been changed since an earlier attempt
 session-attempt-then = Attempt { $attempt } was made before the exercise was changed. What was found belongs to the exercise as it was then.
 session-exercise-then = See the exercise as it was
+session-opens = Opens: { $when }
+session-late = Closed: attempts no longer count
+session-handed-in = handed in
+session-attempts-kept = Kept in your course.

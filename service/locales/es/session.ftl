@@ -16,3 +16,7 @@ session-received = El intento { $attempt } se ha recibido y guardado. Lo encontr
 session-exercise-changed = El ejercicio se ha modificado después de un intento anterior
 session-attempt-then = El intento { $attempt } se hizo antes de que se modificara el ejercicio. Lo que se indica corresponde al ejercicio tal como era entonces.
 session-exercise-then = Ver el ejercicio tal como era
+session-opens = Se abre: { $when }
+session-late = Cerrado: los intentos ya no cuentan
+session-handed-in = entregado
+session-attempts-kept = Se guardan en su curso.

@@ -16,3 +16,7 @@ session-received = L’essai { $attempt } est reçu et conservé. Ce qui a été
 session-exercise-changed = L’exercice a été modifié depuis un essai précédent
 session-attempt-then = L’essai { $attempt } a été fait avant la modification de l’exercice. Ce qui est indiqué se rapporte à l’exercice tel qu’il était alors.
 session-exercise-then = Voir l’exercice tel qu’il était
+session-opens = Ouvre : { $when }
+session-late = Fermé : les essais ne comptent plus
+session-handed-in = rendu
+session-attempts-kept = Conservés dans votre cours.

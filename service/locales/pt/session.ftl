@@ -16,3 +16,7 @@ session-received = A tentativa { $attempt } foi recebida e guardada. O que se en
 session-exercise-changed = O exercício foi alterado depois de uma tentativa anterior
 session-attempt-then = A tentativa { $attempt } foi feita antes de o exercício ser alterado. O que se indica refere-se ao exercício tal como era então.
 session-exercise-then = Ver o exercício tal como era
+session-opens = Abre: { $when }
+session-late = Fechado: as tentativas já não contam
+session-handed-in = entregue
+session-attempts-kept = Ficam guardadas na sua disciplina.

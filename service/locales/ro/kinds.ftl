@@ -9,8 +9,8 @@ field-angles = Triplete de unghiuri
 field-middle = La blocaj cardanic: unghiul din mijloc
 field-combination = La blocaj cardanic: ce este determinat din primul și ultimul unghi
 field-value = Valoarea ei
-field-claim = Matricea sau poza dată
-field-pose = Poză
+field-claim = Matricea sau situarea dată
+field-pose = Situare
 option-wxyz = w, x, y, z: scalarul întâi
 option-xyzw = x, y, z, w: scalarul la sfârșit
 option-sum = suma: primul + ultimul
@@ -24,7 +24,7 @@ given-quaternion = Orientarea ca un cuaternion unitar
 given-axis_angle = Orientarea ca axă și unghi
 given-angles = Orientarea în unghiuri
 given-matrix = Matricea
-given-frame-pose = Poza sistemului { $end } în sistemul { $start }
+given-frame-pose = Situarea sistemului { $end } în sistemul { $start }
 
 task-orientation =
     { $given ->
@@ -45,7 +45,7 @@ task-orientation =
        *[none] {""}
     }
 task-rotation-check = Este această matrice o rotație? Dacă nu, spuneți ce proprietate a rotațiilor nu este îndeplinită.
-task-frame-chain = Pozele de mai jos sunt cunoscute. Scrieți poza sistemului { $end } în sistemul { $start } ca matrice 4×4, lungimile în { $unit }.
+task-frame-chain = Situările de mai jos sunt cunoscute. Scrieți situarea sistemului { $end } în sistemul { $start } ca matrice 4×4, lungimile în { $unit }.
 feedback-orientation_right = Toate notațiile descriu orientarea dată.
 feedback-orientation_wrong =
     { $notation ->
@@ -81,13 +81,13 @@ feedback-claim_right = Așa este pentru această matrice.
 feedback-claim_not_rotation = Nu este: verificați lungimile coloanelor, unghiurile drepte dintre ele și determinantul.
 feedback-claim_rotation = Este totuși o rotație: coloane de lungime 1, perpendiculare, determinant +1.
 feedback-claim_other_property = Nu este o rotație, dar această proprietate este îndeplinită; alta nu este.
-feedback-chain_right = Poza este cea care rezultă din lanțul de sisteme.
-feedback-chain_wrong = Aceasta nu este poza care rezultă din cele cunoscute.
+feedback-chain_right = Situarea este cea care rezultă din lanțul de sisteme.
+feedback-chain_wrong = Aceasta nu este situarea care rezultă din cele cunoscute.
 feedback-chain_rotation_right = Rotația ei este corectă.
 feedback-chain_position_right = Poziția ei este corectă.
-feedback-chain_inverted = Aceasta este inversa: poza primului sistem în ultimul.
-feedback-chain_not_inverted = O poză cunoscută a fost folosită așa cum este, deși trebuia mai întâi inversată.
-feedback-chain_inverse_without_transpose = Inversa unei poze a fost formată cu R; trebuie Rᵀ: (Rᵀ, −Rᵀp).
+feedback-chain_inverted = Aceasta este inversa: situarea primului sistem în ultimul.
+feedback-chain_not_inverted = O situare cunoscută a fost folosită așa cum este, deși trebuia mai întâi inversată.
+feedback-chain_inverse_without_transpose = Inversa unei situări a fost formată cu R; trebuie Rᵀ: (Rᵀ, −Rᵀp).
 feedback-chain_inverse_position = Poziția unei inverse este −Rᵀp, nu −p.
 feedback-chain_order_reversed = Factorii au fost înmulțiți în ordine inversă.
 feedback-chain_transposed = Rotația este transpusă.
@@ -97,7 +97,7 @@ error-component_order_missing = Spuneți unde stă scalarul cuaternionului: wxyz
 error-axis_and_angle = O axă are nevoie de un unghi, iar un unghi de o axă.
 error-family_incomplete = O familie de triplete are nevoie de toate trei: unghiul din mijloc, suma sau diferența și valoarea ei.
 error-orientation_empty = Scrieți orientarea într-una dintre notațiile cerute.
-error-frames_not_connected = Pozele cunoscute nu duc de la sistemul { $start } la sistemul { $end }.
+error-frames_not_connected = Situările cunoscute nu duc de la sistemul { $start } la sistemul { $end }.
 
 error-one_notation = Dați orientarea într-o singură notație: { $known }.
 error-expected_not_rotation = Matricea așteptată nu este o rotație.
@@ -108,7 +108,7 @@ option-finite = se atinge numai cu aceste valori ale cuplelor
 option-infinite = se atinge într-o infinitate de feluri; acestea sunt câteva
 option-out_of_reach = nu se atinge: se află în afara spațiului de lucru
 option-joint_limits = nu se atinge în limitele cuplelor
-given-target = Poza
+given-target = Situarea
 given-target-position = Poziția ultimei origini
 given-table = Tabelul DH, convenția { $convention ->
     [modified] modificată
@@ -128,10 +128,10 @@ task-inverse-kinematics =
     }
 
 feedback-joints_right = Răspunsul este corect și complet.
-feedback-joints_searched = Pentru această poză soluțiile au fost găsite prin căutare; pot exista și altele.
+feedback-joints_searched = Pentru această situare soluțiile au fost găsite prin căutare; pot exista și altele.
 feedback-joints_need_table = Valorile sunt cele ale variabilelor dumneavoastră: predați și un tabel corect.
-feedback-claim_wrong = Nu este așa: numărați din nou câte soluții ating această poză, dacă există.
-feedback-joints_wrong = Rândul { $row } nu atinge poza.
+feedback-claim_wrong = Nu este așa: numărați din nou câte soluții ating această situare, dacă există.
+feedback-joints_wrong = Rândul { $row } nu atinge situarea.
 feedback-joints_twice = Rândurile { $other } și { $row } diferă doar prin rotații complete: sunt o singură soluție.
 feedback-joints_missing =
     { $count ->
@@ -165,12 +165,12 @@ feedback-joints_degrees = Rândul { $row }: gradele au fost luate drept radiani,
 feedback-joints_swapped = Rândul { $row }: q{ $joint } este 90° minus cât ar trebui; argumentele lui atan2 au fost schimbate între ele.
 feedback-joints_position_only = Rândul { $row } atinge poziția, dar nu și orientarea.
 feedback-joints_orientation_only = Rândul { $row } atinge orientarea, dar nu și poziția.
-feedback-joints_limits = Rândul { $row } atinge poza cu cupla { $joint } dincolo de limita ei.
-feedback-joints_family_missing = Poza este singulară: spuneți ce combinație a variabilelor rămâne neschimbată de-a lungul soluțiilor.
+feedback-joints_limits = Rândul { $row } atinge situarea cu cupla { $joint } dincolo de limita ei.
+feedback-joints_family_missing = Situarea este singulară: spuneți ce combinație a variabilelor rămâne neschimbată de-a lungul soluțiilor.
 feedback-joints_combination_wrong = Combinația { $row } nu rămâne neschimbată de-a lungul soluțiilor.
-error-pose_frames_free = Poza este dată în sistemul 0 și pentru ultimul: regulile trebuie să le fixeze pe amândouă, base = "frame" și tool = "frame".
+error-pose_frames_free = Situarea este dată în sistemul 0 și pentru ultimul: regulile trebuie să le fixeze pe amândouă, base = "frame" și tool = "frame".
 error-joint_row_length = Un rând conține câte o valoare pentru fiecare cuplă: trebuie { $expected }, s-au dat { $given }.
-error-joint_rows_empty = Dați valorile cuplelor care ating poza.
+error-joint_rows_empty = Dați valorile cuplelor care ating situarea.
 
 field-row = Rândul cu greșeala
 field-name = Ce este greșit
@@ -232,15 +232,15 @@ error-not_plantable = Nicio greșeală cerută din catalog nu schimbă acest rob
 field-frame = Torsorii sunt scriși în
 field-order = Ordinea într-un rând
 field-screws = Torsori, câte un rând pentru fiecare cuplă
-field-home = Poza inițială M
+field-home = Situarea inițială M
 option-space = sistemul fix (spațiu)
 option-body = sistemul sculei în poziția zero (corp)
 option-linear_first = v, ω: partea liniară întâi
 option-angular_first = ω, v: partea unghiulară întâi
 
-task-screws = Scrieți robotul ca produs de exponențiale: torsorii cuplelor 1 până la { $n } și poza inițială M, lungimile în { $unit }. Alegeți sistemul, poziția zero și sensul fiecărei axe în limitele regulilor.
+task-screws = Scrieți robotul ca produs de exponențiale: torsorii cuplelor 1 până la { $n } și situarea inițială M, lungimile în { $unit }. Alegeți sistemul, poziția zero și sensul fiecărei axe în limitele regulilor.
 
-feedback-screws_right = Torsorii și poza inițială descriu acest robot.
+feedback-screws_right = Torsorii și situarea inițială descriu acest robot.
 feedback-screws_wrong = Acest produs de exponențiale nu descrie robotul, oricare ar fi sistemul, zeroul și sensurile alese.
 feedback-screw_not_unit = Cupla { $joint }: ω al unei cuple de rotație este un versor.
 feedback-screw_pitch = Cupla { $joint }: v are o componentă de-a lungul lui ω; o cuplă de rotație nu înaintează pe axa ei.
@@ -252,9 +252,9 @@ feedback-screw_moment_sign =
        *[other] Cupla { $joint }: v are semnul greșit
     }: v = −ω × p, cu p un punct oarecare al axei.
 feedback-screw_other_frame = Aceștia sunt torsorii în celălalt sistem: spațiul și corpul au fost confundate.
-feedback-screw_home_inverted = Poza inițială este inversată.
-feedback-screw_home = Torsorii sunt corecți; poza inițială M nu este.
-feedback-screw_not_rigid = Poza inițială nu este o mișcare rigidă: coloanele nu sunt versori perpendiculari sau ultimul rând nu este 0 0 0 1.
+feedback-screw_home_inverted = Situarea inițială este inversată.
+feedback-screw_home = Torsorii sunt corecți; situarea inițială M nu este.
+feedback-screw_not_rigid = Situarea inițială nu este o mișcare rigidă: coloanele nu sunt versori perpendiculari sau ultimul rând nu este 0 0 0 1.
 feedback-screws_relation_wrong = Axele cuplelor { $joint } și { $next } nu sunt așezate una față de alta ca în figură.
 error-screw_count = Robotul are { $expected } cuple, s-au dat { $given } torsori.
 

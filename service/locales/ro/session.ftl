@@ -16,3 +16,7 @@ session-received = Încercarea { $attempt } a fost primită și păstrată. Ce s
 session-exercise-changed = Exercițiul a fost modificat după o încercare anterioară
 session-attempt-then = Încercarea { $attempt } a fost făcută înainte ca exercițiul să fie modificat. Cele constatate se referă la exercițiul de atunci.
 session-exercise-then = Vedeți exercițiul așa cum era
+session-opens = Se deschide: { $when }
+session-late = Închis: încercările nu mai contează
+session-handed-in = predat
+session-attempts-kept = Se păstrează în cursul dumneavoastră.

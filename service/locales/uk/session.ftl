@@ -16,3 +16,7 @@ session-received = Спробу { $attempt } отримано й збереже�
 session-exercise-changed = Вправу змінено після однієї з попередніх спроб
 session-attempt-then = Спробу { $attempt } зроблено до зміни вправи. Зауваження стосуються вправи в тодішньому вигляді.
 session-exercise-then = Переглянути вправу в тодішньому вигляді
+session-opens = Відкривається: { $when }
+session-late = Закрито: спроби вже не зараховуються
+session-handed-in = здано
+session-attempts-kept = Зберігаються у вашому курсі.

@@ -6,7 +6,8 @@ import { pointsText } from "./progress.js";
 
 /**
  * @param {HTMLElement} place @param {import("../attempts.js").Attempt[]} attempts @param {number} total points of the exercise
- * @param {(attempt: import("../attempts.js").Attempt) => void} restore @param {() => void} clear
+ * @param {(attempt: import("../attempts.js").Attempt) => void} restore
+ * @param {(() => void) | null} clear forgets them; null: the course keeps them
  */
 export function showHistory(place, attempts, total, restore, clear) {
   const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
@@ -21,8 +22,8 @@ export function showHistory(place, attempts, total, restore, clear) {
           "li",
           { class: "row", value: number },
           el("span", {
-            class: `badge ${attempt.correct ? "good" : "warn"}`,
-            text: pointsText(attempt.score * total, total),
+            class: `badge ${attempt.score === null ? "" : attempt.correct ? "good" : "warn"}`,
+            text: attempt.score === null ? t("session-handed-in") : pointsText(attempt.score * total, total),
           }),
           el("time", { datetime: attempt.at, text: when.format(new Date(attempt.at)) }),
           el("button", {
@@ -38,8 +39,8 @@ export function showHistory(place, attempts, total, restore, clear) {
     el(
       "p",
       { class: "hint row" },
-      el("span", { text: t("form-history-kept") }),
-      el("button", { type: "button", class: "quiet small", onclick: clear, text: t("form-history-clear") }),
+      el("span", { text: t(clear ? "form-history-kept" : "session-attempts-kept") }),
+      clear && el("button", { type: "button", class: "quiet small", onclick: clear, text: t("form-history-clear") }),
     ),
   );
 }

@@ -26,6 +26,7 @@ export async function showAttempt(api, card, place, attempt) {
       "p",
       { class: "row" },
       el("span", { text: person.slice(0, 8) }),
+      el("span", { text: t("lecturer-attempt-number", { attempt: attempt.number }) }),
       el("time", { datetime: attempt.at, text: when.format(new Date(attempt.at)) }),
       el("span", { text: `${attempt.exercise} (${attempt.version})` }),
     ),

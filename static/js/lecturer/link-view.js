@@ -168,7 +168,7 @@ export class LinkView {
     return el("button", {
       type: "button",
       class: "quiet small",
-      "aria-label": text === String(count) ? label : `${text}: ${t("lecturer-attempts")}`,
+      "aria-label": text === String(count) ? label : `${text}: ${t("lecturer-attempts-made")}`,
       onclick: () => this.#open(asked),
       text,
     });
@@ -180,9 +180,9 @@ export class LinkView {
     const when = new Intl.DateTimeFormat(language, { dateStyle: "short", timeStyle: "short" });
     fill(
       this.behind,
-      el("h3", { text: t("lecturer-attempts") }),
+      el("h3", { text: t("lecturer-attempts-made") }),
       dataTable(
-        t("lecturer-attempts"),
+        t("lecturer-attempts-made"),
         [t("lecturer-student"), t("lecturer-attempt"), t("lecturer-time"), t("lecturer-score"), t("lecturer-open")],
         attempts.map((/** @type {any} */ attempt) => [
           studentName(attempt),

@@ -77,6 +77,13 @@ export function settingsForm(exercises, settings, save, action) {
     );
   }
   showParts();
+  const after = number("feedback_after", { min: 1, max: 1000 });
+  const timing = select("feedback");
+  const showAfter = () => {
+    after.hidden = /** @type {HTMLSelectElement} */ (timing.querySelector("select")).value !== "after_attempts";
+  };
+  timing.addEventListener("change", showAfter);
+  showAfter();
   const form = /** @type {HTMLFormElement} */ (
     el(
       "form",
@@ -95,8 +102,8 @@ export function settingsForm(exercises, settings, save, action) {
       time("opens"),
       time("closes"),
       select("mode"),
-      select("feedback"),
-      number("feedback_after", { min: 1, max: 1000 }),
+      timing,
+      after,
       select("help"),
       el(
         "label",

@@ -236,10 +236,12 @@ async function run() {
         announce(t("form-history-restored"));
         if (course && attempt.number) await reopen(course, attempt).catch((error) => showProblem(error));
       },
-      async () => {
-        await attempts.clear(id);
-        await listAttempts();
-      },
+      course
+        ? null
+        : async () => {
+            await attempts.clear(id);
+            await listAttempts();
+          },
     );
   }
 }

@@ -47,7 +47,7 @@ async function group(subject, exercises) {
 /** @param {any} options */
 async function entry({ id, title, summary, joints, points, parts }) {
   const attempts = await browserAttempts.list(id);
-  const best = attempts.reduce((most, attempt) => Math.max(most, attempt.score), 0);
+  const best = attempts.reduce((most, attempt) => Math.max(most, attempt.score ?? 0), 0);
   return el(
     "li",
     { class: "card exercise-card" },

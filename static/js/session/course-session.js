@@ -148,7 +148,7 @@ export class CourseSession {
           number,
           version,
           at,
-          score: score ?? 0,
+          score: score ?? null,
           correct: Boolean(correct),
           submission: form,
           verdict: null,
@@ -164,12 +164,15 @@ export class CourseSession {
       course,
       attempts_allowed: allowed,
       attempts_made: made,
+      opens,
       closes,
       grade,
       refusal,
       return_url: back,
     } = this.told;
-    const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
+    const format = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
+    const when = (/** @type {string} */ time) => format.format(new Date(time));
+    const isBefore = (/** @type {string | null} */ time) => time !== null && new Date() < new Date(time);
     const facts = [
       el("span", {
         text: t("session-signed-in", { name: person.name ?? person.key.slice(0, 8), course: course.title }),
@@ -177,7 +180,8 @@ export class CourseSession {
       el("span", {
         text: allowed === null ? t("session-attempts", { made }) : t("session-attempts-of", { made, allowed }),
       }),
-      closes ? el("span", { text: t("session-closes", { when: when.format(new Date(closes)) }) }) : null,
+      isBefore(opens) ? el("span", { text: t("session-opens", { when: when(opens) }) }) : null,
+      closes ? el("span", { text: t("session-closes", { when: when(closes) }) }) : null,
       grade
         ? el("span", {
             class: "badge good",
@@ -185,6 +189,7 @@ export class CourseSession {
           })
         : null,
       refusal ? el("span", { class: "badge warn", text: t("session-no-more") }) : null,
+      closes && !refusal && !isBefore(closes) ? el("span", { class: "badge warn", text: t("session-late") }) : null,
       this.told.attempts.every((/** @type {any} */ attempt) => this.isCurrent(attempt))
         ? null
         : el("span", { class: "badge warn", text: t("session-exercise-changed") }),
