@@ -165,6 +165,10 @@ measure-courses: $(VENV)/.dev ## regrading and statistics of 2 000 students with
 exam: $(VENV)/.dev ## the start of an exam of STUDENTS=2000, each with values of their own, or VARIANTS=20 prepared before
 	$(PY) -m tests.lti.exam --students $(or $(STUDENTS),2000) $(if $(VARIANTS),--variants $(VARIANTS)) $(ARGS)
 
+.PHONY: mixed
+mixed: $(VENV)/.dev ## students at 80 % of the ceiling, one request in twenty hostile, for MINUTES=10
+	$(PY) -m tests.lti.mixed_load --minutes $(or $(MINUTES),10) $(ARGS)
+
 university: $(VENV)/.dev ## 100 000 students on the evening of a deadline: what saturates first (ARGS="--students 5000")
 	$(PY) -m tests.lti.university $(ARGS)
 

@@ -262,7 +262,7 @@ def run(
         subprocess.run(warm, env={**os.environ, **where}, check=True)
     with killed(database, folder, told) as (origin, process):
         port = int(origin.rpartition(":")[2])
-        asyncio.run(_ready(port))
+        asyncio.run(ready(port))
         outcome, acknowledged = asyncio.run(sat(port, tokens, process.pid, within))
     with store.reading() as connection:
         stored = Counter(connection.scalars(sa.select(records.attempt.c.key)))
@@ -271,7 +271,7 @@ def run(
     return outcome
 
 
-async def _ready(port: int) -> None:
+async def ready(port: int) -> None:
     """Wait until every worker answers: connections are shared out among them."""
     until = time.monotonic() + PATIENCE
     while time.monotonic() < until:
