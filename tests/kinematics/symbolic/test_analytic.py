@@ -1,0 +1,45 @@
+"""Rates of angles in closed form, against those in numbers."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from kinematics import catalogue
+from kinematics.chain import chain_of_table
+from kinematics.expressions import MINUS_ONE, ONE, ZERO, evaluate
+from kinematics.rates import analytic_jacobian
+from kinematics.rotations.sequences import SEQUENCES, EulerSequence
+from kinematics.symbolic.analytic import analytic_form
+from kinematics.table import bind
+
+
+@pytest.mark.parametrize("sequence", SEQUENCES, ids=lambda found: f"{found.axes}-{found.turning}")
+def test_the_analytic_form_is_the_analytic_jacobian_in_numbers(sequence: EulerSequence) -> None:
+    """Up to the sign of the middle rate: two triples have the same orientation."""
+    listed = catalogue.robot("stanford")
+    table, values = listed.table.table, dict(listed.parameters)
+    form = analytic_form(table, sequence)
+    assert form is not None
+    chain = chain_of_table(bind(table, values))
+    rng = np.random.default_rng(3)
+    for _ in range(2):
+        q = rng.uniform(-2, 2, 6).tolist()
+        found = np.array([[evaluate(entry, values, q) for entry in row] for row in form])
+        expected = analytic_jacobian(chain, q, sequence)
+        assert expected is not None
+        expected[4] *= np.sign(expected[4] @ found[4])
+        assert np.allclose(found, expected, rtol=1e-9, atol=1e-9)
+
+
+def test_constants_are_written_as_such() -> None:
+    """The first joint of an upright wrist turns the first angle, and no other."""
+    table = catalogue.robot("stanford").table.table
+    form = analytic_form(table, EulerSequence(axes="ZYZ"))
+    assert form is not None
+    assert [form[row][0] for row in (3, 4, 5)] == [ONE, ZERO, ZERO]
+    assert MINUS_ONE not in (entry for row in form[3:] for entry in row)
+
+
+def test_angles_that_are_always_locked_have_no_form() -> None:
+    assert analytic_form(catalogue.robot("scara").table.table, EulerSequence(axes="ZYZ")) is None

@@ -1,0 +1,134 @@
+"""Minors and their factors, against determinants of Jacobians in numbers."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from kinematics import catalogue
+from kinematics.chain import chain_of_table
+from kinematics.expressions import ZERO, Parameter, evaluate
+from kinematics.symbolic.determinants import MotionRows, largest_minor, minor_factors
+from kinematics.table import Convention, DHTable, JointType, SymbolicTable, bind
+from tests.kinematics.symbolic.tables import row
+
+TWIST, TRANSLATION = MotionRows.TWIST, MotionRows.TRANSLATION
+CASES = [
+    *(("scara", TWIST), ("stanford", TWIST), ("rx90", TWIST), ("puma560", TWIST), ("kr125", TWIST)),
+    *(("twolink", TRANSLATION), ("onelink", TRANSLATION)),
+]
+
+
+def arm(name: str) -> tuple[SymbolicTable, dict[str, float]]:
+    listed = catalogue.robot(name)
+    return listed.table.table, dict(listed.parameters)
+
+
+def moving_rows(
+    table: SymbolicTable, values: dict[str, float], rows: MotionRows, q: np.ndarray
+) -> np.ndarray:
+    """The Jacobian without the rows that vanish for all q."""
+    chain = chain_of_table(bind(table, values))
+    height = 6 if rows is TWIST else 3
+    ever = np.abs([chain.jacobian(q + step)[:height] for step in np.linspace(0, 1, 7)]).max(axis=(0, 2))
+    return chain.jacobian(q)[:height][ever > 1e-9]
+
+
+def draws(table: SymbolicTable, count: int = 6) -> list[np.ndarray]:
+    rng = np.random.default_rng(11)
+    return [rng.uniform(0.2, 1.4, table.n_joints) for _ in range(count)]
+
+
+@pytest.mark.parametrize(("name", "rows"), [case for case in CASES if case[0] != "onelink"])
+def test_the_only_minor_is_the_determinant(name: str, rows: MotionRows) -> None:
+    table, values = arm(name)
+    minor, only = largest_minor(table, rows)
+    assert only
+    assert minor.exact
+    expression = minor.expression()
+    found = [evaluate(expression, values, q.tolist()) for q in draws(table)]
+    expected = [np.linalg.det(moving_rows(table, values, rows, q)) for q in draws(table)]
+    assert np.allclose(np.abs(found), np.abs(expected), rtol=1e-9)
+    assert len({np.sign(a * b) for a, b in zip(found, expected, strict=True)}) == 1
+
+
+@pytest.mark.parametrize(("name", "rows"), CASES)
+def test_factors_vanish_where_the_minor_does(name: str, rows: MotionRows) -> None:
+    """Along lines through the joint space: where a factor changes its sign, the determinant is nothing."""
+    table, values = arm(name)
+    minor, _ = largest_minor(table, rows)
+    factors, _ = minor_factors(table, rows)
+    whole = minor.expression()
+    rng = np.random.default_rng(5)
+    met = set()
+    for _ in range(4):
+        start, way = rng.uniform(-3, 3, (2, table.n_joints))
+        usual = np.mean(
+            [abs(evaluate(whole, values, (start + s * way).tolist())) for s in np.linspace(0, 1, 9)]
+        )
+
+        def value(factor, s, start=start, way=way):
+            return evaluate(factor, values, (start + s * way).tolist())
+
+        grid = np.linspace(0, 2, 80)
+        for place, factor in enumerate(factors):
+            signs = [value(factor, s) > 0 for s in grid]
+            for k in np.flatnonzero(np.diff(signs)):
+                low, high = grid[k], grid[k + 1]
+                for _ in range(45):
+                    middle = (low + high) / 2
+                    low, high = (middle, high) if (value(factor, middle) > 0) == signs[k] else (low, middle)
+                assert abs(value(whole, low)) < 1e-9 * usual
+                met.add(place)
+        changes = [value(whole, s) > 0 for s in grid]
+        for k in np.flatnonzero(np.diff(changes)):
+            assert any((value(f, grid[k]) > 0) != (value(f, grid[k + 1]) > 0) for f in factors)
+    assert met == set(range(len(factors)))
+
+
+@pytest.mark.parametrize(
+    ("name", "rows", "count"),
+    [
+        ("scara", TWIST, 2),
+        ("stanford", TWIST, 5),
+        ("rx90", TWIST, 5),
+        ("puma560", TWIST, 4),
+        ("onelink", TWIST, 0),
+    ],
+)
+def test_factors_are_irreducible(name: str, rows: MotionRows, count: int) -> None:
+    """In half angles: sin q = 2 sin(q/2) cos(q/2) is two of them."""
+    factors, only = minor_factors(arm(name)[0], rows)
+    assert only
+    assert len(factors) == count
+    assert len(set(factors)) == count
+
+
+def test_a_redundant_arm_has_several_minors() -> None:
+    planar = DHTable(
+        convention=Convention.STANDARD, rows=tuple(row(a=Parameter(f"L{i}")) for i in range(1, 5))
+    )
+    minor, only = largest_minor(planar, TWIST)
+    assert not only
+    values = {f"L{i}": 0.3 + 0.1 * i for i in range(1, 5)}
+    q = draws(planar)[0]
+    J = moving_rows(planar, values, TWIST, q)
+    found = evaluate(minor.expression(), values, q.tolist())
+    minors = [abs(np.linalg.det(np.delete(J, joint, axis=1))) for joint in range(4)]
+    assert min(abs(abs(found) - value) for value in minors) < 1e-12
+
+
+def test_parallel_sliders_have_a_smaller_minor_that_is_a_constant() -> None:
+    slide = JointType.PRISMATIC
+    parallel = DHTable(convention=Convention.STANDARD, rows=(row(slide), row(slide)))
+    minor, only = largest_minor(parallel, TRANSLATION)
+    assert not only
+    assert abs(evaluate(minor.expression(), {}, [0.1, 0.2])) == 1.0
+    assert minor_factors(parallel, TRANSLATION) == ((), False)
+
+
+def test_an_arm_whose_tip_never_moves_has_no_minor() -> None:
+    table = DHTable(convention=Convention.STANDARD, rows=(row(),))
+    minor, only = largest_minor(table, TRANSLATION)
+    assert minor.expression() == ZERO
+    assert only
