@@ -201,18 +201,6 @@ class ScoreToSend:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Access:
-    """A line of the audit log: staff looked at, or changed, what belongs to students."""
-
-    at: datetime
-    actor: str
-    action: str
-    subject: str | None
-    link_id: int | None
-    details: Mapping[str, Any] = field(default_factory=dict)
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
 class CourseSession:
     """Who is signed in by a token, and for what.
 

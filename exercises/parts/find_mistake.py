@@ -21,7 +21,16 @@ from exercises.names import table_faults, without_aliases
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DefinitionKey, choices
 from exercises.parts.given_table import columns_of, given_table
-from exercises.parts.planting import PLANTABLE, REPAIRS, Planted, as_given, explanations, planted, usable
+from exercises.parts.planting import (
+    PLANTABLE,
+    REPAIRS,
+    Planted,
+    as_given,
+    explanations,
+    planted,
+    read_mistakes,
+    usable,
+)
 from exercises.parts.protocol import TABLE, FieldShape, FormField, PartTask, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from exercises.reading import Reader
@@ -80,12 +89,7 @@ class FindMistakeType(PartType[FindMistakePart, FoundMistakeCells, FoundMistake]
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> FindMistakePart:
         """Return the part with the mistakes that may be planted."""
-        codes = reader.texts("mistakes", default=PLANTABLE)
-        for i, code in enumerate(codes):
-            if code not in PLANTABLE:
-                reader.fault("misconception_unknown", "mistakes", i, name=code, known=", ".join(PLANTABLE))
-        known = tuple(code for code in codes if code in PLANTABLE)
-        return FindMistakePart(kind=self.kind, points=points, mistakes=known or PLANTABLE)
+        return FindMistakePart(kind=self.kind, points=points, mistakes=read_mistakes(reader, PLANTABLE))
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
         """Return the keys of the mistakes that may be planted."""

@@ -30,6 +30,7 @@ from exercises.parts.planted_matrices import (
     differing,
     plantable_in,
 )
+from exercises.parts.planting import read_mistakes
 from exercises.parts.protocol import (
     TABLE,
     FieldShape,
@@ -108,13 +109,8 @@ class MatrixMistakeType(PartType[MatrixMistakePart, FoundMatrixMistakeCells, Fou
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> MatrixMistakePart:
         """Return the part with the matrix and the mistakes that may be planted."""
         kind = reader.choice("matrix", MatrixKind, MatrixKind.LINK)
-        catalogue = MATRIX_MISTAKES[kind]
-        codes = reader.texts("mistakes", default=catalogue)
-        for i, code in enumerate(codes):
-            if code not in catalogue:
-                reader.fault("misconception_unknown", "mistakes", i, name=code, known=", ".join(catalogue))
-        known = tuple(code for code in codes if code in catalogue)
-        return MatrixMistakePart(kind=self.kind, points=points, matrix=kind, mistakes=known or catalogue)
+        mistakes = read_mistakes(reader, MATRIX_MISTAKES[kind])
+        return MatrixMistakePart(kind=self.kind, points=points, matrix=kind, mistakes=mistakes)
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
         """Return the keys of the matrix and of the mistakes that may be planted in it."""

@@ -13,6 +13,7 @@ import numpy as np
 from exercises.definition import Exercise
 from exercises.draws import Picker
 from exercises.grading import ConventionRule, Policy, Verdict, accept, grade
+from exercises.reading import Reader
 from exercises.selftest.mistakes import MISTAKES
 from kinematics.cells import ReadTable
 
@@ -63,6 +64,15 @@ class Planted:
     table: ReadTable
     code: str
     row: int
+
+
+def read_mistakes(reader: Reader, catalogue: Sequence[str]) -> tuple[str, ...]:
+    """Return which mistakes of a catalogue a definition lets be planted: all, unless it names some."""
+    codes = reader.texts("mistakes", default=tuple(catalogue))
+    for i, code in enumerate(codes):
+        if code not in catalogue:
+            reader.fault("misconception_unknown", "mistakes", i, name=code, known=", ".join(catalogue))
+    return tuple(code for code in codes if code in catalogue) or tuple(catalogue)
 
 
 def planted(exercise: Exercise, codes: Sequence[str], picker: Picker, name: str) -> Planted:

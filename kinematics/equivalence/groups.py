@@ -174,19 +174,3 @@ def departure(group: Group, g: Motion) -> tuple[float, float]:
         return 0.0, norm(outside(subtract(move(g, group.point), group.point), group.translations))
     angle = angle_between(rotate(g, group.axis), group.axis)
     return angle, norm(outside(subtract(move(g, group.point), group.point), group.translations))
-
-
-def contains_screw(group: Group, point: Vector, direction: Vector, *, slides: bool, near: Nearness) -> bool:
-    """Whether the group holds all motions of a joint: slides along a direction, or turns about a line."""
-    if slides:
-        return norm(outside(direction, group.translations)) <= near.angle
-    if group.rotations is Rotations.NONE:
-        return False
-    if len(group.translations) == len(SPACE):
-        return group.rotations is Rotations.ABOUT_POINT or are_parallel(group.axis, direction, near)
-    if group.rotations is Rotations.ABOUT_POINT:
-        return distance_to_line(group.point, point, direction) <= near.length
-    return (
-        are_parallel(group.axis, direction, near)
-        and distance_to_line(point, group.point, group.axis) <= near.length
-    )

@@ -29,9 +29,6 @@ ARRIVED = 1e-5
 TOLERANCE = 5e-9
 """Largest distance [m] and angle [rad] of a solution found by search."""
 
-JOINTS_OF_SPACE = 6
-"""An arm with more joints than this has joints to spare."""
-
 MOST_ISOLATED = 16
 """No arm of six joints has more isolated solutions; with more found, there is a continuum of them.
 
