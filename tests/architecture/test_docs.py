@@ -1,4 +1,4 @@
-"""Links in the documentation lead somewhere."""
+"""Links in the documentation lead somewhere, and every call of the API is listed."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.architecture.sources import shown, tracked
+from tests.architecture.sources import ROOT, shown, tracked
+from tests.document import DOCUMENT
 
 PAGES = [path for path in tracked() if path.suffix == ".md"]
 LINK = re.compile(r"(?<!\\)\[[^\]\[]*\]\(([^)\s]+)(?:\s+\"[^\"]*\")?\)")
@@ -41,3 +42,15 @@ def test_links_lead_somewhere(page: Path) -> None:
         if not linked.exists() or (anchor and linked.suffix == ".md" and anchor not in anchors(linked)):
             broken.append(target)
     assert not broken
+
+
+def test_every_call_is_listed() -> None:
+    """By its path, or by its last step in the row of its group (`/scm/…`)."""
+    rows = (ROOT / "docs" / "api.md").read_text(encoding="utf-8").splitlines()
+    missing = []
+    for path in DOCUMENT["paths"]:
+        call = path.removeprefix("/api/v1")
+        group, _, step = call.rpartition("/")
+        if not any(call in row or (f"{group}/…" in row and f"`{step}`" in row) for row in rows):
+            missing.append(call)
+    assert not missing
