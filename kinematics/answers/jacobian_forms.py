@@ -40,7 +40,8 @@ from kinematics.se3 import Floats
 from kinematics.symbolic import Matrix, ProofStatus, jacobian
 from kinematics.symbolic.analytic import analytic_form
 from kinematics.symbolic.form_reader import FormReader
-from kinematics.symbolic.polynomials import Polynomial, PolynomialReader
+from kinematics.symbolic.polynomials import ONE, Polynomial, PolynomialReader
+from kinematics.symbolic.quotients import quotient_of
 from kinematics.symbolic.ring import Ring
 from kinematics.symbolic.size import refuse_longer_than
 from kinematics.table import JointType, SymbolicTable, bind
@@ -173,10 +174,8 @@ def judge_force_form(
         frame: in whose axes the wrench is given.
         tolerance: as a share of what force and moment can do at the robot's size.
     """
-    reader = PolynomialReader()
     ours = force_form(robot.table, wrench, frame)
-    key = _Key(entries=ours, polynomials=tuple(map(reader.read, ours)), reader=reader)
-    other, refuted = key.unlike(given)
+    other, refuted = _key_of(ours).unlike(given)
     right = [True] * len(given)
     if not other:
         return tuple(right), ProofStatus.PROVED, None
@@ -241,30 +240,55 @@ def _proved(pairs: Iterable[tuple[Expression, Expression]]) -> ProofStatus:
     return ProofStatus.PROVED
 
 
+Quotient: TypeAlias = tuple[Polynomial, Polynomial]
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class _Key:
-    """Entries in closed form, row by row, and what they are as polynomials, if they are."""
+    """Entries in closed form, row by row, and what they are as quotients of polynomials, if they are."""
 
     entries: tuple[Expression, ...]
-    polynomials: tuple[Polynomial | None, ...]
+    quotients: tuple[Quotient | None, ...]
     reader: PolynomialReader
 
     def unlike(self, given: Sequence[Expression]) -> tuple[list[int], list[int]]:
         """Return which entries of an answer are not proved to be these, and which are proved to be others."""
         reader, unlike, refuted = self.reader.copy(), [], []
-        for k, (entry, ours) in enumerate(zip(given, self.polynomials, strict=True)):
-            found = reader.read(entry)
-            if found is None or ours is None or found != ours:
-                unlike.append(k)
-                if found is not None and ours is not None:
-                    refuted.append(k)
+        for k, (entry, ours) in enumerate(zip(given, self.quotients, strict=True)):
+            found = None if ours is None else _quotient(reader, entry)
+            if found is None or ours is None:
+                if entry != self.entries[k]:
+                    unlike.append(k)
+            elif found != ours:
+                crosswise = (found[0], ours[1]), (ours[0], found[1])
+                products = [p if q is ONE else reader.product((p, q)) for p, q in crosswise]
+                if None in products or products[0] != products[1]:
+                    unlike.append(k)
+                    refuted += [] if None in products else [k]
         return unlike, refuted
+
+
+def _key_of(entries: tuple[Expression, ...]) -> _Key:
+    reader = PolynomialReader()
+    return _Key(entries=entries, quotients=tuple(_quotient(reader, e) for e in entries), reader=reader)
+
+
+def _quotient(reader: PolynomialReader, entry: Expression) -> Quotient | None:
+    """Return an entry as a quotient of polynomials; None if it is none, or divides by zero."""
+    found = reader.read(entry)
+    if found is not None:
+        return found, ONE
+    top, bottoms = quotient_of(entry)
+    if not bottoms:
+        return None
+    above, *below = (reader.read(part) for part in (top, *bottoms))
+    under = reader.product([part for part in below if part])
+    return (above, under) if above is not None and under and all(below) else None
 
 
 @lru_cache(maxsize=64)
 def _key(table: SymbolicTable, frame: JacobianFrame, angles: EulerSequence | None) -> _Key:
-    reader, entries = PolynomialReader(), tuple(in_turn.from_iterable(jacobian_form(table, frame, angles)))
-    return _Key(entries=entries, polynomials=tuple(map(reader.read, entries)), reader=reader)
+    return _key_of(tuple(in_turn.from_iterable(jacobian_form(table, frame, angles))))
 
 
 def _proof(

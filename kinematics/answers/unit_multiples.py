@@ -25,14 +25,12 @@ from kinematics.expressions import (
     Power,
     Product,
     Sum,
-    add,
-    call,
     multiply,
-    power,
 )
 from kinematics.symbolic import Canonical, canonical
 from kinematics.symbolic.elements import Monomial
 from kinematics.symbolic.polynomials import Polynomial, PolynomialReader, Symbol
+from kinematics.symbolic.quotients import cleared
 
 _ZERO = Fraction(0)
 FORMED = 20_000
@@ -174,38 +172,6 @@ def is_product_of(factor: Expression, families: Sequence[Expression], of: frozen
         ):
             return True
     return False
-
-
-def cleared(expression: Expression) -> Expression:
-    """Return the numerator of an expression; tangents are sine over cosine."""
-    return _fraction(expression)[0]
-
-
-def _fraction(expression: Expression) -> tuple[Expression, tuple[Expression, ...]]:
-    """Return a numerator and the factors of a denominator."""
-    match expression:
-        case Call(Function.TAN, (angle,)):
-            return call(Function.SIN, angle), (call(Function.COS, angle),)
-        case Power(base, exponent) if exponent < 0 and exponent.denominator == 1:
-            top, bottom = _fraction(base)
-            over = (top,) * -exponent.numerator
-            return multiply(bottom * -exponent.numerator), over
-        case Power(base, exponent) if exponent.denominator == 1:
-            top, bottom = _fraction(base)
-            return power(top, exponent), bottom * exponent.numerator
-        case Product(factors):
-            parts = [_fraction(factor) for factor in factors]
-            return multiply(top for top, _ in parts), tuple(in_turn.from_iterable(b for _, b in parts))
-        case Sum(terms):
-            parts = [_fraction(term) for term in terms]
-            common = tuple(dict.fromkeys(in_turn.from_iterable(bottom for _, bottom in parts)))
-            counts = {each: max(bottom.count(each) for _, bottom in parts) for each in common}
-            rows = [
-                multiply((top, *(power(each, counts[each] - bottom.count(each)) for each in common)))
-                for top, bottom in parts
-            ]
-            return add(rows), tuple(each for each in common for _ in range(counts[each]))
-    return expression, ()
 
 
 @lru_cache(maxsize=512)

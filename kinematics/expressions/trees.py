@@ -128,6 +128,9 @@ def pi_fraction(expression: Expression) -> Fraction | None:
 
 def add(terms: Iterable[Expression]) -> Expression:
     """Sum of the terms: flattened, numbers and rational multiples of π added exactly, like terms merged."""
+    terms = [term for term in terms if type(term) is not Number or term.value]
+    if len(terms) == 1:
+        return terms[0]
     merged: dict[Expression, tuple[Fraction, Expression | None]] = {}
     constant: Fraction | None = None
     for given in terms:

@@ -25,6 +25,7 @@ from kinematics.expressions import (
     Power,
     Product,
     Sum,
+    multiply,
 )
 
 Rational: TypeAlias = int | Fraction
@@ -39,10 +40,10 @@ _FIELD = (1 << _BITS) - 1
 _LARGEST_POWER = 64
 _LARGEST_MULTIPLE = 24
 _NOTHING: Polynomial = {}
-_ONE: Polynomial = {0: 1}
+ONE: Polynomial = {0: 1}
 _QUARTERS: tuple[tuple[Polynomial, Polynomial], ...] = (
-    (_ONE, _NOTHING),
-    (_NOTHING, _ONE),
+    (ONE, _NOTHING),
+    (_NOTHING, ONE),
     ({0: -1}, _NOTHING),
     (_NOTHING, {0: -1}),
 )
@@ -65,7 +66,7 @@ class PolynomialReader:
     _names: dict[Symbol, int] = field(default_factory=dict)
     _angles: dict[Symbol, int] = field(default_factory=dict)
     _pairs: dict[Expression, tuple[Polynomial, Polynomial]] = field(default_factory=dict)
-    _joints: dict[int, tuple[Polynomial, Polynomial]] = field(default_factory=dict)
+    _joints: dict[tuple[int, int, int], tuple[Polynomial, Polynomial]] = field(default_factory=dict)
     _end: int = 0
     _beyond: int = 0
     _spent: int = 0
@@ -91,7 +92,7 @@ class PolynomialReader:
 
     def product(self, polynomials: Iterable[Polynomial]) -> Polynomial | None:
         """Return a product; None if it has very many terms."""
-        result = _ONE
+        result = ONE
         try:
             for polynomial in polynomials:
                 result = self._times(result, polynomial)
@@ -141,7 +142,7 @@ class PolynomialReader:
         # factors of one term are put together by adding their keys, others by multiplying out
         key = 0
         weight: Rational = 1
-        result = _ONE
+        result = ONE
         for factor in factors:
             part = self._read(factor)
             if len(part) == 1:
@@ -153,8 +154,8 @@ class PolynomialReader:
             elif not part:
                 return _NOTHING
             else:
-                result = part if result is _ONE else self._times(result, part)
-        return {key: weight} if result is _ONE else self._times(result, {key: weight})
+                result = part if result is ONE else self._times(result, part)
+        return {key: weight} if result is ONE else self._times(result, {key: weight})
 
     def _sum(self, terms: tuple[Expression, ...]) -> Polynomial:
         total: dict[int, Rational] = {}
@@ -166,7 +167,7 @@ class PolynomialReader:
     def _power(self, base: Expression, exponent: Fraction) -> Polynomial:
         if exponent.denominator != 1 or not 0 < exponent.numerator <= _LARGEST_POWER:
             raise _NotReadError
-        value, result = self._read(base), _ONE
+        value, result = self._read(base), ONE
         for _ in range(exponent.numerator):
             result = self._times(result, value)
         return result
@@ -180,18 +181,26 @@ class PolynomialReader:
 
     def _pair(self, angle: Expression) -> tuple[Polynomial, Polynomial]:
         """Return cosine and sine of an angle."""
-        if type(angle) is JointVariable:  # most are: their trees need no hash
-            known = self._joints.get(angle.index)
-            if known is None:
-                known = self._joints[angle.index] = self._multiple(angle, self.parts)
-            return known
+        # most angles are a joint's, or half of it: their trees need no hash
+        if type(angle) is JointVariable:
+            return self._joints.get((angle.index, 1, 1)) or self._of_joint(angle, Fraction(1))
+        if type(angle) is Product:
+            weight, symbol = angle.factors[0], angle.factors[-1]
+            if type(weight) is Number and type(symbol) is JointVariable and len(angle.factors) == 2:
+                part = symbol.index, weight.value.numerator, weight.value.denominator
+                return self._joints.get(part) or self._of_joint(symbol, weight.value)
         known = self._pairs.get(angle)
         if known is None:
-            found = _ONE, _NOTHING
+            found = ONE, _NOTHING
             for term in angle.terms if isinstance(angle, Sum) else (angle,):
                 found = self._turned(found, self._term(term))
             known = self._pairs[angle] = found
         return known
+
+    def _of_joint(self, joint: JointVariable, weight: Fraction) -> tuple[Polynomial, Polynomial]:
+        found = self._term(multiply((Number(weight), joint)))
+        self._joints[joint.index, weight.numerator, weight.denominator] = found
+        return found
 
     def _term(self, term: Expression) -> tuple[Polynomial, Polynomial]:
         match term:
@@ -231,8 +240,8 @@ class PolynomialReader:
         )
 
     def _times(self, a: Polynomial, b: Polynomial) -> Polynomial:
-        if a is _ONE or b is _ONE:
-            return b if a is _ONE else a
+        if a is ONE or b is ONE:
+            return b if a is ONE else a
         self._spent += len(a) * len(b)
         if self._spent > PRODUCTS:
             raise _NotReadError

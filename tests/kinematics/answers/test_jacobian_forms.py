@@ -16,7 +16,7 @@ from kinematics.answers.jacobian_forms import (
 )
 from kinematics.chain import chain_of_table
 from kinematics.errors import JointValueError
-from kinematics.expressions import ZERO, Parameter, add, call, evaluate, multiply, negate
+from kinematics.expressions import ZERO, Parameter, add, call, evaluate, multiply, negate, power
 from kinematics.expressions.trees import Function, JointVariable, number
 from kinematics.jacobian import JacobianFrame
 from kinematics.rates import analytic_jacobian
@@ -134,3 +134,29 @@ def test_entries_without_a_value_are_wrong_and_no_error() -> None:
     form[1][0] = call(Function.ASIN, add((number(4), JointVariable(1))))
     found = judge_jacobian_form(arm, form, BASE, 0.005)
     assert np.argwhere(~found.entries).tolist() == [[0, 0], [1, 0]]
+
+
+def test_quotients_are_proved_by_multiplying_crosswise() -> None:
+    arm, rates = robot("scorbot"), EulerSequence(axes="XYZ")
+    form = [list(row) for row in jacobian_form(arm.table, BASE, rates)]
+    sine, cosine = call(Function.SIN, JointVariable(1)), call(Function.COS, JointVariable(1))
+    square = add((number(1), multiply((number(-1), sine, sine))))
+    for r in (0, 1, 2, 3, 5):
+        form[r] = [multiply((entry, cosine, cosine, power(square, -1))) for entry in form[r]]
+    found = judge_jacobian_form(arm, form, BASE, 1e-6, rates)
+    assert found.right
+    assert found.proof is ProofStatus.PROVED
+    form[3][0] = multiply((form[3][0] if form[3][0] != ZERO else cosine, cosine))
+    assert np.argwhere(~judge_jacobian_form(arm, form, BASE, 1e-6, rates).entries).tolist() == [[3, 0]]
+
+
+def test_long_entries_that_no_proof_multiplies_out_are_compared() -> None:
+    arm = robot("twolink")
+    form = [list(row) for row in jacobian_form(arm.table, BASE)]
+    angles = [add((JointVariable(1), multiply((number(k), JointVariable(2))))) for k in range(3, 9)]
+    long = add(call(Function.SIN, angle) for angle in angles)
+    factor = power(add((number(9), long)), 24)
+    form[0][0] = multiply((form[0][0], factor, power(factor, -1)))
+    assert judge_jacobian_form(arm, form, BASE, 1e-6).right
+    form[0][0] = multiply((form[0][0], number("1.01")))
+    assert np.argwhere(~judge_jacobian_form(arm, form, BASE, 1e-6).entries).tolist() == [[0, 0]]

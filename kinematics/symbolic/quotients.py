@@ -1,0 +1,53 @@
+"""Functions as quotients: a numerator over a product, tangents taken apart.
+
+Where both sides exist, N/D and N'/D' are one function just if N D' and N' D are.
+"""
+
+from __future__ import annotations
+
+from itertools import chain as in_turn
+
+from kinematics.expressions import (
+    Call,
+    Expression,
+    Function,
+    Power,
+    Product,
+    Sum,
+    add,
+    call,
+    multiply,
+    power,
+)
+
+
+def cleared(expression: Expression) -> Expression:
+    """Return the numerator of an expression; tangents are sine over cosine."""
+    return quotient_of(expression)[0]
+
+
+def quotient_of(expression: Expression) -> tuple[Expression, tuple[Expression, ...]]:
+    """Return a numerator and the factors of a denominator."""
+    match expression:
+        case Call(Function.TAN, (angle,)):
+            return call(Function.SIN, angle), (call(Function.COS, angle),)
+        case Power(base, exponent) if exponent < 0 and exponent.denominator == 1:
+            top, bottom = quotient_of(base)
+            over = (top,) * -exponent.numerator
+            return multiply(bottom * -exponent.numerator), over
+        case Power(base, exponent) if exponent.denominator == 1:
+            top, bottom = quotient_of(base)
+            return power(top, exponent), bottom * exponent.numerator
+        case Product(factors):
+            parts = [quotient_of(factor) for factor in factors]
+            return multiply(top for top, _ in parts), tuple(in_turn.from_iterable(b for _, b in parts))
+        case Sum(terms):
+            parts = [quotient_of(term) for term in terms]
+            common = tuple(dict.fromkeys(in_turn.from_iterable(bottom for _, bottom in parts)))
+            counts = {each: max(bottom.count(each) for _, bottom in parts) for each in common}
+            rows = [
+                multiply((top, *(power(each, counts[each] - bottom.count(each)) for each in common)))
+                for top, bottom in parts
+            ]
+            return add(rows), tuple(each for each in common for _ in range(counts[each]))
+    return expression, ()
