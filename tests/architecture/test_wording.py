@@ -53,12 +53,12 @@ TERMS: dict[str, dict[str, str]] = {
     "es": {
         r"[Ff]orma literal": "forma cerrada",
         r"[Aa]rticulaci\w+ (?:de revolución|rotacional)|\brotacional": "de rotación",
-        r"\bficheros?\b": "archivo",
+        r"\bficheros?\b|\b[Rr]esguardo": "archivo; comprobante",
         r"(?:inercia|masa) M\b": "matriz de masas M",
     },
     "fr": {
         r"[Tt]ables? DH|[Ff]orme (?:fermée|close)": "tableau DH; forme littérale",
-        r"\b[Tt]entatives?\b": "essai",
+        r"\b[Tt]entatives?\b|[Rr]écépissé": "essai; reçu",
         r"\b[Jj]acobien\b": "la jacobienne",
         r"plateforme pédagogique": "plateforme d’apprentissage",
     },
@@ -78,7 +78,7 @@ TERMS: dict[str, dict[str, str]] = {
         r"[Uu]n(?:ealt|elt)\w+": "sculă",
         r"\b[Pp]oz(?:a|ă|e|ele|ei|elor)\b": "situare",
         r"\blegătur\w+ (?:robotului|brațului)": "element",
-        r"\bnavigator\w*|[Cc]hitanț\w+": "browser, recipisă",
+        r"\bnavigator\w*|[Cc]hitanț\w+|[Aa]deverinț\w+": "browser, recipisă",
     },
     "uk": {
         r"[Кк]онвенц\w+": "угода",

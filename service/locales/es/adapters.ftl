@@ -1,4 +1,4 @@
-# Ficheros de estudiantes, correctores de otros sistemas, paquetes SCORM, resguardos.
+# Ficheros de estudiantes, correctores de otros sistemas, paquetes SCORM, comprobantes.
 
 error-file_too_large = { $file } ocupa más de { $limit } bytes; una tabla ocupa unos pocos kilobytes.
 error-file_missing = No existe ningún archivo ni carpeta { $file }.
@@ -9,7 +9,7 @@ error-file_without_table = { $file } no contiene ninguna tabla DH. Una tabla tie
 error-files_too_many = { $file } contiene más de { $limit } archivos.
 error-columns_unknown = Ninguna fila de { $file } nombra las columnas { $known }. Escríbalas encima de la tabla.
 error-columns_differ_in_length = Las columnas de { $file } tienen longitudes distintas; cada una necesita una entrada por fila.
-error-exercise_not_named = No se dice a qué ejercicio responde. Indícalo, por ejemplo puma560.
+error-exercise_not_named = No se dice a qué ejercicio responde. Indíquelo, por ejemplo puma560.
 error-artefact_unknown = Aquí no se evalúan artefactos de tipo { $type }; sí { $known }.
 error-function_command_unknown = Los comandos que se atienden aquí son { $known }.
 error-function_call_invalid = El cuerpo de una llamada tiene `response`, `answer` y `params` (un objeto). No es así en: { $places }.
@@ -19,9 +19,9 @@ error-version_not_supported = Aquí no se habla esa versión de la API de evalua
 error-api_key_unknown = No hay ninguna clave { $id }.
 error-key_file_unreadable = { $file } no es un archivo de claves utilizable: { $reason }.
 error-receipt_kid_unknown = { $file } no contiene ninguna clave { $id }.
-error-receipt_malformed = Esto no es un resguardo, o no está entero. Cópielo desde el primer carácter hasta el último.
-error-receipt_key_unknown = El resguardo se firmó con una clave que este servicio no tiene. Pregunta al servicio que lo emitió.
-error-receipt_altered = El resguardo se modificó después de emitirse.
+error-receipt_malformed = Esto no es un comprobante, o no está entero. Cópielo desde el primer carácter hasta el último.
+error-receipt_key_unknown = El comprobante se firmó con una clave que este servicio no tiene. Pregunte al servicio que lo emitió.
+error-receipt_altered = El comprobante se modificó después de emitirse.
 
 evaluation-right = Correcto
 evaluation-wrong = Todavía no es correcto

@@ -1,4 +1,4 @@
-# Fichiers d’étudiants, correcteurs d’autres systèmes, paquets SCORM, récépissés.
+# Fichiers d’étudiants, correcteurs d’autres systèmes, paquets SCORM, reçus.
 
 error-file_too_large = { $file } dépasse { $limit } octets ; un tableau tient en quelques kilooctets.
 error-file_missing = Il n’y a ni fichier ni dossier { $file }.
@@ -19,9 +19,9 @@ error-version_not_supported = Cette version de l’API d’évaluation n’est p
 error-api_key_unknown = Il n’y a pas de clé { $id }.
 error-key_file_unreadable = { $file } n’est pas un fichier de clés utilisable : { $reason }.
 error-receipt_kid_unknown = { $file } ne contient pas de clé { $id }.
-error-receipt_malformed = Ce n’est pas un récépissé, ou pas un récépissé entier. Copiez-le du premier caractère au dernier.
-error-receipt_key_unknown = Le récépissé a été signé avec une clé que ce service n’a pas. Demandez au service qui l’a délivré.
-error-receipt_altered = Le récépissé a été modifié après sa délivrance.
+error-receipt_malformed = Ce n’est pas un reçu, ou pas un reçu entier. Copiez-le du premier caractère au dernier.
+error-receipt_key_unknown = Le reçu a été signé avec une clé que ce service n’a pas. Demandez au service qui l’a délivré.
+error-receipt_altered = Le reçu a été modifié après sa délivrance.
 
 evaluation-right = Juste
 evaluation-wrong = Pas encore juste

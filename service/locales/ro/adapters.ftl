@@ -1,4 +1,4 @@
-# Fișiere ale studenților, evaluatori ai altor sisteme, pachete SCORM, adeverințe.
+# Fișiere ale studenților, evaluatori ai altor sisteme, pachete SCORM, recipise.
 
 error-file_too_large = { $file } depășește { $limit } octeți; un tabel ocupă câțiva kiloocteți.
 error-file_missing = Nu există niciun fișier sau dosar { $file }.
@@ -19,9 +19,9 @@ error-version_not_supported = Această versiune a API-ului de evaluare nu este s
 error-api_key_unknown = Nu există cheia { $id }.
 error-key_file_unreadable = { $file } nu este un fișier de chei utilizabil: { $reason }.
 error-receipt_kid_unknown = { $file } nu conține cheia { $id }.
-error-receipt_malformed = Aceasta nu este o adeverință sau nu este întreagă. Copiați-o de la primul până la ultimul caracter.
-error-receipt_key_unknown = Adeverința a fost semnată cu o cheie pe care acest serviciu nu o are. Întrebați serviciul care a emis-o.
-error-receipt_altered = Adeverința a fost modificată după emitere.
+error-receipt_malformed = Aceasta nu este o recipisă sau nu este întreagă. Copiați-o de la primul până la ultimul caracter.
+error-receipt_key_unknown = Recipisa a fost semnată cu o cheie pe care acest serviciu nu o are. Întrebați serviciul care a emis-o.
+error-receipt_altered = Recipisa a fost modificată după emitere.
 
 evaluation-right = Corect
 evaluation-wrong = Încă nu este corect
