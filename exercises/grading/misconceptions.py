@@ -91,7 +91,7 @@ CATALOGUE: tuple[Misconception, ...] = (
     ),
     Misconception(
         code="length_unit",
-        story="typed all lengths in another unit than declared",
+        story="typed all lengths in a unit that is not the declared one",
         changes=all_in_other_length_unit,
         beforehand=True,
     ),
@@ -148,7 +148,7 @@ CATALOGUE: tuple[Misconception, ...] = (
     ),
     Misconception(
         code="cell_length_unit",
-        story="typed one length in another unit than declared",
+        story="typed one length in a unit that is not the declared one",
         changes=length_in_other_unit,
     ),
     Misconception(

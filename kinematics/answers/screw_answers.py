@@ -107,7 +107,7 @@ class ScrewVerdict:
     Attributes:
         certificate: how the answer agrees with the key; None if it is wrong.
         mistakes: what a wrong one looks like, each with the joint, from 1, that it is about, or None.
-        relations: which neighbouring axes lie to each other as the robot's do.
+        relations: which neighbouring axes lie relative to each other as the robot's do.
     """
 
     certificate: Certificate | None
@@ -245,7 +245,7 @@ def _any_tool(policy: Policy) -> Policy:
 
 
 def _relations(key: NumericTable, chain: Chain, share: float) -> Iterator[bool]:
-    """Yield whether neighbouring axes lie to each other as the robot's, by angle and distance."""
+    """Yield whether neighbouring axes lie relative to each other as the robot's, by angle and distance."""
     ours, theirs = prepared(key).chain.axes, chain.axes
     allowed = 3 * share * (size_of(prepared(key).chain) or 1.0)
     for (a, b), (c, d) in zip(pairwise(ours), pairwise(theirs), strict=True):

@@ -2,7 +2,7 @@
 
 axes        what is given: joint axes, the gripper frame, and what may be wrong with them
 vectors     products of 3-vectors as tuples
-normals     how two axes lie to each other, and their common normal
+normals     how two axes lie relative to each other, and their common normal
 parallels   axes that are parallel but for a tiny tilt
 placement   where the line of a prismatic joint is drawn
 ends        whether a given frame can be frame 0 or frame N

@@ -1,4 +1,4 @@
-"""How two axes lie to each other, and their common normal."""
+"""How two axes lie relative to each other, and their common normal."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ EXACT_LENGTH = 1e-10
 
 
 class Relation(StrEnum):
-    """How two consecutive axes lie to each other.
+    """How two consecutive axes lie relative to each other.
 
     SKEW: one common normal. INTERSECTING: one common point. PARALLEL and ANTIPARALLEL: apart, the same or
     the opposite direction. COINCIDENT: on one line, whichever way they point.

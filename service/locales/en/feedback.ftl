@@ -10,8 +10,8 @@ feedback-other_convention = Your table is written in the { $convention ->
 feedback-axis_reversed = Your z{ $frame }, the axis of joint { $joint }, points the opposite way to the reference solution’s. Both ways are right, and the signs in your table agree with yours.
 feedback-end_axis_reversed = Your z{ $frame } points the opposite way to the reference solution’s. Both ways are right.
 feedback-x_turned = Your x{ $frame } is turned by { $degrees }° about z{ $frame } from where the reference solution has it. Your table takes this into account.
-feedback-origin_slid = The origin of your frame { $frame } lies at another place along z{ $frame } than in the reference solution. Any place is right here.
-feedback-axis_moved = Your z{ $frame } lies on another, parallel line than in the reference solution. Only its direction matters here.
+feedback-origin_slid = The origin of your frame { $frame } lies at a different place along z{ $frame } from that in the reference solution. Any place is right here.
+feedback-axis_moved = Your z{ $frame } lies on a different line, parallel to that in the reference solution. Only its direction matters here.
 feedback-frame_elsewhere = Your frame { $frame } lies elsewhere than in the reference solution. You were free to choose it.
 feedback-variable_reversed = Your q{ $joint } counts the opposite way to the reference solution’s. Both ways are right.
 feedback-variable_offset = Where the reference solution’s q{ $joint } is zero, yours has the value { $offset }. Where a joint variable is zero is free to choose.
@@ -69,7 +69,7 @@ feedback-row_missing = A row is missing { $after ->
    *[other] after row { $after }
 }.
 feedback-row_not_needed = Row { $row } is one too many.
-feedback-rows_out_of_order = Rows { $row } and { $other } stand in the wrong order.
+feedback-rows_out_of_order = Rows { $row } and { $other } are in the wrong order.
 
 ## What would make it right
 
@@ -82,14 +82,14 @@ repair-convention = Read in the { $meant ->
 } one.
 repair-angles_in_degrees = The angles are in degrees, but the table declares radians.
 repair-angles_in_radians = The angles are in radians, but the table declares degrees.
-repair-length_unit = The lengths are in another unit than the table declares: millimetres for metres, for example.
+repair-length_unit = The lengths are in a different unit from the one that the table declares: millimetres for metres, for example.
 repair-columns_late = The columns a and α stand one row too low, as in the other convention. Which link does each row belong to?
 repair-columns_early = The columns a and α stand one row too high, as in the other convention. Which link does each row belong to?
 repair-columns_exchanged = The columns { $one } and { $other } are exchanged. Compare the order of the columns with that of your notes.
 repair-parameter_misnamed = { $name } is not a dimension of this robot. Which one of the figure do you mean?
 repair-parameters_swapped = { $name } and { $other } have changed places. Compare them with the figure.
 repair-alpha_sign = Row { $row }: α has the wrong sign. Turn one z axis onto the next about x, by the right-hand rule.
-repair-alpha_value = Row { $row }: α should be another angle. Look again how the two z axes lie to each other.
+repair-alpha_value = Row { $row }: α should be another angle. Look again at how the two z axes lie relative to each other.
 repair-twists_all_reversed = Every α has the wrong sign. Turn one z axis onto the next about x with your right hand, not your left.
 repair-a_sign = Row { $row }: a has the wrong sign. It is counted along x.
 repair-d_sign = Row { $row }: d has the wrong sign. It is counted along z.
@@ -100,7 +100,7 @@ repair-a_not_zero = Row { $row }: a should be zero, for the two z axes meet, or 
 repair-d_value = Row { $row }: d should be another length. Measure along z, from one x axis to the next.
 repair-d_missing = Row { $row }: an offset d has been left out.
 repair-d_not_zero = Row { $row }: d should be zero, for the two x axes meet z at the same point.
-repair-cell_length_unit = Row { $row }: one length is in another unit than the others.
+repair-cell_length_unit = Row { $row }: one length is in a different unit from the others.
 repair-cell_parameter = Row { $row }: another dimension of the figure belongs here.
 repair-cell_in_degrees = Row { $row }: one angle is in degrees, but the table declares radians.
 repair-cell_in_radians = Row { $row }: one angle is in radians, but the table declares degrees.

@@ -51,15 +51,15 @@ feedback-columns_in_disorder = Două coloane din tabel sunt schimbate între ele
 feedback-angles_throughout = Unghiurile din tabel nu sunt în unitatea declarată.
 feedback-lengths_throughout = Lungimile din tabel nu sunt în unitatea declarată.
 feedback-twists_throughout = Unghiurile α au peste tot semnul greșit.
-feedback-names_throughout = O dimensiune poartă în tabel un nume greșit.
-feedback-parameter_unknown = Robotul nu are nicio dimensiune cu numele { $name }. Dimensiunile lui sunt: { $known }.
-feedback-names_asked = Dimensiunile robotului nu au valori aici. Scrieți numele lor: { $known }.
+feedback-names_throughout = O cotă poartă în tabel un nume greșit.
+feedback-parameter_unknown = Robotul nu are nicio cotă cu numele { $name }. Cotele lui sunt: { $known }.
+feedback-names_asked = Cotele robotului nu au valori aici. Scrieți numele lor: { $known }.
 
 ## Un răspuns greșit: rândurile
 
 feedback-one_of_these = Doar una dintre observațiile următoare este greșeala; tabelul singur nu arată care.
 feedback-row_wrong = Rândul { $row } nu este corect.
-feedback-twist_wrong = Rândul { $row }: unghiul de încrucișare α, dintre două axe z vecine, nu este corect.
+feedback-twist_wrong = Rândul { $row }: unghiul de torsiune α, dintre două axe z vecine, nu este corect.
 feedback-length_wrong = Rândul { $row }: lungimea a, distanța dintre două axe z vecine, nu este corectă.
 feedback-offset_wrong = Rândul { $row }: decalajul d, distanța dintre două axe x vecine măsurată de-a lungul lui z, nu este corect.
 feedback-angle_wrong = Rândul { $row }: unghiul θ, dintre două axe x vecine în jurul lui z, nu este corect.
@@ -87,7 +87,7 @@ repair-length_unit = Lungimile sunt în altă unitate decât cea declarată: de 
 repair-columns_late = Coloanele a și α sunt cu un rând prea jos, ca în cealaltă convenție. Cărui element îi corespunde fiecare rând?
 repair-columns_early = Coloanele a și α sunt cu un rând prea sus, ca în cealaltă convenție. Cărui element îi corespunde fiecare rând?
 repair-columns_exchanged = Coloanele { $one } și { $other } sunt schimbate între ele. Comparați ordinea coloanelor cu cea din notițe.
-repair-parameter_misnamed = { $name } nu este o dimensiune a acestui robot. La care dimensiune din figură vă referiți?
+repair-parameter_misnamed = { $name } nu este o cotă a acestui robot. La care cotă din figură vă referiți?
 repair-parameters_swapped = { $name } și { $other } sunt inversate. Comparați-le cu figura.
 repair-alpha_sign = Rândul { $row }: α are semnul greșit. Rotiți o axă z peste următoarea în jurul lui x, după regula mâinii drepte.
 repair-alpha_value = Rândul { $row }: α ar trebui să fie alt unghi. Priviți din nou cum stau cele două axe z una față de alta.
@@ -102,7 +102,7 @@ repair-d_value = Rândul { $row }: d ar trebui să fie altă lungime. Măsurați
 repair-d_missing = Rândul { $row }: a fost omis un decalaj d.
 repair-d_not_zero = Rândul { $row }: d ar trebui să fie zero, căci cele două axe x întâlnesc axa z în același punct.
 repair-cell_length_unit = Rândul { $row }: o lungime este în altă unitate decât celelalte.
-repair-cell_parameter = Rândul { $row }: aici stă altă dimensiune din figură.
+repair-cell_parameter = Rândul { $row }: aici stă altă cotă din figură.
 repair-cell_in_degrees = Rândul { $row }: un unghi este în grade, dar tabelul declară radiani.
 repair-cell_in_radians = Rândul { $row }: un unghi este în radiani, dar tabelul declară grade.
 repair-theta_value = Rândul { $row }: unghiul constant θ ar trebui să fie altul. Rotiți o axă x peste următoarea în jurul lui z.

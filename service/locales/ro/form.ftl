@@ -287,8 +287,8 @@ form-matrix-text-label = { $name } ca text: LaTeX, MATLAB, Python sau celule din
 form-matrix-text-unread = În acest text nu se recunoaște nicio matrice 4×4.
 form-name-unknown =
     { $known ->
-        [none] { $name } nu este o dimensiune a acestui robot; niciuna nu are nume.
-       *[other] { $name } nu este o dimensiune a acestui robot. Dimensiunile lui: { $names }.
+        [none] { $name } nu este o cotă a acestui robot; niciuna nu are nume.
+       *[other] { $name } nu este o cotă a acestui robot. Cotele lui: { $names }.
     }
 
 form-nav-lesson = Prima lecție

@@ -79,7 +79,7 @@ error-null_expected = „{ $field }” trebuie să fie null sau să lipsească.
 error-value_not_allowed = Valoarea trebuie să fie una dintre: { $expected }.
 error-value_invalid = Această valoare nu poate fi folosită: { $reason }.
 
-error-joints_wrong_dimensions = Un tablou de variabile articulare are una sau două dimensiuni, nu { $dimensions }: (articulații) sau (configurații, articulații).
+error-joints_wrong_dimensions = Un tablou de variabile ale cuplelor are una sau două dimensiuni, nu { $dimensions }: (cuple) sau (configurații, cuple).
 error-batch_too_large = Lotul are { $given } configurații; într-o cerere se calculează cel mult { $limit }.
 error-query_missing = Variabilele articulare au venit ca npy; restul cererii se dă ca JSON în parametrul de interogare „request”.
 error-npy_header_invalid =
