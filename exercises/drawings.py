@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -20,6 +20,7 @@ from exercises.grading.exact_text import expression_text
 from exercises.grading.verdict import Matrix4
 from exercises.instance import Instance
 from kinematics.expressions import Parameter
+from kinematics.frames.wrong_frames import DrawnFrame
 from kinematics.table import JointType
 
 KEPT = 2048
@@ -50,7 +51,15 @@ def true_scene(instance: Instance) -> Scene:
     return scene if _shows_signs(exercise) else without_signs(scene)
 
 
-def figure_svg(instance: Instance, *, title: str, description: str, language: str, note: str = "") -> str:
+def figure_svg(
+    instance: Instance,
+    *,
+    title: str,
+    description: str,
+    language: str,
+    note: str = "",
+    frames: Sequence[DrawnFrame] = (),
+) -> str:
     """The figure as SVG.
 
     Args:
@@ -59,21 +68,24 @@ def figure_svg(instance: Instance, *, title: str, description: str, language: st
         description: the same in full.
         language: of both.
         note: what is written below a figure that is not to scale.
+        frames: frame 0 … N, to be drawn on the robot, which is to scale then.
     """
-    drawing = figure_drawing(instance, note)
+    drawing = figure_drawing(instance, note, frames)
     return document(drawing, title=title, description=description, language=language)
 
 
-def figure_drawing(instance: Instance, note: str = "") -> SvgDrawing:
+def figure_drawing(instance: Instance, note: str = "", frames: Sequence[DrawnFrame] = ()) -> SvgDrawing:
     """The figure without the words that tell of it.
 
     Args:
         instance: the exercise with the student's values.
         note: what is written below a figure that is not to scale.
+        frames: frame 0 … N, to be drawn on the robot, which is to scale then.
     """
     figure = instance.exercise.figure
-    scene = _drawn_scene(instance)
-    return draw_figure(scene, figure.view, figure.width, note="" if scene.to_scale else note)
+    scene = true_scene(instance) if frames else _drawn_scene(instance)
+    shown = "" if scene.to_scale else note
+    return draw_figure(scene, figure.view, figure.width, note=shown, frames=frames)
 
 
 def drawn_values(instance: Instance) -> dict[str, float]:
@@ -129,8 +141,8 @@ def figure_sentences(instance: Instance) -> tuple[Sentence, ...]:
     return tuple(sentences)
 
 
-def figure_geometry(instance: Instance) -> dict[str, object]:
-    """The figure as plain data, lengths in [m]: axes, links, dimensions, points, size, signs.
+def figure_geometry(instance: Instance, frames: Sequence[DrawnFrame] = ()) -> dict[str, object]:
+    """The figure as plain data, lengths in [m]: axes, links, dimensions, points, size, signs, drawn frames.
 
     Directions of axes have a sense only where the policy fixes it (`signed`); otherwise the sense tells
     nothing.
@@ -162,6 +174,10 @@ def figure_geometry(instance: Instance) -> dict[str, object]:
         if scene.ground
         else None,
         "size": scene.size * metres,
+        "frames": [
+            {"origin": place(frame.origin), "x": list(frame.x), "y": list(frame.y), "z": list(frame.z)}
+            for frame in frames
+        ],
     }
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 
 from framewise.calls import ApiCall, Table, post, step
@@ -46,6 +46,17 @@ def plant_matrix_mistake(table: Table, seed: str, **options: Any) -> ApiCall:
         options: further members of the body.
     """
     return post("plant-matrix-mistake", table=dict(table), seed=seed, **options)
+
+
+def plant_frame_mistake(axes: Sequence[Mapping[str, Any]], convention: str, seed: str) -> ApiCall:
+    """Return the frames of a robot with one mistake in them (POST /plant-frame-mistake).
+
+    Args:
+        axes: the joint axes, base first: `joint`, `point`, `direction`.
+        convention: "standard" or "modified".
+        seed: from which the mistake is drawn.
+    """
+    return post("plant-frame-mistake", axes=[dict(axis) for axis in axes], convention=convention, seed=seed)
 
 
 def signed_link(exercise_id: str, **settings: Any) -> ApiCall:

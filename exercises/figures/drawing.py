@@ -26,6 +26,8 @@ from exercises.figures.shapes import (
 from exercises.figures.specification import View
 from exercises.figures.strokes import in_front
 from exercises.figures.svg import Canvas, SvgDrawing, line, text_width
+from exercises.figures.triads import Arrow, arrows, draw_arrow
+from kinematics.frames.wrong_frames import DrawnFrame
 from kinematics.table import JointType
 
 HEIGHT = 450.0
@@ -46,7 +48,9 @@ _TUBE = np.array(((-2.5, 0.0), (2.5, 0.0), (0.0, -2.5), (0.0, 2.5), (0.0, 0.0)))
 Style = dict[str, Any]
 
 
-def draw_figure(scene: Scene, view: View, width: float = 480.0, *, note: str = "") -> SvgDrawing:
+def draw_figure(
+    scene: Scene, view: View, width: float = 480.0, *, note: str = "", frames: Sequence[DrawnFrame] = ()
+) -> SvgDrawing:
     """The figure of a scene.
 
     Args:
@@ -54,8 +58,9 @@ def draw_figure(scene: Scene, view: View, width: float = 480.0, *, note: str = "
         view: from where it is seen.
         width: of the paper.
         note: a few words below the figure.
+        frames: frame 0 … N, drawn over the robot.
     """
-    drawing = _drawn(scene, view, width, note)
+    drawing = _drawn(scene, view, width, note, frames)
     return SvgDrawing(box=drawing.box(), elements="".join(drawing.canvas.parts))
 
 
@@ -119,7 +124,7 @@ def _pair(point: Array) -> tuple[float, float]:
     return round(float(point[0]), 2), round(float(point[1]), 2)
 
 
-def _drawn(scene: Scene, view: View, width: float, note: str) -> _Drawing:
+def _drawn(scene: Scene, view: View, width: float, note: str, frames: Sequence[DrawnFrame] = ()) -> _Drawing:
     unscaled = camera_for(view)
     bodies = [body_of(axis, scene.size, unscaled) for axis in scene.axes]
     extent = _extent(scene, bodies)
@@ -130,7 +135,7 @@ def _drawn(scene: Scene, view: View, width: float, note: str) -> _Drawing:
         height=HEIGHT - 2 * MARGIN,
         most=MOST_SCALE,
     )
-    drawing = _Drawing(scene, bodies, camera, extent, width)
+    drawing = _Drawing(scene, bodies, camera, extent, width, arrows(frames, scene.size, camera))
     drawing.draw()
     if note:
         drawing.draw_note(note)
@@ -141,9 +146,15 @@ class _Drawing:
     """One figure in the making."""
 
     def __init__(
-        self, scene: Scene, bodies: Sequence[Body], camera: Camera, extent: Array, width: float
+        self,
+        scene: Scene,
+        bodies: Sequence[Body],
+        camera: Camera,
+        extent: Array,
+        width: float,
+        frames: Sequence[Arrow],
     ) -> None:
-        self.scene, self.bodies, self.camera = scene, bodies, camera
+        self.scene, self.bodies, self.camera, self.frames = scene, bodies, camera, frames
         self.canvas = Canvas()
         self.links = [trimmed(np.array(chain), scene) for chain in scene.links]
         points = camera.project(extent)
@@ -179,6 +190,8 @@ class _Drawing:
             self.draw_sense(sense)
         for dimension in dimensions:
             dimensioning.draw(self.canvas, dimension)
+        for arrow in self.frames:
+            draw_arrow(self.canvas, arrow)
         self.draw_labels(labels)
         for dimension in dimensions:
             dimensioning.draw_name(self.canvas, dimension)
@@ -221,6 +234,9 @@ class _Drawing:
             self.seen.append(np.asarray(run))
         for point in self.scene.points:
             paper.mark_square(camera.project(point.at), 10.0, 4.0)
+        for arrow in self.frames:
+            paper.mark(paper.along(arrow.ends), 1.5)
+            self.seen.append(arrow.ends)
 
     def place(
         self, axes: Sequence[tuple[Array, Array]], senses: Sequence[tuple[Array, ...]]
@@ -237,6 +253,7 @@ class _Drawing:
             for axis, sense in zip(scene.axes, senses, strict=True)
             if sense
         ]
+        labels += [name_places(arrow.name, arrow.ends[1], paper) for arrow in self.frames]
         lines = [dimensioning.dimension_places(dimension, camera, paper) for dimension in scene.dimensions]
         things: list[Places[DimensionLine | Written]] = [*labels, *lines]  # type: ignore[list-item]
         placed = Placer[DimensionLine | Written](paper).place(things)

@@ -16,18 +16,16 @@ from random import Random
 from typing import Annotated, ClassVar
 
 from exercises.definition import Part
-from exercises.drawings import true_scene
-from exercises.figures.points import Points
 from exercises.grading import ConventionRule, Feedback, Finding, HelpLevel, Policy, ToolRule, accept
 from exercises.instance import Instance
 from exercises.parts.context import Context
+from exercises.parts.figure_frames import figure_axes, key_frames
 from exercises.parts.number_cells import number_of
 from exercises.parts.protocol import Length, PartTask, PartType, Reading
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from kinematics.cells import Cell, ReadTable
 from kinematics.cells.meaning import Position
 from kinematics.expressions import Number, pi_times
-from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import JointAxis
 from kinematics.frames.rules import RuleCode, Severity
 from kinematics.frames.trainer import ChosenFrame, JudgedFrames, check_frames
@@ -115,7 +113,7 @@ class FramesPart(PartType[Part, FramesCells, FramesAnswer]):
 
     def grade(self, part: Part, answer: FramesAnswer, context: Context) -> PartReport:
         """Judge frame by frame: z, origin and x count the same, and so does what the policy asks for."""
-        axes = _axes(context.instance)
+        axes = figure_axes(context.instance)
         found = _checked(context, axes, answer)
         facts: list[Fact] = []
         feedback: list[Feedback] = []
@@ -153,16 +151,7 @@ class FramesPart(PartType[Part, FramesCells, FramesAnswer]):
         """Return the frames of the key where it has one for each joint, else those of the procedure."""
         instance = context.instance
         reference = instance.exercise.reference.table
-        if len(reference.rows) == reference.n_joints:
-            points = Points(instance.exercise.figure, reference, context.reference_values)
-            poses = [frame.tolist() for frame in points.frames]
-            frames = tuple(
-                _cells([p[r][3] for r in range(3)], [p[r][0] for r in range(3)], [p[r][2] for r in range(3)])
-                for p in poses
-            )
-        else:
-            assigned = assign_frames(_axes(instance), reference.convention)
-            frames = tuple(_cells(frame.origin, frame.x, frame.z) for frame in assigned.frames)
+        frames = tuple(_cells(frame.origin, frame.x, frame.z) for frame in key_frames(instance))
         return FramesCells(convention=reference.convention, frames=frames)
 
     def wrong(self, part: Part, context: Context, rng: Random) -> Iterator[tuple[str, FramesCells]]:
@@ -197,13 +186,6 @@ def _read_frame(frame: FrameCells, reading: Reading, where: tuple[str | int, ...
             if name != "origin" and not any(numbers):
                 reading.fault("direction_zero", *where, name)
     return ChosenFrame(**found) if len(found) == len(PARTS) else None
-
-
-def _axes(instance: Instance) -> list[JointAxis]:
-    return [
-        JointAxis(joint=axis.type, direction=axis.direction, point=axis.point)
-        for axis in true_scene(instance).axes
-    ]
 
 
 def _checked(context: Context, axes: Sequence[JointAxis], answer: FramesAnswer) -> JudgedFrames:

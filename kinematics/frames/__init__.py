@@ -14,4 +14,5 @@ remarks     what a caller should know about an assignment that succeeded
 rounding    frames that students rounded
 rules       the rules for a student's frames, one by one
 candidates  origins and directions to choose from
+wrong_frames one mistake in frames that obey the rules: made, found, named and mended
 """

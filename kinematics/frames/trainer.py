@@ -136,13 +136,7 @@ def check_frames(
     end = gripper_frame(tool) if isinstance(tool, Gripper) else tool
     last = None if end is None else pose_of(end, "tool")
     size = robot_size(lines, first, last)
-    if rounding:
-        holders = [k if convention is Convention.STANDARD else k + 1 for k in range(len(lines))]
-        frames = slides_on_neighbours(frames, lines, holders, rounding * size)
-    places = _places(lines, frames, convention, size)
-    if rounding:
-        frames = [settled(frame, place, rounding) for frame, place in zip(frames, places, strict=True)]
-        places = _places(lines, frames, convention, size)
+    frames, places = _settled(frames, lines, convention, size, rounding)
     broken = [broken_rules(frame, place) for frame, place in zip(frames, places, strict=True)]
     sound = [None if faults else _whole(frame) for frame, faults in zip(frames, broken, strict=True)]
     shown = _shown_lines(lines, _drawn_lines(lines, frames, convention), size)
@@ -158,6 +152,39 @@ def check_frames(
     )
     rows = tuple(_row(i, lines[i - 1], sound, convention, size) for i in range(1, len(frames)))
     return _judged(judged, rows, sound, last, convention)
+
+
+def rules_broken(
+    axes: Sequence[JointAxis],
+    convention: Convention,
+    chosen: Sequence[ChosenFrame | None],
+    *,
+    rounding: float = 0.0,
+) -> list[list[FrameFinding]]:
+    """The rules that each of the chosen frames breaks; arguments and errors as in `check_frames`."""
+    lines, _ = straighten(read_axes(axes), PARALLEL_TOLERANCE)
+    size = robot_size(lines, None, None)
+    frames, places = _settled(_read_frames(chosen, len(lines)), lines, convention, size, rounding)
+    return [broken_rules(frame, place) for frame, place in zip(frames, places, strict=True)]
+
+
+def _settled(
+    frames: Sequence[PartialPose],
+    lines: Sequence[AxisLine],
+    convention: Convention,
+    size: float,
+    rounding: float,
+) -> tuple[list[PartialPose], list[FramePlace]]:
+    """The frames, moved onto what the rules ask for where they are that near, and what they are judged by."""
+    found = list(frames)
+    if rounding:
+        holders = [k if convention is Convention.STANDARD else k + 1 for k in range(len(lines))]
+        found = slides_on_neighbours(found, lines, holders, rounding * size)
+    places = _places(lines, found, convention, size)
+    if rounding:
+        found = [settled(frame, place, rounding) for frame, place in zip(found, places, strict=True)]
+        places = _places(lines, found, convention, size)
+    return found, places
 
 
 def _read_frames(chosen: Sequence[ChosenFrame | None], count: int) -> list[PartialPose]:

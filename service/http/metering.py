@@ -41,6 +41,7 @@ _COSTS = {
     "check-inverse-kinematics": 10,
     "plant-mistake": 20,
     "plant-matrix-mistake": 20,
+    "plant-frame-mistake": 20,
     "compare-tables": 5,
     "other-tables": 20,
     "check-screws": 10,

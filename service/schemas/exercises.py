@@ -197,8 +197,17 @@ class FigureGround(Wire):
     normal: Vector3
 
 
+class FigureFrame(Wire):
+    """A frame that the figure shows."""
+
+    origin: Vector3
+    x: Vector3
+    y: Vector3 = Field(description="as it is drawn; not z × x, if that is the mistake")
+    z: Vector3
+
+
 class FigureModel(Wire):
-    """The geometry of the figure, lengths in metres, z up; no frames."""
+    """The geometry of the figure, lengths in metres, z up; frames only to look for a mistake in."""
 
     axes: list[FigureAxis]
     links: list[list[Vector3]] = Field(description="polylines")
@@ -206,6 +215,9 @@ class FigureModel(Wire):
     points: list[FigurePoint]
     ground: FigureGround | None
     size: Real = Field(description="diagonal of the box that holds the robot")
+    frames: list[FigureFrame] = Field(
+        description="frame 0 … N, one of them wrong; empty where no mistake in a figure is asked for"
+    )
     description: str = Field(description="the figure in words, in the caller's language")
     file: str | None = Field(
         None, description="path of the drawing below /api/v1; what is there never changes"

@@ -14,6 +14,7 @@ from exercises.grading import ConventionRule, HelpLevel
 from exercises.instance import Instance, kept_instance
 from exercises.loader import Library
 from exercises.needs import unneeded_dimensions
+from exercises.parts.frame_mistake import frames_shown
 from exercises.parts.protocol import TABLE, FormField, GivenNumbers
 from exercises.parts.registry import part_type
 from exercises.statements import first_sentence, to_html
@@ -85,7 +86,10 @@ def exercise_view(instance: Instance, language: str, context: LinkContext | None
         "joints": [{"name": name, "type": kind.value} for name, kind in zip(names, types, strict=True)],
         "parts": [_part(part, instance, language) for part in found.parts],
         "points": float(found.points),
-        "figure": {**figure_geometry(instance), "description": figure_description(instance, language)},
+        "figure": {
+            **figure_geometry(instance, frames_shown(instance)),
+            "description": figure_description(instance, language),
+        },
     }
 
 

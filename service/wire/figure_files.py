@@ -18,6 +18,7 @@ from exercises.definition import Exercise
 from exercises.drawings import drawn_values, figure_drawing
 from exercises.figures.svg import SvgDrawing, document
 from exercises.instance import Instance
+from exercises.parts.frame_mistake import frames_shown
 from service.messages import sentence
 from service.revision import revision
 from service.wire.exercise_views import figure_description
@@ -32,12 +33,14 @@ LEVEL = 4
 def figure_address(figures: SharedAnswers, instance: Instance, language: str) -> str:
     """Return the address of a figure: a digest of all that it follows from."""
     title = instance.exercise.title(language)
-    return figures.address(_drawn_alike(instance.exercise), language, title, repr(dict(instance.exact)))
+    told = repr((dict(instance.exact), frames_shown(instance)))
+    return figures.address(_drawn_alike(instance.exercise), language, title, told)
 
 
 def drawing_address(figures: SharedAnswers, instance: Instance, note: str) -> str:
     """Return the address of what is drawn: of all figures that differ in words alone, the same."""
-    return figures.address(_drawn_alike(instance.exercise), "drawing", note, repr(drawn_values(instance)))
+    told = repr((drawn_values(instance), frames_shown(instance)))
+    return figures.address(_drawn_alike(instance.exercise), "drawing", note, told)
 
 
 @lru_cache(maxsize=KEPT)
@@ -87,7 +90,7 @@ def packed_figure(figures: SharedAnswers, instance: Instance, language: str) -> 
     place = drawing_address(figures, instance, _note(language))
     drawn = figures.stored(place)
     if drawn is None:
-        drawing = figure_drawing(instance, _note(language))
+        drawing = figure_drawing(instance, _note(language), frames_shown(instance))
         drawn = gzip.compress(orjson.dumps((drawing.box, drawing.elements)), LEVEL, mtime=0)
         figures.keep(place, drawn)
     return _told(figures, figure_address(figures, instance, language), drawn, instance, language)
@@ -95,7 +98,7 @@ def packed_figure(figures: SharedAnswers, instance: Instance, language: str) -> 
 
 def figure_file(instance: Instance, language: str) -> bytes:
     """Draw the figure as an SVG file."""
-    return _file(figure_drawing(instance, _note(language)), instance, language)
+    return _file(figure_drawing(instance, _note(language), frames_shown(instance)), instance, language)
 
 
 def _told(figures: SharedAnswers, address: str, drawn: bytes, instance: Instance, language: str) -> bytes:

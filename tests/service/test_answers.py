@@ -187,3 +187,17 @@ def test_a_mistake_is_planted_in_a_matrix(client: httpx.Client) -> None:
         assert all(cell in apart for cell in found["wrong_cells"])
         assert (found["row"] is None) == (matrix == "transform")
         assert found["label"] != found["mistake"]
+
+
+def test_a_mistake_is_planted_in_frames(client: httpx.Client) -> None:
+    axes = [{"joint": "revolute", "point": [0.3 * i, 0, 0], "direction": [0, i % 2, 1]} for i in range(3)]
+    for convention in ("standard", "modified"):
+        body = {"axes": axes, "convention": convention, "seed": 4}
+        found = post(client, "plant-frame-mistake", body, "uk")
+        assert post(client, "plant-frame-mistake", body, "uk") == found
+        assert found["label"] != found["mistake"]
+        frames = found["frames"]
+        assert frames[found["frame"]] != found["mended"]
+        frames[found["frame"]] = found["mended"]
+        judged = post(client, "check-frames", {"axes": axes, "convention": convention, "frames": frames})
+        assert judged["table"] is not None

@@ -88,6 +88,7 @@ EVERY: dict[str, tuple[tuple[Any, ...], dict[str, Any]]] = {
     "other_tables": arguments("/other-tables", "table"),
     "plant_mistake": arguments("/plant-mistake", "table", "seed"),
     "plant_matrix_mistake": arguments("/plant-matrix-mistake", "table", "seed"),
+    "plant_frame_mistake": arguments("/plant-frame-mistake", "axes", "convention", "seed"),
     "signed_link": (("twolink",), {"help": "row"}),
     "receipt_page": (("twolink", {"table": TABLE}, "Ada"), {}),
     "author_start": arguments("/author/start", "id", "source"),

@@ -82,6 +82,7 @@ def test_every_kind_with_such_a_form_is_tried() -> None:
     assert {
         "compare_tables",
         "find_mistake",
+        "frame_mistake",
         "frame_chain",
         "inverse_kinematics",
         "jacobian",

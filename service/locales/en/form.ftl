@@ -170,6 +170,7 @@ form-part-frame-chain = Chain of frames
 form-part-inverse-kinematics = Inverse kinematics
 form-part-find-mistake = Find the mistake
 form-part-matrix-mistake = Find the mistake in a matrix
+form-part-frame-mistake = Find the mistake in a figure
 form-part-compare-tables = Two tables
 form-part-screws = Product of exponentials
 form-part-jacobian = Jacobian and statics

@@ -31,3 +31,36 @@ feedback-matrix_mistake_missing =
         [mistake] Say what is wrong.
        *[mended_matrix] Write the matrix as it should be.
     }
+
+field-wrong_frame = Frame with the mistake
+field-mended_origin = Its origin as it should be
+field-mended_x = Its x axis as it should be
+field-mended_y = Its y axis as it should be
+field-mended_z = Its z axis as it should be
+option-z_not_along_axis = z does not lie along the axis of its joint
+option-origin_not_on_axis = the origin is not on the axis of its joint
+option-origin_not_on_common_normal = the origin is not on the common normal
+option-origin_not_at_intersection = the origin is not where the two axes meet
+option-x_not_across_z = x is not at right angles to z
+option-x_not_along_common_normal = x does not lie along the common normal
+option-x_not_across_both_axes = x is not at right angles to both axes
+option-first_x_misses_axis = x of the first frame does not meet axis 1 at right angles
+option-last_x_misses_axis = x of the last frame does not meet the last axis at right angles
+option-y_left_handed = the frame is left-handed: y is not z × x
+given-drawn-frames = The frames as they are drawn
+
+task-frame-mistake =
+    { $convention ->
+        [standard] The frames in the figure should follow the standard convention, z of frame i along joint i+1
+       *[modified] The frames in the figure should follow the modified convention, z of frame i along joint i
+    }, but one of them has a mistake. Which frame is wrong, what is wrong with it, and how should it stand? Points and directions are given in the coordinates of the figure; any length of a direction will do.
+
+feedback-frame_mistake_place_wrong = This frame is right; the mistake is in another one.
+feedback-frame_mistake_name_wrong = The mistake is of another kind.
+feedback-frame_not_mended = With this frame the drawing still breaks a rule.
+feedback-frame_mistake_missing =
+    { $what ->
+        [wrong_frame] Say which frame is wrong.
+        [mistake] Say what is wrong.
+       *[mended_origin] Give origin, x, y and z as they should be.
+    }

@@ -170,6 +170,7 @@ form-part-frame-chain = Cadena de sistemas
 form-part-inverse-kinematics = Cinemática inversa
 form-part-find-mistake = Halle el error
 form-part-matrix-mistake = Hallar el error en una matriz
+form-part-frame-mistake = Encontrar el error en una figura
 form-part-compare-tables = Dos tablas
 form-part-screws = Producto de exponenciales
 form-part-jacobian = Jacobiana y estática

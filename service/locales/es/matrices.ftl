@@ -31,3 +31,36 @@ feedback-matrix_mistake_missing =
         [mistake] Diga qué está mal.
        *[mended_matrix] Escriba la matriz como debería ser.
     }
+
+field-wrong_frame = Sistema con el error
+field-mended_origin = Su origen como debería ser
+field-mended_x = Su eje x como debería ser
+field-mended_y = Su eje y como debería ser
+field-mended_z = Su eje z como debería ser
+option-z_not_along_axis = z no sigue el eje de su articulación
+option-origin_not_on_axis = el origen no está en el eje de su articulación
+option-origin_not_on_common_normal = el origen no está en la normal común
+option-origin_not_at_intersection = el origen no está donde se cortan los dos ejes
+option-x_not_across_z = x no es perpendicular a z
+option-x_not_along_common_normal = x no sigue la normal común
+option-x_not_across_both_axes = x no es perpendicular a los dos ejes
+option-first_x_misses_axis = x del primer sistema no corta el eje 1 en ángulo recto
+option-last_x_misses_axis = x del último sistema no corta el último eje en ángulo recto
+option-y_left_handed = el sistema es levógiro: y no es z × x
+given-drawn-frames = Los sistemas tal como están dibujados
+
+task-frame-mistake =
+    { $convention ->
+        [standard] Los sistemas de la figura deberían seguir la convención estándar, con z del sistema i a lo largo de la articulación i+1
+       *[modified] Los sistemas de la figura deberían seguir la convención modificada, con z del sistema i a lo largo de la articulación i
+    }, pero uno de ellos tiene un error. ¿Qué sistema está mal, qué tiene mal y cómo debería estar? Los puntos y las direcciones se dan en las coordenadas de la figura; la longitud de una dirección no importa.
+
+feedback-frame_mistake_place_wrong = Este sistema está bien; el error está en otro.
+feedback-frame_mistake_name_wrong = El error es de otro tipo.
+feedback-frame_not_mended = Con este sistema el dibujo sigue sin cumplir alguna regla.
+feedback-frame_mistake_missing =
+    { $what ->
+        [wrong_frame] Diga qué sistema está mal.
+        [mistake] Diga qué está mal.
+       *[mended_origin] Indique el origen, x, y y z como deberían ser.
+    }

@@ -170,6 +170,7 @@ form-part-frame-chain = Chaîne de repères
 form-part-inverse-kinematics = Cinématique inverse
 form-part-find-mistake = Trouvez l’erreur
 form-part-matrix-mistake = Trouver l’erreur dans une matrice
+form-part-frame-mistake = Trouver l’erreur dans une figure
 form-part-compare-tables = Deux tableaux
 form-part-screws = Produit d’exponentielles
 form-part-jacobian = Jacobienne et statique

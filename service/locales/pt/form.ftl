@@ -170,6 +170,7 @@ form-part-frame-chain = Cadeia de sistemas
 form-part-inverse-kinematics = Cinemática inversa
 form-part-find-mistake = Encontre o erro
 form-part-matrix-mistake = Encontrar o erro numa matriz
+form-part-frame-mistake = Encontrar o erro numa figura
 form-part-compare-tables = Duas tabelas
 form-part-screws = Produto de exponenciais
 form-part-jacobian = Jacobiana e estática

@@ -31,3 +31,36 @@ feedback-matrix_mistake_missing =
         [mistake] Diga o que está errado.
        *[mended_matrix] Escreva a matriz como deveria ser.
     }
+
+field-wrong_frame = Referencial com o erro
+field-mended_origin = A sua origem como deveria ser
+field-mended_x = O seu eixo x como deveria ser
+field-mended_y = O seu eixo y como deveria ser
+field-mended_z = O seu eixo z como deveria ser
+option-z_not_along_axis = z não segue o eixo da sua junta
+option-origin_not_on_axis = a origem não está no eixo da sua junta
+option-origin_not_on_common_normal = a origem não está na normal comum
+option-origin_not_at_intersection = a origem não está onde os dois eixos se cruzam
+option-x_not_across_z = x não é perpendicular a z
+option-x_not_along_common_normal = x não segue a normal comum
+option-x_not_across_both_axes = x não é perpendicular aos dois eixos
+option-first_x_misses_axis = x do primeiro referencial não cruza o eixo 1 em ângulo reto
+option-last_x_misses_axis = x do último referencial não cruza o último eixo em ângulo reto
+option-y_left_handed = o referencial é esquerdo: y não é z × x
+given-drawn-frames = Os referenciais tal como estão desenhados
+
+task-frame-mistake =
+    { $convention ->
+        [standard] Os referenciais da figura deveriam seguir a convenção padrão, com z do referencial i ao longo da junta i+1
+       *[modified] Os referenciais da figura deveriam seguir a convenção modificada, com z do referencial i ao longo da junta i
+    }, mas um deles tem um erro. Que referencial está errado, o que tem de errado e como deveria estar? Os pontos e as direções são dados nas coordenadas da figura; o comprimento de uma direção é livre.
+
+feedback-frame_mistake_place_wrong = Este referencial está certo; o erro está noutro.
+feedback-frame_mistake_name_wrong = O erro é de outro tipo.
+feedback-frame_not_mended = Com este referencial o desenho ainda viola uma regra.
+feedback-frame_mistake_missing =
+    { $what ->
+        [wrong_frame] Diga que referencial está errado.
+        [mistake] Diga o que está errado.
+       *[mended_origin] Indique a origem, x, y e z como deveriam ser.
+    }

@@ -175,6 +175,7 @@ form-part-frame-chain = Lanț de sisteme
 form-part-inverse-kinematics = Cinematica inversă
 form-part-find-mistake = Găsiți greșeala
 form-part-matrix-mistake = Găsirea greșelii într-o matrice
+form-part-frame-mistake = Găsiți greșeala într-o figură
 form-part-compare-tables = Două tabele
 form-part-screws = Produs de exponențiale
 form-part-jacobian = Jacobian și statică

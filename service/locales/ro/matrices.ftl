@@ -31,3 +31,36 @@ feedback-matrix_mistake_missing =
         [mistake] Spuneți ce este greșit.
        *[mended_matrix] Scrieți matricea așa cum ar trebui să fie.
     }
+
+field-wrong_frame = Sistemul de coordonate cu greșeala
+field-mended_origin = Originea sa, așa cum ar trebui să fie
+field-mended_x = Axa sa x, așa cum ar trebui să fie
+field-mended_y = Axa sa y, așa cum ar trebui să fie
+field-mended_z = Axa sa z, așa cum ar trebui să fie
+option-z_not_along_axis = z nu este de-a lungul axei cuplei sale
+option-origin_not_on_axis = originea nu este pe axa cuplei sale
+option-origin_not_on_common_normal = originea nu este pe normala comună
+option-origin_not_at_intersection = originea nu este în punctul de intersecție al celor două axe
+option-x_not_across_z = x nu este perpendiculară pe z
+option-x_not_along_common_normal = x nu este de-a lungul normalei comune
+option-x_not_across_both_axes = x nu este perpendiculară pe ambele axe
+option-first_x_misses_axis = x a primului sistem nu taie axa 1 în unghi drept
+option-last_x_misses_axis = x a ultimului sistem nu taie ultima axă în unghi drept
+option-y_left_handed = sistemul este stâng: y nu este z × x
+given-drawn-frames = Sistemele de coordonate așa cum sunt desenate
+
+task-frame-mistake =
+    { $convention ->
+        [standard] Sistemele de coordonate din figură ar trebui să respecte convenția standard, cu z al sistemului i de-a lungul cuplei i+1
+       *[modified] Sistemele de coordonate din figură ar trebui să respecte convenția modificată, cu z al sistemului i de-a lungul cuplei i
+    }, dar unul dintre ele are o greșeală. Care sistem este greșit, ce este greșit la el și cum ar trebui să stea? Punctele și direcțiile sunt date în coordonatele figurii; lungimea unei direcții nu contează.
+
+feedback-frame_mistake_place_wrong = Acest sistem este corect; greșeala este în altul.
+feedback-frame_mistake_name_wrong = Greșeala este de alt fel.
+feedback-frame_not_mended = Cu acest sistem desenul încă încalcă o regulă.
+feedback-frame_mistake_missing =
+    { $what ->
+        [wrong_frame] Spuneți care sistem este greșit.
+        [mistake] Spuneți ce este greșit.
+       *[mended_origin] Dați originea, x, y și z așa cum ar trebui să fie.
+    }

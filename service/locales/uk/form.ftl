@@ -180,6 +180,7 @@ form-part-frame-chain = Ланцюг систем
 form-part-inverse-kinematics = Обернена кінематика
 form-part-find-mistake = Знайдіть помилку
 form-part-matrix-mistake = Знайти помилку в матриці
+form-part-frame-mistake = Знайти помилку на рисунку
 form-part-compare-tables = Дві таблиці
 form-part-screws = Добуток експонент
 form-part-jacobian = Якобіан і статика

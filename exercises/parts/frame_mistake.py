@@ -1,0 +1,302 @@
+"""Find the mistake in a figure: one of the drawn frames breaks a rule; find it, name it, mend it.
+
+Whatever obeys the rules mends it: the frame of the key, or any other that the convention allows. A place is
+right if the frame there was mended.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import lru_cache, partial
+from random import Random
+from typing import Annotated, Any, ClassVar
+
+from exercises.definition import Exercise, Part
+from exercises.draws import Picker
+from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.instance import Instance
+from exercises.parts.context import Context
+from exercises.parts.definition_keys import DefinitionKey, choices
+from exercises.parts.figure_frames import figure_axes, key_frames
+from exercises.parts.number_cells import number_of
+from exercises.parts.planting import read_mistakes
+from exercises.parts.protocol import (
+    TABLE,
+    FieldShape,
+    FormField,
+    GivenNumbers,
+    Length,
+    PartTask,
+    PartType,
+    Reading,
+    RobotFacts,
+)
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.reading import Reader
+from kinematics.cells import Cell
+from kinematics.cells.meaning import Position
+from kinematics.errors import Fault
+from kinematics.frames.wrong_frames import (
+    FRAME_MISTAKES,
+    DrawnFrame,
+    PlantedFrame,
+    mends,
+    plantable_in_frames,
+)
+from kinematics.se3 import Vector, norm
+
+ThreeCells = Annotated[tuple[Cell, ...], Length(least=3, most=3)]
+MENDED = ("mended_origin", "mended_x", "mended_y", "mended_z")
+"""The fields of the frame as it should be."""
+DECIMALS = 4
+"""What is shown of a coordinate: less than what a student may be off by."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FoundFrameMistakeCells:
+    """Which frame is wrong, what is wrong with it, and the frame as it should be.
+
+    Attributes:
+        wrong_frame: number of the frame, from 0.
+        mistake: what is wrong with it, by name.
+        mended_origin: its origin, in the coordinates of the figure and the exercise's length unit.
+        mended_x: direction of its x axis; any length but zero.
+        mended_y: direction of its y axis; any length but zero.
+        mended_z: direction of its z axis; any length but zero.
+    """
+
+    wrong_frame: int | str | None = None
+    mistake: str | None = None
+    mended_origin: ThreeCells | None = None
+    mended_x: ThreeCells | None = None
+    mended_y: ThreeCells | None = None
+    mended_z: ThreeCells | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FoundFrameMistake:
+    """The same in numbers; the frame only if it was given as a whole."""
+
+    frame: int | None
+    mistake: str | None
+    mended: DrawnFrame | None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FrameMistakePart(Part):
+    """A figure with a planted mistake.
+
+    Attributes:
+        mistakes: names of those that may be planted.
+    """
+
+    mistakes: tuple[str, ...]
+
+
+class FrameMistakeType(PartType[FrameMistakePart, FoundFrameMistakeCells, FoundFrameMistake]):
+    """Find the mistake in a figure."""
+
+    kind = "frame_mistake"
+    raw: ClassVar = FoundFrameMistakeCells
+    meaning = "the planted mistake in a figure: which frame is wrong, why, and the frame as it should be"
+    disclosures: ClassVar = {
+        "frame_mistake_place_wrong": Disclosure(level=HelpLevel.ROW),
+        "frame_mistake_name_wrong": Disclosure(level=HelpLevel.ROW),
+        "frame_not_mended": Disclosure(level=HelpLevel.ROW),
+        "frame_mistake_missing": Disclosure(level=HelpLevel.ROW),
+    }
+
+    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> FrameMistakePart:
+        """Return the part with the mistakes that may be planted."""
+        mistakes = read_mistakes(reader, FRAME_MISTAKES)
+        return FrameMistakePart(kind=self.kind, points=points, mistakes=mistakes)
+
+    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
+        """Return the key of the mistakes that may be planted."""
+        return (choices("mistakes", FRAME_MISTAKES),)
+
+    def inconsistencies(self, part: FrameMistakePart, exercise: Exercise) -> Iterator[Fault]:
+        """Yield a fault where the key would be given away: frames tell the table."""
+        if exercise.part(TABLE) is not None or exercise.part("frames") is not None:
+            yield Fault(code="key_given_away", where=("kind",))
+
+    def draw(self, part: FrameMistakePart, exercise: Exercise, picker: Picker) -> tuple[str, str]:
+        """Return what decides the student's mistake; the frames follow from the student's dimensions."""
+        places = tuple(f"{k:03d}" for k in range(MOST_PLACES))
+        return (
+            picker.choice(part.mistakes, f"{self.kind} mistake"),
+            picker.choice(places, f"{self.kind} place"),
+        )
+
+    def task(self, part: FrameMistakePart, instance: Instance) -> PartTask:
+        """Show the frames in numbers beside the figure."""
+        found = planted_in(instance)
+        unit = instance.exercise.length_unit.value
+        rows = tuple(
+            (str(i), *(_text(vector) for vector in (frame.origin, frame.x, frame.y, frame.z)))
+            for i, frame in enumerate(found.shown)
+        )
+        convention = instance.exercise.reference.table.convention.value
+        shown = GivenNumbers(
+            name="drawn-frames", labels=("i", f"O [{unit}]", "x", "y", "z"), rows=rows, values={}
+        )
+        numbers = tuple(str(i) for i in range(len(found.shown)))
+        return PartTask(
+            message="task-frame-mistake",
+            values={"convention": convention},
+            form=(
+                FormField(name="wrong_frame", shape=FieldShape.CHOICE, options=numbers),
+                FormField(name="mistake", shape=FieldShape.CHOICE, options=FRAME_MISTAKES),
+                *(FormField(name=name, shape=FieldShape.VECTOR, labels=("X", "Y", "Z")) for name in MENDED),
+            ),
+            numbers=(shown,),
+        )
+
+    def read(self, raw: FoundFrameMistakeCells, reading: Reading) -> FoundFrameMistake | None:
+        """Return the answer in numbers."""
+        before = len(reading.faults)
+        last = len(key_frames(reading.instance)) - 1
+        frame = _number(raw.wrong_frame, last, reading)
+        if raw.mistake and raw.mistake not in FRAME_MISTAKES:
+            params = {"name": raw.mistake, "known": ", ".join(FRAME_MISTAKES)}
+            reading.fault("misconception_unknown", self.kind, "mistake", **params)
+        vectors = [_vector(getattr(raw, name), name, reading) for name in MENDED]
+        if len(reading.faults) > before:
+            return None
+        given = [vector for vector in vectors if vector is not None]
+        mended = DrawnFrame(*given) if len(given) == len(MENDED) else None
+        return FoundFrameMistake(frame=frame, mistake=raw.mistake or None, mended=mended)
+
+    def grade(self, part: FrameMistakePart, answer: FoundFrameMistake, context: Context) -> PartReport:
+        """A third each for place, name and repair; a repair that does says where the mistake was."""
+        found = planted_in(context.instance)
+        mended = False
+        if answer.mended is not None:
+            index = found.index if answer.frame is None else answer.frame
+            tolerance = context.policy.tolerance
+            mended = mends(
+                figure_axes(context.instance),
+                context.reference.table.convention,
+                found,
+                index,
+                answer.mended,
+                rounding=min(tolerance.length, tolerance.angle),
+            )
+        right = {
+            "wrong_frame": mended or answer.frame == found.index,
+            "mistake": answer.mistake == found.code,
+            "mended_origin": mended,
+        }
+        given = {"wrong_frame": answer.frame, "mistake": answer.mistake, "mended_origin": answer.mended}
+        facts = [
+            Fact(
+                where=(name,),
+                finding=Finding.OK if good else Finding.MISSING if given[name] is None else Finding.WRONG,
+            )
+            for name, good in right.items()
+        ]
+        codes = {
+            "wrong_frame": "frame_mistake_place_wrong",
+            "mistake": "frame_mistake_name_wrong",
+            "mended_origin": "frame_not_mended",
+        }
+        feedback = [
+            Feedback(code="frame_mistake_missing", params={"what": name})
+            if given[name] is None
+            else Feedback(code=codes[name])
+            for name, good in right.items()
+            if not good
+        ]
+        if not feedback:
+            feedback.append(Feedback(code="mistake_found"))
+        return judged(part, sum(right.values()) / 3, Credit.KEY, facts=facts, feedback=feedback)
+
+    def right(self, part: FrameMistakePart, context: Context) -> FoundFrameMistakeCells:
+        """Return the planted mistake and the frame as it was."""
+        found = planted_in(context.instance)
+        return _with_frame(FoundFrameMistakeCells(wrong_frame=found.index, mistake=found.code), found.right)
+
+    def wrong(
+        self, part: FrameMistakePart, context: Context, rng: Random
+    ) -> Iterator[tuple[str, FoundFrameMistakeCells]]:
+        """Yield the frame as it is drawn, and nothing but a name."""
+        found = planted_in(context.instance)
+        right = self.right(part, context)
+        yield "frame_not_mended", _with_frame(right, found.shown[found.index])
+        yield "frame_mistake_missing", FoundFrameMistakeCells(mistake=right.mistake)
+
+
+MOST_PLACES = 360
+"""Places among which one is drawn; a multiple of most counts of ways, so that none is drawn more often."""
+
+
+LATELY = 64
+"""Students whose frames are kept: one page asks for them and for the figure, and an answer for both again."""
+
+
+@lru_cache(maxsize=LATELY)
+def planted_in(instance: Instance) -> PlantedFrame:
+    """Return the student's frames: the mistake drawn, or where it cannot be made the next that can."""
+    part = instance.exercise.part(FrameMistakeType.kind)
+    assert isinstance(part, FrameMistakePart)
+    code, place = instance.drawn[FrameMistakeType.kind]
+    convention = instance.exercise.reference.table.convention
+    ways = plantable_in_frames(figure_axes(instance), convention, key_frames(instance))
+    first = part.mistakes.index(code)
+    order = (*part.mistakes[first:], *part.mistakes[:first], *FRAME_MISTAKES)
+    able = next(ways[code] for code in order if code in ways)
+    return able[int(place) % len(able)]
+
+
+def frames_shown(instance: Instance) -> tuple[DrawnFrame, ...]:
+    """Return the frames that are drawn in the figure; none where no mistake in one is asked for."""
+    asked = instance.exercise.part(FrameMistakeType.kind) is not None
+    return planted_in(instance).shown if asked else ()
+
+
+def _number(raw: int | str | None, last: int, reading: Reading) -> int | None:
+    if raw is None or raw == "":
+        return None
+    text = str(raw)
+    if text.isascii() and text.isdecimal() and len(text) < 4 and int(text) <= last:
+        return int(text)
+    reading.fault("frame_unknown", FrameMistakeType.kind, "wrong_frame", given=text[:20], count=last)
+    return None
+
+
+def _vector(cells: tuple[Cell, ...] | None, name: str, reading: Reading) -> Vector | None:
+    if cells is None or all(cell == "" for cell in cells):
+        return None
+    before = len(reading.faults)
+    read = [
+        reading.keep(
+            FrameMistakeType.kind, partial(number_of, cell, Position.LENGTH, reading.instance, (name, k))
+        )
+        for k, cell in enumerate(cells)
+    ]
+    numbers = [value for value in read if value is not None]
+    if len(reading.faults) > before or len(numbers) < len(cells):
+        return None
+    x, y, z = numbers
+    if name != "mended_origin" and norm((x, y, z)) == 0.0:
+        reading.fault("direction_zero", FrameMistakeType.kind, name)
+    return x, y, z
+
+
+def _with_frame(cells: FoundFrameMistakeCells, frame: DrawnFrame) -> FoundFrameMistakeCells:
+    vectors = (frame.origin, frame.x, frame.y, frame.z)
+    typed: dict[str, Any] = {name: _rounded(vector) for name, vector in zip(MENDED, vectors, strict=True)}
+    return replace(cells, **typed)
+
+
+def _rounded(vector: Vector) -> tuple[float, ...]:
+    return tuple(round(value, 6) + 0.0 for value in vector)
+
+
+def _text(vector: Vector) -> str:
+    return "(" + ", ".join(f"{round(value, DECIMALS) + 0.0:.10g}" for value in vector) + ")"
+
+
+PART = FrameMistakeType()
