@@ -14,8 +14,9 @@ COPY tools/vendor.py tools/vendor.py
 RUN /opt/node/bin/python tools/vendor.py --omit-dev
 
 # What the service imports: without the packages' own tests, type stubs and headers, the symbol tables of their
-# libraries, and the locale data of languages that it does not speak. Libraries that were patched for their wheel
-# (numpy, psycopg) stay as they are: strip leaves them unusable.
+# libraries, the locale data of languages that it does not speak, and the sources of what
+# is compiled (a traceback still names file and line). Libraries that were patched for their wheel (numpy, psycopg)
+# stay as they are: strip leaves them unusable.
 FROM ${PYTHON_IMAGE} AS packages
 # hadolint ignore=DL3008
 RUN apt-get update \
@@ -34,10 +35,22 @@ RUN python -m venv /opt/framewise \
        -o -path '*.dist-info/sboms/*' \) -delete \
     && find /opt/framewise -type f -name '*.so*' ! -path '*.libs/*' ! -path '*/numpy/*' ! -path '*/psycopg_binary/*' \
        -exec strip --strip-unneeded {} + \
-    && /opt/framewise/bin/python -m compileall -q /opt/framewise/lib
+    && /opt/framewise/bin/python -m compileall -q -b /opt/framewise/lib \
+    && find /opt/framewise/lib -name '*.py' -delete
 
-FROM ${PYTHON_IMAGE} AS service
-RUN useradd --uid 10001 --user-group --no-create-home --shell /usr/sbin/nologin framewise
+# The system below: the base without what installs packages and without what only development needs of Python.
+FROM ${PYTHON_IMAGE} AS system
+RUN useradd --uid 10001 --user-group --no-create-home --shell /usr/sbin/nologin framewise \
+    && dpkg --purge --force-all apt libapt-pkg6.0 gpgv perl-base util-linux mount login passwd e2fsprogs logsave \
+    && rm -r /usr/lib/*/gconv \
+    && cd /usr/local \
+    && rm -rf include lib/pkgconfig bin/2to3* bin/idle* bin/pip* bin/pydoc* bin/python*-config bin/python*-gdb.py \
+    && cd lib/python3.* \
+    && rm -rf config-* ensurepip idlelib lib2to3 pydoc_data site-packages/* tkinter turtledemo turtle.py
+
+# One layer: what an image removes from its base would still travel with it.
+FROM scratch AS service
+COPY --from=system / /
 COPY --from=packages /opt/framewise /opt/framewise
 WORKDIR /app
 COPY LICENSE README.md ./
@@ -48,7 +61,8 @@ COPY service service
 COPY static static
 COPY --from=vendor /build/static/vendor static/vendor
 RUN /opt/framewise/bin/python -m compileall -q kinematics exercises courses service
-ENV PATH=/opt/framewise/bin:$PATH \
+ENV PATH=/opt/framewise/bin:/usr/local/bin:/usr/bin:/bin \
+    LANG=C.UTF-8 \
     PYTHONUNBUFFERED=1 \
     PYTHONDONTWRITEBYTECODE=1 \
     FRAMEWISE_HOST=0.0.0.0 \

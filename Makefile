@@ -2,6 +2,7 @@
 SHELL := /bin/bash
 PYTHON ?= python3
 PORT ?= 8000
+ENGINE ?= $(if $(shell command -v docker),docker,podman)
 VENV := .venv
 PEERS := .venv-peers
 DESCRIPTIONS := .venv-descriptions
@@ -153,6 +154,11 @@ students: $(VENV)/.dev ## simulated students in every exercise: do hints lead to
 
 kill-campaign: $(VENV)/.dev ## kill -9 the service 100 times under load, on SQLite and PostgreSQL, and its worker processes (KILLS=100)
 	KILLS=$(or $(KILLS),100) $(PY) -m pytest tests/lti/test_killed.py tests/service/test_workers.py -k kill --timeout 7200
+
+.PHONY: image
+image: ## build the container image (ENGINE=podman), run it without rights, ask it for everything, weigh it
+	$(ENGINE) build $(if $(findstring podman,$(ENGINE)),--format docker) --tag framewise $(ARGS) .
+	$(PYTHON) tools/image_test.py framewise "$(ENGINE)"
 
 .PHONY: attacks
 attacks: $(VENV)/.dev ## an honest client beside 1, 4, 8 clients of each attack (a quarter of an hour; ARGS="--every 10": some)
