@@ -29,6 +29,7 @@ from service.wire.pose_answers import (
     one_array,
     refuse_overflow,
 )
+from service.wire.pose_matrices import base_and_tool
 from service.wire.robot_questions import QuestionReader, ReadQuestion, batch_response
 
 router = api_router("kinematics", route_class=DirectRoute)
@@ -77,14 +78,15 @@ def _question(asked: ReadQuestion[ForwardKinematicsQuestion], offer: str) -> Pos
     parts = STANDARD_PARTS if wire is None else wire.wanted()
     points = (wire.points if wire else None) or []
     check_points(asked.robot, points)
+    base, tool = (None, None) if wire is None else base_and_tool(wire, asked.robot.angle)
     if points and offer == NPY:
         raise _one_part("points")
     return PoseQuestion(
         points=points,
         robot=asked.robot,
         joints=asked.joints,
-        base=wire.base if wire else None,
-        tool=wire.tool if wire else None,
+        base=base,
+        tool=tool,
         parts=_one_array(parts) if offer == NPY else parts,
     )
 

@@ -19,6 +19,7 @@ from service.schemas import examples
 from service.schemas.jacobian_request import JacobianQuestion, NumericJacobianRequest
 from service.schemas.symbolic_request import SYMBOLIC_JACOBIAN, JacobianBody, JacobianReply
 from service.wire.json_chunks import member_chunks, written
+from service.wire.pose_matrices import base_and_tool
 from service.wire.robot_questions import QuestionReader, ReadQuestion, batch_response
 from service.wire.symbolic_tasks import symbolic_body, symbolic_jacobian
 
@@ -69,7 +70,8 @@ class _Answer:
     def __init__(self, asked: ReadQuestion[JacobianQuestion]) -> None:
         wire = asked.wire
         self._asked = asked
-        self._poses = {"base": wire.base, "tool": wire.tool} if wire else {}
+        base, tool = (None, None) if wire is None else base_and_tool(wire, asked.robot.angle)
+        self._poses = {"base": base, "tool": tool}
         self._tolerance = wire.tolerance if wire else RANK_TOLERANCE
         self._frames = (wire.frame,) if wire and wire.frame else tuple(JacobianFrame)
         self._dexterity: dict[str, Any] = {}

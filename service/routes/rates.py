@@ -19,6 +19,7 @@ from service.schemas import examples
 from service.schemas.rates_request import RatesAnswer, RatesRequest
 from service.wire.fault_pointers import traced
 from service.wire.joint_values import values_in_radians
+from service.wire.pose_matrices import base_and_tool
 
 router = api_router("kinematics")
 
@@ -48,17 +49,17 @@ async def rates(
     robot = resources.robots.prepare(body)
     with traced(body):
         check_lengths(robot.table)
-    poses = [
+    base, tool = (
         None if pose is None else check_transform(pose, where=(name,))
-        for pose, name in ((body.base, "base"), (body.tool, "tool"))
-    ]
-    chain = chain_of_table(robot.table, *poses)
+        for pose, name in zip(base_and_tool(body, robot.angle), ("base", "tool"), strict=True)
+    )
+    chain = chain_of_table(robot.table, base, tool)
     q = values_in_radians(body.joints, robot.joint_units, "joints")
     J = chain.jacobian(q)
     found: dict[str, Any] = {
         "J0": _plain(J),
         "analytic": _plain(analytic_jacobian(chain, q)),
-        "ellipsoids": _ellipsoids(velocity_ellipsoids(robot.table, q, base=body.base, tool=body.tool)),
+        "ellipsoids": _ellipsoids(velocity_ellipsoids(robot.table, q, base=base, tool=tool)),
     }
     if body.rates is not None:
         speeds = values_in_radians(body.rates, robot.joint_units, "rates")

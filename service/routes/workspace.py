@@ -16,7 +16,7 @@ from service.schemas import examples
 from service.schemas import workspace_request as wire
 from service.schemas.joint_limits import domain_limits
 from service.wire.fault_pointers import traced
-from service.wire.pose_matrices import placed_matrix
+from service.wire.pose_matrices import base_and_tool, placed_matrix
 from service.wire.prepared_robots import PreparedRobot, listed_robot
 from service.work.workers import Lane
 
@@ -55,15 +55,16 @@ async def reach(
     resources = request.resources
     robot = await request.in_turn(partial(resources.robots.prepare, body))
     limits = _limits(body, robot)
+    base, tool = base_and_tool(body, robot.angle)
     with traced(body):
-        check_reach(robot.table, body.base, body.tool)
+        check_reach(robot.table, base, tool)
     joint_spans(robot.table, limits)
     held = None
     if body.quaternion is not None or body.axis is not None:
         held = placed_matrix([0.0, 0.0, 0.0], body.quaternion, body.axis)
     plane = None if body.plane is None else (body.plane.point, body.plane.normal)
     reach = ArmReach.POSE if body.axis is None else ArmReach.AXIS
-    question = (robot.table, limits, body.base, body.tool, body.samples or 0, plane, held, reach)
+    question = (robot.table, limits, base, tool, body.samples or 0, plane, held, reach)
     found = await resources.workers.run(Lane.SLOW, _found, *question)
     return _answer(found, robot)
 

@@ -13,6 +13,7 @@ from kinematics.table import JointType
 from kinematics.urdf import MAX_CHARACTERS
 from service.schemas.base import Matrix4, Real, Vector3, Wire
 from service.schemas.joint_limits import JointRanges, Range
+from service.schemas.pose_input import PoseInput
 from service.schemas.scm import ScmChainModel, Verification
 from service.schemas.tables import AnsweredRow, AnsweredTable, Parameters, Table, Units
 
@@ -84,8 +85,8 @@ class ConvertRequest(Wire):
         max_length=200,
         description="of a URDF: the last link of the chain; needed where the description branches",
     )
-    base: Matrix4 | None = Field(None, description="what stands before a table, a listed robot or a chain")
-    tool: Matrix4 | None = Field(None, description="what stands behind a table, a listed robot or a chain")
+    base: PoseInput | None = Field(None, description="what stands before a table, a listed robot or a chain")
+    tool: PoseInput | None = Field(None, description="what stands behind a table, a listed robot or a chain")
     angle_unit: Annotated[AngleUnit | None, Field(strict=False)] = Field(
         None, description="of a URDF or a product: the unit of angles in the answer; rad if left out"
     )

@@ -9,6 +9,7 @@ from pydantic import Field
 
 from service.schemas.base import LONGEST_LIST, Matrix4, Real, Vector3, Wire
 from service.schemas.joints import Joints
+from service.schemas.pose_input import PoseInput
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
@@ -47,8 +48,8 @@ class LinkPoint(Wire):
 class ForwardKinematicsQuestion(RobotQuestion):
     """What is asked of a robot, without the joint values."""
 
-    base: Matrix4 | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
-    tool: Matrix4 | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     inverse: bool = Field(False, description="whether the inverse of the transform is wanted as well")
     parts: list[Annotated[PoseQuantity, Field(strict=False)]] | None = Field(
         None,

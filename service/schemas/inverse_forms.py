@@ -10,8 +10,9 @@ from kinematics.inverse_forms import ConditionKind, InverseReach
 from kinematics.printing import Notation
 from kinematics.printing.equation_lists import EquationFormat
 from service.http.validation import CHOICE
-from service.schemas.base import LONGEST_LIST, Matrix4, Wire
+from service.schemas.base import LONGEST_LIST, Wire
 from service.schemas.inverse_kinematics import InverseKinematicsRequest
+from service.schemas.pose_input import PoseInput
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.symbolic_request import SomeParameters
 from service.schemas.tables import Units
@@ -22,8 +23,8 @@ class SymbolicInverseRequest(RobotQuestion):
 
     form: Literal["symbolic"] = Field(description="the word symbolic: closed forms, and no target")
     parameters: SomeParameters = Field(default_factory=dict)
-    base: Matrix4 | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
-    tool: Matrix4 | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     formats: list[Annotated[EquationFormat, Field(strict=False)]] = Field(
         default_factory=lambda: [EquationFormat.LATEX, EquationFormat.TEXT],
         min_length=1,

@@ -7,9 +7,10 @@ from typing import Annotated, TypeAlias
 from pydantic import Field
 
 from kinematics.jacobian import JacobianFrame
-from service.schemas.base import Matrix4, Real, Wire
+from service.schemas.base import Real, Wire
 from service.schemas.joints import Joints
 from service.schemas.numeric_form import NumericForm
+from service.schemas.pose_input import PoseInput
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
@@ -22,8 +23,8 @@ Matrix6: TypeAlias = Annotated[
 class JacobianQuestion(RobotQuestion):
     """What is asked of a robot, without the joint values."""
 
-    base: Matrix4 | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
-    tool: Matrix4 | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     frame: Annotated[JacobianFrame, Field(strict=False)] | None = Field(
         None, description="base for J0 alone, end for Jn alone; both if left out"
     )

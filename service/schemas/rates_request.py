@@ -6,8 +6,9 @@ from typing import Annotated
 
 from pydantic import Field
 
-from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.base import Real, Vector3, Wire
 from service.schemas.jacobian_request import Matrix6
+from service.schemas.pose_input import PoseInput
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
@@ -29,8 +30,8 @@ class RatesRequest(RobotQuestion):
     wrench: Vector6 | None = Field(
         None, description="force at the end frame's origin, then moment, in the axes of the world"
     )
-    base: Matrix4 | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
-    tool: Matrix4 | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
 
 
 class EllipsoidModel(Wire):

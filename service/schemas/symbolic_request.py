@@ -8,9 +8,10 @@ from pydantic import ConfigDict, Field, RootModel
 
 from kinematics.jacobian import JacobianFrame
 from kinematics.printing import SOURCES, Format, Notation
-from service.schemas.base import LONGEST_LIST, Matrix4, Real, Wire
+from service.schemas.base import LONGEST_LIST, Real, Wire
 from service.schemas.examples import PUMA_560, TWO_LINKS
 from service.schemas.jacobian_request import JacobianAnswer, NumericJacobianRequest
+from service.schemas.pose_input import PoseInput
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 from service.wire.symbolic_forms import FormPart
@@ -39,8 +40,8 @@ class WritingQuestion(RobotQuestion):
     """Base of the calls that write matrices: a robot, and how."""
 
     parameters: SomeParameters = Field(default_factory=dict)
-    base: Matrix4 | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
-    tool: Matrix4 | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     formats: Formats = Field(default_factory=lambda: list(STANDARD_FORMATS))
     notation: Annotated[Notation, Field(strict=False)] = Field(
         Notation.FULL, description="full: cos(q2 + q3); short: c23"

@@ -7,8 +7,9 @@ from typing import Annotated, Self
 from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
-from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.base import Real, Vector3, Wire
 from service.schemas.joint_limits import JointRanges
+from service.schemas.pose_input import PoseInput
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
@@ -34,8 +35,8 @@ class WorkspaceRequest(RobotQuestion):
     samples: int | None = Field(
         None, ge=1, le=MOST_POINTS, description="number of points for a plot; without it none are sent"
     )
-    base: Matrix4 | None = Field(None, description="pose of frame 0 in the world: moves box and points")
-    tool: Matrix4 | None = Field(None, description="pose of the end frame in frame N")
+    base: PoseInput | None = Field(None, description="pose of frame 0 in the world: moves box and points")
+    tool: PoseInput | None = Field(None, description="pose of the end frame in frame N")
     plane: PlaneModel | None = Field(
         None, description="only places in this plane count, such as the support plane {}: z = 0"
     )

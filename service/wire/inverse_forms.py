@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import chain
 from typing import Any
 
+from kinematics.cells import AngleUnit
 from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import Expression, Parameter, walk
 from kinematics.inverse_forms import InverseCondition, InverseForm, inverse_form
@@ -29,6 +31,7 @@ from kinematics.table import SymbolicTable, table_parameters
 from service.http.problems import located
 from service.schemas.inverse_forms import SymbolicInverseAnswer, SymbolicInverseRequest
 from service.settings import Settings
+from service.wire.pose_matrices import base_and_tool
 from service.wire.symbolic_tasks import exact_values, read_symbolic
 from service.work.workers import Lane, Workers
 
@@ -74,8 +77,8 @@ def _task_of(question: SymbolicInverseRequest, settings: Settings) -> InverseFor
     read = read_symbolic(question, settings)
     with located("table"):
         table = with_values(read.table, exact_values(read, question.parameters))
-    for name in ("base", "tool"):
-        matrix = getattr(question, name)
+    base, tool = base_and_tool(question, math.radians(1.0) if read.angle_unit is AngleUnit.DEG else 1.0)
+    for name, matrix in (("base", base), ("tool", tool)):
         if matrix is not None:
             check_transform(matrix, where=(name,))
     variables = read.variables or tuple(f"q{joint}" for joint in range(1, table.n_joints + 1))
@@ -84,8 +87,8 @@ def _task_of(question: SymbolicInverseRequest, settings: Settings) -> InverseFor
         variables=variables,
         formats=tuple(dict.fromkeys(question.formats)),
         notation=question.notation,
-        base=None if question.base is None else exact_pose(question.base),
-        tool=None if question.tool is None else exact_pose(question.tool),
+        base=None if base is None else exact_pose(base),
+        tool=None if tool is None else exact_pose(tool),
         head={
             "angle_unit": read.angle_unit.value,
             "length_unit": read.length_unit.value,

@@ -27,7 +27,7 @@ from service.schemas.inverse_kinematics import (
 )
 from service.schemas.joint_limits import DomainLimits, domain_limits
 from service.wire.fault_pointers import traced
-from service.wire.pose_matrices import placed_matrix, pose_matrix
+from service.wire.pose_matrices import base_and_tool, placed_matrix, pose_matrix
 from service.wire.prepared_robots import PreparedRobot
 from service.work.workers import Lane, Workers
 
@@ -96,10 +96,7 @@ class _Question:
 
 
 def _question(request: InverseKinematicsRequest, robot: PreparedRobot) -> _Question:
-    base, tool = (
-        None if pose is None else pose_matrix(pose, robot.angle, name)
-        for pose, name in ((request.base, "base"), (request.tool, "tool"))
-    )
+    base, tool = base_and_tool(request, robot.angle)
     if request.targets is not None:
         target, reach = None, ArmReach.POSE
     elif request.position is None:

@@ -3,19 +3,43 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, TypeAlias
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 
 from kinematics.errors import Fault, PoseError
 from kinematics.poses import transform_from_quaternion, transform_from_xyzabc
 from kinematics.se3 import perpendicular, unit
+from service.schemas.pose_input import PlacedPose, PoseInput
 
 Matrix: TypeAlias = Any
 
 
-def pose_matrix(pose: Sequence[Any], angle: float, *where: str | int) -> Matrix:
-    """Return a pose that is given as 4×4, or as [X, Y, Z, A, B, C].
+class BetweenPoses(Protocol):
+    """A question with a base and a tool."""
+
+    @property
+    def base(self) -> PoseInput | None:
+        """What stands before the robot."""
+        ...
+
+    @property
+    def tool(self) -> PoseInput | None:
+        """What stands behind it."""
+        ...
+
+
+def base_and_tool(question: BetweenPoses, angle: float) -> tuple[Matrix | None, Matrix | None]:
+    """Return both poses of a question as matrices, None where none is given; see `pose_matrix`."""
+    base, tool = question.base, question.tool
+    return (
+        None if base is None else pose_matrix(base, angle, "base"),
+        None if tool is None else pose_matrix(tool, angle, "tool"),
+    )
+
+
+def pose_matrix(pose: PoseInput, angle: float, *where: str | int) -> Matrix:
+    """Return a pose that is given as 4×4, as [X, Y, Z, A, B, C], or as a position with a quaternion.
 
     Args:
         pose: as it came.
@@ -23,12 +47,15 @@ def pose_matrix(pose: Sequence[Any], angle: float, *where: str | int) -> Matrix:
         where: the field, and the place in it, for faults.
 
     Raises:
-        PoseError: six numbers that are no pose. What is no 4×4 matrix is left to whoever reads it.
+        PoseError: six numbers or a quaternion that are no pose. What is no 4×4 matrix is left to whoever
+            reads it.
     """
-    if len(pose) != 6 or isinstance(pose[0], list):
-        return pose
     try:
-        return transform_from_xyzabc([*pose[:3], *(value * angle for value in pose[3:])])
+        if isinstance(pose, PlacedPose):
+            return transform_from_quaternion(pose.quaternion, pose.position).tolist()
+        if len(pose) != 6 or isinstance(pose[0], list):
+            return pose
+        return transform_from_xyzabc([*pose[:3], *(value * angle for value in pose[3:])]).tolist()
     except PoseError as error:
         raise PoseError(fault.within(*where) for fault in error.faults) from None
 

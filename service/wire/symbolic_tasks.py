@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import partial
@@ -25,6 +26,7 @@ from service.revision import revision
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.symbolic_request import SymbolicJacobianRequest, WritingQuestion
 from service.settings import Settings
+from service.wire.pose_matrices import base_and_tool
 from service.wire.prepared_robots import listed_robot
 from service.wire.symbolic_forms import FormPart, SymbolicTask, written_jacobians
 from service.work.limiters import WorkKind
@@ -50,8 +52,8 @@ def task_of(
     values = exact_values(read, question.parameters)
     with located("table"):
         table = with_values(read.table, values)
-    for name in ("base", "tool"):
-        matrix = getattr(question, name)
+    base, tool = base_and_tool(question, math.radians(1.0) if read.angle_unit is AngleUnit.DEG else 1.0)
+    for name, matrix in (("base", base), ("tool", tool)):
         if matrix is not None:
             check_transform(matrix, where=(name,))
     parameters = table_parameters(table)
@@ -64,8 +66,8 @@ def task_of(
         frames=frames,
         formats=tuple(dict.fromkeys(question.formats)),
         notation=question.notation,
-        base=None if question.base is None else exact_pose(question.base),
-        tool=None if question.tool is None else exact_pose(question.tool),
+        base=None if base is None else exact_pose(base),
+        tool=None if tool is None else exact_pose(tool),
         head={
             "angle_unit": read.angle_unit.value,
             "length_unit": read.length_unit.value,

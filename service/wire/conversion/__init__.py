@@ -18,6 +18,7 @@ from service.wire.conversion.dh_tables import described_table, table_answer
 from service.wire.conversion.products import described_product, product_answer
 from service.wire.conversion.scm_chains import described_chain, scm_answer
 from service.wire.conversion.urdf_files import described_urdf, urdf_answer
+from service.wire.pose_matrices import base_and_tool
 
 Source = Callable[[ConvertRequest, Settings], RobotDescription]
 Writer = Callable[[RobotDescription, ConvertRequest], ConvertAnswer]
@@ -46,5 +47,6 @@ def converted(request: ConvertRequest, settings: Settings) -> ConvertAnswer:
         KinematicsError: the description cannot be read, or not be written in the other form.
     """
     source = next(name for name in SOURCES if getattr(request, name) is not None)
-    robot = SOURCES[source](request, settings).between(request.base, request.tool)
+    robot = SOURCES[source](request, settings)
+    robot = robot.between(*base_and_tool(request, robot.angle))
     return TARGETS[request.to](robot, request)

@@ -51,8 +51,12 @@ class RobotDescription:
     @property
     def joint_units(self) -> tuple[float, ...]:
         """For joint 1 … n what one unit of the table is in [rad], or in its length unit."""
-        angle = math.radians(1.0) if self.read.angle_unit is AngleUnit.DEG else 1.0
-        return joint_units(self.read.table.joint_types, angle)
+        return joint_units(self.read.table.joint_types, self.angle)
+
+    @property
+    def angle(self) -> float:
+        """What one unit of the table's angles is in [rad]."""
+        return math.radians(1.0) if self.read.angle_unit is AngleUnit.DEG else 1.0
 
     def between(self, base: ArrayLike | None, tool: ArrayLike | None) -> RobotDescription:
         """Return the robot with a further base before it and a further tool behind it.

@@ -1,0 +1,69 @@
+"""Base and tool as a matrix, as [X, Y, Z, A, B, C] and as a position with a quaternion: one meaning."""
+
+import math
+
+import numpy as np
+import pytest
+
+ROBOT = {"robot": "twolink"}
+JOINTS = {"joints": [0.3, 0.8]}
+CALLS = {
+    "/forward-kinematics": ROBOT | JOINTS,
+    "/jacobian": ROBOT | JOINTS,
+    "/rates": ROBOT | JOINTS,
+    "/symbolic": ROBOT,
+    "/workspace": ROBOT,
+    "/convert": ROBOT | {"to": "poe"},
+    "/inverse-kinematics": {"robot": "puma560", "target": [0.4, 0.3, 0.1, 0.2, 0.4, 0.3]},
+}
+TABLE = {
+    "convention": "standard",
+    "angle_unit": "deg",
+    "rows": [{"alpha": 0, "a": 1, "d": 0, "theta": "q1"}, {"alpha": 0, "a": 1, "d": 0, "theta": "q2"}],
+}
+MATRIX = [[0, -1, 0, 0.1], [1, 0, 0, 0.2], [0, 0, 1, 0.0], [0, 0, 0, 1]]
+PLACED = {"position": [0.1, 0.2, 0.0], "quaternion": [2.0, 0, 0, 2.0]}
+
+
+def _six(angle_unit):
+    return [0.1, 0.2, 0.0, 90 if angle_unit == "deg" else math.pi / 2, 0, 0]
+
+
+def _numbers(answer):
+    """The numbers of an answer, in its order."""
+    if isinstance(answer, dict):
+        return [x for value in answer.values() for x in _numbers(value)]
+    if isinstance(answer, list):
+        return [x for value in answer for x in _numbers(value)]
+    return [answer] if isinstance(answer, float | int) else []
+
+
+@pytest.mark.parametrize("end", ["base", "tool"])
+@pytest.mark.parametrize("path", CALLS)
+def test_three_notations_of_a_pose_are_one(client, path, end):
+    answers = []
+    unit = client.get(f"/api/v1/robots/{CALLS[path]['robot']}").json()["table"]["angle_unit"]
+    for pose in (MATRIX, _six(unit), PLACED):
+        answer = client.post("/api/v1" + path, json=CALLS[path] | {end: pose})
+        assert answer.status_code == 200, answer.text
+        answers.append(_numbers(answer.json()))
+    plain = client.post("/api/v1" + path, json=CALLS[path])
+    assert _numbers(plain.json()) != answers[0] or path == "/workspace"
+    for other in answers[1:]:
+        assert np.allclose(other, answers[0], atol=1e-9)
+
+
+@pytest.mark.parametrize("path", ["/inverse-kinematics", "/symbolic"])
+def test_closed_forms_take_angles_in_the_tables_unit(client, path):
+    body = {"table": TABLE} | ({"form": "symbolic"} if "inverse" in path else {})
+    answers = [client.post("/api/v1" + path, json=body | {"tool": pose}) for pose in (MATRIX, _six("deg"))]
+    assert [answer.status_code for answer in answers] == [200, 200], answers[1].text
+    assert answers[0].json() == answers[1].json()
+
+
+def test_a_quaternion_of_no_length_is_refused(client):
+    pose = {"position": [0, 0, 0], "quaternion": [0, 0, 0, 0]}
+    answer = client.post("/api/v1/forward-kinematics", json=ROBOT | JOINTS | {"tool": pose})
+    assert answer.status_code == 422
+    (fault,) = answer.json()["errors"]
+    assert (fault["code"], fault["pointer"]) == ("quaternion_length", "/tool/quaternion")
