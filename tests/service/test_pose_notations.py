@@ -5,6 +5,10 @@ import math
 import numpy as np
 import pytest
 
+from service.schemas.inverse_forms import SymbolicInverseRequest
+from service.schemas.workspace_request import WorkspaceRequest
+from service.wire.pose_matrices import base_and_tool
+
 ROBOT = {"robot": "twolink"}
 JOINTS = {"joints": [0.3, 0.8]}
 CALLS = {
@@ -12,7 +16,6 @@ CALLS = {
     "/jacobian": ROBOT | JOINTS,
     "/rates": ROBOT | JOINTS,
     "/symbolic": ROBOT,
-    "/workspace": ROBOT,
     "/convert": ROBOT | {"to": "poe"},
     "/inverse-kinematics": {"robot": "puma560", "target": [0.4, 0.3, 0.1, 0.2, 0.4, 0.3]},
 }
@@ -48,15 +51,33 @@ def test_three_notations_of_a_pose_are_one(client, path, end):
         assert answer.status_code == 200, answer.text
         answers.append(_numbers(answer.json()))
     plain = client.post("/api/v1" + path, json=CALLS[path])
-    assert _numbers(plain.json()) != answers[0] or path == "/workspace"
+    assert _numbers(plain.json()) != answers[0]
     for other in answers[1:]:
         assert np.allclose(other, answers[0], atol=1e-9)
 
 
-@pytest.mark.parametrize("path", ["/inverse-kinematics", "/symbolic"])
-def test_closed_forms_take_angles_in_the_tables_unit(client, path):
-    body = {"table": TABLE} | ({"form": "symbolic"} if "inverse" in path else {})
-    answers = [client.post("/api/v1" + path, json=body | {"tool": pose}) for pose in (MATRIX, _six("deg"))]
+@pytest.mark.parametrize(
+    "question",
+    [
+        WorkspaceRequest.model_validate(ROBOT),
+        SymbolicInverseRequest.model_validate(ROBOT | {"form": "symbolic"}),
+    ],
+    ids=["workspace", "inverse form"],
+)
+@pytest.mark.parametrize("end", ["base", "tool"])
+def test_calls_of_workers_read_the_same_notations(question, end):
+    for pose in (_six("deg"), PLACED):
+        asked = type(question).model_validate(question.model_dump(exclude_none=True) | {end: pose})
+        base, tool = base_and_tool(asked, math.radians(1.0))
+        given, other = (base, tool) if end == "base" else (tool, base)
+        assert other is None
+        assert np.allclose(given, MATRIX, atol=1e-15)
+
+
+def test_closed_forms_take_angles_in_the_tables_unit(client):
+    answers = [
+        client.post("/api/v1/symbolic", json={"table": TABLE, "tool": pose}) for pose in (MATRIX, _six("deg"))
+    ]
     assert [answer.status_code for answer in answers] == [200, 200], answers[1].text
     assert answers[0].json() == answers[1].json()
 
