@@ -49,7 +49,7 @@ class Lms:
         self.root = root
         self.elsewhere = root.replace("127.0.0.1", "localhost")
         """The same pages on another site than the service's."""
-        self.client = httpx.Client(trust_env=False, timeout=20)
+        self.client = httpx.Client(trust_env=False, timeout=120)
 
     def control(self, **told: Any) -> None:
         self.client.post(f"{self.root}/control", json=told)
@@ -89,7 +89,7 @@ class Browser:
 
     def __init__(self, lms: Lms, service: str) -> None:
         self.lms, self.service = lms, service
-        self.client = httpx.Client(trust_env=False, follow_redirects=False, timeout=30)
+        self.client = httpx.Client(trust_env=False, follow_redirects=False, timeout=120)
         self.cookies: dict[str, str] = {}
         self.token = ""
         self.landed = ""

@@ -84,7 +84,7 @@ def test_what_was_acknowledged_is_stored_once(database: str, tmp_path: Path) -> 
 def _submit(origin: str, token: str, acknowledged: set[str], stop: threading.Event) -> None:
     """Hand in until told to stop; what is not answered is sent again with its key, as the page does."""
     key = uuid.uuid4().hex
-    with httpx.Client(trust_env=False, timeout=30) as client:
+    with httpx.Client(trust_env=False, timeout=120) as client:
         while not stop.is_set():
             headers = {"Authorization": f"Bearer {token}", "Idempotency-Key": key}
             try:
