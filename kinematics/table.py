@@ -91,7 +91,7 @@ class DHTable(Generic[Entry]):
     @cached_property
     def joint_types(self) -> tuple[JointType, ...]:
         """Types of joint 1 … n, fixed rows not counted."""
-        return tuple(self.rows[i].joint for i in self.joint_rows)
+        return tuple(row.joint for row in self.rows if row.joint is not JointType.FIXED)
 
     @cached_property
     def axis_frames(self) -> tuple[int, ...]:
@@ -102,7 +102,7 @@ class DHTable(Generic[Entry]):
     @property
     def n_joints(self) -> int:
         """Number of joint variables."""
-        return len(self.joint_rows)
+        return len(self.joint_types)
 
     def _repr_html_(self) -> str:
         from kinematics.printing.table_markup import table_html  # a notebook asks, and nobody else

@@ -149,6 +149,8 @@ def any_cell(work: Work, choice: int) -> Iterator[Change]:
         work: the table.
         choice: see `fitted_table`.
     """
+    if work.only is not None and work.only.code is not None:
+        return
     for i, row in work.rows:
         cells = ["alpha"] if work.angular else ["a", "alpha"]
         if row.joint is not JointType.PRISMATIC and not work.angular:
@@ -156,6 +158,8 @@ def any_cell(work: Work, choice: int) -> Iterator[Change]:
         if row.joint is not JointType.REVOLUTE:
             cells.append("theta")
         for cell in cells:
+            if work.only is not None and work.only.cell != cell:
+                continue
             table = fitted_table(work, work.table, ((i, cell),), choice)
             if table is not None:
                 value = getattr(table.rows[i], cell)

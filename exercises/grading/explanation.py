@@ -8,6 +8,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 from exercises.grading.comparison import Comparison
 from exercises.grading.digits import tightened
@@ -26,6 +27,7 @@ from exercises.grading.verdict import Edit, Feedback, HelpLevel, LinkFinding, Pa
 from exercises.grading.work import Work
 from kinematics.cells import ReadTable
 from kinematics.equivalence import Decision, Policy
+from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.reference import prepared_for
 from kinematics.expressions import ZERO
@@ -150,6 +152,11 @@ def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy:
     references = tuple(
         prepared_for(key, answer) for key, answer in zip(comparison.references, comparison.meant, strict=True)
     )
+
+    @cache
+    def at(draw: int) -> Invariants:
+        return tightened(references[draw], comparison.meant[draw], comparison.steps, strict, share)
+
     return Work(
         key=tables[0],
         answer=tables[1],
@@ -157,10 +164,7 @@ def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy:
         policy=strict,
         table=comparison.meant[0],
         references=references,
-        invariants=tuple(
-            tightened(reference, answer, comparison.steps, strict, share)
-            for reference, answer in zip(references, comparison.meant, strict=True)
-        ),
+        tightened=at,
         meter=Meter(MOST_WORK),
     )
 

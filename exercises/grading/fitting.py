@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.grading.typed import Place
+from exercises.grading.typed import ANGLES, Place
 from exercises.grading.work import Work
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
@@ -42,7 +42,6 @@ MOST_SIGNS = 4
 THIRD = 2.0 * math.pi / 3.0
 # [rad] By how much a turn about a slider is tried to change.
 SMALL_TURN = 1e-3
-ANGLES = ("alpha", "theta")
 
 
 class Unsolved(NamedTuple):
@@ -63,7 +62,7 @@ def measured(
     work: Work, tables: Sequence[NumericTable], variations: Sequence[Variation]
 ) -> NDArray[np.float64]:
     """(q, k) the invariants of tables in which some cells are changed, as their axes point."""
-    invariants = work.invariants[work.draw]
+    invariants = work.invariants
     rows = max(len(table.rows) for table in tables)
     work.meter.charge(per_batch(len(variations), rows + len(invariants.shapes)))
     return invariants.measured(axes_of_tables(tables, variations, work.policy))
@@ -79,7 +78,7 @@ def fitting_values(
         tables: the tables, with the key's types of joints.
         wanted: the cells.
     """
-    invariants, scale = work.invariants[work.draw], work.reference.size
+    invariants, scale = work.invariants, work.reference.size
     turns = any(shape.measure is Measure.TURN for shape in invariants.shapes)
     variations: list[Variation] = []
     for unsolved in wanted:

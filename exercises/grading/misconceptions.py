@@ -43,7 +43,8 @@ from exercises.grading.table_edits import (
     parameter_misnamed,
     parameters_swapped,
 )
-from exercises.grading.work import Change, Work
+from exercises.grading.typed import ANGLES
+from exercises.grading.work import Change, TableSlip, Work
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -55,6 +56,7 @@ class Misconception:
         story: what the student did.
         changes: every way to undo it in a table.
         told_as: codes of the edits it may lead to, if not its own; the message of each is `repair-<code>`.
+        cells: those of a row of which it concerns one by itself.
         counts: undoing it changes how many joints there are.
         beforehand: it is undone first where it comes together with one that changed their number.
     """
@@ -63,8 +65,18 @@ class Misconception:
     story: str
     changes: Callable[[Work], Iterator[Change]]
     told_as: tuple[str, ...] = ()
+    cells: tuple[str, ...] = ()
     counts: bool = False
     beforehand: bool = False
+
+    @property
+    def codes(self) -> tuple[str, ...]:
+        """The codes of the edits it may lead to."""
+        return self.told_as or (self.code,)
+
+    def may_be(self, slip: TableSlip) -> bool:
+        """Whether a slip may be this misconception."""
+        return slip.cell in self.cells if slip.code is None else slip.code in self.codes
 
 
 LENGTH_STORIES = ("a_value", "a_missing", "a_not_zero", "a_sign", "cell_length_unit", "cell_parameter")
@@ -123,22 +135,32 @@ CATALOGUE: tuple[Misconception, ...] = (
         code="cell_in_degrees",
         story="typed one angle in degrees in a table in radians",
         changes=angle_in_degrees,
+        cells=ANGLES,
     ),
     Misconception(
         code="cell_in_radians",
         story="typed one angle in radians in a table in degrees",
         changes=angle_in_radians,
+        cells=ANGLES,
     ),
-    Misconception(code="alpha_sign", story="turned a twist the wrong way", changes=alpha_sign),
-    Misconception(code="alpha_value", story="took a twist for another one", changes=alpha_value),
+    Misconception(
+        code="alpha_sign", story="turned a twist the wrong way", changes=alpha_sign, cells=("alpha",)
+    ),
+    Misconception(
+        code="alpha_value", story="took a twist for another one", changes=alpha_value, cells=("alpha",)
+    ),
     Misconception(
         code="twists_all_reversed",
         story="turned every twist the wrong way (left-handed)",
         changes=all_twists_turned_round,
         beforehand=True,
     ),
-    Misconception(code="a_sign", story="measured a length against the x axis", changes=sign_of_length),
-    Misconception(code="d_sign", story="measured an offset against the z axis", changes=sign_of_offset),
+    Misconception(
+        code="a_sign", story="measured a length against the x axis", changes=sign_of_length, cells=("a",)
+    ),
+    Misconception(
+        code="d_sign", story="measured an offset against the z axis", changes=sign_of_offset, cells=("d",)
+    ),
     Misconception(code="a_d_swapped", story="wrote a under d and d under a", changes=cells_swapped),
     Misconception(
         code="parameters_swapped",
@@ -150,26 +172,35 @@ CATALOGUE: tuple[Misconception, ...] = (
         code="cell_length_unit",
         story="typed one length in a unit that is not the declared one",
         changes=length_in_other_unit,
+        cells=("a", "d"),
     ),
     Misconception(
         code="a_value",
         story="left a length out, put one in, or took the wrong one",
         changes=length_value,
+        cells=("a",),
         told_as=LENGTH_STORIES,
     ),
     Misconception(
         code="d_value",
         story="left an offset out, put one in, or took the wrong one",
         changes=offset_value,
+        cells=("d",),
         told_as=OFFSET_STORIES,
     ),
     Misconception(
         code="theta_value",
         story="left an angle about z out, or took the wrong one",
         changes=theta_value,
+        cells=("theta",),
         told_as=("theta_value", "theta_offset"),
     ),
-    Misconception(code="variable_sign", story="counted a variable the wrong way", changes=sign_of_variable),
+    Misconception(
+        code="variable_sign",
+        story="counted a variable the wrong way",
+        changes=sign_of_variable,
+        cells=("theta", "d"),
+    ),
     Misconception(
         code="joint_type",
         story="took a revolute joint for a prismatic one, or the reverse",
@@ -202,17 +233,16 @@ CATALOGUE: tuple[Misconception, ...] = (
 
 
 RANKS = {
-    code: rank
-    for rank, entry in reversed(list(enumerate(CATALOGUE)))
-    for code in (*entry.told_as, entry.code)
+    code: rank for rank, entry in reversed(list(enumerate(CATALOGUE))) for code in (*entry.codes, entry.code)
 }
 """The place of what is told in the catalogue; the earlier, the likelier."""
 
 
 def changes_of(work: Work) -> Iterator[Change]:
-    """Every change of the catalogue with which a table may have the key's joints."""
+    """Every change of the catalogue with which a table may have the key's joints, and which is wanted."""
+    excess, only = work.excess, work.only
     for misconception in CATALOGUE:
-        if misconception.counts or not work.excess:
+        if (misconception.counts or not excess) and (only is None or misconception.may_be(only)):
             yield from misconception.changes(work)
 
 
@@ -223,15 +253,17 @@ def changes_beforehand(work: Work) -> Iterator[Change]:
     """
     if work.has_the_joints():
         return
+    only = work.only
     for misconception in CATALOGUE:
-        if misconception.beforehand:
+        if misconception.beforehand and (only is None or misconception.may_be(only)):
             yield from (
                 change
                 for change in misconception.changes(work)
-                if work.is_a_joint_off(work.table if change.table is None else change.table)
+                if (only is None or change.slip == only)
+                and work.is_a_joint_off(work.table if change.table is None else change.table)
             )
 
 
 def repair_codes() -> frozenset[str]:
     """The code of every edit that may be told."""
-    return frozenset(code for entry in CATALOGUE for code in entry.told_as or (entry.code,))
+    return frozenset(code for entry in CATALOGUE for code in entry.codes)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice
@@ -10,7 +10,7 @@ from itertools import islice
 from exercises.grading.cell_edits import any_cell
 from exercises.grading.fitting import MOST_SIGNS
 from exercises.grading.misconceptions import RANKS, changes_beforehand, changes_of
-from exercises.grading.row_edits import any_row_left_out, joint_left_out
+from exercises.grading.row_edits import any_row_left_out, joint_left_out, row_left_out
 from exercises.grading.trials import Catalogue, Trial, tried, tried_unchanged
 from exercises.grading.work import EVERYWHERE, Change, Extent, Work, after
 from kinematics.equivalence.meter import WorkExhaustedError
@@ -88,14 +88,16 @@ def _says_little(work: Work, here: Trial | None) -> bool:
     return sliders or (here is not None and here.failing == 0)
 
 
-def _fitted(work: Work, slips: Collection[tuple[object, ...]] | None = None) -> Iterator[Change]:
+def _fitted(work: Work) -> Iterator[Change]:
     """Single edits found by fitting a cell to the whole robot; those made before the work runs out count."""
     made: list[Change] = []
     with work.meter.at_most(WORK_OF_FITTING):
+        (put_in,) = tried([work], row_left_out, finishing=False)
+        places = frozenset(trial.change.row for trial in put_in)
         for choice in range(MOST_SIGNS):
             made += any_cell(work, choice)
-            made += any_row_left_out(work, choice)
-    yield from _helping(work, tried([work], lambda _: iter(made), slips)[0], Effort.REFINED)
+            made += any_row_left_out(work, choice, places)
+    yield from _helping(work, tried([work], lambda _: iter(made))[0], Effort.REFINED)
 
 
 def _likelihood(change: Change, table: NumericTable) -> tuple[float, bool, int]:
@@ -118,20 +120,22 @@ def _helping(work: Work, trials: Iterable[Trial], effort: Effort) -> Iterator[Ch
 
 
 def _at_other_draws(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
+    if len(changes) == 1 and work.accepts_alike(changes[0], effort):
+        return True
     return all(_mends(work.at(draw), changes, effort) for draw in range(1, len(work.references)))
 
 
 def _mends(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
     """Whether the slips undone here make the table right, with the values that fit here."""
-    slips = {changes[0].slip}
+    work = replace(work, only=changes[0].slip)
     if len(changes) > 1:
-        (trials,) = tried([work], slips=slips, finishing=False)
-        first = [*trials, *(trial for trial in _beforehand(work) if trial.change.slip in slips)]
+        (trials,) = tried([work], finishing=False)
+        first = [*trials, *_beforehand(work)]
         return any(_mends(half, changes[1:], effort) for half in _halves(work, first))
-    (trials,) = tried([work], slips=slips)
+    (trials,) = tried([work])
     if any(work.accepts(trial.change, effort) for trial in trials):
         return True
-    return effort is Effort.REFINED and any(True for _ in _fitted(work, slips))
+    return effort is Effort.REFINED and any(True for _ in _fitted(work))
 
 
 def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 from itertools import combinations
 
@@ -68,11 +68,11 @@ def _of_type(work: Work, code: str, index: int, joint: JointType) -> Change:
 def rows_swapped(work: Work) -> Iterator[Change]:
     """Two rows exchanged."""
     rows = work.table.rows
+    entries = [(row.alpha, row.a, row.d, row.theta) for row in rows]
     farthest = len(rows) if len(rows) <= MOST_ROWS_FOR_ALL_PAIRS else 1
-    for i, j in combinations(range(len(rows)), 2):
+    for (i, one), (j, other) in combinations(enumerate(rows), 2):
         if j - i > farthest or not work.is_near(i, j):
             continue
-        one, other = rows[i], rows[j]
         cells: list[CellChange] = []
         table = None
         if one.joint is not other.joint or one.sign != other.sign:
@@ -80,8 +80,8 @@ def rows_swapped(work: Work) -> Iterator[Change]:
             order[i], order[j] = other, one
             table = with_rows(work.table, order)
         else:
-            for cell in CELLS:
-                if (upper := getattr(one, cell)) != (lower := getattr(other, cell)):
+            for cell, upper, lower in zip(CELLS, entries[i], entries[j], strict=True):
+                if upper != lower:
                     cells += (j, cell, upper), (i, cell, lower)
         if cells or table:
             touched = tuple([(k, cell) for k in (i, j) for cell in ROW_CELLS])
@@ -140,14 +140,17 @@ def _with_blank(table: NumericTable, place: int, joint: JointType) -> NumericTab
     return with_rows(table, (*table.rows[:place], blank, *table.rows[place:]))
 
 
-def any_row_left_out(work: Work, choice: int) -> Iterator[Change]:
+def any_row_left_out(work: Work, choice: int, places: Collection[int | None]) -> Iterator[Change]:
     """A row put in as the whole robot asks for, where no single fact of it shows its cells.
 
     Args:
         work: the table.
         choice: see `fitted_table`.
+        places: where a row may be put in, counted from 0: what has nothing to do with it fits.
     """
     for place, joint in _places(work):
+        if place not in places:
+            continue
         for change in _put_in(work, "row_missing", place, joint, RIGHT_ANGLES):
             cells = ("alpha", "a", "theta" if joint is JointType.PRISMATIC else "d")
             table = fitted_table(work, change.of(work.table), [(place, cell) for cell in cells], choice)

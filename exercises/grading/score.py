@@ -59,7 +59,7 @@ def lost(decision: Decision, work: Work, weights: Weights) -> float:
     """The weight of the facts that are wrong, and of the rules that are not kept."""
     policy, reference, table = work.policy, work.reference, work.table
     standard = _standard(reference, policy, weights)
-    facts = replace(standard.facts, invariants=work.invariants[0])
+    facts = replace(standard.facts, invariants=work.invariants)
     axes = axes_of(chain_of_table(table), policy)
     found = None
     if len(axes) == len(facts.axes):

@@ -8,22 +8,20 @@ from contextlib import suppress
 from itertools import combinations
 from operator import neg
 
-from exercises.grading.substitution import substituted
-from exercises.grading.typed import Place, meant_in_radians
-from exercises.grading.work import Change, Extent, Work
+from exercises.grading.typed import ANGLES, Place, meant_in_radians
+from exercises.grading.work import LENGTHS, Change, Extent, Work
 from kinematics.cells import AngleUnit
 from kinematics.equivalence.batches import CellChange
 from kinematics.errors import ParameterError
-from kinematics.expressions import Parameter
-from kinematics.table import Convention, DHTable, JointType, NumericRow, bind
+from kinematics.table import CELLS, Convention, DHTable, JointType, NumericRow, bind
 
 ALONG_X = ("alpha", "a")
-ANGLES = ("alpha", "theta")
-LENGTHS = ("a", "d")
 LENGTH_RATIOS = (1000.0, 0.001, 100.0, 0.01, 10.0, 0.1)
 SMALLEST_EXTENT, LARGEST_EXTENT = 0.05, 300.0
 # [rad] Nobody types more than a turn in radians.
 CLEARLY_DEGREES = 2 * math.pi
+# A share: what is left of sums in another order.
+SAME = 1e-12
 
 
 def _every_cell(
@@ -176,16 +174,21 @@ def parameters_swapped(work: Work) -> Iterator[Change]:
 
 
 def _renamed(work: Work, code: str, names: dict[str, str], name: str, **params: str) -> Iterator[Change]:
-    exact = work.comparison.meant_table
-    table = substituted(exact, lambda found: Parameter(names[found]) if found in names else None)
-    touched = tuple(
-        (i, cell)
-        for i, (old, new) in enumerate(zip(exact.rows, table.rows, strict=True))
-        for cell in ("alpha", "a", "d")
-        if getattr(old, cell) != getattr(new, cell)
-    )
+    """Names put for one another, in the answer itself: the table in which each has the other's value."""
+    before, values = work.comparison.meant[work.draw], work.comparison.draws[work.draw]
+    if work.table is not before:
+        return
+    values = {**values, **{old: values[new] for old, new in names.items() if new in values}}
     with suppress(ParameterError):
-        numbers = bind(table, work.comparison.draws[work.draw])
-        extent = Extent.CELL if code == "parameter_misnamed" else Extent.ROW
-        shown = (("name", name), *params.items())
-        yield Change(code, extent, table=numbers, touched=touched, params=shown)
+        after = bind(work.comparison.meant_table, values)
+        cells = [
+            (i, cell, now)
+            for i, (old, new) in enumerate(zip(before.rows, after.rows, strict=True))
+            for cell in CELLS
+            if not math.isclose(getattr(old, cell), now := getattr(new, cell), rel_tol=SAME)
+        ]
+        if cells:
+            extent = Extent.CELL if code == "parameter_misnamed" else Extent.ROW
+            touched = tuple((i, cell) for i, cell, _ in cells if cell != "theta")
+            shown = (("name", name), *params.items())
+            yield Change(code, extent, cells=tuple(cells), touched=touched, params=shown)

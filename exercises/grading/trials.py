@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple, TypeAlias
 
@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from exercises.grading.digits import measured_as_typed
 from exercises.grading.facts import least_cost
-from exercises.grading.fitting import ANGLES, Unsolved, fitting_values, measured
+from exercises.grading.fitting import Unsolved, fitting_values, measured
 from exercises.grading.misconceptions import changes_of
+from exercises.grading.typed import ANGLES
 from exercises.grading.work import Change, Extent, Work
 from kinematics.equivalence import BaseRule, ToolRule
 from kinematics.equivalence.batches import Variation
@@ -56,7 +57,6 @@ UNCHANGED = Change("", Extent.CELL)
 def tried(
     works: Sequence[Work],
     catalogue: Catalogue = changes_of,
-    slips: Collection[tuple[object, ...]] | None = None,
     *,
     finishing: bool = True,
 ) -> list[list[Trial]]:
@@ -65,7 +65,6 @@ def tried(
     Args:
         works: tables for one key, at the same draw.
         catalogue: the edits that may be made to a table.
-        slips: which of them; all, if left out.
         finishing: only edits are wanted after which the table might be the robot.
 
     Returns:
@@ -79,7 +78,7 @@ def tried(
         for number, work in enumerate(works)
         for alike in (work.has_the_joints(),)
         for change in catalogue(replace(work, fits=fits[number]))
-        if (slips is None or change.slip in slips)
+        if (work.only is None or change.slip == work.only)
         and (alike if change.table is None else work.has_the_joints(change.table))
     ]
     trials: list[list[Trial]] = [[] for _ in works]
@@ -97,7 +96,7 @@ def tried_unchanged(work: Work) -> Trial | None:
     """The answer as it stands; None if its joints are not those of the key."""
     if not work.has_the_joints():
         return None
-    invariants = work.invariants[work.draw]
+    invariants = work.invariants
     found = measured_as_typed(invariants, work.table, work.comparison.steps, work.policy)[:, :1]
     (judged,) = _judged(work, found)
     return Trial(UNCHANGED, *judged)
@@ -118,11 +117,14 @@ def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
 
 def _cells(work: Work) -> list[tuple[int, str]]:
     """The cells that are no variable's and may mend all that fails."""
+    if work.only is not None and work.only.code is not None:
+        return []
     return [
         (i, cell)
         for i, row in work.rows
         for cell in (ANGLES if work.angular else ("a", "d", *ANGLES))
-        if not (cell == "d" and row.joint is JointType.PRISMATIC)
+        if (work.only is None or cell == work.only.cell)
+        and not (cell == "d" and row.joint is JointType.PRISMATIC)
         and not (cell == "theta" and row.joint is JointType.REVOLUTE)
     ]
 
@@ -178,7 +180,8 @@ class _Batch:
                 wanted.append(Unsolved(self._variations[k][0], change.cells, places))
         if not wanted:
             return []
-        known = {self._content(number, change) for number, change in self._made}
+        filled = {id(self._made[k][1].table) for k in unsolved}
+        known = {self._content(*made) for made in self._made if id(made[1].table) in filled}
         made = []
         for k, values in zip(unsolved, fitting_values(self._works[0], self._tables, wanted), strict=True):
             number, change = self._made[k]
@@ -201,7 +204,7 @@ class _Batch:
 
 def _judged(work: Work, found: NDArray[np.float64]) -> list[tuple[int, bool, tuple[int, int], bool]]:
     """What a trial says of tables, from their invariants (q, k): `failing`, `might`, `reach`, `angular`."""
-    invariants = work.invariants[work.draw]
+    invariants = work.invariants
     failing = invariants.strains(found) > 1.0
     first, last = invariants.spans
     starts = np.where(failing, first, 0).max(axis=0, initial=0) - REACH_OF_A_ROW

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
@@ -10,7 +10,7 @@ from itertools import accumulate
 from typing import NamedTuple
 
 from exercises.grading.comparison import Comparison
-from exercises.grading.typed import Place
+from exercises.grading.typed import ANGLES, Place
 from exercises.grading.verdict import Edit, ParamValue
 from kinematics.cells import ReadTable
 from kinematics.chain import chain_of_table
@@ -25,7 +25,10 @@ from kinematics.table import DHTable, JointType, NumericRow, NumericTable
 
 WORK_OF_ONE_EDIT = 30_000
 """What deciding whether one edit mends the table may cost: no single one uses up the search."""
+SAME = 1e-9
+"""A share: what is left of the errors of the arithmetic."""
 EVERYWHERE = (0, 10**6)
+LENGTHS = ("a", "d")
 ROW_CELLS = ("alpha", "a", "d", "joint")
 
 
@@ -35,6 +38,22 @@ class Extent(Enum):
     CELL = 0.5
     ROW = 1.0
     TABLE = 1.5
+
+
+class TableSlip(NamedTuple):
+    """What a student did wrong, whatever numbers stand in the table.
+
+    Attributes:
+        row: the row that it concerns, counted from 0, if it is one.
+        cell: the cell, if it is one.
+        code: the misconception; none where it is told by what stands in the cell.
+        params: values for the sentence.
+    """
+
+    row: int | None
+    cell: str | None
+    code: str | None = None
+    params: tuple[tuple[str, ParamValue], ...] = ()
 
 
 class Change(NamedTuple):
@@ -80,11 +99,11 @@ class Change(NamedTuple):
         )
 
     @property
-    def slip(self) -> tuple[object, ...]:
+    def slip(self) -> TableSlip:
         """What is the same at every draw: the cell; or the misconception and where."""
         if self.extent is Extent.CELL and self.row is not None:
-            return self.row, self.cell
-        return self.code, self.row, self.cell, self.params
+            return TableSlip(self.row, self.cell)
+        return TableSlip(self.row, self.cell, self.code, self.params)
 
     def fills_a_zero(self, table: NumericTable) -> bool:
         """Whether it puts a length where none was typed; a typed one is likelier wrong."""
@@ -110,13 +129,14 @@ class Work:
         comparison: both with numbers.
         policy: what the answer is held to.
         references: the key at each draw, prepared; at the answer's size, if it has none.
-        invariants: what no choice of frames changes, at each draw, as nearly as the answer must have it.
+        tightened: what no choice of frames changes, at a draw, as nearly as the answer must have it.
         meter: counts what trying edits costs.
         table: the answer at one draw, as it was meant, perhaps with an edit made already.
         draw: that draw.
         fits: for cells, other values that make an invariant fit which does not.
         reach: what an edit has to do with, to mend all that is wrong: joints from … to, counted from 1.
         angular: an angle is wrong that no choice of frames changes: lengths alone do not mend it.
+        only: the one slip that is to be undone; any, if none is named.
     """
 
     key: ReadTable
@@ -124,20 +144,26 @@ class Work:
     comparison: Comparison
     policy: Policy
     references: tuple[Reference, ...]
-    invariants: tuple[Invariants, ...]
+    tightened: Callable[[int], Invariants]
     meter: Meter
     table: NumericTable
     draw: int = 0
     fits: Mapping[Place, list[float]] = field(default_factory=dict)
     reach: tuple[int, int] = EVERYWHERE
     angular: bool = False
+    only: TableSlip | None = None
 
     @property
     def reference(self) -> Reference:
         """The key at the draw."""
         return self.references[self.draw]
 
-    @property
+    @cached_property
+    def invariants(self) -> Invariants:
+        """What no choice of frames changes, at the draw, as nearly as the answer must have it."""
+        return self.tightened(self.draw)
+
+    @cached_property
     def excess(self) -> int:
         """How many joints the table has more than the key."""
         return self.table.n_joints - self.reference.table.n_joints
@@ -159,7 +185,12 @@ class Work:
     @cached_property
     def rows(self) -> tuple[tuple[int, NumericRow], ...]:
         """The rows in which an edit may mend all that is wrong, and their numbers, from 0."""
-        return tuple((i, row) for i, row in enumerate(self.table.rows) if self.is_near(i))
+        wanted = None if self.only is None else self.only.row
+        return tuple(
+            (i, row)
+            for i, row in enumerate(self.table.rows)
+            if (wanted is None or i == wanted) and self.is_near(i)
+        )
 
     @property
     def rows_of_lengths(self) -> tuple[tuple[int, NumericRow], ...]:
@@ -179,9 +210,8 @@ class Work:
 
     def at(self, draw: int) -> Work:
         """The answer at another draw."""
-        return replace(
-            self, draw=draw, table=self.comparison.meant[draw], fits={}, reach=EVERYWHERE, angular=False
-        )
+        table = self.comparison.meant[draw]
+        return replace(self, draw=draw, table=table, fits={}, reach=EVERYWHERE, angular=False, only=None)
 
     def edited(self, change: Change, reach: tuple[int, int] = EVERYWHERE, *, angular: bool = False) -> Work:
         """The table with an edit made, and what another has to do with then."""
@@ -189,14 +219,63 @@ class Work:
 
     def accepts(self, change: Change, effort: Effort) -> bool:
         """Whether an edit makes the table right, at this draw."""
-        table = change.of(self.table)
-        if not convention_fits(table.convention, self.policy.convention):
-            return False
-        self.meter.charge(PER_ROW * len(table.rows))
-        chain = chain_of_table(table)
+        return self._are_right((self.reference,), (change.of(self.table),), effort)
+
+    def accepts_alike(self, change: Change, effort: Effort) -> bool:
+        """Whether the same edit makes the table right at all other draws, if it is seen what it is there.
+
+        False says nothing where it is not seen.
+        """
+        tables = []
+        for draw in range(1, len(self.references)):
+            elsewhere = self.at(draw)
+            alike = _alike(change, self, elsewhere)
+            if alike is None:
+                return False
+            tables.append(alike.of(elsewhere.table))
+        return self._are_right(self.references[1:], tables, effort)
+
+    def _are_right(
+        self, references: Sequence[Reference], tables: Sequence[NumericTable], effort: Effort
+    ) -> bool:
+        if not tables or not convention_fits(tables[0].convention, self.policy.convention):
+            return not tables
+        self.meter.charge(PER_ROW * len(tables) * len(tables[0].rows))
+        chains = [chain_of_table(table) for table in tables]
         with self.meter.at_most(WORK_OF_ONE_EDIT):
-            return certify((self.reference,), (chain,), self.policy, effort, self.meter) is not None
+            return certify(references, chains, self.policy, effort, self.meter) is not None
         return False
+
+
+def _alike(change: Change, here: Work, there: Work) -> Change | None:
+    """A change of some cells as it is at another draw: what is an entry of the answer or the key stays that.
+
+    An angle that is neither is itself; of such a length, None.
+    """
+    if change.table is not None:
+        return None
+    cells: list[CellChange] = []
+    for row, cell, value in change.cells:
+        for one, other in _pairs_of_entries(here, there, row, cell) if value else ():
+            if one and abs(abs(value) - abs(one)) <= SAME * abs(one):
+                cells.append((row, cell, other * value / one))
+                break
+        else:
+            if value and cell in LENGTHS:
+                return None
+            cells.append((row, cell, value))
+    return change._replace(cells=tuple(cells))
+
+
+def _pairs_of_entries(here: Work, there: Work, row: int, cell: str) -> Iterator[tuple[float, float]]:
+    """An entry of the answer at two draws, then those of the key and all of the answer that it may become."""
+    yield getattr(here.table.rows[row], cell), getattr(there.table.rows[row], cell)
+    kinds = LENGTHS if cell in LENGTHS else ANGLES
+    tables = (here.reference.table, there.reference.table), (here.table, there.table)
+    for one, other in tables:
+        for mine, its in zip(one.rows, other.rows, strict=True):
+            for kind in kinds:
+                yield getattr(mine, kind), getattr(its, kind)
 
 
 def after(first: Change, second: Change) -> Change:

@@ -133,8 +133,8 @@ def certify(
     wanted = policy.tolerance
     if surely_apart(references[0], submissions[0], wanted):
         return None
-    exact_wanted = EXACT.length <= wanted.length and EXACT.angle <= wanted.angle
-    if exact_wanted and not surely_apart(references[0], submissions[0], EXACT):
+    coarser = EXACT.length <= wanted.length and EXACT.angle <= wanted.angle and wanted != EXACT
+    if coarser and not surely_apart(references[0], submissions[0], EXACT):
         # among axes that are nearly parallel, alignments lever up the errors of the arithmetic
         nearly_parallel = len(references[0].levels(policy.base, policy.zero, wanted)) > 1
         trying = effort if nearly_parallel else Effort.PLAIN
