@@ -19,7 +19,7 @@ async function run() {
       fill($("class"), el("p", { text: t("lecturer-come-from-course") }));
       return;
     }
-    const { person, course } = session.told;
+    const { person, course } = session;
     const who = { name: person.name ?? person.key.slice(0, 8), course: course.title };
     $("course-title").after(el("p", { class: "hint", text: t("session-signed-in", who) }));
     const { exercises } = await api.get("exercises");
