@@ -46,16 +46,16 @@ option-x_not_along_common_normal = x ne suit pas la normale commune
 option-x_not_across_both_axes = x n’est pas perpendiculaire aux deux axes
 option-first_x_misses_axis = x du premier repère ne coupe pas l’axe 1 à angle droit
 option-last_x_misses_axis = x du dernier repère ne coupe pas le dernier axe à angle droit
-option-y_left_handed = le repère est indirect : y n’est pas z × x
+option-y_left_handed = le repère est indirect : y n’est pas z × x
 given-drawn-frames = Les repères tels qu’ils sont dessinés
 
 task-frame-mistake =
     { $convention ->
         [standard] Les repères de la figure devraient suivre la convention standard, z du repère i le long de l’articulation i+1
        *[modified] Les repères de la figure devraient suivre la convention modifiée, z du repère i le long de l’articulation i
-    }, mais l’un d’eux contient une erreur. Quel repère est faux, qu’a-t-il de faux et comment devrait-il être placé ? Points et directions sont donnés dans les coordonnées de la figure ; la longueur d’une direction est libre.
+    }, mais l’un d’eux contient une erreur. Quel repère est faux, qu’a-t-il de faux et comment devrait-il être placé ? Points et directions sont donnés dans les coordonnées de la figure ; la longueur d’une direction est libre.
 
-feedback-frame_mistake_place_wrong = Ce repère est juste ; l’erreur est dans un autre.
+feedback-frame_mistake_place_wrong = Ce repère est juste ; l’erreur est dans un autre.
 feedback-frame_mistake_name_wrong = L’erreur est d’une autre sorte.
 feedback-frame_not_mended = Avec ce repère, le dessin enfreint encore une règle.
 feedback-frame_mistake_missing =

@@ -51,7 +51,7 @@ given-drawn-frames = Os referenciais tal como estão desenhados
 
 task-frame-mistake =
     { $convention ->
-        [standard] Os referenciais da figura deveriam seguir a convenção padrão, com z do referencial i ao longo da junta i+1
+        [standard] Os referenciais da figura deveriam seguir a convenção standard, com z do referencial i ao longo da junta i+1
        *[modified] Os referenciais da figura deveriam seguir a convenção modificada, com z do referencial i ao longo da junta i
     }, mas um deles tem um erro. Que referencial está errado, o que tem de errado e como deveria estar? Os pontos e as direções são dados nas coordenadas da figura; o comprimento de uma direção é livre.
 
