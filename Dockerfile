@@ -14,7 +14,7 @@ COPY tools/vendor.py tools/vendor.py
 RUN /opt/node/bin/python tools/vendor.py --omit-dev
 
 # What the service imports: without the packages' own tests, type stubs and headers, the symbol tables of their
-# libraries, the locale data of languages that it does not speak, and the sources of what
+# libraries, fonts that nothing is set in, the locale data of languages that it does not speak, and the sources of what
 # is compiled (a traceback still names file and line). Libraries that were patched for their wheel (numpy, psycopg)
 # stay as they are: strip leaves them unusable.
 FROM ${PYTHON_IMAGE} AS packages
@@ -30,6 +30,7 @@ RUN python -m venv /opt/framewise \
     && /opt/framewise/bin/python -m pip uninstall --yes pip \
     && find /opt/framewise -path '*/babel/locale-data/*.dat' ! -name root.dat ! -name en.dat ! -name es.dat \
        ! -name fr.dat ! -name pt.dat ! -name ro.dat ! -name uk.dat -delete \
+    && find /opt/framewise -path '*/pymupdf_fonts/*.py' ! -name __init__.py ! -name 'FiraGO_*' -delete \
     && find /opt/framewise -type d -name tests -path '*/site-packages/*' -prune -exec rm -r {} + \
     && find /opt/framewise -type f \( -name '*.pyi' -o -name '*.pyx' -o -name '*.pxd' -o -name '*.h' -o -name '*.a' \
        -o -path '*.dist-info/sboms/*' \) -delete \

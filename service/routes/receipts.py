@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from datetime import UTC, datetime
 from functools import partial
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import segno
 from fastapi import Body, Query, Request, Response
@@ -27,7 +27,6 @@ from service.http.routing import api_router
 from service.messages import sentence
 from service.receipts.checking import CheckedReceipt, check_receipts, marks_of
 from service.receipts.receipt import PartScore, Receipt, answer_hash, issue
-from service.receipts.sheet import Sheet, pdf_of
 from service.resources import AppResources
 from service.routes.exercises import Id, help_of, refuse_beyond, seed_of
 from service.schemas import examples_grading
@@ -37,6 +36,9 @@ from service.wire.exercise_views import attempts_of, instance_of
 from service.wire.figure_files import figure_file
 from service.wire.ungraded import answer_refused
 from service.work.limiters import WorkKind
+
+if TYPE_CHECKING:
+    from service.receipts.sheet import Sheet
 
 router = api_router("receipts")
 
@@ -103,11 +105,13 @@ async def receipt_page(
     token, receipt = await _issued(request, exercise_id, body, resources)
     language = language_of(request)
     instance = instance_of(resources.exercises, exercise_id, receipt.seed)
-    sheet = _sheet(instance, receipt, token, body, language)
 
     def work() -> bytes:
+        from service.receipts.sheet import pdf_of  # takes a quarter of a second, and few ask for it
+
+        sheet = _sheet(instance, receipt, token, body, language)
         figure = figure_file(instance, language).decode()
-        return pdf_of(sheet, figure=figure, code=_picture(token))
+        return pdf_of(sheet, figure=figure, code=_code(token).matrix)
 
     page = await resources.limiters[WorkKind.DRAWING].run(work)
     headers = {
@@ -133,6 +137,8 @@ async def _issued(
 
 
 def _sheet(instance: Instance, receipt: Receipt, token: str, body: ReceiptRequest, language: str) -> Sheet:
+    from service.receipts.sheet import Sheet
+
     def say(message: str, **values: Any) -> str:
         return sentence(language, message, values) or message
 
@@ -238,9 +244,13 @@ def _of_link(context: LinkContext) -> dict[str, Any]:
     return {name: value for name, value in told.items() if value}
 
 
+def _code(token: str) -> segno.QRCode:
+    return segno.make(token, micro=False, error="l")
+
+
 def _picture(token: str) -> str:
     stream = io.BytesIO()
-    segno.make(token, micro=False, error="l").save(
+    _code(token).save(
         stream, kind="svg", xmldecl=False, svgns=True, scale=3, dark="#000", light="#fff", omitsize=True
     )
     return stream.getvalue().decode()
