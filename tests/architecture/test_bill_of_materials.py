@@ -9,7 +9,7 @@ from tests.architecture.sources import ROOT
 from tools.sbom import bill, locked
 
 FREE = re.compile(
-    r"MIT|BSD|Apache|ISC|PSF|Python Software|MPL|Mozilla|Zope|LGPL|0BSD|Unlicense|HPND|CC0", re.I
+    r"MIT|BSD|Apache|ISC|PSF|Python Software|MPL|Mozilla|Zope|LGPL|0BSD|Unlicense|HPND|CC0|OFL", re.I
 )
 
 
