@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from datetime import datetime, timedelta
 from functools import cache
 from itertools import islice
-from typing import Any
+from typing import Any, TypeAlias
 
 import sqlalchemy as sa
 
@@ -53,16 +53,19 @@ def by_key(store: Store, session: CourseSession, key: str) -> Attempt | None:
     return None if row is None else attempt_of(row)
 
 
-def finding_rows(attempt_id: int, link_id: int, report: Mapping[str, Any]) -> list[dict[str, Any]]:
+Code: TypeAlias = tuple[str, str, int | None]
+"""Kind, code and row of what a report tells."""
+
+
+def finding_rows(attempt_id: int, link_id: int, path: Iterable[Code]) -> list[dict[str, Any]]:
     """The codes of a report as rows beside its attempt, for statistics."""
-    found = islice(path_of_codes(report), MOST_FINDINGS)
     return [
         {"attempt_id": attempt_id, "position": i, "link_id": link_id, "kind": kind, "code": code, "row": row}
-        for i, (kind, code, row) in enumerate(found)
+        for i, (kind, code, row) in enumerate(islice(path, MOST_FINDINGS))
     ]
 
 
-def path_of_codes(report: Mapping[str, Any]) -> Iterator[tuple[str, str, int | None]]:
+def path_of_codes(report: Mapping[str, Any]) -> Iterator[Code]:
     """Kind, code and row of everything that a stored report tells: its path of stable codes.
 
     Kinds: `feedback` of the table, `repair` for the edits of the most plausible repair, `wrong` for the facts

@@ -1,13 +1,13 @@
 """Judging stored attempts again after an exercise was mended: looked at first, then applied, resumable.
 
 A run writes what it finds beside the attempts and changes nothing until it is applied. A run that was
-interrupted goes on with what it has not judged yet. Attempts stay as they are: the grade takes the score of
-the last applied run.
+interrupted goes on with what it has not judged yet. Attempts stay as they are, with the report that their
+students saw: the grade takes the score of the last applied run, and the statistics its codes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from enum import StrEnum
@@ -16,7 +16,7 @@ from typing import Any
 import sqlalchemy as sa
 
 from courses import records
-from courses.attempts import attempt_of, finding_rows
+from courses.attempts import Code, attempt_of, finding_rows, path_of_codes
 from courses.links import regrade_people
 from courses.model import Attempt
 from courses.refusals import unknown_record
@@ -40,14 +40,13 @@ class Rejudged:
     """What an attempt is worth now.
 
     Attributes:
-        analysis: the full report, whose codes feed the statistics.
+        path: the codes of the full report, for the statistics.
     """
 
     attempt_id: int
     score: float
     correct: bool
-    report: Mapping[str, Any]
-    analysis: Mapping[str, Any]
+    path: tuple[Code, ...]
 
 
 Judge = Callable[[Sequence[Attempt]], Sequence[Rejudged]]
@@ -75,7 +74,6 @@ def rejudge(store: Store, run: int, judge: Judge) -> int:
     count = 0
     while batch := _waiting(store, run):
         found = judge(batch)
-        stored = {attempt.id: attempt for attempt in batch}
         with store.writing() as connection:
             connection.execute(
                 sa.insert(_DONE),
@@ -85,20 +83,13 @@ def rejudge(store: Store, run: int, judge: Judge) -> int:
                         "attempt_id": item.attempt_id,
                         "score": item.score,
                         "correct": item.correct,
-                        "report": _changed(stored[item.attempt_id], item),
+                        "report": {"path": item.path},
                     }
                     for item in found
                 ],
             )
         count += len(found)
     return count
-
-
-def _changed(attempt: Attempt, item: Rejudged) -> dict[str, Any] | None:
-    """What is stored of a judgement: nothing if it is the one that the attempt has."""
-    if item.score == attempt.score and item.report == attempt.report:
-        return None
-    return {"report": dict(item.report), "analysis": dict(item.analysis)}
 
 
 def _waiting(store: Store, run: int) -> list[Attempt]:
@@ -152,17 +143,7 @@ def apply(store: Store, link_id: int, run: int, now: datetime) -> None:
         if connection.execute(sa.update(_RUN).where(own).values(applied=now)).rowcount != 1:
             raise unknown_record("regrading")
         mine = _DONE.c.regrading_id == run
-        changed = sa.select(_DONE.c.attempt_id, _DONE.c.report).where(mine, _DONE.c.report.is_not(None))
-        finding = records.finding
-        rows = connection.execute(changed).all()
-        connection.execute(
-            sa.delete(finding).where(finding.c.attempt_id.in_(changed.with_only_columns(_DONE.c.attempt_id)))
-        )
-        found = [
-            each for row in rows for each in finding_rows(row.attempt_id, link_id, row.report["analysis"])
-        ]
-        if found:
-            connection.execute(sa.insert(finding), found)
+        _replace_findings(connection, link_id, run)
         earlier = _DONE.alias()
         before = sa.exists().where(
             earlier.c.attempt_id == _DONE.c.attempt_id, earlier.c.regrading_id != _DONE.c.regrading_id
@@ -174,3 +155,34 @@ def apply(store: Store, link_id: int, run: int, now: datetime) -> None:
             .distinct()
         )
         regrade_people(connection, link_id, list(connection.scalars(people)), now)
+
+
+def _replace_findings(connection: sa.Connection, link_id: int, run: int) -> None:
+    """Put the codes of a run in the place of those that stand beside its attempts, where they differ."""
+    finding = records.finding
+    judged = connection.execute(
+        sa.select(_DONE.c.attempt_id, _DONE.c.report).where(_DONE.c.regrading_id == run)
+    )
+    now = {
+        row.attempt_id: finding_rows(row.attempt_id, link_id, _path(row.report))
+        for row in judged
+        if row.report is not None
+    }
+    stand: dict[int, list[dict[str, Any]]] = {attempt_id: [] for attempt_id in now}
+    wanted = sa.select(finding).where(finding.c.link_id == link_id)
+    for row in connection.execute(wanted.order_by(finding.c.attempt_id, finding.c.position)):
+        if row.attempt_id in stand:
+            stand[row.attempt_id].append(dict(row._mapping))
+    changed = [attempt_id for attempt_id, rows in now.items() if rows != stand[attempt_id]]
+    for start in range(0, len(changed), BATCH):
+        some = changed[start : start + BATCH]
+        connection.execute(sa.delete(finding).where(finding.c.attempt_id.in_(some)))
+        found = [row for attempt_id in some for row in now[attempt_id]]
+        if found:
+            connection.execute(sa.insert(finding), found)
+
+
+def _path(stored: Mapping[str, Any]) -> Iterable[Code]:
+    """The codes of a stored judgement; runs of earlier versions kept the full report."""
+    path: list[Code] | None = stored.get("path")
+    return path_of_codes(stored["analysis"]) if path is None else path

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 import sqlalchemy as sa
 
 from courses import records
-from courses.attempts import attempt_of, check_open, finding_rows, shown_now
+from courses.attempts import attempt_of, check_open, finding_rows, path_of_codes, shown_now
 from courses.gradebook import GradeChange, store_changes
 from courses.link_settings import read
 from courses.model import Attempt, CourseSession
@@ -234,7 +234,7 @@ def _insert(
     for attempt in new:
         own = (attempt.link_id, attempt.person_id, attempt.number)
         stored[own] = replace(attempt, id=ids[own])
-        findings += finding_rows(ids[own], attempt.link_id, analyses[own])
+        findings += finding_rows(ids[own], attempt.link_id, path_of_codes(analyses[own]))
     if findings:
         connection.execute(_FINDING, findings)
     return stored

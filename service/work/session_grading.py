@@ -10,7 +10,7 @@ from typing import Any
 
 import orjson
 
-from courses.attempts import check_open
+from courses.attempts import check_open, path_of_codes
 from courses.model import Attempt, CourseSession, LinkSettings
 from courses.refusals import AttemptError, NoExerciseError
 from courses.regrading import Rejudged
@@ -92,8 +92,7 @@ class Grader:
         report = grade(kept_instance(asked, seed), answer, self.help_now(level), attempt)
         told = analysis = _as_stored(report)
         if report.help_level is not HelpLevel.REPAIR and not report.correct:
-            open_ = kept_instance(replace(asked, access=ExerciseAccess()), seed)
-            analysis = _as_stored(grade(open_, answer, drawn=False))
+            analysis = _as_stored(grade(kept_instance(_open(asked), seed), answer, drawn=False))
         return SessionJudgement(
             found=report,
             report=told,
@@ -105,27 +104,15 @@ class Grader:
 
     def rejudge(self, attempts: Sequence[Attempt], settings: LinkSettings) -> list[Rejudged]:
         """Judge stored attempts by the exercise as it is now."""
-        found = []
-        for attempt in attempts:
-            judged = _judged_again(self, *self.question(attempt, settings))
-            found.append(
-                Rejudged(
-                    attempt_id=attempt.id,
-                    score=judged.score,
-                    correct=judged.correct,
-                    report=judged.report,
-                    analysis=judged.analysis,
-                )
-            )
-        return found
+        return [
+            replace(_judged_again(self.limits, *self.question(attempt, settings)), attempt_id=attempt.id)
+            for attempt in attempts
+        ]
 
-    def question(
-        self, attempt: Attempt, settings: LinkSettings
-    ) -> tuple[LinkSettings, str | None, bytes, int]:
+    def question(self, attempt: Attempt, settings: LinkSettings) -> tuple[Exercise, str | None, bytes]:
         """Return all that the judgement of a stored attempt depends on."""
-        own = replace(settings, exercise_id=attempt.exercise_id)
-        rung = min(attempt.number, len(asked_exercise(self.library, own).access.ladder))
-        return own, attempt.seed, orjson.dumps(attempt.answer), rung
+        asked = asked_exercise(self.library, replace(settings, exercise_id=attempt.exercise_id))
+        return asked, attempt.seed, orjson.dumps(attempt.answer)
 
 
 def _as_stored(report: Report) -> dict[str, Any]:
@@ -135,12 +122,23 @@ def _as_stored(report: Report) -> dict[str, Any]:
 
 
 @lru_cache(maxsize=4096)
-def _judged_again(
-    grader: Grader, settings: LinkSettings, seed: str | None, answer: bytes, rung: int
-) -> SessionJudgement:
-    """Many students hand in the same answer: it is judged once for each rung of the help ladder."""
+def _judged_again(limits: Limits, asked: Exercise, seed: str | None, answer: bytes) -> Rejudged:
+    """Many students hand in the same answer: it is judged once, and nothing is drawn or put into words."""
     wire: AnswerBase = ExerciseAnswer.model_validate(orjson.loads(answer))
-    return grader.judge(settings, seed, wire, rung)
+    instance = kept_instance(_open(asked), seed)
+    report = grade(instance, parse(instance, wire.raw(), limits), drawn=False)
+    return Rejudged(
+        attempt_id=0,
+        score=report.score,
+        correct=report.correct and not report.missing,
+        path=tuple(path_of_codes(_as_stored(report))),
+    )
+
+
+@lru_cache(maxsize=256)
+def _open(exercise: Exercise) -> Exercise:
+    """Return an exercise that tells everything."""
+    return replace(exercise, access=ExerciseAccess())
 
 
 def asked_exercise(library: Library, settings: LinkSettings) -> Exercise:

@@ -6,13 +6,16 @@ import csv
 import itertools
 import threading
 import time
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
 import pytest
+import sqlalchemy as sa
 
+from courses import records
 from courses.attempt_export import exported_attempts
-from courses.attempts import attempt_numbered, attempts_of, draft_of, keep_draft
+from courses.attempts import attempt_numbered, attempts_of, draft_of, keep_draft, path_of_codes
 from courses.enrolment import SESSION, end_session, issue_code, redeem_code, remember_nonce, session_of
 from courses.gradebook import delivered, lease_scores, postponed, resend, undeliverable
 from courses.judged import AttemptFilter, Outcome, Progress, attempts_behind
@@ -346,9 +349,7 @@ def test_numbers_follow_the_judgement_that_counts(store: Store) -> None:
     rejudge(
         store,
         run,
-        lambda batch: [
-            Rejudged(attempt_id=a.id, score=1.0, correct=True, report={}, analysis={}) for a in batch
-        ],
+        lambda batch: [Rejudged(attempt_id=a.id, score=1.0, correct=True, path=()) for a in batch],
     )
     assert link_statistics(store, ann.link.id)["solved"] == 0
     apply(store, ann.link.id, run, NOW)
@@ -371,7 +372,7 @@ def test_a_regrading_is_looked_at_then_applied_and_resumed(store: Store) -> None
 
     def judge(batch):
         return [
-            Rejudged(attempt_id=a.id, score=1.0, correct=True, report={}, analysis={})
+            Rejudged(attempt_id=a.id, score=1.0, correct=True, path=())
             for a in batch
             if a.person_id == ann.person.id
         ] or (_ for _ in ()).throw(Interrupted)
@@ -380,7 +381,8 @@ def test_a_regrading_is_looked_at_then_applied_and_resumed(store: Store) -> None
         rejudge(store, run, judge)
     assert begin(store, ann.link.id, Scope.COUNTED, "2", NOW) == run
     same = lambda batch: [  # noqa: E731
-        Rejudged(attempt_id=a.id, score=a.score, correct=False, report={}, analysis=WRONG) for a in batch
+        Rejudged(attempt_id=a.id, score=a.score, correct=False, path=tuple(path_of_codes(WRONG)))
+        for a in batch
     ]
     assert rejudge(store, run, same) == 1
     assert [(row["key"], row["before"], row["after"]) for row in changes(store, run)] == [
@@ -392,6 +394,36 @@ def test_a_regrading_is_looked_at_then_applied_and_resumed(store: Store) -> None
     assert misconceptions(store, ann.link.id)[0]["students"] == 1
     with pytest.raises(UnknownRecordError):
         apply(store, ann.link.id, run, NOW)
+
+
+def test_a_mend_that_is_taken_back_brings_the_codes_back(store: Store) -> None:
+    """The second run finds what the attempt was told at first, and not what stands in the statistics."""
+    ann = joined(store, "ann")
+    submitted(store, ann, 0.5, key="1", report=WRONG)
+    before = misconceptions(store, ann.link.id)
+    for version, score, path in (("2", 1.0, ()), ("3", 0.5, tuple(path_of_codes(WRONG)))):
+        run = begin(store, ann.link.id, Scope.ALL, version, NOW)
+        found = Rejudged(attempt_id=0, score=score, correct=score == 1.0, path=path)
+        rejudge(store, run, lambda batch, found=found: [replace(found, attempt_id=a.id) for a in batch])
+        apply(store, ann.link.id, run, NOW)
+        assert misconceptions(store, ann.link.id) == (before if path else [])
+
+
+def test_a_run_of_an_earlier_version_is_applied(store: Store) -> None:
+    """It kept the whole report."""
+    ann = joined(store, "ann")
+    submitted(store, ann, 0.5, key="1", report={})
+    run = begin(store, ann.link.id, Scope.ALL, "2", NOW)
+    rejudge(
+        store,
+        run,
+        lambda batch: [Rejudged(attempt_id=a.id, score=0.4, correct=False, path=()) for a in batch],
+    )
+    with store.writing() as connection:
+        kept = {"report": WRONG, "analysis": WRONG}
+        connection.execute(sa.update(records.regraded).values(report=kept))
+    apply(store, ann.link.id, run, NOW)
+    assert misconceptions(store, ann.link.id)[0]["students"] == 1
 
 
 def test_a_person_is_exported_and_erased(store: Store) -> None:

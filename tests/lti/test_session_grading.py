@@ -6,7 +6,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import sqlalchemy as sa
 
+from courses import records
 from courses.attempts import attempts_of
 from courses.links import change_settings
 from courses.model import CourseSession, LinkSettings
@@ -78,18 +80,23 @@ def test_the_link_holds_help_back_and_never_gives_more(store: Store, grader: Gra
     assert told == [HelpLevel.VERDICT, HelpLevel.ROW, HelpLevel.ROW]
 
 
-def test_judging_again_tells_each_attempt_as_much_as_it_was_told(store: Store, grader: Grader) -> None:
+def test_judging_again_finds_the_codes_that_were_stored(store: Store, grader: Grader) -> None:
+    """However much each attempt was told."""
     for _ in range(3):
         wrong(store, grader, come(store, grader))
     session = come(store, grader)
     attempts = attempts_of(store, session.link.id, session.person.id)
     again = grader.rejudge(attempts, session.link.settings)
-    assert [item.report for item in again] == [attempt.report for attempt in attempts]
-    assert [report["help_level"] for report in (item.report for item in again)] == [
-        "verdict",
-        "row",
-        "repair",
+    assert [(item.attempt_id, item.score, item.correct) for item in again] == [
+        (attempt.id, attempt.score, attempt.correct) for attempt in attempts
     ]
+    with store.reading() as connection:
+        found = connection.execute(sa.select(records.finding).order_by(records.finding.c.position)).all()
+    for item in again:
+        assert any(kind == "repair" for kind, _, _ in item.path)
+        assert [(row.kind, row.code, row.row) for row in found if row.attempt_id == item.attempt_id] == list(
+            item.path
+        )
 
 
 def test_attempts_are_the_exercises_unless_the_link_says_otherwise(store: Store, grader: Grader) -> None:
