@@ -11,13 +11,13 @@ import sqlalchemy as sa
 from courses import records
 from courses.attempts import attempts_of
 from courses.links import change_settings
-from courses.model import CourseSession, LinkSettings
+from courses.model import Attempt, CourseSession, LinkSettings
 from courses.policies import AttemptPolicy
 from courses.refusals import AttemptError
 from courses.storage import Store, open_store
 from courses.submissions import store_submission
 from exercises.grading import HelpLevel
-from exercises.instance import generate
+from exercises.instance import generate, kept_instance
 from exercises.loader import Library
 from kinematics.cells import DEFAULT
 from service.course_resources import CourseResources, now
@@ -97,6 +97,38 @@ def test_judging_again_finds_the_codes_that_were_stored(store: Store, grader: Gr
         assert [(row.kind, row.code, row.row) for row in found if row.attempt_id == item.attempt_id] == list(
             item.path
         )
+
+
+def test_judging_again_keeps_the_values_of_a_variant(tmp_path: Path) -> None:
+    """Whoever is given one of two sets of values is judged by these, however much may be told."""
+    folder(tmp_path, TWO_LINKS + RULES.replace("[help]", "variants = 2\n\n[help]"))
+    grader, settings = Grader(library=Library((tmp_path,)), limits=DEFAULT), LinkSettings(exercise_id="two")
+    for seed in map(str, range(8)):
+        given = kept_instance(grader.library.exercise("two"), seed).parameters
+        rows = [{**ROW, "theta": f"q{i}", "a": str(given[f"L{i}"])} for i in (1, 2)]
+        answer = {"table": {"convention": "standard", "angle_unit": "deg", "rows": rows}}
+        judged = grader.judge(settings, seed, ExerciseAnswer.model_validate(answer), 1)
+        attempt = stored(answer, seed, judged.report)
+        (again,) = grader.rejudge([attempt], settings)
+        assert (judged.score, again.score, again.correct) == (1.0, 1.0, True)
+
+
+def stored(answer: dict[str, Any], seed: str, report: dict[str, Any]) -> Attempt:
+    """An attempt as it comes from the database."""
+    return Attempt(
+        link_id=1,
+        person_id=1,
+        key="k",
+        at=now(),
+        exercise_id="two",
+        version="1",
+        seed=seed,
+        language="en",
+        answer=answer,
+        report=report,
+        score=1.0,
+        correct=True,
+    )
 
 
 def test_attempts_are_the_exercises_unless_the_link_says_otherwise(store: Store, grader: Grader) -> None:
