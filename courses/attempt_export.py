@@ -8,10 +8,11 @@ from dataclasses import dataclass, replace
 import sqlalchemy as sa
 
 from courses import records
-from courses.attempts import attempt_of
+from courses.attempts import Code, attempt_of, path_of_codes
 from courses.judged import judged, of_students
 from courses.model import Attempt, Link
 from courses.policies import AttemptOutcome, worth
+from courses.regrading import path_kept
 from courses.storage import Store
 
 
@@ -20,7 +21,8 @@ class ExportedAttempt:
     """An attempt with the judgement that counts: that of the last regrading that was applied, else its own.
 
     Attributes:
-        attempt: what was handed in, with this judgement.
+        attempt: what was handed in, with the score of this judgement and the report that its student saw.
+        path: the codes of this judgement.
         person: pseudonym of the student.
         points: what the attempt is worth in the gradebook, after the penalty for attempts before it.
         max_points: what full marks are worth there.
@@ -28,6 +30,7 @@ class ExportedAttempt:
     """
 
     attempt: Attempt
+    path: tuple[Code, ...]
     person: str
     points: float
     max_points: float
@@ -44,7 +47,7 @@ def exported_attempts(store: Store, link: Link) -> Iterator[ExportedAttempt]:
             table,
             own.c.score.label("judged_score"),
             own.c.correct.label("judged_correct"),
-            again.c.report.label("judged_report"),
+            again.c.report.label("judgement"),
             grade.c.number.label("counted_number"),
             records.person.c.key.label("person_key"),
         )
@@ -59,15 +62,12 @@ def exported_attempts(store: Store, link: Link) -> Iterator[ExportedAttempt]:
     points, policy = link.settings.points, link.settings.policy
     with store.reading() as connection:
         for row in connection.execute(wanted):
-            attempt = replace(
-                attempt_of(row),
-                score=row.judged_score,
-                correct=bool(row.judged_correct),
-                report=(row.judged_report or {}).get("report", row.report),
-            )
+            attempt = replace(attempt_of(row), score=row.judged_score, correct=bool(row.judged_correct))
+            path = path_of_codes(row.report) if row.judgement is None else path_kept(row.judgement)
             outcome = AttemptOutcome(number=attempt.number, at=attempt.at, score=attempt.score)
             yield ExportedAttempt(
                 attempt=attempt,
+                path=tuple(path),
                 person=row.person_key,
                 points=worth(policy, outcome) * points,
                 max_points=points,

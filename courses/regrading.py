@@ -164,7 +164,7 @@ def _replace_findings(connection: sa.Connection, link_id: int, run: int) -> None
         sa.select(_DONE.c.attempt_id, _DONE.c.report).where(_DONE.c.regrading_id == run)
     )
     now = {
-        row.attempt_id: finding_rows(row.attempt_id, link_id, _path(row.report))
+        row.attempt_id: finding_rows(row.attempt_id, link_id, path_kept(row.report))
         for row in judged
         if row.report is not None
     }
@@ -182,7 +182,7 @@ def _replace_findings(connection: sa.Connection, link_id: int, run: int) -> None
             connection.execute(sa.insert(finding), found)
 
 
-def _path(stored: Mapping[str, Any]) -> Iterable[Code]:
-    """The codes of a stored judgement; runs of earlier versions kept the full report."""
-    path: list[Code] | None = stored.get("path")
-    return path_of_codes(stored["analysis"]) if path is None else path
+def path_kept(judgement: Mapping[str, Any]) -> Iterable[Code]:
+    """The codes of a judgement that a run keeps; runs of earlier versions kept the full report."""
+    path = judgement.get("path")
+    return path_of_codes(judgement["analysis"]) if path is None else map(tuple, path)

@@ -8,7 +8,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from courses.attempt_export import ExportedAttempt
-from courses.attempts import path_of_codes
 from service.wire.session_views import stored_report
 
 COLUMNS = (
@@ -33,9 +32,7 @@ _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 def attempt_record(found: ExportedAttempt) -> dict[str, Any]:
     """One attempt of an export: the student by pseudonym, and the path of codes."""
     attempt = found.attempt
-    codes = [
-        f"{kind}:{code}" + (f"@{row}" if row else "") for kind, code, row in path_of_codes(attempt.report)
-    ]
+    codes = [f"{kind}:{code}" + (f"@{row}" if row else "") for kind, code, row in found.path]
     return {
         "person": found.person,
         "attempt": attempt.number,

@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-import csv
 import itertools
 import threading
 import time
-from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
 import pytest
-import sqlalchemy as sa
 
-from courses import records
-from courses.attempt_export import exported_attempts
-from courses.attempts import attempt_numbered, attempts_of, draft_of, keep_draft, path_of_codes
+from courses.attempts import attempt_numbered, attempts_of, draft_of, keep_draft
 from courses.enrolment import SESSION, end_session, issue_code, redeem_code, remember_nonce, session_of
 from courses.gradebook import delivered, lease_scores, postponed, resend, undeliverable
 from courses.judged import AttemptFilter, Outcome, Progress, attempts_behind
@@ -24,10 +19,8 @@ from courses.model import CourseSession, LinkSettings, Role
 from courses.policies import Allowance, AttemptPolicy, Counting, FeedbackTiming
 from courses.privacy import erase_person, export_person, purge
 from courses.refusals import AttemptError, SessionError, UnknownRecordError
-from courses.regrading import Rejudged, Scope, apply, begin, changes, rejudge
 from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
 from courses.storage import Store
-from service.wire.course_views import attempt_record, csv_of
 from service.work.retention import Retention
 from tests.courses.classroom import NOW, joined, platform, submitted
 
@@ -183,7 +176,6 @@ def test_a_draft_comes_back_in_another_session(store: Store) -> None:
 
 def test_sessions_live_while_they_are_used(store: Store) -> None:
     from courses.enrolment import Arrival, arrive
-    from courses.model import Role
 
     told = Arrival(
         platform=platform(store),
@@ -269,43 +261,6 @@ def test_right_tables_with_missing_parts_are_not_unexplained(store: Store) -> No
     assert behind(store, session, kind=named["kind"], code=named["code"]) == [("eve", 1)]
 
 
-def test_an_export_holds_what_counts(store: Store) -> None:
-    """Ann's first attempt was regraded; the second costs a penalty; a teacher's tries are left out."""
-    policy = AttemptPolicy(penalty=0.25)
-    ann = joined(store, "ann")
-    change_settings(store, ann.link.id, LinkSettings(points=8.0, policy=policy), NOW)
-    submitted(store, joined(store, "ann"), 0.5, key="1", report=WRONG)
-    submitted(store, joined(store, "ann"), 0.75, key="2", minutes=1)
-    submitted(store, joined(store, "tina", role=Role.STAFF), 1.0, key="1")
-    judged_anew = {"verdict": None, "parts": []}
-    run = begin(store, ann.link.id, Scope.ALL, "2", NOW)
-    scores = {1: 0.875, 2: 0.75}
-    rejudge(
-        store,
-        run,
-        lambda batch: [
-            Rejudged(
-                attempt_id=each.id,
-                score=scores[each.number],
-                correct=False,
-                report=judged_anew,
-                analysis=judged_anew,
-            )
-            for each in batch
-        ],
-    )
-    link = joined(store, "ann").link
-    before = [(each.attempt.score, each.counted) for each in exported_attempts(store, link)]
-    assert before == [(0.5, True), (0.75, False)]
-    apply(store, link.id, run, NOW)
-    first, second = (attempt_record(each) for each in exported_attempts(store, link))
-    kept = ("attempt", "score", "points", "max_points", "counted", "correct", "report")
-    assert [first[name] for name in kept] == [1, 0.875, 7.0, 8.0, True, False, judged_anew]
-    assert [second[name] for name in kept[:5]] == [2, 0.75, 4.0, 8.0, False]
-    lines = "".join(csv_of(exported_attempts(store, link))).splitlines()
-    assert [row["counted"] for row in csv.DictReader(lines)] == ["1", "0"]
-
-
 def behind(store: Store, session: CourseSession, **asked: Any) -> list[tuple[str, int]]:
     """Who made the attempts behind a number, and which they were."""
     names = {pseudonym_of(store, name): name for name in ("ann", "bob", "eve", "max", "zoe")}
@@ -340,90 +295,6 @@ def test_every_number_has_its_attempts(store: Store) -> None:
     assert len(behind(store, session, day=NOW.date(), correct=True)) == day["correct"] == 2
     assert behind(store, session, number=1, correct=True) == [("ann", 1)]
     assert behind(store, session, progress=Progress.STUCK) == [("max", 3)]
-
-
-def test_numbers_follow_the_judgement_that_counts(store: Store) -> None:
-    ann = joined(store, "ann")
-    submitted(store, ann, 0.5, key="1", report=WRONG)
-    run = begin(store, ann.link.id, Scope.ALL, "2", NOW)
-    rejudge(
-        store,
-        run,
-        lambda batch: [Rejudged(attempt_id=a.id, score=1.0, correct=True, path=()) for a in batch],
-    )
-    assert link_statistics(store, ann.link.id)["solved"] == 0
-    apply(store, ann.link.id, run, NOW)
-    assert link_statistics(store, ann.link.id)["solved"] == 1
-    assert (misconceptions(store, ann.link.id), unexplained(store, ann.link.id)) == ([], [])
-    assert class_overview(store, ann.course.id)["links"][0]["solved"] == 1
-    assert [row["score"] for row in attempts_behind(store, ann.link.id, AttemptFilter())] == [1.0]
-
-
-def test_a_regrading_is_looked_at_then_applied_and_resumed(store: Store) -> None:
-    ann, bob = joined(store, "ann"), joined(store, "bob")
-    for session in (ann, bob):
-        submitted(store, session, 0.5, key="1", report=WRONG)
-    for item in lease_scores(store, NOW):
-        delivered(store, item, NOW)
-    run = begin(store, ann.link.id, Scope.COUNTED, "2", NOW)
-
-    class Interrupted(Exception):
-        pass
-
-    def judge(batch):
-        return [
-            Rejudged(attempt_id=a.id, score=1.0, correct=True, path=())
-            for a in batch
-            if a.person_id == ann.person.id
-        ] or (_ for _ in ()).throw(Interrupted)
-
-    with pytest.raises(Interrupted):
-        rejudge(store, run, judge)
-    assert begin(store, ann.link.id, Scope.COUNTED, "2", NOW) == run
-    same = lambda batch: [  # noqa: E731
-        Rejudged(attempt_id=a.id, score=a.score, correct=False, path=tuple(path_of_codes(WRONG)))
-        for a in batch
-    ]
-    assert rejudge(store, run, same) == 1
-    assert [(row["key"], row["before"], row["after"]) for row in changes(store, run)] == [
-        (ann.person.key, 0.5, 1.0)
-    ]
-    assert lease_scores(store, NOW + minutes(99)) == []
-    apply(store, ann.link.id, run, NOW)
-    assert [item.score for item in lease_scores(store, NOW)] == [1.0]
-    assert misconceptions(store, ann.link.id)[0]["students"] == 1
-    with pytest.raises(UnknownRecordError):
-        apply(store, ann.link.id, run, NOW)
-
-
-def test_a_mend_that_is_taken_back_brings_the_codes_back(store: Store) -> None:
-    """The second run finds what the attempt was told at first, and not what stands in the statistics."""
-    ann = joined(store, "ann")
-    submitted(store, ann, 0.5, key="1", report=WRONG)
-    before = misconceptions(store, ann.link.id)
-    for version, score, path in (("2", 1.0, ()), ("3", 0.5, tuple(path_of_codes(WRONG)))):
-        run = begin(store, ann.link.id, Scope.ALL, version, NOW)
-        found = Rejudged(attempt_id=0, score=score, correct=score == 1.0, path=path)
-        rejudge(store, run, lambda batch, found=found: [replace(found, attempt_id=a.id) for a in batch])
-        apply(store, ann.link.id, run, NOW)
-        assert misconceptions(store, ann.link.id) == (before if path else [])
-
-
-def test_a_run_of_an_earlier_version_is_applied(store: Store) -> None:
-    """It kept the whole report."""
-    ann = joined(store, "ann")
-    submitted(store, ann, 0.5, key="1", report={})
-    run = begin(store, ann.link.id, Scope.ALL, "2", NOW)
-    rejudge(
-        store,
-        run,
-        lambda batch: [Rejudged(attempt_id=a.id, score=0.4, correct=False, path=()) for a in batch],
-    )
-    with store.writing() as connection:
-        kept = {"report": WRONG, "analysis": WRONG}
-        connection.execute(sa.update(records.regraded).values(report=kept))
-    apply(store, ann.link.id, run, NOW)
-    assert misconceptions(store, ann.link.id)[0]["students"] == 1
 
 
 def test_a_person_is_exported_and_erased(store: Store) -> None:

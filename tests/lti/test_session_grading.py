@@ -9,7 +9,7 @@ import pytest
 import sqlalchemy as sa
 
 from courses import records
-from courses.attempts import attempts_of
+from courses.attempts import attempts_of, path_of_codes
 from courses.links import change_settings
 from courses.model import Attempt, CourseSession, LinkSettings
 from courses.policies import AttemptPolicy
@@ -99,18 +99,32 @@ def test_judging_again_finds_the_codes_that_were_stored(store: Store, grader: Gr
         )
 
 
-def test_judging_again_keeps_the_values_of_a_variant(tmp_path: Path) -> None:
-    """Whoever is given one of two sets of values is judged by these, however much may be told."""
+@pytest.fixture
+def varied(tmp_path: Path) -> Grader:
+    """Judges an exercise with two sets of values whose first attempt is told a verdict alone."""
     folder(tmp_path, TWO_LINKS + RULES.replace("[help]", "variants = 2\n\n[help]"))
-    grader, settings = Grader(library=Library((tmp_path,)), limits=DEFAULT), LinkSettings(exercise_id="two")
-    for seed in map(str, range(8)):
-        given = kept_instance(grader.library.exercise("two"), seed).parameters
-        rows = [{**ROW, "theta": f"q{i}", "a": str(given[f"L{i}"])} for i in (1, 2)]
-        answer = {"table": {"convention": "standard", "angle_unit": "deg", "rows": rows}}
-        judged = grader.judge(settings, seed, ExerciseAnswer.model_validate(answer), 1)
-        attempt = stored(answer, seed, judged.report)
-        (again,) = grader.rejudge([attempt], settings)
-        assert (judged.score, again.score, again.correct) == (1.0, 1.0, True)
+    return Grader(library=Library((tmp_path,)), limits=DEFAULT)
+
+
+def measured(grader: Grader, seed: str) -> dict[str, Any]:
+    """An answer in a student's values, with the length of the second row in centimetres."""
+    given = kept_instance(grader.library.exercise("two"), seed).parameters
+    rows = [
+        {**ROW, "theta": "q1", "a": str(given["L1"])},
+        {**ROW, "theta": "q2", "a": str(100 * given["L2"])},
+    ]
+    return {"table": {"convention": "standard", "angle_unit": "deg", "rows": rows}}
+
+
+@pytest.mark.parametrize("seed", ["1", "2"])
+def test_statistics_and_judging_again_keep_the_values_of_a_variant(varied: Grader, seed: str) -> None:
+    """Whoever is given one of two sets of values is judged by these, however much may be told."""
+    settings, answer = LinkSettings(exercise_id="two"), measured(varied, seed)
+    judged = varied.judge(settings, seed, ExerciseAnswer.model_validate(answer), 1)
+    (again,) = varied.rejudge([stored(answer, seed, judged.report)], settings)
+    path = tuple(path_of_codes(judged.analysis))
+    assert [entry for entry in path if entry[0] == "repair"] == [("repair", "cell_length_unit", 2)]
+    assert (again.score, again.correct, again.path) == (judged.score, False, path)
 
 
 def stored(answer: dict[str, Any], seed: str, report: dict[str, Any]) -> Attempt:

@@ -1,0 +1,148 @@
+"""Judging again what was handed in, and what files of attempts say then, on both databases."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import replace
+
+import pytest
+import sqlalchemy as sa
+
+from courses import records
+from courses.attempt_export import exported_attempts
+from courses.attempts import path_of_codes
+from courses.gradebook import delivered, lease_scores
+from courses.judged import AttemptFilter, attempts_behind
+from courses.links import change_settings
+from courses.model import LinkSettings, Role
+from courses.policies import AttemptPolicy
+from courses.refusals import UnknownRecordError
+from courses.regrading import Rejudged, Scope, apply, begin, changes, rejudge
+from courses.statistics import class_overview, link_statistics, misconceptions, unexplained
+from courses.storage import Store
+from service.wire.course_views import attempt_record, csv_of
+from tests.courses.classroom import NOW, joined, submitted
+from tests.courses.test_attempts import WRONG, minutes
+
+MENDED = (("repair", "alpha_sign", 2), ("wrong", "pose", None))
+
+
+def test_an_export_holds_what_counts(store: Store) -> None:
+    """Ann's first attempt was regraded; the second costs a penalty; a teacher's tries are left out."""
+    policy = AttemptPolicy(penalty=0.25)
+    ann = joined(store, "ann")
+    change_settings(store, ann.link.id, LinkSettings(points=8.0, policy=policy), NOW)
+    submitted(store, joined(store, "ann"), 0.5, key="1", report=WRONG)
+    submitted(store, joined(store, "ann"), 0.75, key="2", minutes=1)
+    submitted(store, joined(store, "tina", role=Role.STAFF), 1.0, key="1")
+    run = begin(store, ann.link.id, Scope.ALL, "2", NOW)
+    rejudge(
+        store,
+        run,
+        lambda batch: [
+            Rejudged(attempt_id=each.id, score=score, correct=False, path=path)
+            for each, (score, path) in zip(batch, ((0.875, MENDED), (0.75, ()), (1.0, ())), strict=True)
+        ],
+    )
+    link = joined(store, "ann").link
+    before = [(each.attempt.score, each.path, each.counted) for each in exported_attempts(store, link)]
+    assert before == [(0.5, tuple(path_of_codes(WRONG)), True), (0.75, (), False)]
+    apply(store, link.id, run, NOW)
+    first, second = (attempt_record(each) for each in exported_attempts(store, link))
+    kept = ("attempt", "score", "points", "max_points", "counted", "correct", "codes", "report")
+    codes = ["repair:alpha_sign@2", "wrong:pose"]
+    assert [first[name] for name in kept] == [1, 0.875, 7.0, 8.0, True, False, codes, WRONG]
+    assert [second[name] for name in kept[:7]] == [2, 0.75, 4.0, 8.0, False, False, []]
+    rows = list(csv.DictReader("".join(csv_of(exported_attempts(store, link))).splitlines()))
+    assert [(row["counted"], row["codes"]) for row in rows] == [("1", " ".join(codes)), ("0", "")]
+
+
+def test_numbers_follow_the_judgement_that_counts(store: Store) -> None:
+    ann = joined(store, "ann")
+    submitted(store, ann, 0.5, key="1", report=WRONG)
+    run = begin(store, ann.link.id, Scope.ALL, "2", NOW)
+    rejudge(
+        store,
+        run,
+        lambda batch: [Rejudged(attempt_id=a.id, score=1.0, correct=True, path=()) for a in batch],
+    )
+    assert link_statistics(store, ann.link.id)["solved"] == 0
+    apply(store, ann.link.id, run, NOW)
+    assert link_statistics(store, ann.link.id)["solved"] == 1
+    assert (misconceptions(store, ann.link.id), unexplained(store, ann.link.id)) == ([], [])
+    assert class_overview(store, ann.course.id)["links"][0]["solved"] == 1
+    assert [row["score"] for row in attempts_behind(store, ann.link.id, AttemptFilter())] == [1.0]
+
+
+def test_a_regrading_is_looked_at_then_applied_and_resumed(store: Store) -> None:
+    ann, bob = joined(store, "ann"), joined(store, "bob")
+    for session in (ann, bob):
+        submitted(store, session, 0.5, key="1", report=WRONG)
+    for item in lease_scores(store, NOW):
+        delivered(store, item, NOW)
+    run = begin(store, ann.link.id, Scope.COUNTED, "2", NOW)
+
+    class Interrupted(Exception):
+        pass
+
+    def judge(batch):
+        return [
+            Rejudged(attempt_id=a.id, score=1.0, correct=True, path=())
+            for a in batch
+            if a.person_id == ann.person.id
+        ] or (_ for _ in ()).throw(Interrupted)
+
+    with pytest.raises(Interrupted):
+        rejudge(store, run, judge)
+    assert begin(store, ann.link.id, Scope.COUNTED, "2", NOW) == run
+    same = lambda batch: [  # noqa: E731
+        Rejudged(attempt_id=a.id, score=a.score, correct=False, path=tuple(path_of_codes(WRONG)))
+        for a in batch
+    ]
+    assert rejudge(store, run, same) == 1
+    assert [(row["key"], row["before"], row["after"]) for row in changes(store, run)] == [
+        (ann.person.key, 0.5, 1.0)
+    ]
+    assert lease_scores(store, NOW + minutes(99)) == []
+    apply(store, ann.link.id, run, NOW)
+    assert [item.score for item in lease_scores(store, NOW)] == [1.0]
+    assert misconceptions(store, ann.link.id)[0]["students"] == 1
+    with pytest.raises(UnknownRecordError):
+        apply(store, ann.link.id, run, NOW)
+
+
+def test_a_mend_that_is_taken_back_brings_the_codes_back(store: Store) -> None:
+    """The second run finds what the attempt was told at first, and not what stands in the statistics."""
+    ann = joined(store, "ann")
+    submitted(store, ann, 0.5, key="1", report=WRONG)
+    before = misconceptions(store, ann.link.id)
+    for version, score, path in (("2", 1.0, ()), ("3", 0.5, tuple(path_of_codes(WRONG)))):
+        run = begin(store, ann.link.id, Scope.ALL, version, NOW)
+        found = Rejudged(attempt_id=0, score=score, correct=score == 1.0, path=path)
+        rejudge(store, run, lambda batch, found=found: [replace(found, attempt_id=a.id) for a in batch])
+        apply(store, ann.link.id, run, NOW)
+        assert misconceptions(store, ann.link.id) == (before if path else [])
+        (exported,) = exported_attempts(store, ann.link)
+        assert exported.path == path
+
+
+def test_a_run_of_an_earlier_version_is_applied(store: Store) -> None:
+    """It kept the whole report, of an attempt that it judged as before none."""
+    for name in ("ann", "bob"):
+        submitted(store, joined(store, name), 0.5, key="1", report={} if name == "ann" else WRONG)
+    link = joined(store, "ann").link
+    run = begin(store, link.id, Scope.ALL, "2", NOW)
+    rejudge(
+        store,
+        run,
+        lambda batch: [Rejudged(attempt_id=a.id, score=0.5, correct=False, path=()) for a in batch],
+    )
+    done = records.regraded
+    with store.writing() as connection:
+        first = sa.select(sa.func.min(records.attempt.c.id)).scalar_subquery()
+        kept = {"report": WRONG, "analysis": WRONG}
+        connection.execute(sa.update(done).where(done.c.attempt_id == first).values(report=kept))
+        connection.execute(sa.update(done).where(done.c.attempt_id != first).values(report=None))
+    apply(store, link.id, run, NOW)
+    assert misconceptions(store, link.id)[0]["students"] == 2
+    assert [each.path for each in exported_attempts(store, link)] == [tuple(path_of_codes(WRONG))] * 2
