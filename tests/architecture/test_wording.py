@@ -8,6 +8,8 @@ import pytest
 
 from tests.architecture.test_messages import LANGUAGES, LOCALES
 
+DEFINITIONS = LOCALES.parent.parent / "exercises" / "definitions"
+CATALOGUE = LOCALES.parent.parent / "kinematics" / "catalogue"
 PLACEABLE = re.compile(r"\{[^{}]*\}")
 APOSTROPHE = {r"\w'": "the apostrophe is ’"}
 
@@ -35,10 +37,21 @@ def _sentences(language: str) -> list[tuple[str, str]]:
     return found
 
 
+def _told_by_exercises(language: str) -> list[tuple[str, str]]:
+    """Place and text of the statements and titles in a language, formulas left out."""
+    found = []
+    for path in sorted(DEFINITIONS.glob(f"*/*.{language}.md")):
+        found.append((path.parent.name, re.sub(r"\$[^$]*\$|`[^`]*`", "", path.read_text(encoding="utf-8"))))
+    for path in sorted([*DEFINITIONS.glob("*/exercise.toml"), *CATALOGUE.glob("*.toml")]):
+        for match in re.finditer(rf'^{language} = "(.*)"$', path.read_text(encoding="utf-8"), re.MULTILINE):
+            found.append((f"{path.parent.name}/{path.name}", match[1]))
+    return found
+
+
 def _broken(language: str, rules: dict[str, str]) -> list[str]:
     return [
         f"{place}: {why}: …{text[max(match.start() - 20, 0) : match.end() + 20]}…"
-        for place, text in _sentences(language)
+        for place, text in [*_sentences(language), *_told_by_exercises(language)]
         for pattern, why in rules.items()
         for match in re.finditer(pattern, text)
     ]
