@@ -21,6 +21,7 @@ from kinematics.cells import AngleUnit, Cell, Limits
 from kinematics.cells.entries import cell_meaning
 from kinematics.cells.meaning import Position
 from kinematics.cells.refusals import CellRefusal
+from kinematics.cells.tables import NoCell, as_cell
 from kinematics.cells.variables import variable_index
 from kinematics.errors import CellError, Fault, ParameterError
 from kinematics.expressions import (
@@ -111,7 +112,7 @@ def read_entries(
     def entry(cell: Cell, r: int, k: int) -> Expression | Fault:
         position = Position.LENGTH if k == 3 and r < 3 else Position.RATIO
         try:
-            return _read(cell, position, angle_unit, limits, types)
+            return _read(as_cell(cell), position, angle_unit, limits, types)
         except CellRefusal as refusal:
             return refusal.at(*where, r, k)
         except _NameError as error:
@@ -146,7 +147,7 @@ def read_functions(
 
     def entry(cell: Cell, k: int) -> Expression | Fault:
         try:
-            return _read(cell, position, angle_unit, CELL_LIMITS, types)
+            return _read(as_cell(cell), position, angle_unit, CELL_LIMITS, types)
         except CellRefusal as refusal:
             return refusal.at(*where, k)
         except _NameError as error:
@@ -229,7 +230,11 @@ def write_matrix(matrix: Matrix, n_joints: int, parameters: Sequence[str]) -> Ce
 
 @lru_cache(maxsize=8192, typed=True)
 def _read(
-    cell: Cell, position: Position, unit: AngleUnit, limits: Limits, joint_types: tuple[JointType, ...]
+    cell: Cell | NoCell,
+    position: Position,
+    unit: AngleUnit,
+    limits: Limits,
+    joint_types: tuple[JointType, ...],
 ) -> Expression:
     """The expression of one cell; the columns of a refusal are those of the cell as typed."""
     variable = _variables(joint_types)

@@ -7,7 +7,10 @@ from typing import Any
 import pytest
 
 from exercises.grading import Finding, HelpLevel
+from exercises.parts.matrix_cells import read_functions, read_matrix
 from exercises.parts.report import Credit
+from kinematics.cells import AngleUnit
+from kinematics.errors import CellError, Fault
 from tests.exercises.answering import (
     SCARA,
     SCARA_MATRICES,
@@ -202,3 +205,15 @@ def test_units_of_the_table_are_units_of_the_matrices() -> None:
     for matrix in (first, named):
         report = judged("dmra", table=dmra, link_matrices=[matrix, None, None, None, None, None])
         assert part(report, "link_matrices").facts[0].finding is Finding.OK
+
+
+@pytest.mark.parametrize("entry", [{}, [], {"a": 1}, None, True])
+def test_what_is_no_cell_is_refused_at_its_place(entry: Any) -> None:
+    with pytest.raises(CellError) as refused:
+        read_matrix([[1, 0, 0, 0], [0, 1, entry, 0], [0, 0, 1, 0], [0, 0, 0, 1]], (), AngleUnit.RAD, ("m",))
+    assert [(fault.code, fault.where) for fault in refused.value.faults] == [
+        ("cell_not_a_value", ("m", 1, 2))
+    ]
+    (fault,) = read_functions([entry], (), AngleUnit.RAD, ("row",))
+    assert isinstance(fault, Fault)
+    assert (fault.code, fault.where) == ("cell_not_a_value", ("row", 0))
