@@ -2,12 +2,23 @@
 
 from __future__ import annotations
 
+from typing import Annotated, TypeAlias
+
+from fastapi import Query
+from pydantic import WithJsonSchema
 from starlette.requests import Request
 
 from kinematics.errors import Fault
 from service.http.negotiation import preferred_language
 from service.http.problems import RequestError, RequestPart
 from service.messages import DEFAULT_LANGUAGE, languages
+
+Language: TypeAlias = Annotated[
+    str | None,
+    Query(description="en, es, fr, pt, ro or uk; else Accept-Language decides"),
+    WithJsonSchema({"type": "string", "enum": list(languages())}),
+]
+"""The query parameter `lang`; what is asked for is read, and refused, by `language_of`."""
 
 
 def language_for(accept_language: str | None) -> str:

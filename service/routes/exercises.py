@@ -14,7 +14,7 @@ from exercises.grader import Report, grade
 from exercises.grading import HelpLevel
 from exercises.instance import Instance
 from kinematics.errors import Fault
-from service.http.languages import language_of
+from service.http.languages import Language, language_of
 from service.http.link_context import LinkContext
 from service.http.link_guard import context_of
 from service.http.openapi import problems, request_body
@@ -46,9 +46,6 @@ Id = Annotated[
 Seed = Annotated[
     str | None,
     Query(max_length=200, description="names a student or a try; the same seed gives the same values"),
-]
-Language = Annotated[
-    str | None, Query(max_length=20, description="en, es, fr, pt, ro or uk; else Accept-Language decides")
 ]
 
 

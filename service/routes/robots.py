@@ -6,11 +6,11 @@ from functools import cache, partial
 from typing import Annotated
 
 import orjson
-from fastapi import Path, Query, Request, Response
+from fastapi import Path, Request, Response
 
 from kinematics import catalogue
 from kinematics.errors import Fault
-from service.http.languages import language_of
+from service.http.languages import Language, language_of
 from service.http.openapi import problems
 from service.http.problems import NotFoundError, RequestPart
 from service.http.routing import JSON, api_router
@@ -19,10 +19,6 @@ from service.schemas.catalogue import RobotList, RobotModel
 from service.web.responses import text_response
 
 router = api_router("robots")
-
-Language = Annotated[
-    str | None, Query(max_length=20, description="en, es, fr, pt, ro or uk; else Accept-Language decides")
-]
 
 
 @router.get("/robots", response_model=RobotList, summary="The robots of the source documents")

@@ -9,13 +9,13 @@ from fastapi import Query, Request, Response
 
 from exercises.access import Tool
 from service.adapters.scorm import ScormPackage, ScormVersion, package
-from service.http.languages import language_of
+from service.http.languages import Language, language_of
 from service.http.link_context import QUERY, LinkContext, signed
 from service.http.openapi import problems
 from service.http.routing import api_router
 from service.messages import sentence
 from service.resources import AppResources
-from service.routes.exercises import Id, Language
+from service.routes.exercises import Id
 from service.schemas.verdicts import Help
 from service.secret import installation_secret
 from service.wire.ungraded import known_exercise

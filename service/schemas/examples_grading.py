@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from service.messages import languages
+
 EXERCISE_ID: dict[str, Any] = {
     "name": "exercise_id",
     "in": "path",
@@ -17,7 +19,7 @@ LANGUAGE: dict[str, Any] = {
     "in": "query",
     "required": False,
     "description": "en, es, fr, pt, ro or uk; else Accept-Language decides",
-    "schema": {"type": "string", "enum": ["en", "es", "fr", "pt", "ro", "uk"]},
+    "schema": {"type": "string", "enum": list(languages())},
 }
 
 SCARA: dict[str, Any] = {

@@ -16,6 +16,7 @@ from hypothesis import HealthCheck, Phase, settings
 from jsonschema import Draft202012Validator
 from schemathesis.specs.openapi.checks import negative_data_rejection, positive_data_acceptance
 
+from service.messages import languages
 from tests.document import DOCUMENT
 
 OPERATIONS = {
@@ -105,6 +106,23 @@ def test_every_call_is_described(name: str) -> None:
         if not status.startswith("2") and (name, status) != ("GET /readyz", "503"):  # which is an answer
             schema = response["content"]["application/problem+json"]["schema"]
             assert schema["$ref"].endswith("ProblemDocument")
+
+
+def test_every_call_names_the_languages_that_it_speaks(client: httpx.Client) -> None:
+    asked = {
+        name: parameter["schema"]
+        for name, (_, _, operation) in OPERATIONS.items()
+        for parameter in operation.get("parameters", [])
+        if parameter["name"] == "lang"
+    }
+    assert len(asked) >= 6
+    assert all(schema["enum"] == list(languages()) for schema in asked.values())
+    for language in (*languages(), "xx", "x" * 300):
+        known = language in languages()
+        for path in ("robots", "exercises"):
+            answer = client.get(f"/api/v1/{path}", params={"lang": language})
+            assert answer.status_code == (200 if known else 422)
+            assert known or answer.json()["code"] == "language_unknown"
 
 
 def test_every_field_of_a_request_is_described() -> None:
