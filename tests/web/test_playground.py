@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Page, Request, expect
+from playwright.sync_api import Locator, Page, Request, expect
 
 from tests.web.conftest import LANGUAGES, OpenPage, Watch
 from tests.web.driving import Held
@@ -503,3 +503,75 @@ def test_a_decimal_comma_is_read_where_the_language_writes_one(open_page: OpenPa
     number.fill("22,5")
     number.blur()
     expect(number).to_have_value("22.5")
+
+
+def more(page: Page, heading: str) -> Locator:
+    """Open one of the tools that are loaded when they are asked for."""
+    group = page.locator("#tools > details.tool", has_text="More about this robot")
+    if group.get_attribute("open") is None:
+        assert not page.evaluate(
+            "performance.getEntriesByType('resource').some((e) => /more\\.js/.test(e.name))"
+        )
+        opened(page, "More about this robot")
+    opened(page, re.escape(heading))
+    return group.locator("details.tool", has=page.locator("summary", has_text=heading))
+
+
+def test_more_about_a_robot(open_page: OpenPage) -> None:
+    """Each tool of the group is asked about the SCARA and shows an answer."""
+    page = open_page("/playground")
+    shown_robot(page)
+    page.get_by_label("Robot of the catalogue").select_option("scara")
+    expect(page.locator("joint-sliders .joint-name")).to_have_count(4)
+    shown_robot(page)
+    expect(more(page, "Inverse kinematics in symbols").locator(".katex").nth(3)).to_be_visible()
+    singular = more(page, "Singularities")
+    expect(singular.get_by_role("button", name=re.compile("^Family"))).not_to_have_count(0)
+    singular.get_by_label("Conditions").fill("sin(q2)")
+    singular.get_by_label("Conditions").blur()
+    expect(singular).to_contain_text("singular just where these hold")
+    rotations = more(page, "Orientation in every notation")
+    expect(rotations.locator("tbody tr")).to_have_count(24)
+    motion = more(page, "Equations of motion")
+    expect(motion.locator(".matrix-block")).to_have_count(3)
+    motion.get_by_label("Symbols").check()
+    expect(motion.locator(".matrix-block .katex").first).to_be_visible()
+
+
+def test_a_planted_mistake_is_found_and_mended(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    with page.expect_response("**/plant-mistake") as answered:
+        tool = more(page, "Find the mistake")
+    row = answered.value.json()["row"]
+    tool.get_by_role("button", name=f"Row {row % 6 + 1}", exact=True).click()
+    expect(tool.get_by_role("status")).to_contain_text("look again")
+    tool.get_by_role("button", name=f"Row {row}", exact=True).click()
+    expect(tool.get_by_role("status")).to_contain_text(answered.value.json()["label"])
+
+
+def test_a_kept_table_is_compared_with_what_is_typed(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    tool = more(page, "Are two tables one robot?")
+    tool.get_by_role("button", name="Keep this table").click()
+    expect(tool).to_contain_text("describe the same robot")
+    page.get_by_label(re.compile(r"^Row 1, d")).fill("0.3")
+    page.get_by_label(re.compile(r"^Row 2, a")).fill("0.6")
+    expect(tool).to_contain_text("describe different robots")
+
+
+@pytest.mark.parametrize("width", [320, 1280])
+def test_more_about_a_robot_is_accessible(
+    open_page: OpenPage, assert_accessible: Callable[[Page], None], width: int
+) -> None:
+    page = open_page("/playground", width=width)
+    shown_robot(page)
+    page.get_by_label("Robot of the catalogue").select_option("scara")
+    expect(page.locator("joint-sliders .joint-name")).to_have_count(4)
+    shown_robot(page)
+    for heading in ("Orientation in every notation", "Equations of motion", "Find the mistake"):
+        expect(more(page, heading).locator(".scroller").last).to_be_visible()
+    expect(more(page, "Inverse kinematics in symbols").locator(".katex").first).to_be_visible()
+    assert_accessible(page)
+    assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")

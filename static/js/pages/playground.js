@@ -11,6 +11,7 @@ import { OwnCard } from "../exercise/own-card.js";
 import { connect } from "../exercise/pictures.js";
 import { t } from "../i18n.js";
 import { inward, LiveRobot, outward } from "../live-robot.js";
+import { problemNotice } from "../problem.js";
 import { api, startPage } from "../page.js";
 import { keep, recall } from "../storage.js";
 import { convertTool } from "../playground/convert.js";
@@ -57,6 +58,7 @@ class Playground {
     };
     this.limits = new JointLimits(() => this.#limited());
     this.trajectory = trajectoryTool(api, picture, { show: (joints) => this.show(joints, { silent: true }) });
+    /** @type {{element: HTMLElement, take: (subject: import("../playground/tool.js").Subject | null) => void}[]} */
     this.tools = [
       poseTool(api),
       jacobianTool(api, picture),
@@ -88,8 +90,29 @@ class Playground {
       place("tools"),
       this.limits.element,
       this.tools.map((tool) => tool.element),
+      this.#more(),
     );
     this.listen();
+  }
+
+  /** Tools that are loaded when somebody asks for them. */
+  #more() {
+    const body = el("div", { class: "more-tools" }, el("p", { class: "hint", text: t("form-loading") }));
+    const group = el("details", { class: "tool" }, el("summary", {}, t("playground-more")), body);
+    const open = async () => {
+      try {
+        const { moreTools } = await import("../playground/more.js");
+        const tools = moreTools({ api, show: (joints) => this.show(joints) });
+        fill(body, ...tools.map((tool) => tool.element));
+        for (const tool of tools) tool.take(this.#subject());
+        this.tools.push(...tools);
+      } catch (error) {
+        fill(body, problemNotice(error));
+        group.addEventListener("toggle", open, { once: true });
+      }
+    };
+    group.addEventListener("toggle", open, { once: true });
+    return group;
   }
 
   listen() {

@@ -72,8 +72,8 @@ function report(found, to, use) {
   ].filter(Boolean);
 }
 
-/** @param {any} table */
-function tableView(table) {
+/** A table to read. @param {any} table */
+export function tableView(table) {
   const columns = table.convention === "modified" ? ["alpha", "a", "d", "theta"] : ["theta", "d", "a", "alpha"];
   return el(
     "div",

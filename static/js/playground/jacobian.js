@@ -1,6 +1,5 @@
 /** The Jacobian at the present joint values and in closed form, with the velocity ellipsoid in the scene. */
 
-import { copyButtons } from "../clipboard.js";
 import { Latest } from "../api.js";
 import { el, segmented, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
@@ -8,11 +7,8 @@ import { shown } from "../numbers.js";
 import { ellipsoidModel } from "../scene/figures.js";
 import { column } from "../scene/matrix.js";
 import { poses } from "../scene/model.js";
-import { typeset } from "../typeset.js";
 import { asked, Tool } from "./tool.js";
-import { matrix, named, numbers } from "./values.js";
-
-const FORMATS = ["latex", "python", "c", "matlab"];
+import { closedForm, FORMATS, matrix, named, numbers } from "./values.js";
 
 /** @param {import("../api.js").Api} api @param {import("./tool.js").Picture} picture */
 export function jacobianTool(api, picture) {
@@ -98,24 +94,7 @@ class Symbols {
     if (!found) return this.#nodes;
     this.#asked = asked;
     const { J0, Jn } = found.value;
-    this.#nodes = [this.#block(t("playground-jacobian-base"), J0), this.#block(t("playground-jacobian-end"), Jn)];
+    this.#nodes = [closedForm(t("playground-jacobian-base"), J0), closedForm(t("playground-jacobian-end"), Jn)];
     return this.#nodes;
-  }
-
-  /** @param {string} label @param {any} formats */
-  #block(label, formats) {
-    const formula = el("div", { class: "formula" });
-    typeset(formula, formats.latex, { display: true }).catch(() => (formula.textContent = formats.latex));
-    return el(
-      "div",
-      { class: "matrix-block" },
-      el(
-        "div",
-        { class: "matrix-head" },
-        el("h3", { text: label }),
-        copyButtons(label, (format) => formats[format]),
-      ),
-      el("div", { class: "scroller", tabindex: "0", role: "group", "aria-label": label }, formula),
-    );
   }
 }

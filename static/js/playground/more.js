@@ -1,0 +1,316 @@
+/**
+ * More about this robot: one entry a tool, with the call that it makes and how the answer is shown. Loaded when
+ * somebody opens the group.
+ */
+
+import { Latest } from "../api.js";
+import { el, fill, segmented, uniqueId } from "../dom.js";
+import { t } from "../i18n.js";
+import { shown } from "../numbers.js";
+import { Cells, cellValue } from "./cells.js";
+import { tableView } from "./convert.js";
+import { asked, sameRobot, Tool } from "./tool.js";
+import { angleSign, closedForm, formula, FORMATS, matrix, named, numbers } from "./values.js";
+
+/**
+ * @typedef {import("./tool.js").Subject} Subject
+ * @typedef {{api: import("../api.js").Api, show: (joints: number[]) => void, again: () => void}} Context
+ *   how the robot is moved to joint values in the table's units, and how a tool is asked again
+ * @typedef {{controls: Node[], take?: (subject: Subject) => void, value: () => any}} Fields what stands above an answer
+ * @typedef {{id: string, fields?: (context: Context) => Fields,
+ *   call: (subject: Subject, value: any, api: import("../api.js").Api) => Promise<[string, any] | null>,
+ *   show: (answer: any, context: Context) => Node[]}} Entry
+ *   `call` gives the path and the body of what is asked, or null while there is nothing to ask
+ */
+
+/** @type {Entry[]} */
+const ENTRIES = [
+  {
+    id: "inverse",
+    call: async (subject) => ["inverse-kinematics", { ...symbolic(subject), formats: FORMATS }],
+    show: inverseForms,
+  },
+  {
+    id: "singularities",
+    fields: conditionFields,
+    call: async (subject, conditions) => ["check-singularities", { ...asked(subject), conditions }],
+    show: singularities,
+  },
+  {
+    id: "rotations",
+    call: async (subject, _, api) => {
+      const question = { ...asked(subject), joints: subject.joints, parts: ["transform"] };
+      const { transform } = await api.post("forward-kinematics", question);
+      const rows = transform.slice(0, 3).map((/** @type {number[]} */ row) => row.slice(0, 3));
+      return ["rotations", { orientation: { matrix: rows }, angle_unit: subject.units.angle }];
+    },
+    show: notations,
+  },
+  { id: "dynamics", fields: bodyFields, call: motionCall, show: motion },
+  {
+    id: "mistake",
+    fields: anotherOne,
+    call: async (subject, seed) => ["plant-mistake", { ...asked(subject), seed }],
+    show: plantedTable,
+  },
+  {
+    id: "compare",
+    fields: keptTable,
+    call: async ({ table, parameters }, first) => first && ["compare-tables", { first, second: table, parameters }],
+    show: compared,
+  },
+];
+
+/** The tools of the group. @param {Omit<Context, "again">} context */
+export function moreTools(context) {
+  return ENTRIES.map((entry) => tool(entry, context));
+}
+
+/** @param {Entry} entry @param {Omit<Context, "again">} outer */
+function tool(entry, outer) {
+  const context = { ...outer, again: () => made.refresh() };
+  const fields = entry.fields?.(context);
+  const latest = new Latest();
+  let key = "";
+  /** @type {Node[]} */
+  let nodes = [];
+  /** @type {Subject | null} */
+  let of = null;
+  const made = new Tool(
+    t(`playground-more-${entry.id}`),
+    async (subject, body) => {
+      const call = await entry.call(subject, fields?.value(), outer.api);
+      if (!call || JSON.stringify(call) === key) return call ? nodes : [];
+      body.setAttribute("aria-busy", "true");
+      body.classList.add("busy");
+      try {
+        const found = await latest.run((signal) => outer.api.post(call[0], call[1], { signal }));
+        if (!found) return nodes;
+        nodes = entry.show(found.value, context);
+        key = JSON.stringify(call);
+        return nodes;
+      } finally {
+        body.removeAttribute("aria-busy");
+        body.classList.remove("busy");
+      }
+    },
+    {
+      controls: [
+        el(
+          "div",
+          { class: "stack" },
+          el("p", { class: "hint", text: t(`playground-more-${entry.id}-hint`) }),
+          fields?.controls,
+        ),
+      ],
+    },
+  );
+  return {
+    element: made.element,
+    /** @param {Subject | null} subject */
+    take(subject) {
+      if (subject && !sameRobot(subject, of)) {
+        latest.cancel();
+        of = subject;
+        fields?.take?.(subject);
+      }
+      made.take(subject);
+    },
+  };
+}
+
+/** A table in closed form: names stay names. @param {Subject} subject */
+const symbolic = ({ table }) => ({ table, form: "symbolic", notation: "short" });
+
+/** @param {any} answer */
+function inverseForms({ equations, conditions, code }) {
+  const latex = equations.map((/** @type {any} */ equation) => equation.latex).join(" \\\\\n");
+  const condition = (/** @type {any} */ { kind, latex: source }) =>
+    el("li", {}, `${t(`playground-condition-${kind}`)} `, formula(source, { display: false }));
+  const lines = equations.map((/** @type {any} */ equation) =>
+    el("div", {}, formula(equation.latex), el("ul", { class: "plain-list hint" }, equation.conditions.map(condition))),
+  );
+  const name = t("playground-more-inverse");
+  const block = closedForm(name, { ...code, latex });
+  fill(/** @type {Element} */ (block.querySelector(".scroller")), ...lines);
+  return [block, ...(conditions.length ? [el("ul", { class: "plain-list" }, conditions.map(condition))] : [])];
+}
+
+/** @param {Context} context @returns {Fields} */
+function conditionFields({ again }) {
+  const field = el("textarea", { rows: "2", spellcheck: "false", autocapitalize: "off", onchange: again });
+  return {
+    controls: [el("label", { class: "field" }, t("playground-conditions"), field)],
+    value: () => field.value.split("\n").filter((line) => line.trim()),
+  };
+}
+
+/** @param {any} answer @param {Context} context */
+function singularities({ correct, whole, conditions, families }, { show }) {
+  const verdict = conditions.length
+    ? [el("p", { text: t(`playground-conditions-${correct ? "right" : "wrong"}`) })]
+    : [];
+  const said = conditions.filter((/** @type {any} */ { message }) => message);
+  const postures = families.map((/** @type {any} */ { example, found }, /** @type {number} */ i) => {
+    const name = t("playground-family", { number: i + 1 });
+    const look = { type: "button", class: "small", "aria-label": `${name}: ${t("playground-show")}` };
+    const label = conditions.length ? `${name} (${t(found === 1 ? "playground-found" : "playground-missing")})` : name;
+    const button = example ? el("button", { ...look, onclick: () => show(example) }, t("playground-show")) : null;
+    return el("li", { class: "row" }, label, button);
+  });
+  return [
+    ...verdict,
+    el(
+      "ul",
+      { class: "plain-list" },
+      said.map((/** @type {any} */ { number, message }) => el("li", { text: `${number}: ${message}` })),
+    ),
+    el("p", { text: t(whole ? "playground-families" : "playground-families-some", { count: families.length }) }),
+    el("ul", { class: "plain-list" }, postures),
+  ];
+}
+
+/** @param {any} answer */
+function notations({ matrix: rows, quaternion, axis, angle, sequences, angle_unit: unit }) {
+  const sign = angleSign(unit);
+  const lines = sequences.map((/** @type {any} */ { axes, turning, triples, family }) =>
+    el(
+      "tr",
+      {},
+      el("th", { scope: "row", text: `${axes}, ${t(`playground-turning-${turning}`)}` }),
+      family
+        ? el("td", { colspan: "2", text: lockedText(family, sign) })
+        : triples.map((/** @type {number[]} */ triple) => el("td", { text: numbers(triple, sign) })),
+    ),
+  );
+  const name = t("playground-sequences");
+  return [
+    named([
+      [t("playground-quaternion"), numbers(quaternion)],
+      [t("playground-axis-angle"), `${numbers(axis)} · ${numbers([angle], sign)}`],
+    ]),
+    matrix(t("playground-rotation-matrix"), rows, "R"),
+    scroller(name, el("table", { class: "solutions" }, el("caption", { text: name }), el("tbody", {}, lines))),
+  ];
+}
+
+/** @param {any} family @param {string} sign */
+function lockedText({ middle, combination, value }, sign) {
+  const relation = combination === "sum" ? "α + γ" : "α − γ";
+  return `β = ${shown(middle)} ${sign}, ${relation} = ${shown(value)} ${sign}`;
+}
+
+/** @param {string} label @param {Node} content */
+function scroller(label, content) {
+  return el("div", { class: "scroller", tabindex: "0", role: "region", "aria-label": label }, content);
+}
+
+/** @param {Context} context @returns {Fields} */
+function bodyFields({ again }) {
+  const names = ["mass", "x", "y", "z", "rate"];
+  const columns = names.map((name) => ({ name, label: t(`playground-body-${name}`), otherwise: "0" }));
+  const cells = new Cells(t("playground-bodies"), columns, { rows: [], fixed: true, onchange: () => again() });
+  let form = "numbers";
+  const mode = segmented({
+    name: uniqueId("dynamics-mode"),
+    label: t("form-matrix-mode"),
+    value: form,
+    options: ["numbers", "symbols"].map((value) => ({ value, label: t(`form-matrix-${value}`) })),
+    onchange: (value) => {
+      form = value;
+      again();
+    },
+  });
+  return {
+    controls: [mode, cells.element],
+    take: ({ table: { rows } }) => {
+      if (rows.length === cells.rows.length) return;
+      cells.rows = rows.map(() => ({ mass: "1" }));
+    },
+    value: () => ({ form, rows: cells.rows.map((row) => names.map((name) => cellValue(row[name]))) }),
+  };
+}
+
+/** @param {Subject} subject @param {any} value @returns {Promise<[string, any]>} */
+async function motionCall(subject, { form, rows }) {
+  const inSymbols = form === "symbols";
+  /** @param {any} row @param {number} i */
+  const body = ([mass, ...at], i) => ({ mass: inSymbols && mass ? `m${i + 1}` : mass, centre: at.slice(0, 3) });
+  const links = rows.map(body);
+  if (inSymbols) return ["dynamics", { ...symbolic(subject), links, formats: FORMATS }];
+  const rates = rows.map((/** @type {any} */ row) => row[4]);
+  const moving = rates.filter(
+    (/** @type {any} */ _, /** @type {number} */ i) => subject.table.rows[i].joint !== "fixed",
+  );
+  return ["dynamics", { ...asked(subject), links, joints: subject.joints, rates: moving }];
+}
+
+/** @param {any} answer */
+function motion(answer) {
+  return ["M", "C", "g"].map((part) => {
+    const value = answer[part];
+    const name = t(`playground-motion-${part}`);
+    if (!Array.isArray(value)) return closedForm(name, value);
+    return matrix(name, part === "g" ? value.map((/** @type {number} */ entry) => [entry]) : value, part);
+  });
+}
+
+/** @param {Context} context @returns {Fields} */
+function anotherOne({ again }) {
+  let number = 1;
+  const next = () => {
+    number += 1;
+    again();
+  };
+  const button = el("button", { type: "button", onclick: next }, t("playground-mistake-next"));
+  return { controls: [el("div", {}, button)], value: () => String(number) };
+}
+
+/** @param {any} answer */
+function plantedTable({ table, row, label, mended }) {
+  const verdict = el("div", { class: "tool-answer", role: "status" });
+  const judge = (/** @type {number} */ chosen) =>
+    chosen === row
+      ? fill(verdict, el("p", { text: t("playground-mistake-found", { row, label }) }), tableView(mended))
+      : fill(verdict, el("p", { text: t("playground-mistake-elsewhere", { row: chosen }) }));
+  const buttons = table.rows.map((/** @type {any} */ _, /** @type {number} */ i) =>
+    el("button", { type: "button", class: "small", onclick: () => judge(i + 1) }, t("playground-row", { row: i + 1 })),
+  );
+  return [
+    tableView(table),
+    el("p", { text: t("playground-mistake-which") }),
+    el("div", { class: "row" }, buttons),
+    verdict,
+  ];
+}
+
+/** @param {Context} context @returns {Fields} */
+function keptTable({ again }) {
+  /** @type {any} */
+  let present = null;
+  /** @type {any} */
+  let kept = null;
+  const button = el("button", { type: "button" }, t("playground-compare-keep"));
+  const shownKept = el("div", {});
+  button.addEventListener("click", () => {
+    kept = present;
+    fill(shownKept, kept && tableView(kept));
+    again();
+  });
+  return {
+    controls: [el("div", {}, button), shownKept],
+    take: ({ table }) => {
+      present = table;
+    },
+    value: () => kept,
+  };
+}
+
+/** @param {any} answer */
+function compared({ same, feedback }) {
+  const sentences = feedback.map((/** @type {any} */ { message }) => el("li", { text: message }));
+  return [
+    el("p", { text: t(same ? "playground-compare-same" : "playground-compare-different") }),
+    el("ul", { class: "plain-list" }, sentences),
+  ];
+}
