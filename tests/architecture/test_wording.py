@@ -39,12 +39,13 @@ def _sentences(language: str) -> list[tuple[str, str]]:
 
 def _told_by_exercises(language: str) -> list[tuple[str, str]]:
     """Place and text of the statements and titles in a language, formulas left out."""
-    found = []
-    for path in sorted(DEFINITIONS.glob(f"*/*.{language}.md")):
-        found.append((path.parent.name, re.sub(r"\$[^$]*\$|`[^`]*`", "", path.read_text(encoding="utf-8"))))
+    found = [
+        (path.parent.name, re.sub(r"\$[^$]*\$|`[^`]*`", "", path.read_text(encoding="utf-8")))
+        for path in sorted(DEFINITIONS.glob(f"*/*.{language}.md"))
+    ]
     for path in sorted([*DEFINITIONS.glob("*/exercise.toml"), *CATALOGUE.glob("*.toml")]):
-        for match in re.finditer(rf'^{language} = "(.*)"$', path.read_text(encoding="utf-8"), re.MULTILINE):
-            found.append((f"{path.parent.name}/{path.name}", match[1]))
+        titles = re.findall(rf'^{language} = "(.*)"$', path.read_text(encoding="utf-8"), re.MULTILINE)
+        found.extend((f"{path.parent.name}/{path.name}", title) for title in titles)
     return found
 
 
