@@ -561,6 +561,19 @@ def test_a_kept_table_is_compared_with_what_is_typed(open_page: OpenPage) -> Non
     expect(tool).to_contain_text("describe different robots")
 
 
+def test_tables_whose_names_have_different_values_are_not_compared(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    page.get_by_label("Robot of the catalogue").select_option("puma560")
+    expect(page.locator("joint-sliders .joint-name")).to_have_count(6)
+    shown_robot(page)
+    tool = more(page, "Are two tables one robot?")
+    tool.get_by_role("button", name="Keep this table").click()
+    expect(tool).to_contain_text("describe the same robot")
+    page.get_by_label("Robot of the catalogue").select_option("scara")
+    expect(tool).to_contain_text("different values for a2")
+
+
 @pytest.mark.parametrize("width", [320, 1280])
 def test_more_about_a_robot_is_accessible(
     open_page: OpenPage, assert_accessible: Callable[[Page], None], width: int

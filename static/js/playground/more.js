@@ -18,9 +18,10 @@ import { angleSign, closedForm, formula, FORMATS, matrix, named, numbers } from 
  *   how the robot is moved to joint values in the table's units, and how a tool is asked again
  * @typedef {{controls: Node[], take?: (subject: Subject) => void, value: () => any}} Fields what stands above an answer
  * @typedef {{id: string, fields?: (context: Context) => Fields,
- *   call: (subject: Subject, value: any, api: import("../api.js").Api) => Promise<[string, any] | null>,
+ *   call: (subject: Subject, value: any, api: import("../api.js").Api) => Promise<[string, any] | string | null>,
  *   show: (answer: any, context: Context) => Node[]}} Entry
- *   `call` gives the path and the body of what is asked, or null while there is nothing to ask
+ *   `call` gives the path and the body of what is asked, a sentence that says why it cannot be, or null while there
+ *   is nothing to ask
  */
 
 /** @type {Entry[]} */
@@ -56,7 +57,7 @@ const ENTRIES = [
   {
     id: "compare",
     fields: keptTable,
-    call: async ({ table, parameters }, first) => first && ["compare-tables", { first, second: table, parameters }],
+    call: async (subject, kept) => kept && comparison(kept, subject),
     show: compared,
   },
 ];
@@ -80,7 +81,9 @@ function tool(entry, outer) {
     t(`playground-more-${entry.id}`),
     async (subject, body) => {
       const call = await entry.call(subject, fields?.value(), outer.api);
-      if (!call || JSON.stringify(call) === key) return call ? nodes : [];
+      if (!call) return [];
+      if (typeof call === "string") return [el("p", { text: call })];
+      if (JSON.stringify(call) === key) return nodes;
       body.setAttribute("aria-busy", "true");
       body.classList.add("busy");
       try {
@@ -294,16 +297,29 @@ function keptTable({ again }) {
   const shownKept = el("div", {});
   button.addEventListener("click", () => {
     kept = present;
-    fill(shownKept, kept && tableView(kept));
+    fill(shownKept, kept && tableView(kept.table));
     again();
   });
   return {
     controls: [el("div", {}, button), shownKept],
-    take: ({ table }) => {
-      present = table;
+    take: ({ table, parameters }) => {
+      present = { table, parameters };
     },
     value: () => kept,
   };
+}
+
+/** Both tables with the values of their names, which have to agree. @param {any} kept @param {Subject} subject */
+function comparison(kept, { table, parameters }) {
+  const names = Object.keys(kept.parameters).filter((name) => !same(kept.parameters[name], parameters[name]));
+  if (names.length) return t("playground-compare-names", { names: names.join(", ") });
+  const values = { ...kept.parameters, ...parameters };
+  return /** @type {[string, any]} */ (["compare-tables", { first: kept.table, second: table, parameters: values }]);
+}
+
+/** Whether a name has one value, or only one of the tables has it. @param {any} kept @param {any} present */
+function same(kept, present) {
+  return present === undefined || String(kept) === String(present);
 }
 
 /** @param {any} answer */
