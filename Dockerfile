@@ -41,6 +41,7 @@ RUN python -m venv /opt/framewise \
 
 # The system below: the base without what installs packages and without what only development needs of Python.
 FROM ${PYTHON_IMAGE} AS system
+# hadolint ignore=DL3003
 RUN useradd --uid 10001 --user-group --no-create-home --shell /usr/sbin/nologin framewise \
     && dpkg --purge --force-all apt libapt-pkg6.0 gpgv perl-base util-linux mount login passwd e2fsprogs logsave \
     && rm -r /usr/lib/*/gconv \
@@ -51,6 +52,7 @@ RUN useradd --uid 10001 --user-group --no-create-home --shell /usr/sbin/nologin 
 
 # One layer: what an image removes from its base would still travel with it.
 FROM scratch AS service
+# hadolint ignore=DL3067
 COPY --from=system / /
 COPY --from=packages /opt/framewise /opt/framewise
 WORKDIR /app
