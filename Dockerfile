@@ -27,7 +27,7 @@ COPY requirements.lock ./
 RUN python -m venv /opt/framewise \
     && /opt/framewise/bin/pip install --no-cache-dir --no-compile --disable-pip-version-check --require-hashes \
        --only-binary :all: -r requirements.lock \
-    && /opt/framewise/bin/python -m pip uninstall --yes pip \
+    && /opt/framewise/bin/python -m pip uninstall --yes setuptools pip \
     && find /opt/framewise -path '*/babel/locale-data/*.dat' ! -name root.dat ! -name en.dat ! -name es.dat \
        ! -name fr.dat ! -name pt.dat ! -name ro.dat ! -name uk.dat -delete \
     && find /opt/framewise -path '*/pymupdf_fonts/*.py' ! -name __init__.py ! -name 'FiraGO_*' -delete \
