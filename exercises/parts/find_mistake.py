@@ -15,7 +15,7 @@ from typing import Any, ClassVar
 
 from exercises.definition import Exercise, Part
 from exercises.draws import Picker
-from exercises.grading import Feedback, Finding, HelpLevel, accept
+from exercises.grading import HelpLevel, accept
 from exercises.instance import Instance
 from exercises.names import table_faults, without_aliases
 from exercises.parts.context import Context
@@ -32,7 +32,7 @@ from exercises.parts.planting import (
     usable,
 )
 from exercises.parts.protocol import TABLE, FieldShape, FormField, PartTask, PartType, Reading, RobotFacts
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Disclosure, FoundStep, PartReport, judged_in_steps
 from exercises.reading import Reader
 from exercises.written_table import written_table
 from kinematics.cells import Cell, RawTable, ReadTable, read_table
@@ -155,30 +155,12 @@ class FindMistakeType(PartType[FindMistakePart, FoundMistakeCells, FoundMistake]
         mended = answer.mended is not None and (
             answer.mended.table == key.table or accept(key, answer.mended, policy, values) is not None
         )
-        right = {
-            "row": mended or answer.row in rows,
-            "name": answer.name in names,
-            "mended": mended,
+        steps = {
+            "row": FoundStep(mended or answer.row in rows, answer.row, "mistake_row_wrong"),
+            "name": FoundStep(answer.name in names, answer.name, "mistake_name_wrong"),
+            "mended": FoundStep(mended, answer.mended, "mistake_not_mended"),
         }
-        given = {"row": answer.row, "name": answer.name, "mended": answer.mended}
-        facts = [
-            Fact(
-                where=(name,),
-                finding=Finding.MISSING if given[name] is None else Finding.OK if good else Finding.WRONG,
-            )
-            for name, good in right.items()
-        ]
-        codes = {"row": "mistake_row_wrong", "name": "mistake_name_wrong", "mended": "mistake_not_mended"}
-        feedback = [
-            Feedback(code="mistake_missing", params={"what": name})
-            if given[name] is None
-            else Feedback(code=codes[name])
-            for name, good in right.items()
-            if not good
-        ]
-        if not feedback:
-            feedback.append(Feedback(code="mistake_found"))
-        return judged(part, sum(right.values()) / 3, Credit.KEY, facts=facts, feedback=feedback)
+        return judged_in_steps(part, steps, missing="mistake_missing", right="mistake_found")
 
     def right(self, part: FindMistakePart, context: Context) -> FoundMistakeCells:
         """Return the planted mistake and the key's row."""

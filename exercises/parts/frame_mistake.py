@@ -15,7 +15,7 @@ from typing import Annotated, Any, ClassVar
 
 from exercises.definition import Exercise, Part
 from exercises.draws import Picker
-from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.grading import HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DefinitionKey, choices
@@ -33,7 +33,7 @@ from exercises.parts.protocol import (
     Reading,
     RobotFacts,
 )
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Disclosure, FoundStep, PartReport, judged_in_steps
 from exercises.reading import Reader
 from kinematics.cells import Cell
 from kinematics.cells.meaning import Position
@@ -184,34 +184,14 @@ class FrameMistakeType(PartType[FrameMistakePart, FoundFrameMistakeCells, FoundF
                 answer.mended,
                 rounding=min(tolerance.length, tolerance.angle),
             )
-        right = {
-            "wrong_frame": mended or answer.frame == found.index,
-            "mistake": answer.mistake == found.code,
-            "mended_origin": mended,
+        steps = {
+            "wrong_frame": FoundStep(
+                mended or answer.frame == found.index, answer.frame, "frame_mistake_place_wrong"
+            ),
+            "mistake": FoundStep(answer.mistake == found.code, answer.mistake, "frame_mistake_name_wrong"),
+            "mended_origin": FoundStep(mended, answer.mended, "frame_not_mended"),
         }
-        given = {"wrong_frame": answer.frame, "mistake": answer.mistake, "mended_origin": answer.mended}
-        facts = [
-            Fact(
-                where=(name,),
-                finding=Finding.OK if good else Finding.MISSING if given[name] is None else Finding.WRONG,
-            )
-            for name, good in right.items()
-        ]
-        codes = {
-            "wrong_frame": "frame_mistake_place_wrong",
-            "mistake": "frame_mistake_name_wrong",
-            "mended_origin": "frame_not_mended",
-        }
-        feedback = [
-            Feedback(code="frame_mistake_missing", params={"what": name})
-            if given[name] is None
-            else Feedback(code=codes[name])
-            for name, good in right.items()
-            if not good
-        ]
-        if not feedback:
-            feedback.append(Feedback(code="mistake_found"))
-        return judged(part, sum(right.values()) / 3, Credit.KEY, facts=facts, feedback=feedback)
+        return judged_in_steps(part, steps, missing="frame_mistake_missing", right="mistake_found")
 
     def right(self, part: FrameMistakePart, context: Context) -> FoundFrameMistakeCells:
         """Return the planted mistake and the frame as it was."""

@@ -17,7 +17,7 @@ import numpy as np
 
 from exercises.definition import Exercise, Part
 from exercises.draws import Picker
-from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.grading import HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DefinitionKey, choice, choices
@@ -42,7 +42,7 @@ from exercises.parts.protocol import (
     Reading,
     RobotFacts,
 )
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Disclosure, FoundStep, PartReport, judged_in_steps
 from exercises.reading import Reader
 from kinematics.cells import Cell
 from kinematics.errors import Fault
@@ -175,34 +175,18 @@ class MatrixMistakeType(PartType[MatrixMistakePart, FoundMatrixMistakeCells, Fou
         found: PlantedMatrix = context.instance.drawn[self.kind]
         table = context.reference.table
         mended = answer.mended is not None and _is_right(found, answer.mended, context)
-        right = {
-            "cell_row": mended or answer.cell in found.wrong_cells,
-            "mistake": answer.mistake is not None and found.shows(answer.mistake, table),
-            "mended_matrix": mended,
+        steps = {
+            "cell_row": FoundStep(
+                mended or answer.cell in found.wrong_cells, answer.cell, "matrix_mistake_place_wrong"
+            ),
+            "mistake": FoundStep(
+                answer.mistake is not None and found.shows(answer.mistake, table),
+                answer.mistake,
+                "matrix_mistake_name_wrong",
+            ),
+            "mended_matrix": FoundStep(mended, answer.mended, "matrix_not_mended"),
         }
-        given = {"cell_row": answer.cell, "mistake": answer.mistake, "mended_matrix": answer.mended}
-        facts = [
-            Fact(
-                where=(name,),
-                finding=Finding.OK if good else Finding.MISSING if given[name] is None else Finding.WRONG,
-            )
-            for name, good in right.items()
-        ]
-        codes = {
-            "cell_row": "matrix_mistake_place_wrong",
-            "mistake": "matrix_mistake_name_wrong",
-            "mended_matrix": "matrix_not_mended",
-        }
-        feedback = [
-            Feedback(code="matrix_mistake_missing", params={"what": name})
-            if given[name] is None
-            else Feedback(code=codes[name])
-            for name, good in right.items()
-            if not good
-        ]
-        if not feedback:
-            feedback.append(Feedback(code="mistake_found"))
-        return judged(part, sum(right.values()) / 3, Credit.KEY, facts=facts, feedback=feedback)
+        return judged_in_steps(part, steps, missing="matrix_mistake_missing", right="mistake_found")
 
     def right(self, part: MatrixMistakePart, context: Context) -> FoundMatrixMistakeCells:
         """Return a wrong entry, the planted mistake, and the right matrix."""

@@ -10,7 +10,7 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator, Mapping, Sequence
 from math import acos, ceil, copysign, cos, hypot, pi, radians, sin, sqrt, tan
 
-from service.receipts.paper import BLACK, Colour, Face, Paper, Step
+from service.receipts.paper import BLACK, Colour, Face, OutlineStep, Paper
 
 _SPACE = "{http://www.w3.org/2000/svg}"
 _WHITE: Colour = (1.0, 1.0, 1.0, 1.0)
@@ -44,7 +44,7 @@ def draw_figure(page: Paper, figure: str, at: tuple[float, float], width: float)
     return scale * high
 
 
-def outline(data: str) -> Iterator[Step]:
+def outline(data: str) -> Iterator[OutlineStep]:
     """Path data as steps without arcs.
 
     Args:
@@ -75,7 +75,7 @@ class _Place:
         return [(self.y if i % 2 else self.x) + self.scale * value for i, value in enumerate(numbers)]
 
 
-def _draw(page: Paper, place: _Place, steps: Sequence[Step], told: Mapping[str, str]) -> None:
+def _draw(page: Paper, place: _Place, steps: Sequence[OutlineStep], told: Mapping[str, str]) -> None:
     fill, stroke = _colour(told, "fill"), _colour(told, "stroke")
     width = place.scale * float(told.get("stroke-width", 1))
     page.outline(
@@ -114,7 +114,7 @@ def _colour(told: Mapping[str, str], name: str) -> Colour | None:
     return red, green, blue, float(told.get(f"{name}-opacity", 1))
 
 
-def _circle(x: float, y: float, radius: float) -> Iterator[Step]:
+def _circle(x: float, y: float, radius: float) -> Iterator[OutlineStep]:
     yield "M", [x + radius, y]
     for end in (x - radius, x + radius):
         begin = 2 * x - end
@@ -122,7 +122,7 @@ def _circle(x: float, y: float, radius: float) -> Iterator[Step]:
     yield "Z", []
 
 
-def _arc(begin: tuple[float, float], numbers: Sequence[float]) -> Iterator[Step]:
+def _arc(begin: tuple[float, float], numbers: Sequence[float]) -> Iterator[OutlineStep]:
     """An arc of an ellipse as Bézier curves, each of a quarter or less (SVG 2, B.2.4)."""
     rx, ry, turn, large, sweep, *end = numbers
     if rx == 0 or ry == 0 or tuple(end) == begin:

@@ -36,7 +36,7 @@ class Face(StrEnum):
     TYPEWRITER = "Courier"
 
 
-Step = tuple[str, Sequence[float]]
+OutlineStep = tuple[str, Sequence[float]]
 """A step of an outline: M and L with a point, C with three, Z with none."""
 
 
@@ -104,7 +104,7 @@ class Paper:
 
     def outline(
         self,
-        steps: Sequence[Step],
+        steps: Sequence[OutlineStep],
         *,
         fill: Colour | None = None,
         stroke: tuple[Colour, float] | None = None,

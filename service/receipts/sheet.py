@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from service.receipts.figure_on_paper import draw_figure
-from service.receipts.paper import BLACK, HEIGHT, WIDTH, Colour, Face, Paper, Step, paper
+from service.receipts.paper import BLACK, HEIGHT, WIDTH, Colour, Face, OutlineStep, Paper, paper
 
 _MM = 72 / 25.4
 _MARGIN = 18 * _MM
@@ -110,7 +110,7 @@ class _Flow:
         """The robot, and the code on its right."""
         high = draw_figure(self.page, figure, (_LEFT, self.y), _RIGHT - _LEFT - _CODE - _GUTTER)
         module = _CODE / (len(code) + 2 * _QUIET)
-        steps: list[Step] = []
+        steps: list[OutlineStep] = []
         for i, row in enumerate(code):
             y = self.y + (i + _QUIET) * module
             for begin, end in _dark(row):
@@ -186,7 +186,7 @@ class _Flow:
         self.y += high
 
 
-def _box(left: float, top: float, right: float, low: float) -> list[Step]:
+def _box(left: float, top: float, right: float, low: float) -> list[OutlineStep]:
     return [
         ("M", (left, top)),
         ("L", (right, top)),
