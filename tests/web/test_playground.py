@@ -360,6 +360,15 @@ def test_what_the_catalogue_knows_goes_with_its_table(open_page: OpenPage) -> No
     expect(page.locator(".configurations")).to_be_hidden()
 
 
+def test_a_list_of_robots_that_comes_late_shows_the_robot_in_question(open_page: OpenPage) -> None:
+    lists: list[Held] = []
+    page = open_page("/playground", before=lambda page: lists.append(Held(page, "**/api/v1/robots")))
+    shown_robot(page)
+    lists[0].until(1)
+    lists[0].stop()
+    expect(page.get_by_label("Robot of the catalogue")).to_have_value("puma560")
+
+
 def test_the_limits_of_a_urdf_come_with_its_table(open_page: OpenPage) -> None:
     page = open_page("/playground")
     shown_robot(page)

@@ -34,13 +34,11 @@ export function catalogueChoice(api, bring) {
     show(null);
     if (select.value) bring((signal) => api.get(`robots/${select.value}`, { signal })).catch(show);
   });
-  api
-    .get("robots")
-    .then(
-      ({ robots }) =>
-        select.append(...robots.map((/** @type {any} */ robot) => el("option", { value: robot.id, text: robot.name }))),
-      show,
-    );
+  let shown = "";
+  api.get("robots").then(({ robots }) => {
+    select.append(...robots.map((/** @type {any} */ robot) => el("option", { value: robot.id, text: robot.name })));
+    if (!select.value) select.value = shown; // the robot may have come before the list that names it
+  }, show);
   const element = el(
     "div",
     { class: "field" },
@@ -52,6 +50,7 @@ export function catalogueChoice(api, bring) {
   return {
     element,
     show: (robot, from) => {
+      shown = robot;
       select.value = robot;
       origin.hidden = !robot || !from;
       if (!from) return;
