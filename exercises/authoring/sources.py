@@ -131,8 +131,14 @@ def from_robot(robot_id: str) -> ExerciseSource:
         DefinitionError: the catalogue holds no such robot.
     """
     if robot_id not in catalogue.robot_ids():
-        fault = Fault(code="exercise_robot_unknown", where=("robot",), params={"robot": robot_id[:100]})
-        raise DefinitionError(fault)
+        known = ", ".join(catalogue.robot_ids())
+        raise DefinitionError(
+            Fault(
+                code="exercise_robot_unknown",
+                where=("robot",),
+                params={"robot": robot_id[:100], "known": known},
+            )
+        )
     found = catalogue.robot(robot_id)
     return ExerciseSource(table=found.raw, values=dict(found.parameters), robot=robot_id)
 

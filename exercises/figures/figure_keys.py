@@ -68,7 +68,7 @@ def _posture(reader: Reader, joint_types: Sequence[JointType], degrees: bool) ->
     values = reader.exacts("posture", [0] * len(joint_types))
     if len(values) != len(joint_types):
         n = len(joint_types)
-        reader.fault("joints_wrong_length", "posture", expected=n)
+        reader.fault("joints_wrong_length", "posture", expected=n, given=len(values))
         return (0.0,) * n
     return tuple(
         math.radians(value) if degrees and type_ is JointType.REVOLUTE else float(value)

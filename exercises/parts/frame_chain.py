@@ -101,7 +101,7 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, Matrices]):
         n = len(robot.joint_types)
         joints = reader.exacts("joints")
         if len(joints) != n:
-            reader.fault("joints_wrong_length", "joints", expected=n)
+            reader.fault("joints_wrong_length", "joints", expected=n, given=len(joints))
             joints = (Fraction(0),) * n
         turns, slides = read_draw(reader, "turns"), read_draw(reader, "slides")
         known = tuple(_pair(inner) for inner in reader.entries("known"))

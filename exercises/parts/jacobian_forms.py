@@ -53,6 +53,7 @@ from kinematics.cells import ParameterKind, ReadTable
 from kinematics.errors import Fault, JointValueError
 from kinematics.expressions import Expression, Number, Parameter, parameters_in
 from kinematics.jacobian import JacobianFrame
+from kinematics.keys import ValueKind
 from kinematics.rotations.sequences import EulerSequence
 
 LOADS = ("fx", "fy", "fz", "mx", "my", "mz")
@@ -108,8 +109,10 @@ class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
                 wrench.append(Number(Fraction(repr(entry))))
             else:
                 reader.fault("exercise_value_unknown", "wrench", i, key="wrench", known=", ".join(LOADS))
-        if JacobianAsk.FORCES in asked and (len(wrench) != 6 or wrench == [Number(Fraction(0))] * 6):
-            reader.fault("joints_wrong_length", "wrench", expected=6)
+        if JacobianAsk.FORCES in asked and len(wrench) != 6:
+            reader.mistyped(ValueKind.NUMBERS, "wrench", count=6)
+        elif JacobianAsk.FORCES in asked and wrench == [Number(Fraction(0))] * 6:
+            reader.fault("wrench_missing", "wrench")
         return JacobianFormPart(
             kind=self.kind,
             points=points,

@@ -64,6 +64,7 @@ from kinematics.chain import Chain, chain_of_table
 from kinematics.errors import JointValueError
 from kinematics.jacobian import JacobianFrame
 from kinematics.joint_values import wrong_length
+from kinematics.keys import ValueKind
 from kinematics.rotations.sequences import EulerSequence
 from kinematics.se3 import Floats
 from kinematics.table import JointType, bind
@@ -161,8 +162,10 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
         asked = reader.choices("ask", JacobianAsk, (JacobianAsk.JACOBIAN.value,))
         wrench = reader.exacts("wrench", (0, 0, 0, 0, 0, 0))
         forces = JacobianAsk.FORCES in asked
-        if len(wrench) != 6 or (forces and not any(wrench)):
-            reader.fault("joints_wrong_length", "wrench", expected=6)
+        if len(wrench) != 6:
+            reader.mistyped(ValueKind.NUMBERS, "wrench", count=6)
+        elif forces and not any(wrench):
+            reader.fault("wrench_missing", "wrench")
         return JacobianPart(
             kind=self.kind,
             points=points,

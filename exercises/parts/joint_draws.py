@@ -46,7 +46,7 @@ def read_joints(reader: Reader, robot: RobotFacts) -> tuple[tuple[Fraction, ...]
     n = len(robot.joint_types)
     joints = reader.exacts("joints")
     if len(joints) != n:
-        reader.fault("joints_wrong_length", "joints", expected=n)
+        reader.fault("joints_wrong_length", "joints", expected=n, given=len(joints))
         joints = (Fraction(0),) * n
     turns, slides = read_draw(reader, "turns"), read_draw(reader, "slides")
     names = [f"q{i}" for i in range(1, n + 1)]

@@ -46,6 +46,7 @@ from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit, Cell
 from kinematics.cells.meaning import Position
+from kinematics.keys import ValueKind
 from kinematics.poses import axis_angle_from_transform, quaternion_from_transform
 from kinematics.rotations.matrices import Matrix3, Triple, as_transform, matrix3
 from kinematics.rotations.orientation_answers import (
@@ -113,7 +114,7 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
         sequence = read_sequence(reader, "axes", "turning", EulerSequence(axes="ZYX"))
         angles = reader.exacts("angles")
         if len(angles) != 3:
-            reader.fault("joints_wrong_length", "angles", expected=3)
+            reader.mistyped(ValueKind.NUMBERS, "angles", count=3)
             angles = (Fraction(0),) * 3
         asked = reader.choices("ask", OrientationNotation)
         if not asked:

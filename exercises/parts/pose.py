@@ -108,9 +108,10 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> PosePart:
         """Return the part with its joint values and from where students' own are drawn."""
         joints = reader.exacts("joints")
-        if len(joints) != len(robot.joint_types):
-            reader.fault("joints_wrong_length", "joints", expected=len(robot.joint_types))
-            joints = (Fraction(0),) * len(robot.joint_types)
+        n = len(robot.joint_types)
+        if len(joints) != n:
+            reader.fault("joints_wrong_length", "joints", expected=n, given=len(joints))
+            joints = (Fraction(0),) * n
         slides = read_draw(reader, "slides")
         turns = read_draw(reader, "turns")
         if turns is None and robot.degrees:

@@ -28,6 +28,7 @@ from exercises.parts.protocol import (
 )
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from exercises.reading import Reader
+from kinematics.keys import ValueKind
 from kinematics.rotations.matrices import Matrix3, matrix3
 from kinematics.rotations.properties import RotationProperty, failed_properties
 from kinematics.rotations.sequences import EulerSequence
@@ -88,7 +89,7 @@ class RotationCheckType(PartType[RotationCheckPart, RotationClaimCells, Rotation
         """Return the part with the angles of its matrix."""
         angles = reader.exacts("angles")
         if len(angles) != 3:
-            reader.fault("joints_wrong_length", "angles", expected=3)
+            reader.mistyped(ValueKind.NUMBERS, "angles", count=3)
             angles = (Fraction(0),) * 3
         return RotationCheckPart(
             kind=self.kind,

@@ -290,8 +290,11 @@ def _limits(
             reader.fault("exercise_limits_unknown", "limits")
             return free
         return tuple((Fraction(repr(low)), Fraction(repr(high))) for low, high in known)
-    if not isinstance(value, list) or len(value) != n:
-        reader.fault("joints_wrong_length", "limits", expected=n)
+    if not isinstance(value, list):
+        reader.fault("exercise_value_unknown", "limits", key="limits", known="catalogue, [[-180, 180], []]")
+        return free
+    if len(value) != n:
+        reader.fault("joints_wrong_length", "limits", expected=n, given=len(value))
         return free
     limits: list[tuple[Fraction, Fraction] | None] = []
     for i, entry in enumerate(value):

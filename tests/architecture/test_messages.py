@@ -118,6 +118,42 @@ def test_every_refusal_has_a_message() -> None:
     assert not silent
 
 
+def test_every_refusal_gives_what_its_message_names() -> None:
+    messages = {name: entry for room in ROOMS for name, entry in entries("en", room).items()}
+    lacking = []
+    checked = 0
+    for path, tree in modules().items():
+        for code, given, line in _parameters_given(tree):
+            checked += 1
+            missing = variables(messages[f"error-{code}"]) - given
+            if missing:
+                lacking.append(f"{shown(path)}:{line}: {code} without {sorted(missing)}")
+    assert not lacking
+    assert checked > 300
+
+
+def _parameters_given(tree: ast.Module) -> Iterator[tuple[str, set[str], int]]:
+    """Code, names of parameters and line of every fault whose parameters are written out where it is made."""
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.Call):
+            continue
+        name = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
+        named = {keyword.arg: keyword.value for keyword in node.keywords}
+        code = named.get("code") or (node.args[0] if node.args and name == "fault" else None)
+        if name not in {"fault", "Fault"} or None in named:
+            continue
+        if not isinstance(code, ast.Constant) or not isinstance(code.value, str):
+            continue
+        if name == "fault":
+            yield code.value, {key for key in named if key is not None}, node.lineno
+        elif (params := named.get("params")) is None:
+            yield code.value, set(), node.lineno
+        elif isinstance(params, ast.Dict):
+            keys = {key.value for key in params.keys if isinstance(key, ast.Constant)}
+            if len(keys) == len(params.keys):
+                yield code.value, {str(key) for key in keys}, node.lineno
+
+
 def test_no_message_is_about_nothing() -> None:
     spoken = {name for room in ROOMS for name in entries("en", room) if name.startswith("error-")}
     unused = sorted(name for name in spoken if name.removeprefix("error-") not in strings_in_source())

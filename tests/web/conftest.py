@@ -46,9 +46,9 @@ def web() -> Iterator[str]:
         yield origin
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    """Chromium, once for all tests."""
+    """Chromium, ended with the file: while it runs, so does its event loop, and no other may start."""
     if CHROMIUM is None:
         reason = "Chromium is not installed (`make browser` installs it)"
         if os.environ.get("CI"):
