@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import logging
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from datetime import UTC, datetime
 from functools import cache, lru_cache
 from pathlib import Path
 
+from babel.dates import format_date
 from fluent.runtime import FluentBundle, FluentResource
 from fluent.syntax import FluentParser, ast
 
@@ -49,9 +51,19 @@ _BEGIN = re.compile(r"^([a-zA-Z][\w-]*) *=", re.MULTILINE)
 _REFERENCE = re.compile(r"\{\s*([a-zA-Z][\w-]*)\s*[}.]")
 
 
+def functions(language: str) -> dict[str, Callable[[object], str]]:
+    """Return what messages may call: `TIME` prints an ISO 8601 time, its date as the language writes it, in UTC."""
+
+    def time(moment: object) -> str:
+        told = datetime.fromisoformat(str(moment)).astimezone(UTC)
+        return f"{format_date(told, 'long', locale=language)}, {told:%H:%M} UTC"
+
+    return {"TIME": time}
+
+
 @lru_cache(maxsize=32)
 def _bundle(language: str) -> FluentBundle:
-    return FluentBundle([language, DEFAULT_LANGUAGE], use_isolating=False)
+    return FluentBundle([language, DEFAULT_LANGUAGE], use_isolating=False, functions=functions(language))
 
 
 def has_sentence(language: str, identifier: str) -> bool:

@@ -8,7 +8,7 @@ from fluent.syntax import FluentParser, ast
 
 from kinematics.keys import ValueKind
 from service.http.languages import language_for
-from service.messages import LOCALES, has_sentence, languages, sentence, template
+from service.messages import LOCALES, functions, has_sentence, languages, sentence, template
 
 
 def test_six_languages_are_spoken() -> None:
@@ -28,6 +28,23 @@ def test_parameters_stand_in_the_sentence() -> None:
     assert "a, b" in (sentence("en", "error-field_unknown", {"field": "c", "allowed": ("a", "b")}) or "")
 
 
+@pytest.mark.parametrize(
+    ("language", "told"),
+    [
+        ("en", "November 22, 2026, 16:00 UTC"),
+        ("fr", "22 novembre 2026, 16:00 UTC"),
+        ("uk", "22 листопада 2026"),
+    ],
+)
+@pytest.mark.parametrize(
+    ("code", "parameter"), [("error-attempts_closed", "closes"), ("error-attempts_not_open", "opens")]
+)
+def test_a_time_is_told_as_the_language_writes_it(
+    language: str, told: str, code: str, parameter: str
+) -> None:
+    assert told in (sentence(language, code, {parameter: "2026-11-22T18:00:00+02:00"}) or "")
+
+
 def test_what_a_caller_sent_is_cut_short_in_a_sentence() -> None:
     assert len(sentence("en", "error-address_unknown", {"path": "/" + "x" * 10_000}) or "") < 400
 
@@ -38,11 +55,12 @@ def test_numbers_that_are_not_counts_keep_their_digits() -> None:
 
 @pytest.mark.parametrize("language", ["en", "uk"])
 def test_messages_are_found_as_fluent_finds_them(language: str) -> None:
-    whole = FluentBundle([language, "en"], use_isolating=False)
+    whole = FluentBundle([language, "en"], use_isolating=False, functions=functions(language))
     texts = [path.read_text(encoding="utf-8") for path in sorted((LOCALES / language).glob("*.ftl"))]
     read = FluentParser().parse("\n".join(texts)).body
     whole.add_resource(ast.Resource(read))
-    named = dict.fromkeys(re.findall(r"\$([\w-]+)", "".join(texts)), 3)
+    named: dict[str, object] = dict.fromkeys(re.findall(r"\$([\w-]+)", "".join(texts)), 3)
+    named |= {"opens": "2026-11-22T18:00:00+00:00", "closes": "2026-11-22T18:00:00+00:00"}
     for entry in read:
         assert not isinstance(entry, (ast.Junk, ast.Term))
         if isinstance(entry, ast.Message) and entry.value:

@@ -23,8 +23,8 @@ error-record_unknown = { $kind ->
     [platform] There is no such platform.
    *[other] There is no such record in this course.
 }
-error-attempts_not_open = Attempts are taken from { $opens } on.
-error-attempts_closed = The exercise closed at { $closes }.
+error-attempts_not_open = Attempts are taken from { TIME($opens) } on.
+error-attempts_closed = The exercise closed on { TIME($closes) }.
 error-attempts_used = { $allowed ->
     [one] The one attempt that this exercise allows has been made.
    *[other] All { $allowed } attempts that this exercise allows have been made.
