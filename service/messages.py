@@ -8,9 +8,10 @@ from collections.abc import Callable, Mapping
 from datetime import UTC, datetime
 from functools import cache, lru_cache
 from pathlib import Path
+from typing import Any
 
-from babel.dates import format_date
 from fluent.runtime import FluentBundle, FluentResource
+from fluent.runtime.types import FluentType, fluent_date
 from fluent.syntax import FluentParser, ast
 
 LOCALES = Path(__file__).parent / "locales"
@@ -51,19 +52,20 @@ _BEGIN = re.compile(r"^([a-zA-Z][\w-]*) *=", re.MULTILINE)
 _REFERENCE = re.compile(r"\{\s*([a-zA-Z][\w-]*)\s*[}.]")
 
 
-def functions(language: str) -> dict[str, Callable[[object], str]]:
-    """Return what messages may call: `TIME` prints an ISO 8601 time, its date as the language writes it, in UTC."""
+def _time(moment: str) -> FluentType:
+    """Print an ISO 8601 time in UTC as the language writes dates and hours."""
+    moment_utc = datetime.fromisoformat(moment).astimezone(UTC).replace(tzinfo=None)
+    told: FluentType = fluent_date(moment_utc, dateStyle="long", timeStyle="short")
+    return told
 
-    def time(moment: object) -> str:
-        told = datetime.fromisoformat(str(moment)).astimezone(UTC)
-        return f"{format_date(told, 'long', locale=language)}, {told:%H:%M} UTC"
 
-    return {"TIME": time}
+FUNCTIONS: dict[str, Callable[[Any], FluentType]] = {"TIME": _time}
+"""What messages may call."""
 
 
 @lru_cache(maxsize=32)
 def _bundle(language: str) -> FluentBundle:
-    return FluentBundle([language, DEFAULT_LANGUAGE], use_isolating=False, functions=functions(language))
+    return FluentBundle([language, DEFAULT_LANGUAGE], use_isolating=False, functions=FUNCTIONS)
 
 
 def has_sentence(language: str, identifier: str) -> bool:

@@ -8,7 +8,7 @@ from fluent.syntax import FluentParser, ast
 
 from kinematics.keys import ValueKind
 from service.http.languages import language_for
-from service.messages import LOCALES, functions, has_sentence, languages, sentence, template
+from service.messages import FUNCTIONS, LOCALES, has_sentence, languages, sentence, template
 
 
 def test_six_languages_are_spoken() -> None:
@@ -55,7 +55,7 @@ def test_numbers_that_are_not_counts_keep_their_digits() -> None:
 
 @pytest.mark.parametrize("language", ["en", "uk"])
 def test_messages_are_found_as_fluent_finds_them(language: str) -> None:
-    whole = FluentBundle([language, "en"], use_isolating=False, functions=functions(language))
+    whole = FluentBundle([language, "en"], use_isolating=False, functions=FUNCTIONS)
     texts = [path.read_text(encoding="utf-8") for path in sorted((LOCALES / language).glob("*.ftl"))]
     read = FluentParser().parse("\n".join(texts)).body
     whole.add_resource(ast.Resource(read))

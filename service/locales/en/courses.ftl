@@ -23,8 +23,8 @@ error-record_unknown = { $kind ->
     [platform] There is no such platform.
    *[other] There is no such record in this course.
 }
-error-attempts_not_open = Attempts are taken from { TIME($opens) } on.
-error-attempts_closed = The exercise closed on { TIME($closes) }.
+error-attempts_not_open = Attempts are taken from { TIME($opens) } UTC on.
+error-attempts_closed = The exercise closed on { TIME($closes) } UTC.
 error-attempts_used = { $allowed ->
     [one] The one attempt that this exercise allows has been made.
    *[other] All { $allowed } attempts that this exercise allows have been made.

@@ -23,8 +23,8 @@ error-record_unknown = { $kind ->
     [platform] No existe esa plataforma.
    *[other] No existe ese registro en este curso.
 }
-error-attempts_not_open = Se admiten intentos a partir del { TIME($opens) }.
-error-attempts_closed = El ejercicio se cerró el { TIME($closes) }.
+error-attempts_not_open = Se admiten intentos a partir del { TIME($opens) } UTC.
+error-attempts_closed = El ejercicio se cerró el { TIME($closes) } UTC.
 error-attempts_used = { $allowed ->
     [one] Ya se ha hecho el único intento que permite este ejercicio.
    *[other] Ya se han hecho los { $allowed } intentos que permite este ejercicio.

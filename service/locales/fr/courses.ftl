@@ -23,8 +23,8 @@ error-record_unknown = { $kind ->
     [platform] Cette plateforme n’existe pas.
    *[other] Cet enregistrement n’existe pas dans ce cours.
 }
-error-attempts_not_open = Les essais sont acceptés à partir du { TIME($opens) }.
-error-attempts_closed = L’exercice a fermé le { TIME($closes) }.
+error-attempts_not_open = Les essais sont acceptés à partir du { TIME($opens) } UTC.
+error-attempts_closed = L’exercice a fermé le { TIME($closes) } UTC.
 error-attempts_used = { $allowed ->
     [one] Le seul essai que permet cet exercice a été fait.
    *[other] Les { $allowed } essais que permet cet exercice ont tous été faits.

@@ -23,8 +23,8 @@ error-record_unknown = { $kind ->
     [platform] Não existe essa plataforma.
    *[other] Não existe esse registo nesta disciplina.
 }
-error-attempts_not_open = As tentativas são aceites a partir de { TIME($opens) }.
-error-attempts_closed = O exercício fechou em { TIME($closes) }.
+error-attempts_not_open = As tentativas são aceites a partir de { TIME($opens) } UTC.
+error-attempts_closed = O exercício fechou em { TIME($closes) } UTC.
 error-attempts_used = { $allowed ->
     [one] A única tentativa que este exercício permite já foi feita.
    *[other] Já foram feitas as { $allowed } tentativas que este exercício permite.

@@ -23,8 +23,8 @@ error-record_unknown = { $kind ->
     [platform] Nu există această platformă.
    *[other] Nu există această înregistrare în acest curs.
 }
-error-attempts_not_open = Încercările se primesc începând cu data de { TIME($opens) }.
-error-attempts_closed = Exercițiul s-a închis la data de { TIME($closes) }.
+error-attempts_not_open = Încercările se primesc începând cu data de { TIME($opens) } UTC.
+error-attempts_closed = Exercițiul s-a închis la data de { TIME($closes) } UTC.
 error-attempts_used = { $allowed ->
     [one] Singura încercare permisă de acest exercițiu a fost făcută.
     [few] Toate cele { $allowed } încercări permise de acest exercițiu au fost făcute.

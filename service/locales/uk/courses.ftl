@@ -23,8 +23,8 @@ error-record_unknown = { $kind ->
     [platform] Такої платформи немає.
    *[other] Такого запису в цьому курсі немає.
 }
-error-attempts_not_open = Спроби приймаються з { TIME($opens) }.
-error-attempts_closed = Вправу закрито: { TIME($closes) }.
+error-attempts_not_open = Спроби приймаються з { TIME($opens) } UTC.
+error-attempts_closed = Вправу закрито: { TIME($closes) } UTC.
 error-attempts_used = { $allowed ->
     [one] Використано { $allowed } спробу — усі, що дозволяє ця вправа.
     [few] Використано { $allowed } спроби — усі, що дозволяє ця вправа.
