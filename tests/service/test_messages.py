@@ -31,7 +31,7 @@ def test_parameters_stand_in_the_sentence() -> None:
 @pytest.mark.parametrize(
     ("language", "told"),
     [
-        ("en", "November 22, 2026, 16:00 UTC"),
+        ("en", "November 22, 2026, 4:00\u202fPM UTC"),
         ("fr", "22 novembre 2026, 16:00 UTC"),
         ("uk", "22 листопада 2026"),
     ],
