@@ -22,12 +22,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import chain, combinations_with_replacement
 from typing import TypeAlias
 
 from kinematics.dh import MotionKind
 from kinematics.dynamics.links import SymbolicBody
 from kinematics.expressions import JointVariable, multiply, number
-from kinematics.symbolic.elements import IMAGINARY_UNIT, ZERO_FORM, Form
+from kinematics.symbolic.elements import ZERO_FORM, Form, RingSymbol
 from kinematics.symbolic.form_reader import FormReader
 from kinematics.symbolic.motions import Motion, motions_of
 from kinematics.table import SymbolicTable
@@ -36,6 +37,9 @@ Triple: TypeAlias = list[Form]
 Inertia: TypeAlias = list[list[Form]]
 
 HALF = Fraction(1, 2)
+_WEIGHT = RingSymbol("power", "weight")
+_OF_A_LINK = 10
+"""A mass, three first moments and six moments of inertia."""
 _TURNS = {MotionKind.TURN_Z: 2, MotionKind.SHIFT_Z: 2, MotionKind.TURN_X: 0, MotionKind.SHIFT_X: 0}
 """Which coordinate a motion turns about, or shifts along."""
 
@@ -62,10 +66,16 @@ class Composite:
         inertia: J, about the origin.
         pushes: of the joints passed, by their number.
         masses: M_ij of the joints passed, by (i, j) with i ≤ j.
+
+    Everything is linear in the mass, the first moments and the moments of inertia of each link. While they
+    are carried they stand as powers of one symbol, as many as there are of them; `expanded` puts them back.
     """
 
-    def __init__(self, reader: FormReader) -> None:
+    def __init__(self, reader: FormReader, n_links: int) -> None:
         self._reader = reader
+        self._weights: list[Form] = []
+        # the largest exponent first: it says how much room the others have
+        reader.ring.symbol(_WEIGHT, Fraction(_OF_A_LINK * n_links))
         self.mass: Form = ZERO_FORM
         self.moment: Triple = [ZERO_FORM] * 3
         self.inertia: Inertia = [[ZERO_FORM] * 3 for _ in range(3)]
@@ -78,16 +88,15 @@ class Composite:
         mass = form(link.mass)
         centre = [form(entry) for entry in link.centre]
         weighted = [ring.multiply(mass, entry) for entry in centre]
-        self.mass = ring.add(self.mass, mass)
-        self.moment = [ring.add(a, b) for a, b in zip(self.moment, weighted, strict=True)]
+        self.mass = ring.add(self.mass, self._weight(mass))
+        self.moment = [ring.add(a, self._weight(b)) for a, b in zip(self.moment, weighted, strict=True)]
         square = ZERO_FORM
         for a, b in zip(weighted, centre, strict=True):
             square = ring.add(square, ring.multiply(a, b))
-        for i in range(3):
-            for j in range(3):
-                entry = ring.add(self.inertia[i][j], form(link.inertia[i][j]))
-                entry = ring.add(entry, ring.multiply(weighted[i], centre[j]), -1)
-                self.inertia[i][j] = ring.add(entry, square) if i == j else entry
+        for i, j in combinations_with_replacement(range(3), 2):
+            entry = ring.add(form(link.inertia[i][j]), ring.multiply(weighted[i], centre[j]), -1)
+            entry = self._weight(ring.add(entry, square) if i == j else entry)
+            self.inertia[i][j] = self.inertia[j][i] = ring.add(self.inertia[i][j], entry)
 
     def pass_joint(self, motion: Motion) -> None:
         """Take joint i's row of M, and what it pushes with; the axis is z here."""
@@ -109,14 +118,20 @@ class Composite:
 
     def pass_motion(self, motion: Motion) -> None:
         """Write everything in the frame before an elementary motion."""
+        by, circle = self.read(motion)
+        axis = _TURNS[motion.kind]
+        if circle is None:
+            self._shift(axis, by)
+        else:
+            self._turn(axis, circle)
+
+    def read(self, motion: Motion) -> tuple[Form, tuple[Form, Form] | None]:
+        """Return how far an elementary motion goes and, where it turns, e^(iφ) and e^(-iφ)."""
         amount = (
             multiply((number(motion.sign), JointVariable(motion.joint))) if motion.joint else motion.amount
         )
-        axis = _TURNS[motion.kind]
-        if motion.kind in (MotionKind.SHIFT_X, MotionKind.SHIFT_Z):
-            self._shift(axis, self._reader.form(amount))
-        else:
-            self._turn(axis, self._reader.exponentials(amount))
+        slides = motion.kind in (MotionKind.SHIFT_X, MotionKind.SHIFT_Z)
+        return self._reader.form(amount), None if slides else self._reader.exponentials(amount)
 
     def _turn(self, axis: int, circle: tuple[Form, Form]) -> None:
         ring = self._reader.ring
@@ -126,27 +141,15 @@ class Composite:
         for push in self.pushes.values():
             vectors += (push.force, push.moment)
         for vector in vectors:
-            vector[i], vector[j] = self._turned(circle, vector[i], vector[j])
+            vector[i], vector[j] = ring.turned(circle, vector[i], vector[j])
         inertia = self.inertia
         mean = ring.scale(ring.add(inertia[i][i], inertia[j][j]), HALF)
         half = ring.scale(ring.add(inertia[i][i], inertia[j][j], -1), HALF)
-        half, across = self._turned(double, half, inertia[i][j])
+        half, across = ring.turned(double, half, inertia[i][j])
         inertia[i][i], inertia[j][j] = ring.add(mean, half), ring.add(mean, half, -1)
         inertia[i][j] = inertia[j][i] = across
-        beside = self._turned(circle, inertia[i][axis], inertia[j][axis])
+        beside = ring.turned(circle, inertia[i][axis], inertia[j][axis])
         inertia[i][axis], inertia[j][axis] = inertia[axis][i], inertia[axis][j] = beside
-
-    def _turned(self, circle: tuple[Form, Form], x: Form, y: Form) -> tuple[Form, Form]:
-        """(x, y) turned: x + i y times the exponential of the angle."""
-        if not x.coefficients and not y.coefficients:
-            return x, y
-        ring = self._reader.ring
-        across = ring.multiply(IMAGINARY_UNIT, y)
-        forward = ring.multiply(circle[0], ring.add(x, across))
-        backward = ring.multiply(circle[1], ring.add(x, across, -1))
-        turned = ring.scale(ring.add(forward, backward), HALF)
-        difference = ring.multiply(IMAGINARY_UNIT, ring.add(backward, forward, -1))
-        return turned, ring.scale(difference, HALF)
 
     def _shift(self, axis: int, by: Form) -> None:
         if not by.coefficients:
@@ -165,6 +168,18 @@ class Composite:
             couple[i] = ring.add(couple[i], ring.multiply(by, force[j]), -1)
             couple[j] = ring.add(couple[j], ring.multiply(by, force[i]))
 
+    def expanded(self, form: Form) -> Form:
+        """A form in which masses and moments are what they are in the links."""
+        return self._reader.ring.replaced(form, _WEIGHT, self._weights)
+
+    def _weight(self, form: Form) -> Form:
+        """What stands for a mass or a moment of a link; numbers stand for themselves."""
+        ring = self._reader.ring
+        if ring.is_constant(form):
+            return form
+        self._weights.append(form)
+        return ring.symbol(_WEIGHT, Fraction(len(self._weights)))
+
     def _times(self, form: Form, factor: int) -> Form:
         return self._reader.ring.scale(form, factor)
 
@@ -177,8 +192,12 @@ def composite_of(reader: FormReader, table: SymbolicTable, links: Sequence[Symbo
         table: the DH table.
         links: what moves with frame 1 … N, one for each row.
     """
-    found = Composite(reader)
-    for row, link in zip(reversed(motions_of(table)), reversed(links), strict=True):
+    motions = motions_of(table)
+    found = Composite(reader, len(links))
+    # what stands in every product is read first: keys of what is read early are short
+    for motion in chain.from_iterable(motions):
+        found.read(motion)
+    for row, link in zip(reversed(motions), reversed(links), strict=True):
         found.add(link)
         for motion in reversed(row):
             if motion.joint:

@@ -95,14 +95,15 @@ class Derivation:
         found = composite_of(reader, table, links)
         ring = reader.ring
         potential = ZERO_FORM
+        masses = {pair: found.expanded(form) for pair, form in found.masses.items()}
         for entry, moment in zip(gravity, found.moment, strict=True):
-            potential = ring.add(potential, ring.multiply(reader.form(entry), moment), -1)
+            potential = ring.add(potential, ring.multiply(reader.form(entry), found.expanded(moment)), -1)
         self._joints = range(1, table.n_joints + 1)
-        forms = [*found.masses.values(), potential]
+        forms = [*masses.values(), potential]
         self.names = reading_order(table, links, gravity)
         self._table = WaveTable(ring, forms, table.n_joints, self.names)
-        *masses, self._potential = self._table.waves
-        self._masses = dict(zip(found.masses, masses, strict=True))
+        *waves, self._potential = self._table.waves
+        self._masses = dict(zip(masses, waves, strict=True))
 
     @cached_property
     def mass(self) -> Matrix:

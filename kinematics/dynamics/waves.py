@@ -7,9 +7,9 @@ together with its conjugate.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 from math import lcm
 from typing import NamedTuple, TypeAlias
 
@@ -20,20 +20,20 @@ from kinematics.expressions import (
     Parameter,
     add,
     multiply,
-    pi_times,
     power,
 )
-from kinematics.symbolic.angles import angle_of, cosine_and_sine
+from kinematics.symbolic.angles import Angle, angle_of, cosine_and_sine
 from kinematics.symbolic.canonical import real_part, symbol_expression
-from kinematics.symbolic.elements import Form, Monomial, RingSymbol, order_text
+from kinematics.symbolic.elements import Form, Monomial, RingSymbol, Terms, order_text
 from kinematics.symbolic.key_layout import ORDER
 from kinematics.symbolic.nested import Arena
 from kinematics.symbolic.ring import Ring
+from kinematics.symbolic.roots import basis_steps
 from kinematics.symbolic.terms import Nested, Rational, Term, plain, quotient
 
 Exponents: TypeAlias = tuple[tuple[int, Rational], ...]
-NumberedTerm: TypeAlias = tuple[list[tuple[int, Rational]], Fraction, int]
-"""Exponents of symbols by their numbers, the turn of a root of unity, and a weight."""
+WeightedWave: TypeAlias = tuple[Exponents, Rational, Exponents, int]
+"""Angle, turn and powers of a `Wave`, and its weight."""
 
 _HALF_TURN, _QUARTER_TURN = 12, 6
 """Turns are counted in twenty-fourths, as in the ring."""
@@ -76,6 +76,7 @@ class WaveTable:
         self._cosines: dict[tuple[Exponents, Rational], Nested] = {}
         self._powers: dict[Exponents, Term] = {}
         self._arena = Arena()
+        self._n_joints = n_joints
         for joint in range(1, n_joints + 1):
             variable = RingSymbol("power", JointVariable(joint))
             monomial = Monomial(Fraction(0), frozenset({(variable, Fraction(1))}))
@@ -87,44 +88,51 @@ class WaveTable:
         # what stands in a set comes in no order
         for symbol in sorted(set(ring.symbols) - self._numbers.keys(), key=order_text):
             self._number(symbol)
+        self._angular = {n for n, symbol in enumerate(self._symbols) if symbol.kind == "exponential"}
+        self._places = [self._numbers[symbol] for symbol in ring.symbols]
+        self._exponents: dict[int, Exponents] = {}
         found = [self._terms(ring, form) for form in forms]
         self.denominator = lcm(*(denominator for _, denominator in found))
         self.waves: tuple[Waves, ...] = tuple(
-            self._read(terms, self.denominator // denominator) for terms, denominator in found
+            _sum(terms, self.denominator // denominator) for terms, denominator in found
         )
 
-    def _terms(self, ring: Ring, form: Form) -> tuple[list[NumberedTerm], int]:
+    def _terms(self, ring: Ring, form: Form) -> tuple[Iterator[WeightedWave], int]:
         """The terms of a form with whole weights over a denominator."""
-        numbered = ring.numbered_terms(form)
-        if numbered is not None:
-            numbers = [self._numbers[symbol] for symbol in ring.symbols]
-            return [
-                ([(numbers[n], exponent) for n, exponent in exponents], turn, weight)
-                for exponents, turn, weight in numbered
-            ], form.denominator
+        split = ring.split_terms(form)
+        if split is not None:
+            return self._split(ring, split), form.denominator
         terms = ring.terms(form)
         denominator = lcm(*(weight.denominator for weight in terms.values()))
-        return [
-            (
-                [(self._numbers[symbol], plain(exponent)) for symbol, exponent in monomial.exponents],
-                monomial.turn,
-                weight.numerator * (denominator // weight.denominator),
-            )
-            for monomial, weight in terms.items()
-        ], denominator
+        return self._parted(terms, denominator), denominator
 
-    def _read(self, terms: Iterable[NumberedTerm], scale: int) -> Waves:
-        found: dict[Wave, int] = {}
-        angular = {number for number, symbol in enumerate(self._symbols) if symbol.kind == "exponential"}
-        for exponents, turn, weight in terms:
-            exponents.sort()
-            angle = tuple([item for item in exponents if item[0] in angular])
+    def _split(self, ring: Ring, terms: Iterable[tuple[int, int, int, int]]) -> Iterator[WeightedWave]:
+        known = self._exponents
+        for angle_key, power_key, step, weight in terms:
+            angle = known.get(angle_key)
+            if angle is None:
+                angle = self._numbered(ring, angle_key)
             if angle and angle[0][1] < 0:
                 continue  # its conjugate stands for both
-            powers = tuple([item for item in exponents if item[0] not in angular])
-            weight *= scale
-            _put(found, angle, _steps(turn), powers, 2 * weight if angle else weight)
+            powers = known.get(power_key)
+            if powers is None:
+                powers = self._numbered(ring, power_key)
+            for turn, sign in basis_steps(step, ORDER):
+                yield angle, _steps(turn), powers, weight * sign
+
+    def _numbered(self, ring: Ring, key: int) -> Exponents:
+        found = tuple(sorted([(self._places[n], exponent) for n, exponent in ring.exponents(key)]))
+        self._exponents[key] = found
         return found
+
+    def _parted(self, terms: Terms, denominator: int) -> Iterator[WeightedWave]:
+        for monomial, weight in terms.items():
+            exponents = sorted((self._numbers[symbol], plain(e)) for symbol, e in monomial.exponents)
+            angle = tuple([item for item in exponents if item[0] in self._angular])
+            if not angle or angle[0][1] > 0:
+                powers = tuple([item for item in exponents if item[0] not in self._angular])
+                whole = weight.numerator * (denominator // weight.denominator)
+                yield angle, _steps(monomial.turn), powers, whole
 
     def derivative(self, waves: Waves, joint: int) -> Waves:
         """∂/∂q of a joint variable, whether it is an angle or a distance."""
@@ -145,21 +153,27 @@ class WaveTable:
         """A multiple as it is written: what stands before one cosine in parentheses, shared factors out."""
         groups: dict[tuple[Exponents, Rational], list[tuple[Exponents, int]]] = {}
         for (angle, turn, powers), weight in waves.items():
-            groups.setdefault((angle, turn), []).append((powers, weight))
+            key = angle, turn
+            if key in groups:
+                groups[key].append((powers, weight))
+            else:
+                groups[key] = [(powers, weight)]
         factor /= self.denominator
         top, bottom = factor.numerator, factor.denominator
-        arena, summands = self._arena, []
-        for key in sorted(groups):
-            terms: Nested = tuple(
-                (quotient(number * weight * top, bottom), names)
-                for (number, names), weight in [(self._power(p), w) for p, w in sorted(groups[key])]
-            )
+        product, summands = self._arena.product, []
+        for key, parts in sorted(groups.items()):
+            parts.sort()
+            terms: list[Term] = []
+            for powers, weight in parts:
+                number, names = self._powers.get(powers) or self._power(powers)
+                share = _quotient(weight * top, bottom)
+                terms.append((share if number == 1 else number * share, names))
             cosine = self._cosine(key)
             if key[0]:
-                summands.append(arena.product(terms, cosine))
+                summands.append(product(tuple(terms), cosine))
             else:
-                summands += [arena.product((term,), cosine) for term in terms]
-        return arena.sum(*summands)
+                summands += [product((term,), cosine) for term in terms]
+        return self._arena.sum(*summands)
 
     def symbol(self, expression: Expression) -> Nested:
         """A symbol beside the waves, such as a joint's rate."""
@@ -178,28 +192,36 @@ class WaveTable:
         return self._arena.expression(nested)
 
     def _power(self, powers: Exponents) -> Term:
-        known = self._powers.get(powers)
-        if known is None:
-            product = multiply(power(symbol_expression(self._symbols[n]), Fraction(e)) for n, e in powers)
-            known = self._powers[powers] = self._arena.term(self._arena.read(product))
-        return known
+        product = multiply(power(symbol_expression(self._symbols[n]), Fraction(e)) for n, e in powers)
+        found = self._powers[powers] = self._arena.term(self._arena.read(product))
+        return found
 
     def _cosine(self, key: tuple[Exponents, Rational]) -> Nested:
         known = self._cosines.get(key)
         if known is None:
-            angle, turn = key
-            terms = [pi_times(Fraction(2 * turn) / ORDER)]
-            for number, factor in angle:
-                monomial = self._symbols[number].of
-                assert isinstance(monomial, Monomial)
-                terms.append(multiply((Number(Fraction(factor)), real_part(monomial))))
-            known = self._arena.read(cosine_and_sine(angle_of(add(terms)))[0])
-            self._cosines[key] = known
+            known = self._cosines[key] = self._arena.read(cosine_and_sine(self._angle(*key))[0])
         return known
+
+    def _angle(self, multiples: Exponents, turn: Rational) -> Angle:
+        joints, others = [], []
+        for number, factor in multiples:
+            monomial, weight = self._symbols[number].of, _fraction(factor)
+            assert isinstance(monomial, Monomial)
+            if number < 2 * self._n_joints:
+                joints.append((JointVariable(number // 2 + 1), weight))
+            else:
+                others.append(multiply((Number(weight), real_part(monomial))))
+        found = Angle(half_turns=_fraction(turn) / _HALF_TURN, parts=tuple(joints))
+        return found.plus(angle_of(add(others))) if others else found
 
     def _number(self, symbol: RingSymbol) -> None:
         self._numbers[symbol] = len(self._symbols)
         self._symbols.append(symbol)
+
+
+_fraction = lru_cache(maxsize=256)(Fraction)
+_quotient = lru_cache(maxsize=4096)(quotient)
+"""Shared numbers: they are looked up and compared all the time, and one fraction is itself at a glance."""
 
 
 @cache
@@ -217,6 +239,14 @@ def combined(parts: Iterable[tuple[int, Waves]]) -> Waves:
                 found[wave] = total
             else:
                 del found[wave]
+    return found
+
+
+def _sum(terms: Iterable[WeightedWave], scale: int) -> Waves:
+    """The real function of which these are the terms whose angle is positive, or that have none."""
+    found: dict[Wave, int] = {}
+    for angle, turn, powers, weight in terms:
+        _put(found, angle, turn, powers, (2 * scale if angle else scale) * weight)
     return found
 
 

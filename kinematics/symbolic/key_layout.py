@@ -17,6 +17,7 @@ from kinematics.symbolic.elements import ZERO_FORM, Exponents, Form, RingSymbol
 ROOT_MASK = 0xFF
 ROOT_BITS = 8
 HALF_TURN = 12
+QUARTER_TURN = 6
 ORDER = 24
 """A root of unity is counted in twenty-fourths of a turn, π/12 each, in the lowest eight bits of a key."""
 _ROOM_BITS = 40
@@ -83,6 +84,10 @@ class KeyLayout:
             self._end += width
         return exponent.numerator << place.shift
 
+    def place(self, symbol: RingSymbol) -> KeyField:
+        """The place of a symbol whose exponents are whole."""
+        return self._known[symbol, Fraction(1)]
+
     @property
     def related(self) -> list[KeyField]:
         """The places of symbols one power of which is something else."""
@@ -107,6 +112,15 @@ class KeyLayout:
             for place in self.places
         )
         return plain and self.are_normal
+
+    def split(self, kind: str) -> tuple[int, int]:
+        """A number whose sum with a key has no negative exponents, and the mask of the symbols of a kind."""
+        bias = mask = 0
+        for place in self.places:
+            bias += 1 << (place.shift + place.width - 1)
+            if place.symbol.kind == kind:
+                mask |= ((1 << place.width) - 1) << place.shift
+        return bias, mask
 
     def numbered(self, key: int) -> list[tuple[int, int]]:
         """The exponents in a key without roots of unity, each with the number of its place."""

@@ -110,7 +110,8 @@ class Arena:
         weights: dict[tuple[int, ...], Rational] = {}
         for summand in summands:
             for weight, factors in summand:
-                weights[factors] = weights.get(factors, 0) + weight
+                known = weights.get(factors)
+                weights[factors] = weight if known is None else known + weight
         return tuple((weight, factors) for factors, weight in weights.items() if weight)
 
     def negative(self, a: Nested) -> Nested:
@@ -122,20 +123,22 @@ class Arena:
         if not a or not b:
             return NOTHING
         for sign, other in ((a, b), (b, a)):
-            if sign == UNITY:
-                return other
-            if sign == MINUS:
-                return self.negative(other)
+            if not sign[0][1]:
+                if sign == UNITY:
+                    return other
+                if sign == MINUS:
+                    return self.negative(other)
         (x, left), (y, right) = self.term(a), self.term(b)
         if not x or not y:
             return NOTHING
         if not left or not right:
             return ((x * y, left or right),)
+        weight = x if y == 1 else y if x == 1 else x * y
         factors = tuple(sorted(left + right))
         if rank_of(factors[1]) == Rank.ROOT:
             root, factors = self._merged_roots(factors)
-            return ((plain(x * y * root), factors),)
-        return ((x * y, factors),)
+            return ((plain(weight * root), factors),)
+        return ((weight, factors),)
 
     def term(self, a: Nested) -> Term:
         """The sum as a single term: what all its terms share, times the rest in parentheses."""

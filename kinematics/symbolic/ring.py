@@ -14,15 +14,26 @@ KeyLayout mean something only within one `Ring`. `Ring.terms` writes a form with
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from math import gcd
+from math import gcd, lcm
 
 from kinematics.errors import Fault, FormSizeError
-from kinematics.symbolic.elements import ONE_FORM, ZERO_FORM, Form, Monomial, RingSymbol, Terms
-from kinematics.symbolic.key_layout import HALF_TURN, ORDER, ROOT_BITS, ROOT_MASK, KeyLayout
+from kinematics.symbolic.elements import (
+    IMAGINARY_UNIT,
+    ONE_FORM,
+    ZERO_FORM,
+    Form,
+    Monomial,
+    RingSymbol,
+    Terms,
+)
+from kinematics.symbolic.key_layout import HALF_TURN, ORDER, QUARTER_TURN, ROOT_BITS, ROOT_MASK, KeyLayout
 from kinematics.symbolic.roots import basis_steps
+
+_QUARTERS = {(0, 1): 0, (QUARTER_TURN, 1): 1, (0, -1): 2, (QUARTER_TURN, -1): 3}
+"""Quarter turns of a term that is a root of unity: its key and its coefficient."""
 
 
 @dataclass(slots=True)
@@ -115,6 +126,69 @@ class Ring:
         out = {k: c * numerator for k, c in a.coefficients.items()}
         return _lowest(out, a.denominator * factor.denominator)
 
+    def turned(self, circle: tuple[Form, Form], x: Form, y: Form) -> tuple[Form, Form]:
+        """Return the coordinates of (x + i·y) e^(iφ), where x, y and φ are real.
+
+        Args:
+            circle: e^(iφ) and e^(-iφ).
+            x: a real function.
+            y: another.
+        """
+        if not (x.coefficients or y.coefficients):
+            return x, y
+        if self.is_term(circle[0]):
+            (term,) = circle[0].coefficients.items()
+            match _QUARTERS.get(term):
+                case 0:
+                    return x, y
+                case 1:
+                    return self.scale(y, -1), x
+                case 2:
+                    return self.scale(x, -1), self.scale(y, -1)
+                case 3:
+                    return y, self.scale(x, -1)
+        across = self.multiply(IMAGINARY_UNIT, y)
+        forward = self.multiply(circle[0], self.add(x, across))
+        backward = self.multiply(circle[1], self.add(x, across, -1))
+        common = lcm(forward.denominator, backward.denominator)
+        first, second = dict[int, int](), dict[int, int]()
+        for form, sign in (forward, 1), (backward, -1):
+            scale = common // form.denominator
+            for key, coefficient in form.coefficients.items():
+                coefficient *= scale
+                first[key] = first.get(key, 0) + coefficient
+                # of (F - B) / 2i: a quarter turn back
+                if key & ROOT_MASK < QUARTER_TURN:
+                    key += QUARTER_TURN
+                    coefficient = -coefficient
+                else:
+                    key -= QUARTER_TURN
+                second[key] = second.get(key, 0) + sign * coefficient
+        return _lowest(first, 2 * common), _lowest(second, 2 * common)
+
+    def replaced(self, a: Form, symbol: RingSymbol, values: Sequence[Form]) -> Form:
+        """Return a form with values[k - 1] in the place of symbol^k."""
+        place = self._keys.place(symbol)
+        common = lcm(*(value.denominator for value in values))
+        scaled = [
+            [(key, weight * (common // value.denominator)) for key, weight in value.coefficients.items()]
+            for value in values
+        ]
+        out: dict[int, int] = {}
+        for key, coefficient in a.coefficients.items():
+            number = place.exponent(key)
+            if not number:
+                out[key] = out.get(key, 0) + coefficient * common
+                continue
+            key -= number << place.shift
+            self._spend(len(scaled[number - 1]))
+            for more, weight in scaled[number - 1]:
+                total, product = key + more, coefficient * weight
+                if total & ROOT_MASK >= HALF_TURN:
+                    total, product = total - HALF_TURN, -product
+                out[total] = out.get(total, 0) + product
+        return _lowest(out, a.denominator * common)
+
     def power(self, a: Form, exponent: int) -> Form:
         """A non-negative integer power, or any integer power of a single term."""
         if exponent < 0:
@@ -159,20 +233,26 @@ class Ring:
         """A form in its normal form: monomials in the basis, and their rational coefficients."""
         return self._merged(self._parts(self._reduced(a)), a.denominator)
 
-    def numbered_terms(self, a: Form) -> Iterator[tuple[list[tuple[int, int]], Fraction, int]] | None:
-        """The terms of a form by the numbers of their symbols; None if its symbols have roots or relations.
+    def split_terms(self, a: Form) -> Iterator[tuple[int, int, int, int]] | None:
+        """The terms of a form, unreduced; None if its symbols have roots or relations.
 
         Yields:
-            (number in `symbols`, exponent) of each symbol, the turn of the root of unity, and the
-            coefficient over the form's denominator.
+            The key of its exponentials and that of its powers, which `exponents` reads; the root of unity in
+            24ths of a turn; the coefficient over the form's denominator.
         """
         if not self._keys.are_numbers:
             return None
+        bias, mask = self._keys.split("exponential")
+        angular = bias & mask
         return (
-            (self._keys.numbered(rest), turn, coefficient)
-            for rest, reduced in self._parts(a).items()
-            for turn, coefficient in reduced.items()
+            (angle - angular, (key & ~ROOT_MASK) - angle + angular, key & ROOT_MASK, coefficient)
+            for key, coefficient in a.coefficients.items()
+            for angle in ((key + bias) & mask,)
         )
+
+    def exponents(self, key: int) -> list[tuple[int, int]]:
+        """The exponents in a key without roots of unity, each with its symbol's number in `symbols`."""
+        return self._keys.numbered(key)
 
     @property
     def symbols(self) -> list[RingSymbol]:

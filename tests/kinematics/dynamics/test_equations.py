@@ -21,6 +21,7 @@ from kinematics.expressions import (
     add,
     call,
     evaluate,
+    multiply,
     negate,
     number,
     pi_times,
@@ -190,6 +191,36 @@ def test_general_angles_named_twists_and_reversed_variables() -> None:
         np.testing.assert_allclose(values(found.coriolis, given, q), C, atol=1e-12)
         held = moving.gravity_torque(q)[:, None]
         np.testing.assert_allclose(values(found.gravity, given, q), held, atol=1e-12)
+
+
+def test_links_named_in_full_are_worth_what_the_recursion_computes() -> None:
+    """Ten names for a link, some of them in expressions, beside numbers and names that two links share."""
+    known = {"beta": 0.4, "r": 0.3, "m": 1.2, "L2": 0.35}
+    table, _ = planar(3)
+    table = DHTable(
+        convention=Convention.STANDARD,
+        rows=tuple(
+            DHRow(joint=row.joint, theta=ZERO, d=number("0.2"), a=P("L2"), alpha=alpha)
+            for row, alpha in zip(table.rows, (pi_times(number("1/2").value), P("beta"), ZERO), strict=True)
+        ),
+    )
+    links = []
+    for i in range(1, 4):
+        names = [f"{word}{i}" for word in ("x", "y", "Ixx", "Ixy", "Ixz", "Iyy", "Iyz", "Izz")]
+        known |= dict(zip(names, (0.1, -0.2, 0.5, 0.01, -0.02, 0.6, 0.03, 0.7), strict=True))
+        x, y, xx, xy, xz, yy, yz, zz = map(P, names)
+        across = multiply((P("r"), call(Function.COS, P("beta"))))
+        inertia = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz if i > 1 else number("0.7")))
+        links.append(RigidBody(mass=P("m"), centre=(x, y, across), inertia=inertia))
+    found = Derivation(table, links, (ZERO, ZERO, number("-9.81")))
+    moving = MovingRobot(bind(table, known), bind_links(links, known))
+    q, rates = np.random.default_rng(4).uniform(-2, 2, (2, 3))
+    given = {**known, **{rate_name(i): v for i, v in enumerate(rates.tolist(), 1)}}
+    np.testing.assert_allclose(values(found.mass, given, q), moving.mass_matrix(q), atol=1e-12)
+    C = moving.coriolis_matrix(q, rates)
+    np.testing.assert_allclose(values(found.coriolis, given, q), C, atol=1e-12)
+    held = moving.gravity_torque(q)[:, None]
+    np.testing.assert_allclose(values(found.gravity, given, q), held, atol=1e-12)
 
 
 def test_too_much_is_refused() -> None:
