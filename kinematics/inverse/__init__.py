@@ -7,8 +7,8 @@ residuals      how far a pose is from its target
 closed_form    methods that yield all solutions, and which arm has which:
   wrist          three axes through one point
   wrist_blocks   the same for many targets
-  wrist_scalars  the same for one target that is well away from singularities
-  clear_blocks   both: many targets that are well away from singularities
+  wrist_scalars  the same for one target that is away from singularities
+  clear_blocks   both: many targets that are away from singularities
   wrist_tapes    what these have recorded of an arm
   parallel       three parallel axes
   general        six turning joints of any kind, as an eigenproblem

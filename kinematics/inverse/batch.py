@@ -180,19 +180,15 @@ def _off_orthonormal(R: Array) -> Array:
 def _at_once(solver: Solver, clear: ClearWrist, poses: Array) -> tuple[_Part, NDArray[np.bool_]]:
     """Solutions of the targets that are away from singularities, and which targets those are."""
     joints, position, angle, done = clear_solutions(clear, poses)
-    owner = np.repeat(np.arange(len(poses)), SOLUTIONS)
-    found = _Part(joints.reshape(-1, 6), owner, position.ravel(), angle.ravel())
-    if done.all() and not solver.box.limited:
+    targets = np.arange(len(poses))
+    if not done.all():
+        joints, position, angle, targets = joints[done], position[done], angle[done], targets[done]
+    found = _Part(joints.reshape(-1, 6), np.repeat(targets, SOLUTIONS), position.ravel(), angle.ravel())
+    if not solver.box.limited:
         return found, done
-    kept = done[owner]
-    if solver.box.limited:
-        inside, fits = within_limits(found.joints, solver.arm.revolute, solver.box, solver.arm.size)
-        found = found._replace(joints=inside)
-        kept &= fits
-        done &= np.bincount(owner[kept], minlength=len(poses)) > 0
-        kept &= done[owner]
-    part = _Part(found.joints[kept], owner[kept], found.position_error[kept], found.orientation_error[kept])
-    return part, done
+    inside, fits = within_limits(found.joints, solver.arm.revolute, solver.box, solver.arm.size)
+    done &= np.bincount(found.target[fits], minlength=len(poses)) > 0
+    return _Part(inside[fits], found.target[fits], position.ravel()[fits], angle.ravel()[fits]), done
 
 
 def _together(solver: Solver, wrist: WristArm, poses: Array) -> tuple[_Part, NDArray[np.bool_]]:

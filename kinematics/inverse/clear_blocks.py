@@ -1,30 +1,28 @@
 """The closed form of a level arm with a wrist at right angles, for many targets away from singularities.
 
-What `wrist_scalars` does for one target is done here for a block of them, with one array for each quantity:
-heads (the sign of p_x, then that of θ_3) along the first axis, targets along the second. Each head and its
-wrist are judged by the recorded forward kinematics at the cosines and sines of the angles that are returned;
-the wrist's other way, θ_4 + π, -θ_5, θ_6 + π, makes the same rotation.
+What `wrist_scalars` does for one target, with the same formulas and the same conditions, is done here for a
+block of them, with one array for each quantity: heads (the sign of p_x, then that of θ_3) along the first
+axes, targets along the last. Each head and its wrist are judged by forward kinematics at the cosines and
+sines of the angles that are returned; the other way of the wrist, θ_4 + π, -θ_5, θ_6 + π, makes the same
+rotation.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Array
-from kinematics.inverse.components import lost_value, merging_value
 from kinematics.inverse.goals import LEAST_TOLERANCE
-from kinematics.inverse.wrist_scalars import APART, EXACT, FLIPPED, FOLD, ClearWrist
-from kinematics.inverse.wrist_tapes import centre_error_tape, left_over_tape, run_on_arrays, wrist_error_tape
+from kinematics.inverse.wrist_scalars import EXACT, FLIPPED, MARGIN, STILL, ClearWrist
+from kinematics.inverse.wrist_tapes import run_on_arrays
 
 SOLUTIONS = 8
 """Of a target that is clear here: fewer heads than four are left to others."""
 
-_SIGNS = np.array(((1.0,), (1.0,), (-1.0,), (-1.0,)))
-_BENDS = np.array(((1.0,), (-1.0,), (1.0,), (-1.0,)))
+_BOTH = np.array(((1.0,), (-1.0,)))
 
 
 class ClearSolutions(NamedTuple):
@@ -54,62 +52,124 @@ def clear_solutions(clear: ClearWrist, targets: Array) -> ClearSolutions:
         return _solutions(clear, targets)
 
 
-def _solutions(clear: ClearWrist, targets: Array) -> ClearSolutions:
-    w, m = clear.wrist, len(targets)
-    a1, ca1, sa1, d2, a2, ca2, _, rho, zeta = w.head
-    n = clear.seen @ targets.reshape(m, 16).T
-    x, y, z = n[9:] / w.size
-    lost = clear.least_volume * lost_value(LEAST_TOLERANCE)
-    least = clear.least_volume * merging_value(LEAST_TOLERANCE)
-    f3 = d2 + ca2 * zeta
-    g2 = (z - ca1 * f3) / sa1
-    py = ca1 * g2 - sa1 * f3
-    argument = x * x + y * y - py * py
-    root, length = np.sqrt(argument), 2.0 * a2 * rho
-    px = _SIGNS[::2] * root
-    g1 = px - a1
-    k = g1 * g1 + (g2 * g2 - a2 * a2 - rho * rho)
-    bent = np.sqrt((length - k) * (length + k))
-    t1 = np.arctan2(y * px - x * py, x * px + y * py)
-    half = np.arccos(k / length)
-    t3 = _BENDS * _twice(half)
-    (c1, s1), (c3, s3) = (tuple(map(_twice, _cos_sin(t1))), _cos_sin(t3))
-    g1, bent = _twice(g1), _twice(bent)
-    f1, f2 = a2 + rho * c3, (ca2 * rho) * s3
-    t2 = np.arctan2(f1 * g2 - f2 * g1, f1 * g1 + f2 * g2)
+def _solutions(w: ClearWrist, targets: Array) -> ClearSolutions:
+    seen = run_on_arrays(w.seen_tape, [*np.ascontiguousarray(targets.reshape(-1, 16)[:, :12].T)])
+    planes = _planes(w, *seen[6:])
+    c3, s3 = _cos_sin(planes.half)
+    f1, f2 = w.a2 + w.rho * c3, _both(w.rho * s3)
+    g1, g2 = planes.g1, planes.g2
+    t2 = np.arctan2(f1[:, None] * g2 - f2 * g1[:, None], (f1 * g1)[:, None] + f2 * g2)
     c2, s2 = _cos_sin(t2)
-    heads = [c1, s1, c2, s2, c3, s3]
-    N = run_on_arrays(left_over_tape(w), [*heads, *n[:9]])
-    away = w.size * np.sqrt(run_on_arrays(centre_error_tape(w.head), [*heads, x, y, z])[0])
-    t4, t5, t6, sine = _right_wrists(w.wrist[1], w.wrist[3], N)
-    turned = [part for angle in (t4, t5, t6) for part in _cos_sin(angle)]
-    angle = np.sqrt(0.5 * run_on_arrays(wrist_error_tape(w.wrist), [*turned, *N])[0])
-    volume = (0.5 * abs(sa1)) * (root * bent)
-    alone = (root > APART * np.hypot(root, py)) & (bent > APART * abs(length)) & (sine > APART)
-    # Comparisons with NaN are false: a target without four heads is not clear.
-    good = (volume * sine > np.where(alone, lost, least)) & (volume > lost)
-    good &= (angle <= EXACT) & (away <= EXACT * w.size)
-    joints = np.empty((6, 4, 2, m))
-    for i, (values, zero) in enumerate(zip((_twice(t1), t2, t3), w.zeros, strict=False)):
-        np.subtract(values[:, None], zero, out=joints[i])
-    for i, (values, shift) in enumerate(((t4, np.pi), (t5, 0.0), (t6, np.pi)), 3):
-        np.subtract(values, w.zeros[i], out=joints[i, :, 0])
-        np.subtract(-values if i == 4 else values + shift, w.zeros[i], out=joints[i, :, 1])
-    joints -= (2.0 * np.pi) * np.ceil((joints - np.pi) / (2.0 * np.pi))
-    errors = np.empty((2, 4, 2, m))
-    errors[1, :, 0], errors[1, :, 1] = angle, angle + FLIPPED
-    np.add(away[:, None], clear.lever * errors[1], out=errors[0])
-    return ClearSolutions(
-        np.ascontiguousarray(joints.reshape(6, SOLUTIONS, m).T),
-        np.ascontiguousarray(errors[0].reshape(SOLUTIONS, m).T),
-        np.ascontiguousarray(errors[1].reshape(SOLUTIONS, m).T),
-        good.all(axis=0) & (argument > FOLD * LEAST_TOLERANCE * clear.spread),
+    turned = run_on_arrays(w.plane_tape, [*_cos_sin(planes.t1), *seen])
+    turned = [each[:, None] if each.ndim > 1 else each for each in turned]
+    x, y, off_plane = turned[6:]
+    off_x, off_y = x * c2 + y * s2 - f1[:, None], y * c2 - x * s2 - f2
+    away = w.size * np.sqrt(off_x * off_x + off_y * off_y + off_plane * off_plane)
+    # The forearm's turn in the plane of the links, and what it leaves for the wrist.
+    cl, sl = np.cos(w.lean), np.sin(w.lean)
+    cf, sf = (c3 * cl)[:, None] - _both(s3 * sl), _both(s3 * cl) + (c3 * sl)[:, None]
+    c, s = c2 * cf - s2 * sf, s2 * cf + c2 * sf
+    x1, y1, z1, x3, y3, z3 = turned[:6]
+    t4, t5, t6, sine, angle = _wrists(
+        x1 * c + y1 * s, y1 * c - x1 * s, z1, x3 * c + y3 * s, y3 * c - x3 * s, z3
     )
+    good = (sine >= planes.least[:, None]) & (angle <= EXACT) & (away <= EXACT * w.size)
+    errors = np.empty((2, 2, 2, 2, len(targets)))
+    errors[1, :, :, 0], errors[1, :, :, 1] = angle, angle + FLIPPED
+    np.add(away[:, :, None], w.lever * errors[1], out=errors[0])
+    position, orientation = np.ascontiguousarray(errors.reshape(2, SOLUTIONS, -1).transpose(0, 2, 1))
+    joints = _joints(w, planes.t1, t2, _both(w.sense3 * planes.half), t4, w.sense5 * t5, t6)
+    return ClearSolutions(joints, position, orientation, good.all(axis=(0, 1)) & planes.clear)
 
 
-def _twice(values: Array) -> Array:
-    """(2, m) as (4, m), each row for two heads."""
-    return np.repeat(values, 2, axis=0)
+class _Planes(NamedTuple):
+    """The links' planes, one for each sign of p_x.
+
+    Attributes:
+        t1: (2, m) θ_1.
+        g1: (2, m) place of the wrist's centre in the plane: x, and
+        g2: (m,) y.
+        half: (2, m) |θ_3|.
+        least: (2, m) sin θ_5 at least.
+        clear: (m,) whether both are there and clear.
+    """
+
+    t1: Array
+    g1: Array
+    g2: Array
+    half: Array
+    least: Array
+    clear: NDArray[np.bool_]
+
+
+def _planes(w: ClearWrist, x: Array, y: Array, z: Array) -> _Planes:
+    delta = LEAST_TOLERANCE * w.spread
+    g2 = (z - w.ca1 * w.aside) / w.sa1
+    py = w.ca1 * g2 - w.sa1 * w.aside
+    far = np.sqrt(x * x + y * y)
+    argument = (far - py) * (far + py)
+    squared = (2.0 * delta) * (far + abs(w.ca1 / w.sa1) * np.abs(py))
+    root, length = np.sqrt(argument), 2.0 * w.a2 * w.rho
+    px = _BOTH * root
+    g1 = px - w.a1
+    k = g1 * g1 + (g2 * g2 - (w.a2 * w.a2 + w.rho * w.rho))
+    across = (length - k) * (length + k)
+    edge = (MARGIN * 2.0 * length) * (np.abs(g1) * (squared / root) + np.abs(g2) * (2.0 * delta / abs(w.sa1)))
+    turn = delta / (abs(w.sa1) * root)
+    wobble = turn + (2.0 * (w.a2 + w.rho)) * (delta + turn * far) / np.sqrt(across)
+    # Comparisons with NaN are false: a target without four heads is not clear.
+    clear = ((across > edge) & (wobble <= STILL)).all(axis=0) & (argument > MARGIN * squared)
+    t1 = np.arctan2(y * px - x * py, x * px + y * py)
+    return _Planes(t1, g1, g2, np.arccos(k / length), (wobble + LEAST_TOLERANCE) / STILL, clear)
+
+
+def _wrists(
+    x1: Array, y1: Array, z1: Array, x3: Array, y3: Array, z3: Array
+) -> tuple[Array, Array, Array, Array, Array]:
+    """θ_4, θ_5, θ_6 with sin θ_5 > 0, this sine, and the angle by which they are off.
+
+    What the wrist has to make is given by its first and third column, x along axis 4 and y in the plane.
+    """
+    sine = np.sqrt(y3 * y3 + z3 * z3)
+    t4, t5 = np.arctan2(z3, y3), np.arctan2(sine, -x3)
+    (c4, s4), (c5, s5) = _cos_sin(t4), _cos_sin(t5)
+    u, v = y1 * c4 + z1 * s4, z1 * c4 - y1 * s4
+    t6 = np.arctan2(-v, c5 * u + s5 * x1)
+    c6, s6 = _cos_sin(t6)
+    square_off = np.zeros_like(t6)
+    for off in (y3 * c4 + z3 * s4 - s5, z3 * c4 - y3 * s4, x3 + c5, u - c5 * c6, v + s6, x1 - s5 * c6):
+        off *= off
+        square_off += off
+    return t4, t5, t6, sine, np.sqrt(square_off)
+
+
+def _joints(w: ClearWrist, t1: Array, t2: Array, t3: Array, t4: Array, t5: Array, t6: Array) -> Array:
+    """(m, 8, 6) joint values, both ways of the wrist one after the other."""
+    joints = np.empty((6, 2, 2, 2, t1.shape[1]))
+    o1, o2, o3, o4, o5, o6 = w.zeros
+    joints[0] = _in_range(t1 - o1)[:, None, None]
+    joints[1] = _in_range(t2 - o2)[:, :, None]
+    joints[2] = _in_range(t3 - o3)[:, :, None]
+    for i, t, zero in ((3, t4, o4), (5, t6, o6)):
+        joints[i, :, :, 0] = q = _in_range(t - zero)
+        np.add(q, np.pi - (2.0 * np.pi) * (q > 0.0), out=joints[i, :, :, 1])
+    joints[4, :, :, 0], joints[4, :, :, 1] = _in_range(t5 - o5), _in_range(-t5 - o5)
+    return np.ascontiguousarray(joints.reshape(6, SOLUTIONS, -1).T)
+
+
+def _both(values: Array) -> Array:
+    """(2, 2, m) from (2, m): each, and its negative."""
+    return np.stack((values, -values), axis=1)
+
+
+def _in_range(angles: Array) -> Array:
+    """Angles in (-3π, 3π] as they are in (-π, π]."""
+    low, high = angles <= -np.pi, angles > np.pi
+    if low.any():
+        angles += (2.0 * np.pi) * low
+    if high.any():
+        angles -= (2.0 * np.pi) * high
+    return angles
 
 
 def _cos_sin(angle: Array) -> tuple[Array, Array]:
@@ -117,13 +177,3 @@ def _cos_sin(angle: Array) -> tuple[Array, Array]:
     t = np.tan(0.5 * angle)
     scale = 2.0 / (1.0 + t * t)
     return scale - 1.0, t * scale
-
-
-def _right_wrists(sa4: float, sa5: float, N: Sequence[Array]) -> tuple[Array, Array, Array, Array]:
-    """θ_4, θ_5, θ_6 with sin θ_5 > 0, and this sine; sa4 and sa5 are ±1."""
-    n11, _, x, n21, _, y, n31, _, z = N
-    s5 = np.hypot(x, y)
-    c5 = -(sa4 * sa5) * z
-    c4, s4 = x * (sa5 / s5), y * (sa5 / s5)
-    t6 = np.arctan2(-(sa4 * sa5) * (c4 * n21 - s4 * n11), c5 * (c4 * n11 + s4 * n21) + s5 * (sa4 * n31))
-    return np.arctan2(s4, c4), np.arctan2(s5, c5), t6, s5

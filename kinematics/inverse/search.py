@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from functools import cached_property
 
 import numpy as np
 
@@ -70,14 +71,14 @@ class Bounds(StrEnum):
     IGNORED = "ignored"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Box:
     """Bounds of the joint variables; infinite where there are none."""
 
     low: Array
     high: Array
 
-    @property
+    @cached_property
     def limited(self) -> bool:
         """Whether there is any bound."""
         return bool(np.isfinite(self.low).any() or np.isfinite(self.high).any())

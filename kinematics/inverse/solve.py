@@ -33,7 +33,7 @@ from kinematics.inverse.results import (
 from kinematics.inverse.search import MOST_ISOLATED, Bounds, Box, SearchResult, search
 from kinematics.inverse.search import TOLERANCE as SEARCHED
 from kinematics.inverse.wrist import WristArm
-from kinematics.inverse.wrist_scalars import ClearSolution, ClearWrist, clear_wrist_of
+from kinematics.inverse.wrist_scalars import ClearWrist, clear_wrist_of
 from kinematics.se3 import Transform, check_transform
 from kinematics.table import NumericTable
 
@@ -103,26 +103,25 @@ class Solver:
         found = None if self.clear is None else self.clear.solutions(goal.pose, goal.tolerance)
         if found is None:
             return None
-        count = len(found)
-        if self.box.limited:
-            joints = np.array([one.joints for one in found])
-            inside, fits = within_limits(joints, self.arm.revolute, self.box, self.arm.size)
-            found = [
-                one._replace(joints=tuple(q))
-                for one, q, fit in zip(found, inside.tolist(), fits.tolist(), strict=True)
-                if fit
-            ]
-        if not found:
+        within = self._within_limits(found) if self.box.limited else found
+        if not within:
             return None
-        found.sort(key=_way)
         return InverseKinematics(
             status=IKStatus.SOLVED,
             complete=True,
             method=Method.CLOSED_FORM,
-            solutions=tuple([IKSolution(*one) for one in found]),
-            outside_limits=count - len(found),
+            solutions=tuple(within),
+            outside_limits=len(found) - len(within),
             tolerance=goal.tolerance,
         )
+
+    def _within_limits(self, solutions: list[IKSolution]) -> list[IKSolution]:
+        """Those within the joint limits, the one with the smallest joint values first."""
+        joints = np.array([one.joints for one in solutions])
+        inside, fits = within_limits(joints, self.arm.revolute, self.box, self.arm.size)
+        moved = zip(solutions, inside.tolist(), fits.tolist(), strict=True)
+        within = [one._replace(joints=tuple(q)) for one, q, fit in moved if fit]
+        return sorted(within, key=lambda one: sum(map(abs, one.joints)))
 
     def _by_closed_form(self, goal: Goal) -> Array | None:
         """Solutions by the closed form, if it has an answer for this target."""
@@ -238,11 +237,6 @@ class Solver:
             outside_limits=outside,
             tolerance=goal.tolerance,
         )
-
-
-def _way(solution: ClearSolution) -> float:
-    q1, q2, q3, q4, q5, q6 = solution.joints
-    return abs(q1) + abs(q2) + abs(q3) + abs(q4) + abs(q5) + abs(q6)
 
 
 def inverse_kinematics(

@@ -13,7 +13,7 @@ import numpy as np
 from kinematics.evaluation.blocks import UFUNCS
 from kinematics.evaluation.tape import Recorder, Tape
 from kinematics.inverse.arm import Array
-from kinematics.inverse.wrist import Head, WristArm
+from kinematics.inverse.wrist import WristArm
 from kinematics.se3 import Scalar
 
 Triple = list[Scalar]
@@ -39,40 +39,45 @@ def left_over_tape(wrist: WristArm) -> Tape:
     return recorder.tape([entry for row in left for entry in row])
 
 
-@lru_cache(maxsize=64)
-def wrist_error_tape(twists: tuple[float, float, float, float]) -> Tape:
-    """‖Rot_z(θ_4) Rot_x(α_4) Rot_z(θ_5) Rot_x(α_5) Rot_z(θ_6) - N‖².
+def seen_tape(wrist: WristArm) -> Tape:
+    """What the normal form sees of a target: first and third column of its rotation, and the wrist's centre.
 
-    Inputs are cosine and sine of θ_4, θ_5, θ_6 and the nine entries of N by rows.
+    Inputs are the upper twelve entries of the target by rows, outputs nine; lengths in units of the size.
     """
-    recorder = Recorder(15)
-    c4, s4, c5, s5, c6, s6, *N = recorder.inputs
-    ca4, sa4, ca5, sa5 = twists
-    rows: list[Triple] = [[c6, -s6, 0.0], [s6, c6, 0.0], [0.0, 0.0, 1.0]]
-    rows = _turned_back(_twisted_back(rows, ca5, -sa5), c5, -s5)
-    rows = _turned_back(_twisted_back(rows, ca4, -sa4), c4, -s4)
-    off = [entry - wanted for entry, wanted in zip([e for row in rows for e in row], N, strict=True)]
-    return recorder.tape([_sum_of(off, off)])
+    recorder = Recorder(12)
+    before, after = wrist.before, wrist.after
+    target = [[*recorder.inputs[4 * i : 4 * i + 4]] for i in range(3)]
+    hand = {k: [_tidy(float(x)) for x in after[:, k]] for k in (0, 2, 3)}
+    outputs: list[Scalar] = []
+    for k, column in hand.items():
+        moved = [_sum_of(column, row) for row in target]
+        for i in range(3):
+            there = _sum_of([_tidy(float(x)) for x in before[i, :3]], moved)
+            outputs.append(there if k < 3 else (there + _tidy(float(before[i, 3]))) * (1.0 / wrist.size))
+    return recorder.tape(outputs)
 
 
-@lru_cache(maxsize=64)
-def centre_error_tape(head: Head) -> Tape:
-    """|p - p*|² of the wrist's centre, lengths in units of the size.
+def plane_tape(a1: float, ca1: float, sa1: float, aside: float) -> Tape:
+    """What the normal form sees, from a frame of which joint 1 turns x and y into the plane of the links.
 
-    Inputs are cosine and sine of θ_1, θ_2, θ_3 and the three coordinates of p*.
+    Inputs are cosine and sine of θ_1 and the outputs of `seen_tape`. Outputs are x, y and z of the first and
+    third column of the rotation and of the wrist's centre, seen from axis 2; z are across the plane.
+
+    Args:
+        a1: a_1.
+        ca1: cos α_1.
+        sa1: sin α_1.
+        aside: how far across the plane the wrist's centre has to be.
     """
-    recorder = Recorder(9)
-    c1, s1, c2, s2, c3, s3, *wanted = recorder.inputs
-    p: Triple = [c3 * head.radius, s3 * head.radius, head.height]
-    for c, s, offset, ca, sa, along in (
-        (c2, s2, head.a2, head.ca2, head.sa2, 0.0),
-        (c1, s1, head.a1, head.ca1, head.sa1, head.d2),
-    ):
-        x, y, z = p[0] + offset, p[1], p[2] + along
-        y, z = y * ca - z * sa, y * sa + z * ca
-        p = [c * x - s * y, s * x + c * y, z]
-    off = [entry - target for entry, target in zip(p, wanted, strict=True)]
-    return recorder.tape([_sum_of(off, off)])
+    recorder = Recorder(11)
+    c, s, *seen = recorder.inputs
+    outputs: list[Scalar] = []
+    for x, y, z in (seen[:3], seen[3:6], seen[6:]):
+        along, side = x * c + y * s, y * c - x * s
+        outputs += [along, side * ca1 + z * sa1, z * ca1 - side * sa1]
+    outputs[6] = outputs[6] - a1
+    outputs[8] = outputs[8] - aside
+    return recorder.tape(outputs)
 
 
 def run_on_arrays(tape: Tape, inputs: Sequence[Array]) -> list[Array]:

@@ -6,8 +6,9 @@ import pytest
 from kinematics.forward import end_pose, end_poses
 from kinematics.inverse import inverse_kinematics, solver_of
 from kinematics.inverse.arm import volumes
+from kinematics.inverse.components import LONG
 from kinematics.inverse.goals import LEAST_TOLERANCE, read_goal
-from kinematics.inverse.residuals import pose_errors
+from kinematics.inverse.residuals import are_solutions, errors_of, pose_errors
 from kinematics.inverse.results import Method
 from kinematics.inverse.wrist_scalars import ClearWrist
 from tests.kinematics.inverse.arms import GENERAL, apart
@@ -47,10 +48,48 @@ def test_solutions_are_those_of_the_arrays(name):
 
 
 @pytest.mark.parametrize("name", LEVEL)
-@pytest.mark.parametrize("away", [0.0, 1e-12, 1e-9, 1e-7, 1e-5])
+@pytest.mark.parametrize("away", [0.0, 1e-12, 1e-9, 3e-8])
 def test_beside_a_singularity_there_is_no_answer_in_scalars(name, away):
     q = np.array([0.4, -0.6, 0.9, 0.7, away, -0.3])
     assert clear(name).solutions(end_pose(MODELS[name], q), LEAST_TOLERANCE) is None
+
+
+@pytest.mark.parametrize("name", LEVEL)
+@pytest.mark.parametrize("tolerance", [LEAST_TOLERANCE, 1e-7, 1e-6])
+def test_no_solution_in_scalars_leads_to_another_or_far_away(name, tolerance):
+    arm = solver_of(MODELS[name]).arm
+    rng = np.random.default_rng(12)
+    walked = 0
+    for k in range(40):
+        # Near each kind of singularity in turn: wrist in line, elbow stretched, wrist over the shoulder.
+        q = rng.uniform(-np.pi, np.pi, 6)
+        if k % 2:
+            q[4] = 10.0 ** rng.uniform(-6, -1)
+        else:
+            q[2] = 10.0 ** rng.uniform(-4, -1) - clear(name).zeros[2]
+        target = end_pose(MODELS[name], q)
+        found = clear(name).solutions(target, tolerance)
+        if found is None:
+            continue
+        walked += 1
+        joints = np.array([one.joints for one in found])
+        # The direction in which each moves most, and how far within a tolerance of either kind.
+        J = arm.jacobians(arm.frames(joints))
+        _, values, directions = np.linalg.svd(J)
+        for start, least, direction in zip(joints, values[:, -1], directions[:, -1], strict=True):
+            assert least * LONG > 0.5 * tolerance * min(1.0, 1.0 / arm.size)
+            there = start + LONG * np.array([[1.0], [-1.0]]) * direction
+            for _ in range(6):
+                frames = arm.frames(there)
+                across = np.eye(6) - np.outer(direction, direction)
+                step = np.linalg.pinv(arm.jacobians(frames) @ across, rcond=1e-7)
+                there = there + (step @ errors_of(arm, frames[-1], target)[:, :, None])[:, :, 0] @ across
+            reached = are_solutions(errors_of(arm, arm.frames(there)[-1], target), arm, tolerance)
+            # Where the target is reached again it is by another of the solutions.
+            for q in there[reached]:
+                assert min(apart(MODELS[name], q, one) for one in joints) < 0.5 * LONG
+                assert apart(MODELS[name], q, start) > 0.5 * LONG
+    assert walked > 4
 
 
 def test_beyond_reach_there_is_no_answer_in_scalars():
