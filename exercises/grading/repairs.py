@@ -144,12 +144,9 @@ def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
     together = max(MOST_ROWS_TOGETHER // len(work.table.rows), 1)
     for start in range(0, len(first), together):
         some = first[start : start + together]
-        halves = _halves(work, some)
+        halves = _halves(work, some, keeping=True)
         for trial, half, rest in zip(some, halves, tried(halves), strict=True):
-            touched, throughout = set(trial.change.places), trial.change.row is None
             for other in rest:
-                if touched & set(other.change.places) and not (throughout and half.excess):
-                    continue
                 changes = (trial.change, other.change)
                 places = frozenset((c.code, c.row, c.cell) for c in changes)
                 if places in told or not half.accepts(other.change, Effort.PLAIN):
@@ -160,9 +157,15 @@ def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
                     yield Repaired(tuple(sorted(shown, key=lambda c: -1 if c.row is None else c.row)))
 
 
-def _halves(work: Work, trials: Iterable[Trial]) -> list[Work]:
-    """The table with each of some edits made."""
-    return [work.edited(trial.change, trial.reach, angular=trial.angular) for trial in trials]
+def _halves(work: Work, trials: Iterable[Trial], *, keeping: bool = False) -> list[Work]:
+    """The table with each of some edits made; what one has changed is kept, unless that was all there is."""
+    halves = []
+    for trial in trials:
+        half = work.edited(trial.change, trial.reach, angular=trial.angular)
+        if keeping and not (trial.change.row is None and half.excess):
+            half = replace(half, kept=frozenset(trial.change.places))
+        halves.append(half)
+    return halves
 
 
 def _nearer(work: Work, here: Trial | None, catalogue: Catalogue = changes_of) -> list[Trial]:

@@ -42,11 +42,13 @@ def joint_of_other_type(work: Work) -> Iterator[Change]:
 
 def joint_left_out(work: Work) -> Iterator[Change]:
     """A row without a variable given one, or the reverse."""
+    before = 0
     for i, row in enumerate(work.table.rows):
-        if row.joint is JointType.FIXED and work.excess < 0:
+        before += row.joint is not JointType.FIXED
+        if row.joint is JointType.FIXED and work.excess < 0 and work.is_place(before + 1):
             for joint in sorted(set(work.reference.table.joint_types)):
                 yield _of_type(work, "joint_fixed", i, joint)
-        elif row.joint is not JointType.FIXED and work.excess > 0:
+        elif row.joint is not JointType.FIXED and work.excess > 0 and work.is_place(before):
             yield _of_type(work, "joint_moving", i, JointType.FIXED)
 
 
@@ -69,9 +71,10 @@ def rows_swapped(work: Work) -> Iterator[Change]:
     """Two rows exchanged."""
     rows = work.table.rows
     entries = [(row.alpha, row.a, row.d, row.theta) for row in rows]
+    kept = work.kept_rows
     farthest = len(rows) if len(rows) <= MOST_ROWS_FOR_ALL_PAIRS else 1
     for (i, one), (j, other) in combinations(enumerate(rows), 2):
-        if j - i > farthest or not work.is_near(i, j):
+        if j - i > farthest or not work.is_near(i, j) or kept & {i, j}:
             continue
         cells: list[CellChange] = []
         table = None
@@ -94,7 +97,7 @@ def row_too_many(work: Work) -> Iterator[Change]:
     rows = work.table.rows
     for i, row in enumerate(rows):
         moves = row.joint is not JointType.FIXED
-        if len(rows) > 1 and work.excess == (1 if moves else 0):
+        if len(rows) > 1 and work.excess == (1 if moves else 0) and (not moves or work.is_near(i)):
             yield Change("row_extra", Extent.ROW, i, table=with_rows(work.table, (*rows[:i], *rows[i + 1 :])))
 
 
@@ -119,7 +122,7 @@ def _places(work: Work) -> Iterator[tuple[int, JointType]]:
         return
     for place in range(len(work.table.rows) + 1):
         before = sum(index < place for index in work.table.joint_rows)
-        if (*given[:before], wanted[before], *given[before:]) == wanted:
+        if work.is_place(before + 1) and (*given[:before], wanted[before], *given[before:]) == wanted:
             yield place, wanted[before]
 
 

@@ -28,13 +28,15 @@ def _every_cell(
     work: Work, code: str, names: tuple[str, ...], edit: Callable[[float], float], **params: str
 ) -> Iterator[Change]:
     """Some cells of every row as a function of what stands in them."""
+    touched = _places(range(len(work.table.rows)), tuple(name for name in names if name != "theta"))
+    if not work.leaves(touched):
+        return iter(())
     cells = [
         (i, name, now)
         for i, row in enumerate(work.table.rows)
         for name in names
         if (now := edit(here := getattr(row, name))) != here
     ]
-    touched = _places(range(len(work.table.rows)), tuple(name for name in names if name != "theta"))
     return _throughout(code, touched, cells, **params)
 
 
@@ -116,13 +118,16 @@ def columns_a_row_early(work: Work) -> Iterator[Change]:
 
 def _along_x_of(work: Work, code: str, others: Sequence[NumericRow | None]) -> Iterator[Change]:
     """A and α of every row as they stand in another, or zero."""
+    touched = _places(range(len(others)), ALONG_X)
+    if not work.leaves(touched):
+        return iter(())
     cells = [
         (i, name, now)
         for i, (row, other) in enumerate(zip(work.table.rows, others, strict=True))
         for name in ALONG_X
         if (now := 0.0 if other is None else getattr(other, name)) != getattr(row, name)
     ]
-    return _throughout(code, _places(range(len(others)), ALONG_X), cells)
+    return _throughout(code, touched, cells)
 
 
 EXCHANGES = (("a", "alpha"), ("a", "d"), ("alpha", "d"))
@@ -143,6 +148,9 @@ def columns_exchanged(work: Work) -> Iterator[Change]:
             for i, row in enumerate(work.table.rows)
             if row.joint is not JointType.PRISMATIC or other != "d"
         ]
+        touched = _places([i for i, _ in rows], (one, other))
+        if not work.leaves(touched):
+            continue
         cells = [
             (i, name, now)
             for i, row in rows
@@ -150,7 +158,6 @@ def columns_exchanged(work: Work) -> Iterator[Change]:
             if (now := getattr(row, source) * units[source] / units[name]) != getattr(row, name)
         ]
         params = {"one": SYMBOLS[one], "other": SYMBOLS[other]}
-        touched = _places([i for i, _ in rows], (one, other))
         yield from _throughout("columns_exchanged", touched, cells, **params)
 
 

@@ -12,17 +12,16 @@ from numpy.typing import NDArray
 from exercises.grading.digits import measured_as_typed
 from exercises.grading.facts import least_cost
 from exercises.grading.fitting import Unsolved, fitting_values, measured
+from exercises.grading.joint_places import joint_places
 from exercises.grading.misconceptions import changes_of
 from exercises.grading.typed import ANGLES
-from exercises.grading.work import Change, Extent, Work
+from exercises.grading.work import FAR, Change, Extent, Work
 from kinematics.equivalence import BaseRule, ToolRule
 from kinematics.equivalence.batches import Variation
 from kinematics.table import JointType, NumericTable
 
 REACH_OF_A_ROW = 1
 """Two rows exchanged, the widest of the edits in a row, change the links before, between and after them."""
-FAR = 10**6
-"""Behind the last axis of any chain."""
 DIGITS = 9
 """Values that agree so far [rad or length] are the same solution."""
 Catalogue: TypeAlias = Callable[[Work], Iterator[Change]]
@@ -73,13 +72,15 @@ def tried(
     if not works:
         return []
     fits = _fits(works)
+    reaches = _reaches(works) if finishing else [work.reach for work in works]
     made = [
         (number, change)
         for number, work in enumerate(works)
         for alike in (work.has_the_joints(),)
-        for change in catalogue(replace(work, fits=fits[number]))
+        for change in catalogue(replace(work, fits=fits[number], reach=reaches[number]))
         if (work.only is None or change.slip == work.only)
         and (alike if change.table is None else work.has_the_joints(change.table))
+        and work.leaves(change.places)
     ]
     trials: list[list[Trial]] = [[] for _ in works]
     while made:
@@ -112,6 +113,18 @@ def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
         tables = [work.table if work.has_the_joints() else works[wanted[0].number].table for work in works]
         for unsolved, values in zip(wanted, fitting_values(works[0], tables, wanted), strict=True):
             found[unsolved.number] = values
+    return found
+
+
+def _reaches(works: Sequence[Work]) -> list[tuple[int, int]]:
+    """What an edit has to do with in each table, so that it may finish."""
+    found = [work.reach for work in works]
+    for excess in (-1, 1):
+        off = [number for number, work in enumerate(works) if work.excess == excess]
+        if off:
+            places = joint_places([works[number] for number in off])
+            for number, place in zip(off, places, strict=True):
+                found[number] = place
     return found
 
 

@@ -27,7 +27,9 @@ WORK_OF_ONE_EDIT = 30_000
 """What deciding whether one edit mends the table may cost: no single one uses up the search."""
 SAME = 1e-9
 """A share: what is left of the errors of the arithmetic."""
-EVERYWHERE = (0, 10**6)
+FAR = 10**6
+"""Behind the last axis of any chain."""
+EVERYWHERE = (0, FAR)
 LENGTHS = ("a", "d")
 ROW_CELLS = ("alpha", "a", "d", "joint")
 
@@ -114,9 +116,15 @@ class Change(NamedTuple):
     def of(self, table: NumericTable) -> NumericTable:
         """The table that a table becomes."""
         found = table if self.table is None else self.table
+        changed: dict[int, dict[str, float]] = {}
         for row, cell, value in self.cells:
-            found = with_cell(found, row, cell, value)
-        return found
+            changed.setdefault(row, {})[cell] = value
+        if not changed:
+            return found
+        rows = list(found.rows)
+        for row, values in changed.items():
+            rows[row] = replace(rows[row], **values)  # type: ignore[arg-type]
+        return with_rows(found, rows)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -134,9 +142,11 @@ class Work:
         table: the answer at one draw, as it was meant, perhaps with an edit made already.
         draw: that draw.
         fits: for cells, other values that make an invariant fit which does not.
-        reach: what an edit has to do with, to mend all that is wrong: joints from … to, counted from 1.
+        reach: what an edit has to do with, to mend all that is wrong: joints from … to, counted from 1; where
+            there is one too many or too few, the places of it.
         angular: an angle is wrong that no choice of frames changes: lengths alone do not mend it.
         only: the one slip that is to be undone; any, if none is named.
+        kept: places that an edit made before has changed, which another one leaves alone.
     """
 
     key: ReadTable
@@ -152,6 +162,7 @@ class Work:
     reach: tuple[int, int] = EVERYWHERE
     angular: bool = False
     only: TableSlip | None = None
+    kept: frozenset[Place] = frozenset()
 
     @property
     def reference(self) -> Reference:
@@ -176,6 +187,11 @@ class Work:
         start, end = self.reach
         counts = self._joints
         return start <= counts[first if last is None else last] and counts[first] <= end
+
+    def is_place(self, joint: int) -> bool:
+        """Whether the joint that is missing may have this place, counted from 1."""
+        start, end = self.reach
+        return start <= joint <= end
 
     @cached_property
     def _joints(self) -> list[int]:
@@ -211,11 +227,27 @@ class Work:
     def at(self, draw: int) -> Work:
         """The answer at another draw."""
         table = self.comparison.meant[draw]
-        return replace(self, draw=draw, table=table, fits={}, reach=EVERYWHERE, angular=False, only=None)
+        return replace(self, draw=draw, table=table, fits={}, reach=EVERYWHERE, angular=False, only=None, kept=frozenset())
 
-    def edited(self, change: Change, reach: tuple[int, int] = EVERYWHERE, *, angular: bool = False) -> Work:
+    def edited(
+        self,
+        change: Change,
+        reach: tuple[int, int] = EVERYWHERE,
+        *,
+        angular: bool = False,
+        kept: frozenset[Place] = frozenset(),
+    ) -> Work:
         """The table with an edit made, and what another has to do with then."""
-        return replace(self, table=change.of(self.table), fits={}, reach=reach, angular=angular)
+        return replace(self, table=change.of(self.table), fits={}, reach=reach, angular=angular, kept=kept)
+
+    def leaves(self, places: Iterable[Place]) -> bool:
+        """Whether an edit of some places leaves alone what another has changed before."""
+        return not self.kept or self.kept.isdisjoint(places)
+
+    @cached_property
+    def kept_rows(self) -> frozenset[int]:
+        """The rows that cannot change places with others, as an edit made before has changed them."""
+        return frozenset(row for row, cell in self.kept if cell in ROW_CELLS)
 
     def accepts(self, change: Change, effort: Effort) -> bool:
         """Whether an edit makes the table right, at this draw."""
@@ -312,11 +344,6 @@ def with_row(table: NumericTable, index: int, row: NumericRow) -> NumericTable:
     """The table with one row exchanged."""
     rows = table.rows
     return DHTable(convention=table.convention, rows=(*rows[:index], row, *rows[index + 1 :]))
-
-
-def with_cell(table: NumericTable, index: int, cell: str, value: float) -> NumericTable:
-    """The table with one cell exchanged."""
-    return with_row(table, index, replace(table.rows[index], **{cell: value}))  # type: ignore[arg-type]
 
 
 def with_rows(table: NumericTable, rows: Iterable[NumericRow]) -> NumericTable:
