@@ -209,7 +209,7 @@ def least_cost(
     if fixed[0]:
         best[1] = np.inf
     for step in steps[1:]:
-        best = (best[:, None] + step).min(axis=0)
+        best = np.minimum(best[0] + step[0], best[1] + step[1])
     least = best[0] if fixed[1] else best.min(axis=0)
     return np.asarray(least + costs[:, free].min(axis=0).sum(axis=0), dtype=np.float64)
 

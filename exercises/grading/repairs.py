@@ -11,7 +11,7 @@ from exercises.grading.cell_edits import any_cell
 from exercises.grading.fitting import MOST_SIGNS
 from exercises.grading.misconceptions import RANKS, changes_beforehand, changes_of
 from exercises.grading.row_edits import any_row_left_out, joint_left_out, row_left_out
-from exercises.grading.trials import Catalogue, Trial, tried, tried_unchanged
+from exercises.grading.trials import Catalogue, Trial, finishing_reaches, tried, tried_unchanged
 from exercises.grading.work import EVERYWHERE, Change, Extent, Work, after
 from kinematics.equivalence.meter import WorkExhaustedError
 from kinematics.equivalence.search import Effort
@@ -92,6 +92,7 @@ def _fitted(work: Work) -> Iterator[Change]:
     """Single edits found by fitting a cell to the whole robot; those made before the work runs out count."""
     made: list[Change] = []
     with work.meter.at_most(WORK_OF_FITTING):
+        work = replace(work, reach=finishing_reaches([work])[0])
         (put_in,) = tried([work], row_left_out, finishing=False)
         places = frozenset(trial.change.row for trial in put_in)
         for choice in range(MOST_SIGNS):

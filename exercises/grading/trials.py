@@ -15,7 +15,7 @@ from exercises.grading.fitting import Unsolved, fitting_values, measured
 from exercises.grading.joint_places import joint_places
 from exercises.grading.misconceptions import changes_of
 from exercises.grading.typed import ANGLES
-from exercises.grading.work import FAR, Change, Extent, Work
+from exercises.grading.work import EVERYWHERE, FAR, Change, Extent, Work
 from kinematics.equivalence import BaseRule, ToolRule
 from kinematics.equivalence.batches import Variation
 from kinematics.table import JointType, NumericTable
@@ -72,16 +72,17 @@ def tried(
     if not works:
         return []
     fits = _fits(works)
-    reaches = _reaches(works) if finishing else [work.reach for work in works]
-    made = [
-        (number, change)
-        for number, work in enumerate(works)
-        for alike in (work.has_the_joints(),)
-        for change in catalogue(replace(work, fits=fits[number], reach=reaches[number]))
-        if (work.only is None or change.slip == work.only)
-        and (alike if change.table is None else work.has_the_joints(change.table))
-        and work.leaves(change.places)
-    ]
+    reaches = finishing_reaches(works) if finishing else [work.reach for work in works]
+    made: list[tuple[int, Change]] = []
+    for number, work in enumerate(works):
+        alike, slip, kept = work.has_the_joints(), work.only, work.kept
+        for change in catalogue(replace(work, fits=fits[number], reach=reaches[number])):
+            if (
+                (slip is None or change.slip == slip)
+                and (alike if change.table is None else work.has_the_joints(change.table))
+                and (not kept or kept.isdisjoint(change.places))
+            ):
+                made.append((number, change))
     trials: list[list[Trial]] = [[] for _ in works]
     while made:
         batch = _Batch(works, made)
@@ -116,15 +117,14 @@ def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
     return found
 
 
-def _reaches(works: Sequence[Work]) -> list[tuple[int, int]]:
-    """What an edit has to do with in each table, so that it may finish."""
+def finishing_reaches(works: Sequence[Work]) -> list[tuple[int, int]]:
+    """What an edit has to do with in each table, so that it may make it the robot."""
     found = [work.reach for work in works]
     for excess in (-1, 1):
-        off = [number for number, work in enumerate(works) if work.excess == excess]
+        off = [k for k, work in enumerate(works) if work.excess == excess and work.reach is EVERYWHERE]
         if off:
-            places = joint_places([works[number] for number in off])
-            for number, place in zip(off, places, strict=True):
-                found[number] = place
+            for k, places in zip(off, joint_places([works[k] for k in off]), strict=True):
+                found[k] = places
     return found
 
 
@@ -161,14 +161,14 @@ class _Batch:
     def trials(self) -> list[Trial | None]:
         """What came of each change; None where a row was put in that does not fit there."""
         return [
-            Trial(change, *found) if self._fits_elsewhere(k, change) else None
+            Trial(change, *found)
+            if change.code != "row_missing" or self._fits_elsewhere(k, change)
+            else None
             for k, ((_, change), found) in enumerate(zip(self._made, self._found, strict=True))
         ]
 
     def _fits_elsewhere(self, k: int, change: Change) -> bool:
         """Whether everything fits that has nothing to do with the row put in and its neighbours."""
-        if change.code != "row_missing":
-            return True
         assert change.row is not None
         joint = self._tables[self._variations[k][0]].joint_rows.index(change.row) + 1
         start, end = self._found[k][2]

@@ -242,7 +242,7 @@ class Work:
 
     def leaves(self, places: Iterable[Place]) -> bool:
         """Whether an edit of some places leaves alone what another has changed before."""
-        return not self.kept or self.kept.isdisjoint(places)
+        return self.kept.isdisjoint(places)
 
     @cached_property
     def kept_rows(self) -> frozenset[int]:

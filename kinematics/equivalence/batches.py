@@ -75,9 +75,9 @@ def axes_of_tables(
     n, k = len(joints[0]), len(which)
     found = AxisBatch(np.zeros((n + 2, 3, k)), np.zeros((n + 2, 3, k)))
     if joints.count(joints[0]) == len(joints):
-        rows = list(joints[0])
-        found.directions[1:-1] = directions[rows]
-        found.points[1:-1] = points[rows]
+        rows = np.array(joints[0], dtype=np.intp)
+        directions.take(rows, axis=0, out=found.directions[1:-1], mode="clip")
+        points.take(rows, axis=0, out=found.points[1:-1], mode="clip")
     else:
         each = np.array(joints, dtype=np.intp).reshape(-1, n).T[:, which]
         found.directions[1:-1] = directions[each, :, np.arange(k)].transpose(0, 2, 1)

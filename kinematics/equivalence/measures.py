@@ -19,6 +19,8 @@ Places = NDArray[np.intp]
 # thousands of robots away.
 PARALLEL = 1e-7
 
+_NEXT, _LAST = np.array((1, 2, 0)), np.array((2, 0, 1))
+
 
 class Measure(StrEnum):
     """What an invariant measures."""
@@ -151,7 +153,7 @@ def _along_normals(gauge: Gauge, axes: AxisBatch, found: Floats) -> None:
     With s = |z_1 × z_2| and the gap g from the first axis to the second, the foot on the first stands
     (g·z_1 - (g·z_2)(z_1·z_2)) / s² from its point; where axes are parallel, any point will do.
     """
-    both, ends = axes.directions[gauge.pairs], axes.points[gauge.pairs]
+    both, ends = axes.directions.take(gauge.pairs, axis=0), axes.points.take(gauge.pairs, axis=0)
     one, other = both
     gap = ends[1] - ends[0]
     normal, cosine = _crosses(one, other), _dots(one, other)
@@ -180,10 +182,8 @@ def _dots(u: Floats, v: Floats) -> Floats:
 
 
 def _crosses(u: Floats, v: Floats) -> Floats:
-    found = np.empty_like(u)
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        np.multiply(u[:, j], v[:, k], out=found[:, i])
-        found[:, i] -= u[:, k] * v[:, j]
+    found: Floats = u.take(_NEXT, axis=1) * v.take(_LAST, axis=1)
+    found -= u.take(_LAST, axis=1) * v.take(_NEXT, axis=1)
     return found
 
 
