@@ -42,11 +42,10 @@ def joint_places(works: Sequence[Work]) -> list[tuple[int, int]]:
 
 def _counted_from_both_ends(axes: AxisBatch, excess: int) -> AxisBatch:
     """As many axes as the key has: (…, 2k), first counted from the base, then counted from the tool."""
-    n = len(axes.points) - 2 - excess
     tool = len(axes.points) - 1
-    joints = list(range(1, tool))
-    from_base = [0, *joints[:n], *joints[-1:] * (n - len(joints)), tool]
-    from_tool = [0, *joints[:1] * (n - len(joints)), *joints[max(excess, 0) :], tool]
+    joints, missing, spare = list(range(1, tool)), [0] * max(-excess, 0), max(excess, 0)
+    from_base = [0, *joints[: len(joints) - spare], *missing, tool]
+    from_tool = [0, *missing, *joints[spare:], tool]
     return AxisBatch(*(_side_by_side(part, from_base, from_tool) for part in axes))
 
 

@@ -1,0 +1,67 @@
+"""Where a joint may have been left out or be one too many: never elsewhere than where it was."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from random import Random
+
+import pytest
+
+from exercises.grading import Policy, ToolRule, grade
+from exercises.grading.comparison import comparisons
+from exercises.grading.explanation import work_on
+from exercises.grading.joint_places import joint_places
+from exercises.grading.work import Work
+from kinematics.table import DHRow, DHTable, JointType, NumericTable
+from tests.exercises.grading.campaign import drawn_by_hand
+from tests.exercises.grading.written import written
+from tests.kinematics.equivalence.campaign import catalogue
+
+FREE = Policy(tool=ToolRule.FREE)
+SIX = [(name, key) for name, key in catalogue() if key.n_joints == 6]
+
+
+def work(key: NumericTable, answer: NumericTable) -> Work:
+    tables = written(key), written(answer)
+    (way,) = comparisons(*tables, None)
+    return work_on(way, tables, FREE)
+
+
+def without(table: NumericTable, row: int) -> NumericTable:
+    return DHTable(convention=table.convention, rows=(*table.rows[:row], *table.rows[row + 1 :]))
+
+
+def with_more(table: NumericTable, row: int) -> NumericTable:
+    more = DHRow(joint=JointType.REVOLUTE, theta=0.0, d=0.0, a=0.3, alpha=1.0)
+    return DHTable(convention=table.convention, rows=(*table.rows[:row], more, *table.rows[row:]))
+
+
+@pytest.mark.parametrize(("name", "key"), SIX, ids=[name for name, _ in SIX])
+def test_the_place_of_the_joint_is_among_those_that_may_be(name: str, key: NumericTable) -> None:
+    table = drawn_by_hand(key, Random(name))
+    assert table is not None
+    for joint, row in enumerate(table.joint_rows, 1):
+        ((start, end),) = joint_places([work(key, without(table, row))])
+        assert start <= joint <= end
+        ((start, end),) = joint_places([work(key, with_more(table, row))])
+        assert start <= joint <= end
+
+
+def test_a_length_wrong_on_the_far_side_leaves_no_place() -> None:
+    key = dict(SIX)["ur5"]
+    far = replace(key.rows[1], a=2.0 * key.rows[1].a)
+    table = DHTable(convention=key.convention, rows=(key.rows[0], far, *key.rows[2:]))
+    struck = work(key, without(table, 4))
+    ((start, end),) = joint_places([struck])
+    assert not start <= 5 <= end
+    ((start, end),) = joint_places([work(key, without(key, 4))])
+    assert start <= 5 <= end
+
+
+def test_a_table_without_a_joint_is_told_the_only_one() -> None:
+    row = DHRow(joint=JointType.REVOLUTE, theta=0.0, d=0.2, a=0.3, alpha=0.0)
+    one = DHTable(convention=SIX[0][1].convention, rows=(row,))
+    none = replace(one, rows=(replace(row, joint=JointType.FIXED, theta=0.0),))
+    assert joint_places([work(one, none)]) == [(0, 10**6)]
+    verdict = grade(written(one), written(none), FREE)
+    assert "joint_fixed" in {edit.code for repair in verdict.repairs for edit in repair.edits}
