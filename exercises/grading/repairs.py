@@ -161,11 +161,10 @@ def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
 def _halves(work: Work, trials: Iterable[Trial], *, keeping: bool = False) -> list[Work]:
     """The table with each of some edits made; what one has changed is kept, unless that was all there is."""
     halves = []
-    for trial in trials:
-        half = work.edited(trial.change, trial.reach, angular=trial.angular)
-        if keeping and not (trial.change.row is None and half.excess):
-            half = replace(half, kept=frozenset(trial.change.places))
-        halves.append(half)
+    for change, _, _, reach, angular in trials:
+        keeps = keeping and not (change.row is None and work.excess)
+        kept = frozenset(change.places if keeps else ())
+        halves.append(work.edited(change, reach, angular=angular, kept=kept))
     return halves
 
 

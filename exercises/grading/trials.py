@@ -73,16 +73,11 @@ def tried(
         return []
     fits = _fits(works)
     reaches = finishing_reaches(works) if finishing else [work.reach for work in works]
-    made: list[tuple[int, Change]] = []
-    for number, work in enumerate(works):
-        alike, slip, kept = work.has_the_joints(), work.only, work.kept
-        for change in catalogue(replace(work, fits=fits[number], reach=reaches[number])):
-            if (
-                (slip is None or change.slip == slip)
-                and (alike if change.table is None else work.has_the_joints(change.table))
-                and (not kept or kept.isdisjoint(change.places))
-            ):
-                made.append((number, change))
+    made = [
+        (number, change)
+        for number, work in enumerate(works)
+        for change in _wanted(replace(work, fits=fits[number], reach=reaches[number]), catalogue)
+    ]
     trials: list[list[Trial]] = [[] for _ in works]
     while made:
         batch = _Batch(works, made)
@@ -92,6 +87,18 @@ def tried(
                 trials[number].append(trial)
         made = batch.solved(found, finishing=finishing)
     return trials
+
+
+def _wanted(work: Work, catalogue: Catalogue) -> list[Change]:
+    """The changes of a catalogue that lead to the key's joints and leave alone what is kept."""
+    alike, slip, kept = work.has_the_joints(), work.only, work.kept
+    return [
+        change
+        for change in catalogue(work)
+        if (slip is None or change.slip == slip)
+        and (alike if change.table is None else work.has_the_joints(change.table))
+        and (not kept or kept.isdisjoint(change.places))
+    ]
 
 
 def tried_unchanged(work: Work) -> Trial | None:
@@ -161,9 +168,7 @@ class _Batch:
     def trials(self) -> list[Trial | None]:
         """What came of each change; None where a row was put in that does not fit there."""
         return [
-            Trial(change, *found)
-            if change.code != "row_missing" or self._fits_elsewhere(k, change)
-            else None
+            Trial(change, *found) if change.code != "row_missing" or self._fits_elsewhere(k, change) else None
             for k, ((_, change), found) in enumerate(zip(self._made, self._found, strict=True))
         ]
 

@@ -227,7 +227,7 @@ class Work:
     def at(self, draw: int) -> Work:
         """The answer at another draw."""
         table = self.comparison.meant[draw]
-        return replace(self, draw=draw, table=table, fits={}, reach=EVERYWHERE, angular=False, only=None, kept=frozenset())
+        return replace(self, draw=draw, table=table, fits={}, reach=EVERYWHERE, angular=False, only=None)
 
     def edited(
         self,
