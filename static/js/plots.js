@@ -5,6 +5,7 @@
  * plots.css, and the element is taken out before the drawing enters the page.
  */
 
+import { dataTable } from "./data-table.js";
 import { el, fill } from "./dom.js";
 import { t } from "./i18n.js";
 import { loadStyle } from "./page.js";
@@ -71,21 +72,6 @@ export function drawing(label, options) {
  * @returns {HTMLElement}
  */
 export function figure(label, options, { caption, head, rows }) {
-  const table = el(
-    "table",
-    { class: "data plot-numbers" },
-    el("caption", { class: "visually-hidden", text: caption }),
-    el(
-      "thead",
-      {},
-      el(
-        "tr",
-        {},
-        head.map((text) => el("th", { scope: "col", text })),
-      ),
-    ),
-    el("tbody", {}, rows.slice(0, ROWS_AT_MOST).map(line)),
-  );
   return el(
     "figure",
     { class: "plot-figure" },
@@ -95,18 +81,8 @@ export function figure(label, options, { caption, head, rows }) {
       "details",
       {},
       el("summary", { text: t("playground-numbers") }),
-      el("div", { class: "scroller", tabindex: "0", role: "region", "aria-label": caption }, table),
+      dataTable(caption, head, rows.slice(0, ROWS_AT_MOST), { kind: "plot-numbers" }),
     ),
-  );
-}
-
-/** @param {(string | number)[]} cells the first one names the row */
-function line([name, ...values]) {
-  return el(
-    "tr",
-    {},
-    el("th", { scope: "row", text: String(name) }),
-    values.map((value) => el("td", { text: String(value) })),
   );
 }
 

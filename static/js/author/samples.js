@@ -1,10 +1,10 @@
 /** Answers with the judgement that is expected of them: part of the exercise's own tests. */
 
 import { el, fill } from "../dom.js";
+import { rowsTable } from "../editor/rows-table.js";
 import { t } from "../i18n.js";
 import { choiceField, part, textField } from "./fields.js";
 import { entriesField, wordsField } from "./shapes.js";
-import { tableOf } from "./start.js";
 
 const PATH = ["definition", "tests", "samples"];
 const EXPECTED = ["correct", "incorrect", "invalid"];
@@ -17,7 +17,7 @@ export function samplesSection(store) {
     textField(store, t("author-sample-name"), [...path, "name"]),
     choiceField(store, t("author-sample-expect"), [...path, "expect"], options, "correct"),
     wordsField(store, t("author-sample-feedback"), [...path, "feedback"]),
-    el("div", { dataset: { path: path.join("/"), whole: "" } }, tableOf(sample)),
+    el("div", { dataset: { path: path.join("/"), whole: "" } }, rowsTable(sample)),
   ];
   const build = () =>
     fill(

@@ -3,6 +3,7 @@
 import { Latest, Problem } from "../api.js";
 import { announce, el, fill, segmented, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
+import { rowsTable } from "../editor/rows-table.js";
 import { Cells, cellValue } from "../playground/cells.js";
 import { problemNotice } from "../problem.js";
 import { AxesForm } from "./axes-form.js";
@@ -116,7 +117,7 @@ export class Start {
     }
     const own = this.store.source?.axes;
     if (JSON.stringify(own) !== JSON.stringify(drawing)) this.#take(answer.draft, { axes: drawing }, "axes");
-    fill(this.table, tableOf(answer.draft.definition.reference));
+    fill(this.table, rowsTable(answer.draft.definition.reference));
   }
 
   #tableEditor() {
@@ -215,41 +216,4 @@ export class Start {
   #refuse(error) {
     fill(this.problem, problemNotice(error));
   }
-}
-
-/** A DH table to read. @param {any} reference */
-export function tableOf({ convention, rows }) {
-  const columns = convention === "standard" ? ["theta", "d", "a", "alpha"] : ["alpha", "a", "d", "theta"];
-  const symbols = { theta: "θ", d: "d", a: "a", alpha: "α" };
-  return el(
-    "div",
-    { class: "scroller", tabindex: "0", role: "group", "aria-label": t("author-table") },
-    el(
-      "table",
-      { class: "data" },
-      el("caption", { text: t(`author-table-${convention}`) }),
-      el(
-        "thead",
-        {},
-        el(
-          "tr",
-          {},
-          el("th", { scope: "col", text: "i" }),
-          columns.map((name) => el("th", { scope: "col", text: symbols[/** @type {keyof typeof symbols} */ (name)] })),
-        ),
-      ),
-      el(
-        "tbody",
-        {},
-        rows.map((/** @type {any} */ row, /** @type {number} */ i) =>
-          el(
-            "tr",
-            {},
-            el("th", { scope: "row", text: String(i + 1) }),
-            columns.map((name) => el("td", { text: String(row[name]).replaceAll("-", "−") })),
-          ),
-        ),
-      ),
-    ),
-  );
 }

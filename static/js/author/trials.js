@@ -2,12 +2,12 @@
 
 import { Latest } from "../api.js";
 import { announce, el, fill } from "../dom.js";
+import { rowsTable } from "../editor/rows-table.js";
 import { language, t } from "../i18n.js";
 import { plain } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import { tick } from "./fields.js";
 import { keepSample } from "./samples.js";
-import { tableOf } from "./start.js";
 
 const SEEDS = [null, 1, 2];
 
@@ -90,7 +90,7 @@ export function rightAnswers(api, store) {
         class: wrong ? "notice notice-problem" : "notice notice-good",
         text: t("author-right-shown", { count: answers.length, wrong }),
       }),
-      answers.map((/** @type {any} */ answer) => tableOf(answer.table)),
+      answers.map((/** @type {any} */ answer) => rowsTable(answer.table)),
     );
   });
 }
@@ -135,7 +135,7 @@ function mistake(store, answer, remarked) {
     "details",
     { class: "author-mistake", dataset: { misconception: answer.misconception } },
     el("summary", {}, el("span", { text: said }), " ", el("strong", { text: marks })),
-    tableOf(answer.table),
+    rowsTable(answer.table),
     tick(t("author-wrong-tested"), listed().includes(answer.misconception), codes),
     own,
   );

@@ -1,5 +1,6 @@
 /** A dialog that takes a whole table as text, for keyboards and phones that cannot paste into cells. */
 
+import { dataTable } from "../data-table.js";
 import { el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { columnText } from "./grid.js";
@@ -71,33 +72,14 @@ export function askForTable(parent, order, convention, take) {
 function previewOf(pasted, order, convention) {
   return [
     el("p", { class: "hint", text: t("form-paste-found", { rows: pasted.rows.length }) }),
-    el(
-      "div",
-      { class: "scroller", tabindex: "0", role: "group", "aria-label": t("form-paste-preview") },
-      el(
-        "table",
-        { class: "data" },
-        el(
-          "thead",
-          {},
-          el(
-            "tr",
-            {},
-            order.map((/** @type {any} */ cell) => el("th", { scope: "col", text: columnText(cell, convention) })),
-          ),
-        ),
-        el(
-          "tbody",
-          {},
-          pasted.rows.map((/** @type {any} */ row) =>
-            el(
-              "tr",
-              {},
-              order.map((/** @type {any} */ cell) => el("td", { class: "mono", text: row.cells[cell] ?? "" })),
-            ),
-          ),
-        ),
-      ),
+    dataTable(
+      t("form-paste-preview"),
+      [t("form-row-heading"), ...order.map((/** @type {any} */ cell) => columnText(cell, convention))],
+      pasted.rows.map((/** @type {any} */ row, /** @type {number} */ i) => [
+        i + 1,
+        ...order.map((/** @type {any} */ cell) => row.cells[cell] ?? ""),
+      ]),
+      { kind: "mono" },
     ),
   ];
 }

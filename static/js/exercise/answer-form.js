@@ -3,6 +3,7 @@
  * The same interface as the fields of `part-fields.js`.
  */
 
+import { columnHeads } from "../data-table.js";
 import { el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { typed as read } from "./typed.js";
@@ -95,17 +96,7 @@ class FormField {
       );
       return;
     }
-    const head = labels.some(Boolean)
-      ? el(
-          "thead",
-          {},
-          el(
-            "tr",
-            {},
-            labels.map((text) => el("th", { scope: "col", text })),
-          ),
-        )
-      : null;
+    const head = labels.some(Boolean) ? columnHeads(labels) : null;
     this.element = el(
       "fieldset",
       { class: "matrix-field" },
@@ -228,17 +219,7 @@ function givenNumbers({ label, labels, rows }) {
       row.map((cell) => el("td", { text: typeof cell === "number" ? plain(cell, 4) : cell })),
     ),
   );
-  const head = labels.length
-    ? el(
-        "thead",
-        {},
-        el(
-          "tr",
-          {},
-          labels.map((text) => el("th", { scope: "col", text })),
-        ),
-      )
-    : null;
+  const head = labels.length ? columnHeads(labels) : null;
   fill(table, el("caption", { text: label }), head, el("tbody", {}, body));
   return el("div", { class: "scroller", tabindex: "0", role: "group", "aria-label": label }, table);
 }

@@ -1,8 +1,7 @@
 /** After a right answer: why each row is right, from how its two z axes lie, and a second valid table to compare. */
 
 import { el, fill } from "../dom.js";
-import { columnName } from "../editor/grid.js";
-import { COLUMNS } from "../editor/model.js";
+import { rowsTable } from "../editor/rows-table.js";
 import { t } from "../i18n.js";
 import { shown } from "../numbers.js";
 
@@ -42,7 +41,10 @@ export function secondTable(api, table, policy, parameters) {
     const found = await api.post("other-tables", { table, policy, parameters }).catch(() => null);
     const other = found?.tables[0];
     const missing = t(found ? "form-second-none" : "form-unreachable");
-    fill(place, other ? [differences(other), tableView(other.table)] : el("p", { class: "hint", text: missing }));
+    fill(
+      place,
+      other ? [differences(other), rowsTable(other.table, cellText)] : el("p", { class: "hint", text: missing }),
+    );
   };
   return el("details", { class: "reasons", ontoggle: load }, el("summary", { text: t("form-second-table") }), place);
 }
@@ -56,38 +58,7 @@ function differences({ table, reasons }) {
   return el("p", { class: "hint", text: said.join(" ") });
 }
 
-/** @param {any} table */
-function tableView({ convention, rows }) {
-  /** @type {("alpha" | "a" | "d" | "theta")[]} */
-  const columns = COLUMNS[/** @type {"standard" | "modified"} */ (convention)];
-  const caption = t("form-table-caption", { convention: t(`form-convention-${convention}`) });
-  const text = (/** @type {string | number} */ cell) => (typeof cell === "number" ? shown(cell, 6) : cell);
-  return el(
-    "div",
-    { class: "scroller", tabindex: "0", role: "group", "aria-label": caption },
-    el(
-      "table",
-      { class: "data" },
-      el(
-        "thead",
-        {},
-        el(
-          "tr",
-          {},
-          columns.map((name) => el("th", { scope: "col" }, columnName(name, convention))),
-        ),
-      ),
-      el(
-        "tbody",
-        {},
-        rows.map((/** @type {any} */ row) =>
-          el(
-            "tr",
-            {},
-            columns.map((name) => el("td", { text: text(row[name]) })),
-          ),
-        ),
-      ),
-    ),
-  );
+/** @param {string | number} cell */
+function cellText(cell) {
+  return typeof cell === "number" ? shown(cell, 6) : cell;
 }

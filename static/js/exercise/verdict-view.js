@@ -1,5 +1,6 @@
 /** A verdict as something to learn from: score, rows, reasons, repairs; never more than the API told. */
 
+import { dataTable } from "../data-table.js";
 import { el, icon } from "../dom.js";
 import { t } from "../i18n.js";
 import { columnText } from "../editor/grid.js";
@@ -125,36 +126,14 @@ function feedbackList(feedback, focusRow) {
 
 /** @param {any} links @param {any} focusRow */
 function linkTable(links, focusRow) {
-  return el(
-    "div",
-    { class: "scroller", tabindex: "0", role: "group", "aria-label": t("form-links-caption") },
-    el(
-      "table",
-      { class: "data links-table" },
-      el("caption", { class: "visually-hidden", text: t("form-links-caption") }),
-      el(
-        "thead",
-        {},
-        el(
-          "tr",
-          {},
-          el("th", { scope: "col", text: t("form-row-heading") }),
-          FACTS.map((fact) => el("th", { scope: "col", text: t(`form-fact-${fact}`) })),
-        ),
-      ),
-      el(
-        "tbody",
-        {},
-        links.map((/** @type {any} */ link) =>
-          el(
-            "tr",
-            {},
-            el("th", { scope: "row" }, rowLink(link.row, String(link.row), focusRow)),
-            FACTS.map((fact) => el("td", {}, finding(link[fact]))),
-          ),
-        ),
-      ),
-    ),
+  return dataTable(
+    t("form-links-caption"),
+    [t("form-row-heading"), ...FACTS.map((fact) => t(`form-fact-${fact}`))],
+    links.map((/** @type {any} */ link) => [
+      rowLink(link.row, String(link.row), focusRow),
+      ...FACTS.map((fact) => finding(link[fact])),
+    ]),
+    { kind: "links-table" },
   );
 }
 

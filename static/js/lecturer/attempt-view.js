@@ -1,12 +1,12 @@
 /** One attempt: what was typed, what was found, and the robots of student and key in one picture. */
 
+import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
 import { bothRobots } from "../exercise/both-robots.js";
 import { partView, verdictView } from "../exercise/verdict-view.js";
 import { language, t } from "../i18n.js";
 import { robotOf } from "../live-robot.js";
 import { convertedValues } from "../units.js";
-import { dataTable } from "./chart.js";
 
 const CELLS = ["joint", "theta", "d", "a", "alpha"];
 

@@ -1,6 +1,5 @@
 /** Bars of a class's numbers, and the table that stands beside them: what screen readers and small screens read. */
 
-import { el } from "../dom.js";
 import { drawing } from "../plots.js";
 
 const ROW = 26;
@@ -53,41 +52,4 @@ export function barChart(bars, title) {
   chart.classList.add("bars");
   chart.style.minHeight = `${rows.length * ROW + 12}px`;
   return chart;
-}
-
-/**
- * @param {string} caption @param {string[]} headings
- * @param {(string | number | Node | null)[][]} rows the first cell heads its row
- */
-export function dataTable(caption, headings, rows) {
-  return el(
-    "div",
-    { class: "scroller", tabindex: "0", role: "group", "aria-label": caption },
-    el(
-      "table",
-      { class: "data" },
-      el("caption", { class: "visually-hidden", text: caption }),
-      el(
-        "thead",
-        {},
-        el(
-          "tr",
-          {},
-          headings.map((text) => el("th", { scope: "col", text })),
-        ),
-      ),
-      el(
-        "tbody",
-        {},
-        rows.map(([first, ...others]) =>
-          el(
-            "tr",
-            {},
-            el("th", { scope: "row" }, first),
-            others.map((cell) => el("td", {}, cell)),
-          ),
-        ),
-      ),
-    ),
-  );
 }

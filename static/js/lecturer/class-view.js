@@ -1,8 +1,8 @@
 /** The class at a glance: every student and every link, and scores that did not arrive. */
 
+import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
 import { t } from "../i18n.js";
-import { dataTable } from "./chart.js";
 
 /** @type {Record<string, string>} */
 const TONES = { solved: "good", stuck: "bad", begun: "warn", opened: "", absent: "" };

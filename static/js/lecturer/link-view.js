@@ -1,10 +1,11 @@
 /** One link: its numbers, the attempts behind them, its rules, regrading, export. */
 
+import { dataTable } from "../data-table.js";
 import { announce, el, fill } from "../dom.js";
 import { language, t } from "../i18n.js";
 import { problemNotice } from "../problem.js";
 import { pageAddress } from "../page.js";
-import { barChart, dataTable } from "./chart.js";
+import { barChart } from "./chart.js";
 import { studentName } from "./class-view.js";
 import { settingsForm } from "./settings-form.js";
 

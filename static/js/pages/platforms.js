@@ -1,8 +1,8 @@
 /** The administrator's page: the platforms that may launch, and invitations to register one. */
 
+import { dataTable } from "../data-table.js";
 import { announce, el, fill } from "../dom.js";
 import { language, t } from "../i18n.js";
-import { dataTable } from "../lecturer/chart.js";
 import { api, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 

@@ -1,5 +1,6 @@
 /** A folder of receipts: dropped or pasted, verified by the service, and made a file for a gradebook. */
 
+import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
 import { pointsText } from "../exercise/progress.js";
 import { save } from "../exercise/receipt-dialog.js";
@@ -88,24 +89,7 @@ function summary(checked, receipts) {
         }),
       ),
     ),
-    el(
-      "div",
-      { class: "scroller", tabindex: "0", role: "group", "aria-label": t("receipts-title") },
-      el(
-        "table",
-        { class: "data" },
-        el(
-          "thead",
-          {},
-          el(
-            "tr",
-            {},
-            columns.map((text) => el("th", { scope: "col", text })),
-          ),
-        ),
-        el("tbody", {}, checked.map(row)),
-      ),
-    ),
+    dataTable(t("receipts-title"), columns, checked.map(row)),
   ];
 }
 
@@ -114,16 +98,14 @@ function row({ valid, message, repeated, name, exercise, points, max_points: mos
   const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
   const said = valid ? t(repeated ? "receipts-repeated" : "receipts-genuine") : message;
   const tone = valid ? (repeated ? "warn" : "good") : "bad";
-  return el(
-    "tr",
-    {},
-    el("td", { text: name ?? "–" }),
-    el("td", { text: exercise ?? "–" }),
-    el("td", { text: valid ? pointsText(points, most) : "–" }),
-    el("td", { text: valid ? when.format(new Date(issued)) : "–" }),
-    el("td", { text: valid ? settingsText(settings) : "–" }),
-    el("td", {}, el("span", { class: tone === "bad" ? "receipt-refused" : `badge ${tone}`, text: said })),
-  );
+  return [
+    name ?? "–",
+    exercise ?? "–",
+    valid ? pointsText(points, most) : "–",
+    valid ? when.format(new Date(issued)) : "–",
+    valid ? settingsText(settings) : "–",
+    el("span", { class: tone === "bad" ? "receipt-refused" : `badge ${tone}`, text: said }),
+  ];
 }
 
 /** What was in force: how much help, and whether by a lecturer's link. @param {any} settings */
