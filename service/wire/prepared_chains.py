@@ -8,13 +8,12 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any
 
-from kinematics import catalogue
 from kinematics.cells import AngleUnit, Limits, parameter_values
 from kinematics.errors import DescriptionError, Fault, JointValueError, KinematicsError
 from kinematics.scm import ReadChain, ScmChain, check_values, read_chain, verify, with_values
 from kinematics.table import JointType
-from service.http.problems import RequestError
 from service.schemas.scm import ChainQuestion, ScmChainModel, Verification
+from service.wire.prepared_robots import listed_robot
 from service.wire.symbolic_tasks import exact_values
 
 
@@ -138,17 +137,7 @@ class _Listed:
 
 
 def _listed(robot_id: str) -> _Listed:
-    try:
-        robot = catalogue.robot(robot_id)
-    except KeyError:
-        known = catalogue.robot_ids()
-        raise RequestError(
-            Fault(
-                code="robot_unknown",
-                where=("robot",),
-                params={"robot": robot_id, "known": known},
-            )
-        ) from None
+    robot = listed_robot(robot_id)
     assert robot.chain is not None  # every file has one: tests/kinematics/catalogue
     values = {name: robot.parameters[known] for name, known in robot.chain.parameters.items()}
     return _Listed(read=robot.chain.read, values=values)
