@@ -13,33 +13,46 @@ from fractions import Fraction
 from random import Random
 from typing import ClassVar
 
-import numpy as np
-
-from exercises.definition import Exercise, Part
-from exercises.grading import Feedback, Finding
+from exercises.definition import Exercise
 from exercises.instance import Instance
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, choice, choices, sequence_keys
+from exercises.parts.definition_keys import (
+    COMPONENTS,
+    TOLERANCE,
+    DefinitionKey,
+    KeyShape,
+    choice,
+    choices,
+    sequence_keys,
+)
 from exercises.parts.given_table import given_table
-from exercises.parts.jacobians import (
+from exercises.parts.jacobian_cells import (
     DISCLOSURES,
     JacobianAsk,
     JacobianCells,
+    JacobianMark,
+    JacobianQuestion,
+    angles_locked,
+    answer_fields,
+    forces_mark,
+    is_well_shaped,
+    matrix_mark,
+    missing,
+    needs_table,
     read_angles,
-    told_angles,
+    report,
+    told_question,
 )
 from exercises.parts.matrix_cells import read_row, write_matrix
 from exercises.parts.protocol import (
     TABLE,
-    FieldShape,
-    FormField,
     GivenNumbers,
     PartTask,
     PartType,
     Reading,
     RobotFacts,
 )
-from exercises.parts.report import Credit, Fact, PartReport, judged
+from exercises.parts.report import PartReport
 from exercises.reading import Reader
 from kinematics.answers.jacobian_forms import (
     FormRobot,
@@ -54,10 +67,6 @@ from kinematics.errors import Fault, JointValueError
 from kinematics.expressions import Expression, Number, Parameter, parameters_in
 from kinematics.jacobian import JacobianFrame
 from kinematics.keys import ValueKind
-from kinematics.rotations.sequences import EulerSequence
-
-LOADS = ("fx", "fy", "fz", "mx", "my", "mz")
-"""What the components of a force and a moment may be called instead of having a value."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -69,22 +78,14 @@ class JacobianForm:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class JacobianFormPart(Part):
+class JacobianFormPart(JacobianQuestion):
     """A Jacobian, joint forces, or both, in closed form.
 
     Attributes:
-        frame: in whose axes.
-        angles: whose rates the analytic Jacobian gives; None for the geometric one.
-        ask: what is asked.
         wrench: force and moment on the tool, each component a number or its own name.
-        tolerance: of an entry that is not proved; where it is a length, as a share of the robot's size.
     """
 
-    frame: JacobianFrame
-    angles: EulerSequence | None
-    ask: tuple[JacobianAsk, ...]
     wrench: tuple[Expression, ...]
-    tolerance: float
 
 
 class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
@@ -103,12 +104,12 @@ class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
         wrench: list[Expression] = []
         load = reader.values.get("wrench") if reader.given("wrench") else None
         for i, entry in enumerate(load if isinstance(load, list) else ()):
-            if isinstance(entry, str) and entry in LOADS:
+            if isinstance(entry, str) and entry in COMPONENTS:
                 wrench.append(Parameter(entry))
             elif isinstance(entry, int | float) and not isinstance(entry, bool) and math.isfinite(entry):
                 wrench.append(Number(Fraction(repr(entry))))
             else:
-                reader.fault("exercise_value_unknown", "wrench", i, key="wrench", known=", ".join(LOADS))
+                reader.fault("exercise_value_unknown", "wrench", i, key="wrench", known=", ".join(COMPONENTS))
         if JacobianAsk.FORCES in asked and len(wrench) != 6:
             reader.mistyped(ValueKind.NUMBERS, "wrench", count=6)
         elif JacobianAsk.FORCES in asked and wrench == [Number(Fraction(0))] * 6:
@@ -129,7 +130,7 @@ class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
             choices("ask", JacobianAsk),
             choice("frame", JacobianFrame),
             *sequence_keys("axes", "turning"),
-            DefinitionKey(name="wrench", shape=KeyShape.CELLS, labels=LOADS),
+            DefinitionKey(name="wrench", shape=KeyShape.CELLS, labels=COMPONENTS),
             TOLERANCE,
         )
 
@@ -146,53 +147,29 @@ class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
         own = exercise.part(TABLE) is not None
         names = tuple(f"q{i}" for i in range(1, exercise.reference.table.n_joints + 1))
         numbers = [] if own else [given_table(instance)]
-        form: list[FormField] = []
-        if JacobianAsk.JACOBIAN in part.ask:
-            orders = tuple(order.value for order in ScrewOrder)
-            form.append(FormField(name="order", shape=FieldShape.CHOICE, options=orders))
-            form.append(FormField(name="jacobian", shape=FieldShape.MATRIX, labels=names, rows=6))
         if JacobianAsk.FORCES in part.ask:
             load = tuple(
                 float(entry.value) if isinstance(entry, Number) else entry.name
                 for entry in part.wrench
                 if isinstance(entry, Number | Parameter)
             )
-            numbers.append(GivenNumbers(name="wrench", labels=LOADS, rows=(load,)))
-            form.append(FormField(name="forces", shape=FieldShape.VECTOR, labels=names))
+            numbers.append(GivenNumbers(name="wrench", labels=COMPONENTS, rows=(load,)))
         return PartTask(
             message="task-jacobian-form" if part.angles is None else "task-jacobian-form-analytic",
-            values={
-                **told_angles(part.angles),
-                "frame": part.frame.value,
-                "ask": "both" if len(part.ask) > 1 else part.ask[0].value,
-                "variables": "own" if own else "given",
-            },
-            form=tuple(form),
+            values=told_question(part, own=own),
+            form=answer_fields(part.ask, names),
             numbers=tuple(numbers),
         )
 
     def read(self, raw: JacobianCells, reading: Reading) -> JacobianForm | None:
         """Return the functions, linear rows first."""
-        before = len(reading.faults)
-        n = len(reading.joint_types)
-        rows = list(raw.jacobian or ())
-        for i, row in enumerate(rows):
-            if len(row) != n:
-                params = {"expected": n, "given": len(row)}
-                reading.fault("joint_row_length", self.kind, "jacobian", i, **params)
-        if raw.forces is not None and len(raw.forces) != n:
-            params = {"expected": n, "given": len(raw.forces)}
-            reading.fault("joint_row_length", self.kind, "forces", **params)
-        if raw.jacobian is not None and raw.order is None:
-            reading.fault("row_order_missing", self.kind, "order")
-        if raw.jacobian is None and raw.forces is None:
-            reading.fault("jacobian_empty", self.kind)
-        if len(reading.faults) > before:
+        if not is_well_shaped(raw, reading, self.kind):
             return None
-        read = [read_row(row, reading, self.kind, "jacobian", i) for i, row in enumerate(rows)]
+        before = len(reading.faults)
+        read = [read_row(row, reading, self.kind, "jacobian", i) for i, row in enumerate(raw.jacobian or ())]
         forces = None
         if raw.forces is not None:
-            forces = read_row(raw.forces, reading, self.kind, "forces", names=LOADS)
+            forces = read_row(raw.forces, reading, self.kind, "forces", names=COMPONENTS)
         if len(reading.faults) > before:
             return None
         jacobian = tuple(row for row in read if row is not None)
@@ -205,23 +182,13 @@ class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
         with_table = context.instance.exercise.part(TABLE) is not None
         n = context.reference.table.n_joints
         if with_table and (context.own is None or context.own.table.n_joints != n):
-            return judged(part, 0.0, Credit.NONE, feedback=(Feedback(code="jacobian_needs_table"),))
+            return needs_table(part)
         robot = _robot(context, answer)
-        facts: list[Fact] = []
-        feedback: list[Feedback] = []
-        total = 0.0
-        for question in part.ask:
-            judge = _jacobian if question is JacobianAsk.JACOBIAN else _forces
-            share, found, told = judge(part, answer, robot)
-            total += share
-            facts += found
-            feedback += told
-        score = total / len(part.ask)
-        credit = context.own_credit if with_table else Credit.KEY
-        if score == 1.0:
-            code = "jacobian_right" if credit is Credit.KEY else "jacobian_follows_table"
-            feedback.append(Feedback(code=code))
-        return judged(part, score, credit, facts=facts, feedback=feedback)
+
+        def mark(question: JacobianAsk) -> JacobianMark:
+            return (_matrix if question is JacobianAsk.JACOBIAN else _forces)(part, answer, robot)
+
+        return report(part, context, mark)
 
     def right(self, part: JacobianFormPart, context: Context) -> JacobianCells:
         """Return what follows from the student's own table, or from the key."""
@@ -234,7 +201,7 @@ class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
             written = replace(written, order=ScrewOrder.LINEAR_FIRST, jacobian=cells)
         if JacobianAsk.FORCES in part.ask:
             forces = force_form(read.table, part.wrench, part.frame)
-            written = replace(written, forces=tuple(write_matrix((forces,), n, (*names, *LOADS))[0]))
+            written = replace(written, forces=tuple(write_matrix((forces,), n, (*names, *COMPONENTS))[0]))
         return written
 
     def wrong(
@@ -259,51 +226,30 @@ def _robot(context: Context, answer: JacobianForm) -> FormRobot:
     read = _table(context)
     entries = [entry for row in answer.jacobian or () for entry in row] + list(answer.forces or ())
     names = frozenset[str](read.parameters).union(*map(parameters_in, entries))
-    values = context.values(names - set(LOADS))
+    values = context.values(names - set(COMPONENTS))
     kinds = {**context.reference.parameters, **read.parameters}
     lengths = {name for name in values if kinds.get(name, ParameterKind.LENGTH) is ParameterKind.LENGTH}
-    loads = {name: 7.0 + 3.0 * i for i, name in enumerate(LOADS)}
+    loads = {name: 7.0 + 3.0 * i for i, name in enumerate(COMPONENTS)}
     return FormRobot(
-        table=read.table, values={**loads, **values}, lengths=frozenset(lengths) | set(LOADS[3:])
+        table=read.table, values={**loads, **values}, lengths=frozenset(lengths) | set(COMPONENTS[3:])
     )
 
 
-def _jacobian(
-    part: JacobianFormPart, answer: JacobianForm, robot: FormRobot
-) -> tuple[float, list[Fact], list[Feedback]]:
+def _matrix(part: JacobianFormPart, answer: JacobianForm, robot: FormRobot) -> JacobianMark:
     if answer.jacobian is None:
-        missing = Feedback(code="jacobian_missing", params={"what": "jacobian"})
-        return 0.0, [Fact(where=("jacobian",), finding=Finding.MISSING)], [missing]
+        return missing(JacobianAsk.JACOBIAN)
     try:
         found = judge_jacobian_form(robot, answer.jacobian, part.frame, part.tolerance, part.angles)
     except JointValueError:
-        return 0.0, [], [Feedback(code="jacobian_angles_locked")]
-    if found.right:
-        return 1.0, [], []
-    wrong = np.argwhere(~found.entries).tolist()
-    facts = [Fact(where=("jacobian", r, c), finding=Finding.WRONG) for r, c in wrong]
-    told = [Feedback(code="jacobian_wrong")]
-    told += [
-        Feedback(code=f"jacobian_{mistake.value}", params={"joint": joint or 0})
-        for mistake, joint in found.mistakes
-    ]
-    return min(found.share, 0.8), facts, told
+        return angles_locked()
+    return matrix_mark(found)
 
 
-def _forces(
-    part: JacobianFormPart, answer: JacobianForm, robot: FormRobot
-) -> tuple[float, list[Fact], list[Feedback]]:
+def _forces(part: JacobianFormPart, answer: JacobianForm, robot: FormRobot) -> JacobianMark:
     if answer.forces is None:
-        missing = Feedback(code="jacobian_missing", params={"what": "forces"})
-        return 0.0, [Fact(where=("forces",), finding=Finding.MISSING)], [missing]
+        return missing(JacobianAsk.FORCES)
     right, _, mistake = judge_force_form(robot, answer.forces, part.wrench, part.frame, part.tolerance)
-    if all(right):
-        return 1.0, [], []
-    facts = [Fact(where=("forces", i), finding=Finding.WRONG) for i, good in enumerate(right) if not good]
-    told = [Feedback(code="forces_wrong")]
-    if mistake is not None:
-        told.append(Feedback(code=f"forces_{mistake.value}"))
-    return min(sum(right) / len(right), 0.8), facts, told
+    return forces_mark(right, mistake)
 
 
 PART = JacobianFormType()

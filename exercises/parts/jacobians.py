@@ -8,16 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from fractions import Fraction
 from random import Random
-from typing import Annotated, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
-from exercises.definition import Exercise, Part
+from exercises.definition import Exercise
 from exercises.draws import Draw, Picker
-from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import (
@@ -32,88 +30,55 @@ from exercises.parts.definition_keys import (
     sequence_keys,
     usual_joints,
 )
-from exercises.parts.drawn_orientations import read_sequence
 from exercises.parts.given_table import given_table
+from exercises.parts.jacobian_cells import (
+    DISCLOSURES,
+    JacobianAsk,
+    JacobianCells,
+    JacobianMark,
+    JacobianQuestion,
+    angles_locked,
+    answer_fields,
+    forces_mark,
+    is_well_shaped,
+    matrix_mark,
+    missing,
+    needs_table,
+    read_angles,
+    report,
+    told_question,
+)
 from exercises.parts.joint_draws import drawn_joints, in_radians, key_numbers, read_joints
 from exercises.parts.number_cells import read_numbers_of
 from exercises.parts.pose import joints_at
 from exercises.parts.protocol import (
     TABLE,
-    FieldShape,
-    FormField,
     GivenNumbers,
-    Length,
     PartTask,
     PartType,
     Reading,
     RobotFacts,
 )
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import PartReport
 from exercises.reading import Reader
 from kinematics.answers.jacobian_answers import (
-    JacobianMistake,
     jacobian_at,
     joint_forces_at,
     judge_forces,
     judge_jacobian,
 )
 from kinematics.answers.screw_answers import ScrewOrder
-from kinematics.cells import AngleUnit, Cell
+from kinematics.cells import AngleUnit
 from kinematics.cells.meaning import Position
 from kinematics.chain import Chain, chain_of_table
 from kinematics.errors import JointValueError
 from kinematics.jacobian import JacobianFrame
 from kinematics.joint_values import wrong_length
 from kinematics.keys import ValueKind
-from kinematics.rotations.sequences import EulerSequence
 from kinematics.se3 import Floats
 from kinematics.table import JointType, bind
 
 DECIMALS = 4
-JointRow = Annotated[tuple[Cell, ...], Length(least=1, most=64)]
-SixRows = Annotated[tuple[JointRow, ...], Length(least=6, most=6)]
-
-
-OF_FORCES = (
-    JacobianMistake.SIGN,
-    JacobianMistake.OTHER_FRAME,
-    JacobianMistake.ROWS_EXCHANGED,
-    JacobianMistake.SPATIAL,
-)
-"""What wrong joint forces may look like."""
-DISCLOSURES = {
-    "jacobian_wrong": Disclosure(level=HelpLevel.ROW),
-    "forces_wrong": Disclosure(level=HelpLevel.ROW),
-    **{
-        f"jacobian_{mistake.value}": Disclosure(level=HelpLevel.REPAIR)
-        for mistake in JacobianMistake
-        if mistake is not JacobianMistake.SIGN
-    },
-    **{f"forces_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in OF_FORCES},
-}
-"""Help at which each word on a Jacobian, in numbers or in closed form, is said."""
-
-
-class JacobianAsk(StrEnum):
-    """What is asked."""
-
-    JACOBIAN = "jacobian"
-    FORCES = "forces"
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class JacobianCells:
-    """A Jacobian and joint forces.
-
-    Attributes:
-        order: which rows stand first: linear_first (v, ω) or angular_first (ω, v); needed beside a Jacobian.
-        jacobian: 6×n, row by row; per radian.
-        forces: one for each joint: torque of a revolute one, force of a prismatic one.
-    """
-
-    order: ScrewOrder | None = None
-    jacobian: SixRows | None = None
-    forces: JointRow | None = None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -125,26 +90,18 @@ class JacobianNumbers:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class JacobianPart(Part):
-    """A Jacobian, joint forces, or both.
+class JacobianPart(JacobianQuestion):
+    """A Jacobian, joint forces, or both, in numbers.
 
     Attributes:
         joints: the joint values where no seed is given [the exercise's units].
         draws: per joint, from where a student's own value is drawn, or None.
-        frame: in whose axes.
-        angles: whose rates the analytic Jacobian gives; None for the geometric one.
-        ask: what is asked.
         wrench: force and moment on the tool.
-        tolerance: of an entry; where it is a length, as a share of the robot's size.
     """
 
     joints: tuple[Fraction, ...]
     draws: tuple[Draw | None, ...]
-    frame: JacobianFrame
-    angles: EulerSequence | None
-    ask: tuple[JacobianAsk, ...]
     wrench: tuple[float, ...]
-    tolerance: float
 
 
 class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
@@ -212,49 +169,30 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
         numbers = [GivenNumbers(name="configuration", labels=labels, rows=(values,))]
         if exercise.part(TABLE) is None:
             numbers.insert(0, given_table(instance))
-        form: list[FormField] = []
-        if JacobianAsk.JACOBIAN in part.ask:
-            orders = tuple(order.value for order in ScrewOrder)
-            form.append(FormField(name="order", shape=FieldShape.CHOICE, options=orders))
-            form.append(FormField(name="jacobian", shape=FieldShape.MATRIX, labels=names, rows=6))
         if JacobianAsk.FORCES in part.ask:
-            shown = ("fx", "fy", "fz", "mx", "my", "mz")
-            numbers.append(GivenNumbers(name="wrench", labels=shown, rows=(part.wrench,)))
-            form.append(FormField(name="forces", shape=FieldShape.VECTOR, labels=names))
+            numbers.append(GivenNumbers(name="wrench", labels=COMPONENTS, rows=(part.wrench,)))
         return PartTask(
             message="task-jacobian" if part.angles is None else "task-jacobian-analytic",
             values={
-                **told_angles(part.angles),
-                "frame": part.frame.value,
-                "ask": "both" if len(part.ask) > 1 else part.ask[0].value,
-                "variables": "given" if exercise.part(TABLE) is None else "own",
+                **told_question(part, own=exercise.part(TABLE) is not None),
                 "unit": exercise.length_unit.value,
             },
-            form=tuple(form),
+            form=answer_fields(part.ask, names),
             numbers=tuple(numbers),
         )
 
     def read(self, raw: JacobianCells, reading: Reading) -> JacobianNumbers | None:
         """Return the matrix, linear rows first, and the forces."""
+        if not is_well_shaped(raw, reading, self.kind):
+            return None
         before = len(reading.faults)
-        n = len(reading.joint_types)
-        rows: list[tuple[float, ...] | None] = []
-        for i, row in enumerate(raw.jacobian or ()):
-            if len(row) != n:
-                params = {"expected": n, "given": len(row)}
-                reading.fault("joint_row_length", self.kind, "jacobian", i, **params)
-            else:
-                rows.append(read_numbers_of(row, Position.LENGTH, reading, self.kind, "jacobian", i))
-        if raw.jacobian is not None and raw.order is None:
-            reading.fault("row_order_missing", self.kind, "order")
+        rows = [
+            read_numbers_of(row, Position.LENGTH, reading, self.kind, "jacobian", i)
+            for i, row in enumerate(raw.jacobian or ())
+        ]
         forces = None
-        if raw.forces is not None and len(raw.forces) != n:
-            params = {"expected": n, "given": len(raw.forces)}
-            reading.fault("joint_row_length", self.kind, "forces", **params)
-        elif raw.forces is not None:
+        if raw.forces is not None:
             forces = read_numbers_of(raw.forces, Position.LENGTH, reading, self.kind, "forces")
-        if raw.jacobian is None and raw.forces is None:
-            reading.fault("jacobian_empty", self.kind)
         if len(reading.faults) > before:
             return None
         jacobian = np.array(rows, dtype=np.float64) if rows else None
@@ -267,24 +205,14 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
         chain, joints = _arm(part, context)
         with_table = context.instance.exercise.part(TABLE) is not None
         if with_table and (context.own is None or len(chain.axes) != len(joints)):
-            return judged(part, 0.0, Credit.NONE, feedback=(Feedback(code="jacobian_needs_table"),))
-        facts: list[Fact] = []
-        feedback: list[Feedback] = []
-        total = 0.0
-        for question in part.ask:
+            return needs_table(part)
+
+        def mark(question: JacobianAsk) -> JacobianMark:
             if question is JacobianAsk.JACOBIAN:
-                share, found, told = _jacobian(part, answer, chain, joints)
-            else:
-                share, found, told = _forces(part, answer, chain, joints)
-            total += share
-            facts += found
-            feedback += told
-        score = total / len(part.ask)
-        credit = context.own_credit if with_table else Credit.KEY
-        if score == 1.0:
-            code = "jacobian_right" if credit is Credit.KEY else "jacobian_follows_table"
-            feedback.append(Feedback(code=code))
-        return judged(part, score, credit, facts=facts, feedback=feedback)
+                return _matrix(part, answer, chain, joints)
+            return _forces(part, answer, chain, joints)
+
+        return report(part, context, mark)
 
     def right(self, part: JacobianPart, context: Context) -> JacobianCells:
         """Return what follows from the student's own table, or from the key, rounded as on paper.
@@ -314,20 +242,6 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
             yield "forces_wrong", replace(right, forces=tuple(-float(value) for value in right.forces))
 
 
-def read_angles(reader: Reader) -> EulerSequence | None:
-    """Return the sequence of an analytic Jacobian, from `axes` and `turning`; None if no axes are named."""
-    if not reader.given("axes"):
-        return None
-    return read_sequence(reader, "axes", "turning", EulerSequence(axes="ZYX"))
-
-
-def told_angles(angles: EulerSequence | None) -> dict[str, str]:
-    """Return what a task says of the angles."""
-    if angles is None:
-        return {}
-    return {"axes": " ".join(angles.axes), "turning": angles.turning.value}
-
-
 def _arm(part: JacobianPart, context: Context) -> tuple[Chain, Sequence[float]]:
     """Return the arm that the answer is about, and its configuration: the student's own, or the key."""
     drawn: tuple[Fraction, ...] = context.instance.drawn[part.kind]
@@ -337,40 +251,25 @@ def _arm(part: JacobianPart, context: Context) -> tuple[Chain, Sequence[float]]:
     return chain_of_table(table), joints_at(context, drawn)
 
 
-def _jacobian(
+def _matrix(
     part: JacobianPart, answer: JacobianNumbers, chain: Chain, joints: Sequence[float]
-) -> tuple[float, list[Fact], list[Feedback]]:
+) -> JacobianMark:
     if answer.jacobian is None:
-        missing = Feedback(code="jacobian_missing", params={"what": "jacobian"})
-        return 0.0, [Fact(where=("jacobian",), finding=Finding.MISSING)], [missing]
+        return missing(JacobianAsk.JACOBIAN)
     try:
         found = judge_jacobian(chain, joints, answer.jacobian, part.frame, part.tolerance, part.angles)
     except JointValueError:
-        return 0.0, [], [Feedback(code="jacobian_angles_locked")]
-    wrong = np.argwhere(~found.entries).tolist()
-    facts = [Fact(where=("jacobian", r, c), finding=Finding.WRONG) for r, c in wrong]
-    told = [] if found.right else [Feedback(code="jacobian_wrong")]
-    told += [
-        Feedback(code=f"jacobian_{mistake.value}", params={"joint": joint or 0})
-        for mistake, joint in found.mistakes
-    ]
-    return (1.0 if found.right else min(found.share, 0.8)), facts, told
+        return angles_locked()
+    return matrix_mark(found)
 
 
 def _forces(
     part: JacobianPart, answer: JacobianNumbers, chain: Chain, joints: Sequence[float]
-) -> tuple[float, list[Fact], list[Feedback]]:
+) -> JacobianMark:
     if answer.forces is None:
-        missing = Feedback(code="jacobian_missing", params={"what": "forces"})
-        return 0.0, [Fact(where=("forces",), finding=Finding.MISSING)], [missing]
+        return missing(JacobianAsk.FORCES)
     right, mistake = judge_forces(chain, joints, part.wrench, answer.forces, part.frame, part.tolerance)
-    facts = [Fact(where=("forces", i), finding=Finding.WRONG) for i, good in enumerate(right) if not good]
-    if all(right):
-        return 1.0, facts, []
-    told = [Feedback(code="forces_wrong")]
-    if mistake is not None:
-        told.append(Feedback(code=f"forces_{mistake.value}"))
-    return min(sum(right) / len(right), 0.8), facts, told
+    return forces_mark(right, mistake)
 
 
 PART = JacobianPartType()

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 from fastapi import Body
 
-from exercises.parts.jacobian_forms import LOADS
+from exercises.parts.definition_keys import COMPONENTS
 from exercises.parts.matrix_cells import read_functions
 from kinematics.answers.jacobian_answers import JacobianMistake
 from kinematics.answers.jacobian_forms import FormRobot, judge_force_form, judge_jacobian_form
@@ -83,12 +83,12 @@ def _checked(body: CheckJacobianFormRequest, robot: PreparedRobot, language: str
         with located("angles"):
             angles = EulerSequence(axes=body.angles.axes, turning=body.angles.turning)
     values, kinds = form_values(body, robot), robot.read.parameters
-    named = {**{name: 7.0 + 3.0 * i for i, name in enumerate(LOADS)}, **values}
+    named = {**{name: 7.0 + 3.0 * i for i, name in enumerate(COMPONENTS)}, **values}
     lengths = {name for name in values if kinds.get(name, ParameterKind.LENGTH) is ParameterKind.LENGTH}
     form = FormRobot(
         table=robot.read.table,
         values=named,
-        lengths=frozenset(lengths) | (set(LOADS[3:]) - values.keys()),
+        lengths=frozenset(lengths) | (set(COMPONENTS[3:]) - values.keys()),
     )
     n = len(robot.joint_units)
     proofs: set[ProofStatus] = set()

@@ -1,0 +1,208 @@
+"""What a Jacobian in numbers and one in closed form share: what is asked, typed, told and marked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Annotated
+
+import numpy as np
+
+from exercises.definition import Part
+from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.parts.context import Context
+from exercises.parts.drawn_orientations import read_sequence
+from exercises.parts.protocol import TABLE, FieldShape, FormField, Length, Reading
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.reading import Reader
+from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict
+from kinematics.answers.screw_answers import ScrewOrder
+from kinematics.cells import Cell
+from kinematics.jacobian import JacobianFrame
+from kinematics.rotations.sequences import EulerSequence
+
+JointRow = Annotated[tuple[Cell, ...], Length(least=1, most=64)]
+SixRows = Annotated[tuple[JointRow, ...], Length(least=6, most=6)]
+
+
+OF_FORCES = (
+    JacobianMistake.SIGN,
+    JacobianMistake.OTHER_FRAME,
+    JacobianMistake.ROWS_EXCHANGED,
+    JacobianMistake.SPATIAL,
+)
+"""What wrong joint forces may look like."""
+DISCLOSURES = {
+    "jacobian_wrong": Disclosure(level=HelpLevel.ROW),
+    "forces_wrong": Disclosure(level=HelpLevel.ROW),
+    **{
+        f"jacobian_{mistake.value}": Disclosure(level=HelpLevel.REPAIR)
+        for mistake in JacobianMistake
+        if mistake is not JacobianMistake.SIGN
+    },
+    **{f"forces_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in OF_FORCES},
+}
+"""Help at which each word on a Jacobian, in numbers or in closed form, is said."""
+
+
+class JacobianAsk(StrEnum):
+    """What is asked."""
+
+    JACOBIAN = "jacobian"
+    FORCES = "forces"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class JacobianCells:
+    """A Jacobian and joint forces.
+
+    Attributes:
+        order: which rows stand first: linear_first (v, ω) or angular_first (ω, v); needed beside a Jacobian.
+        jacobian: 6×n, row by row; per radian.
+        forces: one for each joint: torque of a revolute one, force of a prismatic one.
+    """
+
+    order: ScrewOrder | None = None
+    jacobian: SixRows | None = None
+    forces: JointRow | None = None
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class JacobianQuestion(Part):
+    """A Jacobian, joint forces, or both.
+
+    Attributes:
+        frame: in whose axes.
+        angles: whose rates the analytic Jacobian gives; None for the geometric one.
+        ask: what is asked.
+        tolerance: of an entry that is not proved; where it is a length, as a share of the robot's size.
+    """
+
+    frame: JacobianFrame
+    angles: EulerSequence | None
+    ask: tuple[JacobianAsk, ...]
+    tolerance: float
+
+
+@dataclass(frozen=True, slots=True)
+class JacobianMark:
+    """Marks for a matrix or for forces: their share, 0 … 1, what is wrong, and what is said of it."""
+
+    share: float
+    facts: tuple[Fact, ...] = ()
+    feedback: tuple[Feedback, ...] = ()
+
+
+def read_angles(reader: Reader) -> EulerSequence | None:
+    """Return the sequence of an analytic Jacobian, from `axes` and `turning`; None if no axes are named."""
+    if not reader.given("axes"):
+        return None
+    return read_sequence(reader, "axes", "turning", EulerSequence(axes="ZYX"))
+
+
+def told_angles(angles: EulerSequence | None) -> dict[str, str]:
+    """Return what a task says of the angles."""
+    if angles is None:
+        return {}
+    return {"axes": " ".join(angles.axes), "turning": angles.turning.value}
+
+
+def told_question(part: JacobianQuestion, *, own: bool) -> dict[str, str]:
+    """Return what the sentence of a task says: of the frame, the angles, and whose variables these are."""
+    return {
+        **told_angles(part.angles),
+        "frame": part.frame.value,
+        "ask": "both" if len(part.ask) > 1 else part.ask[0].value,
+        "variables": "own" if own else "given",
+    }
+
+
+def answer_fields(ask: tuple[JacobianAsk, ...], names: tuple[str, ...]) -> tuple[FormField, ...]:
+    """Return the fields of an answer, a column for each of these joint variables."""
+    fields: list[FormField] = []
+    if JacobianAsk.JACOBIAN in ask:
+        orders = tuple(order.value for order in ScrewOrder)
+        fields.append(FormField(name="order", shape=FieldShape.CHOICE, options=orders))
+        fields.append(FormField(name="jacobian", shape=FieldShape.MATRIX, labels=names, rows=6))
+    if JacobianAsk.FORCES in ask:
+        fields.append(FormField(name="forces", shape=FieldShape.VECTOR, labels=names))
+    return tuple(fields)
+
+
+def is_well_shaped(raw: JacobianCells, reading: Reading, kind: str) -> bool:
+    """Keep a fault for each row without an entry for every joint, and for what is missing altogether."""
+    before = len(reading.faults)
+    n = len(reading.joint_types)
+    for i, row in enumerate(raw.jacobian or ()):
+        if len(row) != n:
+            reading.fault("joint_row_length", kind, "jacobian", i, expected=n, given=len(row))
+    if raw.forces is not None and len(raw.forces) != n:
+        reading.fault("joint_row_length", kind, "forces", expected=n, given=len(raw.forces))
+    if raw.jacobian is not None and raw.order is None:
+        reading.fault("row_order_missing", kind, "order")
+    if raw.jacobian is None and raw.forces is None:
+        reading.fault("jacobian_empty", kind)
+    return len(reading.faults) == before
+
+
+def report(
+    part: JacobianQuestion, context: Context, mark: Callable[[JacobianAsk], JacobianMark]
+) -> PartReport:
+    """Return the report on an answer about as many joints as there are; what is asked counts the same."""
+    with_table = context.instance.exercise.part(TABLE) is not None
+    marks = [mark(question) for question in part.ask]
+    score = sum(given.share for given in marks) / len(marks)
+    feedback = [said for given in marks for said in given.feedback]
+    credit = context.own_credit if with_table else Credit.KEY
+    if score == 1.0:
+        code = "jacobian_right" if credit is Credit.KEY else "jacobian_follows_table"
+        feedback.append(Feedback(code=code))
+    facts = [fact for given in marks for fact in given.facts]
+    return judged(part, score, credit, facts=facts, feedback=feedback)
+
+
+def needs_table(part: JacobianQuestion) -> PartReport:
+    """Return the report where the student's own table has another number of joints, or cannot be used."""
+    return judged(part, 0.0, Credit.NONE, feedback=(Feedback(code="jacobian_needs_table"),))
+
+
+def missing(what: JacobianAsk) -> JacobianMark:
+    """Return the mark for what was asked and not handed in."""
+    said = Feedback(code="jacobian_missing", params={"what": what.value})
+    return JacobianMark(0.0, (Fact(where=(what.value,), finding=Finding.MISSING),), (said,))
+
+
+def angles_locked() -> JacobianMark:
+    """Return the mark where the angles of the student's own arm have no rates."""
+    return JacobianMark(0.0, (), (Feedback(code="jacobian_angles_locked"),))
+
+
+def matrix_mark(found: JacobianVerdict) -> JacobianMark:
+    """Return the mark for a matrix, from what was found of its entries."""
+    if found.right:
+        return JacobianMark(1.0)
+    wrong = np.argwhere(~found.entries).tolist()
+    mistakes = [
+        Feedback(code=f"jacobian_{mistake.value}", params={"joint": joint or 0})
+        for mistake, joint in found.mistakes
+    ]
+    return JacobianMark(
+        min(found.share, 0.8),
+        tuple(Fact(where=("jacobian", r, c), finding=Finding.WRONG) for r, c in wrong),
+        (Feedback(code="jacobian_wrong"), *mistakes),
+    )
+
+
+def forces_mark(right: Sequence[bool], mistake: JacobianMistake | None) -> JacobianMark:
+    """Return the mark for joint forces, from which of them are right."""
+    if all(right):
+        return JacobianMark(1.0)
+    told = [Feedback(code="forces_wrong")]
+    if mistake is not None:
+        told.append(Feedback(code=f"forces_{mistake.value}"))
+    return JacobianMark(
+        min(sum(right) / len(right), 0.8),
+        tuple(Fact(where=("forces", i), finding=Finding.WRONG) for i, good in enumerate(right) if not good),
+        tuple(told),
+    )
