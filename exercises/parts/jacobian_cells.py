@@ -69,7 +69,7 @@ class JacobianCells:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class JacobianQuestion(Part):
+class JacobianTerms(Part):
     """A Jacobian, joint forces, or both.
 
     Attributes:
@@ -108,7 +108,7 @@ def told_angles(angles: EulerSequence | None) -> dict[str, str]:
     return {"axes": " ".join(angles.axes), "turning": angles.turning.value}
 
 
-def told_question(part: JacobianQuestion, *, own: bool) -> dict[str, str]:
+def told_question(part: JacobianTerms, *, own: bool) -> dict[str, str]:
     """Return what the sentence of a task says: of the frame, the angles, and whose variables these are."""
     return {
         **told_angles(part.angles),
@@ -146,9 +146,7 @@ def is_well_shaped(raw: JacobianCells, reading: Reading, kind: str) -> bool:
     return len(reading.faults) == before
 
 
-def report(
-    part: JacobianQuestion, context: Context, mark: Callable[[JacobianAsk], JacobianMark]
-) -> PartReport:
+def report(part: JacobianTerms, context: Context, mark: Callable[[JacobianAsk], JacobianMark]) -> PartReport:
     """Return the report on an answer about as many joints as there are; what is asked counts the same."""
     with_table = context.instance.exercise.part(TABLE) is not None
     marks = [mark(question) for question in part.ask]
@@ -162,7 +160,7 @@ def report(
     return judged(part, score, credit, facts=facts, feedback=feedback)
 
 
-def needs_table(part: JacobianQuestion) -> PartReport:
+def needs_table(part: JacobianTerms) -> PartReport:
     """Return the report where the student's own table has another number of joints, or cannot be used."""
     return judged(part, 0.0, Credit.NONE, feedback=(Feedback(code="jacobian_needs_table"),))
 

@@ -31,7 +31,7 @@ from exercises.parts.jacobian_cells import (
     JacobianAsk,
     JacobianCells,
     JacobianMark,
-    JacobianQuestion,
+    JacobianTerms,
     angles_locked,
     answer_fields,
     forces_mark,
@@ -78,7 +78,7 @@ class JacobianForm:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class JacobianFormPart(JacobianQuestion):
+class JacobianFormPart(JacobianTerms):
     """A Jacobian, joint forces, or both, in closed form.
 
     Attributes:

@@ -36,7 +36,7 @@ from exercises.parts.jacobian_cells import (
     JacobianAsk,
     JacobianCells,
     JacobianMark,
-    JacobianQuestion,
+    JacobianTerms,
     angles_locked,
     answer_fields,
     forces_mark,
@@ -90,7 +90,7 @@ class JacobianNumbers:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class JacobianPart(JacobianQuestion):
+class JacobianPart(JacobianTerms):
     """A Jacobian, joint forces, or both, in numbers.
 
     Attributes:
