@@ -14,6 +14,8 @@ from fluent.runtime import FluentBundle, FluentResource
 from fluent.runtime.types import FluentType, fluent_date
 from fluent.syntax import FluentParser, ast
 
+from service.plain_sentences import plainly_written
+
 LOCALES = Path(__file__).parent / "locales"
 DEFAULT_LANGUAGE = "en"
 SENTENCES = 4096
@@ -99,7 +101,11 @@ def _formatted(language: str, identifier: str, arguments: tuple[tuple[str, str |
         pattern = messages.get_message(identifier).value
         if pattern is None:
             continue
-        text, faults = messages.format_pattern(pattern, dict(arguments))
+        values = dict(arguments)
+        plain = plainly_written(pattern, values)
+        if plain is not None:
+            return plain
+        text, faults = messages.format_pattern(pattern, values)
         for fault in faults:
             _log.warning("message %s in %s: %s", identifier, candidate, fault)
         return str(text)

@@ -5,20 +5,21 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from fastapi import Path, Query, Request, Response
+from fastapi import Path, Request, Response
 from pydantic import TypeAdapter
 
 from exercises.access import lowest
 from exercises.answers import parse
+from exercises.errors import AnswerError
 from exercises.grader import Report, grade
 from exercises.grading import HelpLevel
 from exercises.instance import Instance
 from kinematics.errors import Fault
-from service.http.languages import Language, language_of
+from service.http.languages import language_of
 from service.http.link_context import LinkContext
 from service.http.link_guard import context_of
 from service.http.openapi import problems, request_body
-from service.http.problems import ForbiddenError
+from service.http.problems import ForbiddenError, RequestError, RequestPart
 from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
 from service.resources import resources_of
@@ -31,46 +32,43 @@ from service.wire.ungraded import answer_refused, known_exercise
 from service.wire.verdicts import encoded, report_body
 from service.work.limiters import WorkKind
 
-router = api_router("exercises")
-direct = api_router("exercises", route_class=DirectRoute)
+router = api_router("exercises", route_class=DirectRoute)
 
 _ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
 SVG = "image/svg+xml"
 YEAR = 31_536_000
 _FIGURE_POLICY = "default-src 'none'; style-src 'unsafe-inline'"
-
 Id = Annotated[
     str,
     Path(max_length=64, description="id of the exercise", openapi_examples={"PUMA": {"value": "puma560"}}),
 ]
-Seed = Annotated[
-    str | None,
-    Query(max_length=200, description="names a student or a try; the same seed gives the same values"),
-]
-
-
-@router.get("/exercises", response_model=ExerciseList, summary="All exercises")
-async def list_exercises(request: Request, lang: Language = None) -> Response:
-    """Every exercise with its title, in the caller's language."""
-    language = language_of(request)
-    return _text(
-        request,
-        encoded(exercise_list(resources_of(request).exercises, language, context_of(request))),
-        language,
-        JSON,
-    )
+_ONE_STUDENTS = {"parameters": [examples.EXERCISE_ID, examples.SEED, examples.LANGUAGE]}
 
 
 @router.get(
-    "/exercises/{exercise_id}", response_model=ExerciseModel, responses=problems(404), summary="One exercise"
+    "/exercises",
+    response_model=ExerciseList,
+    openapi_extra={"parameters": [examples.LANGUAGE]},
+    summary="All exercises",
 )
-async def show_exercise(
-    request: Request, exercise_id: Id, seed: Seed = None, lang: Language = None
-) -> Response:
+async def list_exercises(request: ApiRequest) -> Response:
+    """Every exercise with its title, in the caller's language."""
+    language = language_of(request)
+    listed = exercise_list(resources_of(request).exercises, language, context_of(request))
+    return _text(request, encoded(listed), language, JSON)
+
+
+@router.get(
+    "/exercises/{exercise_id}",
+    response_model=ExerciseModel,
+    responses=problems(404),
+    openapi_extra=_ONE_STUDENTS,
+    summary="One exercise",
+)
+async def show_exercise(request: ApiRequest) -> Response:
     """What is asked, with one student's values: statement, rules, dimensions, figure. Never the key."""
     language = language_of(request)
-    with known_exercise():
-        instance = instance_of(resources_of(request).exercises, exercise_id, seed_of(request, seed))
+    instance = _asked_instance(request)
     view = exercise_view(instance, language, context_of(request))
     view["figure"]["file"] = figure_path(resources_of(request).figures, instance, language)
     return _text(request, encoded(view), language, JSON)
@@ -83,36 +81,44 @@ async def show_exercise(
         **problems(404, 503),
     },
     response_class=Response,
+    openapi_extra=_ONE_STUDENTS,
     summary="The figure of an exercise",
 )
-async def show_figure(
-    request: Request, exercise_id: Id, seed: Seed = None, lang: Language = None
-) -> Response:
+async def show_figure(request: ApiRequest) -> Response:
     """The robot with its joints, dimensions and marked points, and no frames: they are the question."""
-    language = language_of(request)
-    with known_exercise():
-        instance = instance_of(resources_of(request).exercises, exercise_id, seed_of(request, seed))
-    return await _figure(request, instance, language, "no-cache")
+    return await _figure(request, _asked_instance(request), language_of(request), "no-cache")
 
 
 @router.get("/exercises/{exercise_id}/figures/{address}.svg", include_in_schema=False)
-async def show_addressed_figure(
-    request: Request, exercise_id: Id, address: str, seed: Seed = None, lang: Language = None
-) -> Response:
+async def show_addressed_figure(request: ApiRequest) -> Response:
     """The same figure under the address that the exercise tells: what is there never changes.
 
     Caches may keep it for good. All who have the same values have the same address.
     """
     language = language_of(request)
-    with known_exercise():
-        instance = instance_of(resources_of(request).exercises, exercise_id, seed_of(request, seed))
+    instance = _asked_instance(request)
     now = figure_address(resources_of(request).figures, instance, language)
-    if now != address:
+    if now != request.path_params["address"]:
         query = f"?{request.url.query}" if request.url.query else ""
         return Response(
             status_code=307, headers={"Location": f"{now}.svg{query}", "Cache-Control": "no-store"}
         )
     return await _figure(request, instance, language, f"public, max-age={YEAR}, immutable")
+
+
+def _asked_instance(request: ApiRequest) -> Instance:
+    """The exercise that the address names, with the values of the seed that it names.
+
+    Raises:
+        NotFoundError: there is no such exercise.
+        RequestError: the seed is too long.
+    """
+    seed = seed_of(request, request.query_params.get("seed"))
+    try:
+        with known_exercise():
+            return instance_of(resources_of(request).exercises, request.path_params["exercise_id"], seed)
+    except AnswerError as error:
+        raise RequestError(error.faults, part=RequestPart.QUERY) from error
 
 
 async def _figure(request: Request, instance: Instance, language: str, caching: str) -> Response:
@@ -126,7 +132,7 @@ async def _figure(request: Request, instance: Instance, language: str, caching: 
     return packed_response(request, packed, address, SVG, headers)
 
 
-@direct.post(
+@router.post(
     "/exercises/{exercise_id}/grade",
     response_model=GradedModel,
     responses=problems(404, 503),
@@ -206,6 +212,3 @@ def _answer(body: bytes, language: str, media_type: str) -> Response:
 
 def _headers(language: str) -> dict[str, str]:
     return {"Content-Language": language, "Vary": "Accept-Language", "Cache-Control": "no-cache"}
-
-
-router.routes.extend(direct.routes)

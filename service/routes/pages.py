@@ -12,6 +12,7 @@ from exercises.errors import AnswerError, UnknownExerciseError
 from exercises.statements import to_html
 from service.http.link_context import QUERY
 from service.http.link_guard import context_of
+from service.http.routing import ApiRequest, DirectRoute
 from service.messages import LOCALES, languages
 from service.resources import resources_of
 from service.web.responses import missing_page, page_language, page_response, text_response
@@ -19,7 +20,7 @@ from service.web.shell import Page
 from service.wire.exercise_views import instance_of
 from service.wire.figure_files import figure_path
 
-router = APIRouter(include_in_schema=False)
+router = APIRouter(include_in_schema=False, route_class=DirectRoute)
 
 YEAR = 365 * 24 * 3600
 
@@ -35,16 +36,16 @@ RECEIPTS = Page(name="receipts", title="receipts-title", rooms=("receipts",))
 
 
 @router.get("/")
-async def home(request: Request) -> Response:
+async def home(request: ApiRequest) -> Response:
     """The list of exercises."""
     return page_response(request, HOME)
 
 
 @router.get("/exercises/{exercise_id}")
-async def exercise_page(request: Request, exercise_id: str) -> Response:
+async def exercise_page(request: ApiRequest) -> Response:
     """The page of an exercise: its title and statement stand in it before any script runs."""
     try:
-        found = resources_of(request).exercises.exercise(exercise_id)
+        found = resources_of(request).exercises.exercise(request.path_params["exercise_id"])
     except UnknownExerciseError:
         return missing_page(request, depth=1)
     language = page_language(request)
@@ -74,19 +75,19 @@ def _figure(request: Request, found: Exercise, language: str, query: str) -> str
 
 
 @router.get("/receipts")
-async def receipts_page(request: Request) -> Response:
+async def receipts_page(request: ApiRequest) -> Response:
     """Where a lecturer verifies a folder of receipts."""
     return page_response(request, RECEIPTS)
 
 
 @router.get("/static/{version}/{name:path}")
-async def static_file(request: Request, version: str, name: str) -> Response:
+async def static_file(request: ApiRequest) -> Response:
     """A file of the form. Under the current version's address it may be kept for ever."""
     store = resources_of(request).assets
-    asset = store.get(name, request.headers.get("accept-encoding", ""))
+    asset = store.get(request.path_params["name"], request.headers.get("accept-encoding", ""))
     if asset is None:
         return Response(status_code=404, headers={"Cache-Control": "no-cache"})
-    current = version == store.version
+    current = request.path_params["version"] == store.version
     headers = {
         "Cache-Control": f"public, max-age={YEAR}, immutable" if current else "no-cache",
         "ETag": asset.etag,
@@ -107,8 +108,9 @@ def _messages(language: str, rooms: frozenset[str]) -> str:
 
 
 @router.get("/locales/{language}.ftl")
-async def messages(request: Request, language: str, rooms: str = "") -> Response:
+async def messages(request: ApiRequest) -> Response:
     """The messages of a language, the same that the API answers with; `?rooms=form+feedback` picks files."""
+    language, rooms = request.path_params["language"], request.query_params.get("rooms", "")
     if language not in languages():
         return Response(status_code=404, headers={"Cache-Control": "no-cache"})
     files = frozenset(path.stem for path in (LOCALES / language).glob("*.ftl"))

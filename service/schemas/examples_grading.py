@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from exercises.instance import SEED_CHARACTERS
 from service.messages import languages
 
 EXERCISE_ID: dict[str, Any] = {
@@ -13,6 +14,13 @@ EXERCISE_ID: dict[str, Any] = {
     "description": "id of the exercise",
     "schema": {"type": "string", "maxLength": 64},
     "examples": {"SCARA": {"value": "scara"}},
+}
+SEED: dict[str, Any] = {
+    "name": "seed",
+    "in": "query",
+    "required": False,
+    "description": "names a student or a try; the same seed gives the same values",
+    "schema": {"type": "string", "maxLength": SEED_CHARACTERS},
 }
 LANGUAGE: dict[str, Any] = {
     "name": "lang",

@@ -3,12 +3,13 @@ from __future__ import annotations
 import re
 
 import pytest
-from fluent.runtime import FluentBundle
+from fluent.runtime import FluentBundle, FluentResource
 from fluent.syntax import FluentParser, ast
 
 from kinematics.keys import ValueKind
 from service.http.languages import language_for
 from service.messages import FUNCTIONS, LOCALES, has_sentence, languages, sentence, template
+from service.plain_sentences import plainly_written
 
 
 def test_six_languages_are_spoken() -> None:
@@ -91,3 +92,22 @@ def test_what_a_value_has_to_be_is_told_in_every_language(language: str, code: s
     assert all("joints" in str(text) and "{" not in str(text) for text in told.values())
     any_count = {**known, "count": 0, "expected": ValueKind.NUMBERS}
     assert "0" not in str(sentence(language, f"error-{code}", any_count))
+
+
+@pytest.mark.parametrize("language", languages())
+def test_what_is_written_plainly_is_what_fluent_writes(language: str) -> None:
+    text = "\n".join(path.read_text(encoding="utf-8") for path in (LOCALES / language).glob("*.ftl"))
+    whole = FluentBundle([language], use_isolating=False, functions=FUNCTIONS)
+    whole.add_resource(FluentResource(text))
+    plain = tried = 0
+    for source in re.split(r"^(?=[a-zA-Z][\w-]* *=)", text, flags=re.MULTILINE)[1:]:
+        pattern = whole.get_message(source.partition("=")[0].strip()).value
+        names = set(re.findall(r"\$(\w+)", source))
+        for value in ("{ $x }", 7, 1000, -1, *re.findall(r"^\s*\*?\[(\w+)\]", source, re.MULTILINE)):
+            given = dict.fromkeys(names, value)
+            written = plainly_written(pattern, given) if pattern else None
+            tried += 1
+            if pattern and written is not None:
+                plain += 1
+                assert written == whole.format_pattern(pattern, given)[0]
+    assert plain > 0.4 * tried
