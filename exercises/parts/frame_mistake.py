@@ -7,6 +7,7 @@ right if the frame there was mended.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache, partial
@@ -15,8 +16,9 @@ from typing import Annotated, Any, ClassVar
 
 from exercises.definition import Exercise, Part
 from exercises.draws import Picker
+from exercises.errors import DefinitionError
 from exercises.grading import HelpLevel
-from exercises.instance import Instance
+from exercises.instance import Instance, generate
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DefinitionKey, choices
 from exercises.parts.figure_frames import figure_axes, key_frames
@@ -118,9 +120,18 @@ class FrameMistakeType(PartType[FrameMistakePart, FoundFrameMistakeCells, FoundF
         return (choices("mistakes", FRAME_MISTAKES),)
 
     def inconsistencies(self, part: FrameMistakePart, exercise: Exercise) -> Iterator[Fault]:
-        """Yield a fault where the key would be given away: frames tell the table."""
+        """Yield faults: frames give the table away, and some robots cannot show some mistakes."""
         if exercise.part(TABLE) is not None or exercise.part("frames") is not None:
             yield Fault(code="key_given_away", where=("kind",))
+        # a figure that cannot be drawn has faults of its own
+        with suppress(DefinitionError):
+            able = _ways(generate(exercise))
+            if not any(code in able for code in part.mistakes):
+                yield Fault(
+                    code="frame_mistakes_not_shown",
+                    where=("mistakes",),
+                    params={"known": ", ".join(able)},
+                )
 
     def draw(self, part: FrameMistakePart, exercise: Exercise, picker: Picker) -> tuple[str, str]:
         """Return what decides the student's mistake; the frames follow from the student's dimensions."""
@@ -218,16 +229,20 @@ LATELY = 64
 
 @lru_cache(maxsize=LATELY)
 def planted_in(instance: Instance) -> PlantedFrame:
-    """Return the student's frames: the mistake drawn, or where it cannot be made the next that can."""
+    """Return the student's frames: the mistake drawn, or the next that these dimensions can show."""
     part = instance.exercise.part(FrameMistakeType.kind)
     assert isinstance(part, FrameMistakePart)
     code, place = instance.drawn[FrameMistakeType.kind]
-    convention = instance.exercise.reference.table.convention
-    ways = plantable_in_frames(figure_axes(instance), convention, key_frames(instance))
+    ways = _ways(instance)
     first = part.mistakes.index(code)
     order = (*part.mistakes[first:], *part.mistakes[:first], *FRAME_MISTAKES)
     able = next(ways[code] for code in order if code in ways)
     return able[int(place) % len(able)]
+
+
+def _ways(instance: Instance) -> dict[str, tuple[PlantedFrame, ...]]:
+    convention = instance.exercise.reference.table.convention
+    return plantable_in_frames(figure_axes(instance), convention, key_frames(instance))
 
 
 def frames_shown(instance: Instance) -> tuple[DrawnFrame, ...]:

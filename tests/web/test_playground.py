@@ -559,6 +559,27 @@ def test_a_planted_mistake_is_found_and_mended(open_page: OpenPage) -> None:
     expect(tool.get_by_role("status")).to_contain_text(answered.value.json()["label"])
 
 
+@pytest.mark.parametrize("robot", ["puma560", "kr125"])
+def test_a_wrong_frame_is_found_in_the_picture(open_page: OpenPage, robot: str) -> None:
+    """Also of a modified table with a fixed row: there is a frame for each joint, and one more."""
+    page = open_page("/playground")
+    shown_robot(page)
+    page.get_by_label("Robot of the catalogue").select_option(robot)
+    expect(page.locator("joint-sliders .joint-name")).to_have_count(6)
+    with page.expect_response("**/plant-frame-mistake") as answered:
+        tool = more(page, "Find the wrong frame")
+    planted = answered.value.json()
+    wrong, count = planted["frame"], len(planted["frames"])
+    expect(tool.locator("robot-scene canvas, robot-scene svg").first).to_be_visible()
+    tool.get_by_role("button", name=f"Frame {(wrong + 1) % count}", exact=True).click()
+    expect(tool.get_by_role("status")).to_contain_text("look again")
+    tool.get_by_role("button", name=f"Frame {wrong}", exact=True).click()
+    expect(tool.get_by_role("status")).to_contain_text(planted["label"])
+    with page.expect_response("**/plant-frame-mistake") as answered:
+        tool.get_by_role("button", name="Another mistake").click()
+    expect(tool.get_by_role("status")).to_be_empty()
+
+
 def test_a_kept_table_is_compared_with_what_is_typed(open_page: OpenPage) -> None:
     page = open_page("/playground")
     shown_robot(page)

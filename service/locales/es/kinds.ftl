@@ -225,6 +225,7 @@ feedback-tables_reason_wrong = El veredicto es correcto, pero no por esta razón
 feedback-tables_reason_missing = El veredicto es correcto; diga también por qué.
 error-row_unknown = Dé el número de una fila, de 1 a { $count }.
 error-no_mistake_does_harm = Ninguno de estos errores cambia este robot con su política.
+error-frame_mistakes_not_shown = Los sistemas de referencia de este robot no pueden mostrar ninguno de estos errores. Lo que pueden mostrar: { $known }.
 error-key_given_away = Esta parte muestra una tabla; un ejercicio que pide la tabla no puede tenerla.
 error-not_plantable = Ningún error del catálogo pedido cambia este robot.
 

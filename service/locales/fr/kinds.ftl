@@ -225,6 +225,7 @@ feedback-tables_reason_wrong = Le verdict est juste, mais pas pour cette raison.
 feedback-tables_reason_missing = Le verdict est juste ; dites aussi pourquoi.
 error-row_unknown = Donnez le numéro d’une ligne, de 1 à { $count }.
 error-no_mistake_does_harm = Aucune de ces erreurs ne change ce robot selon ses règles.
+error-frame_mistakes_not_shown = Les repères de ce robot ne peuvent montrer aucune de ces erreurs. Ce qu’ils peuvent montrer : { $known }.
 error-key_given_away = Cette partie montre un tableau ; un exercice qui demande le tableau ne peut pas l’avoir.
 error-not_plantable = Aucune erreur demandée du catalogue ne change ce robot.
 

@@ -225,6 +225,7 @@ feedback-tables_reason_wrong = O veredicto está certo, mas não por esta razão
 feedback-tables_reason_missing = O veredicto está certo; diga também por quê.
 error-row_unknown = Dê o número de uma linha, de 1 a { $count }.
 error-no_mistake_does_harm = Nenhum destes erros altera este robô segundo as suas regras.
+error-frame_mistakes_not_shown = Os referenciais deste robô não podem mostrar nenhum destes erros. O que podem mostrar: { $known }.
 error-key_given_away = Esta parte mostra uma tabela; um exercício que pede a tabela não pode tê-la.
 error-not_plantable = Nenhum dos erros pedidos do catálogo altera este robô.
 

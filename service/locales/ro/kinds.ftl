@@ -226,6 +226,7 @@ feedback-tables_reason_wrong = Verdictul este corect, dar nu din acest motiv.
 feedback-tables_reason_missing = Verdictul este corect; spuneți și de ce.
 error-row_unknown = Dați numărul unui rând, de la 1 la { $count }.
 error-no_mistake_does_harm = Niciuna dintre aceste greșeli nu schimbă acest robot după regulile lui.
+error-frame_mistakes_not_shown = Sistemele de coordonate ale acestui robot nu pot arăta niciuna dintre aceste greșeli. Ce pot arăta: { $known }.
 error-key_given_away = Această parte arată un tabel; un exercițiu care cere tabelul nu o poate avea.
 error-not_plantable = Nicio greșeală cerută din catalog nu schimbă acest robot.
 

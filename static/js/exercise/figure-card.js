@@ -4,12 +4,10 @@ import { el, fill, segmented } from "../dom.js";
 import { t } from "../i18n.js";
 import { usualRanges } from "../joint-ranges.js";
 import { resetButton } from "../joint-sliders.js";
-import { frozen, together, triad } from "../scene/model.js";
+import { framesModel } from "../scene/figures.js";
+import { frozen, together } from "../scene/model.js";
 import { figureRobot } from "../scene/robots.js";
 import { keep, recall } from "../storage.js";
-
-/** Length of a frame's arrows, relative to the robot. */
-const ARROWS = 0.16;
 
 /**
  * @param {{figure: any, title: string}} exercise
@@ -53,14 +51,7 @@ function withFrames(figure) {
   const robot = figureRobot(figure);
   const drawn = figure.frames ?? [];
   if (!drawn.length) return robot;
-  /** @type {import("../scene/model.js").Model} */
-  const frames = { nodes: [], items: [], joints: 0 };
-  drawn.forEach(({ origin, x, y, z }, i) => {
-    const constant = [...[0, 1, 2].map((k) => [x[k], y[k], z[k], origin[k]]), [0, 0, 0, 1]];
-    const node = frames.nodes.push({ parent: -1, constant }) - 1;
-    frames.items.push(...triad(node, figure.size * ARROWS * (1 - 0.1 * (i % 3)), String(i)));
-  });
-  return frozen(together([robot, frames]), Array(robot.joints).fill(0));
+  return frozen(together([robot, framesModel(drawn, figure.size)]), Array(robot.joints).fill(0));
 }
 
 /** The robot in space, with a slider for each of its joints, counted from the posture of the drawing. @param {import("../scene/model.js").Model} model @param {Wire.Figure} figure @param {string} title */

@@ -51,11 +51,11 @@ class Playground {
       api,
       light: (row, cell) => this.editor.light(row, cell),
     });
-    const picture = {
+    const picture = (this.picture = {
       layer: (/** @type {string} */ name, /** @type {any} */ model) => this.card.scene.layer(name, model),
       robot: () => this.robot.robot,
       joints: () => this.robot.joints,
-    };
+    });
     this.limits = new JointLimits(() => this.#limited());
     this.trajectory = trajectoryTool(api, picture, { show: (joints) => this.show(joints, { silent: true }) });
     /** @type {{element: HTMLElement, take: (subject: import("../playground/tool.js").Subject | null) => void}[]} */
@@ -102,7 +102,7 @@ class Playground {
     const open = async () => {
       try {
         const { moreTools } = await import("../playground/more.js");
-        const tools = moreTools({ api, show: (joints) => this.show(joints) });
+        const tools = moreTools({ ...this.picture, api, show: (joints) => this.show(joints) });
         fill(body, ...tools.map((tool) => tool.element));
         for (const tool of tools) tool.take(this.#subject());
         this.tools.push(...tools);

@@ -9,13 +9,16 @@ import { t } from "../i18n.js";
 import { shown } from "../numbers.js";
 import { Cells, cellValue } from "./cells.js";
 import { tableView } from "./convert.js";
+import { MISTAKES } from "./mistakes.js";
 import { asked, sameRobot, Tool } from "./tool.js";
-import { angleSign, closedForm, formula, FORMATS, matrix, named, numbers } from "./values.js";
+import { angleSign, closedForm, formula, FORMATS, matrix, named, numbers, scroller } from "./values.js";
 
 /**
  * @typedef {import("./tool.js").Subject} Subject
- * @typedef {{api: import("../api.js").Api, show: (joints: number[]) => void, again: () => void}} Context
- *   how the robot is moved to joint values in the table's units, and how a tool is asked again
+ * @typedef {{api: import("../api.js").Api, show: (joints: number[]) => void, again: () => void,
+ *   robot: () => import("../live-robot.js").Robot | null, joints: () => number[]}} Context
+ *   how the robot is moved to joint values in the table's units, how a tool is asked again, the robot that is drawn and
+ *   its joint values [rad or length]
  * @typedef {{controls: Node[], take?: (subject: Subject) => void, value: () => any}} Fields what stands above an answer
  * @typedef {{id: string, fields?: (context: Context) => Fields,
  *   call: (subject: Subject, value: any, api: import("../api.js").Api) => Promise<[string, any] | string | null>,
@@ -48,12 +51,7 @@ const ENTRIES = [
     show: notations,
   },
   { id: "dynamics", fields: bodyFields, call: motionCall, show: motion },
-  {
-    id: "mistake",
-    fields: anotherOne,
-    call: async (subject, seed) => ["plant-mistake", { ...asked(subject), seed }],
-    show: plantedTable,
-  },
+  ...MISTAKES,
   {
     id: "compare",
     fields: keptTable,
@@ -203,11 +201,6 @@ function lockedText({ middle, combination, value }, sign) {
   return `β = ${shown(middle)} ${sign}, ${relation} = ${shown(value)} ${sign}`;
 }
 
-/** @param {string} label @param {Node} content */
-function scroller(label, content) {
-  return el("div", { class: "scroller", tabindex: "0", role: "region", "aria-label": label }, content);
-}
-
 /** @param {Context} context @returns {Fields} */
 function bodyFields({ again }) {
   const names = ["mass", "x", "y", "z", "rate"];
@@ -256,35 +249,6 @@ function motion(answer) {
     if (!Array.isArray(value)) return closedForm(name, value);
     return matrix(name, part === "g" ? value.map((/** @type {number} */ entry) => [entry]) : value, part);
   });
-}
-
-/** @param {Context} context @returns {Fields} */
-function anotherOne({ again }) {
-  let number = 1;
-  const next = () => {
-    number += 1;
-    again();
-  };
-  const button = el("button", { type: "button", onclick: next }, t("playground-mistake-next"));
-  return { controls: [el("div", {}, button)], value: () => String(number) };
-}
-
-/** @param {any} answer */
-function plantedTable({ table, row, label, mended }) {
-  const verdict = el("div", { class: "tool-answer", role: "status" });
-  const judge = (/** @type {number} */ chosen) =>
-    chosen === row
-      ? fill(verdict, el("p", { text: t("playground-mistake-found", { row, label }) }), tableView(mended))
-      : fill(verdict, el("p", { text: t("playground-mistake-elsewhere", { row: chosen }) }));
-  const buttons = table.rows.map((/** @type {any} */ _, /** @type {number} */ i) =>
-    el("button", { type: "button", class: "small", onclick: () => judge(i + 1) }, t("playground-row", { row: i + 1 })),
-  );
-  return [
-    tableView(table),
-    el("p", { text: t("playground-mistake-which") }),
-    el("div", { class: "row" }, buttons),
-    verdict,
-  ];
 }
 
 /** @param {Context} context @returns {Fields} */

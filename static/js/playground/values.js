@@ -51,3 +51,8 @@ export function closedForm(name, formats) {
 
 /** @param {string} unit "deg" or "rad" */
 export const angleSign = (unit) => (unit === "deg" ? "°" : "rad");
+
+/** What may be wider than the page, under a name. @param {string} label @param {Node} content */
+export function scroller(label, content) {
+  return el("div", { class: "scroller", tabindex: "0", role: "region", "aria-label": label }, content);
+}

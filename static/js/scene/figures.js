@@ -1,7 +1,7 @@
 /** What answers draw over a robot: a velocity ellipsoid, directions that are blocked, a path, ghosts of postures. */
 
 import { identity, plus, times } from "./matrix.js";
-import { frozen } from "./model.js";
+import { frozen, triad } from "./model.js";
 
 /**
  * @typedef {import("./matrix.js").Vector} Vector
@@ -13,6 +13,8 @@ import { frozen } from "./model.js";
 const RATE = 0.3;
 const CHORDS = 48;
 const BLOCKED = 0.3;
+/** Length of a frame's arrows, relative to the robot. */
+const FRAME = 0.16;
 
 /** @param {Item[]} items @returns {Model} */
 const still = (items) => ({ nodes: [{ parent: -1, constant: identity() }], items, joints: 0 });
@@ -44,6 +46,22 @@ export function ellipsoidModel(at, { axes, radii }, size) {
     items.push({ kind: "label", at: to, text: "v = 0", tone: "lit" });
   });
   return still(items);
+}
+
+/**
+ * Frames as somebody drew them: y points where it is drawn.
+ * @param {{origin: number[], x: number[], y: number[], z: number[]}[]} frames 0 … N @param {number} size of the robot
+ * @returns {Model}
+ */
+export function framesModel(frames, size) {
+  /** @type {Model} */
+  const model = { nodes: [], items: [], joints: 0 };
+  frames.forEach(({ origin, x, y, z }, i) => {
+    const constant = [...[0, 1, 2].map((k) => [x[k], y[k], z[k], origin[k]]), [0, 0, 0, 1]];
+    const node = model.nodes.push({ parent: -1, constant }) - 1;
+    model.items.push(...triad(node, size * FRAME * (1 - 0.1 * (i % 3)), String(i)));
+  });
+  return model;
 }
 
 /** A path as a chain of tubes. @param {Vector[]} points @param {number} size of the robot @returns {Model} */

@@ -112,3 +112,15 @@ def test_what_cannot_be_read_is_refused_with_its_place(
     assert PART.read(raw, reading) is None
     found: list[Fault] = reading.faults
     assert [(fault.code, fault.where) for fault in found] == [(code, (PART.kind, *where))]
+
+
+def test_mistakes_that_the_robot_cannot_show_are_refused() -> None:
+    """Parallel axes have no intersection, and a definition that asks for nothing else gets nothing else."""
+    found = exercise("scara-frame-mistake")
+    (part,) = found.parts
+    assert isinstance(part, FrameMistakePart)
+    (fault,) = PART.inconsistencies(replace(part, mistakes=("origin_not_at_intersection",)), found)
+    assert (fault.code, fault.where) == ("frame_mistakes_not_shown", ("mistakes",))
+    assert "y_left_handed" in str(fault.params["known"])
+    some = replace(part, mistakes=("origin_not_at_intersection", "y_left_handed"))
+    assert not list(PART.inconsistencies(some, found))
