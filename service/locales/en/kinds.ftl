@@ -225,7 +225,7 @@ feedback-tables_reason_wrong = The verdict is right, but not for this reason.
 feedback-tables_reason_missing = The verdict is right; say why, too.
 error-row_unknown = Give the number of a row, from 1 to { $count }.
 error-no_mistake_does_harm = None of these mistakes changes this robot under its policy.
-error-frame_mistakes_not_shown = This robot's frames can show none of these mistakes. What they can show: { $known }.
+error-frame_mistakes_not_shown = This robot’s frames can show none of these mistakes. What they can show: { $known }.
 error-key_given_away = This part shows a table; an exercise that asks for the table cannot have it.
 error-not_plantable = No mistake of the catalogue that was asked for changes this robot.
 
