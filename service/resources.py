@@ -24,6 +24,7 @@ from service.web.assets import Assets, static_root
 from service.wire.answer_cache import AnswerCache
 from service.wire.prepared_robots import RobotCache
 from service.work.callbacks import Callbacks
+from service.work.fair_queue import FairQueue
 from service.work.limiters import Limiter, WorkKind, limiters
 from service.work.shared_answers import SharedAnswers
 from service.work.workers import Workers
@@ -45,6 +46,7 @@ class Resources:
         closed_forms: the same by what was meant, shared with other processes.
         figures: figures that were drawn before, shared with other processes.
         limiters: for each kind of work in threads.
+        turns: of requests in the event loop.
         workers: the worker processes.
         receipt_keys: the keys that sign receipts.
         callbacks: sends feedback that is asked for later.
@@ -57,6 +59,7 @@ class Resources:
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
         self.limiters = limiters(settings)
+        self.turns = FairQueue(slots=1, capacity=settings.grading_queue, timeout=settings.queue_seconds)
         grading = self.limiters[WorkKind.GRADING].queue
         self.courses = (
             CourseResources(settings, lambda: grading.waiting > CROWD) if settings.storage == "on" else None

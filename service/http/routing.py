@@ -100,7 +100,7 @@ class ApiRequest(Request):
             return self._fields
 
     async def body(self) -> bytes:
-        """The whole body.
+        """The whole body; what is done with it waits for the client's turn.
 
         Raises:
             BodySizeError: it is, or says that it is, longer than this route's limit.
@@ -109,6 +109,7 @@ class ApiRequest(Request):
         """
         if not hasattr(self, "_body"):
             self._body = await self._bounded(self.body_limit or self.settings.body_limit)
+            await self.resources.turns.turn()
         return self._body
 
     async def stream(self) -> AsyncGenerator[bytes, None]:

@@ -105,6 +105,18 @@ class FairQueue:
             raise
         return Slot(self, client)
 
+    async def turn(self) -> None:
+        """Wait for a slot and keep it for what follows at once, until the next wait for anything.
+
+        Requests whose bodies have come go on in the order of their clients' use, one between two looks of
+        the event loop at its connections: whoever sends many waits behind whoever sends one.
+
+        Raises:
+            BusyError: as in `acquire`.
+        """
+        slot = await self.acquire()
+        asyncio.get_running_loop().call_soon(slot.release)
+
     def release(self, client: Client, seconds: float) -> None:
         """Give a slot back that the client used for so long, and hand it to the next."""
         used = math.log2(seconds) + time.monotonic() / HALF_LIFE if seconds > 0.0 else -math.inf
