@@ -27,6 +27,7 @@ from exercises.grading.verdict import Edit, Feedback, HelpLevel, LinkFinding, Pa
 from exercises.grading.work import Work
 from kinematics.cells import ReadTable
 from kinematics.equivalence import Decision, Policy
+from kinematics.equivalence.home_invariants import home_invariants_of
 from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.reference import prepared_for
@@ -155,7 +156,8 @@ def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy:
 
     @cache
     def at(draw: int) -> Invariants:
-        return tightened(references[draw], comparison.meant[draw], comparison.steps, strict, share)
+        facts = tightened(references[draw], comparison.meant[draw], comparison.steps, strict, share)
+        return facts.beside(home_invariants_of(references[draw], strict))
 
     return Work(
         key=tables[0],

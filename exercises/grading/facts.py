@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.chain import Axis
+from kinematics.equivalence import BaseRule, Policy, ToolRule
 from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.groups import outside
 from kinematics.equivalence.invariants import Invariants
@@ -66,7 +67,7 @@ class Facts:
     Attributes:
         axes: the key's joint axes between what stands for its base and its tool.
         invariants: its lengths and angles, each with the slack within which an answer has it.
-        fixed: of base and tool, whether the policy fixes which way z points.
+        fixed: the axes of which the policy fixes which way they point, by their numbers.
         worth: (q,) what each of these is worth.
         joint: what a joint is worth.
         sign: the share of a fact that is lost where only its sign is wrong.
@@ -74,7 +75,7 @@ class Facts:
 
     axes: Sequence[Axis]
     invariants: Invariants
-    fixed: tuple[bool, bool]
+    fixed: tuple[int, ...]
     worth: Floats
     joint: float
     sign: float
@@ -185,44 +186,51 @@ def _places(ours: int, theirs: int, split: int) -> list[int | None]:
     return [*shifted[:-1], theirs - 1]
 
 
-def least_cost(
-    shapes: tuple[Shape, ...], axes: int, costs: Floats, fixed: tuple[bool, bool] = (False, False)
-) -> Floats:
+def fixed_ends(axes: int, policy: Policy) -> tuple[int, ...]:
+    """Of so many axes between base and tool, those of these two that may not be turned round."""
+    fixed = policy.base is BaseRule.FRAME, policy.tool is ToolRule.FRAME
+    return tuple(i for i, end in zip((0, axes - 1), fixed, strict=True) if end)
+
+
+def least_cost(shapes: tuple[Shape, ...], axes: int, costs: Floats, fixed: tuple[int, ...] = ()) -> Floats:
     """The least that invariants cost, over which way every axis points: a forward sweep along the chain.
 
     Args:
         shapes: the invariants.
         axes: how many axes there are, base and tool among them.
         costs: (2, q, k) what each costs with the axes as they point, and with one of them turned round.
-        fixed: of base and tool, whether the axis may not be turned round.
+        fixed: the axes that may not be turned round, by their numbers.
 
     Returns:
         (k,) the sums.
     """
-    alone, pairs, free = _links(shapes, axes)
+    alone, pairs, free, held = _links(shapes, axes, fixed)
     single, double = alone @ costs, pairs @ costs
     steps = np.empty((axes, 2, 2, costs.shape[2]))
     for before in (0, 1):
         for now in (0, 1):
             np.add(double[before ^ now], single[now], out=steps[:, before, now])
+    steps[list(fixed), :, 1] = np.inf
     best = steps[0, 0]
-    if fixed[0]:
-        best[1] = np.inf
     for step in steps[1:]:
         best = np.minimum(best[0] + step[0], best[1] + step[1])
-    least = best[0] if fixed[1] else best.min(axis=0)
-    return np.asarray(least + costs[:, free].min(axis=0).sum(axis=0), dtype=np.float64)
+    rest = costs[:, free].min(axis=0).sum(axis=0) + costs[0, held].sum(axis=0)
+    return np.asarray(best.min(axis=0) + rest, dtype=np.float64)
 
 
 @lru_cache(maxsize=256)
-def _links(shapes: tuple[Shape, ...], axes: int) -> tuple[Floats, Floats, list[int]]:
+def _links(
+    shapes: tuple[Shape, ...], axes: int, fixed: tuple[int, ...]
+) -> tuple[Floats, Floats, list[int], list[int]]:
     """Which invariants depend on how one axis points, which on how it and the one before do, and the rest.
 
     Returns:
-        (axes, q) and (axes, q), one where so, else zero; the places of the rest.
+        (axes, q) and (axes, q), one where so, else zero; the places of the rest, and of those between axes
+        that may not be turned round.
     """
     alone, pairs = np.zeros((axes, len(shapes))), np.zeros((axes, len(shapes)))
-    free = []
+    free: list[int] = []
+    held: list[int] = []
     for q, shape in enumerate(shapes):
         i, j = shape.axes[:2]
         if shape.measure is Measure.OFFSET:
@@ -230,8 +238,8 @@ def _links(shapes: tuple[Shape, ...], axes: int) -> tuple[Floats, Floats, list[i
         elif shape.measure is not Measure.TURN and j == i + 1:
             pairs[j, q] = 1.0
         else:
-            free.append(q)
-    return alone, pairs, free
+            (held if {i, j} <= set(fixed) else free).append(q)
+    return alone, pairs, free, held
 
 
 def _are_parallel(one: Axis, other: Axis) -> bool:

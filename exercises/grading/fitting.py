@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.grading.typed import ANGLES, Place
-from exercises.grading.work import Work
+from exercises.grading.work import VARIABLE_CELLS, Work
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
 from kinematics.equivalence.batches import CellChange, Variation, axes_of_tables
@@ -90,16 +90,17 @@ def fitting_values(
                 around = [0.0, THIRD, -THIRD, *([here + SMALL_TURN] if turns else ())]
             variations += [(unsolved.number, (*unsolved.cells, (*place, value))) for value in around]
     found = measured(work, tables, variations)
-    functions = _Functions(invariants, found, scale)
+    functions = _Functions(invariants, work.n_facts, found, scale)
     solved: list[dict[Place, list[float]]] = []
     column = 0
     for unsolved in wanted:
         own, column = column, column + 1
         solved.append({})
-        strained = functions.strained(own)
-        for place in unsolved.places:
-            angular = place[1] in ANGLES
-            if strained:
+        facts, misplaced = functions.strained(own)
+        for row, cell in unsolved.places:
+            place, angular = (row, cell), cell in ANGLES
+            moves = cell == VARIABLE_CELLS.get(tables[unsolved.number].rows[row].joint)
+            if strained := misplaced if moves else facts:
                 here = _entry(tables, unsolved, place)
                 values = functions.solved(strained, own, column, here, angular=angular)
                 solved[-1][place] = [0.0 if abs(x) < NEGLIGIBLE * scale else x for x in values]
@@ -119,7 +120,7 @@ def _entry(tables: Sequence[NumericTable], unsolved: Unsolved, place: Place) -> 
 class _Functions:
     """How invariants depend on cells, from their values at a few."""
 
-    def __init__(self, invariants: Invariants, found: NDArray[np.float64], scale: float) -> None:
+    def __init__(self, invariants: Invariants, facts: int, found: NDArray[np.float64], scale: float) -> None:
         self._scale = scale
         self._measures = [shape.measure for shape in invariants.shapes]
         self._targets: list[float] = invariants.sizes(invariants.values)[:, 0].tolist()
@@ -127,12 +128,12 @@ class _Functions:
         self._values: list[list[float]] = np.where(twists, np.cos(found), found * found).T.tolist()
         strains = invariants.strains(found)
         self._strains = strains.T
-        self._worst = np.argsort(-strains, axis=0, kind="stable")[:MOST_STRAINED].T
+        self._worst = _worst(strains[:facts]), facts + _worst(strains[facts:])
 
-    def strained(self, column: int) -> list[int]:
-        """The invariants that fit least at a column, the worst first."""
+    def strained(self, column: int) -> tuple[list[int], ...]:
+        """The invariants that fit least at a column, the worst first: facts; and where joints are zero."""
         strains = self._strains[column]
-        return [k for k in self._worst[column].tolist() if strains[k] > OFF]
+        return tuple([k for k in worst[column].tolist() if strains[k] > OFF] for worst in self._worst)
 
     def solved(
         self, strained: Sequence[int], own: int, first: int, here: float, *, angular: bool
@@ -159,6 +160,10 @@ class _Functions:
             if found:
                 return found
         return []
+
+
+def _worst(strains: NDArray[np.float64]) -> NDArray[np.intp]:
+    return np.argsort(-strains, axis=0, kind="stable")[:MOST_STRAINED].T
 
 
 def _lengths(

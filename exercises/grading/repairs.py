@@ -161,7 +161,7 @@ def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
 def _halves(work: Work, trials: Iterable[Trial], *, keeping: bool = False) -> list[Work]:
     """The table with each of some edits made; what one has changed is kept, unless that was all there is."""
     halves = []
-    for change, _, _, reach, angular in trials:
+    for change, _, _, _, reach, angular in trials:
         keeps = keeping and not (change.row is None and work.excess)
         kept = frozenset(change.places if keeps else ())
         halves.append(work.edited(change, reach, angular=angular, kept=kept))
@@ -170,18 +170,20 @@ def _halves(work: Work, trials: Iterable[Trial], *, keeping: bool = False) -> li
 
 def _nearer(work: Work, here: Trial | None, catalogue: Catalogue = changes_of) -> list[Trial]:
     """The edits of a catalogue that bring the table nearer to the key, so that one more may mend it."""
-    before = None if here is None else here.failing
     (made,) = tried([work], catalogue, finishing=False)
-    first = [trial for trial in made if trial.meets and _is_nearer(trial.failing, before)]
-    first.sort(key=lambda trial: (trial.failing, RANKS[trial.change.code]))
+    first = [trial for trial in made if trial.meets and _is_nearer(trial, here)]
+    first.sort(key=lambda trial: (trial.failing, trial.misplaced, RANKS[trial.change.code]))
     return first[:MOST_FIRST_EDITS]
 
 
-def _is_nearer(failing: int, before: int | None) -> bool:
-    return before is None or failing < before or failing == before == 0
+def _is_nearer(trial: Trial, before: Trial | None) -> bool:
+    if before is None or trial.failing < before.failing:
+        return True
+    nothing = trial.misplaced == before.misplaced == 0
+    return trial.failing == before.failing == 0 and (nothing or trial.misplaced < before.misplaced)
 
 
 def _beforehand(work: Work) -> list[Trial]:
     """The edits after which one that mends the count of the joints might finish; they cannot be tried."""
     changes = islice(changes_beforehand(work), MOST_BEFOREHAND)
-    return [Trial(change, 0, might=False, reach=EVERYWHERE, angular=False) for change in changes]
+    return [Trial(change, 0, 0, might=False, reach=EVERYWHERE, angular=False) for change in changes]

@@ -8,7 +8,7 @@ from itertools import combinations
 
 from exercises.grading.cell_edits import RIGHT_ANGLES
 from exercises.grading.fitting import fitted_table
-from exercises.grading.work import ROW_CELLS, Change, Extent, Work, with_row, with_rows
+from exercises.grading.work import ROW_CELLS, VARIABLE_CELLS, Change, Extent, Work, with_row, with_rows
 from kinematics.equivalence import ToolRule
 from kinematics.equivalence.batches import CellChange
 from kinematics.table import CELLS, DHRow, JointType, NumericTable
@@ -16,7 +16,6 @@ from kinematics.table import CELLS, DHRow, JointType, NumericTable
 # In longer tables only neighbouring rows are exchanged.
 MOST_ROWS_FOR_ALL_PAIRS = 8
 OTHER_TYPE = {JointType.REVOLUTE: JointType.PRISMATIC, JointType.PRISMATIC: JointType.REVOLUTE}
-_VARIABLE_CELLS = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
 UNSOLVED = {
     JointType.REVOLUTE: ("alpha", "a", "d"),
     JointType.PRISMATIC: ("alpha", "theta", "a"),
@@ -55,7 +54,7 @@ def joint_left_out(work: Work) -> Iterator[Change]:
 def _of_type(work: Work, code: str, index: int, joint: JointType) -> Change:
     """The row with another type of joint; where the variable stood, a constant is solved for."""
     row = work.table.rows[index]
-    freed = _VARIABLE_CELLS.get(row.joint)
+    freed = VARIABLE_CELLS.get(row.joint)
     return Change(
         code,
         Extent.ROW,

@@ -10,11 +10,11 @@ from typing import NamedTuple
 import numpy as np
 
 from exercises.grading.digits import measured_as_typed, tightened
-from exercises.grading.facts import Facts, Weights
+from exercises.grading.facts import Facts, Weights, fixed_ends
 from exercises.grading.repairs import Repaired
 from exercises.grading.work import Change, Extent, Work
 from kinematics.chain import Axis, chain_of_table
-from kinematics.equivalence import BaseRule, Decision, DirectionRule, Kind, Policy, ToolRule, ZeroRule
+from kinematics.equivalence import Decision, DirectionRule, Kind, Policy, ZeroRule
 from kinematics.equivalence.decision import convention_fits
 from kinematics.equivalence.invariants import axes_of
 from kinematics.equivalence.reference import Reference
@@ -59,7 +59,7 @@ def lost(decision: Decision, work: Work, weights: Weights) -> float:
     """The weight of the facts that are wrong, and of the rules that are not kept."""
     policy, reference, table = work.policy, work.reference, work.table
     standard = _standard(reference, policy, weights)
-    facts = replace(standard.facts, invariants=work.invariants)
+    facts = replace(standard.facts, invariants=work.facts)
     axes = axes_of(chain_of_table(table), policy)
     found = None
     if len(axes) == len(facts.axes):
@@ -99,8 +99,8 @@ def _standard(reference: Reference, policy: Policy, weights: Weights) -> _Standa
     """
     invariants = tightened(reference, None, {}, policy, 0.0)
     worth = np.array([weights.of(shape.measure) for shape in invariants.shapes], dtype=np.float64)
-    fixed = policy.base is BaseRule.FRAME, policy.tool is ToolRule.FRAME
-    facts = Facts(axes_of(reference.chain, policy), invariants, fixed, worth, weights.joint, weights.sign)
+    axes = axes_of(reference.chain, policy)
+    facts = Facts(axes, invariants, fixed_ends(len(axes), policy), worth, weights.joint, weights.sign)
     rules = weights.rule * _unconfirmed(policy)
     if not facts.axes:
         return _Standard(facts, rules)

@@ -10,15 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.grading.digits import measured_as_typed
-from exercises.grading.facts import least_cost
+from exercises.grading.facts import fixed_ends, least_cost
 from exercises.grading.fitting import Unsolved, fitting_values, measured
 from exercises.grading.joint_places import joint_places
 from exercises.grading.misconceptions import changes_of
 from exercises.grading.typed import ANGLES
-from exercises.grading.work import EVERYWHERE, FAR, Change, Extent, Work
-from kinematics.equivalence import BaseRule, ToolRule
+from exercises.grading.work import EVERYWHERE, FAR, VARIABLE_CELLS, Change, Extent, Work
+from kinematics.equivalence import DirectionRule, ZeroRule
 from kinematics.equivalence.batches import Variation
-from kinematics.table import JointType, NumericTable
+from kinematics.table import NumericTable
 
 REACH_OF_A_ROW = 1
 """Two rows exchanged, the widest of the edits in a row, change the links before, between and after them."""
@@ -32,14 +32,18 @@ class Trial(NamedTuple):
 
     Attributes:
         change: the change.
-        failing: how many invariants still fail, whichever way the axes point.
+        failing: how many facts still fail, whichever way the axes point.
+        misplaced: how many angles and lengths fail between axes that are no neighbours, where the zeros of
+            the variables are fixed.
         might: none fails, and the axes can be turned so that their signs agree: it may be the robot.
-        reach: what an edit must have to do with that mends all that fail: joints from … to.
+        reach: what an edit must have to do with that mends all facts that fail, or, if none does, all that
+            is misplaced: joints from … to.
         angular: an angle is among them, so that lengths alone do not mend them.
     """
 
     change: Change
     failing: int
+    misplaced: int
     might: bool
     reach: tuple[int, int]
     angular: bool
@@ -144,8 +148,7 @@ def _cells(work: Work) -> list[tuple[int, str]]:
         for i, row in work.rows
         for cell in (ANGLES if work.angular else ("a", "d", *ANGLES))
         if (work.only is None or cell == work.only.cell)
-        and not (cell == "d" and row.joint is JointType.PRISMATIC)
-        and not (cell == "theta" and row.joint is JointType.REVOLUTE)
+        and (work.policy.zero is ZeroRule.FIGURE or cell != VARIABLE_CELLS.get(row.joint))
     ]
 
 
@@ -175,8 +178,10 @@ class _Batch:
     def _fits_elsewhere(self, k: int, change: Change) -> bool:
         """Whether everything fits that has nothing to do with the row put in and its neighbours."""
         assert change.row is not None
+        if not self._found[k][0]:
+            return True
         joint = self._tables[self._variations[k][0]].joint_rows.index(change.row) + 1
-        start, end = self._found[k][2]
+        start, end = self._found[k][3]
         return start <= joint <= end
 
     def solved(self, trials: Sequence[Trial | None], *, finishing: bool) -> list[tuple[int, Change]]:
@@ -220,21 +225,27 @@ class _Batch:
         return number, id(change.table), *cells.items()
 
 
-def _judged(work: Work, found: NDArray[np.float64]) -> list[tuple[int, bool, tuple[int, int], bool]]:
-    """What a trial says of tables, from their invariants (q, k): `failing`, `might`, `reach`, `angular`."""
+def _judged(work: Work, found: NDArray[np.float64]) -> list[tuple[int, int, bool, tuple[int, int], bool]]:
+    """What a trial says of tables, from their invariants (q, k): all but the change."""
     invariants = work.invariants
     failing = invariants.strains(found) > 1.0
-    first, last = invariants.spans
-    starts = np.where(failing, first, 0).max(axis=0, initial=0) - REACH_OF_A_ROW
-    ends = np.where(failing, last, FAR).min(axis=0, initial=FAR) + REACH_OF_A_ROW
-    counts = failing.sum(axis=0)
-    might = counts == 0
+    counts = failing[: work.n_facts].sum(axis=0)
+    misplaced = failing[work.n_facts :].sum(axis=0)
+    might = (counts == 0) & (misplaced == 0)
     which = np.flatnonzero(might)
     if which.size:
         costs = ~np.array(invariants.fits(found[:, which]))
-        fixed = work.policy.base is BaseRule.FRAME, work.policy.tool is ToolRule.FRAME
         axes = len(work.reference.chain.axes) + 2
+        fixed = fixed_ends(axes, work.policy)
+        if work.policy.direction is DirectionRule.FIGURE:
+            fixed = (*fixed, *range(1, axes - 1))
         might[which] = least_cost(invariants.shapes, axes, costs.astype(float), fixed) == 0.0
+    failing[work.n_facts :, counts > 0] = False
+    first, last = invariants.spans
+    starts = np.where(failing, first, 0).max(axis=0, initial=0) - REACH_OF_A_ROW
+    ends = np.where(failing, last, FAR).min(axis=0, initial=FAR) + REACH_OF_A_ROW
     reaches = zip(starts.tolist(), ends.tolist(), strict=True)
     angular = np.where(invariants.angular, failing, False).sum(axis=0) > 0
-    return list(zip(counts.tolist(), might.tolist(), reaches, angular.tolist(), strict=True))
+    return list(
+        zip(counts.tolist(), misplaced.tolist(), might.tolist(), reaches, angular.tolist(), strict=True)
+    )

@@ -17,7 +17,7 @@ from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
 from kinematics.equivalence.batches import CellChange
 from kinematics.equivalence.decision import certify, convention_fits
-from kinematics.equivalence.invariants import Invariants
+from kinematics.equivalence.invariants import Invariants, invariants_of
 from kinematics.equivalence.meter import PER_ROW, Meter
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.search import Effort
@@ -31,6 +31,8 @@ FAR = 10**6
 """Behind the last axis of any chain."""
 EVERYWHERE = (0, FAR)
 LENGTHS = ("a", "d")
+VARIABLE_CELLS = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
+"""Where the variable of a joint stands."""
 ROW_CELLS = ("alpha", "a", "d", "joint")
 
 
@@ -171,8 +173,22 @@ class Work:
 
     @cached_property
     def invariants(self) -> Invariants:
-        """What no choice of frames changes, at the draw, as nearly as the answer must have it."""
+        """What no choice of frames changes, at the draw, as nearly as the answer must have it.
+
+        The facts come first; behind them comes what lies between axes that are no neighbours, where the
+        policy fixes the zeros of the variables.
+        """
         return self.tightened(self.draw)
+
+    @property
+    def n_facts(self) -> int:
+        """How many of the invariants are facts."""
+        return len(invariants_of(self.reference, self.policy).shapes)
+
+    @property
+    def facts(self) -> Invariants:
+        """The facts among the invariants, wherever the variables are zero."""
+        return self.invariants.some(range(self.n_facts))
 
     @cached_property
     def excess(self) -> int:

@@ -93,6 +93,16 @@ class Invariants:
         """Some of them."""
         return Invariants(tuple(self.shapes[i] for i in which), self.values[which], self.slacks[which])
 
+    def beside(self, others: Invariants) -> Invariants:
+        """These, and others after them."""
+        if not others.shapes:
+            return self
+        return Invariants(
+            (*self.shapes, *others.shapes),
+            np.concatenate((self.values, others.values)),
+            np.concatenate((self.slacks, others.slacks)),
+        )
+
     def held_to(self, slacks: Floats) -> Invariants:
         """The same with other slacks, (q, 1), where these are smaller."""
         return replace(self, slacks=np.minimum(self.slacks, slacks))

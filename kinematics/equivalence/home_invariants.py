@@ -1,0 +1,56 @@
+"""What lies between axes that are no neighbours, where an exercise says at which values the joints stand.
+
+A rule that fixes the zeros of the variables fixes the whole configuration that the figure shows: beside what
+no choice of frames changes, the angles and distances of all its axes, wherever the joints between them are.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from kinematics.chain import Axis
+from kinematics.equivalence.batches import axis_batch
+from kinematics.equivalence.invariants import FLOOR, SLACK, STEEPEST, Invariants, axes_of
+from kinematics.equivalence.measures import PARALLEL, Measure, Shape, measured
+from kinematics.equivalence.policy import BaseRule, Policy, ToolRule, ZeroRule
+from kinematics.equivalence.reference import Reference
+from kinematics.se3 import cross, norm
+
+# Three parallel axes between two others: what lies before them shows behind them.
+FARTHEST = 4
+
+
+@lru_cache(maxsize=4096)
+def home_invariants_of(reference: Reference, policy: Policy) -> Invariants:
+    """The angles and distances between axes that are no neighbours, all variables zero.
+
+    None where the policy leaves the zeros of the variables free. Their slacks are what the tolerance of the
+    end frame allows.
+    """
+    axes = axes_of(reference.chain, policy)
+    found: list[tuple[Shape, float]] = []
+    if policy.zero is ZeroRule.FIGURE and axes:
+        first = 0 if policy.base in (BaseRule.ORIGIN, BaseRule.FRAME) else 1
+        last = len(axes) - (1 if policy.tool in (ToolRule.POINT, ToolRule.FRAME) else 2)
+        for i in range(first, last - 1):
+            for j in range(i + 2, min(i + FARTHEST, last) + 1):
+                found += _between(i, j, (axes[i], axes[j]), reference.size, policy)
+    shapes = tuple(shape for shape, _ in found)
+    slacks = np.array([slack for _, slack in found], dtype=np.float64).reshape(-1, 1)
+    values = measured(shapes, axis_batch([axes])) if shapes else np.empty((0, 1))
+    return Invariants(shapes, values, slacks)
+
+
+def _between(
+    i: int, j: int, axes: tuple[Axis, Axis], size: float, policy: Policy
+) -> list[tuple[Shape, float]]:
+    found = [(Shape(Measure.ANGLE, (i, j)), SLACK * policy.tolerance.angle + FLOOR)]
+    sine = norm(cross(axes[0].direction, axes[1].direction))
+    flat = sine < PARALLEL
+    if (flat or sine > STEEPEST) and not (axes[0].prismatic or axes[1].prismatic):
+        spanning = (i,) if flat else (i, j)
+        slack = (SLACK * policy.tolerance.length + FLOOR) * size / (1.0 if flat else sine)
+        found.append((Shape(Measure.DISTANCE, (i, j, *spanning)), slack))
+    return found
