@@ -192,6 +192,16 @@ def fixed_ends(axes: int, policy: Policy) -> tuple[int, ...]:
     return tuple(i for i, end in zip((0, axes - 1), fixed, strict=True) if end)
 
 
+@lru_cache(maxsize=256)
+def fixed_signs(shapes: tuple[Shape, ...], fixed: tuple[int, ...]) -> list[int]:
+    """The places of the invariants that depend on the directions of such axes alone as may not be turned."""
+    return [
+        q
+        for q, shape in enumerate(shapes)
+        if set(shape.axes[1:2] if shape.measure is Measure.OFFSET else shape.axes[:2]) <= set(fixed)
+    ]
+
+
 def least_cost(shapes: tuple[Shape, ...], axes: int, costs: Floats, fixed: tuple[int, ...] = ()) -> Floats:
     """The least that invariants cost, over which way every axis points: a forward sweep along the chain.
 

@@ -85,7 +85,7 @@ def _says_little(work: Work, here: Trial | None) -> bool:
     if here is not None and not here.meets:
         return False
     sliders = any(axis.prismatic for axis in work.reference.chain.axes)
-    return sliders or (here is not None and here.failing == 0)
+    return sliders or (here is not None and here.failing == here.misplaced == 0)
 
 
 def _fitted(work: Work) -> Iterator[Change]:
@@ -179,8 +179,7 @@ def _nearer(work: Work, here: Trial | None, catalogue: Catalogue = changes_of) -
 def _is_nearer(trial: Trial, before: Trial | None) -> bool:
     if before is None or trial.failing < before.failing:
         return True
-    nothing = trial.misplaced == before.misplaced == 0
-    return trial.failing == before.failing == 0 and (nothing or trial.misplaced < before.misplaced)
+    return trial.failing == before.failing == 0 and trial.misplaced <= before.misplaced
 
 
 def _beforehand(work: Work) -> list[Trial]:

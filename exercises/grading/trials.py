@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.grading.digits import measured_as_typed
-from exercises.grading.facts import fixed_ends, least_cost
+from exercises.grading.facts import fixed_ends, fixed_signs, least_cost
 from exercises.grading.fitting import Unsolved, fitting_values, measured
 from exercises.grading.joint_places import joint_places
 from exercises.grading.misconceptions import changes_of
@@ -33,8 +33,8 @@ class Trial(NamedTuple):
     Attributes:
         change: the change.
         failing: how many facts still fail, whichever way the axes point.
-        misplaced: how many angles and lengths fail between axes that are no neighbours, where the zeros of
-            the variables are fixed.
+        misplaced: how many others fail: signs, where the directions of the variables are fixed, and what lies
+            between axes that are no neighbours, where their zeros are.
         might: none fails, and the axes can be turned so that their signs agree: it may be the robot.
         reach: what an edit must have to do with that mends all facts that fail, or, if none does, all that
             is misplaced: joints from … to.
@@ -227,20 +227,23 @@ class _Batch:
 
 def _judged(work: Work, found: NDArray[np.float64]) -> list[tuple[int, int, bool, tuple[int, int], bool]]:
     """What a trial says of tables, from their invariants (q, k): all but the change."""
-    invariants = work.invariants
+    invariants, axes = work.invariants, len(work.reference.chain.axes) + 2
+    fixed = fixed_ends(axes, work.policy)
     failing = invariants.strains(found) > 1.0
     counts = failing[: work.n_facts].sum(axis=0)
-    misplaced = failing[work.n_facts :].sum(axis=0)
+    if work.policy.direction is DirectionRule.FIGURE:
+        fixed = (*fixed, *range(1, axes - 1))
+        pointing = fixed_signs(invariants.shapes, fixed)
+        failing[pointing] |= ~invariants.fits(found)[0][pointing]
+    misplaced = failing.sum(axis=0) - counts
     might = (counts == 0) & (misplaced == 0)
     which = np.flatnonzero(might)
     if which.size:
         costs = ~np.array(invariants.fits(found[:, which]))
-        axes = len(work.reference.chain.axes) + 2
-        fixed = fixed_ends(axes, work.policy)
-        if work.policy.direction is DirectionRule.FIGURE:
-            fixed = (*fixed, *range(1, axes - 1))
         might[which] = least_cost(invariants.shapes, axes, costs.astype(float), fixed) == 0.0
-    failing[work.n_facts :, counts > 0] = False
+    if misplaced.any():
+        failing &= (counts == 0) | (invariants.strains(found) > 1.0)
+        failing[work.n_facts :, counts > 0] = False
     first, last = invariants.spans
     starts = np.where(failing, first, 0).max(axis=0, initial=0) - REACH_OF_A_ROW
     ends = np.where(failing, last, FAR).min(axis=0, initial=FAR) + REACH_OF_A_ROW
