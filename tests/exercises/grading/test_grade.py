@@ -407,6 +407,11 @@ def test_the_right_robot_with_other_zeros_and_directions() -> None:
     verdict = grade(KEY, read("standard", with_cells(PUMA, (2, 3, "-q2"))), strict, VALUES)
     assert codes(verdict)[:2] == ["right_robot", "direction_missed"]
     assert ("variable_sign", 2) in [(r.edits[0].code, r.edits[0].row) for r in verdict.repairs]
+    verdict = grade(KEY, read("standard", with_cells(PUMA, (2, 3, "q2 + pi/5"))), strict, VALUES)
+    assert [(r.edits[0].code, r.edits[0].row) for r in verdict.repairs] == [("theta_offset", 2)]
+    verdict = grade(KEY, read("standard", with_cells(PUMA, (1, 3, "-q1"), (4, 3, "-q4"))), strict, VALUES)
+    told = [[(edit.code, edit.row) for edit in repair.edits] for repair in verdict.repairs]
+    assert [("variable_sign", 1), ("variable_sign", 4)] in told
 
 
 def test_the_wrong_convention() -> None:
