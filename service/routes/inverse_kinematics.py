@@ -8,7 +8,7 @@ from typing import Annotated
 from fastapi import Body
 
 from service.http.openapi import problems
-from service.http.routing import ApiRequest, api_router
+from service.http.routing import ApiRequest, BytesResponse, api_router
 from service.schemas import examples
 from service.schemas.inverse_forms import (
     SYMBOLIC_INVERSE,
@@ -20,8 +20,9 @@ from service.schemas.inverse_kinematics import (
     InverseKinematicsAnswer,
     InverseKinematicsAnswers,
 )
-from service.wire.inverse_forms import solved_in_symbols
+from service.wire.inverse_forms import inverse_form_task, written_inverse
 from service.wire.inverse_solutions import solved, solved_each
+from service.wire.symbolic_tasks import answered
 
 router = api_router("kinematics")
 
@@ -58,13 +59,14 @@ _EXAMPLES = {
 @router.post(
     "/inverse-kinematics",
     summary="A pose to the joint values that reach it",
+    response_model=InverseKinematicsAnswer | InverseKinematicsAnswers | SymbolicInverseAnswer,
     response_model_exclude_none=True,
     responses=problems(400, 413, 415, 422, 503),
 )
 async def inverse_kinematics(
     body: Annotated[InverseQuestion, Body(openapi_examples=examples.named(_EXAMPLES | SYMBOLIC_INVERSE))],
     request: ApiRequest,
-) -> InverseKinematicsAnswer | InverseKinematicsAnswers | SymbolicInverseAnswer:
+) -> InverseKinematicsAnswer | InverseKinematicsAnswers | BytesResponse:
     """All distinct solutions of arms that have a closed form, and of other arms those that a search finds.
 
     Closed forms: most arms of five and six turning joints with a wrist or parallel axes, arms of up to four
@@ -79,7 +81,8 @@ async def inverse_kinematics(
     """
     resources = request.resources
     if isinstance(body, SymbolicInverseRequest):
-        return await solved_in_symbols(body, request.settings, resources.workers)
+        task = await request.in_turn(partial(inverse_form_task, body, request.settings))
+        return await answered(request, task, b"inverse" + await request.body(), written_inverse)
     robot = await request.in_turn(partial(resources.robots.prepare, body))
     if body.targets is not None:
         return await solved_each(body, robot, resources.workers)

@@ -29,11 +29,11 @@ from service.schemas.dynamics_request import (
     WeighedRobot,
 )
 from service.settings import Settings
+from service.wire.exact_values import exact_values
 from service.wire.fault_pointers import traced
 from service.wire.joint_values import values_in_radians
 from service.wire.prepared_robots import joint_units, listed_robot
 from service.wire.symbolic_forms import written_out
-from service.wire.symbolic_tasks import exact_values
 
 QUICK_JOINTS = 3
 """Joints up to which equations of motion take some milliseconds."""

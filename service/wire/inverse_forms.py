@@ -27,13 +27,19 @@ from kinematics.se3 import check_transform
 from kinematics.symbolic import Matrix, count_operations
 from kinematics.symbolic.exact_poses import exact_pose
 from kinematics.symbolic.parameter_values import with_values
-from kinematics.table import SymbolicTable, table_parameters
+from kinematics.symbolic.size import bottom_up
+from kinematics.table import CELLS, SymbolicTable, table_parameters
 from service.http.problems import located
 from service.schemas.inverse_forms import SymbolicInverseAnswer, SymbolicInverseRequest
 from service.settings import Settings
+from service.wire.exact_values import exact_values, read_symbolic
 from service.wire.pose_matrices import base_and_tool
-from service.wire.symbolic_tasks import exact_values, read_symbolic
-from service.work.workers import Lane, Workers
+
+MOST_JOINTS = 6
+"""No arm with more has a closed form; up to so many it takes some ten milliseconds, and a format as much."""
+
+QUICK_NODES = 500
+"""Nodes of the table's expressions up to which that is so."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -58,22 +64,18 @@ class InverseFormTask:
     tool: Matrix | None
     head: Mapping[str, Any]
 
+    def is_quick(self) -> bool:
+        """Whether the answer is certain to be small: such arms have six joints at most."""
+        cells = (getattr(row, cell) for row in self.table.rows for cell in CELLS)
+        return self.table.n_joints <= MOST_JOINTS and len(bottom_up(cells)) <= QUICK_NODES
 
-async def solved_in_symbols(
-    question: SymbolicInverseRequest, settings: Settings, workers: Workers
-) -> SymbolicInverseAnswer:
-    """The inverse kinematics of a robot in closed form, from a worker process.
+
+def inverse_form_task(question: SymbolicInverseRequest, settings: Settings) -> InverseFormTask:
+    """What a validated request asks of the workers.
 
     Raises:
-        KinematicsError: the table cannot be read, a parameter does not fit it, base or tool is no pose, or
-            the arm has no such form.
-        ServiceError: no place for the task, or it took too long.
+        KinematicsError: the table cannot be read, a parameter does not fit it, or base or tool is no pose.
     """
-    written = await workers.run(Lane.SLOW, written_inverse, _task_of(question, settings))
-    return SymbolicInverseAnswer(**written)
-
-
-def _task_of(question: SymbolicInverseRequest, settings: Settings) -> InverseFormTask:
     read = read_symbolic(question, settings)
     with located("table"):
         table = with_values(read.table, exact_values(read, question.parameters))
@@ -99,8 +101,8 @@ def _task_of(question: SymbolicInverseRequest, settings: Settings) -> InverseFor
     )
 
 
-def written_inverse(task: InverseFormTask) -> dict[str, Any]:
-    """The answer to a task.
+def written_inverse(task: InverseFormTask) -> bytes:
+    """The answer to a task, as JSON.
 
     Raises:
         TableError: the arm has no such form.
@@ -151,7 +153,7 @@ def written_inverse(task: InverseFormTask) -> dict[str, Any]:
         answer["code"] = {one.value: source_of(equations, arguments, n_joints, one) for one in sources}
     if task.notation is Notation.SHORT:
         answer["symbols"] = symbols_of(names, expressions)
-    return answer
+    return SymbolicInverseAnswer(**answer).model_dump_json(by_alias=True, exclude_none=True).encode()
 
 
 def _values_of(form: InverseForm) -> list[Expression]:

@@ -33,8 +33,8 @@ from kinematics.se3 import check_transform
 from kinematics.symbolic import Matrix
 from service.schemas.scm_products import ScmProductsRequest
 from service.wire.chain_forms import DEFAULT_FORMATS
+from service.wire.exact_values import exact_values
 from service.wire.symbolic_forms import written_out
-from service.wire.symbolic_tasks import exact_values
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

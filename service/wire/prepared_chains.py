@@ -13,8 +13,8 @@ from kinematics.errors import DescriptionError, Fault, JointValueError, Kinemati
 from kinematics.scm import ReadChain, ScmChain, check_values, read_chain, verify, with_values
 from kinematics.table import JointType
 from service.schemas.scm import ChainQuestion, ScmChainModel, Verification
+from service.wire.exact_values import exact_values
 from service.wire.prepared_robots import listed_robot
-from service.wire.symbolic_tasks import exact_values
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

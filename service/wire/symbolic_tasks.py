@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from fractions import Fraction
 from functools import partial
 from typing import Any, Protocol, TypeVar
 
 from pydantic import TypeAdapter
 
-from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name, parameter_values, read_table
-from kinematics.cells.exact import snapped
-from kinematics.expressions import Expression, pi_times
+from kinematics.cells import AngleUnit
 from kinematics.jacobian import JacobianFrame
 from kinematics.se3 import check_transform
-from kinematics.symbolic.exact_poses import decimal, exact_pose
+from kinematics.symbolic.exact_poses import exact_pose
 from kinematics.symbolic.parameter_values import with_values
 from kinematics.table import table_parameters
 from service.http.problems import located
@@ -23,11 +20,10 @@ from service.http.routing import NPY, ApiRequest, BytesResponse
 from service.http.validation import validated
 from service.resources import resources_of
 from service.revision import revision
-from service.schemas.robot_question import RobotQuestion
 from service.schemas.symbolic_request import SymbolicJacobianRequest, WritingQuestion
 from service.settings import Settings
+from service.wire.exact_values import exact_values, read_symbolic
 from service.wire.pose_matrices import base_and_tool
-from service.wire.prepared_robots import listed_robot
 from service.wire.symbolic_forms import FormPart, SymbolicTask, written_jacobians
 from service.work.limiters import WorkKind
 from service.work.shared_answers import SharedAnswers
@@ -145,49 +141,3 @@ async def symbolic_jacobian(request: ApiRequest, body: Mapping[str, Any]) -> Byt
         partial(task_of, wire, request.settings, parts=(FormPart.JACOBIAN,), frames=frames)
     )
     return await answered(request, task, question, written_jacobians)
-
-
-def read_symbolic(question: RobotQuestion, settings: Settings) -> ReadTable:
-    """The table of a question, cells as expressions.
-
-    Raises:
-        KinematicsError: the table cannot be read.
-    """
-    if question.table is None:
-        return listed_robot(str(question.robot)).table
-    with located("table"):
-        return read_table(question.table.raw(), settings.cell_limits)
-
-
-class NamedValues(Protocol):
-    """What has parameters: a table, a chain, products of motions."""
-
-    @property
-    def parameters(self) -> Mapping[str, ParameterKind]:
-        """The parameters, and what each measures."""
-
-    @property
-    def angle_unit(self) -> AngleUnit:
-        """Unit of the angles among given values."""
-
-
-def exact_values(read: NamedValues, given: Mapping[str, Any]) -> dict[str, Expression]:
-    """Given values as exact expressions: decimals as typed, degrees as multiples of π.
-
-    Raises:
-        ParameterError: a value is not a finite number, or of a parameter that the robot does not have.
-    """
-    names = {name: canonical_name(name) for name in given}
-    wanted = {name: kind for name, kind in read.parameters.items() if name in names.values()}
-    parameter_values(wanted, read.angle_unit, given)
-    values: dict[str, Expression] = {}
-    for spelling, name in names.items():
-        assert name is not None
-        number = decimal(given[spelling])
-        if wanted[name] is ParameterKind.LENGTH:
-            values[name] = number
-        elif read.angle_unit is AngleUnit.DEG:
-            values[name] = pi_times(number.value / 180)
-        else:
-            values[name] = snapped(Fraction(number.value))
-    return values

@@ -40,3 +40,14 @@ def test_the_application_serves_without_sympy() -> None:
         [sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=False
     )
     assert result.returncode == 0, result.stderr
+
+
+@pytest.mark.parametrize(
+    "module", ["inverse_forms", "dynamics", "symbolic_forms", "chain_forms", "motion_products"]
+)
+def test_worker_processes_load_no_web_framework(module: str) -> None:
+    program = f"import sys, service.wire.{module}; sys.exit('starlette' in sys.modules)"
+    result = subprocess.run(
+        [sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert result.returncode == 0, f"{module} imports the web framework\n{result.stderr}"

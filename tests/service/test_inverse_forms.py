@@ -10,6 +10,10 @@ import httpx
 import numpy as np
 import pytest
 
+from service.schemas.inverse_forms import SymbolicInverseRequest
+from service.settings import Settings
+from service.wire.inverse_forms import inverse_form_task
+
 URL = "/api/v1/inverse-kinematics"
 
 
@@ -101,3 +105,16 @@ def test_numeric_is_what_is_answered_without_a_form(client: httpx.Client) -> Non
     body = {"robot": "twolink", "position": [0.4, 0.3, 0], "form": "numeric"}
     assert client.post(URL, json=body).status_code == 200
     assert client.post(URL, json={"robot": "twolink", "target": target}).status_code == 200
+
+
+@pytest.mark.parametrize("robot", ["puma560", "ur5", "stanford", "scara", "scorbot", "gen3"])
+def test_what_is_small_does_not_stand_behind_what_is_large(robot: str) -> None:
+    task = inverse_form_task(SymbolicInverseRequest(form="symbolic", robot=robot), Settings())
+    assert task.is_quick() == (task.table.n_joints <= 6)
+
+
+def test_the_same_question_gets_the_same_bytes(client: httpx.Client) -> None:
+    body = {"form": "symbolic", "robot": "puma560", "notation": "short", "formats": ["latex", "python"]}
+    first, second = (client.post(URL, json=body) for _ in range(2))
+    assert first.content == second.content
+    assert "null" not in first.text
