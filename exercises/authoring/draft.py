@@ -24,7 +24,8 @@ MOST_ENTRIES = 128
 """Of a table or a list: twice the rows of the longest table."""
 MOST_VALUES = 5000
 """Of a whole definition; the longest that is shipped has some three hundred."""
-_ID = re.compile(r"[A-Za-z0-9]+(-[A-Za-z0-9]+)*")
+ID_PATTERN = "[A-Za-z0-9]+(-[A-Za-z0-9]+)*"
+_ID = re.compile(ID_PATTERN)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

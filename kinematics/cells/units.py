@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from enum import StrEnum
 from fractions import Fraction
 
@@ -11,6 +12,11 @@ class AngleUnit(StrEnum):
 
     RAD = "rad"
     DEG = "deg"
+
+    @property
+    def radians(self) -> float:
+        """One unit [rad]."""
+        return math.radians(1.0) if self is AngleUnit.DEG else 1.0
 
 
 class LengthUnit(StrEnum):

@@ -17,6 +17,7 @@ from service.messages import sentence
 from service.schemas import examples
 from service.schemas.screw_answers import CheckScrewsAnswer, CheckScrewsRequest, ScrewMistakeModel
 from service.wire.fault_pointers import traced
+from service.wire.pose_matrices import pose_matrix
 from service.wire.prepared_robots import PreparedRobot
 from service.work.limiters import WorkKind
 
@@ -59,9 +60,10 @@ def _checked(body: CheckScrewsRequest, robot: PreparedRobot, language: str) -> C
     if len(body.screws) != n:
         params = {"expected": n, "given": len(body.screws)}
         raise DescriptionError(Fault(code="screw_count", where=("screws",), params=params))
-    if len(body.home) != 4 or any(len(row) != 4 for row in body.home):
+    pose = pose_matrix(body.home, robot.angle, "home")
+    if len(pose) != 4 or any(len(row) != 4 for row in pose):
         raise DescriptionError(Fault(code="matrix_not_4x4", where=("home",)))
-    screws, home = np.array(body.screws), np.array(body.home)
+    screws, home = np.array(body.screws), np.array(pose)
     for name, values in (("screws", screws), ("home", home)):
         if np.abs(values).max() > LARGEST:
             raise DescriptionError(Fault(code="screw_too_large", where=(name,), params={"limit": LARGEST}))

@@ -9,24 +9,38 @@ from pydantic import Field, PlainValidator, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
 from exercises.authoring.admission import PolicyAdmission
-from exercises.authoring.draft import ExerciseDraft
+from exercises.authoring.draft import ID_PATTERN, LONGEST_ID, ExerciseDraft
+from exercises.authoring.sources import FORMS
 from exercises.authoring.trials import MOST_ANSWERS
 from exercises.selftest.rehearsal import RehearsedAnswer
-from service.schemas.base import Vector3, Wire
+from service.schemas.base import WHOLE, Vector3, Wire
 from service.schemas.derived import model_of
 from service.schemas.exercises import ExerciseModel
 
 Languages = Annotated[dict[str, str], Field(max_length=64)]
 
 
+ExerciseId = Annotated[
+    str,
+    Field(
+        max_length=100,
+        description="name of its folder: letters, digits and single hyphens",
+        json_schema_extra={"pattern": f"^{ID_PATTERN}$", "maxLength": LONGEST_ID},
+    ),
+]
+"""`exercises.authoring.draft.check_id` refuses others."""
+
+
 class DraftModel(Wire):
     """An exercise as its author holds it."""
 
-    id: str = Field(max_length=100, description="name of its folder: letters, digits and single hyphens")
+    id: ExerciseId
     definition: dict[str, Any] = Field(
         description="the keys of exercise.toml, as a reader of TOML gives them (docs/authoring.md)"
     )
-    statements: Languages = Field(description="statements in Markdown, by language")
+    statements: Languages = Field(
+        description="statements in Markdown, by language", json_schema_extra={"minProperties": 1}
+    )
 
     def draft(self) -> ExerciseDraft:
         """The draft as the reader takes it."""
@@ -36,10 +50,11 @@ class DraftModel(Wire):
 class StartRequest(Wire):
     """From what an exercise is started."""
 
-    id: str = Field(max_length=100, description="name of its folder: letters, digits and single hyphens")
+    id: ExerciseId
     source: dict[str, Any] = Field(
         description="one of `robot` (id of the catalogue), `table` (a DH table, with values under "
-        "`parameters`), `axes` (joint axes as they are drawn), `scm` (an SCM chain) and `urdf` (a text)"
+        "`parameters`), `axes` (joint axes as they are drawn), `scm` (an SCM chain) and `urdf` (a text)",
+        json_schema_extra={"minProperties": 1, "maxProperties": 1, "propertyNames": {"enum": list(FORMS)}},
     )
 
 
@@ -60,7 +75,7 @@ class PublishRequest(DraftRequest):
 class CheckRequest(DraftRequest):
     """A draft, and whose values it is tested with."""
 
-    seed: Annotated[int, Field(strict=True, ge=0, le=1_000_000)] | None = Field(
+    seed: Annotated[int, Field(ge=0, le=1_000_000), WHOLE] | None = Field(
         None, description="the seed of this round; left out, the usual values"
     )
 
@@ -68,7 +83,7 @@ class CheckRequest(DraftRequest):
 class RightAnswersRequest(DraftRequest):
     """A draft, and how many right answers are wanted."""
 
-    count: Annotated[int, Field(strict=True, ge=1, le=MOST_ANSWERS)] = Field(10, description="how many")
+    count: Annotated[int, Field(ge=1, le=MOST_ANSWERS), WHOLE] = Field(10, description="how many")
 
 
 class TryRequest(DraftRequest):

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
-from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema
+
+from kinematics.frames.axes import MAX_COORDINATE
 
 
 class Wire(BaseModel):
@@ -21,8 +23,24 @@ LONGEST_LIST = 256
 """Most items of a list in a request, and most names of an object: far above any robot, and few enough to be
 validated in a millisecond whatever they are. What a list means usually sets a narrower limit."""
 
+
+def _whole(value: Any) -> Any:
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
+WHOLE = BeforeValidator(_whole)
+"""Makes an integer what JSON Schema calls one: any number without a fraction, so that 2.0 is one. It stands
+behind the bounds, which the document would lack otherwise."""
+Whole: TypeAlias = Annotated[int, WHOLE]
+
 Real: TypeAlias = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 Vector3: TypeAlias = Annotated[list[Real], Field(min_length=3, max_length=3)]
+
+Coordinate: TypeAlias = Annotated[
+    Real, Field(json_schema_extra={"minimum": -MAX_COORDINATE, "maximum": MAX_COORDINATE})
+]
+Coordinates: TypeAlias = Annotated[list[Coordinate], Field(min_length=3, max_length=3)]
+"""A point or a direction of an axis or a frame; `kinematics.frames.axes` refuses larger ones."""
 
 _FOUR = {"minItems": 4, "maxItems": 4}
 Matrix4: TypeAlias = Annotated[

@@ -12,6 +12,7 @@ from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.table import JointType
 from kinematics.urdf import MAX_CHARACTERS
 from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.choices import forbidding, not_one_of, together
 from service.schemas.joint_limits import JointRanges, Range
 from service.schemas.pose_input import PoseInput
 from service.schemas.scm import ScmChainModel, Verification
@@ -26,13 +27,6 @@ class Target(StrEnum):
     POE = "poe"
     SCM = "scm"
     URDF = "urdf"
-
-
-OPTIONS = {
-    "to", "parameters", "base", "tool", "angle_unit", "base_link", "tip_link", "name", "joint_names",
-    "limits", "verify",
-}  # fmt: skip
-"""Fields of a request that describe no robot."""
 
 
 class GivenScrew(Wire):
@@ -55,14 +49,31 @@ class ScrewProduct(Wire):
     screws: list[GivenScrew] = Field(
         min_length=1, max_length=64, description="S_1 … S_n at q = 0, in the axes of the world"
     )
-    home: Matrix4 = Field(description="the pose of the end frame at q = 0")
+    home: PoseInput = Field(description="the pose of the end frame at q = 0")
     length_unit: Annotated[LengthUnit, Field(strict=False)] = Field(
         LengthUnit.M, description="unit of every length"
     )
 
 
+SOURCES = ("poe", "robot", "scm", "table", "urdf")
+OPTIONS_OF_ROWS = ("base", "tool", "parameters")
+"""Options of the sources that are written in rows of cells."""
+WITHOUT_NAMES = (Target.POE, Target.SCM)
+"""Targets that keep neither names nor limits."""
+
+
 class ConvertRequest(Wire):
     """A robot, described in exactly one way, and the description that is wanted."""
+
+    model_config = forbidding(
+        *not_one_of(*SOURCES),
+        *(together(name, without=["urdf"]) for name in ("base_link", "tip_link")),
+        *(together(name, source) for name in OPTIONS_OF_ROWS for source in ("urdf", "poe")),
+        together("angle_unit", without=["urdf", "poe"]),
+        together("verify", without=["scm"]),
+        together("name", to={"not": {"const": Target.URDF}}),
+        *(together(name, to={"enum": list(WITHOUT_NAMES)}) for name in ("joint_names", "limits")),
+    )
 
     to: Annotated[Target, Field(strict=False)] = Field(
         description="standard, modified: a DH table; poe: a product of exponentials; scm: an SCM chain; "
@@ -88,7 +99,9 @@ class ConvertRequest(Wire):
     base: PoseInput | None = Field(None, description="what stands before a table, a listed robot or a chain")
     tool: PoseInput | None = Field(None, description="what stands behind a table, a listed robot or a chain")
     angle_unit: Annotated[AngleUnit | None, Field(strict=False)] = Field(
-        None, description="of a URDF or a product: the unit of angles in the answer; rad if left out"
+        None,
+        description="of a URDF or a product: the unit of angles in the answer, and in a `home` that is written "
+        "as [X, Y, Z, A, B, C]; rad if left out",
     )
     name: str | None = Field(
         None, min_length=1, max_length=100, description="to URDF: the robot's name in the description"
@@ -110,11 +123,9 @@ class ConvertRequest(Wire):
 
     @model_validator(mode="after")
     def _one_source(self) -> Self:
-        names = sorted(set(type(self).model_fields) - OPTIONS)
-        given = [name for name in names if getattr(self, name) is not None]
-        if len(given) != 1:
+        if sum(getattr(self, name) is not None for name in SOURCES) != 1:
             raise PydanticCustomError(
-                "one_source", "describe the robot in exactly one way: {allowed}", {"allowed": tuple(names)}
+                "one_source", "describe the robot in exactly one way: {allowed}", {"allowed": SOURCES}
             )
         return self
 
@@ -123,14 +134,12 @@ class ConvertRequest(Wire):
         idle = {
             "base_link": self.urdf is None,
             "tip_link": self.urdf is None,
-            "base": self.urdf is not None or self.poe is not None,
-            "tool": self.urdf is not None or self.poe is not None,
+            **dict.fromkeys(OPTIONS_OF_ROWS, self.urdf is not None or self.poe is not None),
             "angle_unit": self.urdf is None and self.poe is None,
             "verify": self.scm is None,
             "name": self.to is not Target.URDF,
-            "joint_names": self.to in (Target.POE, Target.SCM),
-            "limits": self.to in (Target.POE, Target.SCM),
-            "parameters": self.urdf is not None or self.poe is not None,
+            "joint_names": self.to in WITHOUT_NAMES,
+            "limits": self.to in WITHOUT_NAMES,
         }
         found = tuple(name for name, is_idle in idle.items() if is_idle and getattr(self, name) is not None)
         if found:

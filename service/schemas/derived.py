@@ -24,7 +24,7 @@ from exercises.parts.matrix_cells import CellMatrix as DomainCellMatrix
 from exercises.parts.protocol import Length
 from kinematics.cells import Cell as DomainCell
 from kinematics.cells import RawTable
-from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.base import Matrix4, Real, Vector3, Whole, Wire
 from service.schemas.tables import Cell, Table
 
 CellRow = Annotated[list[Cell], Field(min_length=4, max_length=4)]
@@ -149,7 +149,9 @@ def _plain_type(annotation: Any) -> Any:
         return Annotated[annotation, Field(strict=False)]
     if is_dataclass(annotation):
         return model_of(cast(type, annotation))
-    if annotation in (str, int, bool, type(None)):
+    if annotation is int:
+        return Whole
+    if annotation in (str, bool, type(None)):
         return annotation
     raise TypeError(f"{annotation} has no wire shape")
 

@@ -9,7 +9,9 @@ from pydantic import Field
 from kinematics.answers.dynamics_answers import TOLERANCE, DynamicsMistake
 from kinematics.symbolic import ProofStatus
 from service.schemas.base import Real, Wire
+from service.schemas.choices import forbidding, together
 from service.schemas.dynamics_request import DYNAMICS, WeighedRobot
+from service.schemas.robot_question import NO_ROBOT
 from service.schemas.tables import Cell, Units
 
 EquationRow = Annotated[list[Cell], Field(max_length=16)]
@@ -18,6 +20,8 @@ EquationRows = Annotated[list[EquationRow], Field(max_length=16)]
 
 class CheckDynamicsRequest(WeighedRobot):
     """A robot with weights, and equations of motion that somebody wrote as functions of q and dq1 … dqn."""
+
+    model_config = forbidding(*NO_ROBOT, together(without=["M", "C", "h", "g"]))
 
     M: EquationRows | None = Field(None, description="n×n expressions: the mass matrix")
     C: EquationRows | None = Field(None, description="n×n expressions: any C with the right C q̇")

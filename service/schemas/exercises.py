@@ -15,7 +15,8 @@ from exercises.grading import Basis, HelpLevel, Verdict
 from exercises.parts.protocol import FieldShape
 from exercises.parts.registry import part_type, part_types
 from exercises.parts.report import PartReport
-from service.schemas.base import Real, Vector3, Wire
+from service.schemas.base import WHOLE, Real, Vector3, Wire
+from service.schemas.choices import forbidding, together
 from service.schemas.derived import model_of, raw_of, wire_type
 from service.schemas.tables import Units
 from service.schemas.verdicts import Help, PolicyModel
@@ -29,8 +30,8 @@ def _seed(value: object) -> str | None:
     """The seed as text; a whole number is as good."""
     if value is None or isinstance(value, str):
         return value
-    if isinstance(value, int) and not isinstance(value, bool):
-        return str(value)
+    if isinstance(value, int | float) and not isinstance(value, bool) and value == int(value):
+        return str(int(value))
     raise PydanticCustomError("seed_invalid", "a seed is a text or a whole number")
 
 
@@ -44,9 +45,11 @@ Seed: TypeAlias = Annotated[
 class AnswerBase(Wire):
     """What a student hands in: any of what the exercise asks, at least one of it."""
 
+    model_config = forbidding(together(without=part_types()))
+
     seed: Seed = Field(None, description="the seed that the student's values were drawn from")
     help: Help | None = Field(None, description="less help than the exercise allows; more is not given")
-    attempt: Annotated[int, Field(strict=True, ge=1)] | None = Field(
+    attempt: Annotated[int, Field(ge=1), WHOLE] | None = Field(
         None, description="which attempt this is, for a help ladder; a link's own count goes before it"
     )
 

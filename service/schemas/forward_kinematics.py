@@ -7,7 +7,7 @@ from typing import Annotated, TypeAlias
 
 from pydantic import Field
 
-from service.schemas.base import LONGEST_LIST, Matrix4, Real, Vector3, Wire
+from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, Real, Vector3, Wire
 from service.schemas.joints import Joints
 from service.schemas.pose_input import PoseInput
 from service.schemas.robot_question import RobotQuestion
@@ -41,7 +41,9 @@ MOST_MAPPED = 64
 class LinkPoint(Wire):
     """A point of a link."""
 
-    frame: int = Field(ge=1, description="number of the link's frame: its row, from 1")
+    frame: Annotated[int, Field(ge=1), WHOLE] = Field(
+        description="number of the link's frame: its row, from 1"
+    )
     at: Vector3 = Field(description="its coordinates in that frame")
 
 

@@ -16,7 +16,8 @@ from kinematics.frames.rules import FramePart, RuleCode, Severity
 from kinematics.frames.trainer import ChosenFrame
 from kinematics.table import Convention, JointType
 from service.http.validation import CHOICE
-from service.schemas.base import LONGEST_LIST, Matrix4, Real, Vector3, Wire
+from service.schemas.base import LONGEST_LIST, Coordinates, Matrix4, Real, Vector3, Wire
+from service.schemas.pose_input import PoseInput
 from service.schemas.tables import AnsweredTable, Units
 
 
@@ -24,8 +25,8 @@ class AxisModel(Wire):
     """The axis of one joint, with the robot at its zero position."""
 
     joint: Literal["revolute", "prismatic"]
-    direction: Vector3 = Field(description="direction of the positive motion; any length but zero")
-    point: Vector3 = Field(
+    direction: Coordinates = Field(description="direction of the positive motion; any length but zero")
+    point: Coordinates = Field(
         [0.0, 0.0, 0.0], description="a point of the axis; of a prismatic joint only the direction matters"
     )
 
@@ -37,22 +38,26 @@ class AxisModel(Wire):
 class GripperTool(Wire):
     """A gripper, from which the end frame follows: z towards the object, y across the jaws."""
 
-    point: Vector3 = Field(description="the middle between the jaws")
-    approach: Vector3 = Field(description="direction towards the object")
-    jaws: Vector3 = Field(description="direction in which the jaws slide")
+    point: Coordinates = Field(description="the middle between the jaws")
+    approach: Coordinates = Field(description="direction towards the object")
+    jaws: Coordinates = Field(description="direction in which the jaws slide")
 
     def gripper(self) -> Gripper:
         """The gripper as the domain knows it."""
         return Gripper(point=self.point, approach=self.approach, jaws=self.jaws)
 
 
+GRIPPER, POSE = CHOICE + "gripper", CHOICE + "pose"
+
+
 def _kind_of(tool: Any) -> str:
-    return CHOICE + ("gripper" if isinstance(tool, dict | GripperTool) else "matrix")
+    if isinstance(tool, dict):
+        return POSE if {"position", "quaternion"} & set(tool) else GRIPPER
+    return GRIPPER if isinstance(tool, GripperTool) else POSE
 
 
 Tool: TypeAlias = Annotated[
-    Annotated[Matrix4, Tag(CHOICE + "matrix")] | Annotated[GripperTool, Tag(CHOICE + "gripper")],
-    Discriminator(_kind_of),
+    Annotated[PoseInput, Tag(POSE)] | Annotated[GripperTool, Tag(GRIPPER)], Discriminator(_kind_of)
 ]
 
 
@@ -61,10 +66,12 @@ class AxesQuestion(Wire):
 
     axes: list[AxisModel] = Field(min_length=1, max_length=64, description="the joint axes, base first")
     convention: Annotated[Convention, Field(strict=False)]
-    base: Matrix4 | None = Field(None, description="a pose wanted as frame 0, in the coordinates of the axes")
+    base: PoseInput | None = Field(
+        None, description="a pose wanted as frame 0, in the coordinates of the axes"
+    )
     tool: Tool | None = Field(None, description="the tool's pose at zero, or the gripper")
     angle_unit: Annotated[AngleUnit, Field(strict=False)] = Field(
-        AngleUnit.RAD, description="unit of the angles of the table"
+        AngleUnit.RAD, description="unit of the angles of the table, and of those of base and tool"
     )
     length_unit: Annotated[LengthUnit, Field(strict=False)] = Field(
         LengthUnit.M, description="unit of all lengths"
@@ -126,10 +133,10 @@ class AssignFramesAnswer(Units):
 class Chosen(Wire):
     """A frame as far as it has been chosen; those of /assign-frames are taken as they are."""
 
-    origin: Vector3 | None = None
-    x: Vector3 | None = None
-    y: Vector3 | None = Field(None, description="follows from z and x: left out, or z × x beside both")
-    z: Vector3 | None = None
+    origin: Coordinates | None = None
+    x: Coordinates | None = None
+    y: Coordinates | None = Field(None, description="follows from z and x: left out, or z × x beside both")
+    z: Coordinates | None = None
     rule: Annotated[Rule, Field(strict=False)] | None = Field(
         None, description="as /assign-frames tells it; frames are judged without it"
     )

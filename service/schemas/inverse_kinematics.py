@@ -7,12 +7,14 @@ from typing import Annotated, Self
 from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
+from kinematics.inverse.goals import LARGEST_TOLERANCE
 from kinematics.inverse.results import IKStatus, Isolation, Method, UnreachableReason
 from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.choices import forbidding, not_one_of, together
 from service.schemas.joint_limits import JointRanges
 from service.schemas.numeric_form import NumericForm
 from service.schemas.pose_input import PoseInput
-from service.schemas.robot_question import RobotQuestion
+from service.schemas.robot_question import NO_ROBOT, RobotQuestion
 from service.schemas.tables import Units
 
 MOST_TARGETS = 1000
@@ -21,6 +23,14 @@ MOST_TARGETS = 1000
 
 class InverseKinematicsRequest(RobotQuestion):
     """A robot, and a pose for its tool to reach, or many."""
+
+    model_config = forbidding(
+        *NO_ROBOT,
+        *not_one_of("target", "targets", "position"),
+        together("quaternion", without=["position"]),
+        together("axis", without=["position"]),
+        together("quaternion", "axis"),
+    )
 
     target: PoseInput | None = Field(None, description="the wanted pose of the tool in the world")
     targets: Annotated[list[PoseInput], Field(min_length=1, max_length=MOST_TARGETS)] | None = Field(
@@ -44,6 +54,7 @@ class InverseKinematicsRequest(RobotQuestion):
     tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     tolerance: Real | None = Field(
         None,
+        json_schema_extra={"exclusiveMinimum": 0, "maximum": LARGEST_TOLERANCE},
         description="how far the target may be off, as a distance in the table's unit and as an angle "
         "in rad: of a pose rounded to five decimals 1e-5. Left out, what its rotation part shows of rounding",
     )

@@ -10,8 +10,9 @@ from kinematics.answers.jacobian_answers import JacobianMistake
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.jacobian import JacobianFrame
 from service.schemas.base import Real, Wire
+from service.schemas.choices import forbidding, together
 from service.schemas.rates_request import Vector6
-from service.schemas.robot_question import RobotQuestion
+from service.schemas.robot_question import NO_ROBOT, RobotQuestion
 from service.schemas.tables import Units
 
 Columns = Annotated[list[Real], Field(max_length=64)]
@@ -19,6 +20,12 @@ Columns = Annotated[list[Real], Field(max_length=64)]
 
 class CheckJacobianRequest(RobotQuestion):
     """A table at one configuration, with a Jacobian or joint forces that somebody computed from it."""
+
+    model_config = forbidding(
+        *NO_ROBOT,
+        together(without=["jacobian", "joint_forces"]),
+        together("joint_forces", without=["wrench"]),
+    )
 
     joints: list[Real] = Field(max_length=64, description="q_1 … q_n, in the table's units")
     jacobian: Annotated[list[Columns], Field(min_length=6, max_length=6)] | None = Field(

@@ -11,8 +11,10 @@ from kinematics.jacobian import JacobianFrame
 from kinematics.rotations.sequences import Turning
 from kinematics.symbolic import ProofStatus
 from service.schemas.base import Real, Wire
+from service.schemas.choices import forbidding, together
+from service.schemas.euler_axes import EulerAxes
 from service.schemas.jacobian_answers import JacobianMistakeModel
-from service.schemas.robot_question import RobotQuestion
+from service.schemas.robot_question import NO_ROBOT, RobotQuestion
 from service.schemas.tables import Cell, Units
 
 FormRow = Annotated[list[Cell], Field(max_length=16)]
@@ -21,7 +23,7 @@ FormRow = Annotated[list[Cell], Field(max_length=16)]
 class RatesOfAngles(Wire):
     """The angles of an analytic Jacobian."""
 
-    axes: str = Field(max_length=3, description="three of X, Y, Z in the order of the angles")
+    axes: EulerAxes
     turning: Annotated[Turning, Field(strict=False)] = Field(
         Turning.CURRENT, description="the angles turn about current or about fixed axes"
     )
@@ -29,6 +31,12 @@ class RatesOfAngles(Wire):
 
 class CheckJacobianFormRequest(RobotQuestion):
     """A table, with a Jacobian or joint forces that somebody wrote as functions of q1 … qn."""
+
+    model_config = forbidding(
+        *NO_ROBOT,
+        together(without=["jacobian", "joint_forces"]),
+        together("joint_forces", without=["wrench"]),
+    )
 
     jacobian: Annotated[list[FormRow], Field(min_length=6, max_length=6)] | None = Field(
         None, description="6×n expressions, per radian, of the last frame's origin; c12 is cos(q1 + q2)"

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from exercises.parts.compare_tables import ComparisonReason
 from exercises.parts.planting import PLANTABLE
-from service.schemas.base import Wire
+from service.schemas.base import WHOLE, Wire
 from service.schemas.exercises import Seed
 from service.schemas.spoken import SpokenFeedback
 from service.schemas.tables import Parameters, Table
@@ -71,9 +71,7 @@ class OtherTablesRequest(Wire):
     parameters: Parameters = Field(
         default_factory=dict, description="values of the table's parameters, in its units"
     )
-    count: Annotated[int, Field(strict=True, ge=1, le=MOST_TABLES)] = Field(
-        1, description="how many are wanted"
-    )
+    count: Annotated[int, Field(ge=1, le=MOST_TABLES), WHOLE] = Field(1, description="how many are wanted")
 
 
 class ComparedTable(Wire):

@@ -8,11 +8,16 @@ from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from service.schemas.base import Wire
+from service.schemas.choices import forbidding, not_one_of
 from service.schemas.tables import Parameters, Table
+
+NO_ROBOT = not_one_of("table", "robot")
 
 
 class RobotQuestion(Wire):
     """Base of the calls that take a robot: exactly one of `table` and `robot`."""
+
+    model_config = forbidding(*NO_ROBOT)
 
     table: Table | None = Field(None, description="the robot's DH table")
     robot: str | None = Field(None, max_length=64, description="or the id of a robot of the catalogue")

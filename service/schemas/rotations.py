@@ -11,14 +11,21 @@ from kinematics.rotations.orientation_answers import USUAL_TOLERANCE, ComponentO
 from kinematics.rotations.properties import RotationProperty
 from kinematics.rotations.sequences import Combination, Turning
 from service.schemas.base import Real, Vector3, Wire
+from service.schemas.choices import forbidding, not_one_of, together
+from service.schemas.euler_axes import EulerAxes
 
 Matrix3Rows = Annotated[list[Vector3], Field(min_length=3, max_length=3)]
 Quaternion4 = Annotated[list[Real], Field(min_length=4, max_length=4)]
-Axes = Annotated[str, Field(pattern="^[XYZ]{3}$", description="three axes in the order of the angles")]
+
+
+NOTATIONS = ("matrix", "quaternion", "axis", "angles")
+HALF_AN_AXIS = (together("axis", without=["angle"]), together("angle", without=["axis"]))
 
 
 class OrientationModel(Wire):
     """An orientation in one notation: a matrix, a quaternion, an axis with an angle, or three angles."""
+
+    model_config = forbidding(*not_one_of(*NOTATIONS), *HALF_AN_AXIS)
 
     matrix: Matrix3Rows | None = Field(None, description="3×3, row by row")
     quaternion: Quaternion4 | None = Field(None, description="of any length but zero")
@@ -28,7 +35,7 @@ class OrientationModel(Wire):
     axis: Vector3 | None = Field(None, description="beside an angle; of any length but zero")
     angle: Real | None = Field(None, description="about the axis")
     angles: Vector3 | None = Field(None, description="about the axes, in their order")
-    axes: Axes = Field("ZYX", description="of the angles; neighbours differ")
+    axes: EulerAxes = Field("ZYX", description="of the angles; neighbours differ")
     turning: Annotated[Turning, Field(strict=False)] = Field(
         Turning.CURRENT, description="the angles turn about current or about fixed axes"
     )
@@ -80,6 +87,8 @@ class RotationsAnswer(Wire):
 
 class OrientationAnswerModel(OrientationModel):
     """An answer: the orientation in one notation, or several triples, or the family of a locked one."""
+
+    model_config = forbidding(*not_one_of(*NOTATIONS, "triples", "family"), *HALF_AN_AXIS)
 
     triples: Annotated[list[Vector3], Field(min_length=1, max_length=8)] | None = Field(
         None, description="several triples of angles, where all are asked"

@@ -11,7 +11,8 @@ from pydantic_core import PydanticCustomError
 from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.printing import Format, Notation
 from kinematics.scm import RawChain
-from service.schemas.base import LONGEST_LIST, Matrix4, Real, Wire
+from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, Real, Wire
+from service.schemas.choices import forbidding, not_one_of
 from service.schemas.forward_kinematics import Orientation
 from service.schemas.pose_input import PoseInput
 from service.schemas.tables import Cell, Parameters, Units
@@ -138,6 +139,8 @@ class JacobianMethod(StrEnum):
 class ChainQuestion(Wire):
     """Base of the calls that take a chain: exactly one of `chain` and `robot`."""
 
+    model_config = forbidding(*not_one_of("chain", "robot"))
+
     chain: ScmChainModel | None = Field(None, description="the arm as an SCM chain")
     robot: str | None = Field(None, max_length=64, description="or the id of a robot of the catalogue")
     parameters: Parameters = Field(default_factory=dict)
@@ -215,8 +218,10 @@ class RandomConfigurationRequest(ChainQuestion):
         max_length=LONGEST_LIST,
         description="[low, high] of every joint; null or left out: a full turn, and 0 to the sum of lengths",
     )
-    count: int = Field(1, ge=1, le=10_000, description="how many configurations")
-    seed: int | None = Field(None, ge=0, lt=2**63, description="the same seed gives the same values")
+    count: Annotated[int, Field(ge=1, le=10_000), WHOLE] = Field(1, description="how many configurations")
+    seed: Annotated[int, Field(ge=0, le=2**53), WHOLE] | None = Field(
+        None, description="the same seed gives the same values"
+    )
 
 
 Forms: TypeAlias = Annotated[dict[str, Any], Field(description="one entry for each format, as in /symbolic")]

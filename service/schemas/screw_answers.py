@@ -8,6 +8,7 @@ from pydantic import Field
 
 from kinematics.answers.screw_answers import ScrewFrame, ScrewMistake, ScrewOrder
 from service.schemas.base import Matrix4, Real, Wire
+from service.schemas.pose_input import PoseInput
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 from service.schemas.verdicts import PolicyModel
@@ -21,7 +22,9 @@ class CheckScrewsRequest(RobotQuestion):
     screws: Annotated[list[ScrewRowModel], Field(max_length=64)] = Field(
         description="one row for each joint, lengths in the table's unit, per radian"
     )
-    home: Matrix4 = Field(description="M, the pose of the last frame where all joint variables are zero")
+    home: PoseInput = Field(
+        description="M, the pose of the last frame where all joint variables are zero, in the table's units"
+    )
     frame: Annotated[ScrewFrame, Field(strict=False)] = Field(
         ScrewFrame.SPACE, description="screws in the fixed frame, or in the tool's at the zero position"
     )

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from exercises.access import Tool
 from exercises.instance import SEED_CHARACTERS
-from service.schemas.base import Wire
+from service.schemas.base import WHOLE, Wire
 from service.schemas.verdicts import Help
 
 MOST_DAYS = 3660
@@ -26,13 +26,13 @@ class SignedLinkRequest(Wire):
         description="what is switched off, beside what the exercise itself switches off",
     )
     help: Help | None = Field(None, description="the most that is told; null: as much as the exercise tells")
-    attempts: Annotated[int, Field(strict=True, ge=1, le=1000)] | None = Field(
+    attempts: Annotated[int, Field(ge=1, le=1000), WHOLE] | None = Field(
         None, description="how many attempts there are; null: as many as the exercise has"
     )
     seed: Annotated[str, Field(max_length=SEED_CHARACTERS)] | None = Field(
         None, description="the only seed that the exercise is shown with; null: any"
     )
-    days: Annotated[int, Field(strict=True, ge=1, le=MOST_DAYS)] | None = Field(
+    days: Annotated[int, Field(ge=1, le=MOST_DAYS), WHOLE] | None = Field(
         None, description="after how many days the link ends; null: never"
     )
 

@@ -10,12 +10,17 @@ from kinematics.answers.singularity_answers import ConditionStatus
 from kinematics.symbolic import ProofStatus
 from kinematics.symbolic.determinants import MotionRows
 from service.schemas.base import Real, Wire
-from service.schemas.robot_question import RobotQuestion
+from service.schemas.choices import forbidding, together
+from service.schemas.robot_question import NO_ROBOT, RobotQuestion
 from service.schemas.tables import Cell, Units
 
 
 class CheckSingularitiesRequest(RobotQuestion):
     """A table, with conditions for its singularities, or a motion that it is said to have lost."""
+
+    model_config = forbidding(
+        *NO_ROBOT, together(without=["conditions", "lost"]), together("lost", without=["joints"])
+    )
 
     motion: Annotated[MotionRows, Field(strict=False)] = Field(
         MotionRows.TWIST, description="which rows of the Jacobian count: all, or those of the velocity"

@@ -14,7 +14,7 @@ Cell: TypeAlias = Annotated[
     Any,
     WithJsonSchema(
         {
-            "anyOf": [{"type": "number"}, {"type": "string"}],
+            "anyOf": [{"type": "number"}, {"type": "string", "minLength": 1}],
             "description": "a number or an expression",
         }
     ),
@@ -55,6 +55,7 @@ class Table(TableHead):
 
     rows: list[Row] = Field(
         max_length=LONGEST_LIST,
+        json_schema_extra={"minItems": 1},
         description="the rows, base first; at least one, and 64 where nothing else is set",
     )
 

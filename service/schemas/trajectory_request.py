@@ -7,7 +7,7 @@ from typing import Annotated
 from pydantic import Field
 
 from kinematics.trajectory import TimeScaling
-from service.schemas.base import Real, Vector3
+from service.schemas.base import WHOLE, Real, Vector3
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
@@ -22,8 +22,8 @@ class TrajectoryRequest(RobotQuestion):
     start: list[Real] = Field(max_length=64, description="q_1 … q_n at the beginning, in the table's units")
     end: list[Real] = Field(max_length=64, description="q_1 … q_n at the end, in the table's units")
     duration: Real = Field(1.0, ge=1e-3, le=1e6, description="how long it takes, in seconds")
-    samples: int = Field(
-        101, ge=2, le=MOST_INSTANTS, description="number of instants, evenly spaced, both ends included"
+    samples: Annotated[int, Field(ge=2, le=MOST_INSTANTS), WHOLE] = Field(
+        101, description="number of instants, evenly spaced, both ends included"
     )
     scaling: Annotated[TimeScaling, Field(strict=False)] = Field(
         TimeScaling.QUINTIC,

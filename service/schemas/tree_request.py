@@ -9,7 +9,7 @@ from pydantic import Field
 from kinematics.cells import AngleUnit, LengthUnit, RawRow
 from kinematics.table import JointType
 from kinematics.tree_structures import RawTreeRow
-from service.schemas.base import LONGEST_LIST, Matrix4, Real, Wire
+from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, Real, Whole, Wire
 from service.schemas.jacobian_request import Matrix6
 from service.schemas.tables import AnsweredTable, Cell, Parameters, Units
 
@@ -20,8 +20,8 @@ MOST_ROWS = 64
 class TreeRowModel(Wire):
     """One frame of a tree, by the parameters of Khalil and Kleinfinger."""
 
-    after: int = Field(
-        ge=0, le=MOST_ROWS, description="number of the frame that this one follows; 0 is the base"
+    after: Annotated[int, Field(ge=0, le=MOST_ROWS), WHOLE] = Field(
+        description="number of the frame that this one follows; 0 is the base"
     )
     gamma: Cell = Field(0, description="γ_j: angle from x_i to the common normal of z_i and z_j, about z_i")
     b: Cell = Field(0, description="b_j: distance along z_i to that common normal")
@@ -68,7 +68,7 @@ class TreeRequest(Wire):
     joints: list[Real] = Field(
         max_length=MOST_ROWS, description="q_1 … q_m in the order of the rows, in the tree's units"
     )
-    ends: list[int] | None = Field(
+    ends: list[Whole] | None = Field(
         None,
         min_length=1,
         max_length=LONGEST_LIST,

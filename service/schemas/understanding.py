@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any
 
-from pydantic import Field
+from pydantic import Field, WithJsonSchema
 
 from kinematics.cells import ParameterKind
 from kinematics.table import JointType
 from service.schemas.base import LONGEST_LIST, FaultEntry, Matrix4, Real, Wire
-from service.schemas.tables import Table
+from service.schemas.tables import Row, Table
 
 MOST_MATRICES = 66
 """A link matrix for each of the rows that a table may have, and two poses."""
@@ -17,10 +17,28 @@ MatrixRow = Annotated[list[Annotated[str, Field(max_length=2000)]], Field(min_le
 MatrixCells = Annotated[list[MatrixRow], Field(min_length=4, max_length=4)]
 
 
+TypedCell = Annotated[Any, WithJsonSchema({"description": "whatever stands in a cell that is being typed"})]
+
+
+class TypedRow(Row):
+    """One row of a table that is being typed."""
+
+    alpha: TypedCell
+    a: TypedCell
+    d: TypedCell
+    theta: TypedCell
+
+
+class TypedTable(Table):
+    """A table that is being typed: anything may stand in its cells yet, and it may have no rows."""
+
+    rows: list[TypedRow] = Field(max_length=LONGEST_LIST, description="the rows so far, base first")  # type: ignore[assignment]
+
+
 class UnderstandRequest(Wire):
     """A table, finished or not, and what values its parameters have so far."""
 
-    table: Table
+    table: TypedTable
     matrices: Annotated[list[MatrixCells], Field(max_length=MOST_MATRICES)] = Field(
         default_factory=list,
         description="4×4 matrices as they are typed, in the table's joint variables; empty cells are let be",

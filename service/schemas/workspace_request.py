@@ -7,10 +7,11 @@ from typing import Annotated, Self
 from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
-from service.schemas.base import Real, Vector3, Wire
+from service.schemas.base import WHOLE, Real, Vector3, Wire
+from service.schemas.choices import forbidding, together
 from service.schemas.joint_limits import JointRanges
 from service.schemas.pose_input import PoseInput
-from service.schemas.robot_question import RobotQuestion
+from service.schemas.robot_question import NO_ROBOT, RobotQuestion
 from service.schemas.tables import Units
 
 MOST_POINTS = 20_000
@@ -26,14 +27,16 @@ class PlaneModel(Wire):
 class WorkspaceRequest(RobotQuestion):
     """A robot whose reach is asked for."""
 
+    model_config = forbidding(*NO_ROBOT, together("quaternion", "axis"))
+
     limits: JointRanges | None = Field(
         None,
         description="[least, greatest] of each joint in the table's units, null where there is none; left "
         "out, those of the catalogue's robot, else none. A revolute joint then turns fully, a sliding one "
         "needs both",
     )
-    samples: int | None = Field(
-        None, ge=1, le=MOST_POINTS, description="number of points for a plot; without it none are sent"
+    samples: Annotated[int, Field(ge=1, le=MOST_POINTS), WHOLE] | None = Field(
+        None, description="number of points for a plot; without it none are sent"
     )
     base: PoseInput | None = Field(None, description="pose of frame 0 in the world: moves box and points")
     tool: PoseInput | None = Field(None, description="pose of the end frame in frame N")

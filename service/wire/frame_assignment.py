@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from kinematics.errors import Fault
 from kinematics.frames.assignment import assign_frames
@@ -27,6 +28,7 @@ from service.schemas.frame_assignment_models import (
     Remark,
 )
 from service.schemas.tables import AnsweredTable
+from service.wire.pose_matrices import pose_matrix
 from service.wire.written_tables import numeric_row, numeric_table
 
 Say = Callable[[str, dict[str, object]], str]
@@ -42,8 +44,7 @@ def assigned(request: AssignFramesRequest, say: Say) -> AssignFramesAnswer:
     result = assign_frames(
         [axis.axis() for axis in request.axes],
         request.convention,
-        base=request.base,
-        tool=_tool(request),
+        **_ends(request),
         parallel_tolerance=request.parallel_tolerance,
         near_parallel=request.near_parallel,
         lengths=request.lengths,
@@ -82,8 +83,7 @@ def checked(request: CheckFramesRequest, say: Say) -> CheckFramesAnswer:
         [axis.axis() for axis in request.axes],
         request.convention,
         [None if chosen is None else chosen.frame() for chosen in request.frames],
-        base=request.base,
-        tool=_tool(request),
+        **_ends(request),
     )
     units = request.angle_unit, request.length_unit
     rows = [row and numeric_row(row, i, request.angle_unit) for i, row in enumerate(judged.rows, 1)]
@@ -98,8 +98,15 @@ def checked(request: CheckFramesRequest, say: Say) -> CheckFramesAnswer:
     )
 
 
-def _tool(request: AxesQuestion) -> list[list[float]] | Gripper | None:
-    return request.tool.gripper() if isinstance(request.tool, GripperTool) else request.tool
+def _ends(request: AxesQuestion) -> dict[str, Any]:
+    """Base and tool as the domain takes them."""
+    angle = request.angle_unit.radians
+    base, tool = request.base, request.tool
+    held = tool.gripper() if isinstance(tool, GripperTool) else tool
+    return {
+        "base": base if base is None else pose_matrix(base, angle, "base"),
+        "tool": held if held is None or isinstance(held, Gripper) else pose_matrix(held, angle, "tool"),
+    }
 
 
 def _matrix(transform: Transform | None) -> list[list[float]] | None:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import chain
 from typing import Any
 
-from kinematics.cells import AngleUnit
 from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import Expression, Parameter, walk
 from kinematics.inverse_forms import InverseCondition, InverseForm, inverse_form
@@ -79,7 +77,7 @@ def inverse_form_task(question: SymbolicInverseRequest, settings: Settings) -> I
     read = read_symbolic(question, settings)
     with located("table"):
         table = with_values(read.table, exact_values(read, question.parameters))
-    base, tool = base_and_tool(question, math.radians(1.0) if read.angle_unit is AngleUnit.DEG else 1.0)
+    base, tool = base_and_tool(question, read.angle_unit.radians)
     for name, matrix in (("base", base), ("tool", tool)):
         if matrix is not None:
             check_transform(matrix, where=(name,))

@@ -27,6 +27,7 @@ from kinematics.rotations.properties import failed_properties
 from kinematics.rotations.sequences import SEQUENCES, EulerSequence, GimbalFamily, euler_solutions
 from service.http.problems import located
 from service.schemas.rotations import (
+    NOTATIONS,
     CheckRotationAnswer,
     CheckRotationRequest,
     FamilyModel,
@@ -38,7 +39,6 @@ from service.schemas.rotations import (
     SequenceAngles,
 )
 
-NOTATIONS = ("matrix", "quaternion", "axis", "angles")
 ANSWERS = (*NOTATIONS, "triples", "family")
 
 

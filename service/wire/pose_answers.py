@@ -212,7 +212,8 @@ def _reach(question: PoseQuestion) -> float:
     """No frame is further from the world's origin than this, nor the world from the end frame."""
     table = question.robot.table
     reach = sum(abs(row.a) + abs(row.d) for row in table.rows)
-    reach += sum(abs(pose[i][3]) for pose in (question.base, question.tool) if pose for i in range(3))
+    poses = [pose for pose in (question.base, question.tool) if pose]
+    reach += sum(abs(x) for pose in poses for row in pose[:3] for x in row[3:4])
     prismatic = [i for i, joint in enumerate(table.joint_types) if joint is JointType.PRISMATIC]
     joints = np.asarray(question.joints)
     if prismatic and joints.size:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any
 
-from kinematics.cells import AngleUnit, Limits, parameter_values
+from kinematics.cells import Limits, parameter_values
 from kinematics.errors import DescriptionError, Fault, JointValueError, KinematicsError
 from kinematics.scm import ReadChain, ScmChain, check_values, read_chain, verify, with_values
 from kinematics.table import JointType
@@ -126,7 +125,7 @@ def prepared_chain(question: ChainQuestion, limits: Limits) -> PreparedChain:
     values = parameter_values(read.parameters, read.angle_unit, given)
     with in_chain("chain", question.chain):
         check_values(read.chain, values)
-    angle = math.radians(1.0) if read.angle_unit is AngleUnit.DEG else 1.0
+    angle = read.angle_unit.radians
     return PreparedChain(read=read, values=values, angle=angle)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any, Protocol, TypeVar
@@ -48,7 +47,7 @@ def task_of(
     values = exact_values(read, question.parameters)
     with located("table"):
         table = with_values(read.table, values)
-    base, tool = base_and_tool(question, math.radians(1.0) if read.angle_unit is AngleUnit.DEG else 1.0)
+    base, tool = base_and_tool(question, read.angle_unit.radians)
     for name, matrix in (("base", base), ("tool", tool)):
         if matrix is not None:
             check_transform(matrix, where=(name,))

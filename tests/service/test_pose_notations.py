@@ -88,3 +88,48 @@ def test_a_quaternion_of_no_length_is_refused(client):
     assert answer.status_code == 422
     (fault,) = answer.json()["errors"]
     assert (fault["code"], fault["pointer"]) == ("quaternion_length", "/tool/quaternion")
+
+
+AXES = [{"joint": "revolute", "direction": [0, 0, 1]}, {"joint": "revolute", "direction": [0, 1, 0]}]
+FRAMES = {"axes": AXES, "convention": "standard", "angle_unit": "deg"}
+SCREWS = [{"linear": [0, 0, 0], "angular": [0, 0, 1]}, {"linear": [0, -1, 0], "angular": [0, 0, 1]}]
+ROWS = [[*screw["linear"], *screw["angular"]] for screw in SCREWS]
+
+
+@pytest.mark.parametrize(
+    ("path", "body", "place"),
+    [
+        ("assign-frames", FRAMES, ("base",)),
+        ("assign-frames", FRAMES, ("tool",)),
+        ("check-frames", FRAMES | {"frames": []}, ("base",)),
+        ("check-frames", FRAMES | {"frames": [None, None, {}]}, ("tool",)),
+        ("convert", {"to": "standard", "poe": {"screws": SCREWS}, "angle_unit": "deg"}, ("poe", "home")),
+        ("check-screws", {"table": TABLE, "screws": ROWS}, ("home",)),
+    ],
+)
+def test_frames_and_home_poses_are_taken_in_the_same_notations(client, path, body, place):
+    answers = []
+    for pose in (MATRIX, _six("deg"), PLACED):
+        asked = body | {place[0]: body.get(place[0], {}) | {place[-1]: pose} if place[1:] else pose}
+        answer = client.post(f"/api/v1/{path}", json=asked)
+        assert answer.status_code == 200, answer.text
+        answers.append(_numbers(answer.json()))
+    assert len(answers[0]) > 1
+    for other in answers[1:]:
+        assert np.allclose(other, answers[0], atol=1e-9)
+
+
+@pytest.mark.parametrize("end", ["base", "tool"])
+def test_a_matrix_in_one_row_is_told_that_it_needs_four(client, end):
+    for path, body in (("forward-kinematics", ROBOT | JOINTS), ("assign-frames", FRAMES)):
+        answer = client.post(f"/api/v1/{path}", json=body | {end: [1] * 16})
+        assert answer.status_code == 422
+        assert (answer.json()["code"], answer.json()["pointer"]) == ("pose_in_one_row", f"/{end}")
+
+
+def test_a_matrix_with_a_short_row_is_refused_at_its_place(client):
+    ragged = [[1, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    for end in ("base", "tool"):
+        answer = client.post("/api/v1/forward-kinematics", json=ROBOT | JOINTS | {end: ragged})
+        assert answer.status_code == 422
+        assert answer.json()["pointer"] == f"/{end}"

@@ -17,6 +17,7 @@ from service.schemas.conversion import ConvertRequest, ProductAnswer, ScrewModel
 from service.settings import Settings
 from service.wire.conversion.described import RobotDescription
 from service.wire.fault_pointers import traced
+from service.wire.pose_matrices import pose_matrix
 from service.wire.prepared_robots import robot_of
 
 
@@ -37,12 +38,13 @@ def described_product(request: ConvertRequest, _settings: Settings) -> RobotDesc
             if one.joint not in (None, meant):
                 params = {"joint": i + 1}
                 raise DescriptionError(Fault(code="screw_of_other_type", where=("screws", i), params=params))
-        home = check_transform(given.home, where=("home",))
+        unit = request.angle_unit or AngleUnit.RAD
+        home = check_transform(pose_matrix(given.home, unit.radians, "home"), where=("home",))
         product = screws_module.ProductOfExponentials(screws=screws, home=home)
         assigned = table_of_product(product, convention)
     read = ReadTable(
         table=exact_table(assigned.table),
-        angle_unit=request.angle_unit or AngleUnit.RAD,
+        angle_unit=unit,
         length_unit=given.length_unit,
         parameters={},
     )

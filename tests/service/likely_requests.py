@@ -1,0 +1,86 @@
+"""The document, narrowed to what callers mostly send: bodies of it come past the cells and names.
+
+A string that is drawn from all strings is never the id of a robot and hardly ever a cell; drawn from this
+document, it is. Whatever this document allows, the service's own allows.
+"""
+
+from __future__ import annotations
+
+import copy
+from typing import Any
+
+from kinematics.catalogue import robot_ids
+
+CELLS = [0, 1, -0.5, 0.3, "pi/2", "-pi/2", "L1", "2*L1 + 0.1", "L2", "sqrt(2)/2"]
+TURNS = ["q1", "q2", "q3 + pi/2", "0"]
+_REAL = {"type": "number", "minimum": -4, "maximum": 4}
+_NUMBERS_6 = {"type": "array", "items": _REAL, "minItems": 6, "maxItems": 6}
+_STRAIGHT = [[1, 0, 0, 0.4], [0, 1, 0, 0.2], [0, 0, 1, 0.5], [0, 0, 0, 1]]
+_TURNED = [[0, -1, 0, 0.3], [1, 0, 0, 0], [0, 0, 1, 0.1], [0, 0, 0, 1]]
+_ROW = {
+    "type": "object",
+    "properties": {
+        "joint": {"enum": ["revolute", "prismatic"]},
+        "alpha": {"enum": [0, "pi/2", "-pi/2", 0.3]},
+        "a": {"enum": CELLS},
+        "d": {"enum": CELLS},
+        "theta": {"enum": [0, "pi/2", 0.7]},
+    },
+    "required": ["joint", "alpha", "a", "d", "theta"],
+    "additionalProperties": False,
+}
+_PARAMETERS = {
+    "type": "object",
+    "properties": {"L1": {"enum": [0.4, 1]}, "L2": {"enum": [0.3, 2]}},
+    "required": ["L1", "L2"],
+    "additionalProperties": False,
+}
+
+
+def likely(document: dict[str, Any]) -> dict[str, Any]:
+    """Return the document with tables of numbers, robots of the catalogue and lengths of a few metres."""
+    narrowed = copy.deepcopy(document)
+    for shape in narrowed["components"]["schemas"].values():
+        _narrow(shape)
+    narrowed["components"]["schemas"]["Row"] = _ROW
+    return narrowed
+
+
+def _narrow(shape: dict[str, Any]) -> None:
+    for name, field in shape.get("properties", {}).items():
+        if name == "robot":
+            field["anyOf"] = [{"enum": list(robot_ids())}, {"type": "null"}]
+        elif name == "parameters" and "additionalProperties" in field:
+            shape["properties"][name] = _PARAMETERS
+        elif name == "rows" and field.get("type") == "array":
+            field["maxItems"] = 4
+        elif "a pose: 4×4" in str(field):
+            shape["properties"][name] = _poses(field)
+    _bound(shape)
+
+
+def _poses(field: dict[str, Any]) -> dict[str, Any]:
+    one = {"anyOf": [{"enum": [_STRAIGHT, _TURNED]}, _NUMBERS_6]}
+    choices = field.get("anyOf", [])
+    if any(choice.get("type") == "array" and "description" in choice.get("items", {}) for choice in choices):
+        return {"type": "array", "items": one, "minItems": 1, "maxItems": 3}
+    return one
+
+
+def _bound(node: Any) -> None:
+    """Keep numbers without bounds small, and lists short; let cells be cells."""
+    if isinstance(node, list):
+        for entry in node:
+            _bound(entry)
+    if not isinstance(node, dict):
+        return
+    if node.get("description") == "a number or an expression":
+        node.pop("anyOf", None)
+        node["enum"] = CELLS
+    if node.get("type") == "number" and not {"maximum", "exclusiveMaximum"} & set(node):
+        node |= _REAL
+    if node.get("type") == "array":
+        node["maxItems"] = min(node.get("maxItems", 6), max(6, node.get("minItems", 0)))
+    for key, entry in list(node.items()):
+        if key not in ("enum", "const", "example", "examples"):
+            _bound(entry)

@@ -1,0 +1,158 @@
+"""What the document allows is accepted, and what it forbids is refused: schemathesis draws both."""
+
+from __future__ import annotations
+
+import os
+import re
+from itertools import chain, combinations
+from pathlib import Path
+from typing import Any
+
+import pytest
+import schemathesis
+from hypothesis import HealthCheck, Phase, settings
+from jsonschema import Draft202012Validator
+from pydantic import BaseModel, ValidationError
+from schemathesis import GenerationMode
+from schemathesis.checks import not_a_server_error
+from schemathesis.specs.openapi.checks import positive_data_acceptance
+
+from service.schemas.conversion import ConvertRequest
+from service.schemas.examples import TWO_LINKS
+from service.schemas.inverse_kinematics import InverseKinematicsRequest
+from service.schemas.scm import RandomConfigurationRequest
+from service.schemas.scm_examples import SCARA
+from service.schemas.workspace_request import WorkspaceRequest
+from tests.document import DOCUMENT
+from tests.service.likely_requests import likely
+
+EXAMPLES = int(os.environ.get("SCHEMATHESIS_EXAMPLES", "15"))
+
+GRAMMAR = Path(__file__).resolve().parents[2] / "service" / "locales" / "en" / "cells.ftl"
+CELLS = {  # what a cell or a name means is the grammar's matter, and how large a table may be is a setting
+    *re.findall(r"^error-(\w+)", GRAMMAR.read_text(encoding="utf-8"), re.MULTILINE),
+    *("parameter_missing", "parameter_name_invalid", "scm_no_variable", "table_too_many_rows"),
+    *("joint_variable_unknown", "form_too_large", "radius_negative", "urdf_not_xml"),
+}
+COUNTS = {  # of joint values, limits, links, frames and screws: as many as the robot has
+    *("joints_wrong_length", "limits_wrong_length", "links_count", "joint_row_length", "screw_count"),
+    *("frames_too_many", "frame_unknown", "slide_without_limits", "tree_after_unknown"),
+    *("motion_row_count", "link_matrices_count"),
+}
+NAMES = {  # of robots, exercises and what they ask: known when the service runs
+    *("robot_unknown", "exercise_unknown", "part_not_asked", "links_missing", "inverse_form_unknown"),
+    "link_matrices_need_table",
+}
+GEOMETRY = {  # four rows of four numbers are seldom a pose, and zeros point nowhere
+    *("pose_bottom_row", "pose_not_orthonormal", "pose_left_handed", "direction_zero", "axis_length"),
+    *("quaternion_length", "expected_not_rotation", "frame_y_not_z_cross_x", "vector_malformed"),
+    "not_plantable",
+}
+DEFINITIONS = {  # of exercises, and the archives that hold them
+    *("archive_not_zip", "exercise_key_unknown", "exercise_key_missing", "exercise_value_type"),
+    *("exercise_robot_unknown", "statement_missing"),
+}
+BEYOND_A_SCHEMA = CELLS | COUNTS | NAMES | GEOMETRY | DEFINITIONS
+"""Codes of refusals of what has the right shape."""
+NPY = "application/x-npy"
+ALL_CHECKS_OFF = list(HealthCheck)
+
+
+@schemathesis.serializer(NPY)
+def as_npy(_: Any, value: Any) -> bytes:
+    return value if isinstance(value, bytes) else str(value).encode()
+
+
+schema = schemathesis.openapi.from_dict(DOCUMENT)
+schema.config.generation.update(max_examples=EXAMPLES)
+schema.config.checks.negative_data_rejection.expected_statuses = ["400", "404", "406", "413", "415", "422"]
+likely_schema = schemathesis.openapi.from_dict(likely(DOCUMENT))
+likely_schema.config.generation.update(max_examples=EXAMPLES, modes=[GenerationMode.POSITIVE])
+
+
+def is_beyond_a_schema(response: Any, case: schemathesis.Case) -> bool:
+    """Whether a refusal is about what no schema says; of bytes for npy it says nothing at all."""
+    if response.status_code not in (400, 422):
+        return False
+    return case.media_type == NPY or {entry["code"] for entry in response.json()["errors"]} <= BEYOND_A_SCHEMA
+
+
+@schema.parametrize()
+@settings(
+    max_examples=EXAMPLES,
+    deadline=None,
+    phases=[Phase.explicit, Phase.generate],
+    suppress_health_check=ALL_CHECKS_OFF,
+)
+def test_whatever_is_sent_the_document_holds(base_url: str, case: schemathesis.Case) -> None:
+    response = case.call(base_url=base_url, headers={"Accept": "*/*"}, timeout=120)
+    excused = is_beyond_a_schema(response, case)
+    case.validate_response(response, excluded_checks=[positive_data_acceptance] if excused else [])
+
+
+@likely_schema.include(method="POST").parametrize()
+@settings(max_examples=EXAMPLES, deadline=None, phases=[Phase.generate], suppress_health_check=ALL_CHECKS_OFF)
+def test_what_callers_mostly_send_is_accepted(base_url: str, case: schemathesis.Case) -> None:
+    response = case.call(base_url=base_url, headers={"Accept": "*/*"}, timeout=120)
+    checks = [not_a_server_error, positive_data_acceptance]
+    case.validate_response(response, checks=checks[: 1 if is_beyond_a_schema(response, case) else 2])
+
+
+POSE = [0, 0, 0, 0, 0, 0]
+TABLE = TWO_LINKS
+CHOICES: dict[type[BaseModel], dict[str, list[Any]]] = {
+    ConvertRequest: {
+        "to": ["standard", "urdf", "poe"],
+        "table": [TABLE],
+        "urdf": ["<robot/>"],
+        "poe": [{"screws": [{"linear": [0, 0, 0], "angular": [0, 0, 1]}], "home": [[1, 0, 0, 0]] * 4}],
+        "base": [POSE],
+        "tip_link": ["tip"],
+        "angle_unit": ["deg"],
+        "name": ["arm"],
+        "limits": [[None]],
+        "verify": ["off"],
+    },
+    InverseKinematicsRequest: {
+        "table": [TABLE],
+        "robot": ["puma560"],
+        "target": [POSE],
+        "targets": [[POSE]],
+        "position": [[1, 2, 3]],
+        "quaternion": [[1, 0, 0, 0]],
+        "axis": [[0, 0, 1]],
+    },
+    WorkspaceRequest: {
+        "table": [TABLE],
+        "robot": ["puma560"],
+        "quaternion": [[1, 0, 0, 0]],
+        "axis": [[0, 0, 1]],
+        "samples": [5, 5.0],
+    },
+    RandomConfigurationRequest: {"chain": [SCARA], "robot": ["puma560"], "count": [1, 1.0], "seed": [2.0]},
+}
+
+
+@pytest.mark.parametrize("model", CHOICES, ids=lambda model: model.__name__)
+def test_fields_that_exclude_or_need_each_other_do_so_in_the_document(model: type[BaseModel]) -> None:
+    """Every three given fields and fewer, the others left out or null."""
+    shape = model.model_json_schema()
+    allowed = Draft202012Validator(shape)
+    nullable = {
+        name for name in CHOICES[model] if {"type": "null"} in shape["properties"][name].get("anyOf", ())
+    }
+    fields = [(name, value) for name, values in CHOICES[model].items() for value in values]
+    accepted = []
+    for given in map(dict, chain.from_iterable(combinations(fields, count) for count in range(4))):
+        for body in (given, dict.fromkeys(nullable) | given):
+            accepted.append(is_accepted(model, body))
+            assert allowed.is_valid(body) is accepted[-1], body
+    assert set(accepted) == {True, False}
+
+
+def is_accepted(model: type[BaseModel], body: dict[str, Any]) -> bool:
+    try:
+        model.model_validate(body)
+    except ValidationError:
+        return False
+    return True
