@@ -100,8 +100,8 @@ class ConvertRequest(Wire):
     tool: PoseInput | None = Field(None, description="what stands behind a table, a listed robot or a chain")
     angle_unit: Annotated[AngleUnit | None, Field(strict=False)] = Field(
         None,
-        description="of a URDF or a product: the unit of angles in the answer, and in a `home` that is written "
-        "as [X, Y, Z, A, B, C]; rad if left out",
+        description="of a URDF or a product: the unit of angles in the answer, and in a `home` that is "
+        "written as [X, Y, Z, A, B, C]; rad if left out",
     )
     name: str | None = Field(
         None, min_length=1, max_length=100, description="to URDF: the robot's name in the description"

@@ -201,7 +201,7 @@ CASES: dict[str, tuple[Any, int, str, str]] = {
         "pose_wrong_shape",
         "/base",
     ),
-    "base flat": ({"table": PUMA_560, "joints": Q, "base": [1] * 16}, 422, "list_too_long", "/base"),
+    "base flat": ({"table": PUMA_560, "joints": Q, "base": [1] * 16}, 422, "pose_in_one_row", "/base"),
     "base ragged": (
         {"table": PUMA_560, "joints": Q, "base": [[1, 0, 0, 0], [0, 1]]},
         422,
