@@ -8,7 +8,6 @@ from typing import Any, Protocol, TypeVar
 
 from pydantic import TypeAdapter
 
-from kinematics.cells import AngleUnit
 from kinematics.jacobian import JacobianFrame
 from kinematics.se3 import check_transform
 from kinematics.symbolic.exact_poses import exact_pose
