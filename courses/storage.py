@@ -15,7 +15,6 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import psycopg
 import sqlalchemy as sa
 from alembic.config import Config
 from alembic.migration import MigrationContext
@@ -48,6 +47,8 @@ CONNECT_SECONDS = 5
 """How long PostgreSQL may take to answer a new connection."""
 TRUSTED_SECONDS = 1.0
 """A connection that was used so lately is not asked whether it still stands."""
+_UNDONE = "40"
+"""Class of the SQLSTATEs of a transaction that was undone for the sake of another one, such as a deadlock."""
 _WRITES = "writes"
 _USED = "used"
 _log = logging.getLogger("framewise.storage")
@@ -111,7 +112,7 @@ def _answering() -> Iterator[None]:
         yield
     except (OperationalError, InterfaceError, DisconnectionError, PoolTimeoutError) as error:
         _log.error("the database does not answer: %s", _reason(error))
-        undone = isinstance(getattr(error, "orig", None), psycopg.errors.TransactionRollback)
+        undone = str(getattr(getattr(error, "orig", None), "sqlstate", None)).startswith(_UNDONE)
         raise StorageUnavailableError(is_gone=not undone) from error
 
 
@@ -255,7 +256,7 @@ def _check_idle(connection: Any, record: ConnectionPoolEntry, _: Any) -> None:
     try:
         connection.execute("SELECT 1")
         connection.rollback()
-    except psycopg.Error as error:
+    except connection.Error as error:
         raise DisconnectionError from error
 
 

@@ -5,15 +5,18 @@ from __future__ import annotations
 import threading
 from pathlib import Path
 
+import psycopg
 import pytest
 import sqlalchemy as sa
 from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
+from psycopg.errors import AdminShutdown, DeadlockDetected, SerializationFailure
+from sqlalchemy.exc import OperationalError
 
 from courses.attempts import attempts_of
 from courses.backup import back_up, restore
 from courses.records import metadata
-from courses.refusals import StorageError
+from courses.refusals import StorageError, StorageUnavailableError
 from courses.statistics import class_overview
 from courses.storage import Store, connect, migrate, open_store, revision_of
 from tests.courses.classroom import joined, submitted
@@ -58,6 +61,18 @@ def test_sqlite_writes_ahead_and_flushes(tmp_path: Path) -> None:
         assert connection.exec_driver_sql("PRAGMA foreign_keys").scalar() == 1
     assert store.location == str((tmp_path / "framewise.sqlite").resolve())
     store.close()
+
+
+@pytest.mark.parametrize(
+    ("cause", "is_gone"),
+    [(DeadlockDetected("a"), False), (SerializationFailure("b"), False), (AdminShutdown("c"), True)],
+)
+def test_a_transaction_undone_for_another_one_is_no_database_that_is_gone(
+    store: Store, cause: psycopg.Error, *, is_gone: bool
+) -> None:
+    with pytest.raises(StorageUnavailableError) as told, store.reading():
+        raise OperationalError("", {}, cause)
+    assert told.value.is_gone == is_gone
 
 
 @pytest.mark.parametrize("url", ["mysql://somewhere/db", "no address", "sqlite:///x"])

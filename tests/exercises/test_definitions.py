@@ -7,6 +7,7 @@ import re
 
 import pytest
 
+from exercises.consistency import inconsistencies
 from exercises.definition import LANGUAGES
 from exercises.selftest.checks import check
 from exercises.statements import names_in
@@ -22,6 +23,11 @@ def test_every_robot_of_the_documents_is_an_exercise() -> None:
     others = {"gen3", "iiwa14", "irb140", "lrmate200id", "panda", "ur10", "ur5"}
     assert set(catalogue.robot_ids()) == {*ROBOTS, *others}
     assert len(ROBOTS) == 16
+
+
+@pytest.mark.parametrize("exercise_id", ALL)
+def test_the_pieces_of_a_definition_fit_together(exercise_id: str) -> None:
+    assert not list(inconsistencies(exercise(exercise_id)))
 
 
 @pytest.mark.parametrize("exercise_id", ALL)

@@ -7,11 +7,14 @@ from pathlib import Path
 
 import pytest
 
+from exercises import loader
+from exercises.definition import Exercise
 from exercises.errors import DefinitionError, UnknownExerciseError
 from exercises.grading import BaseRule, HelpLevel, ToolRule
 from exercises.loader import Library, load_exercise
 from exercises.parts.pose import PosePart
 from exercises.parts.workspace import ReachFrom, WorkspacePart
+from kinematics.errors import Fault
 from tests.exercises.folders import TWO_LINKS, changed, folder, with_part
 from tests.exercises.packaged import exercise
 
@@ -193,6 +196,21 @@ def test_own_folders_go_before_the_packaged_ones(tmp_path: Path) -> None:
     assert {"two", "puma560", "rx90"} <= set(own.ids)
     assert own.exercise("puma560").titles["en"] == "Two"
     assert exercise("puma560").titles["en"] == "PUMA 560"
+
+
+def test_a_start_checks_ones_own_exercises_and_not_the_packaged_ones(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    checked: list[str] = []
+
+    def noted(found: Exercise) -> list[Fault]:
+        checked.append(found.id)
+        return []
+
+    monkeypatch.setattr(loader, "inconsistencies", noted)
+    folder(tmp_path, name="two")
+    Library([tmp_path]).read_all()
+    assert checked == ["two"]
 
 
 def test_a_malformed_exercise_of_ones_own_is_told_at_once(tmp_path: Path) -> None:
