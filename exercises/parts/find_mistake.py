@@ -7,7 +7,7 @@ is the name.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from random import Random
@@ -37,6 +37,8 @@ from exercises.reading import Reader
 from exercises.written_table import written_table
 from kinematics.cells import Cell, RawTable, ReadTable, read_table
 from kinematics.errors import Fault
+from kinematics.expressions import Expression, Number, Parameter, pi_fraction
+from kinematics.table import SymbolicTable
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -153,7 +155,8 @@ class FindMistakeType(PartType[FindMistakePart, FoundMistakeCells, FoundMistake]
             rows |= {edit.row - 1 for edit in single if edit.row is not None}
             names |= {REPAIRS[edit.code] for edit in single if edit.code in REPAIRS}
         mended = answer.mended is not None and (
-            answer.mended.table == key.table or accept(key, answer.mended, policy, values) is not None
+            _same_links(key.table, answer.mended.table, values)
+            or accept(key, answer.mended, policy, values) is not None
         )
         steps = {
             "row": FoundStep(mended or answer.row in rows, answer.row, "mistake_row_wrong"),
@@ -204,6 +207,29 @@ def _mended(
         if len(reading.faults) > before or found is None
         else without_aliases(found, reading.instance.exercise)
     )
+
+
+def _same_links(key: SymbolicTable, table: SymbolicTable, values: Mapping[str, float]) -> bool:
+    """Return whether a table is the key but for full turns and values in the place of names."""
+    if (key.convention, len(key.rows)) != (table.convention, len(table.rows)):
+        return False
+    return all(
+        (one.joint, one.sign) == (other.joint, other.sign)
+        and all(_same_length(getattr(one, cell), getattr(other, cell), values) for cell in ("d", "a"))
+        and all(_same_angle(getattr(one, cell), getattr(other, cell)) for cell in ("theta", "alpha"))
+        for one, other in zip(key.rows, table.rows, strict=True)
+    )
+
+
+def _same_length(one: Expression, other: Expression, values: Mapping[str, float]) -> bool:
+    if isinstance(one, Parameter) and isinstance(other, Number):
+        return values.get(one.name) == float(other.value)
+    return one == other
+
+
+def _same_angle(one: Expression, other: Expression) -> bool:
+    a, b = pi_fraction(one), pi_fraction(other)
+    return one == other if a is None or b is None else (a - b) % 2 == 0
 
 
 def _placed(fault: Fault, names: list[str]) -> Fault:

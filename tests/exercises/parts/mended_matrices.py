@@ -112,7 +112,7 @@ def mended(instance: Instance, rng: random.Random) -> Rows:
         match rng.randrange(5):
             case 0:
                 rows[r][c] = f"({cell})*(sin(q1)^2 + cos(q1)^2)"
-            case 1:
+            case 1 if len(cell) < CELL_LIMITS.cell_characters // 3:
                 rows[r][c] = f"2*({cell}) - ({cell})"
             case 2:
                 rows[r][c] = cell.replace("cos(q", "sin(90° + q")
