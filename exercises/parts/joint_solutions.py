@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
 from random import Random
 from typing import Annotated, ClassVar
 
@@ -67,6 +68,8 @@ MOST_ROWS = 20
 """Configurations in an answer: an arm of six joints has sixteen at most."""
 OUT = 3.0
 """How many times as far away a pose is put that cannot be reached: no arm of the catalogue folds so much."""
+QUESTIONS = 256
+"""Poses whose solutions are kept: students hand in again."""
 ConfigurationRow = Annotated[tuple[Cell, ...], Length(least=1, most=12)]
 
 
@@ -340,6 +343,7 @@ def _target(part: InverseKinematicsPart, instance: Instance) -> Transform:
     return pose
 
 
+@lru_cache(maxsize=QUESTIONS)
 def _question(part: InverseKinematicsPart, instance: Instance) -> JointQuestion:
     solver = solver_of(key_numbers(instance), reach=part.reach)
     target = _target(part, instance)

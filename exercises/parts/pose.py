@@ -13,7 +13,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
-from typing import ClassVar
+from typing import ClassVar, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,6 +51,8 @@ USUAL_TURNS = Draw(start=Fraction(-120), stop=Fraction(120), step=Fraction(15), 
 
 DECIMALS = 4
 """Decimals that a student writes of a pose."""
+ScoredPose: TypeAlias = tuple[float, Matrices, Matrices, Credit]
+"""What an answer earns beside a pose, the answer in its unit, the pose, and on what the marks rest."""
 
 
 def policy_fixes_pose(policy: Policy) -> bool:
@@ -159,15 +161,12 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
         """Judge a pose: its rotation and its position count half each."""
         joints = joints_at(context, context.instance.drawn[self.kind])
         allowed = Tolerance(length=part.tolerance, angle=part.tolerance)
-        score, answer, pose, credit = max(
-            (
-                (_score(agreeing(given[None], pose[None], context.size, allowed)), given, pose, credit)
-                for pose, credit in _expected(context, joints, context.answer.get("transform"))
-                for given in _in_either_unit(context, answer)
-            ),
-            key=lambda judged: judged[0],
-            default=(0.0, answer, np.full((4, 4), np.nan), Credit.NONE),
+        ways = (
+            (_score(agreeing(given[None], pose[None], context.size, allowed)), given, pose, credit)
+            for pose, credit in _expected(context, joints, context.answer.get("transform"))
+            for given in _in_either_unit(context, answer)
         )
+        score, answer, pose, credit = _first_best(ways, (0.0, answer, np.full((4, 4), np.nan), Credit.NONE))
         cells = agreeing(answer[None], pose[None], context.size, allowed)
         facts = [
             Fact(where=(r, c), finding=Finding.OK if cells[r, c] else Finding.WRONG)
@@ -223,6 +222,17 @@ def _in_either_unit(context: Context, answer: Matrices) -> Iterator[Matrices]:
         converted = answer.copy()
         converted[:3, 3] *= context.unit_ratio
         yield converted
+
+
+def _first_best(ways: Iterator[ScoredPose], otherwise: ScoredPose) -> ScoredPose:
+    """The first way with the highest score; those after a perfect one are not looked at, for they cost."""
+    best = None
+    for way in ways:
+        if best is None or way[0] > best[0]:
+            best = way
+        if best[0] == 1.0:
+            break
+    return best or otherwise
 
 
 def _expected(
