@@ -345,8 +345,7 @@ def _target(part: InverseKinematicsPart, instance: Instance) -> Transform:
 
 @lru_cache(maxsize=QUESTIONS)
 def _question(part: InverseKinematicsPart, instance: Instance) -> JointQuestion:
-    solver = solver_of(key_numbers(instance), reach=part.reach)
-    target = _target(part, instance)
+    solver, target = solver_of(key_numbers(instance), reach=part.reach), _target(part, instance)
     return joint_question(solver, target, every=part.every, tolerance=part.tolerance, reach=part.reach)
 
 
