@@ -18,6 +18,7 @@ closed_form    methods that yield all solutions, and which arm has which:
 search         damped least squares from many starts at once
 refinement     from candidates to solutions
 distinct       which solutions are the same
+isolation      which solutions stand alone, in one pass
 components     which solutions stand alone, and which belong to families
 families       families followed along their path
 crossings      where families cross others

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -11,21 +10,22 @@ import numpy as np
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.crossings import branches, is_beside, tangents
 from kinematics.inverse.distinct import SAME, differences
-from kinematics.inverse.families import LOST, FamilyPath, Follower, blind_directions, nearest_on, pivots_of
+from kinematics.inverse.families import (
+    FamilyPath,
+    Follower,
+    blind_directions,
+    nearest_on,
+    pivots_of,
+)
 from kinematics.inverse.gaps import nearest_places, way_through_gaps
+from kinematics.inverse.isolation import (
+    LONG,
+    fold_length,
+    lost_value,
+    merging_value,
+    stand_alone,
+)
 from kinematics.inverse.residuals import errors_of
-
-LONG = 0.02
-"""A solution that can be moved by this [rad, or parts of the size] belongs to a family."""
-
-ACROSS_A_FOLD = 8.0
-"""Two solutions beside a fold with curvature κ are joined within a tolerance ε up to 2√(2ε/κ) apart; κ is
-1/8 or more of arms whose links are not thousands of times their offsets. What is no longer than 8√ε is one
-solution, not a family."""
-
-MERGING = 6.0
-"""Solutions whose least singular value is above 6√ε are neither joined by a fold of curvature κ ≤ 18,
-where it is at most √(2εκ), nor long, where it is at most ε/LONG."""
 
 GAP = 4.0 / LONG
 """Tolerances by which the pose may be off in a gap between pieces of a family: an error that grows from zero
@@ -94,6 +94,8 @@ def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> l
     np.fill_diagonal(apart, np.inf)
     if not arm.spare and float(least.min()) > lost_value(tolerance):
         delicate &= apart.min(axis=1) <= fold_length(tolerance)
+    if not arm.spare and delicate.any() and stand_alone(arm, target, joints[delicate], tolerance):
+        delicate[:] = False
     order = np.argsort(errors, kind="stable").tolist()
     alone: list[int] = []
     for i in order:
@@ -105,21 +107,6 @@ def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> l
         sorter = _Sorter(arm, Follower(arm, target, tolerance), tolerance)
         found += sorter.sorted(joints[order])
     return found
-
-
-def fold_length(tolerance: float) -> float:
-    """What is no longer than this [rad, or parts of the size] is one solution, not a family."""
-    return max(LONG, ACROSS_A_FOLD * math.sqrt(tolerance))
-
-
-def lost_value(tolerance: float) -> float:
-    """Least singular value of the Jacobian above which a solution is not of a family."""
-    return max(tolerance / LONG * 2.0, LOST, math.sqrt(tolerance))
-
-
-def merging_value(tolerance: float) -> float:
-    """Least singular value of the Jacobian above which a solution stands alone."""
-    return MERGING * math.sqrt(tolerance)
 
 
 def belongs(arm: Arm, target: Array, component: Component, q: Array, tolerance: float) -> bool:

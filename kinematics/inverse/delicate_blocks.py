@@ -10,11 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.components import LONG, fold_length, lost_value, merging_value
 from kinematics.inverse.distinct import differences
-from kinematics.inverse.families import LOST, corrected, weighing_alike
+from kinematics.inverse.families import LOST
 from kinematics.inverse.goals import LEAST_TOLERANCE
-from kinematics.inverse.residuals import are_solutions
+from kinematics.inverse.isolation import (
+    LONG,
+    can_move,
+    fold_length,
+    joined_rows,
+    merging_value,
+)
 
 Indices = NDArray[np.intp]
 
@@ -43,8 +48,9 @@ def delicate_targets(arm: Arm, targets: Array, joints: Array, volume: Array, cou
     rows = np.flatnonzero(np.isin(owner, suspects))
     J = arm.jacobians(arm.frames(joints[rows])) * arm.units
     rows = rows[np.linalg.svd(J, compute_uv=False)[:, -1] <= merging_value(LEAST_TOLERANCE)]
-    moving = rows[_move(arm, targets[owner[rows]], joints[rows])]
-    return np.unique(owner[np.concatenate((moving, _joined(arm, targets, joints, owner, rows)))])
+    moving = rows[can_move(arm, targets[owner[rows]], joints[rows], LEAST_TOLERANCE)]
+    joined = joined_rows(arm, targets, joints, owner, rows, LEAST_TOLERANCE)
+    return np.unique(owner[np.concatenate((moving, joined))])
 
 
 def _suspects(arm: Arm, joints: Array, volume: Array, counts: Indices) -> Indices:
@@ -86,42 +92,3 @@ def _least_values(arm: Arm, joints: Array, enough: float) -> Array:
     if len(unsure):
         least[unsure] = np.linalg.svd(J[unsure], compute_uv=False)[:, -1]
     return np.asarray(least)
-
-
-def _move(arm: Arm, targets: Array, joints: Array) -> NDArray[np.bool_]:
-    """(k,) whether a solution can be moved as far as one of a family, or in more than one direction."""
-    alike = weighing_alike(arm)
-    x = joints / alike.units
-    J = alike.jacobians(alike.frames(joints)) * alike.units
-    _, values, directions = np.linalg.svd(J)
-    blind = (values <= lost_value(LEAST_TOLERANCE)).sum(axis=1)
-    found = blind > 1
-    one = np.flatnonzero(blind == 1)
-    way = fold_length(LEAST_TOLERANCE) * directions[one, -1]
-    ways, both = np.concatenate((way, -way)), np.concatenate((one, one))
-    found[both[_reach(alike, targets[both], x[both] + ways, ways, fold_length(LEAST_TOLERANCE))]] = True
-    return np.asarray(found)
-
-
-def _joined(arm: Arm, targets: Array, joints: Array, owner: Indices, rows: Indices) -> Indices:
-    """Rows whose solution may be joined to another of the same target."""
-    alike = weighing_alike(arm)
-    pairs = [(rows[:-k], rows[k:]) for k in range(1, int(np.bincount(owner[rows]).max(initial=1)))]
-    one, other = (np.concatenate([pair[i] for pair in pairs] or [rows[:0]]) for i in (0, 1))
-    same = owner[one] == owner[other]
-    one, other = one[same], other[same]
-    apart = differences(joints[other], joints[one], arm)
-    near = np.abs(apart).max(axis=1) <= fold_length(LEAST_TOLERANCE)
-    one, way = one[near], apart[near]
-    middle, half = joints[one] / alike.units + 0.5 * way, 0.5 * np.linalg.norm(way, axis=1)
-    return np.asarray(one[_reach(alike, targets[owner[one]], middle, way, half)])
-
-
-def _reach(arm: Arm, targets: Array, x: Array, way: Array, farthest: Array | float) -> NDArray[np.bool_]:
-    """(k,) whether what is beside solutions reaches their targets, corrected across the way by so much."""
-    if not len(x):
-        return np.empty(0, dtype=bool)
-    unit = way / np.maximum(np.linalg.norm(way, axis=1), 1e-300)[:, None]
-    there, e, _ = corrected(arm, targets, x, unit[:, None])
-    near = np.linalg.norm(there - x, axis=1) <= farthest
-    return np.asarray(near & are_solutions(e, arm, LEAST_TOLERANCE))

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+import math
 
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.closed_form import NEARLY
+from kinematics.inverse.families import weighing_alike
 from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.search import polish
 from kinematics.se3 import Transform
@@ -16,9 +17,13 @@ AS_IT_IS = 1e-13
 """A candidate this exact [rad, and parts of the size] is left as it is: rounding of six links leaves as
 much."""
 
-BESIDE = 4.0
+BESIDE = 32.0
 """At a fold a target may be out of reach by what a turn of one tolerance makes of the arm's size: candidates
-that are off by so many tolerances [rad, and parts of the size] are refined by distance and angle alike."""
+that are off by so many tolerances [rad, and parts of the size] are refined by distance and angle alike, and
+across what the Jacobian does not see."""
+
+ROUNDS = 4
+"""Gauss–Newton steps across a fold; they converge quadratically from the root of a tolerance."""
 
 
 def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: float) -> Array:
@@ -35,7 +40,11 @@ def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: floa
         return q
     vectors = errors_of(arm, arm.frames(q)[-1], target)
     errors = np.linalg.norm(vectors, axis=1)
-    q, vectors, errors = q[errors < NEARLY], vectors[errors < NEARLY], errors[errors < NEARLY]
+    q, vectors, errors = (
+        q[errors < NEARLY],
+        vectors[errors < NEARLY],
+        errors[errors < NEARLY],
+    )
     rough, start = errors > AS_IT_IS, q
     if rough.any():
         q = q.copy()
@@ -43,8 +52,33 @@ def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: floa
         vectors = errors_of(arm, arm.frames(q)[-1], target)
     reached = are_solutions(vectors, arm, tolerance)
     beside = ~reached & (np.linalg.norm(vectors, axis=1) <= BESIDE * tolerance)
-    if beside.any() and arm.size > 1.0:
-        q = q.copy()
-        q[beside] = polish(replace(arm, size=1.0), target, start[beside])
+    if beside.any():
+        q, alike = q.copy(), weighing_alike(arm)
+        if alike is not arm:
+            q[beside] = polish(alike, target, start[beside])
+            reached = are_solutions(errors_of(arm, arm.frames(q)[-1], target), arm, tolerance)
+        left = beside & ~reached
+        q[left] = _across_folds(alike, target, start[left], math.sqrt(tolerance))
         reached = are_solutions(errors_of(arm, arm.frames(q)[-1], target), arm, tolerance)
     return np.asarray(q[reached])
+
+
+def _across_folds(arm: Arm, target: Transform, q: Array, least: float) -> Array:
+    """The nearest poses beside configurations at folds, reached by steps in the directions that count.
+
+    What is out of reach there is so for every configuration near; a step that is to make up for it, as
+    `polish` takes one, leads away along the fold.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        q: (m, n).
+        least: singular value of the Jacobian up to which a direction does not count.
+    """
+    x = q / arm.units
+    for _ in range(ROUNDS):
+        frames = arm.frames(x * arm.units)
+        U, values, Vt = np.linalg.svd(arm.jacobians(frames) * arm.units, full_matrices=False)
+        inverse = np.where(values > least, 1.0 / np.maximum(values, least), 0.0)
+        x = x + np.einsum("mkn,mk,mik,mi->mn", Vt, inverse, U, errors_of(arm, frames[-1], target))
+    return np.asarray(x * arm.units)

@@ -35,7 +35,7 @@ import numpy as np
 from kinematics.evaluation.straight_line import function_of_floats
 from kinematics.evaluation.tape import Tape
 from kinematics.inverse.arm import Arm, Array, low_discrepancy
-from kinematics.inverse.components import LONG
+from kinematics.inverse.isolation import LONG
 from kinematics.inverse.results import IKSolution, Isolation
 from kinematics.inverse.wrist import ALMOST, WristArm
 from kinematics.inverse.wrist_blocks import CLEARLY

@@ -17,9 +17,10 @@ import numpy as np
 from kinematics.forward import end_pose
 from kinematics.inverse.components import belongs, components_of
 from kinematics.inverse.distinct import differences
-from kinematics.inverse.families import Follower, nearest_on
+from kinematics.inverse.families import FamilyPath, Follower, nearest_on
 from kinematics.inverse.goals import Goal, read_goal
 from kinematics.inverse.residuals import are_solutions, error_vectors
+from kinematics.inverse.results import InverseKinematics
 from kinematics.inverse.search import descend, polish, unbounded
 from kinematics.inverse.solve import Solver, solver_of
 from kinematics.table import DHTable
@@ -112,7 +113,10 @@ def run(name: str, table: DHTable, poses: int, tried: int, seed: int = 1) -> Tal
             tally.faults.append(("too many", name, k))
         if not _reaches(solver, goal, q):
             tally.rough += 1
-        elif not is_among(solver, goal, q, np.array([s.joints for s in answer.solutions])):
+        elif not (
+            _is_on_a_family(solver, goal, q, answer)
+            or is_among(solver, goal, q, np.array([s.joints for s in answer.solutions]))
+        ):
             tally.faults.append(("own lost", name, k))
         if answer.complete:
             tally.complete += 1
@@ -141,18 +145,33 @@ def is_among(solver: Solver, goal: Goal, q: np.ndarray, known: np.ndarray) -> bo
         if np.abs(apart).max() <= 0.5 and follower.joined(x, x + apart):
             return True
     for component in components_of(arm, goal.pose, known, goal.tolerance):
-        for path in component.paths:
-            off, chord = nearest_on(arm, path, q)
-            length = np.linalg.norm(chord)
-            if np.linalg.norm(off) <= 0.1:
-                corrected, e, _ = follower.corrected(x - off, (chord / max(length, 1e-300))[None])
-                if follower.reached(e) and np.linalg.norm(corrected - x) <= max(2e-3, 40 * goal.tolerance):
-                    return True
-                if follower.joined(x, corrected):
-                    return True
+        if any(_is_on(follower, goal, q, path) for path in component.paths):
+            return True
         if belongs(arm, goal.pose, component, q, 2.0 * goal.tolerance):
             return True
     return False
+
+
+def _is_on_a_family(solver: Solver, goal: Goal, q: np.ndarray, answer: InverseKinematics) -> bool:
+    """Whether a configuration is on the path of a family, by the members that the answer lists."""
+    follower = Follower(solver.arm, goal.pose, 2.0 * goal.tolerance)
+    families = [s.family for s in answer.solutions if s.family is not None and s.family.members]
+    return any(
+        _is_on(follower, goal, q, FamilyPath(np.array(one.members), closed=False, second=np.empty(0)))
+        for one in families
+    )
+
+
+def _is_on(follower: Follower, goal: Goal, q: np.ndarray, path: FamilyPath) -> bool:
+    """Whether the nearest chord of a path, corrected, leads to a configuration."""
+    x = q / follower.arm.units
+    off, chord = nearest_on(follower.arm, path, q)
+    if np.linalg.norm(off) > 0.1:
+        return False
+    corrected, e, _ = follower.corrected(x - off, (chord / max(np.linalg.norm(chord), 1e-300))[None])
+    if follower.reached(e) and np.linalg.norm(corrected - x) <= max(2e-3, 40 * goal.tolerance):
+        return True
+    return follower.joined(x, corrected)
 
 
 def _straight(solver: Solver, goal: Goal, q: np.ndarray, apart: np.ndarray) -> bool:

@@ -9,15 +9,18 @@ import pytest
 from kinematics.catalogue import robots
 from kinematics.forward import end_pose
 from kinematics.inverse import IKStatus, UnreachableReason, inverse_kinematics, solver_of
+from kinematics.inverse import components as sorting
 from kinematics.inverse.closed_form import closed_form_of
 from kinematics.inverse.components import belongs, components_of
 from kinematics.inverse.general import GeneralArm
 from kinematics.inverse.goals import read_goal
+from kinematics.inverse.isolation import stand_alone
+from kinematics.inverse.refinement import solutions_of
 from kinematics.inverse.results import Isolation, Method
 from kinematics.inverse.search import Bounds, search
 from kinematics.inverse.wrist import WristArm
 from tests.kinematics.inverse.arms import GENERAL, UR5, apart, random_joints, random_table
-from tests.kinematics.inverse.campaign import is_among, questions, run
+from tests.kinematics.inverse.campaign import is_among, questions, run, singular_configuration
 from tests.kinematics.inverse.models import MODELS
 from tests.kinematics.robots import PLANAR4, PUMA560, RX90
 
@@ -158,6 +161,42 @@ def test_general_arms_have_what_a_search_finds():
         known = np.array([s.joints for s in answer.solutions])
         for found in search(solver.arm, target, solver.box, Bounds.IGNORED).solutions:
             assert apart(table, found, known).min() < 1e-3
+
+
+@pytest.mark.parametrize(("arm", "seed", "draw"), [("jaco", 1, 35), ("general", 1, 57)])
+def test_rounding_that_puts_a_fold_out_of_reach_loses_no_solution(arm, seed, draw):
+    # A configuration where the Jacobian loses rank; decimals of its pose are cut off, so that the target is
+    # out of reach by less than the tolerance.
+    table = MODELS["jaco"] if arm == "jaco" else GENERAL
+    solver = solver_of(table)
+    rng = np.random.default_rng(seed)
+    for _ in range(draw + 1):
+        q = singular_configuration(rng, solver)
+        decimals = int(rng.integers(4, 7))
+    target, tolerance = np.round(end_pose(table, q), decimals), 10.0**-decimals
+    known = np.array([s.joints for s in solver.solve(target, tolerance).solutions])
+    assert is_among(solver, read_goal(target, tolerance, where=()), q, known)
+
+
+@pytest.mark.parametrize("name", ["puma", "ur5", "stanford"])
+def test_what_stands_alone_in_one_pass_stands_alone_when_followed(name, monkeypatch):
+    solver = solver_of(MODELS[name])
+    rng = np.random.default_rng(8)
+    alone = 0
+    for _ in range(12):
+        away = rng.normal(size=6)
+        q = singular_configuration(rng, solver) + 10.0 ** rng.uniform(-6, -3) * away * solver.arm.units
+        target = end_pose(MODELS[name], q)
+        joints = solutions_of(solver.arm, solver.closed_form.candidates(target), target, 7e-10)
+        if not stand_alone(solver.arm, target, joints, 7e-10):
+            continue
+        alone += 1
+        with monkeypatch.context() as patch:
+            patch.setattr(sorting, "stand_alone", lambda *_: False)
+            followed = components_of(solver.arm, target, joints, 7e-10)
+        at_once = components_of(solver.arm, target, joints, 7e-10)
+        assert [one.dimension for one in at_once] == [one.dimension for one in followed]
+    assert alone > 2
 
 
 def test_which_arm_has_which_closed_form():

@@ -6,8 +6,8 @@ import pytest
 from kinematics.forward import end_pose, end_poses
 from kinematics.inverse import inverse_kinematics, solver_of
 from kinematics.inverse.arm import volumes
-from kinematics.inverse.components import LONG
 from kinematics.inverse.goals import LEAST_TOLERANCE, read_goal
+from kinematics.inverse.isolation import LONG
 from kinematics.inverse.residuals import are_solutions, errors_of, pose_errors
 from kinematics.inverse.results import Method
 from kinematics.inverse.wrist_scalars import ClearWrist

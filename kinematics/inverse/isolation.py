@@ -1,0 +1,146 @@
+"""Which solutions stand alone: can neither be moved nor joined to another while the target stays reached.
+
+All solutions are tried in the same array operations: a step along what the Jacobian does not see, and the
+middle between two that are near each other, are corrected back to the target.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.distinct import differences
+from kinematics.inverse.families import LOST, corrected, weighing_alike
+from kinematics.inverse.residuals import are_solutions
+
+Indices = NDArray[np.intp]
+
+LONG = 0.02
+"""A solution that can be moved by this [rad, or parts of the size] belongs to a family."""
+
+ACROSS_A_FOLD = 8.0
+"""Two solutions beside a fold with curvature κ are joined within a tolerance ε up to 2√(2ε/κ) apart; κ is
+1/8 or more of arms whose links are not thousands of times their offsets. What is no longer than 8√ε is one
+solution, not a family."""
+
+MERGING = 6.0
+"""Solutions whose least singular value is above 6√ε are neither joined by a fold of curvature κ ≤ 18,
+where it is at most √(2εκ), nor long, where it is at most ε/LONG."""
+
+
+def fold_length(tolerance: float) -> float:
+    """What is no longer than this [rad, or parts of the size] is one solution, not a family."""
+    return max(LONG, ACROSS_A_FOLD * math.sqrt(tolerance))
+
+
+def lost_value(tolerance: float) -> float:
+    """Least singular value of the Jacobian above which a solution is not of a family."""
+    return max(tolerance / LONG * 2.0, LOST, math.sqrt(tolerance))
+
+
+def merging_value(tolerance: float) -> float:
+    """Least singular value of the Jacobian above which a solution stands alone."""
+    return MERGING * math.sqrt(tolerance)
+
+
+def stand_alone(arm: Arm, target: Array, joints: Array, tolerance: float) -> bool:
+    """Whether each of some solutions stands alone.
+
+    Args:
+        arm: without joints to spare.
+        target: (4, 4).
+        joints: (m, n).
+        tolerance: distance [m] and angle [rad] within which the target is reached.
+    """
+    targets, rows = np.broadcast_to(target, (len(joints), 4, 4)), np.arange(len(joints))
+    owner = np.zeros_like(rows)
+    return not (
+        can_move(arm, targets, joints, tolerance).any()
+        or len(joined_rows(arm, targets, joints, owner, rows, tolerance))
+    )
+
+
+def can_move(arm: Arm, targets: Array, joints: Array, tolerance: float) -> NDArray[np.bool_]:
+    """Whether solutions can be moved as far as those of families, or in more than one direction.
+
+    Args:
+        arm: without joints to spare.
+        targets: (k, 4, 4) of each.
+        joints: (k, n).
+        tolerance: distance [m] and angle [rad] within which a target is reached.
+    """
+    alike = weighing_alike(arm)
+    x = joints / alike.units
+    J = alike.jacobians(alike.frames(joints)) * alike.units
+    _, values, directions = np.linalg.svd(J)
+    blind = (values <= lost_value(tolerance)).sum(axis=1)
+    found = blind > 1
+    one = np.flatnonzero(blind == 1)
+    way = fold_length(tolerance) * directions[one, -1]
+    ways, both = np.concatenate((way, -way)), np.concatenate((one, one))
+    found[
+        both[
+            _reach(
+                alike,
+                targets[both],
+                x[both] + ways,
+                ways,
+                fold_length(tolerance),
+                tolerance,
+            )
+        ]
+    ] = True
+    return np.asarray(found)
+
+
+def joined_rows(
+    arm: Arm,
+    targets: Array,
+    joints: Array,
+    owner: Indices,
+    rows: Indices,
+    tolerance: float,
+) -> Indices:
+    """Those rows of which the solution may be joined to another of the same target.
+
+    Args:
+        arm: without joints to spare.
+        targets: (m, 4, 4).
+        joints: (k, n) solutions, in order of the targets.
+        owner: (k,) whose each is.
+        rows: which of them are looked at.
+        tolerance: distance [m] and angle [rad] within which a target is reached.
+    """
+    alike = weighing_alike(arm)
+    pairs = [(rows[:-k], rows[k:]) for k in range(1, int(np.bincount(owner[rows]).max(initial=1)))]
+    one, other = (np.concatenate([pair[i] for pair in pairs] or [rows[:0]]) for i in (0, 1))
+    same = owner[one] == owner[other]
+    one, other = one[same], other[same]
+    apart = differences(joints[other], joints[one], arm)
+    near = np.abs(apart).max(axis=1, initial=0.0) <= fold_length(tolerance)
+    one, way = one[near], apart[near]
+    middle, half = (
+        joints[one] / alike.units + 0.5 * way,
+        0.5 * np.linalg.norm(way, axis=1),
+    )
+    return np.asarray(one[_reach(alike, targets[owner[one]], middle, way, half, tolerance)])
+
+
+def _reach(
+    arm: Arm,
+    targets: Array,
+    x: Array,
+    way: Array,
+    farthest: Array | float,
+    tolerance: float,
+) -> NDArray[np.bool_]:
+    """(k,) whether what is beside solutions reaches their targets, corrected across the way by so much."""
+    if not len(x):
+        return np.empty(0, dtype=bool)
+    unit = way / np.maximum(np.linalg.norm(way, axis=1), 1e-300)[:, None]
+    there, e, _ = corrected(arm, targets, x, unit[:, None])
+    near = np.linalg.norm(there - x, axis=1) <= farthest
+    return np.asarray(near & are_solutions(e, arm, tolerance))
