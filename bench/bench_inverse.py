@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from bench import Better, Outcome, measured, race
+from bench import Better, Outcome, Row, measured, race
 from bench.peers import ALPHA, A, D, puma560, puma560_ets
 
 TITLE = "Inverse kinematics"
@@ -21,6 +21,11 @@ solution within 1e-6 (1e-8 where so said), judged by our forward kinematics.
 Then every robot of the catalogue, and 50 random arms of four to eight joints of both kinds. The arms, most of
 which have no closed form and are searched at some 10 ms a pose, get a tenth of the promised 1000 poses;
 `FRAMEWISE_BENCH_POSES=1000` gives them all (eight minutes more).
+
+Before and now, in turns on a busy machine, processor time: one pose, all eight verified, 42 to 27 µs; 1000
+poses away from singularities 1.7 to 1.1 µs each; blocks of 1000 random poses, of which one or two need care,
+6.5 to 4.5 µs each. Inverse kinematics of a PUMA in symbols takes 10 ms, in all nine formats 60 ms; a worker
+process that is asked for the first time imports 1.5 s less.
 """
 
 EAIK, RTB, RTB_TIGHT = "EAIK `DhRobot.IK`", "roboticstoolbox `ik_LM`", "roboticstoolbox `ik_LM`, tol 1e-12"
@@ -59,8 +64,18 @@ def _puma() -> list[Outcome]:
         rtb = _share(table, their_targets, lambda pose: ets.ik_LM(pose), 1e-6)
         outcomes.append(_solved(f"PUMA 560, {name}: poses solved", RTB, 100 * eight.mean(), rtb))
     pose, solver = end_poses(table, q)[0], solver_of(table)
-    outcomes += race("PUMA 560: one pose", lambda: solver.solve(pose), {EAIK: lambda: theirs.IK(pose).Q})
-    return outcomes
+    one = race("PUMA 560: one pose", lambda: solver.solve(pose), {EAIK: lambda: theirs.IK(pose).Q})
+    ours = next(row.ours for row in one if isinstance(row, Row))
+    barred = measured(
+        "PUMA 560: one pose, all eight, each verified",
+        peer="a bar of 25 µs",
+        ours=ours,
+        theirs=25e-6,
+        unit="s",
+        better=Better.LESS,
+        bar=1,
+    )
+    return [*outcomes, *one, barred]
 
 
 def _others() -> list[Outcome]:
