@@ -31,11 +31,12 @@ from kinematics.equivalence.decision import certify, mechanism_only
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
 from kinematics.errors import KinematicsError
-from kinematics.se3 import Floats, Transform
+from kinematics.se3 import Floats, Transform, cross
 from kinematics.table import Convention, DHTable, JointType, NumericTable, bind
 
 TURNS = np.radians(np.arange(0.0, 360.0, 1.0))
 """Angles [rad] that are tried for a joint: a degree more or less is not seen."""
+_COSINES, _SINES = np.cos(TURNS)[:, None], np.sin(TURNS)[:, None]
 SLIDES = np.array(sorted(np.linspace(-1.0, 1.0, 201), key=abs))
 """Displacements that are tried, in robot sizes: a hundredth of the robot is not seen either. Least first."""
 
@@ -81,10 +82,11 @@ def departure_of(instance: Instance, read: ReadTable, verdict: Verdict) -> Depar
         value / metres if kind is JointType.PRISMATIC else value
         for value, kind in zip(pose.posture, key.joint_types, strict=True)
     ]
-    shared, certificate = shared_joints(key, answer, exercise.policy)
+    named = _named(verdict)
+    shared, certificate = shared_joints(key, answer, exercise.policy, _joints_before(answer, named))
     if certificate is None:
         return None
-    row = _named(verdict) or _first_row(answer, shared)
+    row = named or _first_row(answer, shared)
     if row is None:
         return None
     base = np.array(pose.base) @ np.linalg.inv(certificate.base)
@@ -111,21 +113,32 @@ def departure_of(instance: Instance, read: ReadTable, verdict: Verdict) -> Depar
     )
 
 
-def shared_joints(key: NumericTable, answer: NumericTable, policy: Policy) -> tuple[int, Certificate | None]:
+def shared_joints(
+    key: NumericTable, answer: NumericTable, policy: Policy, expected: int = 1
+) -> tuple[int, Certificate | None]:
     """Return how many first joints two tables share as a mechanism, and the certificate for these.
 
     The last joint's own offset is the certificate's choice: without the rest of the chain it means nothing.
+
+    Args:
+        key: the robot of the figure.
+        answer: the robot of the table.
+        policy: what tells how exact lengths and angles are.
+        expected: how many they will be; it is begun there, for what shares so many joints shares all fewer.
     """
     free = mechanism_only(policy)
     best: Certificate | None = None
-    most = min(len(key.joint_types), len(answer.joint_types))
-    for joints in range(1, most + 1):
+    least, most = 0, min(len(key.joint_types), len(answer.joint_types))
+    joints = expected
+    while least < most:
+        joints = min(max(joints, least + 1), most)
         reference, chain = prepared(_first(key, joints)), chain_of_table(_first(answer, joints))
         found = certify((reference,), (chain,), free, Effort.PLAIN)
         if found is None:
-            return joints - 1, best
-        best = found
-    return most, best
+            most = joints = joints - 1
+        else:
+            best, least, joints = found, joints, joints + 1
+    return least, best
 
 
 def _first(table: NumericTable, joints: int) -> NumericTable:
@@ -142,6 +155,14 @@ def _named(verdict: Verdict) -> int | None:
     return next(iter([*told, *found]), None)
 
 
+def _joints_before(answer: NumericTable, row: int | None) -> int:
+    """Return how many axes stand before the first that a row (from 1) moves; 1 where none is named."""
+    if row is None:
+        return 1
+    before = answer.rows[: row - (answer.convention is Convention.MODIFIED)]
+    return sum(entry.joint is not JointType.FIXED for entry in before)
+
+
 def _first_row(answer: NumericTable, shared: int) -> int | None:
     """Return the row whose frame is the first off the robot, where so many joints are right."""
     at = [i for i, row in enumerate(answer.rows, 1) if row.joint is not JointType.FIXED]
@@ -156,14 +177,26 @@ def _laid_on(chain: Chain, start: Sequence[float], axes: Sequence[FigureJointAxi
     for i in range(max(len(start) - 1, 0), chain.n_joints):
         if i + 1 >= min(chain.n_joints, len(axes)):
             break
-        tried = SLIDES * size if chain.axes[i].prismatic else TURNS
-        batch = np.tile(joints, (len(tried), 1))
-        batch[:, i] += tried
-        directions, points = chain.axes_at(batch)
-        joints = batch[int(np.argmin(_off(directions[:, i + 1], points[:, i + 1], axes[i + 1], size)))]
+        directions, points = chain.axes_at(joints)
+        if chain.axes[i].prismatic:
+            tried = SLIDES * size
+            turned = np.broadcast_to(directions[i + 1], (len(tried), 3))
+            moved = points[i + 1] + tried[:, None] * directions[i]
+        else:
+            tried = TURNS
+            turned = _turned(directions[i + 1], directions[i])
+            moved = points[i] + _turned(points[i + 1] - points[i], directions[i])
+        joints[i] += tried[int(np.argmin(_off(turned, moved, axes[i + 1], size)))]
     revolute = np.array([not axis.prismatic for axis in chain.axes])
     joints[revolute] = (joints[revolute] + math.pi) % (2 * math.pi) - math.pi
     return joints
+
+
+def _turned(vector: Floats, axis: Floats) -> Floats:
+    """Return a vector turned about an axis by each of the angles that are tried."""
+    along = axis * (axis @ vector)
+    across = np.array(cross(axis.tolist(), vector.tolist()))
+    return np.asarray(along + _COSINES * (vector - along) + _SINES * across, dtype=np.float64)
 
 
 def _off(directions: Floats, points: Floats, axis: FigureJointAxis, size: float) -> Floats:

@@ -93,6 +93,19 @@ def test_whatever_is_told_lies_on_the_axes_before_the_first_that_differs(
     assert shared_axes(raw, report.departure) >= shared
 
 
+@given(row=st.integers(1, 6), cell=st.sampled_from(CELLS), value=st.sampled_from([0, 30, "a2", "d4"]))
+def test_how_many_joints_are_shared_does_not_depend_on_how_many_were_expected(
+    row: int, cell: str, value: object
+) -> None:
+    if cell == "alpha" and isinstance(value, str):
+        value = 45
+    instance = generate(exercise("puma560"))
+    key = bind(instance.exercise.reference.table, instance.parameters)
+    answer = bind(read_table(puma(row, cell, value)).table, instance.parameters)
+    found = {shared_joints(key, answer, instance.exercise.policy, expected)[0] for expected in range(8)}
+    assert len(found) == 1
+
+
 @pytest.mark.parametrize("level", list(HelpLevel))
 def test_it_is_told_only_where_the_help_tells_what_is_wrong(level: HelpLevel) -> None:
     report = judged("puma560", table=puma(3, "a", 0), help_level=level)
