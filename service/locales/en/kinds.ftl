@@ -1,7 +1,7 @@
 ### Kinds of question: what is asked, what is said of answers.
 
 field-matrix = Matrix
-field-component_order = Order of the components
+field-component_order = Order of the quaternion’s components
 field-quaternion = Quaternion
 field-axis = Axis of rotation
 field-angle = Angle of rotation
@@ -9,7 +9,7 @@ field-angles = Triples of angles
 field-middle = At gimbal lock: the middle angle
 field-combination = At gimbal lock: what of the first and the last angle is fixed
 field-value = Its value
-field-claim = The given matrix or pose
+field-claim = What is true of the matrix or pose
 field-pose = Pose
 option-wxyz = w, x, y, z: scalar first
 option-xyzw = x, y, z, w: scalar last
@@ -230,7 +230,7 @@ error-key_given_away = This part shows a table; an exercise that asks for the ta
 error-not_plantable = No mistake of the catalogue that was asked for changes this robot.
 
 field-frame = The screws are written in
-field-order = Order of a row
+field-order = Order of v and ω
 field-screws = Screws, one row for each joint
 field-home = Home pose M
 option-space = the fixed frame (space)

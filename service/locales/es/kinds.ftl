@@ -1,7 +1,7 @@
 ### Clases de pregunta: qué se pide y qué se dice de las respuestas.
 
 field-matrix = Matriz
-field-component_order = Orden de las componentes
+field-component_order = Orden de las componentes del cuaternión
 field-quaternion = Cuaternión
 field-axis = Eje de rotación
 field-angle = Ángulo de rotación
@@ -9,7 +9,7 @@ field-angles = Ternas de ángulos
 field-middle = En el bloqueo del cardán: el ángulo intermedio
 field-combination = En el bloqueo del cardán: qué queda determinado del primer y del último ángulo
 field-value = Su valor
-field-claim = La matriz o pose dada
+field-claim = Qué es cierto de la matriz o pose
 field-pose = Pose
 option-wxyz = w, x, y, z: el escalar primero
 option-xyzw = x, y, z, w: el escalar al final
@@ -230,7 +230,7 @@ error-key_given_away = Esta parte muestra una tabla; un ejercicio que pide la ta
 error-not_plantable = Ningún error del catálogo pedido cambia este robot.
 
 field-frame = Los tornillos se escriben en
-field-order = Orden de una fila
+field-order = Orden de v y ω
 field-screws = Tornillos, una fila por articulación
 field-home = Pose inicial M
 option-space = el sistema fijo (espacio)

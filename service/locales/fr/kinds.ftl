@@ -1,7 +1,7 @@
 ### Genres de question : ce qui est demandé, ce qui est dit des réponses.
 
 field-matrix = Matrice
-field-component_order = Ordre des composantes
+field-component_order = Ordre des composantes du quaternion
 field-quaternion = Quaternion
 field-axis = Axe de rotation
 field-angle = Angle de rotation
@@ -9,7 +9,7 @@ field-angles = Triplets d’angles
 field-middle = En cas de blocage de cardan : l’angle du milieu
 field-combination = En cas de blocage de cardan : ce qui est fixé du premier et du dernier angle
 field-value = Sa valeur
-field-claim = La matrice ou pose donnée
+field-claim = Ce qui est vrai de la matrice ou de la pose
 field-pose = Pose
 option-wxyz = w, x, y, z : le scalaire d’abord
 option-xyzw = x, y, z, w : le scalaire à la fin
@@ -230,7 +230,7 @@ error-key_given_away = Cette partie montre un tableau ; un exercice qui demande
 error-not_plantable = Aucune erreur demandée du catalogue ne change ce robot.
 
 field-frame = Les torseurs sont écrits dans
-field-order = Ordre d’une ligne
+field-order = Ordre de v et ω
 field-screws = Torseurs, une ligne par articulation
 field-home = Pose initiale M
 option-space = le repère fixe (espace)

@@ -1,7 +1,7 @@
 ### Tipos de pergunta: o que se pede e o que se diz das respostas.
 
 field-matrix = Matriz
-field-component_order = Ordem das componentes
+field-component_order = Ordem das componentes do quaternião
 field-quaternion = Quaternião
 field-axis = Eixo de rotação
 field-angle = Ângulo de rotação
@@ -9,7 +9,7 @@ field-angles = Ternos de ângulos
 field-middle = No bloqueio de cardan: o ângulo do meio
 field-combination = No bloqueio de cardan: o que fica determinado do primeiro e do último ângulo
 field-value = O seu valor
-field-claim = A matriz ou pose dada
+field-claim = O que é verdade da matriz ou pose
 field-pose = Pose
 option-wxyz = w, x, y, z: o escalar primeiro
 option-xyzw = x, y, z, w: o escalar por último
@@ -230,7 +230,7 @@ error-key_given_away = Esta parte mostra uma tabela; um exercício que pede a ta
 error-not_plantable = Nenhum dos erros pedidos do catálogo altera este robô.
 
 field-frame = Os helicoides são escritos no
-field-order = Ordem de uma linha
+field-order = Ordem de v e ω
 field-screws = Helicoides, uma linha por junta
 field-home = Pose inicial M
 option-space = referencial fixo (espaço)

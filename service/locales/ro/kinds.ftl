@@ -1,7 +1,7 @@
 ### Feluri de întrebări: ce se cere și ce se spune despre răspunsuri.
 
 field-matrix = Matrice
-field-component_order = Ordinea componentelor
+field-component_order = Ordinea componentelor cuaternionului
 field-quaternion = Cuaternion
 field-axis = Axa de rotație
 field-angle = Unghiul de rotație
@@ -9,7 +9,7 @@ field-angles = Triplete de unghiuri
 field-middle = La blocaj cardanic: unghiul din mijloc
 field-combination = La blocaj cardanic: ce este determinat din primul și ultimul unghi
 field-value = Valoarea ei
-field-claim = Matricea sau situarea dată
+field-claim = Ce este adevărat despre matrice sau situare
 field-pose = Situare
 option-wxyz = w, x, y, z: scalarul întâi
 option-xyzw = x, y, z, w: scalarul la sfârșit
@@ -231,7 +231,7 @@ error-key_given_away = Această parte arată un tabel; un exercițiu care cere t
 error-not_plantable = Nicio greșeală cerută din catalog nu schimbă acest robot.
 
 field-frame = Torsorii sunt scriși în
-field-order = Ordinea într-un rând
+field-order = Ordinea dintre v și ω
 field-screws = Torsori, câte un rând pentru fiecare cuplă
 field-home = Situarea inițială M
 option-space = sistemul fix (spațiu)

@@ -1,7 +1,7 @@
 ### Види питань: що запитано і що сказано про відповіді.
 
 field-matrix = Матриця
-field-component_order = Порядок компонент
+field-component_order = Порядок компонент кватерніона
 field-quaternion = Кватерніон
 field-axis = Вісь повороту
 field-angle = Кут повороту
@@ -9,7 +9,7 @@ field-angles = Трійки кутів
 field-middle = За складання рамок: середній кут
 field-combination = За складання рамок: що визначено з першого й останнього кутів
 field-value = Її значення
-field-claim = Задана матриця чи поза
+field-claim = Що справедливо для матриці чи пози
 field-pose = Поза
 option-wxyz = w, x, y, z: скаляр перший
 option-xyzw = x, y, z, w: скаляр останній
@@ -230,7 +230,7 @@ error-key_given_away = Ця частина показує таблицю; впр
 error-not_plantable = Жодна із запитаних помилок каталогу не змінює цього робота.
 
 field-frame = Гвинти записано в
-field-order = Порядок у рядку
+field-order = Порядок v і ω
 field-screws = Гвинти, по рядку на зчленування
 field-home = Початкова поза M
 option-space = нерухомій системі (простір)
