@@ -24,8 +24,9 @@ from kinematics.se3 import cross_arrays
 _NOTHING = 1e-11
 """A quantity this small beside its terms is zero for every q."""
 
-_NEARLY_REAL = 1e-2
-"""Roots this near to the real line (or to the unit circle) are tried: rounding moves a double root so far."""
+_NEARLY_REAL = 0.1
+"""Roots this near to the real line (or to the unit circle) are tried: a target with three decimals moves a
+double root by some √1e-3, and what is tried in vain costs little."""
 
 _NEARLY_ZERO = 1e-6
 """An equation without unknowns is contradictory if it is off by more than this, in units of the size."""

@@ -163,11 +163,14 @@ def test_general_arms_have_what_a_search_finds():
             assert apart(table, found, known).min() < 1e-3
 
 
-@pytest.mark.parametrize(("arm", "seed", "draw"), [("jaco", 1, 35), ("general", 1, 57)])
+FOLDS = [("jaco", 1, 35), ("general", 1, 57), ("five joints", 2, 31)]
+
+
+@pytest.mark.parametrize(("arm", "seed", "draw"), FOLDS)
 def test_rounding_that_puts_a_fold_out_of_reach_loses_no_solution(arm, seed, draw):
     # A configuration where the Jacobian loses rank; decimals of its pose are cut off, so that the target is
     # out of reach by less than the tolerance.
-    table = MODELS["jaco"] if arm == "jaco" else GENERAL
+    table = GENERAL if arm == "general" else MODELS[arm]
     solver = solver_of(table)
     rng = np.random.default_rng(seed)
     for _ in range(draw + 1):
