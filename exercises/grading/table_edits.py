@@ -13,7 +13,8 @@ from exercises.grading.work import LENGTHS, Change, Extent, Work
 from kinematics.cells import AngleUnit
 from kinematics.equivalence.batches import CellChange
 from kinematics.errors import ParameterError
-from kinematics.table import CELLS, Convention, DHTable, JointType, NumericRow, bind
+from kinematics.expressions import Expression, evaluate, parameters_in
+from kinematics.table import CELLS, Convention, DHTable, JointType, NumericRow
 
 ALONG_X = ("alpha", "a")
 LENGTH_RATIOS = (1000.0, 0.001, 100.0, 0.01, 10.0, 0.1)
@@ -166,33 +167,51 @@ def parameter_misnamed(work: Work) -> Iterator[Change]:
     kinds = work.key.parameters
     unknown = [name for name in work.answer.parameters if name not in kinds]
     unused = [name for name in kinds if name not in work.answer.parameters] or list(kinds)
+    entries = _named_entries(work) if unknown else []
     for name in unknown:
         for other in unused:
             if kinds[other] is work.answer.parameters[name]:
-                yield from _renamed(work, "parameter_misnamed", {name: other}, name)
+                yield from _renamed(work, "parameter_misnamed", entries, {name: other}, name)
 
 
 def parameters_swapped(work: Work) -> Iterator[Change]:
     """Two names of the key used for one another."""
     used = [name for name in work.answer.parameters if name in work.key.parameters]
+    entries = _named_entries(work) if len(used) > 1 else []
     for one, other in combinations(used, 2):
         if work.key.parameters[one] is work.key.parameters[other]:
-            yield from _renamed(work, "parameters_swapped", {one: other, other: one}, one, other=other)
+            names = {one: other, other: one}
+            yield from _renamed(work, "parameters_swapped", entries, names, one, other=other)
 
 
-def _renamed(work: Work, code: str, names: dict[str, str], name: str, **params: str) -> Iterator[Change]:
+def _named_entries(work: Work) -> list[tuple[Place, Expression, frozenset[str]]]:
+    """The entries of the answer itself with names in them; none of a table in which an edit has been made."""
+    if work.table is not work.comparison.meant[work.draw]:
+        return []
+    rows = work.comparison.meant_table.rows
+    entries = [((i, cell), getattr(row, cell)) for i, row in enumerate(rows) for cell in CELLS]
+    return [(place, entry, names) for place, entry in entries if (names := parameters_in(entry))]
+
+
+def _renamed(
+    work: Work,
+    code: str,
+    entries: Sequence[tuple[Place, Expression, frozenset[str]]],
+    names: dict[str, str],
+    name: str,
+    **params: str,
+) -> Iterator[Change]:
     """Names put for one another, in the answer itself: the table in which each has the other's value."""
-    before, values = work.comparison.meant[work.draw], work.comparison.draws[work.draw]
-    if work.table is not before:
-        return
+    values = work.comparison.draws[work.draw]
     values = {**values, **{old: values[new] for old, new in names.items() if new in values}}
     with suppress(ParameterError):
-        after = bind(work.comparison.meant_table, values)
         cells = [
             (i, cell, now)
-            for i, (old, new) in enumerate(zip(before.rows, after.rows, strict=True))
-            for cell in CELLS
-            if not math.isclose(getattr(old, cell), now := getattr(new, cell), rel_tol=SAME)
+            for (i, cell), entry, found in entries
+            if not found.isdisjoint(names)
+            and not math.isclose(
+                getattr(work.table.rows[i], cell), now := evaluate(entry, values), rel_tol=SAME
+            )
         ]
         if cells:
             extent = Extent.CELL if code == "parameter_misnamed" else Extent.ROW
