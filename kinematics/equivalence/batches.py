@@ -98,8 +98,7 @@ def _cells(tables: Sequence[NumericTable], variations: Sequence[Variation], whic
     """The four numbers of every row in the order of a modified table, (rows, 4, k)."""
     lower = [table.convention is Convention.STANDARD for table in tables]
     length = max(len(table.rows) + down for table, down in zip(tables, lower, strict=True))
-    known: dict[int, tuple[complex, ...]] = {}
-    plain = np.array([_plain(table, length, known) for table in tables], dtype=np.complex128)
+    plain = _plain(tables, lower, length)
     cells = plain.transpose(1, 2, 0).take(which, axis=2)
     k = len(which)
     changes = [
@@ -114,26 +113,31 @@ def _cells(tables: Sequence[NumericTable], variations: Sequence[Variation], whic
     return cells
 
 
-def _plain(
-    table: NumericTable, length: int, known: dict[int, tuple[complex, ...]]
-) -> list[tuple[complex, ...]]:
-    """The four numbers of so many rows: a table's, and such that change nothing.
+def _plain(tables: Sequence[NumericTable], lower: Sequence[bool], length: int) -> Numbers:
+    """The four numbers of so many rows of tables, of which many have rows in common, (tables, rows, 4).
 
     Args:
-        table: the table.
-        length: how many rows.
-        known: the numbers of rows that other tables have as well, by their identity; added to.
+        tables: the tables.
+        lower: in which of them a and α stand a row lower.
+        length: how many rows; behind a table's own stand such that change nothing.
     """
-    rows = []
-    for row in table.rows:
-        numbers = known.get(id(row))
-        if numbers is None:
-            numbers = known[id(row)] = (_turn(row.alpha), row.a, _turn(row.theta), row.d)
-        rows.append(numbers)
-    if table.convention is Convention.STANDARD:
-        above, below = [_NOTHING, *rows], [*rows, _NOTHING]
-        rows = [(*one[:2], *other[2:]) for one, other in zip(above, below, strict=True)]
-    return rows + [_NOTHING] * (length - len(rows))
+    numbers = [_NOTHING]
+    places: dict[int, int] = {}
+    along_x, along_z = [], []
+    for table, down in zip(tables, lower, strict=True):
+        for row in table.rows:
+            if id(row) not in places:
+                places[id(row)] = len(numbers)
+                numbers.append((_turn(row.alpha), row.a, _turn(row.theta), row.d))
+        own = [places[id(row)] for row in table.rows]
+        rest = [0] * (length - len(own))
+        along_z.append(own + rest)
+        along_x.append([0, *own, *rest[1:]] if down else own + rest)
+    known = np.array(numbers, dtype=np.complex128)
+    plain = known.take(along_z, axis=0)
+    if any(lower):
+        plain[..., :2] = known[:, :2].take(along_x, axis=0)
+    return plain
 
 
 @lru_cache(maxsize=4096)

@@ -14,12 +14,13 @@ PER_CERTIFICATE = 150
 PER_ROUND = 1500
 PER_DESCENT = 3000
 PER_BATCH = 400
+PER_TABLE = 4
 ROWS_TOGETHER = 16
 
 
 def per_batch(tables: int, rows: int) -> int:
     """What it costs to try tables all at once, with so many rows and invariants each."""
-    return PER_BATCH + tables * rows // ROWS_TOGETHER
+    return PER_BATCH + tables * PER_TABLE + tables * rows // ROWS_TOGETHER
 
 
 class WorkExhaustedError(Exception):

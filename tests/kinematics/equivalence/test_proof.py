@@ -49,6 +49,11 @@ def test_two_conventions_with_lengths_as_symbols() -> None:
     assert proved(read("standard", PUMA), read("modified", PUMA_CRAIG)) is not None
 
 
+def test_a_proof_ends_after_a_count_of_products(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("kinematics.equivalence.proof.MOST_PRODUCTS", 1)
+    assert proved(read("standard", PUMA), read("modified", PUMA_CRAIG)) is None
+
+
 def test_offsets_and_frames_with_symbols() -> None:
     shifted = [*PUMA]
     shifted[0] = ("pi/2", 0, "h", "q1 - pi/6")
