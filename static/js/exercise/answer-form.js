@@ -211,7 +211,7 @@ class FormField {
 
 /** Numbers that a task is about. @param {{label: string, labels: string[], rows: (string | number)[][]}} given */
 function givenNumbers({ label, labels, rows }) {
-  const table = el("table", { class: labels.length ? "data" : "matrix-cells given-matrix" });
+  const table = el("table", { class: labels.length ? "data given-data" : "matrix-cells given-matrix" });
   const body = rows.map((row) =>
     el(
       "tr",
