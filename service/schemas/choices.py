@@ -1,7 +1,7 @@
 """Which fields of a request exclude or need each other, as a JSON Schema says it.
 
-It is said by `not` alone: generators of clients leave that aside, and take `oneOf` and `allOf` for further
-shapes. Null counts as left out.
+It is said by `not` and `patternProperties` alone: generators of clients leave those aside, and take `oneOf`,
+`allOf` and any `properties` for further shapes. Null counts as left out.
 """
 
 from __future__ import annotations
@@ -25,7 +25,10 @@ def together(*names: str, without: Iterable[str] = (), **others: Mapping[str, An
         others: what else holds there, a schema for each further field.
     """
     shapes = {**dict.fromkeys(names, _GIVEN), **dict.fromkeys(without, _NULL), **others}
-    return {"required": list(names), "properties": shapes} if names else {"properties": shapes}
+    patterns = {f"^{name}$": shape for name, shape in shapes.items()}
+    return (
+        {"required": list(names), "patternProperties": patterns} if names else {"patternProperties": patterns}
+    )
 
 
 def several_of(*names: str) -> list[dict[str, Any]]:
