@@ -16,7 +16,7 @@ from service.schemas.dynamics_request import (
     DYNAMICS,
     DynamicsBody,
     DynamicsReply,
-    DynamicsRequest,
+    NumericDynamicsRequest,
     SymbolicDynamicsRequest,
 )
 from service.wire.dynamics import dynamics_task, numeric_answer, written_dynamics
@@ -24,7 +24,7 @@ from service.wire.symbolic_tasks import answered
 
 router = api_router("kinematics", route_class=DirectRoute)
 
-_NUMBERS: TypeAdapter[DynamicsRequest] = TypeAdapter(DynamicsRequest)
+_NUMBERS: TypeAdapter[NumericDynamicsRequest] = TypeAdapter(NumericDynamicsRequest)
 _SYMBOLS: TypeAdapter[SymbolicDynamicsRequest] = TypeAdapter(SymbolicDynamicsRequest)
 
 

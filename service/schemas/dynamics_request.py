@@ -62,7 +62,7 @@ class WeighedRobot(RobotQuestion):
     gravity: Cells3 = Field([0, 0, -9.81], description="acceleration of free fall in frame 0 [m/s²]")
 
 
-class DynamicsRequest(WeighedRobot):
+class NumericDynamicsRequest(WeighedRobot):
     """A robot at one configuration, and how it moves or is driven."""
 
     joints: JointValues = Field(description="q_1 … q_n, in the table's units")
@@ -119,7 +119,7 @@ class SymbolicDynamicsAnswer(WritingAnswer):
     g: WrittenMatrix | None = Field(None, description="what gravity asks of the joints, n×1")
 
 
-class DynamicsBody(RootModel[DynamicsRequest | SymbolicDynamicsRequest]):
+class DynamicsBody(RootModel[NumericDynamicsRequest | SymbolicDynamicsRequest]):
     """A question about dynamics, in numbers or in closed form."""
 
 

@@ -11,7 +11,7 @@ from kinematics.printing import Notation
 from kinematics.printing.equation_lists import EquationFormat
 from service.http.validation import CHOICE
 from service.schemas.base import LONGEST_LIST, Wire
-from service.schemas.inverse_kinematics import InverseKinematicsRequest
+from service.schemas.inverse_kinematics import NumericInverseKinematicsRequest
 from service.schemas.pose_input import PoseInput
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.symbolic_request import SomeParameters
@@ -42,7 +42,7 @@ def _form(body: Any) -> str:
 
 
 InverseQuestion = Annotated[
-    Annotated[InverseKinematicsRequest, Tag(CHOICE + "numeric")]
+    Annotated[NumericInverseKinematicsRequest, Tag(CHOICE + "numeric")]
     | Annotated[SymbolicInverseRequest, Tag(CHOICE + "symbolic")],
     Discriminator(_form),
 ]

@@ -21,7 +21,7 @@ MOST_TARGETS = 1000
 """Targets of one request; an arm of six joints answers a thousand within a second."""
 
 
-class InverseKinematicsRequest(RobotQuestion):
+class NumericInverseKinematicsRequest(RobotQuestion):
     """A robot, and a pose for its tool to reach, or many."""
 
     model_config = forbidding(

@@ -23,8 +23,8 @@ from kinematics.symbolic.parameter_values import substitute, with_values
 from kinematics.table import JointType, SymbolicTable, bind
 from service.http.problems import located
 from service.schemas.dynamics_request import (
-    DynamicsRequest,
     EquationPart,
+    NumericDynamicsRequest,
     SymbolicDynamicsRequest,
     WeighedRobot,
 )
@@ -120,7 +120,7 @@ def parameter_numbers(found: WeighedTable, given: Mapping[str, float]) -> dict[s
 
 
 @np.errstate(all="ignore")
-def numeric_answer(question: DynamicsRequest, settings: Settings) -> dict[str, Any]:
+def numeric_answer(question: NumericDynamicsRequest, settings: Settings) -> dict[str, Any]:
     """The dynamics at one configuration.
 
     Raises:

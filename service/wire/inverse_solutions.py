@@ -19,8 +19,8 @@ from service.schemas.inverse_kinematics import (
     FamilyParameterModel,
     InverseKinematicsAnswer,
     InverseKinematicsAnswers,
-    InverseKinematicsRequest,
     Nearest,
+    NumericInverseKinematicsRequest,
     Solution,
     SolutionFamily,
     TargetAnswer,
@@ -35,7 +35,7 @@ Matrix: TypeAlias = Any
 
 
 async def solved(
-    request: InverseKinematicsRequest, robot: PreparedRobot, workers: Workers
+    request: NumericInverseKinematicsRequest, robot: PreparedRobot, workers: Workers
 ) -> InverseKinematicsAnswer:
     """The joint values that reach a target: by a closed form at once, else by a search in a worker process.
 
@@ -52,7 +52,7 @@ async def solved(
 
 
 async def solved_each(
-    request: InverseKinematicsRequest, robot: PreparedRobot, workers: Workers
+    request: NumericInverseKinematicsRequest, robot: PreparedRobot, workers: Workers
 ) -> InverseKinematicsAnswers:
     """The joint values that reach each of many targets, all in one worker process.
 
@@ -95,7 +95,7 @@ class _Question:
         return solver_of(self.table, base=self.base, tool=self.tool, limits=self.limits, reach=self.reach)
 
 
-def _question(request: InverseKinematicsRequest, robot: PreparedRobot) -> _Question:
+def _question(request: NumericInverseKinematicsRequest, robot: PreparedRobot) -> _Question:
     base, tool = base_and_tool(request, robot.angle)
     if request.targets is not None:
         target, reach = None, ArmReach.POSE

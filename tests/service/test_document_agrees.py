@@ -19,7 +19,7 @@ from schemathesis.specs.openapi.checks import positive_data_acceptance
 
 from service.schemas.conversion import ConvertRequest
 from service.schemas.examples import TWO_LINKS
-from service.schemas.inverse_kinematics import InverseKinematicsRequest
+from service.schemas.inverse_kinematics import NumericInverseKinematicsRequest
 from service.schemas.scm import RandomConfigurationRequest
 from service.schemas.scm_examples import SCARA
 from service.schemas.workspace_request import WorkspaceRequest
@@ -113,7 +113,7 @@ CHOICES: dict[type[BaseModel], dict[str, list[Any]]] = {
         "limits": [[None]],
         "verify": ["off"],
     },
-    InverseKinematicsRequest: {
+    NumericInverseKinematicsRequest: {
         "table": [TABLE],
         "robot": ["puma560"],
         "target": [POSE],
