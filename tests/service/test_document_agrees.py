@@ -26,7 +26,7 @@ from service.schemas.workspace_request import WorkspaceRequest
 from tests.document import DOCUMENT
 from tests.service.likely_requests import likely
 
-EXAMPLES = int(os.environ.get("SCHEMATHESIS_EXAMPLES", "10"))
+EXAMPLES = int(os.environ.get("SCHEMATHESIS_EXAMPLES", "8"))
 
 MESSAGES = Path(__file__).resolve().parents[2] / "service" / "locales" / "en"
 
