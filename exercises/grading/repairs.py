@@ -20,8 +20,8 @@ from kinematics.table import NumericTable
 # Some three tenths of a second: see `kinematics.equivalence.meter`. Each way to a single
 # edit may use no more than its share, so that what comes after is tried as well; fitting cells to the whole
 # robot leaves some of it for deciding on what was found.
-MOST_WORK = 200_000
-WORK_OF_ONE_WAY = 150_000
+MOST_WORK = 270_000
+WORK_OF_ONE_WAY = 190_000
 WORK_OF_FITTING = 120_000
 # A bound of the work: every one of them is followed by all the edits there are.
 MOST_FIRST_EDITS = 24

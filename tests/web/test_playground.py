@@ -62,7 +62,7 @@ def test_a_catalogue_robot_with_its_configurations(open_page: OpenPage) -> None:
     page = open_page("/playground")
     shown_robot(page)
     page.get_by_label("Robot of the catalogue").select_option("stanford")
-    expect(page.locator("joint-sliders .joint-name")).to_have_count(6)
+    page.wait_for_function("() => document.querySelector('dh-table-editor').table.rows[1].alpha == -90")
     assert column(page, "alpha") == STANFORD_ALPHAS
     page.get_by_text("Where its figures come from").click()
     expect(page.locator("#table-body details")).to_contain_text("Nascimento")
