@@ -101,17 +101,12 @@ def read_angles(reader: Reader) -> EulerSequence | None:
     return read_sequence(reader, "axes", "turning", EulerSequence(axes="ZYX"))
 
 
-def told_angles(angles: EulerSequence | None) -> dict[str, str]:
-    """Return what a task says of the angles."""
-    if angles is None:
-        return {}
-    return {"axes": " ".join(angles.axes), "turning": angles.turning.value}
-
-
 def told_question(part: JacobianTerms, *, own: bool) -> dict[str, str]:
     """Return what the sentence of a task says: of the frame, the angles, and whose variables these are."""
+    angles = part.angles
+    told = {} if angles is None else {"axes": " ".join(angles.axes), "turning": angles.turning.value}
     return {
-        **told_angles(part.angles),
+        **told,
         "frame": part.frame.value,
         "ask": "both" if len(part.ask) > 1 else part.ask[0].value,
         "variables": "own" if own else "given",
