@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import fields
 from datetime import datetime, timedelta
 from functools import cache
 from itertools import islice
@@ -11,14 +12,16 @@ from typing import Any, TypeAlias
 import sqlalchemy as sa
 
 from courses import records
-from courses.model import Attempt, CourseSession, Draft
-from courses.policies import Shown, disclosed, refusal
+from courses.model import Attempt, CourseSession, Draft, ListedAttempt, StudentStanding
+from courses.policies import Counted, Shown, disclosed, refusal
 from courses.refusals import AttemptError, unknown_record
 from courses.storage import Store
 from exercises.parts.protocol import TABLE
 from exercises.parts.registry import part_types
 
 _TABLE = records.attempt
+LISTED = 50
+"""Attempts that are listed: as many as a browser keeps of exercises outside of courses."""
 MOST_FINDINGS = 64
 """Codes of an attempt that are stored, so that none takes more than a few kilobytes."""
 
@@ -104,11 +107,26 @@ def _misconceptions(kind: str) -> frozenset[str]:
     return frozenset(known.misconceptions if known else ())
 
 
-def attempts_of(store: Store, link_id: int, person_id: int) -> list[Attempt]:
-    """A student's attempts at a link, oldest first."""
-    wanted = sa.select(_TABLE).where(_own(_TABLE, {"link_id": link_id, "person_id": person_id}))
+def standing_of(store: Store, session: CourseSession) -> StudentStanding:
+    """How far a student is; of many attempts the latest are listed, so that it costs the same after all."""
+    own = {"link_id": session.link.id, "person_id": session.person.id}
+    wanted = _LISTED.where(_own(_TABLE, own)).order_by(_TABLE.c.number.desc()).limit(LISTED)
     with store.reading() as connection:
-        return [attempt_of(row) for row in connection.execute(wanted.order_by(_TABLE.c.number))]
+        rows = connection.execute(wanted).all() if session.made else []
+        grade = connection.execute(_GRADED.where(_own(records.grade, own))).first() if session.made else None
+        draft = None
+        if session.has_draft:
+            draft = connection.execute(_DRAFTED.where(_own(records.participation, own))).first()
+    return StudentStanding(
+        latest=tuple(ListedAttempt(**row._mapping) for row in reversed(rows)),
+        grade=None if grade is None else Counted(number=grade.number, worth=grade.score),
+        draft=None if draft is None or draft.draft is None else Draft(state=draft.draft, at=draft.draft_at),
+    )
+
+
+_LISTED = sa.select(*(_TABLE.c[field.name] for field in fields(ListedAttempt)))
+_GRADED = sa.select(records.grade.c.number, records.grade.c.score)
+_DRAFTED = sa.select(records.participation.c.draft, records.participation.c.draft_at)
 
 
 def attempt_numbered(store: Store, link_id: int, person_id: int, number: int) -> Attempt:
@@ -139,15 +157,6 @@ def keep_draft(store: Store, session: CourseSession, state: Mapping[str, Any] | 
     with store.writing() as connection:
         values = {"draft": None if state is None else dict(state), "draft_at": now}
         connection.execute(sa.update(records.participation).where(own).values(values))
-
-
-def draft_of(store: Store, session: CourseSession) -> Draft | None:
-    """What somebody had typed, on whatever device."""
-    table = records.participation
-    own = _own(table, {"link_id": session.link.id, "person_id": session.person.id})
-    with store.reading() as connection:
-        row = connection.execute(sa.select(table.c.draft, table.c.draft_at).where(own)).first()
-    return None if row is None or row.draft is None else Draft(state=row.draft, at=row.draft_at)
 
 
 def _own(table: sa.Table, own: Mapping[str, int]) -> sa.ColumnElement[bool]:

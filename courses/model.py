@@ -8,7 +8,7 @@ from datetime import datetime
 from enum import StrEnum
 from typing import Any
 
-from courses.policies import Allowance, AttemptOutcome, AttemptPolicy
+from courses.policies import Allowance, AttemptOutcome, AttemptPolicy, Counted
 
 
 class Role(StrEnum):
@@ -171,6 +171,32 @@ class Draft:
 
     state: Mapping[str, Any]
     at: datetime
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ListedAttempt:
+    """An attempt as a list tells of it: without its answer and what was found."""
+
+    number: int
+    version: str
+    at: datetime
+    score: float
+    correct: bool
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class StudentStanding:
+    """How far a student is with a link.
+
+    Attributes:
+        latest: the latest attempts, oldest first.
+        grade: the attempt that makes the grade; None if none does.
+        draft: what was typed and not handed in.
+    """
+
+    latest: tuple[ListedAttempt, ...] = ()
+    grade: Counted | None = None
+    draft: Draft | None = None
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -10,10 +10,10 @@ from typing import Any, TypeVar
 from fastapi import Response
 from pydantic import TypeAdapter
 
-from courses.attempts import attempt_numbered, attempts_of, by_key, draft_of, keep_draft, shown_now
+from courses.attempts import attempt_numbered, by_key, keep_draft, shown_now, standing_of
 from courses.enrolment import end_session, redeem_code
-from courses.model import CourseSession
-from courses.policies import Shown, counted
+from courses.model import CourseSession, StudentStanding
+from courses.policies import Shown
 from courses.refusals import AttemptError, NoExerciseError, PublicationError, SessionError
 from exercises.errors import UnknownExerciseError
 from kinematics.errors import Fault
@@ -93,16 +93,12 @@ async def show_session(request: ApiRequest) -> Response:
     grader = grader_of(request)
 
     def work() -> dict[str, Any]:
-        attempts = attempts_of(courses.store, session.link.id, session.person.id) if session.made else []
-        draft = draft_of(courses.store, session) if session.has_draft else None
-        outcomes = [attempt.outcome for attempt in attempts]
-        grade = counted(session.link.settings.policy, outcomes, session.allowance)
-        version = _version_now(grader, session)
-        return session_view(session, attempts, draft, grade, version)
+        standing = StudentStanding() if is_first_visit else standing_of(courses.store, session)
+        return session_view(session, standing, _version_now(grader, session))
 
-    exercise = session.link.settings.exercise_id
-    is_first_visit = not session.made and not session.has_draft and courses.knows_edition(exercise)
-    return json_response(work() if is_first_visit else await in_thread(request, work))
+    is_first_visit = not session.made and not session.has_draft
+    at_once = is_first_visit and courses.knows_edition(session.link.settings.exercise_id)
+    return json_response(work() if at_once else await in_thread(request, work))
 
 
 def _version_now(grader: Grader, session: CourseSession) -> str | None:

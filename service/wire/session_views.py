@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from courses.attempts import shown_now
 from courses.enrolment import SESSION
-from courses.model import Attempt, CourseSession, Draft
-from courses.policies import Counted, Shown, attempts_allowed, deadline, refusal
+from courses.model import Attempt, CourseSession, ListedAttempt, StudentStanding
+from courses.policies import Shown, attempts_allowed, deadline, refusal
 from exercises.grader import Report
 from exercises.instance import variant_of
 from exercises.records import restored
@@ -24,14 +24,9 @@ def seed_of(session: CourseSession) -> str | None:
     return own if settings.per_student else None
 
 
-def session_view(
-    session: CourseSession,
-    attempts: Iterable[Attempt],
-    draft: Draft | None,
-    grade: Counted | None,
-    version: str | None,
-) -> dict[str, Any]:
+def session_view(session: CourseSession, standing: StudentStanding, version: str | None) -> dict[str, Any]:
     """Who is signed in, for what, by which rules, and how far they are."""
+    grade, draft = standing.grade, standing.draft
     settings, at = session.link.settings, now()
     policy = settings.policy
     closes = deadline(policy, session.allowance)
@@ -59,14 +54,14 @@ def session_view(
         "grade": None
         if shown is Shown.RECEIPT or grade is None
         else {"score": grade.worth, "attempt": grade.number},
-        "attempts": [attempt_entry(attempt, shown) for attempt in attempts],
+        "attempts": [attempt_entry(attempt, shown) for attempt in standing.latest],
         "draft": None if draft is None else {"state": draft.state, "at": draft.at.isoformat()},
         "return_url": session.return_url,
         "expires_in": int(SESSION.total_seconds()),
     }
 
 
-def attempt_entry(attempt: Attempt, shown: Shown) -> dict[str, Any]:
+def attempt_entry(attempt: Attempt | ListedAttempt, shown: Shown) -> dict[str, Any]:
     """One attempt in a list, as far as it may be shown."""
     told = shown is not Shown.RECEIPT
     return {
@@ -75,8 +70,6 @@ def attempt_entry(attempt: Attempt, shown: Shown) -> dict[str, Any]:
         "at": attempt.at.isoformat(),
         "score": attempt.score if told else None,
         "correct": attempt.correct if told else None,
-        "form": attempt.form,
-        "answer": attempt.answer,
     }
 
 
@@ -84,6 +77,8 @@ def attempt_view(attempt: Attempt, shown: Shown, language: str) -> dict[str, Any
     """One attempt with what was found, as far as it may be shown."""
     return {
         **attempt_entry(attempt, shown),
+        "form": attempt.form,
+        "answer": attempt.answer,
         "exercise": attempt.exercise_id,
         "seed": attempt.seed,
         "shown": shown.value,

@@ -4,7 +4,7 @@
  *
  * @typedef {{at: string, score: number | null, correct: boolean, submission: unknown, verdict: unknown, number?: number,
  *   version?: string}} Attempt `at` is an ISO 8601 time, `score` the share of all points (null: not told yet), `submission` what the form can
- *   take back; `number` and `version` (of the exercise) are those of an attempt that the service keeps
+ *   take back (null: the service is asked for it); `number` and `version` (of the exercise) are those of an attempt that the service keeps
  * @typedef {{list: (exercise: string) => Promise<Attempt[]>, add: (exercise: string, attempt: Attempt) => Promise<void>,
  *   clear: (exercise: string) => Promise<void>}} AttemptStore
  */

@@ -5,6 +5,10 @@ from __future__ import annotations
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
+import sqlalchemy as sa
+
+from courses import records
+from courses.attempts import attempt_of
 from courses.enrolment import Arrival, arrive, session_of
 from courses.model import Attempt, CourseSession, Platform, PlatformStatus, Role
 from courses.platforms import add_platform
@@ -47,6 +51,16 @@ def joined(store: Store, subject: str = "student-1", **changed: Any) -> CourseSe
     at = changed.pop("at", NOW)
     token, _ = arrive(store, arrival(store, subject, **changed), at)
     return session_of(store, token, at)
+
+
+def attempts_of(store: Store, session: CourseSession) -> list[Attempt]:
+    """All that a student has handed in, oldest first."""
+    table = records.attempt
+    wanted = sa.select(table).where(
+        table.c.link_id == session.link.id, table.c.person_id == session.person.id
+    )
+    with store.reading() as connection:
+        return [attempt_of(row) for row in connection.execute(wanted.order_by(table.c.number))]
 
 
 def submitted(

@@ -9,20 +9,21 @@ from datetime import UTC, datetime, timedelta
 from typing import Any
 
 import pytest
+import sqlalchemy as sa
 
-from courses.attempts import attempt_numbered, attempts_of, draft_of, keep_draft
+from courses.attempts import LISTED, attempt_numbered, keep_draft, standing_of
 from courses.enrolment import SESSION, end_session, issue_code, redeem_code, remember_nonce, session_of
 from courses.gradebook import delivered, lease_scores, postponed, resend, undeliverable
 from courses.judged import AttemptFilter, Outcome, Progress, attempts_behind
 from courses.links import allow, change_settings, release_feedback
 from courses.model import CourseSession, LinkSettings, Role
-from courses.policies import Allowance, AttemptPolicy, Counting, FeedbackTiming
+from courses.policies import Allowance, AttemptPolicy, Counted, Counting, FeedbackTiming
 from courses.privacy import erase_person, export_person, purge
 from courses.refusals import AttemptError, SessionError, UnknownRecordError
 from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
 from courses.storage import Store
 from service.work.retention import Retention
-from tests.courses.classroom import NOW, joined, platform, submitted
+from tests.courses.classroom import NOW, attempts_of, joined, platform, submitted
 
 
 def minutes(count: float) -> timedelta:
@@ -44,7 +45,7 @@ def test_a_submission_that_comes_twice_is_one_attempt(store: Store) -> None:
     first = submitted(store, session, 0.5, key="same")
     again = submitted(store, session, 0.9, key="same", minutes=1)
     assert again == first
-    assert len(attempts_of(store, session.link.id, session.person.id)) == 1
+    assert len(attempts_of(store, session)) == 1
 
 
 def test_submissions_at_the_same_time_are_numbered_and_limited(store: Store) -> None:
@@ -64,7 +65,7 @@ def test_submissions_at_the_same_time_are_numbered_and_limited(store: Store) -> 
         thread.start()
     for thread in threads:
         thread.join()
-    numbers = [attempt.number for attempt in attempts_of(store, session.link.id, session.person.id)]
+    numbers = [attempt.number for attempt in attempts_of(store, session)]
     assert numbers == [1, 2, 3, 4, 5]
     assert [error.code for error in refused] == ["attempts_used"] * 3
 
@@ -169,9 +170,25 @@ def test_extra_time_lets_a_late_attempt_count(store: Store) -> None:
 
 def test_a_draft_comes_back_in_another_session(store: Store) -> None:
     keep_draft(store, joined(store), {"table": ["θ"]}, NOW)
-    draft = draft_of(store, joined(store))
+    draft = standing_of(store, joined(store)).draft
     assert draft is not None
     assert (draft.state, draft.at) == ({"table": ["θ"]}, NOW)
+
+
+def test_an_opening_reads_the_latest_attempts_without_their_reports(store: Store) -> None:
+    """However many there are: students of a practice link hand in hundreds of times."""
+    session = joined(store)
+    count = LISTED + 10
+    for number in range(count):
+        submitted(store, session, 0.5 if number else 1.0, key=str(number), minutes=number)
+    session = joined(store)
+    asked: list[str] = []
+    sa.event.listen(store.engine, "before_cursor_execute", lambda *told: asked.append(told[2]))
+    standing = standing_of(store, session)
+    assert [attempt.number for attempt in standing.latest] == list(range(count - LISTED + 1, count + 1))
+    assert standing.grade == Counted(number=1, worth=1.0)
+    assert asked
+    assert not [text for text in asked if "report" in text or "answer" in text or "form" in text]
 
 
 def test_sessions_live_while_they_are_used(store: Store) -> None:

@@ -13,13 +13,12 @@ from alembic.migration import MigrationContext
 from psycopg.errors import AdminShutdown, DeadlockDetected, SerializationFailure
 from sqlalchemy.exc import OperationalError
 
-from courses.attempts import attempts_of
 from courses.backup import back_up, restore
 from courses.records import metadata
 from courses.refusals import StorageError, StorageUnavailableError
 from courses.statistics import class_overview
 from courses.storage import Store, connect, migrate, open_store, revision_of
-from tests.courses.classroom import joined, submitted
+from tests.courses.classroom import attempts_of, joined, submitted
 
 
 def test_the_history_ends_at_the_schema_of_the_program(store: Store) -> None:
@@ -130,6 +129,6 @@ def test_an_upgrade_keeps_what_the_version_before_has_stored(
     old.close()
     new = open_store(database, tmp_path / "data")
     assert revision_of(new) > before
-    assert attempts_of(new, session.link.id, session.person.id) == [kept]
+    assert attempts_of(new, session) == [kept]
     assert submitted(new, joined(new), 1.0, key="more").number == 2
     new.close()

@@ -9,7 +9,7 @@ import pytest
 import sqlalchemy as sa
 
 from courses import records
-from courses.attempts import attempts_of, path_of_codes
+from courses.attempts import path_of_codes
 from courses.links import change_settings
 from courses.model import Attempt, CourseSession, LinkSettings
 from courses.policies import AttemptPolicy
@@ -24,7 +24,7 @@ from service.course_resources import CourseResources, now
 from service.schemas.exercises import ExerciseAnswer
 from service.settings import Settings
 from service.work.session_grading import Grader, judged_submission, with_exercise_rules
-from tests.courses.classroom import joined
+from tests.courses.classroom import attempts_of, joined
 from tests.exercises.folders import TWO_LINKS, changed, folder
 
 RULES = """
@@ -85,7 +85,7 @@ def test_judging_again_finds_the_codes_that_were_stored(store: Store, grader: Gr
     for _ in range(3):
         wrong(store, grader, come(store, grader))
     session = come(store, grader)
-    attempts = attempts_of(store, session.link.id, session.person.id)
+    attempts = attempts_of(store, session)
     again = grader.rejudge(attempts, session.link.settings)
     assert [(item.attempt_id, item.score, item.correct) for item in again] == [
         (attempt.id, attempt.score, attempt.correct) for attempt in attempts

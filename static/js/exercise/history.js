@@ -17,7 +17,7 @@ export function showHistory(place, attempts, total, restore, clear) {
       "ol",
       { class: "history", reversed: true },
       [...attempts].reverse().map((attempt, i) => {
-        const number = attempts.length - i;
+        const number = attempt.number ?? attempts.length - i;
         return el(
           "li",
           { class: "row", value: number },

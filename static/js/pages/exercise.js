@@ -196,13 +196,23 @@ async function run() {
     return { ...robot.parameters, ...convertedValues(parameters, kindOf, units, { angle, length }) };
   }
 
+  /** @param {any} state what was handed in */
+  function takeBack(state) {
+    restore(state);
+    keep(draftKey, answer.state);
+    follow({ now: true });
+    answer.focus();
+    announce(t("form-history-restored"));
+  }
+
   /**
-   * Shows what was found of an earlier attempt, by the exercise as it was then.
+   * Takes an earlier attempt back and shows what was found of it, by the exercise as it was then.
    * @param {CourseSession} course @param {import("../attempts.js").Attempt} attempt
    */
   async function reopen(course, attempt) {
     const number = attempt.number ?? 0;
-    const { report, answer: sent } = await course.reopen(number);
+    const { report, form, answer: sent } = await course.reopen(number);
+    takeBack(form);
     if (report === null) return fill($("submit-problem"), receiptView({ attempt: number }));
     const mended = !course.isCurrent(attempt) && attempt.version?.startsWith(`${id}-`);
     const then = mended ? await api.get(`exercises/${attempt.version}${query}`) : exercise;
@@ -229,12 +239,8 @@ async function run() {
       list,
       exercise.points,
       async (attempt) => {
-        restore(attempt.submission);
-        keep(draftKey, answer.state);
-        follow({ now: true });
-        answer.focus();
-        announce(t("form-history-restored"));
         if (course && attempt.number) await reopen(course, attempt).catch((error) => showProblem(error));
+        else takeBack(attempt.submission);
       },
       course
         ? null

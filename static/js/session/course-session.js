@@ -144,13 +144,13 @@ export class CourseSession {
   get attempts() {
     return {
       list: async () =>
-        this.told.attempts.map((/** @type {any} */ { number, version, at, score, correct, form }) => ({
+        this.told.attempts.map((/** @type {any} */ { number, version, at, score, correct }) => ({
           number,
           version,
           at,
           score: score ?? null,
           correct: Boolean(correct),
-          submission: form,
+          submission: null,
           verdict: null,
         })),
       add: async () => undefined,
