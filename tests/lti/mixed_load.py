@@ -1,11 +1,13 @@
 """Students at 80 % of what the service can take, and hostile clients among them: `make mixed MINUTES=10`.
 
 The mix: for each submission (two in five right, two in five with one mistake, one in five with two) one
-opening of the page, ten tables read while they are typed and four drafts saved; and of all draws one in
-twenty is one of tests/service/attacks, from another address. First the idle service is asked for verdicts one
-after another; then its ceiling for the mix is found by clients that wait for nothing but answers; then
-requests come at 80 % of that rate, whenever they are due, for so many minutes. Told are the verdicts' p99
-beside that of the idle service, what honest clients were refused, and the memory of the service's processes.
+opening of the page, ten tables read while they are typed and four drafts saved, each by any student of the
+class; and of all draws one in twenty is one of tests/service/attacks, from another address. First the idle
+service is asked for verdicts one after another. Then its ceiling for the mix is found by clients that wait
+for nothing but answers: draws a second of which every honest one is answered as it should be; a refusal does
+not count. Then requests come at 80 % of that rate, whenever they are due, for so many minutes. Told are the
+verdicts' p99 beside that of the idle service, what honest clients were refused, how many requests were under
+way (a queue that grows is a service that does not keep up), and the memory of the service's processes.
 """
 
 from __future__ import annotations
@@ -51,6 +53,7 @@ class Seen:
     wrong: int = 0
     requests: int = 0
     memory: list[int] = field(default_factory=list)
+    under_way: list[int] = field(default_factory=list)
 
     def note(self, kind: str, status: int) -> None:
         """Count an answer, and whether it is one."""
@@ -76,12 +79,14 @@ class Mix:
         self.number = 0
 
     async def one(self, seen: Seen) -> None:
-        """One request of the mix, drawn at random."""
+        """One request of the mix, drawn at random, of any student who waits for nothing."""
         if self.chance.random() < HOSTILE_SHARE:
             await self.attack()
             return
         if not self.free:
             self.free.append(Browser(self.port, self.chance.choice(self.browsers).token))
+        chosen = self.chance.randrange(len(self.free))
+        self.free[chosen], self.free[-1] = self.free[-1], self.free[chosen]
         browser = self.free.pop()
         try:
             await self.honest(browser, seen)
@@ -133,18 +138,22 @@ class Mix:
             connection.close()
 
     async def ceiling(self, seconds: float) -> float:
-        """Draws a second that clients get done who wait for nothing but answers [1/s]."""
-        until, done = time.monotonic() + seconds, 0
+        """Draws a second that clients get done who wait for nothing but answers [1/s].
+
+        Honest draws that were answered as they should be, and as many hostile ones as belong to them.
+        """
+        until, right = time.monotonic() + seconds, 0
 
         async def client() -> None:
-            nonlocal done
+            nonlocal right
             while time.monotonic() < until:
-                await self.one(Seen())
-                done += 1
+                seen = Seen()
+                await self.one(seen)
+                right += seen.requests > 0 and not seen.wrong
 
         begun = time.monotonic()
         await asyncio.gather(*(client() for _ in range(CLOSED)))
-        return done / (time.monotonic() - begun)
+        return right / (1 - HOSTILE_SHARE) / (time.monotonic() - begun)
 
     async def load(self, rate: float, seconds: float, seen: Seen, service: int) -> None:
         """Requests whenever they are due, whatever has been answered."""
@@ -153,6 +162,7 @@ class Mix:
         while (now := time.monotonic()) < begun + seconds:
             if now >= weighed:
                 seen.memory.append(memory_of(service))
+                seen.under_way.append(len(under_way))
                 weighed += max(1.0, seconds / 100)
             due += self.chance.expovariate(rate)
             await asyncio.sleep(max(0.0, due - time.monotonic()))
@@ -189,11 +199,14 @@ async def measured(port: int, tokens: Sequence[str], service: int, minutes: floa
     mix.close()
     await asyncio.sleep(0)
     half, last = _mean(seen.memory[len(seen.memory) // 2 :][:5]), _mean(seen.memory[-5:])
+    fifth = max(1, len(seen.under_way) // 5)
+    queues = [seen.under_way[i : i + fifth] for i in range(0, len(seen.under_way), fifth)]
     ratio, grown = seen.p99() / idle.p99(), last / half
     print(
         f"{minutes:g} minutes at {LOAD:.0%}: {seen.requests} honest requests, {seen.wrong} errors\n"
         f"p99 of {len(seen.verdicts)} verdicts {seen.p99() * 1e3:.1f} ms, {ratio:.1f} times idle\n"
         f"memory {seen.memory[0] / 1e6:.0f} MB, at half time {half / 1e6:.0f}, at last {last / 1e6:.0f}\n"
+        f"requests under way, mean of each fifth: {', '.join(f'{_mean(part):.1f}' for part in queues)}\n"
         f"{dict(seen.answers)}"
     )
     if ratio > SLOWER:
