@@ -24,6 +24,7 @@ from service.schemas.scm import RandomConfigurationRequest
 from service.schemas.scm_examples import SCARA
 from service.schemas.workspace_request import WorkspaceRequest
 from tests.document import DOCUMENT
+from tests.drawn_calls import for_each_call
 from tests.service.likely_requests import likely
 
 EXAMPLES = int(os.environ.get("SCHEMATHESIS_EXAMPLES", "8"))
@@ -77,7 +78,7 @@ def is_beyond_a_schema(response: Any, case: schemathesis.Case) -> bool:
     return case.media_type == NPY or {entry["code"] for entry in response.json()["errors"]} <= BEYOND_A_SCHEMA
 
 
-@schema.parametrize()
+@for_each_call(schema)
 @settings(
     max_examples=EXAMPLES,
     deadline=None,
@@ -90,7 +91,7 @@ def test_whatever_is_sent_the_document_holds(base_url: str, case: schemathesis.C
     case.validate_response(response, excluded_checks=[positive_data_acceptance] if excused else [])
 
 
-@likely_schema.include(method="POST").parametrize()
+@for_each_call(likely_schema.include(method="POST"))
 @settings(max_examples=EXAMPLES, deadline=None, phases=[Phase.generate], suppress_health_check=ALL_CHECKS_OFF)
 def test_what_callers_mostly_send_is_accepted(base_url: str, case: schemathesis.Case) -> None:
     response = case.call(base_url=base_url, headers={"Accept": "*/*"}, timeout=120)
