@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.crossings import branches, is_beside, tangents
@@ -139,11 +140,12 @@ class _Sorter:
         followed = 0
         while left:
             q, *left = left
-            if followed < self.most:
-                J = self.follower.jacobian(q / self.arm.units)
-                new = self._components(q, blind_directions(J, self.blind))
+            J = self.follower.jacobian(q / self.arm.units)
+            blind = blind_directions(J, self.blind)
+            if followed < self.most and not self.follower.is_spent:
+                new = self._components(q, blind)
             else:
-                new = [Component(q, dimension=max(self.arm.spare, 1))]
+                new = [Component(q, dimension=self._dimension(q, blind))]
             followed += sum(bool(one.paths) for one in new)
             left = self._outside(left, new)
             found += new
@@ -152,13 +154,18 @@ class _Sorter:
 
     def _outside(self, joints: Sequence[Array], components: Sequence[Component]) -> list[Array]:
         """Those solutions that belong to none of the components."""
-        return [q for q in joints if not any(self._within(one, q) for one in components)]
+        left = list(joints)
+        for one in components:
+            if left:
+                inside = self._within_each(one, np.array(left))
+                left = [q for q, belongs in zip(left, inside.tolist(), strict=True) if not belongs]
+        return left
 
     def _behind_gaps(self, components: Sequence[Component]) -> list[Array]:
         """Members of families that lie on the ways of others, behind gaps in which the target is lost."""
         found: list[Array] = []
         for one in components:
-            if one.dimension != 1 or self.arm.spare:
+            if one.dimension != 1 or self.arm.spare or self.follower.is_spent:
                 continue
             q = one.joints
             x = q / self.arm.units
@@ -168,6 +175,13 @@ class _Sorter:
                 self.ways.append(way_through_gaps(self.follower, q, path, GAP))
                 found += nearest_places(self.follower, self.ways[-1])
         return found
+
+    def _dimension(self, q: Array, blind: Array) -> int:
+        """Of how many dimensions the component of a solution is that is not followed."""
+        x = q / self.arm.units
+        moving = [] if self.arm.spare else [d for d in blind if self._moves(x, d)]
+        crossed = not self.arm.spare and not moving and len(blind) > 1
+        return self.arm.spare or len(moving) if not crossed else 1
 
     def _components(self, q: Array, blind: Array) -> list[Component]:
         """The components through a solution: several where families cross."""
@@ -239,6 +253,8 @@ class _Sorter:
         """Paths, and those that cross them, and those that cross these."""
         found = list(curves)
         for path in found:
+            if self.follower.is_spent:
+                return found
             for x, way in branches(self.follower, path, self.long, self.blind):
                 if any(is_beside(self.follower, one, x, BESIDE_A_BRANCH * self.long) for one in found):
                     continue
@@ -270,23 +286,32 @@ class _Sorter:
 
     def _within(self, component: Component, q: Array) -> bool:
         """Whether a solution belongs to a component."""
-        apart = differences(q, component.joints, self.arm)
-        if float(np.abs(apart).max()) <= SAME:
-            return True
-        if any(self._on(path, q) for path in component.paths):
-            return True
-        x = component.joints / self.arm.units
-        near = component.dimension > 1 or float(np.abs(apart).max()) <= self.long
-        if near and self.follower.joined(x, x + apart):
-            return True
-        return component.dimension > self.arm.spare and self._leads(component, q)
+        return bool(self._within_each(component, q[None])[0])
 
-    def _leads(self, component: Component, q: Array) -> bool:
-        """Whether a way along blind directions leads to a family's member, or to a path."""
-        x = q / self.arm.units
-        places = [component.joints / self.arm.units]
-        places += [x - nearest_on(self.arm, path, q)[0] for path in component.paths]
-        return any(self.follower.leads(x, place, self.blind) for place in places)
+    def _within_each(self, component: Component, joints: Array) -> NDArray[np.bool_]:
+        """Which of some solutions, (m, n), belong to a component."""
+        apart = differences(joints, component.joints, self.arm)
+        farthest = np.abs(apart).max(axis=1)
+        inside = farthest <= SAME
+        for i in np.flatnonzero(~inside).tolist():
+            inside[i] = any(self._on(path, joints[i]) for path in component.paths)
+        x = component.joints / self.arm.units
+        near = np.flatnonzero(~inside & ((component.dimension > 1) | (farthest <= self.long)))
+        inside[near] = self.follower.joined_each(np.broadcast_to(x, apart[near].shape), x + apart[near])
+        outside = np.flatnonzero(~inside)
+        if component.dimension > self.arm.spare and len(outside):
+            inside[outside] = self._led(component, joints[outside])
+        return inside
+
+    def _led(self, component: Component, joints: Array) -> NDArray[np.bool_]:
+        """Whether ways along blind directions lead to a family's member, or to a path."""
+        x = joints / self.arm.units
+        places = [np.broadcast_to(component.joints / self.arm.units, x.shape)]
+        for path in component.paths:
+            places.append(x - [nearest_on(self.arm, path, q)[0] for q in joints])
+        ends = np.concatenate(places)
+        arrived = self.follower.leads(np.tile(x, (len(places), 1)), ends, self.blind)
+        return np.asarray(arrived.reshape(len(places), len(x)).any(axis=0))
 
     def _on(self, path: FamilyPath, q: Array) -> bool:
         """Whether a solution is on a path: its nearest chord, corrected, leads to it."""

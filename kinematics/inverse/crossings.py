@@ -34,8 +34,8 @@ NARROW = 1e-8
 MOST_TRIED = 12
 """Least second singular values that are looked at on one path; the paths of a PUMA have four."""
 
-GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
-"""Share by which a golden-section search narrows its interval."""
+INNER = 8
+"""Points looked at together inside a bracket."""
 
 LOOKS = 90
 """Directions looked at over half a turn: corrections bring back what two degrees are off."""
@@ -71,11 +71,12 @@ def branches(
         blind: singular values up to this are zero.
     """
     for x, along in _crossings(follower, path):
-        for direction in _across(follower, x, along, blind):
-            for sign in (1.0, -1.0):
-                moved = follower.moves(x, direction, sign * step)
-                if moved is not None:
-                    yield moved, (moved - x) / np.linalg.norm(moved - x)
+        ways = [sign * step * one for one in _across(follower, x, along, blind) for sign in (1.0, -1.0)]
+        if follower.is_spent:
+            return
+        for moved in follower.moves_each(x, np.array(ways).reshape(-1, len(x))):
+            if moved is not None:
+                yield moved, (moved - x) / np.linalg.norm(moved - x)
 
 
 def tangents(follower: Follower, x: Array, blind: Array, smallest: float) -> list[Array]:
@@ -144,7 +145,7 @@ def _crossings(follower: Follower, path: FamilyPath) -> Iterator[tuple[Array, Ar
     last = len(x) - 1
     tried = 0
     for k in range(len(x)):
-        if tried == MOST_TRIED:
+        if tried == MOST_TRIED or follower.is_spent:
             return
         before = k - 1 if k or not path.closed else last
         after = k + 1 if k < last or not path.closed else 0
@@ -164,37 +165,25 @@ def _crossings(follower: Follower, path: FamilyPath) -> Iterator[tuple[Array, Ar
 def _least(follower: Follower, x: Array, back: Array, ahead: Array) -> Array | None:
     """The configuration between x + back and x + ahead at which the second singular value is least.
 
-    By golden section; None as soon as it cannot vanish.
+    By brackets around the least of several points; None as soon as it cannot vanish.
     """
-
-    def look(s: float) -> tuple[float, Array]:
-        way = ahead if s > 0.0 else -back
-        length = float(np.linalg.norm(way))
-        at = x + s * way
-        if length and s:
-            at = follower.corrected(at, (way / length)[None])[0]
-        return follower.second(at[None])[0], at
-
     width = float(np.linalg.norm(back) + np.linalg.norm(ahead))
     low, high = -1.0 if back.any() else 0.0, 1.0 if ahead.any() else 0.0
-    one, other = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    (f_one, x_one), (f_other, x_other) = look(one), look(other)
-    f_best, best = look(0.0)
+    least, best, at = float(follower.second(x[None])[0]), x, 0.0
     while high - low > NARROW:
-        if f_one <= f_other:
-            high, other, f_other, x_other = other, one, f_one, x_one
-            one = high - GOLDEN * (high - low)
-            f_one, x_one = look(one)
-        else:
-            low, one, f_one, x_one = one, other, f_other, x_other
-            other = low + GOLDEN * (high - low)
-            f_other, x_other = look(other)
-        for f, at in ((f_one, x_one), (f_other, x_other)):
-            if f < f_best:
-                f_best, best = f, at
-        if f_best <= 0.1 * follower.lost:
+        inner = np.linspace(low, high, INNER + 2)
+        s = inner[1:-1][:, None]
+        ways = np.where(s > 0.0, ahead, -back)
+        units = ways / np.linalg.norm(ways, axis=1)[:, None]
+        there, _, _ = follower.corrected_all(x + s * ways, units[:, None])
+        values = follower.second(there)
+        k = int(values.argmin())
+        if values[k] < least:
+            least, best, at = float(values[k]), there[k], float(s[k, 0])
+        low, high = float(inner[inner < at].max(initial=low)), float(inner[inner > at].min(initial=high))
+        if least <= 0.1 * follower.lost:
             break
-        if f_best > SLOPE * (high - low) * width and f_best > follower.lost:
+        if least > SLOPE * (high - low) * width and least > follower.lost:
             return None
     return best
 

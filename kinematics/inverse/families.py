@@ -17,6 +17,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.residuals import are_solutions, errors_of
@@ -55,6 +56,9 @@ this a step is taken again at half the length."""
 WALK, SHORTEST_WALK = 0.2, 1e-2
 """Steps of a walk from one solution to another [rad, or parts of the size]: longest and shortest."""
 
+TOGETHER = 1e-12
+"""Solutions this near [rad, or parts of the size] are one."""
+
 NEARER = 0.01
 """Part of its step by which a walk has to come nearer."""
 
@@ -63,6 +67,16 @@ ASTRAY = 0.01
 
 ROUNDS = 4
 """Gauss–Newton steps for one step along the path: convergence is quadratic from an error of STRAIGHT·step."""
+
+MOST_CORRECTIONS = 1000
+"""Corrections after which a target's families are followed no further; the longest paths take 800 more. A PUMA
+with its arm stretched upwards, wrist in line, takes some @@."""
+
+ROWS = 16
+"""Configurations that are corrected together in some twice the time of one: so many count as another one."""
+
+UNSEEN = 1e-7
+"""Part of the largest singular value up to which a correction takes others for zero."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,11 +128,19 @@ def corrected(arm: Arm, targets: Array, x: Array, held: Array) -> tuple[Array, A
         held: (m, k, n) rows.
     """
     free = np.linalg.svd(held)[2][:, held.shape[1] :]
-    across = free.transpose(0, 2, 1)
+    return _corrected_across(arm, targets, x, free.transpose(0, 2, 1))
+
+
+def _corrected_across(arm: Arm, targets: Array, x: Array, across: Array) -> tuple[Array, Array, Array]:
+    """The same with x moved along the columns of `across` alone, (m, n, k), orthonormal or a projection."""
     e, J = _seen(arm, targets, x)
     going = np.ones(len(x), dtype=bool)
     for _ in range(ROUNDS):
-        step = (across @ (np.linalg.pinv(J @ across, rcond=1e-7) @ e[:, :, None]))[:, :, 0]
+        U, values, Vt = np.linalg.svd(J @ across, full_matrices=False)
+        counts = values > UNSEEN * values[:, :1]
+        inverse = np.where(counts, 1.0 / np.where(counts, values, 1.0), 0.0)[:, :, None]
+        seen = inverse * (U.transpose(0, 2, 1) @ e[:, :, None])
+        step = (across @ (Vt.transpose(0, 2, 1) @ seen))[:, :, 0]
         tried = x + step
         new_e, new_J = _seen(arm, targets, tried)
         going = going & ((new_e * new_e).sum(axis=1) < (e * e).sum(axis=1))
@@ -151,7 +173,16 @@ class Follower:
         self.arm = weighing_alike(arm)
         self.target, self.tolerance = target, tolerance
         self.lost = max(LOST, math.sqrt(tolerance))
+        self.spent = 0
         self._farthest = FARTHEST * (1.0 + float(np.linalg.norm(target[:3, 3])) / self.arm.size)
+
+    def _count(self, rows: int) -> None:
+        self.spent += 1 + rows // ROWS
+
+    @property
+    def is_spent(self) -> bool:
+        """Whether as much has been followed as may be."""
+        return self.spent >= MOST_CORRECTIONS
 
     def reached(self, e: Array) -> bool:
         """Whether an error vector is within the tolerance."""
@@ -164,69 +195,93 @@ class Follower:
             x: (n,) in units.
             held: (k, n) rows.
         """
-        found, e, J = corrected(self.arm, self.target, x[None], held[None])
+        found, e, J = self.corrected_all(x[None], held[None])
         return found[0], e[0], J[0]
 
-    def moves(self, x: Array, direction: Array, step: float, held: Array | None = None) -> Array | None:
-        """Where x is after a step along a direction, corrected across it; None if the target is lost.
+    def corrected_all(self, x: Array, held: Array) -> tuple[Array, Array, Array]:
+        """The same of many, (m, n), each with its own held rows, (m, k, n)."""
+        self._count(len(x))
+        return corrected(self.arm, self.target, x, held)
 
-        Corrections leave `held` as it is, (k, n) rows among which the direction is; itself if left out.
-        """
-        moved, e, _ = self.corrected(x + step * direction, direction[None] if held is None else held)
-        near = float(np.linalg.norm(moved - x - step * direction)) <= abs(step)
-        return moved if near and self.reached(e) else None
+    def moves(self, x: Array, direction: Array, step: float) -> Array | None:
+        """Where x is after a step along a direction, corrected across it; None if the target is lost."""
+        return self.moves_each(x, step * direction[None])[0]
+
+    def moves_each(self, x: Array, ways: Array) -> list[Array | None]:
+        """Where x is after each of several steps, (m, n), corrected across it; None if the target is lost."""
+        if not len(ways):
+            return []
+        lengths = np.linalg.norm(ways, axis=1)
+        moved, e, _ = self.corrected_all(x + ways, (ways / lengths[:, None])[:, None])
+        near = np.linalg.norm(moved - x - ways, axis=1) <= lengths
+        there = near & are_solutions(e, self.arm, self.tolerance)
+        return [one if ok else None for one, ok in zip(moved, there.tolist(), strict=True)]
 
     def joined(self, x: Array, other: Array) -> bool:
         """Whether the straight way between two solutions, corrected across it, keeps the target."""
-        way = other - x
-        length = float(np.linalg.norm(way))
-        if length < 1e-12:
-            return True
-        unit = way / length
-        for part in (0.5, 0.25, 0.75):
-            between, e, _ = self.corrected(x + part * way, unit[None])
-            off = float(np.linalg.norm(between - x - part * way))
-            if off > 0.5 * length or not self.reached(e):
-                return False
-        return True
+        return bool(self.joined_each(x[None], other[None])[0])
 
-    def leads(self, x: Array, to: Array, blind: float) -> bool:
-        """Whether steps along blind directions, each corrected across them, lead from a solution to another.
+    def joined_each(self, x: Array, others: Array) -> NDArray[np.bool_]:
+        """The same of many pairs, (m, n) and (m, n)."""
+        ways = others - x
+        lengths = np.linalg.norm(ways, axis=1)
+        kept = np.ones(len(x), dtype=bool)
+        for part in (0.5, 0.25, 0.75):
+            asked = np.flatnonzero(kept & (lengths >= TOGETHER))
+            if not len(asked):
+                break
+            way, length = ways[asked], lengths[asked]
+            start = x[asked] + part * way
+            between, e, _ = self.corrected_all(start, (way / length[:, None])[:, None])
+            near = np.linalg.norm(between - start, axis=1) <= 0.5 * length
+            kept[asked] = near & are_solutions(e, self.arm, self.tolerance)
+        return kept
+
+    def leads(self, starts: Array, ends: Array, blind: float) -> NDArray[np.bool_]:
+        """Whether steps along blind directions, each corrected across them, lead from solutions to others.
 
         Of all ways the one is tried that comes nearer with every step: over a surface, or within the width
         that a tolerance gives to families that cross.
 
         Args:
-            x: (n,) a solution, in units.
-            to: (n,) the other.
+            starts: (m, n) solutions, in units.
+            ends: (m, n) the others.
             blind: singular values up to this are zero.
         """
-        longest = WALK
+        arrived = np.zeros(len(starts), dtype=bool)
+        x, longest, going = starts.copy(), np.full(len(starts), WALK), np.arange(len(starts))
         for _ in range(MOST_STEPS):
-            way = self._back(to, x)
-            left = float(np.linalg.norm(way))
-            if left <= FIRST_STEP:
-                return self.joined(x, x + way)
-            unseen = self._unseen(x, blind)
-            along = unseen.T @ (unseen @ way)
-            length = float(np.linalg.norm(along))
-            if length < ASTRAY * left:
-                return False
-            step = min(longest, length)
-            there = self.moves(x, along / length, step, unseen)
-            if there is None or float(np.linalg.norm(self._back(to, there))) > left - NEARER * step:
-                longest = 0.5 * step
-                if longest < SHORTEST_WALK:
-                    return False
-                continue
-            x, longest = there, min(2.0 * step, WALK)
-        return False
+            way = self._back(ends[going], x[going])
+            left = np.linalg.norm(way, axis=1)
+            close = left <= FIRST_STEP
+            arrived[going[close]] = self.joined_each(x[going[close]], x[going[close]] + way[close])
+            going, way, left = going[~close], way[~close], left[~close]
+            unseen = self._unseen(x[going], blind)
+            along = (unseen @ way[:, :, None])[:, :, 0]
+            length = np.linalg.norm(along, axis=1)
+            ahead = length >= ASTRAY * left
+            going, left, length, unseen = going[ahead], left[ahead], length[ahead], unseen[ahead]
+            if not len(going) or self.is_spent:
+                break
+            step = np.minimum(longest[going], length)
+            aim = x[going] + along[ahead] * (step / length)[:, None]
+            self._count(len(going))
+            there, e, _ = _corrected_across(self.arm, self.target, aim, np.eye(len(x[0])) - unseen)
+            near = np.linalg.norm(there - aim, axis=1) <= step
+            nearer = np.linalg.norm(self._back(ends[going], there), axis=1) <= left - NEARER * step
+            moved = near & nearer & are_solutions(e, self.arm, self.tolerance)
+            x[going[moved]] = there[moved]
+            longest[going] = np.where(moved, np.minimum(2.0 * step, WALK), 0.5 * step)
+            going = going[longest[going] >= SHORTEST_WALK]
+        return arrived
 
     def _unseen(self, x: Array, blind: float) -> Array:
-        """(k, n) orthonormal directions that the Jacobian does not see, singular values up to `blind`."""
-        _, values, rows = np.linalg.svd(self.jacobian(x))
-        values = np.concatenate((values, np.zeros(len(rows) - len(values))))
-        return np.asarray(rows[values <= blind])
+        """(m, n, n) projections onto what the Jacobians at x do not see, singular values up to `blind`."""
+        _, values, rows = np.linalg.svd(self.jacobians(x))
+        seen = np.zeros(rows.shape[:2])
+        seen[:, : values.shape[1]] = values > blind
+        rows = np.where(seen[:, :, None] > 0.0, 0.0, rows)
+        return np.asarray(rows.transpose(0, 2, 1) @ rows)
 
     def path(self, x: Array, direction: Array, held: Array) -> FamilyPath:
         """The component through x along a direction, both ways.

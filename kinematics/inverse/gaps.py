@@ -34,7 +34,9 @@ def way_through_gaps(follower: Follower, joints: Array, path: FamilyPath, gap: f
     length = float(np.linalg.norm(chord))
     if length == 0.0 or wide.tolerance <= follower.tolerance:
         return path
-    return wide.path(joints / arm.units, chord / length, np.empty((0, arm.n_joints)))
+    way = wide.path(joints / arm.units, chord / length, np.empty((0, arm.n_joints)))
+    follower.spent += wide.spent
+    return way
 
 
 def nearest_places(follower: Follower, way: FamilyPath) -> list[Array]:
