@@ -301,14 +301,13 @@ class _Sorter:
         outside = np.flatnonzero(~inside)
         if component.dimension > self.arm.spare and len(outside):
             inside[outside] = self._led(component, joints[outside])
-        return inside
+        return np.asarray(inside)
 
     def _led(self, component: Component, joints: Array) -> NDArray[np.bool_]:
         """Whether ways along blind directions lead to a family's member, or to a path."""
         x = joints / self.arm.units
         places = [np.broadcast_to(component.joints / self.arm.units, x.shape)]
-        for path in component.paths:
-            places.append(x - [nearest_on(self.arm, path, q)[0] for q in joints])
+        places += [x - [nearest_on(self.arm, path, q)[0] for q in joints] for path in component.paths]
         ends = np.concatenate(places)
         arrived = self.follower.leads(np.tile(x, (len(places), 1)), ends, self.blind)
         return np.asarray(arrived.reshape(len(places), len(x)).any(axis=0))

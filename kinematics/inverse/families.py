@@ -69,11 +69,14 @@ ROUNDS = 4
 """Gauss–Newton steps for one step along the path: convergence is quadratic from an error of STRAIGHT·step."""
 
 MOST_CORRECTIONS = 1000
-"""Corrections after which a target's families are followed no further; the longest paths take 800 more. A PUMA
-with its arm stretched upwards, wrist in line, takes some @@."""
+"""Corrections after which a target's families are followed no further; the longest paths take 800 more. A
+PUMA with its arm stretched and its wrist in line takes 95, seven joints at a singularity up to a thousand."""
 
 ROWS = 16
 """Configurations that are corrected together in some twice the time of one: so many count as another one."""
+
+EXACT = 1e-14
+"""Size of the error vector that another step would not make smaller."""
 
 UNSEEN = 1e-7
 """Part of the largest singular value up to which a correction takes others for zero."""
@@ -146,7 +149,7 @@ def _corrected_across(arm: Arm, targets: Array, x: Array, across: Array) -> tupl
         going = going & ((new_e * new_e).sum(axis=1) < (e * e).sum(axis=1))
         x, e = np.where(going[:, None], tried, x), np.where(going[:, None], new_e, e)
         J = np.where(going[:, None, None], new_J, J)
-        going = going & ((step * step).sum(axis=1) >= 1e-24)
+        going = going & ((step * step).sum(axis=1) >= 1e-24) & ((e * e).sum(axis=1) >= EXACT**2)
         if not going.any():
             break
     return x, e, J
@@ -318,7 +321,7 @@ class Follower:
         found: list[Array] = []
         gone = 0.0
         for _ in range(MOST_STEPS):
-            new, e, J = self.corrected(x + h * t, np.vstack((t, held)))
+            new, e, J = self._ahead(x + h * t, t, held)
             turned = self._direction(J, t, held)
             bend = float(np.arccos(np.clip(turned @ t, -1.0, 1.0)))
             off = float(np.linalg.norm(new - x - h * t))
@@ -340,6 +343,16 @@ class Follower:
             if float(np.abs(new - start)[~self.arm.revolute].max(initial=0.0)) > self._farthest:
                 return found, False
         return found, False
+
+    def _ahead(self, x: Array, t: Array, held: Array) -> tuple[Array, Array, Array]:
+        """The nearest pose across a unit direction, held·x unchanged."""
+        if len(held):
+            return self.corrected(x, np.vstack((t, held)))
+        self._count(1)
+        found, e, J = _corrected_across(
+            self.arm, self.target, x[None], (np.eye(len(x)) - np.outer(t, t))[None]
+        )
+        return found[0], e[0], J[0]
 
     def _direction(self, J: Array, before: Array, held: Array) -> Array:
         """What of the direction before the Jacobian does not see here, nor any held row."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 
@@ -191,13 +190,13 @@ def _finer(arm: Arm, follower: Follower, path: FamilyPath) -> Array:
     x = path.points / arm.units
     if path.closed:
         x = np.vstack((x, x[-1] + differences(path.points[0], path.points[-1], arm)))
-    fine = [x[0]]
-    for one, other in pairwise(x):
-        way = other - one
-        length = float(np.linalg.norm(way))
-        count = math.ceil(length / FINE)
-        for k in range(1, count):
-            between, _, _ = follower.corrected(one + k / count * way, (way / length)[None])
-            fine.append(between)
-        fine.append(other)
-    return np.array(fine) * arm.units
+    ways = np.diff(x, axis=0)
+    lengths = np.linalg.norm(ways, axis=1)
+    counts = np.ceil(lengths / FINE).astype(int)
+    chords = np.repeat(np.arange(len(ways)), np.maximum(counts - 1, 0))
+    if not len(chords):
+        return np.asarray(x * arm.units)
+    parts = np.concatenate([np.arange(1, count) / count for count in counts])[:, None]
+    between = x[chords] + parts * ways[chords]
+    between, _, _ = follower.corrected_all(between, (ways / lengths[:, None])[chords][:, None])
+    return np.asarray(np.insert(x, chords + 1, between, axis=0) * arm.units)

@@ -84,6 +84,13 @@ class Solver:
             return answer
         return self._searched(goal)
 
+    def solve_by_search(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics:
+        """What there is to say where `solve_directly` has no answer.
+
+        Arguments and refusals are those of `solve`.
+        """
+        return self._searched(read_goal(target, tolerance, where=("target",)))
+
     def solve_directly(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics | None:
         """What the closed form alone says: solutions within the limits, or None if it has none; never long.
 
@@ -159,10 +166,15 @@ class Solver:
         )
 
     def _told(self, found: list[tuple[Array, Family | None]], pose: Transform) -> tuple[IKSolution, ...]:
-        """Solutions with their errors, the one with the smallest joint values first."""
+        """Solutions with their errors, the one with the smallest joint values first.
+
+        Where there are too many, members of families that were not followed are left out.
+        """
+        mere = [family is not None and not family.parameters for _, family in found]
+        found = [found[i] for i in np.argsort(mere, kind="stable")[:MOST_SOLUTIONS].tolist()]
         joints = np.array([q for q, _ in found])
         position, angle = self._errors(self.arm.frames(joints)[-1], pose)
-        order = np.argsort(np.abs(joints).sum(axis=1), kind="stable")[:MOST_SOLUTIONS]
+        order = np.argsort(np.abs(joints).sum(axis=1), kind="stable")
         values, distances, angles = joints.tolist(), position.tolist(), angle.tolist()
         return tuple(
             IKSolution(

@@ -145,7 +145,7 @@ def _directly(question: _Question) -> InverseKinematics | None:
 
 def _search(question: _Question) -> InverseKinematics:
     """What a worker process does."""
-    return question.solver().solve(question.target, question.tolerance)
+    return question.solver().solve_by_search(question.target, question.tolerance)
 
 
 def _search_each(question: _Question, targets: Sequence[Matrix]) -> list[InverseKinematics]:

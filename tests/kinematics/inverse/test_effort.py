@@ -1,0 +1,55 @@
+"""Families are followed no further than a count of corrections; what is left over is told as what it is."""
+
+import numpy as np
+import pytest
+
+from kinematics.forward import end_pose
+from kinematics.inverse import ArmReach, families, solver_of
+from kinematics.inverse.results import Isolation
+from tests.kinematics.inverse.models import MODELS
+from tests.kinematics.robots import PUMA560
+
+LONGEST_PATH = 2 * families.MOST_STEPS
+
+STRETCHED = np.radians([30, -90, 90, 20, 0, -80])
+
+
+def counted(monkeypatch):
+    """A list that grows by one with every correction."""
+    calls = []
+    correct = families._corrected_across
+
+    def corrected(arm, targets, x, across):
+        calls.append(len(x))
+        return correct(arm, targets, x, across)
+
+    monkeypatch.setattr(families, "_corrected_across", corrected)
+    return calls
+
+
+@pytest.mark.parametrize(
+    ("name", "reach", "target", "tolerance"),
+    [
+        ("catalogue cloos", ArmReach.AXIS, np.eye(4), 1e-2),
+        ("catalogue cloos", ArmReach.POSE, np.eye(4), 1e-2),
+        ("panda", ArmReach.POSE, end_pose(MODELS["panda"], np.zeros(7)), 1e-2),
+    ],
+)
+def test_following_is_bounded_by_a_count(name, reach, target, tolerance, monkeypatch):
+    calls = counted(monkeypatch)
+    solver = solver_of(MODELS[name], reach=reach)
+    answer = solver.solve(target, tolerance)
+    assert answer.solutions
+    assert not answer.complete
+    assert len(calls) <= families.MOST_CORRECTIONS + LONGEST_PATH
+
+
+def test_what_is_left_over_is_a_member_of_a_continuum(monkeypatch):
+    monkeypatch.setattr(families, "MOST_CORRECTIONS", 1)
+    calls = counted(monkeypatch)
+    answer = solver_of(PUMA560).solve(end_pose(PUMA560, STRETCHED))
+    assert not answer.complete
+    assert len([s for s in answer.solutions if s.isolation is Isolation.ISOLATED]) <= 8
+    assert any(s.family is not None and not s.family.parameters for s in answer.solutions)
+    assert len(calls) <= LONGEST_PATH
+    assert any(s.family is not None and s.family.parameters for s in answer.solutions)
