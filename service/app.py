@@ -43,6 +43,7 @@ from service.resources import Resources, resources_of
 from service.routes import routers
 from service.secret import installation_secret
 from service.settings import Settings
+from service.work.heaps import share_heaps
 from service.work.retention import Retention
 from service.work.score_sender import ScoreSender
 from service.work.thread_switching import switch_threads_often
@@ -135,6 +136,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     """Start the workers with the application, and end them with it."""
     switch_threads_often()
+    share_heaps()
     to_thread.current_default_thread_limiter().total_tokens = THREADS
     workers: Workers = app.state.resources.workers
     workers.warm()

@@ -11,7 +11,7 @@ import threading
 import time
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from prometheus_client import (
     CollectorRegistry,
@@ -27,9 +27,11 @@ from prometheus_client.metrics_core import Metric
 from prometheus_client.multiprocess import MultiProcessCollector, mark_process_dead
 from prometheus_client.registry import Collector
 
-from courses.gradebook import OutboxState
 from courses.refusals import StorageUnavailableError
 from service import __version__
+
+if TYPE_CHECKING:
+    from courses.gradebook import OutboxState
 
 SHARED = "PROMETHEUS_MULTIPROC_DIR"
 """Names the folder in which the processes of one server keep their figures; the library's own variable."""

@@ -7,7 +7,6 @@ import shutil
 
 import uvicorn
 
-from service.app import create_app
 from service.cli.environment import count, settings_of_environment
 from service.http.connections import server_options
 from service.logs import log_configuration
@@ -43,6 +42,8 @@ def _serve(options: argparse.Namespace) -> int:
         finally:
             shutil.rmtree(figures, ignore_errors=True)
         return 0
+    from service.app import create_app  # a process that only looks after others does without all of it
+
     app = create_app(settings)
     try:
         uvicorn.run(app, **chosen)  # type: ignore[arg-type]

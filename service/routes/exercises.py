@@ -26,7 +26,14 @@ from service.resources import resources_of
 from service.schemas import examples_grading as examples
 from service.schemas.exercises import AnswerBase, ExerciseAnswer, ExerciseList, ExerciseModel, GradedModel
 from service.web.responses import packed_response, text_response
-from service.wire.exercise_views import attempts_of, exercise_list, exercise_view, instance_of
+from service.wire.exercise_views import (
+    attempts_of,
+    exercise_list,
+    exercise_view,
+    free_dimensions,
+    instance_of,
+    knows_dimensions,
+)
 from service.wire.figure_files import figure_address, figure_path, known_figure, packed_figure
 from service.wire.ungraded import answer_refused, known_exercise
 from service.wire.verdicts import encoded, report_body
@@ -69,6 +76,9 @@ async def show_exercise(request: ApiRequest) -> Response:
     """What is asked, with one student's values: statement, rules, dimensions, figure. Never the key."""
     language = language_of(request)
     instance = _asked_instance(request)
+    if not knows_dimensions(instance.exercise):
+        work = partial(free_dimensions, instance.exercise)
+        await resources_of(request).limiters[WorkKind.DRAWING].run(work)
     view = exercise_view(instance, language, context_of(request))
     view["figure"]["file"] = figure_path(resources_of(request).figures, instance, language)
     return _text(request, encoded(view), language, JSON)

@@ -53,7 +53,7 @@ def exercise_view(instance: Instance, language: str, context: LinkContext | None
     """Return an exercise with one student's values, as it is under the context of a link."""
     found = instance.exercise
     statement = found.statement(language)
-    free = _free_dimensions(found)
+    free = free_dimensions(found)
     names = [f"q{i}" for i in range(1, found.reference.table.n_joints + 1)]
     types = found.reference.table.joint_types
     return {
@@ -132,14 +132,28 @@ def rules(found: Exercise, language: str) -> Iterator[str]:
         text = sentence(language, f"rule-{name}-{rule}", {"points": ", ".join(found.figure.marks)})
         if text:
             yield text
-    free = _free_dimensions(found)
+    free = free_dimensions(found)
     if free and found.part(TABLE) is not None:
         yield sentence(language, "rule-dimension-free", {"names": free}) or ""
 
 
-@lru_cache(maxsize=KEPT)
-def _free_dimensions(found: Exercise) -> tuple[str, ...]:
-    return unneeded_dimensions(found)
+_free: dict[Exercise, tuple[str, ...]] = {}
+
+
+def knows_dimensions(found: Exercise) -> bool:
+    """Return whether it is known which dimensions an answer needs; to find it out takes up to 50 ms."""
+    return found in _free
+
+
+def free_dimensions(found: Exercise) -> tuple[str, ...]:
+    """Return the dimensions that an answer may leave out; found out once for an exercise."""
+    known = _free.get(found)
+    if known is None:
+        known = unneeded_dimensions(found)
+        while len(_free) >= KEPT:
+            _free.pop(next(iter(list(_free))), None)
+        _free[found] = known
+    return known
 
 
 def _language_note(found: Exercise, language: str) -> str | None:

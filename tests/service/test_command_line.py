@@ -142,3 +142,10 @@ def test_a_reader_that_has_had_enough_is_no_error() -> None:
         assert listing.stderr is not None
         listing.stdout.close()
         assert listing.stderr.read() == b""
+
+
+def test_what_looks_after_several_servers_does_not_load_what_they_need() -> None:
+    """A server with two workers would import everything twice, one after the other, before it answers."""
+    code = "import sys, service.cli.serve; print(*{name.partition('.')[0] for name in sys.modules})"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert not {"fastapi", "sqlalchemy"} & set(run.stdout.split())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -12,9 +13,12 @@ import httpx
 import numpy as np
 import pytest
 
+from exercises.definition import Exercise
+from exercises.needs import unneeded_dimensions
 from service.__main__ import main
 from service.schemas.examples_grading import ANSWERS, SCARA_BY_THE_BOOK
 from service.settings import Settings
+from service.wire import exercise_views
 from tests.exercises.folders import folder
 from tests.exercises.packaged import exercise, exercise_ids, table_ids
 from tests.live_service import running
@@ -36,6 +40,24 @@ PUMA_BY_CRAIG = {
 
 def grade(client: httpx.Client, exercise_id: str, body: Any, **headers: str) -> httpx.Response:
     return client.post(f"/api/v1/exercises/{exercise_id}/grade", json=body, headers=headers)
+
+
+def test_others_are_served_while_it_is_found_out_which_dimensions_are_needed(
+    client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It takes tens of milliseconds, with the first visit to an exercise: a thread does it."""
+    monkeypatch.setattr(exercise_views, "_free", {})
+    found: list[str] = []
+
+    def noted(asked: Exercise) -> tuple[str, ...]:
+        found.append(threading.current_thread().name)
+        return unneeded_dimensions(asked)
+
+    monkeypatch.setattr(exercise_views, "unneeded_dimensions", noted)
+    seen = [client.get("/api/v1/exercises/scara").json()["dimensions"] for _ in range(2)]
+    assert seen[0] == seen[1]
+    assert len(found) == 1
+    assert found[0].startswith("AnyIO worker")
 
 
 def test_the_list_names_every_exercise_in_every_language(client: httpx.Client) -> None:

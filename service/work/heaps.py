@@ -1,0 +1,24 @@
+"""How the threads of a server process share memory."""
+
+from __future__ import annotations
+
+import ctypes
+from contextlib import suppress
+from functools import cache
+
+HEAPS = 2
+"""Heaps of the C library that all threads take turns at. It would give each thread its own (up to eight for a
+core), in each of which some of the largest bodies and answers ever read stay reserved."""
+LARGE = 256 * 1024
+"""Blocks from this size on [byte] are given back to the system when they are freed, and so is what is free at
+the end of a heap. The C library raises this bound by itself, to as much as 32 MiB."""
+_TRIM_THRESHOLD, _MMAP_THRESHOLD, _ARENA_MAX = -1, -3, -8  # names of glibc's malloc.h
+
+
+@cache
+def share_heaps() -> None:
+    """Give back what has been freed, once for the process; other C libraries than glibc are left alone."""
+    with suppress(AttributeError, OSError):
+        library = ctypes.CDLL(None)
+        for option, value in ((_ARENA_MAX, HEAPS), (_MMAP_THRESHOLD, LARGE), (_TRIM_THRESHOLD, LARGE)):
+            library.mallopt(option, value)
