@@ -121,7 +121,7 @@ def _helping(work: Work, trials: Iterable[Trial], effort: Effort) -> Iterator[Ch
 
 
 def _at_other_draws(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
-    if len(changes) == 1 and work.accepts_alike(changes[0], effort):
+    if work.accepts_alike(changes, effort):
         return True
     return all(_mends(work.at(draw), changes, effort) for draw in range(1, len(work.references)))
 

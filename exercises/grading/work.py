@@ -269,18 +269,20 @@ class Work:
         """Whether an edit makes the table right, at this draw."""
         return self._are_right((self.reference,), (change.of(self.table),), effort)
 
-    def accepts_alike(self, change: Change, effort: Effort) -> bool:
-        """Whether the same edit makes the table right at all other draws, if it is seen what it is there.
+    def accepts_alike(self, changes: Sequence[Change], effort: Effort) -> bool:
+        """Whether the same edits, one after the other, make the table right at all other draws.
 
-        False says nothing where it is not seen.
+        False says nothing where it is not seen what they are there.
         """
         tables = []
         for draw in range(1, len(self.references)):
-            elsewhere = self.at(draw)
-            alike = _alike(change, self, elsewhere)
-            if alike is None:
-                return False
-            tables.append(alike.of(elsewhere.table))
+            here, elsewhere = self, self.at(draw)
+            for change in changes:
+                alike = _alike(change, here, elsewhere)
+                if alike is None:
+                    return False
+                here, elsewhere = here.edited(change), elsewhere.edited(alike)
+            tables.append(elsewhere.table)
         return self._are_right(self.references[1:], tables, effort)
 
     def _are_right(

@@ -21,6 +21,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -41,8 +42,8 @@ WORKERS = 2
 OPENED_WITHIN = 1.0
 HANDED_IN_WITHIN = 6.0
 """Seconds over which the openings, and the submissions, of a class are spread."""
-IDLE = 0.05
-"""Processor time of a service in a second in which it does nothing [s]."""
+LOOKS = 20
+"""So many times in a row, a tenth of a second apart, no process of a service is found at work."""
 PATIENCE = 120.0
 """How long a client waits for an answer [s]: on a busy machine nothing is an error that comes late."""
 MISTAKES = (
@@ -231,15 +232,19 @@ async def sat(
 
 def cpu_of(group: int) -> float:
     """Processor time of all processes of a group so far [s]."""
-    ticks = 0
+    ticks = sum(int(fields[11]) + int(fields[12]) for fields in _processes(group))
+    return ticks / os.sysconf("SC_CLK_TCK")
+
+
+def _processes(group: int) -> Iterator[list[str]]:
+    """What `/proc/PID/stat` says of every process of a group, from its state on."""
     for path in Path("/proc").glob("[0-9]*/stat"):
         try:
             fields = path.read_text().rpartition(")")[2].split()
         except OSError:  # ended meanwhile
             continue
         if int(fields[2]) == group:
-            ticks += int(fields[11]) + int(fields[12])
-    return ticks / os.sysconf("SC_CLK_TCK")
+            yield fields
 
 
 def run(
@@ -301,16 +306,19 @@ async def ready(port: int) -> None:
 
 
 def _settle(group: int, most: float) -> None:
-    """Wait until the service has done what it does when it starts: exams begin at services that run.
+    """Wait until all processes of the service wait: exams begin at services that run.
 
     The processes for symbolic work import for seconds, when the first request has long been answered.
     """
-    known, until = cpu_of(group), time.monotonic() + most
+    until = time.monotonic() + most
     while time.monotonic() < until:
-        time.sleep(1.0)
-        before, known = known, cpu_of(group)
-        if known - before < IDLE:
+        if all(_all_wait(group) for _ in range(LOOKS)):
             return
+
+
+def _all_wait(group: int) -> bool:
+    time.sleep(0.1)
+    return all(fields[0] == "S" for fields in _processes(group))
 
 
 def told(outcome: Outcome) -> str:
