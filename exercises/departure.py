@@ -28,6 +28,7 @@ from kinematics.cells import ReadTable, in_length_unit
 from kinematics.chain import Chain, chain_of_table
 from kinematics.equivalence import Certificate, Policy
 from kinematics.equivalence.decision import certify, mechanism_only
+from kinematics.equivalence.invariants import has_all_invariants
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
 from kinematics.errors import KinematicsError
@@ -132,8 +133,11 @@ def shared_joints(
     joints = expected
     while least < most:
         joints = min(max(joints, least + 1), most)
-        reference, chain = prepared(_first(key, joints)), chain_of_table(_first(answer, joints))
-        found = certify((reference,), (chain,), free, Effort.PLAIN)
+        chain = chain_of_table(_first(answer, joints))
+        reference = prepared(_first(key, joints)).beside(chain)
+        found = None
+        if has_all_invariants(reference, chain, free):
+            found = certify((reference,), (chain,), free, Effort.PLAIN)
         if found is None:
             most = joints = joints - 1
         else:

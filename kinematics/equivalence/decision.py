@@ -136,8 +136,9 @@ def certify(
     coarser = EXACT.length <= wanted.length and EXACT.angle <= wanted.angle and wanted != EXACT
     if coarser and not surely_apart(references[0], submissions[0], EXACT):
         # among axes that are nearly parallel, alignments lever up the errors of the arithmetic
-        nearly_parallel = len(references[0].levels(policy.base, policy.zero, wanted)) > 1
-        trying = effort if nearly_parallel else Effort.PLAIN
+        trying = Effort.PLAIN
+        if effort is not trying and references[0].further_levels(policy.base, policy.zero, wanted):
+            trying = effort
         exact = replace(policy, tolerance=EXACT)
         with nullcontext() if meter is None else meter.at_most(meter.left // 2):
             found = _first(references, submissions, exact, trying, meter)

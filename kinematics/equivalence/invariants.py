@@ -122,7 +122,7 @@ def axes_of(chain: Chain, policy: Policy) -> list[Axis]:
     return [base, *chain.axes, Axis(False, direction, position(chain.end))]
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=1024)
 def invariants_of(reference: Reference, policy: Policy) -> Invariants:
     """The invariants of a reference, and of the frames that a policy fixes."""
     axes = axes_of(reference.chain, policy)
@@ -140,6 +140,18 @@ def invariants_of(reference: Reference, policy: Policy) -> Invariants:
     shapes = tuple(shape for shape, _ in found)
     slacks = np.array([slack for _, slack in found], dtype=np.float64)[:, None]
     return Invariants(shapes, measured(shapes, axis_batch([axes])), slacks)
+
+
+def has_all_invariants(reference: Reference, submission: Chain, policy: Policy) -> bool:
+    """Whether a submission may be the reference: its joints are of the same types, and no invariant is off."""
+    types = [axis.prismatic for axis in reference.chain.axes]
+    if types != [axis.prismatic for axis in submission.axes]:
+        return False
+    invariants = invariants_of(reference, policy)
+    if not invariants.shapes:
+        return True
+    found = invariants.measured(axis_batch([axes_of(submission, policy)]))
+    return bool((invariants.strains(found) <= 1.0).all())
 
 
 def _between(

@@ -11,8 +11,11 @@ fixes the zeros of the variables there is no exp(S_i ℝ), and H_i = Stab_i.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.chain import Axis, Chain
 from kinematics.equivalence.groups import (
@@ -45,6 +48,8 @@ from kinematics.se3 import (
     translation,
     turn_onto,
 )
+
+Floats = NDArray[np.float64]
 
 # Of misfits, over all joints: above it the limit of a misfit is at its widest in any case.
 LARGEST_AMPLIFICATION = 60.0
@@ -197,12 +202,28 @@ def _slide(
     """The least-squares map from a displacement across a line to a translation in a space."""
     if not basis:
         return None, 1.0
-    space = np.array(basis).T
-    d = np.array(direction)
-    across_line = space - np.outer(d, d @ space)
-    u, s, vt = np.linalg.svd(across_line, full_matrices=False)
-    kept = s > max(near.slide, 1e-12)
+    found = _across(basis, direction)
+    kept = found.stretches > max(near.slide, 1e-12)
     if not kept.any():
         return None, 1.0
-    matrix = space @ vt[kept].T @ np.diag(1.0 / s[kept]) @ u[:, kept].T
-    return tuple(matrix.ravel().tolist()), float(1.0 / s[kept].min())
+    matrix = (
+        found.space @ found.right[kept].T @ np.diag(1.0 / found.stretches[kept]) @ found.left[:, kept].T
+    )
+    return tuple(matrix.ravel().tolist()), float(1.0 / found.stretches[kept].min())
+
+
+class _Across(NamedTuple):
+    """A space of translations, (3, k), and the singular values of its part across a line with its vectors."""
+
+    space: Floats
+    left: Floats
+    stretches: Floats
+    right: Floats
+
+
+@lru_cache(maxsize=1024)
+def _across(basis: tuple[Vector, ...], direction: Vector) -> _Across:
+    """What translations do across a line; remembered, for it is the same however near counts as parallel."""
+    space = np.array(basis).T
+    d = np.array(direction)
+    return _Across(space, *np.linalg.svd(space - np.outer(d, d @ space), full_matrices=False))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
@@ -97,18 +98,33 @@ class Reference:
             )
         return found
 
-    def levels(self, base: BaseRule, zero: ZeroRule, tolerance: Tolerance) -> tuple[int, ...]:
-        """The notions of nearness, by their places in `nearnesses`, that make different chains of groups."""
+    def levels(self, base: BaseRule, zero: ZeroRule, tolerance: Tolerance) -> Iterator[int]:
+        """The notions of nearness, by their places in `nearnesses`, that make different chains of groups.
+
+        Only the first of them is needed for most tables, and the others are found when they are asked for.
+        """
+        yield 0
+        yield from self.further_levels(base, zero, tolerance)
+
+    def further_levels(self, base: BaseRule, zero: ZeroRule, tolerance: Tolerance) -> tuple[int, ...]:
+        """Those of the levels that come after the first.
+
+        Where the strictest notion and the loosest make one chain, so do those between them.
+        """
         key = (base, zero, tolerance)
         found = self._levels.get(key)
         if found is None:
-            shapes = [
-                [plan.shape for plan in self.plans(base, zero, near)] for near in self.nearnesses(tolerance)
-            ]
+            shapes: list[list[tuple[object, ...]]] = []
+            nearnesses = self.nearnesses(tolerance)
+            if self._shapes(base, zero, nearnesses[0]) != self._shapes(base, zero, nearnesses[-1]):
+                shapes = [self._shapes(base, zero, near) for near in nearnesses]
             found = self._levels[key] = tuple(
                 level for level, shape in enumerate(shapes) if shape not in shapes[:level]
-            )
+            )[1:]
         return found
+
+    def _shapes(self, base: BaseRule, zero: ZeroRule, near: Nearness) -> list[tuple[object, ...]]:
+        return [plan.shape for plan in self.plans(base, zero, near)]
 
 
 @lru_cache(maxsize=1024)
