@@ -192,6 +192,7 @@ participation = sa.Table(
     sa.Column("made", sa.Integer, nullable=False, server_default="0"),
     sa.Column("draft", sa.JSON(none_as_null=True)),
     sa.Column("draft_at", UtcTime),
+    sa.Index("ix_participation_link_id_extra_seconds", "link_id", "extra_seconds"),
 )
 
 session = sa.Table(

@@ -259,8 +259,7 @@ def _diagonal(points: list[Array]) -> float:
 
 def _unsigned(direction: Array) -> Vector:
     """The direction with its largest component positive: it tells nothing of the reference's sense."""
-    rounded = np.round(direction, 9)
-    largest = rounded[int(np.argmax(np.abs(rounded)))]
+    largest = max((_rounded(value, 1e9) for value in direction.tolist()), key=abs)
     return _vector(direction if largest > 0 else -direction)
 
 
@@ -270,5 +269,11 @@ def _unit(vector: Array | Vector) -> Vector:
 
 
 def _vector(array: Array) -> Vector:
-    x, y, z = (float(v) + 0.0 for v in np.round(array, 12))
+    x, y, z = [_rounded(value, 1e12) + 0.0 for value in array.tolist()]
     return x, y, z
+
+
+def _rounded(value: float, ones: float) -> float:
+    """A number to a power of ten of decimals, as numpy rounds; a scene has too few at a time for its arrays."""
+    scaled = value * ones
+    return round(scaled) / ones if math.isfinite(scaled) else value
