@@ -1,0 +1,16 @@
+"""The longest extra time of a link, found without going through all of its students."""
+
+from __future__ import annotations
+
+from alembic import op
+
+revision = "0004"
+down_revision = "0003"
+branch_labels = None
+depends_on = None
+
+
+def upgrade() -> None:
+    """Make the index in which it stands at the end."""
+    columns = ["link_id", "extra_seconds"]
+    op.create_index(op.f("ix_participation_link_id_extra_seconds"), "participation", columns)
