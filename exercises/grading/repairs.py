@@ -115,13 +115,22 @@ def _helping(work: Work, trials: Iterable[Trial], effort: Effort) -> Iterator[Ch
         place = (change.code, change.row, change.cell)
         if place in told:
             continue
-        if work.accepts(change, effort) and (work.draw or _at_other_draws(work, (change,), effort)):
+        if _is_right(work, work, (change,), effort):
             told.add(place)
             yield change
 
 
+def _is_right(work: Work, edited: Work, changes: Sequence[Change], effort: Effort) -> bool:
+    """Whether edits make a table right at every draw, the last one made in what the others led to."""
+    if work.draw:
+        return edited.accepts(changes[-1], effort)
+    if effort is Effort.PLAIN and work.accepts_alike(changes, effort):
+        return True
+    return edited.accepts(changes[-1], effort) and _at_other_draws(work, changes, effort)
+
+
 def _at_other_draws(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
-    if work.accepts_alike(changes, effort):
+    if work.accepts_alike(changes, effort, first=1):
         return True
     return all(_mends(work.at(draw), changes, effort) for draw in range(1, len(work.references)))
 
@@ -150,9 +159,7 @@ def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
             for other in rest:
                 changes = (trial.change, other.change)
                 places = frozenset((c.code, c.row, c.cell) for c in changes)
-                if places in told or not half.accepts(other.change, Effort.PLAIN):
-                    continue
-                if _at_other_draws(work, changes, Effort.PLAIN):
+                if places not in told and _is_right(work, half, changes, Effort.PLAIN):
                     told.add(places)
                     shown = (trial.change, after(*changes))
                     yield Repaired(tuple(sorted(shown, key=lambda c: -1 if c.row is None else c.row)))

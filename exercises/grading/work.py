@@ -269,13 +269,13 @@ class Work:
         """Whether an edit makes the table right, at this draw."""
         return self._are_right((self.reference,), (change.of(self.table),), effort)
 
-    def accepts_alike(self, changes: Sequence[Change], effort: Effort) -> bool:
-        """Whether the same edits, one after the other, make the table right at all other draws.
+    def accepts_alike(self, changes: Sequence[Change], effort: Effort, *, first: int = 0) -> bool:
+        """Whether the same edits, one after the other, make the table right at all draws from the first on.
 
-        False says nothing where it is not seen what they are there.
+        False says nothing where it is not seen what they are at another draw.
         """
         tables = []
-        for draw in range(1, len(self.references)):
+        for draw in range(first, len(self.references)):
             here, elsewhere = self, self.at(draw)
             for change in changes:
                 alike = _alike(change, here, elsewhere)
@@ -283,7 +283,7 @@ class Work:
                     return False
                 here, elsewhere = here.edited(change), elsewhere.edited(alike)
             tables.append(elsewhere.table)
-        return self._are_right(self.references[1:], tables, effort)
+        return self._are_right(self.references[first:], tables, effort)
 
     def _are_right(
         self, references: Sequence[Reference], tables: Sequence[NumericTable], effort: Effort

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import fields
+from functools import cache
 from typing import Any, cast
 
 import orjson
@@ -85,10 +86,15 @@ def _speaks(value: object) -> bool:
 
 
 def _fields(record: Any, language: str) -> dict[str, Any]:
-    body = {entry.name: _written(getattr(record, entry.name), language) for entry in fields(record)}
+    body = {name: _written(getattr(record, name), language) for name in _names(type(record))}
     if type(record) in SPOKEN:
         body["message"] = _sentence(cast("Feedback | Edit", record), language)
     return body
+
+
+@cache
+def _names(record: type) -> tuple[str, ...]:
+    return tuple(entry.name for entry in fields(record))
 
 
 def _sentence(told: Feedback | Edit, language: str) -> str:
