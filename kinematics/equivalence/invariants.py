@@ -143,7 +143,7 @@ def invariants_of(reference: Reference, policy: Policy) -> Invariants:
 
 
 def has_all_invariants(reference: Reference, submission: Chain, policy: Policy) -> bool:
-    """Whether a submission may be the reference: its joints are of the same types, and no invariant is off."""
+    """Whether a submission may be the reference: the types of its joints are its own, no invariant is off."""
     types = [axis.prismatic for axis in reference.chain.axes]
     if types != [axis.prismatic for axis in submission.axes]:
         return False

@@ -206,9 +206,7 @@ def _slide(
     kept = found.stretches > max(near.slide, 1e-12)
     if not kept.any():
         return None, 1.0
-    matrix = (
-        found.space @ found.right[kept].T @ np.diag(1.0 / found.stretches[kept]) @ found.left[:, kept].T
-    )
+    matrix = found.space @ found.right[kept].T @ np.diag(1.0 / found.stretches[kept]) @ found.left[:, kept].T
     return tuple(matrix.ravel().tolist()), float(1.0 / found.stretches[kept].min())
 
 
