@@ -274,6 +274,6 @@ def _vector(array: Array) -> Vector:
 
 
 def _rounded(value: float, ones: float) -> float:
-    """A number to a power of ten of decimals, as numpy rounds; a scene has too few at a time for its arrays."""
+    """A number to a power of ten of decimals, as numpy rounds; a scene has few, and arrays would cost more."""
     scaled = value * ones
     return round(scaled) / ones if math.isfinite(scaled) else value
