@@ -274,6 +274,6 @@ def _vector(array: Array) -> Vector:
 
 
 def _rounded(value: float, ones: float) -> float:
-    """A number to a power of ten of decimals, as numpy rounds; a scene has few, and arrays would cost more."""
+    """A number to a power of ten of decimals, as numpy rounds: a scene has too few for its arrays to pay."""
     scaled = value * ones
     return round(scaled) / ones if math.isfinite(scaled) else value
