@@ -86,7 +86,7 @@ def _speaks(value: object) -> bool:
 
 
 def _fields(record: Any, language: str) -> dict[str, Any]:
-    body = {name: _written(getattr(record, name), language) for name in _names(type(record))}
+    body = {name: _written(getattr(record, name), language) for name in _names(cast(type, type(record)))}
     if type(record) in SPOKEN:
         body["message"] = _sentence(cast("Feedback | Edit", record), language)
     return body
