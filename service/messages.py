@@ -89,7 +89,10 @@ def _read(language: str, identifier: str) -> FluentBundle | None:
 
 def sentence(language: str, identifier: str, params: Mapping[str, object] | None = None) -> str | None:
     """The message with its parameters in place, in the language or else in English; None if there is none."""
-    return _formatted(language, identifier, tuple((k, _argument(v)) for k, v in (params or {}).items()))
+    told = {name: _argument(value) for name, value in (params or {}).items()}
+    if identifier.startswith("error-"):
+        told = {name: _GREEK.sub(_greek, v) if isinstance(v, str) else v for name, v in told.items()}
+    return _formatted(language, identifier, tuple(told.items()))
 
 
 @lru_cache(maxsize=SENTENCES)
@@ -110,6 +113,14 @@ def _formatted(language: str, identifier: str, arguments: tuple[tuple[str, str |
             _log.warning("message %s in %s: %s", identifier, candidate, fault)
         return str(text)
     return None
+
+
+_GREEK = re.compile(r"^(?:alpha$|theta(?=\d*$))")
+"""Columns and joint variables as the API spells them."""
+
+
+def _greek(match: re.Match[str]) -> str:
+    return "α" if match[0] == "alpha" else "θ"
 
 
 def _argument(value: object) -> str | int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -24,6 +25,7 @@ NOTICED_IF_ROUNDED = 0.02
 ROUNDED = 1e-8
 # Of offsets, as shown.
 DIGITS = 6
+_NUMBER = re.compile(r"-?[\d.]+")
 
 
 def explained(
@@ -172,5 +174,7 @@ def _zeros(
             text = angle_text(exact.joint_offsets[i], unit)
         else:
             text = expression_text(exact.joint_offsets[i])
+        if joint is JointType.REVOLUTE and unit is AngleUnit.DEG:
+            text = f"{text}°" if _NUMBER.fullmatch(text) else f"({text})°"
         params: dict[str, ParamValue] = {"joint": i + 1, "offset": text}
         yield Feedback(code="variable_offset", row=answer.joint_rows[i] + 1, params=params)

@@ -158,11 +158,7 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
             FormField(name="conditions", shape=FieldShape.LIST, labels=("g(q) = 0",), rows=MOST),
         ]
         if part.joints is not None:
-            degrees = exercise.angle_unit is AngleUnit.DEG
-            labels = tuple(
-                f"q{i} [{_unit(kind, degrees, exercise.length_unit.value)}]"
-                for i, kind in enumerate(exercise.reference.table.joint_types, 1)
-            )
+            labels = tuple(f"q{i} [{unit}]" for i, unit in enumerate(_units(exercise), 1))
             drawn: tuple[Fraction, ...] = instance.drawn[self.kind]
             row = tuple(float(value) for value in drawn)
             numbers.append(GivenNumbers(name="configuration", labels=labels, rows=(row,)))
@@ -215,7 +211,7 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         arm = _arm(part, context.instance.exercise, context.reference_values)
         facts: list[Fact] = []
         feedback: list[Feedback] = []
-        score = _conditions(arm, answer, facts, feedback, _told(context))
+        score = _conditions(arm, answer, facts, feedback, _units(context.instance.exercise))
         if part.joints is not None:
             drawn: tuple[Fraction, ...] = context.instance.drawn[self.kind]
             joints = in_radians(context.instance.exercise, drawn)
@@ -263,22 +259,20 @@ def _labels(part: SingularitiesPart) -> tuple[str, ...]:
     return translation if part.rows is MotionRows.TRANSLATION else (*translation, "ωx", "ωy", "ωz")
 
 
-def _unit(kind: JointType, degrees: bool, length: str) -> str:
-    return length if kind is JointType.PRISMATIC else "°" if degrees else "rad"
+def _units(exercise: Exercise) -> tuple[str, ...]:
+    """Return for each joint the unit in which its values are told."""
+    angle = "°" if exercise.angle_unit is AngleUnit.DEG else "rad"
+    types = exercise.reference.table.joint_types
+    return tuple(exercise.length_unit.value if kind is JointType.PRISMATIC else angle for kind in types)
 
 
-def _told(context: Context) -> tuple[bool, ...]:
-    """Return for each joint whether its values are told in degrees."""
-    degrees = context.instance.exercise.angle_unit is AngleUnit.DEG
-    return tuple(degrees and kind is JointType.REVOLUTE for kind in context.reference.table.joint_types)
-
-
-def _configuration(joints: Sequence[float], degrees: Sequence[bool]) -> str:
+def _configuration(joints: Sequence[float], units: Sequence[str]) -> str:
     """Return a configuration as a person reads it, angles within half a turn."""
     parts = []
-    for i, (value, angle) in enumerate(zip(joints, degrees, strict=True), 1):
-        shown = math.degrees(math.remainder(value, math.tau)) if angle else value
-        parts.append(f"q{i} = {round(shown, 1 if angle else 3) + 0.0:g}{'°' if angle else ''}")
+    for i, (value, unit) in enumerate(zip(joints, units, strict=True), 1):
+        shown = value if unit not in ("°", "rad") else math.remainder(value, math.tau)
+        number = f"{round(math.degrees(shown), 1) if unit == '°' else round(shown, 3):g}".replace("-", "−")
+        parts.append(f"q{i} = {'0' if number == '−0' else number}{'' if unit == '°' else ' '}{unit}")
     return ", ".join(parts)
 
 
@@ -287,7 +281,7 @@ def _conditions(
     answer: SingularityAnswer,
     facts: list[Fact],
     feedback: list[Feedback],
-    degrees: Sequence[bool],
+    units: Sequence[str],
 ) -> float:
     """Judge the conditions; note what is found, and return their share."""
     if answer.conditions is None:
@@ -304,7 +298,7 @@ def _conditions(
         if entry.status is not ConditionStatus.NOWHERE:
             facts.append(Fact(where=("conditions", i, 0), finding=Finding.WRONG))
         if entry.example is not None:
-            at = _configuration(entry.example, degrees)
+            at = _configuration(entry.example, units)
             feedback.append(Feedback(code="singularity_invented_at", params={**params, "at": at}))
             if is_sine_for_cosine(arm, function):
                 feedback.append(Feedback(code="singularity_sine_for_cosine", params=params))
@@ -315,7 +309,7 @@ def _conditions(
         if missing[0].found > 0.0:
             feedback.append(Feedback(code="singularity_half"))
         if missing[0].example is not None:
-            at = _configuration(missing[0].example, degrees)
+            at = _configuration(missing[0].example, units)
             feedback.append(Feedback(code="singularity_missing_at", params={"at": at}))
     return 1.0 if found.right else min(found.share, 0.8)
 

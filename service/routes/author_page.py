@@ -14,7 +14,7 @@ router = APIRouter(include_in_schema=False)
 AUTHOR = Page(
     name="author",
     title="author-title",
-    rooms=("author", "exercises"),
+    rooms=("author", "exercises", "kinds"),
     styles=("scene", "editor", "exercise", "playground", "author"),
 )
 

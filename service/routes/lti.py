@@ -61,7 +61,7 @@ CHOOSE = Page(
 COURSE = Page(
     name="course",
     title="lecturer-title",
-    rooms=("lecturer", "session"),
+    rooms=("lecturer", "session", "kinds"),
     styles=("scene", "exercise", "lecturer"),
 )
 COOKIE = "__Host-framewise-login-"

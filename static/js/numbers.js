@@ -19,6 +19,11 @@ export function plain(value, decimals = 4) {
   return trimmed === "-0" ? "0" : trimmed;
 }
 
+/** Points, to a tenth: the same text however they were added up. @param {number} value */
+export function asPoints(value) {
+  return plain(Math.round(value * 10 + 1e-6) / 10, 1);
+}
+
 /** A number with all its digits, for programs. @param {number} value */
 export function exactly(value) {
   return Object.is(value, -0) ? "0" : String(value);

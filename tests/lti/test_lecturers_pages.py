@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 
 import pytest
@@ -72,6 +73,8 @@ def test_the_class_its_numbers_and_an_attempt(
     expect(page.locator("#link table").first).to_be_visible()
     expect(page.locator("#link .bars svg[role=img] rect").first).to_be_visible()
     assert page.locator("#link .bars").count() >= 2
+    shown = page.locator("#link").inner_text()
+    assert not re.search(r"[a-z]_[a-z]|\d{4}-\d\d-\d\d", shown), "codes and machine's dates"
     assert_accessible(page)
     no_sideways(page)
     page.locator("#class").get_by_role("button", name="solved: 1").click()

@@ -42,6 +42,9 @@ PARAMS = {
 }
 
 
+GREEK = {"alpha": "α", "theta": "θ"}
+
+
 @pytest.mark.parametrize("language", ["en", "ro", "pt", "fr", "uk", "es"])
 @pytest.mark.parametrize("code", sorted(SENTENCES))
 def test_every_code_has_a_sentence(code, language, caplog):
@@ -56,4 +59,13 @@ def test_every_code_has_a_sentence(code, language, caplog):
     for name, value in params.items():
         if name not in {"kind", "other", "joint", "expected", "functions"}:
             shown = format(value, ".10g") if isinstance(value, float) else str(value)
-            assert shown in text, name
+            assert GREEK.get(shown, shown) in text, name
+
+
+def test_greek_letters_are_told_as_people_write_them():
+    params = {"column": 1, "name": "theta1", "cell": "alpha"}
+    assert "θ1 stands under α" in (sentence("en", "error-variable_in_constant_cell", params) or "")
+    assert "thetas stands under alphabet" in (
+        sentence("en", "error-variable_in_constant_cell", {**params, "name": "thetas", "cell": "alphabet"})
+        or ""
+    )

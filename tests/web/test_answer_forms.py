@@ -16,7 +16,7 @@ from exercises.parts.protocol import Answer, FieldShape, FormField
 from exercises.parts.registry import part_type
 from service.messages import sentence
 from tests.exercises.packaged import exercise, exercise_ids
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, Watch
 from tests.web.driving import all_right, submit
 
 
@@ -110,3 +110,25 @@ def test_a_form_is_filled_in_and_judged(
     before = page.locator(".matrix-field input, .field select").first.input_value()
     page.reload()
     expect(page.locator(".matrix-field input, .field select").first).to_have_value(before)
+
+
+def test_places_to_look_at_again_are_named_once(open_page: OpenPage) -> None:
+    """Each matrix by its name, its entries after it; what has no field of its own is no place to go to."""
+    page = open_page("/exercises/twolink-dynamics")
+    for entry in page.locator("#part-equations_of_motion input").all():
+        entry.fill("m1*L1")
+    submit(page)
+    report = page.locator(".part-report[data-kind=equations_of_motion]")
+    places = report.locator("p.hint")
+    expect(places).to_contain_text("Mass matrix M (1, 1) (1, 2)")
+    expect(places).not_to_contain_text("skew")
+    places.get_by_role("link", name="Mass matrix M (1, 2)").click()
+    expect(page.get_by_role("textbox", name="Mass matrix M").nth(1)).to_be_focused()
+
+
+def test_a_missing_order_is_asked_for_as_it_is_chosen(open_page: OpenPage, watch: Watch) -> None:
+    watch.allow("422")
+    page = open_page("/exercises/scara-jacobian")
+    page.locator("#part-jacobian input").first.fill("1")
+    page.locator("button.primary").first.click()
+    expect(page.locator("#part-jacobian")).to_contain_text("(v, ω) or (ω, v)")

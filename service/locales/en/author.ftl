@@ -161,11 +161,7 @@ author-wrong = Show the commonest wrong answers and their marks
 author-wrong-hint = The likeliest first: what a student would be told, and what the whole answer still earns. Add your own words where you like.
 author-wrong-marks = { $points } of { $most } points, table { $score } %
 author-wrong-refused = refused, costs no attempt
-author-wrong-untold = No repair is told ({ $code }).
-author-wrong-name = { $code ->
-    [parameter_misnamed] A name that is not in the figure ({ $code }):
-   *[other] { $code }:
-}
+author-wrong-untold = No repair is told ({ $name }).
 author-wrong-tested = the exercise tests itself with this mistake
 author-own-words = Your own words on it, told after ours
 author-id = Name of the folder

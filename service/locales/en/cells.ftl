@@ -68,7 +68,7 @@ error-variable_in_product = At character { $column }: { $name } is multiplied by
 error-variable_in_denominator = At character { $column }: { $name } stands in a denominator. A joint variable enters as +{ $name } or -{ $name } plus an offset.
 error-variable_in_power = At character { $column }: { $name } is raised to a power. A joint variable enters as +{ $name } or -{ $name } plus an offset.
 error-variable_in_function = At character { $column }: { $name } stands inside a function. The cell holds the joint variable itself; sines and cosines follow from the table.
-error-variable_in_constant_cell = At character { $column }: { $name } stands under { $cell }. Length and twist of a link never vary; a joint variable stands under theta (revolute) or d (prismatic).
+error-variable_in_constant_cell = At character { $column }: { $name } stands under { $cell }. Length and twist of a link never vary; a joint variable stands under θ (revolute) or d (prismatic).
 error-variable_in_fixed_row = At character { $column }: { $name } stands in a row that is stated to be fixed. A fixed row has no joint variable.
 error-variable_in_wrong_cell =
     At character { $column }: { $name } stands under { $cell }, but the variable of a { $joint ->

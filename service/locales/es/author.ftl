@@ -161,11 +161,7 @@ author-wrong = Mostrar las respuestas erróneas más comunes y su nota
 author-wrong-hint = Las más probables primero: qué se le diría a un estudiante y qué vale aún la respuesta completa. Añada sus propias palabras donde quiera.
 author-wrong-marks = { $points } de { $most } puntos, tabla { $score } %
 author-wrong-refused = se rechaza, no cuesta ningún intento
-author-wrong-untold = No se dice ninguna corrección ({ $code }).
-author-wrong-name = { $code ->
-    [parameter_misnamed] Un nombre que no está en la figura ({ $code }):
-   *[other] { $code }:
-}
+author-wrong-untold = No se dice ninguna corrección ({ $name }).
 author-wrong-tested = el ejercicio se prueba con este error
 author-own-words = Sus propias palabras, tras las nuestras
 author-id = Nombre de la carpeta

@@ -68,7 +68,7 @@ error-variable_in_product = En el carácter { $column }: { $name } está multipl
 error-variable_in_denominator = En el carácter { $column }: { $name } está en un denominador. Una variable articular entra como +{ $name } o -{ $name } más una constante.
 error-variable_in_power = En el carácter { $column }: { $name } está elevada a una potencia. Una variable articular entra como +{ $name } o -{ $name } más una constante.
 error-variable_in_function = En el carácter { $column }: { $name } está dentro de una función. La celda contiene la propia variable articular; los senos y cosenos resultan de la tabla.
-error-variable_in_constant_cell = En el carácter { $column }: { $name } está en { $cell }. La longitud y la torsión de un eslabón nunca varían; una variable articular va en theta (de rotación) o en d (prismática).
+error-variable_in_constant_cell = En el carácter { $column }: { $name } está en { $cell }. La longitud y la torsión de un eslabón nunca varían; una variable articular va en θ (de rotación) o en d (prismática).
 error-variable_in_fixed_row = En el carácter { $column }: { $name } está en una fila declarada fija. Una fila fija no tiene variable articular.
 error-variable_in_wrong_cell =
     En el carácter { $column }: { $name } está en { $cell }, pero la variable de una articulación { $joint ->

@@ -161,11 +161,7 @@ author-wrong = Montrer les fautes les plus courantes et leurs points
 author-wrong-hint = Les plus probables d’abord : ce qu’un étudiant lirait, et ce que la réponse entière vaut encore. Ajoutez vos propres mots où vous voulez.
 author-wrong-marks = { $points } points sur { $most }, tableau { $score } %
 author-wrong-refused = refusée, ne coûte aucun essai
-author-wrong-untold = Aucune correction n’est dite ({ $code }).
-author-wrong-name = { $code ->
-    [parameter_misnamed] Un nom qui n’est pas sur la figure ({ $code }) :
-   *[other] { $code }:
-}
+author-wrong-untold = Aucune correction n’est dite ({ $name }).
 author-wrong-tested = l’exercice se teste avec cette faute
 author-own-words = Vos propres mots, après les nôtres
 author-id = Nom du dossier

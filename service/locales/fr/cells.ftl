@@ -68,7 +68,7 @@ error-variable_in_product = Au caractère { $column } : { $name } est multipli�
 error-variable_in_denominator = Au caractère { $column } : { $name } est au dénominateur. Une variable articulaire s’écrit +{ $name } ou -{ $name }, plus un décalage.
 error-variable_in_power = Au caractère { $column } : { $name } est élevée à une puissance. Une variable articulaire s’écrit +{ $name } ou -{ $name }, plus un décalage.
 error-variable_in_function = Au caractère { $column } : { $name } est à l’intérieur d’une fonction. La cellule contient la variable articulaire elle-même ; les sinus et cosinus découlent du tableau.
-error-variable_in_constant_cell = Au caractère { $column } : { $name } se trouve sous { $cell }. La longueur et la torsion d’un segment ne varient jamais ; une variable articulaire se place sous theta (rotoïde) ou d (prismatique).
+error-variable_in_constant_cell = Au caractère { $column } : { $name } se trouve sous { $cell }. La longueur et la torsion d’un segment ne varient jamais ; une variable articulaire se place sous θ (rotoïde) ou d (prismatique).
 error-variable_in_fixed_row = Au caractère { $column } : { $name } se trouve dans une ligne déclarée fixe. Une ligne fixe n’a pas de variable articulaire.
 error-variable_in_wrong_cell =
     Au caractère { $column } : { $name } se trouve sous { $cell }, mais la variable d’une articulation { $joint ->

@@ -161,11 +161,7 @@ author-wrong = Mostrar as respostas erradas mais comuns e as suas notas
 author-wrong-hint = As mais prováveis primeiro: o que se diria a um estudante e o que a resposta toda ainda vale. Acrescente palavras suas onde quiser.
 author-wrong-marks = { $points } de { $most } pontos, tabela { $score } %
 author-wrong-refused = recusada, não custa tentativa
-author-wrong-untold = Não se diz nenhuma correção ({ $code }).
-author-wrong-name = { $code ->
-    [parameter_misnamed] Um nome que não está na figura ({ $code }):
-   *[other] { $code }:
-}
+author-wrong-untold = Não se diz nenhuma correção ({ $name }).
 author-wrong-tested = o exercício testa-se com este erro
 author-own-words = As suas palavras, depois das nossas
 author-id = Nome da pasta

@@ -68,7 +68,7 @@ error-variable_in_product = No carácter { $column }: { $name } está multiplica
 error-variable_in_denominator = No carácter { $column }: { $name } está num denominador. Uma variável de junta entra como +{ $name } ou -{ $name } mais um offset.
 error-variable_in_power = No carácter { $column }: { $name } está elevada a uma potência. Uma variável de junta entra como +{ $name } ou -{ $name } mais um offset.
 error-variable_in_function = No carácter { $column }: { $name } está dentro de uma função. A célula contém a própria variável de junta; senos e cossenos resultam da tabela.
-error-variable_in_constant_cell = No carácter { $column }: { $name } está em { $cell }. Comprimento e torção de um elo nunca variam; uma variável de junta fica em theta (rotativa) ou em d (prismática).
+error-variable_in_constant_cell = No carácter { $column }: { $name } está em { $cell }. Comprimento e torção de um elo nunca variam; uma variável de junta fica em θ (rotativa) ou em d (prismática).
 error-variable_in_fixed_row = No carácter { $column }: { $name } está numa linha declarada fixa. Uma linha fixa não tem variável de junta.
 error-variable_in_wrong_cell =
     No carácter { $column }: { $name } está em { $cell }, mas a variável de uma junta { $joint ->

@@ -164,11 +164,7 @@ author-wrong = Arată cele mai frecvente răspunsuri greșite și punctele lor
 author-wrong-hint = Cele mai probabile întâi: ce i s-ar spune unui student și cât mai valorează tot răspunsul. Adăugați cuvintele dumneavoastră unde doriți.
 author-wrong-marks = { $points } din { $most } puncte, tabelul { $score } %
 author-wrong-refused = refuzat, nu costă nicio încercare
-author-wrong-untold = Nu se spune nicio corectură ({ $code }).
-author-wrong-name = { $code ->
-    [parameter_misnamed] Un nume care nu este în figură ({ $code }):
-   *[other] { $code }:
-}
+author-wrong-untold = Nu se spune nicio corectură ({ $name }).
 author-wrong-tested = exercițiul se testează cu această greșeală
 author-own-words = Cuvintele dumneavoastră, după ale noastre
 author-id = Numele dosarului

@@ -68,7 +68,7 @@ error-variable_in_product = La caracterul { $column }: { $name } este înmulțit
 error-variable_in_denominator = La caracterul { $column }: { $name } stă la numitor. Variabila unei cuple apare ca +{ $name } sau -{ $name }, plus o constantă.
 error-variable_in_power = La caracterul { $column }: { $name } este ridicată la putere. Variabila unei cuple apare ca +{ $name } sau -{ $name }, plus o constantă.
 error-variable_in_function = La caracterul { $column }: { $name } stă în interiorul unei funcții. Celula conține chiar variabila cuplei; sinusurile și cosinusurile rezultă din tabel.
-error-variable_in_constant_cell = La caracterul { $column }: { $name } stă la { $cell }. Lungimea și unghiul de torsiune ale unui element nu variază; variabila unei cuple stă la theta (rotație) sau la d (translație).
+error-variable_in_constant_cell = La caracterul { $column }: { $name } stă la { $cell }. Lungimea și unghiul de torsiune ale unui element nu variază; variabila unei cuple stă la θ (rotație) sau la d (translație).
 error-variable_in_fixed_row = La caracterul { $column }: { $name } stă într-un rând declarat fix. Un rând fix nu are variabilă.
 error-variable_in_wrong_cell =
     La caracterul { $column }: { $name } stă la { $cell }, dar variabila unei cuple de { $joint ->

@@ -164,11 +164,7 @@ author-wrong = Показати найчастіші хибні відповід
 author-wrong-hint = Спершу найімовірніші: що скажуть студентові й скільки ще варта вся відповідь. Де хочете, додайте власні слова.
 author-wrong-marks = { $points } з { $most } балів, таблиця { $score } %
 author-wrong-refused = не приймається, спроби не коштує
-author-wrong-untold = Виправлення не підказують ({ $code }).
-author-wrong-name = { $code ->
-    [parameter_misnamed] Ім’я, якого немає на рисунку ({ $code }):
-   *[other] { $code }:
-}
+author-wrong-untold = Виправлення не підказують ({ $name }).
 author-wrong-tested = вправа перевіряє себе цією помилкою
 author-own-words = Ваші слова про це, після наших
 author-id = Назва теки

@@ -4,7 +4,7 @@ import { Latest } from "../api.js";
 import { announce, el, fill } from "../dom.js";
 import { rowsTable } from "../editor/rows-table.js";
 import { language, t } from "../i18n.js";
-import { plain } from "../numbers.js";
+import { asPoints } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import { tick } from "./fields.js";
 import { keepSample } from "./samples.js";
@@ -116,8 +116,8 @@ function mistake(store, answer, remarked) {
   const marks = answer.refused
     ? t("author-wrong-refused")
     : t("author-wrong-marks", {
-        points: plain(answer.points, 1),
-        most: plain(answer.max_points, 1),
+        points: asPoints(answer.points),
+        most: asPoints(answer.max_points),
         score: Math.round(100 * answer.score),
       });
   const listed = () => store.at(["definition", "tests", "misconceptions"]) ?? [];
@@ -128,9 +128,9 @@ function mistake(store, answer, remarked) {
     store.set(["definition", "tests", "misconceptions"], on ? [...others, answer.misconception] : others);
   };
   const said = answer.refused
-    ? t("author-wrong-name", { code: answer.misconception })
+    ? t(`option-${answer.misconception}`)
     : told.map((/** @type {any} */ entry) => entry.message).join(" ") ||
-      t("author-wrong-untold", { code: answer.misconception });
+      t("author-wrong-untold", { name: t(`option-${answer.misconception}`) });
   return el(
     "details",
     { class: "author-mistake", dataset: { misconception: answer.misconception } },

@@ -334,20 +334,31 @@ function fieldFor(part, exercise) {
   }
 }
 
-/** How a place of a part's answer is called. @param {any} part @param {(string | number)[]} where */
-export function placeName({ kind, form }, where) {
+/**
+ * How a place of a part's answer is called: a name, and where in what is called so.
+ * @typedef {{name: string, at: string}} Place
+ * @param {any} part @param {(string | number)[]} where
+ * @returns {Place | null} null of what has no place of its own
+ */
+export function placeOf({ kind, form }, where) {
   if (form.length) return formPlace(form, where);
-  if (kind === "frames") return framePlace(where);
+  const at = where
+    .slice(-2)
+    .map((step) => Number(step) + 1)
+    .join(", ");
+  if (kind === "frames") return { name: framePlace(where), at: "" };
   if (kind === "link_matrices") {
-    const matrix = `${superscript(where[0])}T${subscript(Number(where[0]) + 1)}`;
-    return where.length > 1 ? `${matrix} (${Number(where[1]) + 1}, ${Number(where[2]) + 1})` : matrix;
+    const name = `${superscript(where[0])}T${subscript(Number(where[0]) + 1)}`;
+    return { name, at: where.length > 1 ? at : "" };
   }
   if (kind === "schematic" && where.length > 1) {
     const number = Number(where[1]) + 1;
-    return where[0] === "joints"
-      ? t("form-schematic-joint", { joint: number })
-      : t("form-schematic-relation", { joint: number, next: number + 1 });
+    const name =
+      where[0] === "joints"
+        ? t("form-schematic-joint", { joint: number })
+        : t("form-schematic-relation", { joint: number, next: number + 1 });
+    return { name, at: "" };
   }
-  if (where.length === 2) return `(${Number(where[0]) + 1}, ${Number(where[1]) + 1})`;
-  return t(`form-radius-${where[0]}`);
+  if (where.length === 2) return { name: "", at };
+  return { name: t(`form-radius-${where[0]}`), at: "" };
 }

@@ -60,11 +60,13 @@ export class AnswerForm {
   }
 }
 
-/** How a place of such an answer is called. @param {Field[]} form @param {(string | number)[]} where */
+/**
+ * How a place of such an answer is called; null of what has no field.
+ * @param {Field[]} form @param {(string | number)[]} where
+ */
 export function formPlace(form, [name, ...where]) {
   const field = form.find((found) => found.name === name);
-  const numbers = where.map((step) => Number(step) + 1).join(", ");
-  return numbers ? `${field?.label ?? name} (${numbers})` : (field?.label ?? String(name));
+  return field ? { name: field.label, at: where.map((step) => Number(step) + 1).join(", ") } : null;
 }
 
 class FormField {

@@ -2,13 +2,13 @@
 
 import { el, fill, icon } from "../dom.js";
 import { t } from "../i18n.js";
-import { plain } from "../numbers.js";
+import { asPoints } from "../numbers.js";
 
 /** @typedef {{kind: string, touched: boolean, print: string}} PartState what stands in a part's fields */
 
-/** Points out of points, as they are said everywhere. @param {number} points @param {number} total */
-export function pointsText(points, total) {
-  return t("form-points", { points: plain(points, 1), total: plain(total, 1) });
+/** Points out of points, as they are said everywhere. @param {number} earned @param {number} total */
+export function pointsText(earned, total) {
+  return t("form-points", { points: asPoints(earned), total: asPoints(total) });
 }
 
 /** @param {string} kind */

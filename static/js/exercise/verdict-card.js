@@ -3,7 +3,7 @@
 import { announce, el, fill } from "../dom.js";
 import { t } from "../i18n.js";
 import { api } from "../page.js";
-import { placeName } from "./answer-card.js";
+import { placeOf } from "./answer-card.js";
 import { bothRobots } from "./both-robots.js";
 import { ghostRobot } from "./ghost.js";
 import { partName, pointsText } from "./progress.js";
@@ -52,7 +52,7 @@ export class VerdictCard {
       reasons,
       Object.values(others).map((report) =>
         partView(report, partName(report.kind), {
-          nameOf: (where) => placeName(partOf(exercise, report.kind), where),
+          placeOf: (where) => placeOf(partOf(exercise, report.kind), where),
           goTo: (where) => answer.focusPart(report.kind, where),
         }),
       ),

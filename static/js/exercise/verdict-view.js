@@ -4,7 +4,7 @@ import { dataTable } from "../data-table.js";
 import { el, icon } from "../dom.js";
 import { t } from "../i18n.js";
 import { columnText } from "../editor/grid.js";
-import { plain } from "../numbers.js";
+import { asPoints } from "../numbers.js";
 import { partName, pointsText } from "./progress.js";
 
 const FACTS = ["twist", "length", "offset", "joint"];
@@ -86,8 +86,8 @@ function scoreRing({ points, max_points: most }) {
   const ring = el(
     "div",
     { class: "score-ring", role: "img", "aria-label": pointsText(points, most) },
-    el("span", { text: plain(points, 1) }),
-    el("small", { text: `/ ${plain(most, 1)}` }),
+    el("span", { text: asPoints(points) }),
+    el("small", { text: `/ ${asPoints(most)}` }),
   );
   ring.style.setProperty("--score", `${most ? (100 * points) / most : 0}%`);
   return ring;
@@ -175,27 +175,37 @@ function repairList(repairs, convention, focusRow) {
 /**
  * What is said of a part beyond the table.
  * @param {any} report @param {string} name
- * @param {{nameOf: (where: (string | number)[]) => string, goTo: (where: (string | number)[]) => void}} places
+ * @param {{placeOf: (where: (string | number)[]) => import("./answer-card.js").Place | null,
+ *   goTo: (where: (string | number)[]) => void}} places
  */
-export function partView(report, name, { nameOf, goTo }) {
-  const wrong = report.facts.filter(
-    (/** @type {any} */ { finding: found }) => found === "wrong" || found === "missing",
-  );
+export function partView(report, name, { placeOf, goTo }) {
+  /** @type {Map<string, HTMLElement[]>} */
+  const wrong = new Map();
+  for (const { where, finding: found } of report.facts) {
+    const place = found === "wrong" || found === "missing" ? placeOf(where) : null;
+    if (!place) continue;
+    const link = el("a", {
+      class: "row-link",
+      href: `#part-${report.kind}`,
+      onclick: (/** @type {any} */ event) => {
+        event.preventDefault();
+        goTo(where);
+      },
+      ...(place.at ? { "aria-label": `${place.name} (${place.at})`, text: `(${place.at})` } : { text: place.name }),
+    });
+    const named = place.at ? place.name : "";
+    wrong.set(named, [...(wrong.get(named) ?? []), link]);
+  }
   const tone = report.points >= report.max_points ? "good" : report.points > 0 ? "warn" : "bad";
-  /** @param {any} options */
-  const link = ({ where }) => {
-    /** @param {any} event */
-    const follow = (event) => {
-      event.preventDefault();
-      goTo(where);
-    };
-    return [" ", el("a", { class: "row-link", href: `#part-${report.kind}`, onclick: follow, text: nameOf(where) })];
-  };
+  const places = [...wrong].flatMap(([named, links]) => [
+    named ? ` ${named}` : "",
+    ...links.flatMap((link) => [" ", link]),
+  ]);
   return el(
     "section",
     { class: "part-report", "aria-label": name, dataset: { kind: report.kind } },
     el("h3", {}, name, " ", el("span", { class: `badge ${tone}`, text: pointsText(report.points, report.max_points) })),
     feedbackList(report.feedback, null),
-    wrong.length ? el("p", { class: "hint" }, t("form-part-wrong"), wrong.map(link)) : null,
+    wrong.size ? el("p", { class: "hint" }, t("form-part-wrong"), places) : null,
   );
 }

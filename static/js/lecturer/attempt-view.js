@@ -3,12 +3,13 @@
 import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
 import { bothRobots } from "../exercise/both-robots.js";
+import { partName } from "../exercise/progress.js";
 import { partView, verdictView } from "../exercise/verdict-view.js";
 import { language, t } from "../i18n.js";
 import { robotOf } from "../live-robot.js";
 import { convertedValues } from "../units.js";
 
-const CELLS = ["joint", "theta", "d", "a", "alpha"];
+const CELLS = ["theta", "d", "a", "alpha"];
 
 /** @param {import("../api.js").Api} api @param {HTMLElement} card @param {HTMLElement} place @param {any} attempt */
 export async function showAttempt(api, card, place, attempt) {
@@ -17,8 +18,11 @@ export async function showAttempt(api, card, place, attempt) {
   const { table, ...others } = report.parts;
   const rows = (answer.table?.rows ?? []).map((/** @type {any} */ row, /** @type {number} */ i) => [
     i + 1,
+    row.joint ? t(`form-joint-${row.joint}`) : "",
     ...CELLS.map((cell) => String(row[cell] ?? "")),
   ]);
+  const exercise = await api.get(pathOf(attempt)).catch(() => ({ parts: [] })); // one that is gone names no places
+  const { placeOf } = await import("../exercise/answer-card.js");
   card.hidden = false;
   fill(
     place,
@@ -31,12 +35,20 @@ export async function showAttempt(api, card, place, attempt) {
       el("span", { text: `${attempt.exercise} (${attempt.version})` }),
     ),
     answer.table
-      ? dataTable(t("form-part-table"), [t("form-row-heading"), t("form-joint"), "θ", "d", "a", "α"], rows)
+      ? dataTable(
+          t("form-table-caption", { convention: t(`form-convention-${answer.table.convention}`) }),
+          [t("form-row-heading"), t("form-joint"), "θ", "d", "a", "α"],
+          rows,
+          {
+            captioned: true,
+          },
+        )
       : null,
     verdictView(report, { convention: answer.table?.convention ?? "standard", focusRow: null }),
     Object.values(others).map((/** @type {any} */ part) =>
-      partView(part, t(`form-part-${part.kind.replaceAll("_", "-")}`), {
-        nameOf: (where) => where.join(", "),
+      partView(part, partName(part.kind), {
+        placeOf: (where) =>
+          placeOf(exercise.parts.find((/** @type {any} */ { kind }) => kind === part.kind) ?? { form: [] }, where),
         goTo: () => undefined,
       }),
     ),
@@ -49,14 +61,19 @@ export async function showAttempt(api, card, place, attempt) {
   );
   card.focus({ preventScroll: true });
   card.scrollIntoView({ block: "start" });
-  if (answer.table) await draw(api, place, attempt).catch((error) => console.warn(error));
+  if (answer.table && exercise.parameters)
+    await draw(api, place, attempt, exercise).catch((error) => console.warn(error));
 }
 
-/** @param {any} api @param {any} place @param {any} options */
-async function draw(api, place, { answer, report, exercise: name, version, seed }) {
-  const id = version.startsWith(`${name}-`) ? version : name; // the exercise as it was when this was handed in
-  const values = seed ? `seed=${encodeURIComponent(seed)}&` : "";
-  const exercise = await api.get(`exercises/${id}?${values}lang=${language}`);
+/** Where the exercise is as it was when this was handed in. @param {any} attempt @param {string} [file] of its folder */
+function pathOf({ exercise, version, seed }, file = "") {
+  const id = version.startsWith(`${exercise}-`) ? version : exercise;
+  return `exercises/${id}${file}?${seed ? `seed=${encodeURIComponent(seed)}&` : ""}lang=${language}`;
+}
+
+/** @param {any} api @param {any} place @param {any} attempt @param {any} exercise */
+async function draw(api, place, attempt, exercise) {
+  const { answer, report } = attempt;
   const { angle_unit: angle, length_unit: length } = answer.table;
   const units = { angle: exercise.angle_unit, length: exercise.length_unit };
   const kinds = new Map(
@@ -87,7 +104,7 @@ async function draw(api, place, { answer, report, exercise: name, version, seed 
   scene.model = drawn.model;
   const figure = el("img", {
     class: "figure-paper",
-    src: api.address(`exercises/${id}/figure.svg?${values}lang=${language}`),
+    src: api.address(pathOf(attempt, "/figure.svg")),
     alt: exercise.figure.description,
     width: 480,
     height: 330,

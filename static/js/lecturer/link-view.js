@@ -2,7 +2,8 @@
 
 import { dataTable } from "../data-table.js";
 import { announce, el, fill } from "../dom.js";
-import { language, t } from "../i18n.js";
+import { partName } from "../exercise/progress.js";
+import { knows, language, t } from "../i18n.js";
 import { problemNotice } from "../problem.js";
 import { pageAddress } from "../page.js";
 import { barChart } from "./chart.js";
@@ -82,7 +83,7 @@ export class LinkView {
     ];
     const dayBars = days
       .slice(-DAYS)
-      .map((/** @type {any} */ { day, attempts: all, correct: part }) => ({ label: day, all, part }));
+      .map((/** @type {any} */ { day, attempts: all, correct: part }) => ({ label: dayName(day), all, part }));
     return [
       el(
         "dl",
@@ -95,7 +96,7 @@ export class LinkView {
         t("lecturer-by-day"),
         [t("lecturer-day"), t("lecturer-attempts-made"), t("lecturer-right")],
         days.map((/** @type {any} */ { day, attempts: all, correct }) => [
-          day,
+          dayName(day),
           this.#opener(all, { day }),
           this.#opener(correct, { day, correct: true }),
         ]),
@@ -127,14 +128,14 @@ export class LinkView {
     return [
       el("h3", { text: t("lecturer-mistakes") }),
       barChart(
-        misconceptions.map((/** @type {any} */ { code, attempts }) => ({ label: code, all: attempts })),
+        misconceptions.map((/** @type {any} */ entry) => ({ label: mistakeName(entry), all: entry.attempts })),
         t("lecturer-mistakes"),
       ),
       dataTable(
         t("lecturer-mistakes"),
         [t("lecturer-mistake"), t("lecturer-attempts-made"), t("lecturer-students"), t("lecturer-example")],
         misconceptions.map((/** @type {any} */ entry) => [
-          el("code", { text: entry.code }),
+          entry.kind.startsWith("part:") ? partName(entry.kind.slice("part:".length)) : mistakeName(entry),
           this.#opener(entry.attempts, { kind: entry.kind, code: entry.code }),
           this.#opener(entry.students, { kind: entry.kind, code: entry.code }),
           entry.example ?? "–",
@@ -321,4 +322,14 @@ function factName(fact) {
   const [row, name] = fact.split(":");
   if (!row) return t(`form-part-${name.replaceAll("_", "-")}`);
   return `${t("form-row-heading")} ${row}: ${t(`form-fact-${name}`)}`;
+}
+
+/** What a mistake is called: those in tables have names, others what a student was told. @param {any} entry */
+function mistakeName({ code, example }) {
+  return knows(`option-${code}`) ? t(`option-${code}`) : (example ?? code);
+}
+
+/** @param {string} day as the service counts them, in UTC */
+function dayName(day) {
+  return new Intl.DateTimeFormat(language, { dateStyle: "medium", timeZone: "UTC" }).format(new Date(day));
 }

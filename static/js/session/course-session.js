@@ -6,7 +6,7 @@
 import { Problem } from "../api.js";
 import { debounced, el, fill } from "../dom.js";
 import { language, t } from "../i18n.js";
-import { plain } from "../numbers.js";
+import { asPoints } from "../numbers.js";
 import { keep, recall } from "../storage.js";
 
 const KEPT = "framewise:session";
@@ -185,7 +185,7 @@ export class CourseSession {
       grade
         ? el("span", {
             class: "badge good",
-            text: t("session-grade", { points: plain(grade.score * this.total, 1), total: plain(this.total, 1) }),
+            text: t("session-grade", { points: asPoints(grade.score * this.total), total: asPoints(this.total) }),
           })
         : null,
       refusal ? el("span", { class: "badge warn", text: t("session-no-more") }) : null,

@@ -129,7 +129,7 @@ def test_a_variable_with_another_zero_in_the_other_convention() -> None:
     rows = with_cells(PUMA_CRAIG, (2, 3, "q2 - 30"), (2, 0, 90), (4, 0, -90), (5, 0, 90), (6, 0, -90))
     verdict = grade(KEY, read("modified", rows, "deg"), USUAL)
     told = {e.code: dict(e.params) for e in verdict.feedback}
-    assert told["variable_offset"] == {"joint": 2, "offset": "30"}
+    assert told["variable_offset"] == {"joint": 2, "offset": "30°"}
     assert verdict.certificate is not None
     assert verdict.certificate.joint_offsets == pytest.approx((0, 30, 0, 0, 0, 0))
     assert verdict.angle_unit == "deg"

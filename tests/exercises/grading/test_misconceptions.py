@@ -35,6 +35,14 @@ def test_every_code_has_its_message(language: str) -> None:
     assert "error-tables_without_value" in known
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_mistake_has_a_name(language: str) -> None:
+    """Lecturers read names: in the numbers of a class, and of answers that are rehearsed."""
+    text = (LOCALES / language / "kinds.ftl").read_text(encoding="utf-8")
+    known = set(re.findall(r"^option-([a-z0-9_]+) =", text, re.M))
+    assert repair_codes() | {entry.code for entry in CATALOGUE} <= known
+
+
 def test_single_mistakes_are_mended() -> None:
     """At least 99 % of them, each in the right row; `make campaign` runs more."""
     total = Outcome()
