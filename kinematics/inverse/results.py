@@ -125,8 +125,7 @@ class NearestPose:
     orientation_error: float
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class InverseKinematics:
+class InverseKinematics(NamedTuple):
     """The answer for one target.
 
     Attributes:

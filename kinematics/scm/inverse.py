@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 from numpy.typing import ArrayLike
 
@@ -59,7 +58,7 @@ def nearest_first(
     if start is None:
         return found
     ordered = sorted(found.solutions, key=lambda solution: _distance(chain, solution, start))
-    return replace(found, solutions=tuple(ordered))
+    return found._replace(solutions=tuple(ordered))
 
 
 def _distance(chain: ScmChain, solution: IKSolution, start: Sequence[float]) -> float:

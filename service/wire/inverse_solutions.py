@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -135,7 +135,7 @@ def nearest_first(
             for kind, q, q0 in zip(robot.table.joint_types, solution.joints, start, strict=True)
         )
 
-    return replace(answer, solutions=tuple(sorted(answer.solutions, key=distance)))
+    return answer._replace(solutions=tuple(sorted(answer.solutions, key=distance)))
 
 
 def _directly(question: _Question) -> InverseKinematics | None:
