@@ -207,7 +207,7 @@ class _Sorter:
     def _curves(self, x: Array, blind: Array) -> list[FamilyPath]:
         """Paths through a solution, each once."""
         found: list[FamilyPath] = []
-        for direction in blind if self.arm.spare else tangents(self.follower, x, blind, self.blind):
+        for direction in tangents(self.follower, x, blind, self.blind):
             moved = self._moved(x, direction)
             near = BESIDE_A_BRANCH * self.long
             if moved is None or any(is_beside(self.follower, one, moved, near) for one in found):
@@ -274,8 +274,8 @@ class _Sorter:
         return self._moved(x, direction) is not None
 
     def _moved(self, x: Array, direction: Array) -> Array | None:
-        ahead = self.follower.moves(x, direction, self.long)
-        return self.follower.moves(x, direction, -self.long) if ahead is None else ahead
+        both = self.follower.moves_each(x, self.long * np.array((direction, -direction)))
+        return next((there for there in both if there is not None), None)
 
     def _paths_of_surface(self, x: Array, directions: Array) -> tuple[FamilyPath, ...]:
         """Along each direction, the joints that move most along the others held."""

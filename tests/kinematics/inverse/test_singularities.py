@@ -41,6 +41,7 @@ def test_a_small_campaign(name):
         pytest.param("catalogue rx90", 5, 4, id="over a bent surface"),
         pytest.param("no offsets", 4, 2, id="within the width of crossing families"),
         pytest.param("catalogue gen3", 2, 1, id="a family of a single point"),
+        pytest.param("catalogue gen3", 11, 39, id="ways that leave a crossing of seven joints"),
     ],
 )
 def test_the_configuration_that_made_the_pose_is_found(name, seed, number):
