@@ -193,8 +193,8 @@ sbom: $(VENV)/.runtime ## bill of materials of the installation, CycloneDX JSON 
 licences: $(VENV)/.runtime ## every package with its licence
 	@$(PY) tools/sbom.py --licences
 
-browser: ## Chromium for the end-to-end tests (Debian; needs root)
-	apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium wrk
+browser: ## Chromium without a window for the end-to-end tests (Debian; needs root)
+	apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium-headless-shell wrk
 
 proxy: ## nginx for the test of the documented reverse proxy (Debian; needs root)
 	apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq nginx-light

@@ -8,7 +8,7 @@ import pytest
 
 from tests.lti.exam import run
 
-STUDENTS = 30
+STUDENTS = 10
 
 
 @pytest.mark.parametrize("variants", [None, 3])

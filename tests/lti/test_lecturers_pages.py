@@ -20,16 +20,12 @@ from tests.web.conftest import assert_accessible, axe, wait_ready  # noqa: F401
 Check = Callable[[Page], None]
 pytestmark = pytest.mark.parametrize("address", ["sqlite"], indirect=True)
 SIZES = (320, 1280)
-SCHEMES = ("light", "dark")
 
 
-@pytest.fixture(params=[(size, scheme) for size in SIZES for scheme in SCHEMES], ids=str)
+@pytest.fixture(params=SIZES)
 def page(request: pytest.FixtureRequest, chromium: Chromium) -> Iterator[Page]:  # noqa: F811
-    size, scheme = request.param
-    viewport = {"width": size, "height": 900}
-    context = chromium.new_context(
-        viewport=viewport, color_scheme=scheme, locale="en", reduced_motion="reduce"
-    )
+    viewport = {"width": request.param, "height": 900}
+    context = chromium.new_context(viewport=viewport, locale="en", reduced_motion="reduce")
     context.set_default_timeout(PATIENCE)
     yield context.new_page()
     context.close()

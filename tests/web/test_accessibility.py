@@ -1,14 +1,14 @@
-"""axe-core finds nothing, on any page, in any state, light and dark."""
+"""axe-core finds nothing, on any page, in any state."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
+from typing import Literal
 
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.web.conftest import OpenPage, Watch
+from tests.web.conftest import EVERYTHING, OpenPage, Watch
 from tests.web.driving import PUMA, SCARA, cell, put_table, submit
 
 State = Callable[[Page], None]
@@ -78,14 +78,13 @@ STATES: list[tuple[str, State]] = [
 ]
 
 
-@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
 @pytest.mark.parametrize(("path", "state"), STATES, ids=[f"{p[1:]}-{s.__name__}" for p, s in STATES])
 def test_no_violation(
-    open_page: OpenPage, watch: Watch, assert_accessible: Check, path: str, state: State, dark: bool
+    open_page: OpenPage, watch: Watch, assert_accessible: Check, path: str, state: State
 ) -> None:
     if path.endswith("nowhere"):
         watch.allow("404")
-    page = open_page(path, dark=dark)
+    page = open_page(path)
     state(page)
     assert_accessible(page)
 
@@ -100,14 +99,13 @@ def test_no_violation_in_another_language_on_a_phone(
     assert_accessible(page)
 
 
-EVERYTHING = bool(os.environ.get("EVERYTHING"))
-"""Every width in all colours (`make accessibility`); else some of them."""
 PAGES = ("/", "/exercises/puma560", "/playground", "/trainer/puma560", "/lesson")
 WIDTHS = (320, 390, 640, 768, 1280, 1920)
 """640 is 1280 at 200 % zoom."""
-LIGHT, DARK, FORCED = ("light", "none"), ("dark", "none"), ("light", "active")
-SOME = {320: (LIGHT, DARK), 390: (), 640: (), 768: (LIGHT,), 1280: (FORCED,), 1920: (LIGHT,)}
-COLOURS = dict.fromkeys(WIDTHS, (LIGHT, DARK, FORCED)) if EVERYTHING else SOME
+FORCED: dict[int, tuple[Literal["none", "active"], ...]] = {320: ("none",), 1280: ("active",)}
+"""Where axe-core looks, with the colours of the page and with those that the system forces on it."""
+if EVERYTHING:
+    FORCED = dict.fromkeys(WIDTHS, ("none", "active"))
 
 
 @pytest.mark.parametrize("path", PAGES)
@@ -119,8 +117,8 @@ def test_no_violation_at_any_width_in_any_colours(
     for width in WIDTHS:
         page.set_viewport_size({"width": width, "height": 844})
         assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth"), width
-        for scheme, forced in COLOURS[width]:
-            page.emulate_media(color_scheme=scheme, forced_colors=forced)
+        for forced in FORCED.get(width, ()):
+            page.emulate_media(forced_colors=forced)
             assert_accessible(page)
 
 

@@ -300,12 +300,11 @@ def test_the_whole_flow_by_keyboard(open_page: OpenPage, watch: Watch) -> None:
     holds(Path(caught.value.path()).read_bytes(), "by-keys", 2)
 
 
-@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
 @pytest.mark.parametrize("width", [320, 1280])
 def test_nothing_keeps_anybody_out(
-    open_page: OpenPage, assert_accessible: Callable[[Page], None], dark: bool, width: int
+    open_page: OpenPage, assert_accessible: Callable[[Page], None], width: int
 ) -> None:
-    page = open_page("/author", dark=dark, width=width)
+    page = open_page("/author", width=width)
     assert_accessible(page)
     start_with(page, "axes")
     expect(page.locator("#author-start table")).to_be_visible(timeout=PATIENCE)

@@ -22,17 +22,14 @@ def piece(page: Page, frame: int, k: int) -> Locator:
     return page.locator(".frames .frame").nth(frame).locator("select").nth(k)
 
 
-SIZES = [(390, 844, False), (320, 640, True), (1280, 800, False)]
 LABELS = "scene => scene.model.items.filter(({ kind }) => kind === 'label').map(({ sub }) => sub)"
 
 
-@pytest.mark.parametrize(
-    ("width", "height", "dark"), [(390, 844, False), (320, 640, True), (1280, 800, False)]
-)
+@pytest.mark.parametrize(("width", "height"), [(320, 640), (1280, 800)])
 def test_frames_are_placed_drawn_and_judged(
-    open_page: OpenPage, assert_accessible: Callable[[Page], None], width: int, height: int, dark: bool
+    open_page: OpenPage, assert_accessible: Callable[[Page], None], width: int, height: int
 ) -> None:
-    page = open_page("/exercises/twolink-frames", width=width, height=height, dark=dark)
+    page = open_page("/exercises/twolink-frames", width=width, height=height)
     scene = page.locator(".frames robot-scene")
     expect(page.locator("#own-card")).to_be_hidden()
     place(page, 0, "+Z", "at the body of joint 1", "+X")

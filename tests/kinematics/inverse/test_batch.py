@@ -16,6 +16,7 @@ from tests.kinematics.inverse.arms import STANFORD, UR5, apart, random_joints
 from tests.kinematics.robots import PUMA560, PUMA560_CRAIG, RX90
 
 TARGETS = int(os.environ.get("FRAMEWISE_TARGETS", "1000"))
+FOLDS = 40 if os.environ.get("FRAMEWISE_EXPLORE") else 12
 ALONE = TARGETS // 80
 
 
@@ -63,14 +64,15 @@ def test_beside_folds_as_one_by_one(table):
     """Elbows that are nearly stretched or folded: most are decided together, and as they are alone."""
     rng = np.random.default_rng(4)
     solver = solver_of(table)
-    q = np.array([random_joints(rng, table) for _ in range(40)])
-    q[:, 2] = np.pi * rng.integers(2, size=40) - solver.closed_form.zeros[2] + 10.0 ** rng.uniform(-7, -2, 40)
+    q = np.array([random_joints(rng, table) for _ in range(FOLDS)])
+    bent = 10.0 ** rng.uniform(-7, -2, FOLDS)
+    q[:, 2] = np.pi * rng.integers(2, size=FOLDS) - solver.closed_form.zeros[2] + bent
     targets = end_poses(table, q)
     joints, counts = candidates_of_many(solver.closed_form, targets)
     volume = volumes(solver.arm.jacobians(solver.arm.frames(joints)))
     volume *= solver.arm.size**3
     delicate = delicate_targets(solver.arm, targets, joints, volume, counts)
-    assert 0 < len(delicate) < 30
+    assert 0 < len(delicate) < 0.75 * FOLDS
     batch = solve_many(solver, targets)
     for i, target in enumerate(targets):
         alone = solver.solve(target)

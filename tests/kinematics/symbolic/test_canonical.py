@@ -40,7 +40,7 @@ from tests.kinematics.symbolic.pairs import equal_pair, unequal_pair
 from tests.kinematics.symbolic.rewriting import PARAMETERS, cos, random_expression, root, sin
 from tests.kinematics.symbolic.tables import other_convention, puma, random_table
 
-PAIRS = int(os.environ.get("FRAMEWISE_PAIRS", "200"))
+PAIRS = 200 if os.environ.get("FRAMEWISE_EXPLORE") else 80
 L1, L2, ALPHA = map(Parameter, ("L1", "L2", "alpha"))
 q1, q2 = JointVariable(1), JointVariable(2)
 
