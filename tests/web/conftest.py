@@ -176,7 +176,7 @@ EVERYTHING = bool(os.environ.get("EVERYTHING"))
 def assert_accessible(axe: str) -> Callable[[Page], None]:
     """Fails with axe-core's findings on the page as it stands now, light and dark.
 
-    Where the system forces its colours, axe-core takes the dark ones of the style sheet for those of the text.
+    Where the system forces its colours, axe-core takes the dark ones of the style sheet for the text's.
     """
 
     def check(page: Page) -> None:

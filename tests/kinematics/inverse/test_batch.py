@@ -16,7 +16,7 @@ from tests.kinematics.inverse.arms import STANFORD, UR5, apart, random_joints
 from tests.kinematics.robots import PUMA560, PUMA560_CRAIG, RX90
 
 TARGETS = int(os.environ.get("FRAMEWISE_TARGETS", "1000"))
-FOLDS = 40 if os.environ.get("FRAMEWISE_EXPLORE") else 12
+FOLDS = 40 if os.environ.get("FRAMEWISE_EXPLORE") else 6
 ALONE = TARGETS // 80
 
 
