@@ -92,6 +92,7 @@ class Resources:
     def _occupancy(self) -> Occupancy:
         """What runs and waits: in threads by the kind of work, in processes by their lane."""
         queues = {kind.value: limiter.queue for kind, limiter in self.limiters.items()}
+        queues["turns"] = self.turns
         queues |= {f"processes-{name.value}": lane.queue for name, lane in self.workers.lanes.items()}
         return {name: (queue.running, queue.waiting) for name, queue in queues.items()}
 

@@ -6,6 +6,7 @@ import itertools
 import threading
 import time
 from datetime import UTC, datetime, timedelta
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -21,7 +22,7 @@ from courses.policies import Allowance, AttemptPolicy, Counted, Counting, Feedba
 from courses.privacy import erase_person, export_person, purge
 from courses.refusals import AttemptError, SessionError, UnknownRecordError
 from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
-from courses.storage import Store
+from courses.storage import Store, open_store
 from service.work.retention import Retention
 from tests.courses.classroom import NOW, attempts_of, joined, platform, submitted
 
@@ -189,6 +190,21 @@ def test_an_opening_reads_the_latest_attempts_without_their_reports(store: Store
     assert standing.grade == Counted(number=1, worth=1.0)
     assert asked
     assert not [text for text in asked if "report" in text or "answer" in text or "form" in text]
+
+
+def test_who_signs_in_does_not_read_the_whole_class(tmp_path: Path) -> None:
+    """The longest extra time of anybody in it comes from an index, whatever drafts its students keep."""
+    store = open_store("", tmp_path)  # PostgreSQL's planner takes an index where a class is large enough
+    joined(store)
+    asked: list[tuple[str, Any]] = []
+    sa.event.listen(store.engine, "before_cursor_execute", lambda *told: asked.append((told[2], told[3])))
+    joined(store)
+    statement, parameters = next((text, given) for text, given in asked if "max(" in text)
+    with store.reading() as connection:
+        plan = connection.exec_driver_sql(f"EXPLAIN QUERY PLAN {statement}", parameters).all()
+    (class_,) = (row[3] for row in plan if " other " in row[3])
+    store.close()
+    assert "COVERING INDEX ix_participation_link_id_extra_seconds" in class_
 
 
 def test_sessions_live_while_they_are_used(store: Store) -> None:
