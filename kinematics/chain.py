@@ -12,7 +12,7 @@ Source: R. W. Brockett (1984); R. M. Murray, Z. Li, S. S. Sastry (1994), section
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -41,6 +41,8 @@ from kinematics.se3 import (
 )
 from kinematics.table import Convention, JointType, NumericTable
 
+NO_LENGTH = 1e-12
+"""In any unit: an atom is a hundred times larger, and what a computation leaves of zero is smaller."""
 _REVERSED = np.diag([1.0, -1.0, -1.0, 1.0])
 
 
@@ -67,7 +69,7 @@ class Chain:
         axes: the joint axes, base first.
         end: M, the home pose: that of the end frame at q = 0.
         extent: sum of all |a| and |d| of the table it was made from [m]; of other descriptions, how far a
-            walk along the axes goes.
+            walk along the axes goes, or how far they lie from the origin if all meet the end's.
         links: for each frame that is carried along how many joints move it, and its pose at q = 0.
     """
 
@@ -156,6 +158,13 @@ def chain_of_table(
     return Chain(tuple(axes), end, extent, tuple(links))
 
 
+def chain_of_axes(axes: Sequence[Axis], end: Motion) -> Chain:
+    """Return the chain of joint axes and a home pose, as whoever has no table gives them."""
+    spread = norm(position(end)) + sum(norm(axis.point) for axis in axes)
+    chain = Chain(tuple(axes), end, spread)
+    return replace(chain, extent=size_of(chain))
+
+
 def joint_constants(
     table: NumericTable, base: Transform | None = None, tool: Transform | None = None
 ) -> list[Transform]:
@@ -199,18 +208,19 @@ def size_of(chain: Chain) -> float:
     axes inflate them. Where all are zero, the chain's extent.
 
     Returns:
-        A length, in the table's unit; 0 if all its lengths are zero.
+        A length, in the table's unit; 0 if all its lengths are zero, or what a computation leaves of zero.
     """
     turning = [axis for axis in chain.axes if not axis.prismatic]
+    extent = chain.extent if chain.extent > NO_LENGTH else 0.0
     if not turning:
-        return chain.extent
+        return extent
     end = position(chain.end)
     start, _ = walk(ORIGIN, turning[:1])
     there, forward = walk(start, turning[1:])
     _, backward = walk(end, turning[::-1])
     ways = [forward + norm(subtract(end, there)), backward]
-    smallest = 1e-12 * chain.extent
-    return min((way for way in ways if way > smallest), default=chain.extent)
+    smallest = max(1e-12 * extent, NO_LENGTH)
+    return min((way for way in ways if way > smallest), default=extent)
 
 
 def walk(here: Vector, axes: Sequence[Axis]) -> tuple[Vector, float]:

@@ -9,14 +9,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from exercises.parts.comparison import agreeing, inverse, is_rigid
 from exercises.parts.context import Context
-from kinematics.chain import Axis, Chain, size_of
+from kinematics.chain import Axis, Chain, chain_of_axes
 from kinematics.equivalence import Tolerance
 from kinematics.equivalence.decision import certify
 from kinematics.equivalence.reference import prepared
@@ -75,8 +74,7 @@ def chain_of_pose(
         if axis is None:
             return None
         axes.append(axis)
-    chain = Chain(tuple(axes), from_matrix(end), 0.0)
-    return replace(chain, extent=size_of(chain))
+    return chain_of_axes(axes, from_matrix(end))
 
 
 def _axis(screw: Matrix, joint_type: JointType, tolerance: Tolerance, size: float) -> Axis | None:

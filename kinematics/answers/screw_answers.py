@@ -21,7 +21,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from kinematics.chain import Axis, Chain, size_of
+from kinematics.chain import Axis, Chain, chain_of_axes, size_of
 from kinematics.equivalence import Certificate, Policy
 from kinematics.equivalence.decision import WORK_OF_ACCEPTANCE, certify
 from kinematics.equivalence.meter import Meter, WorkExhaustedError
@@ -160,8 +160,7 @@ def screw_chain(answer: ScrewAnswer) -> Chain:
     home = np.eye(4)
     left, _, right = np.linalg.svd(answer.home[:3, :3])
     home[:3, :3], home[:3, 3] = left @ right, answer.home[:3, 3]
-    chain = Chain(tuple(axes), from_matrix(home), 0.0)
-    return replace(chain, extent=size_of(chain))
+    return chain_of_axes(axes, from_matrix(home))
 
 
 def adjoint(pose: Transform) -> Floats:

@@ -42,6 +42,7 @@ from kinematics.jacobian import JacobianFrame
 from kinematics.se3 import Floats
 from kinematics.symbolic import ProofStatus
 from kinematics.symbolic.determinants import MotionRows
+from kinematics.symbolic.quotients import reduced
 from kinematics.table import JointType
 
 ROUNDED = 5e-4
@@ -161,7 +162,7 @@ def _judged(arm: SingularArm, conditions: Sequence[Expression]) -> SingularityVe
     exact = True
     for condition in conditions:
         statuses = []
-        for factor in factors_of(condition):
+        for factor in factors_of(reduced(condition)):
             here = arm.products.zeros(factor)
             if here is None:
                 vanishing = _where(arm, factor, covered)

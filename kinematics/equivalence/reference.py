@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.chain import Chain, chain_of_table, size_of
+from kinematics.chain import NO_LENGTH, Chain, chain_of_table, size_of
 from kinematics.equivalence.groups import Nearness
 from kinematics.equivalence.plan import Plan, plans_for
 from kinematics.equivalence.policy import BaseRule, Tolerance, ZeroRule
@@ -65,7 +65,8 @@ class Reference:
         """The reference at the size of a submission, if it has none of its own."""
         if not self.scaleless:
             return self
-        return _at_size(self.table, self.chain, submission.extent or 1.0, scaleless=True)
+        size = submission.extent if submission.extent > NO_LENGTH else 1.0
+        return _at_size(self.table, self.chain, size, scaleless=True)
 
     def sampled_at(self, joints: NDArray[np.float64]) -> Reference:
         """The reference with more configurations, (n, k), among the samples."""

@@ -5,6 +5,8 @@ Where both sides exist, N/D and N'/D' are one function just if N D' and N' D are
 
 from __future__ import annotations
 
+import math
+from fractions import Fraction
 from itertools import chain as in_turn
 
 from kinematics.expressions import (
@@ -24,6 +26,25 @@ from kinematics.expressions import (
 def cleared(expression: Expression) -> Expression:
     """Return the numerator of an expression; tangents are sine over cosine."""
     return quotient_of(expression)[0]
+
+
+def reduced(expression: Expression) -> Expression:
+    """Return an expression without the factors that stand above and below: cos x · tan x is sin x."""
+    top, bottom = quotient_of(expression)
+    factors = list(top.factors) if isinstance(top, Product) else [top]
+    left = list(bottom)
+    for i, factor in enumerate(factors):
+        base, exponent = (
+            (factor.base, factor.exponent) if isinstance(factor, Power) else (factor, Fraction(1))
+        )
+        times = min(left.count(base), math.floor(exponent))
+        if times > 0:
+            factors[i] = power(base, exponent - times)
+            for _ in range(times):
+                left.remove(base)
+    if len(left) == len(bottom):
+        return expression
+    return multiply((*factors, *(power(each, Fraction(-1)) for each in left)))
 
 
 def quotient_of(expression: Expression) -> tuple[Expression, tuple[Expression, ...]]:

@@ -533,6 +533,15 @@ def test_a_robot_without_lengths() -> None:
     assert ("a_not_zero", 1) in [(r.edits[0].code, r.edits[0].row) for r in verdict.repairs]
 
 
+def test_what_a_program_leaves_of_zero_is_no_length_of_a_robot_without_lengths() -> None:
+    wrist = read("standard", [("pi/2", 0, 0, "q1"), ("-pi/2", 0, 0, "q2"), (0, 0, 0, "q3")])
+    left = read("standard", [("pi/2", 1e-17, 0, "q1"), ("-pi/2", 6e-17, -1.3e-33, "q2"), (0, 0, 0, "q3")])
+    for tool in ToolRule:
+        policy = replace(USUAL, tool=tool)
+        assert grade(wrist, left, policy).correct
+        assert grade(left, wrist, policy).correct
+
+
 def test_dimensions_that_happen_to_be_zero_or_equal() -> None:
     """Structure is that of the symbols, not of the values that a student is given."""
     key = read("standard", [("pi/2", "L1", 0, "q1"), ("pi/2", "L2", "L3", "q2"), (0, 0, 0, "q3")])

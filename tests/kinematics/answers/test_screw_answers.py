@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from kinematics.answers.screw_answers import ScrewAnswer, ScrewFrame, ScrewMistake, judge_screws
+from kinematics.answers.screw_answers import (
+    ScrewAnswer,
+    ScrewFrame,
+    ScrewMistake,
+    adjoint,
+    judge_screws,
+)
 from kinematics.equivalence import Policy, ToolRule
 from kinematics.screws import product_of_exponentials
 from kinematics.se3 import inverse_transform
+from kinematics.table import Convention, DHRow, DHTable, JointType
 from tests.kinematics.answers.joint_values import robot
 from tests.kinematics.answers.screw_rows import POLICY, campaign
 
@@ -45,6 +53,26 @@ def test_either_sense_and_any_length_of_a_slider_are_right() -> None:
     longer = right.screws.copy()
     longer[2] *= 0.001
     assert judge_screws(SCARA, replace(right, screws=longer), POLICY).right
+
+
+def test_axes_that_meet_in_one_point_are_right_in_any_frame() -> None:
+    """Such a robot has no length, and what the arithmetic leaves of zero is none either."""
+    rows = tuple(
+        DHRow(joint=JointType.REVOLUTE, theta=0.0, d=0.0, a=0.0, alpha=alpha) for alpha in (-1.2, 0.7)
+    )
+    for n in (1, 2):
+        wrist = DHTable(convention=Convention.STANDARD, rows=rows[:n])
+        right = key(wrist)
+        for angle in np.linspace(0.1, 3.0, 12):
+            c, s = math.cos(angle), math.sin(angle)
+            turn = np.array(
+                [[c, -s, 0, 0.7], [c * s, c * c, -s, -0.4], [s * s, s * c, c, angle], [0, 0, 0, 1]]
+            )
+            moved = ScrewAnswer(screws=right.screws @ adjoint(turn).T, home=turn @ right.home)
+            assert judge_screws(wrist, moved, POLICY).right
+            apart = moved.home.copy()
+            apart[:3, 3] += 0.1 * moved.home[:3, 0]
+            assert judge_screws(wrist, replace(moved, home=apart), FIXED).right is False
 
 
 def test_slips_are_told() -> None:

@@ -66,6 +66,14 @@ def test_factors_of_the_determinant_are_proved() -> None:
     assert (rounded.right, rounded.proof) == (True, ProofStatus.UNDECIDED)
 
 
+def test_what_stands_above_and_below_is_cancelled() -> None:
+    """At cos q3 = 0 the tangent has no value, and cos q3 · tan q3 is not zero there but ±1."""
+    assert judged(*PUMA, SHOULDER, "cos(q3)*(a3*tan(q3) + d4)", WRIST).proof is ProofStatus.PROVED
+    assert judged(*PUMA, SHOULDER, ELBOW, "cos(q5)^2*tan(q5)/cos(q5)").proof is ProofStatus.PROVED
+    assert not judged(*PUMA, SHOULDER, "cos(q3)*(a3*tan(q3) - d4)", WRIST).right
+    assert not judged(*PUMA, SHOULDER, ELBOW, "cos(q5)^2*tan(q5)").right
+
+
 def test_each_missing_family_is_shown_where_none_of_the_conditions_holds() -> None:
     found = judged(*PUMA, SHOULDER, WRIST)
     assert [family.found for family in found.families].count(1.0) == 3
