@@ -33,6 +33,7 @@ _THROUGHOUT = {
     "columns_late": "columns_throughout",
     "columns_early": "columns_throughout",
     "columns_exchanged": "columns_in_disorder",
+    "columns_reordered": "columns_in_disorder",
     "angles_in_degrees": "angles_throughout",
     "angles_in_radians": "angles_throughout",
     "length_unit": "lengths_throughout",

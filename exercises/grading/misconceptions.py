@@ -39,6 +39,7 @@ from exercises.grading.table_edits import (
     columns_a_row_early,
     columns_a_row_late,
     columns_exchanged,
+    columns_reordered,
     other_convention,
     parameter_misnamed,
     parameters_swapped,
@@ -123,6 +124,12 @@ CATALOGUE: tuple[Misconception, ...] = (
         code="columns_exchanged",
         story="wrote two columns in each other's place: a table in another order of columns",
         changes=columns_exchanged,
+        beforehand=True,
+    ),
+    Misconception(
+        code="columns_reordered",
+        story="wrote α, a and d in another order of columns, each in another's place",
+        changes=columns_reordered,
         beforehand=True,
     ),
     Misconception(

@@ -132,34 +132,51 @@ def _along_x_of(work: Work, code: str, others: Sequence[NumericRow | None]) -> I
 
 
 EXCHANGES = (("a", "alpha"), ("a", "d"), ("alpha", "d"))
+TURNED_ROUND = ({"alpha": "a", "a": "d", "d": "alpha"}, {"alpha": "d", "d": "a", "a": "alpha"})
+"""The other two orders of three columns: which one what stands under each of them belongs under."""
 SYMBOLS = {"alpha": "α", "a": "a", "d": "d"}
 
 
 def columns_exchanged(work: Work) -> Iterator[Change]:
-    """Two columns exchanged throughout: the table in another order of columns.
-
-    A number keeps what was typed: 90 under a, in a table in degrees, was a right angle.
-    """
-    units = {"alpha": 180.0 / math.pi if work.answer.angle_unit is AngleUnit.DEG else 1.0, "a": 1.0, "d": 1.0}
+    """Two columns exchanged throughout: the table in another order of columns."""
     for one, other in EXCHANGES:
-        if work.angular and {one, other} == set(LENGTHS):
-            continue
-        rows = [
-            (i, row)
-            for i, row in enumerate(work.table.rows)
-            if row.joint is not JointType.PRISMATIC or other != "d"
-        ]
-        touched = _places([i for i, _ in rows], (one, other))
-        if not work.leaves(touched):
-            continue
-        cells = [
-            (i, name, now)
-            for i, row in rows
-            for name, source in ((one, other), (other, one))
-            if (now := getattr(row, source) * units[source] / units[name]) != getattr(row, name)
-        ]
         params = {"one": SYMBOLS[one], "other": SYMBOLS[other]}
-        yield from _throughout("columns_exchanged", touched, cells, **params)
+        yield from _in_order(work, "columns_exchanged", {one: other, other: one}, **params)
+
+
+def columns_reordered(work: Work) -> Iterator[Change]:
+    """Three columns in another order, none in its own place."""
+    for belongs in TURNED_ROUND:
+        params = {column: SYMBOLS[place] for column, place in belongs.items()}
+        yield from _in_order(work, "columns_reordered", belongs, **params)
+
+
+def _in_order(work: Work, code: str, belongs: dict[str, str], **params: str) -> Iterator[Change]:
+    """What stands under some columns put under those where it belongs.
+
+    A number keeps what was typed: 90 under a, in a table in degrees, was a right angle. A name is what it is
+    under every column.
+    """
+    if work.angular and set(belongs) == set(LENGTHS):
+        return
+    rows = [
+        (i, row)
+        for i, row in enumerate(work.table.rows)
+        if row.joint is not JointType.PRISMATIC or "d" not in belongs
+    ]
+    touched = _places([i for i, _ in rows], tuple(belongs))
+    if not work.leaves(touched):
+        return
+    units = {"alpha": 180.0 / math.pi if work.answer.angle_unit is AngleUnit.DEG else 1.0, "a": 1.0, "d": 1.0}
+    named = {place for place, _, _ in _named_entries(work)}
+    cells = [
+        (i, place, now)
+        for i, row in rows
+        for column, place in belongs.items()
+        if (now := getattr(row, column) * (1.0 if (i, column) in named else units[column] / units[place]))
+        != getattr(row, place)
+    ]
+    yield from _throughout(code, touched, cells, **params)
 
 
 def parameter_misnamed(work: Work) -> Iterator[Change]:

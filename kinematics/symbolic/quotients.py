@@ -31,7 +31,7 @@ def cleared(expression: Expression) -> Expression:
 def reduced(expression: Expression) -> Expression:
     """Return an expression without the factors that stand above and below: cos x · tan x is sin x."""
     top, bottom = quotient_of(expression)
-    factors = list(top.factors) if isinstance(top, Product) else [top]
+    factors: list[Expression] = list(top.factors) if isinstance(top, Product) else [top]
     left = list(bottom)
     for i, factor in enumerate(factors):
         base, exponent = (

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import permutations
 
 import pytest
 
@@ -361,6 +362,37 @@ def test_a_wrong_sign_accuses_every_row_that_may_hold_it() -> None:
     verdict = grade(KEY, read("standard", with_cells(PUMA, (4, 2, "-d4"))), USUAL, VALUES, HelpLevel.ROW)
     accused = {entry.row for entry in verdict.feedback if entry.code == "row_wrong"}
     assert 4 in accused
+
+
+@pytest.mark.parametrize("unit", ["rad", "deg"])
+@pytest.mark.parametrize("in_names", [True, False])
+def test_columns_in_any_other_order(unit: str, in_names: bool) -> None:
+    """Names as well as numbers: a2 under α is a length that stands where an angle should."""
+    right = {"rad": "pi/2", "deg": 90}[unit]
+    turn = {"rad": "-pi/2", "deg": -90}[unit]
+    a2, a3, d3, d4 = ("a2", "a3", "d3", "d4") if in_names else (0.4318, 0.0203, 0.15005, 0.35)
+    rows = [
+        (right, 0, 0, "q1"),
+        (0, a2, 0, "q2"),
+        (turn, a3, d3, "q3"),
+        (right, 0, d4, "q4"),
+        (turn, 0, 0, "q5"),
+        (0, 0, 0, "q6"),
+    ]
+    for order in permutations(range(3)):
+        moved: Rows = [(*(row[k] for k in order), row[3]) for row in rows]
+        verdict = grade(KEY, read("standard", moved, unit), USUAL, VALUES)
+        if order == (0, 1, 2):
+            assert verdict.correct
+            continue
+        assert "columns_in_disorder" in codes(verdict)
+        (edit,) = verdict.repairs[0].edits
+        names = ("alpha", "a", "d")
+        if edit.code == "columns_reordered":
+            assert dict(edit.params) == {names[i]: "αad"[k] for i, k in enumerate(order)}
+        else:
+            (kept,) = [i for i, k in enumerate(order) if i == k]
+            assert {edit.params["one"], edit.params["other"]} == {*"αad"} - {"αad"[kept]}
 
 
 def test_two_columns_exchanged_throughout() -> None:
