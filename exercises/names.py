@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from difflib import get_close_matches
+from difflib import SequenceMatcher, get_close_matches
 
 from exercises.definition import Exercise
 from exercises.grading.substitution import replaced, substituted
@@ -30,10 +30,12 @@ def unknown_name(name: str, exercise: Exercise, where: tuple[str | int, ...]) ->
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
-    """Return the known name that is most like a name: d3 for D3 before anything else; None if none is."""
+    """Return the known name that is most like a name: d3 for D3 before anything else; None if none or two are."""
     by_case = {found.lower(): found for found in known}
-    close = get_close_matches(name.lower(), by_case, n=1, cutoff=SIMILAR)
-    return by_case[close[0]] if close else None
+    close = get_close_matches(name.lower(), by_case, n=2, cutoff=SIMILAR)
+    likeness = [SequenceMatcher(None, each, name.lower()).ratio() for each in close]
+    alike = len(close) == 2 and likeness[0] == likeness[1]
+    return by_case[close[0]] if close and not alike else None
 
 
 def table_faults(read: ReadTable, exercise: Exercise) -> list[Fault]:

@@ -64,6 +64,8 @@ def read_conditions(
         where: place of the cell, for faults.
     """
     text = _INTEGERS.sub("", str(cell))
+    if not text.strip():
+        return [Fault(code="cell_empty", where=where)]
     if _NO_EQUATION.search(text):
         return [Fault(code="condition_not_equation", where=where, params={"text": str(cell)[:80]})]
     equations = list(_equations(text.replace("==", "=")))

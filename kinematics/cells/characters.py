@@ -51,6 +51,12 @@ SUBSCRIPTS = {chr(0x2080 + n): str(n) for n in range(10)} | dict(
     zip("ₐₑₒₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ", "aeoxhklmnpstijruv", strict=True)
 )
 
+VULGAR_FRACTIONS = {
+    character: (top, bottom)
+    for character in "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
+    for top, bottom in [unicodedata.normalize("NFKC", character).split("\u2044")]
+}
+
 _MATHEMATICAL_LETTERS = range(0x1D400, 0x1D800)
 _FULL_WIDTH = range(0xFF01, 0xFF5F)
 _LOOKALIKES = dict(zip("АВЕКМНОРСТХаеорсухіІјЈѕЅԁԛһԚ", "ABEKMHOPCTXaeopcyxiIjJsSdqhQ", strict=True))
@@ -59,6 +65,7 @@ _ALLOWED = re.compile(
     + "".join(GREEK)
     + "".join(SUPERSCRIPTS)
     + "⁻"
+    + "".join(VULGAR_FRACTIONS)
     + "".join(SUBSCRIPTS)
     + "]*"
 )

@@ -13,7 +13,15 @@ from itertools import pairwise
 
 from lark import Token
 
-from kinematics.cells.characters import GREEK, SUBSCRIPTS, SUPERSCRIPT_MINUS, SUPERSCRIPTS, translated
+from kinematics.cells.bare_arguments import with_brackets
+from kinematics.cells.characters import (
+    GREEK,
+    SUBSCRIPTS,
+    SUPERSCRIPT_MINUS,
+    SUPERSCRIPTS,
+    VULGAR_FRACTIONS,
+    translated,
+)
 from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.unit_words import unit_refusal
@@ -49,6 +57,7 @@ _OPERATORS = {
     "°": "DEGREE",
     "√": "ROOT",
 }
+_VALUES_END = {"NUMBER", "NAME", "PI", "RPAR", "RBRACE", "DEGREE", "SUPERSCRIPT"}
 _COMMANDS = {
     "pi": "PI",
     "cdot": "STAR",
@@ -68,6 +77,7 @@ _NAME = re.compile(f"([A-Za-z]+|[{''.join(GREEK)}])([0-9]*)((?:{_SUBSCRIPT})*)")
 _INDEX = re.compile(f"([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _SEGMENT = re.compile(_SUBSCRIPT)
 _COMMAND = re.compile(r"\\([A-Za-z]+|.?)", re.DOTALL)
+_RATE = re.compile(rf"\\dot *(?:\{{ *(?:q|\\theta|θ) *\}}|q|\\theta|θ)([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _DEGREE_POWER = re.compile(r"\^ *(?:\{ *(?:\\circ|°) *\}|\\circ(?![A-Za-z])|°)")
 _SUPERSCRIPT = re.compile(f"{SUPERSCRIPT_MINUS}?[{''.join(SUPERSCRIPTS)}]+")
 _ALIEN_NUMBER = re.compile(r"0[xXbBoO][0-9A-Fa-f]+|[0-9.]+_[0-9_.]*|[0-9]*\.[0-9]*\.[0-9.]*")
@@ -88,11 +98,13 @@ def scan(text: str, limits: Limits = DEFAULT) -> list[Token]:
         if plain[position] == " ":
             position += 1
             continue
+        if plain[position] in VULGAR_FRACTIONS and tokens and tokens[-1].type in _VALUES_END:
+            raise CellRefusal("number_after_value", column=position + 1)
         scanned, position = _handler(plain[position])(plain, position, limits)
         tokens.extend(scanned)
     if not tokens:
         raise CellRefusal("cell_empty")
-    tokens = without_marks(tokens)
+    tokens = with_brackets(without_marks(tokens))
     _refuse_calls(tokens)
     return tokens
 
@@ -129,6 +141,8 @@ def _handler(first: str) -> Callable[[str, int, Limits], Scanned]:
         return _name
     if first == "\\":
         return _command
+    if first in VULGAR_FRACTIONS:
+        return _vulgar_fraction
     if first in SUPERSCRIPTS or first == SUPERSCRIPT_MINUS:
         return _superscript
     return _operator
@@ -171,6 +185,10 @@ def _command(plain: str, start: int, limits: Limits) -> Scanned:
     match = _COMMAND.match(plain, start)
     assert match is not None
     word, end = match.group(1), match.end()
+    rate = _RATE.match(plain, start)
+    if rate:
+        digits, scripts = rate.group(1) or "", rate.group(2) or ""
+        return [_token("NAME", _spelled("dq", digits, scripts, start), start)], rate.end()
     if word in _SPACING:
         return [], end
     if word in _COMMANDS:
@@ -199,6 +217,12 @@ def _superscript(plain: str, start: int, limits: Limits) -> Scanned:
     if len(digits) > limits.digits:
         raise CellRefusal("number_too_long", column=start + 1, limit=limits.digits)
     return [_token("SUPERSCRIPT", sign + digits, start)], match.end()
+
+
+def _vulgar_fraction(plain: str, start: int, limits: Limits) -> Scanned:
+    top, bottom = VULGAR_FRACTIONS[plain[start]]
+    parts = (("LPAR", "("), ("NUMBER", top), ("SLASH", "/"), ("NUMBER", bottom), ("RPAR", ")"))
+    return [_token(kind, text, start) for kind, text in parts], start + 1
 
 
 def _operator(plain: str, start: int, limits: Limits) -> Scanned:

@@ -152,7 +152,7 @@ class UrdfJoint:
         word = limit.get(name, "0").strip()
         value = float(word) if _INFINITE.fullmatch(word) else _number(word)
         if math.isnan(value):
-            raise self._malformed("limit", name, 1)
+            raise refused("urdf_limit_malformed", joint=self.name, attribute=name)
         return value
 
     def _malformed(self, tag: str, name: str, count: int) -> DescriptionError:

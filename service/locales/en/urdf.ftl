@@ -34,6 +34,7 @@ error-urdf_numbers_malformed = Joint “{ $joint }”: { $attribute } in <{ $ele
         [one] one finite number
        *[other] { $count } finite numbers with spaces between
     }, none larger than { $limit }.
+error-urdf_limit_malformed = Joint “{ $joint }”: { $attribute } in <limit> takes one number. Write inf where the joint has no limit.
 error-urdf_length_overflow = A URDF has no use for lengths beyond { $limit_in_metres } m. They must be smaller.
 error-option_idle = Leave out { $found }: this conversion has no use for it.
 

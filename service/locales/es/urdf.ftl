@@ -34,6 +34,7 @@ error-urdf_numbers_malformed = Articulación «{ $joint }»: { $attribute } en <
         [one] un número finito
        *[other] { $count } números finitos separados por espacios
     }, ninguno mayor que { $limit }.
+error-urdf_limit_malformed = Articulación «{ $joint }»: { $attribute } en <limit> admite un número. Escriba inf si la articulación no tiene límite.
 error-urdf_length_overflow = Un URDF no admite longitudes de más de { $limit_in_metres } m. Deben ser menores.
 error-option_idle = Omita { $found }: esta conversión no lo necesita.
 

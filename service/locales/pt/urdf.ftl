@@ -34,6 +34,7 @@ error-urdf_numbers_malformed = Junta “{ $joint }”: { $attribute } em <{ $ele
         [one] um número finito
        *[other] { $count } números finitos separados por espaços
     }, nenhum maior que { $limit }.
+error-urdf_limit_malformed = Junta “{ $joint }”: { $attribute } em <limit> recebe um número. Escreva inf se a junta não tem limite.
 error-urdf_length_overflow = Um URDF não comporta comprimentos acima de { $limit_in_metres } m. Eles devem ser menores.
 error-option_idle = Deixe { $found } de fora: esta conversão não lhe dá uso.
 

@@ -34,6 +34,7 @@ error-urdf_numbers_malformed = Cupla „{ $joint }”: { $attribute } din <{ $el
         [one] un număr finit
        *[other] { $count } numere finite separate prin spații
     }, niciunul mai mare decât { $limit }.
+error-urdf_limit_malformed = Cupla „{ $joint }”: { $attribute } din <limit> primește un număr. Scrieți inf dacă cupla nu are limită.
 error-urdf_length_overflow = Un URDF nu are ce face cu lungimi de peste { $limit_in_metres } m. Ele trebuie să fie mai mici.
 error-option_idle = Omiteți { $found }: această conversie nu are nevoie de așa ceva.
 

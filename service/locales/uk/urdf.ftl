@@ -31,6 +31,7 @@ error-urdf_joint_names = Робот із { $expected } зчленуванням�
 error-urdf_axis_zero = Вісь зчленування «{ $joint }» — 0 0 0, вона нікуди не вказує.
 error-urdf_limits_reversed = Нижня межа зчленування «{ $joint }» вища за верхню.
 error-urdf_numbers_malformed = Зчленування «{ $joint }»: { $attribute } у <{ $element }> приймає скінченні числа через пропуск (кількість: { $count }), не більші за { $limit }.
+error-urdf_limit_malformed = Зчленування «{ $joint }»: { $attribute } у <limit> приймає одне число. Напишіть inf, якщо обмеження немає.
 error-urdf_length_overflow = URDF не приймає довжин понад { $limit_in_metres } м. Вони мають бути меншими.
 error-option_idle = Приберіть { $found }: для цього перетворення воно зайве.
 

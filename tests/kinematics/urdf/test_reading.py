@@ -306,7 +306,7 @@ REFUSED = {
     ),
     "a malformed limit": (
         robot(joint("j", "a", "b", "revolute", '<limit lower="low"/>'), links="ab"),
-        "urdf_numbers_malformed",
+        "urdf_limit_malformed",
     ),
     "reversed limits": (
         robot(joint("j", "a", "b", "revolute", '<limit lower="1" upper="0"/>'), links="ab"),
