@@ -30,7 +30,7 @@ def unknown_name(name: str, exercise: Exercise, where: tuple[str | int, ...]) ->
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
-    """Return the known name that is most like a name: d3 for D3 before anything else; None if none or two are."""
+    """Return the known name that is most like a name, d3 for D3 first; None if none is, or two are alike."""
     by_case = {found.lower(): found for found in known}
     close = get_close_matches(name.lower(), by_case, n=2, cutoff=SIMILAR)
     likeness = [SequenceMatcher(None, each, name.lower()).ratio() for each in close]
