@@ -64,14 +64,16 @@ def read_conditions(
         where: place of the cell, for faults.
     """
     text = _INTEGERS.sub("", str(cell))
-    if not text.strip():
-        return [Fault(code="cell_empty", where=where)]
     if _NO_EQUATION.search(text):
-        return [Fault(code="condition_not_equation", where=where, params={"text": str(cell)[:80]})]
+        return [_no_condition(cell, where)]
     equations = list(_equations(text.replace("==", "=")))
     if not equations or any("=" in equation.right for equation in equations):
-        return [Fault(code="condition_not_equation", where=where, params={"text": str(cell)[:80]})]
+        return [_no_condition(cell, where)]
     return [_function(equation, joint_types, angle_unit, where) for equation in equations]
+
+
+def _no_condition(cell: Cell, where: Where) -> Fault:
+    return Fault(code="condition_not_equation", where=where, params={"text": str(cell).strip()[:80] or "–"})
 
 
 def _equations(text: str) -> Iterator[_Equation]:

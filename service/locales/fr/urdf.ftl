@@ -34,7 +34,7 @@ error-urdf_numbers_malformed = Articulation « { $joint } » : { $attribute }
         [one] un nombre fini
        *[other] { $count } nombres finis séparés par des espaces
     }, aucun plus grand que { $limit }.
-error-urdf_limit_malformed = Articulation « { $joint } » : { $attribute } dans <limit> prend un nombre. Écrivez inf si l’articulation n’a pas de limite.
+error-urdf_limit_malformed = Articulation « { $joint } » : { $attribute } dans <limit> prend un nombre. Écrivez inf si l’articulation n’a pas de limite.
 error-urdf_length_overflow = Un URDF ne prend pas de longueurs au-delà de { $limit_in_metres } m. Elles doivent être plus petites.
 error-option_idle = Omettez { $found } : cette conversion n’en a pas l’usage.
 
