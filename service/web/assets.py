@@ -67,6 +67,7 @@ class Assets:
         self._scanned = float("-inf")
         self._kept: dict[tuple[str, str], tuple[tuple[int, int], Asset]] = {}
         self._imports: dict[str, tuple[str, ...]] = {}
+        self._all_imports: dict[str, tuple[str, ...]] = {}
 
     @property
     def version(self) -> str:
@@ -103,6 +104,11 @@ class Assets:
             name: path of the module below the folder.
         """
         self._scan()
+        if name not in self._all_imports:
+            self._all_imports[name] = self._found_imports(name)
+        return self._all_imports[name]
+
+    def _found_imports(self, name: str) -> tuple[str, ...]:
         found = [name]
         for module in found:
             if module not in self._imports:
@@ -125,6 +131,7 @@ class Assets:
         digest = hashlib.sha256(repr(sorted(files.items())).encode())
         if files != self._files:
             self._imports.clear()
+            self._all_imports.clear()
         self._files, self._version, self._scanned = files, digest.hexdigest()[:12], now
 
     def _encoding(self, name: str, accepted: str) -> str:

@@ -27,6 +27,7 @@ from pathlib import Path
 from typing import Any
 
 import sqlalchemy as sa
+import uvloop
 
 from courses import records
 from courses.enrolment import Arrival, arrive
@@ -159,6 +160,16 @@ def table(number: int, mistakes: int, chance: random.Random) -> dict[str, Any]:
     return {**PUMA, "angle_unit": "deg", "length_unit": "m", "rows": rows}
 
 
+def mistakes_of(number: int) -> int:
+    """How many mistakes a student makes: of five two none, two one, one two."""
+    return (0, 1, 0, 1, 2)[number % 5]
+
+
+def submission(number: int) -> bytes:
+    """What a student hands in, as it is sent."""
+    return json.dumps({"table": table(number, mistakes_of(number), random.Random(number))}).encode()
+
+
 def enrolled(store: Store, students: int, settings: LinkSettings) -> list[str]:
     """Sessions of a class, whose link has these settings."""
     known, tokens, link = platform(store), [], 0
@@ -186,9 +197,8 @@ async def opened(browser: Browser, outcome: Outcome, due: float) -> None:
     outcome.openings.append(time.monotonic() - begun)
 
 
-async def handed_in(browser: Browser, outcome: Outcome, due: float, number: int, mistakes: int) -> str | None:
+async def handed_in(browser: Browser, outcome: Outcome, due: float, number: int, body: bytes) -> str | None:
     """The first submission; its key, where it was acknowledged."""
-    body = json.dumps({"table": table(number, mistakes, random.Random(number))}).encode()
     await asyncio.sleep(max(0.0, due - time.monotonic()))
     key = f"exam-{number}"
     headers = {"Content_Type": "application/json", "Idempotency_Key": key}
@@ -207,6 +217,8 @@ async def sat(
     """The exam, from the first opening to the last verdict; and the keys of what was acknowledged."""
     outcome = Outcome()
     browsers = [Browser(port, token) for token in tokens]
+    bodies = [submission(number) for number in range(len(browsers))]
+    outcome.expected = sum(mistakes_of(number) == 0 for number in range(len(browsers)))
     count, spent = len(browsers), cpu_of(service)
     begun, own = time.monotonic(), time.process_time()
     due = [begun + within[0] * n / count for n in range(count)]
@@ -214,12 +226,10 @@ async def sat(
     outcome.opened_after = time.monotonic() - begun
     outcome.opening_cost = (cpu_of(service) - spent) / count
     spent, since = cpu_of(service), time.monotonic()
-    mistakes = [(0, 1, 0, 1, 2)[number % 5] for number in range(count)]
-    outcome.expected = mistakes.count(0)
     due = [since + within[1] * n / count for n in range(count)]
     submissions = [
-        handed_in(browser, outcome, at, number, wrong)
-        for number, (browser, at, wrong) in enumerate(zip(browsers, due, mistakes, strict=True))
+        handed_in(browser, outcome, at, number, body)
+        for number, (browser, at, body) in enumerate(zip(browsers, due, bodies, strict=True))
     ]
     keys = await asyncio.gather(*submissions)
     outcome.answered_after = time.monotonic() - begun
@@ -283,7 +293,7 @@ def run(
         port = int(origin.rpartition(":")[2])
         asyncio.run(ready(port))
         _settle(process.pid, settling)
-        outcome, acknowledged = asyncio.run(sat(port, tokens, process.pid, within))
+        outcome, acknowledged = uvloop.run(sat(port, tokens, process.pid, within))
     with store.reading() as connection:
         stored = Counter(connection.scalars(sa.select(records.attempt.c.key)))
     store.close()
