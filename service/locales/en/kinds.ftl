@@ -196,6 +196,7 @@ option-cell_parameter = another dimension of the figure
 option-columns_early = a and α one row too high
 option-columns_late = a and α one row too low
 option-columns_exchanged = two columns exchanged
+option-columns_reordered = columns in another order
 option-convention = the other convention declared
 option-fixed_row_missing = the last row, without a variable, is missing
 option-joint_fixed = a joint without its variable

@@ -196,6 +196,7 @@ option-cell_parameter = otra dimensión de la figura
 option-columns_early = a y α una fila más arriba
 option-columns_late = a y α una fila más abajo
 option-columns_exchanged = dos columnas intercambiadas
+option-columns_reordered = columnas en otro orden
 option-convention = declarada la otra convención
 option-fixed_row_missing = falta la última fila, sin variable
 option-joint_fixed = una articulación sin su variable

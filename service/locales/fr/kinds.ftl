@@ -196,6 +196,7 @@ option-cell_parameter = une autre cote de la figure
 option-columns_early = a et α une ligne trop haut
 option-columns_late = a et α une ligne trop bas
 option-columns_exchanged = deux colonnes interverties
+option-columns_reordered = colonnes dans un autre ordre
 option-convention = l’autre convention déclarée
 option-fixed_row_missing = la dernière ligne, sans variable, manque
 option-joint_fixed = une articulation sans sa variable

@@ -196,6 +196,7 @@ option-cell_parameter = outra dimensão da figura
 option-columns_early = a e α uma linha acima
 option-columns_late = a e α uma linha abaixo
 option-columns_exchanged = duas colunas trocadas
+option-columns_reordered = colunas noutra ordem
 option-convention = declarada a outra convenção
 option-fixed_row_missing = falta a última linha, sem variável
 option-joint_fixed = uma junta sem a sua variável

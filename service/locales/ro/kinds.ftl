@@ -197,6 +197,7 @@ option-cell_parameter = altă cotă din figură
 option-columns_early = a și α cu un rând prea sus
 option-columns_late = a și α cu un rând prea jos
 option-columns_exchanged = două coloane schimbate între ele
+option-columns_reordered = coloane în altă ordine
 option-convention = declarată cealaltă convenție
 option-fixed_row_missing = lipsește ultimul rând, fără variabilă
 option-joint_fixed = o cuplă fără variabila ei

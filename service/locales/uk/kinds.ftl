@@ -196,6 +196,7 @@ option-cell_parameter = інший розмір із рисунка
 option-columns_early = a та α на рядок вище
 option-columns_late = a та α на рядок нижче
 option-columns_exchanged = переставлено два стовпці
+option-columns_reordered = стовпці в іншому порядку
 option-convention = зазначено іншу угоду
 option-fixed_row_missing = бракує останнього рядка, без змінної
 option-joint_fixed = зчленування без своєї змінної
