@@ -68,9 +68,9 @@ ASTRAY = 0.01
 ROUNDS = 4
 """Gauss–Newton steps for one step along the path: convergence is quadratic from an error of STRAIGHT·step."""
 
-MOST_CORRECTIONS = 1000
+MOST_CORRECTIONS = 2500
 """Corrections after which a target's families are followed no further; the longest paths take 800 more. A
-PUMA with its arm stretched and its wrist in line takes 95, seven joints at a singularity up to a thousand."""
+PUMA with its arm stretched and its wrist in line takes 95, eight families of seven joints up to this many."""
 
 ROWS = 16
 """Configurations that are corrected together in some twice the time of one: so many count as another one."""
@@ -192,12 +192,7 @@ class Follower:
         return bool(are_solutions(e[None], self.arm, self.tolerance)[0])
 
     def corrected(self, x: Array, held: Array) -> tuple[Array, Array, Array]:
-        """The nearest pose with held·x unchanged: x, its error vector and its Jacobian.
-
-        Args:
-            x: (n,) in units.
-            held: (k, n) rows.
-        """
+        """The nearest pose with held·x unchanged, (k, n) rows: x, its error vector and its Jacobian."""
         found, e, J = self.corrected_all(x[None], held[None])
         return found[0], e[0], J[0]
 
@@ -228,16 +223,18 @@ class Follower:
         """The same of many pairs, (m, n) and (m, n)."""
         ways = others - x
         lengths = np.linalg.norm(ways, axis=1)
+        apart = np.flatnonzero(lengths >= TOGETHER)
+        if not len(apart):
+            return np.ones(len(x), dtype=bool)
+        parts = np.repeat(((0.25,), (0.5,), (0.75,)), len(apart), axis=0)
+        asked = np.tile(apart, 3)
+        start = x[asked] + parts * ways[asked]
+        between, e, _ = self.corrected_all(
+            start, (ways / np.maximum(lengths, TOGETHER)[:, None])[asked][:, None]
+        )
+        near = np.linalg.norm(between - start, axis=1) <= 0.5 * lengths[asked]
         kept = np.ones(len(x), dtype=bool)
-        for part in (0.5, 0.25, 0.75):
-            asked = np.flatnonzero(kept & (lengths >= TOGETHER))
-            if not len(asked):
-                break
-            way, length = ways[asked], lengths[asked]
-            start = x[asked] + part * way
-            between, e, _ = self.corrected_all(start, (way / length[:, None])[:, None])
-            near = np.linalg.norm(between - start, axis=1) <= 0.5 * length
-            kept[asked] = near & are_solutions(e, self.arm, self.tolerance)
+        kept[asked[~(near & are_solutions(e, self.arm, self.tolerance))]] = False
         return kept
 
     def leads(self, starts: Array, ends: Array, blind: float) -> NDArray[np.bool_]:

@@ -42,6 +42,7 @@ def test_a_small_campaign(name):
         pytest.param("no offsets", 4, 2, id="within the width of crossing families"),
         pytest.param("catalogue gen3", 2, 1, id="a family of a single point"),
         pytest.param("catalogue gen3", 11, 39, id="ways that leave a crossing of seven joints"),
+        pytest.param("catalogue gen3", 31, 5, id="long families of seven joints"),
     ],
 )
 def test_the_configuration_that_made_the_pose_is_found(name, seed, number):
