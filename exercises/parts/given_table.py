@@ -34,7 +34,7 @@ def columns_of(table: ReadTable) -> tuple[tuple[str, str], ...]:
     angle = "°" if table.angle_unit is AngleUnit.DEG else "rad"
     length = table.length_unit.value
     standard = table.table.convention is Convention.STANDARD
-    before = "" if standard else " (i−1)"
+    before = "" if standard else "ᵢ₋₁"
     names = {
         "theta": f"θ [{angle}]",
         "d": f"d [{length}]",

@@ -30,6 +30,10 @@ export class Unreachable extends Error {
   }
 }
 
+const BUSY = 503;
+/** Seconds that a page waits by itself. */
+const LONGEST_WAIT = 10;
+
 export class Api {
   /** @param {string} base address of the API, with a slash at its end @param {string} language */
   constructor(base, language) {
@@ -39,6 +43,8 @@ export class Api {
     this.token = "";
     /** Signed settings of the link that the page was opened by; its cookie may be blocked in a frame. */
     this.context = "";
+    /** How often a call is made again by itself where the service was busy, after the time that it asked for. */
+    this.patience = 0;
   }
 
   /** @param {string} path @param {{signal?: AbortSignal}} [options] @returns {Promise<any>} */
@@ -86,15 +92,16 @@ export class Api {
     if (key) headers["Idempotency-Key"] = key;
     if (this.context) headers["X-Framewise-Context"] = this.context;
     if (this.token) headers.Authorization = `Bearer ${this.token}`;
+    const content = body === undefined ? undefined : JSON.stringify(body);
     let answer, text;
     try {
-      answer = await fetch(this.base + path, {
-        method,
-        headers,
-        signal,
-        body: body === undefined ? undefined : JSON.stringify(body),
-        credentials: "omit",
-      });
+      for (let left = this.patience; ; left -= 1) {
+        answer = await fetch(this.base + path, { method, headers, signal, body: content, credentials: "omit" });
+        const seconds = Number(answer.headers.get("Retry-After"));
+        if (answer.status !== BUSY || left <= 0 || !seconds) break;
+        await new Promise((resolve) => setTimeout(resolve, 1000 * Math.min(seconds, LONGEST_WAIT)));
+        signal?.throwIfAborted();
+      }
       if (file && answer.ok) return await answer.blob();
       text = await answer.text();
     } catch (error) {

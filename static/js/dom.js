@@ -168,3 +168,9 @@ export function debounced(action, milliseconds) {
     timer = setTimeout(() => action(...values), milliseconds);
   };
 }
+
+/** A name with its digits as an index. @param {string} name */
+export function variable(name) {
+  const match = /^([A-Za-z]+)_?(\d*)$/.exec(name);
+  return el("var", {}, match ? match[1] : name, match?.[2] ? el("sub", { text: match[2] }) : null);
+}

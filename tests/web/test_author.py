@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, Page, Route, expect
 
 from exercises.authoring.archive import draft_of_archive
 from exercises.authoring.draft import exercise_of_draft
@@ -324,3 +324,44 @@ def test_the_page_speaks_every_language(open_page: OpenPage, language: str) -> N
     expect(page.locator("#author-start table")).to_be_visible(timeout=PATIENCE)
     green(page)
     assert not re.findall(r"\bauthor-[a-z-]+|\bform-[a-z-]+", page.locator("main").inner_text())
+
+
+def test_the_axis_whose_fields_are_shown_looks_chosen(open_page: OpenPage) -> None:
+    page = open_page("/author")
+    start_with(page, "axes")
+    add_axis(page)
+    look = "button => getComputedStyle(button).backgroundColor"
+    axes = page.locator(".author-axes button[aria-pressed]")
+    assert axes.nth(0).evaluate(look) != axes.nth(1).evaluate(look)
+    axes.nth(0).click()
+    expect(axes.nth(0)).to_have_attribute("aria-pressed", "true")
+    assert axes.nth(0).evaluate(look) != axes.nth(1).evaluate(look)
+
+
+def test_what_waits_is_said(open_page: OpenPage, watch: Watch) -> None:
+    """Without a preview a text is not said to be missing, and no tests run in a moment."""
+    watch.allow("ERR_FAILED")
+    page = open_page("/author")
+    page.route("**/api/v1/author/preview", lambda route: route.abort())
+    kept(page)
+    expect(page.locator(".author-reading")).to_have_text("A moment …")
+    expect(page.locator(".author-selftest")).to_have_text(
+        "The tests run as soon as what is said above is mended."
+    )
+
+
+def test_a_busy_service_is_asked_again(open_page: OpenPage, watch: Watch) -> None:
+    watch.allow("503")
+    page = open_page("/author")
+    answers = iter([503, 503])
+
+    def busy(route: Route) -> None:
+        if next(answers, None):
+            route.fulfill(status=503, headers={"Retry-After": "1"}, json={"detail": "The server is busy."})
+        else:
+            route.continue_()
+
+    page.route("**/api/v1/author/preview", busy)
+    kept(page)
+    expect(page.locator("#author-name")).not_to_be_empty(timeout=PATIENCE)
+    expect(page.locator("#author-problem")).to_be_empty()

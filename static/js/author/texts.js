@@ -38,7 +38,9 @@ export function textsSection(store) {
     const written = new DOMParser().parseFromString(html[shown] ?? "", "text/html");
     fill(reading, [...written.body.childNodes]);
     reading.lang = shown;
-    if (!html[shown]) fill(reading, el("p", { class: "hint", text: t("author-statement-none") }));
+    if (html[shown]) return;
+    const text = t(store.at(["statements", shown]) ? "author-statement-waiting" : "author-statement-none");
+    fill(reading, el("p", { class: "hint", text }));
   }
 
   const tabs = segmented({

@@ -31,6 +31,13 @@ export class SelfTest {
     fill(this.element, el("p", { class: "hint", text: t("author-test-waiting") }));
   }
 
+  /** The draft is refused as it stands. */
+  refused() {
+    this.outdated();
+    this.element.dataset.state = "refused";
+    fill(this.element, el("p", { class: "hint", text: t("author-test-refused") }));
+  }
+
   async run() {
     this.element.dataset.state = "running";
     fill(this.element, el("p", { class: "hint", text: t("author-test-running") }));

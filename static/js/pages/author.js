@@ -10,8 +10,9 @@ import { Start } from "../author/start.js";
 import { takeAlong } from "../author/take-along.js";
 import { textsSection } from "../author/texts.js";
 import { asStudent, rightAnswers, SelfTest, wrongAnswers } from "../author/trials.js";
-import { announce, debounced, el, fill, iconButton } from "../dom.js";
+import { announce, debounced, el, fill, iconButton, variable } from "../dom.js";
 import { t } from "../i18n.js";
+import { plain } from "../numbers.js";
 import { api, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 import { openSession } from "../session/course-session.js";
@@ -104,6 +105,7 @@ class AuthorPage {
     } catch (error) {
       if (error instanceof Error && error.name === "AbortError") return;
       fill($("author-problem"), problemNotice(error));
+      this.selfTest.refused();
       this.#markFaults(/** @type {any} */ (error).faults ?? []);
     }
   }
@@ -154,12 +156,13 @@ function showFigure({ figure, exercise }) {
   fill(
     $("author-dimensions"),
     exercise.dimensions.map((/** @type {any} */ { name, value, unit }) =>
-      el("li", { text: `${name} = ${value} ${unit}` }),
+      el("li", {}, variable(name), ` = ${plain(value, 6)} ${unit}`),
     ),
   );
 }
 
 startPage(async () => {
+  api.patience = 3; // tests, previews and rehearsals of one draft may stand in each other's way
   await openSession(api).catch(() => null); // a lecturer who came from a course may publish by it
   const page = new AuthorPage();
   page.build();

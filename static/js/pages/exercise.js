@@ -2,7 +2,7 @@
 
 import { Problem } from "../api.js";
 import { browserAttempts } from "../attempts.js";
-import { announce, el, fill } from "../dom.js";
+import { announce, el, fill, variable } from "../dom.js";
 import "../editor/dh-table-editor.js";
 import { Access } from "../exercise/access.js";
 import { AnswerCard } from "../exercise/answer-card.js";
@@ -313,12 +313,6 @@ function showRules({ dimensions, rules }) {
         )
       : null,
   );
-}
-
-/** A name with its digits as an index. @param {string} name */
-function variable(name) {
-  const match = /^([A-Za-z]+)_?(\d*)$/.exec(name);
-  return el("var", {}, match ? match[1] : name, match?.[2] ? el("sub", { text: match[2] }) : null);
 }
 
 startPage(run);
