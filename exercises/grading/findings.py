@@ -215,8 +215,9 @@ def _of(change: Change, table: NumericTable, level: HelpLevel) -> Iterator[Feedb
     if edit.code in _ROW_EDITS:
         yield Feedback(code=_ROW_EDITS[edit.code], row=edit.row, params=edit.params)
     elif edit.row is not None:
-        places = frozenset((row, _fact(table, row, cell)) for row, cell in change.places)
-        yield from _facts(places, table, level)
+        # a row that the edit before has added is told as missing, and what is to stand in it is not wrong
+        given = [(row, cell) for row, cell in change.places if row < len(table.rows)]
+        yield from _facts(frozenset((row, _fact(table, row, cell)) for row, cell in given), table, level)
     elif told_from(level, HelpLevel.KIND):
         yield Feedback(code=_THROUGHOUT[edit.code])
     else:

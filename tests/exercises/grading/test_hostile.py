@@ -64,6 +64,17 @@ def test_a_row_missing_and_one_more_mistake(missing: int) -> None:
                 assert mistaken in {edit.row for edit in repair.edits if edit.code == "a_not_zero"}
 
 
+def test_the_zero_of_a_variable_in_a_missing_row() -> None:
+    """A second edit may be in a row that the first has added: only the missing row is told."""
+    key: Rows = [("pi/2", 0.75, -0.66, "q1"), ("pi", 0.89, 0.15, "q2 + pi/2")]
+    answer: Rows = [("pi/2", 0.75, 0.66, "q1")]
+    policy = Policy(tool=ToolRule.FRAME, zero=ZeroRule.FIGURE)
+    verdict = grade(read("modified", key), read("modified", answer), policy)
+    assert {"row_missing", "theta_offset"} <= {edit.code for edit in verdict.repairs[0].edits}
+    assert "row_missing" in {entry.code for entry in verdict.feedback}
+    assert all(entry.row in (None, 1, 2) for entry in verdict.feedback)
+
+
 def test_the_work_of_a_search_is_bounded() -> None:
     """Sixty-four rows and a mistake: the meter, and no clock, ends the search."""
     junk: Rows = [(0, 0.01 * k, 0.02, 0.3) for k in range(58)]
