@@ -69,7 +69,7 @@ class Chain:
         axes: the joint axes, base first.
         end: M, the home pose: that of the end frame at q = 0.
         extent: sum of all |a| and |d| of the table it was made from [m]; of other descriptions, how far a
-            walk along the axes goes, or how far they lie from the origin if all meet the end's.
+            walk along the axes goes, or where that is nothing the distances of axes and end from the origin.
         links: for each frame that is carried along how many joints move it, and its pose at q = 0.
     """
 
