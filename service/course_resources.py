@@ -12,13 +12,14 @@ from courses.gradebook import OutboxState, outbox_state
 from courses.model import Attempt, Course, CourseSession, Platform, PlatformStatus
 from courses.platforms import StoredKey, add_key, platform_by_id, platforms, remove_keys, stored_keys
 from courses.publications import publish, published
-from courses.refusals import StorageUnavailableError
+from courses.refusals import SessionError, StorageUnavailableError
 from courses.secrets import pseudonym
 from courses.storage import Store, open_store
 from courses.submissions import JudgedSubmission, store_submissions
 from exercises.authoring.draft import draft_of_files
 from exercises.definition import Exercise
 from exercises.loader import Library, read_exercise
+from kinematics.errors import Fault
 from service.lti.fetching import Fetcher, origin_of
 from service.lti.launch_errors import PlatformError
 from service.lti.memberships import members
@@ -26,6 +27,7 @@ from service.lti.platform_keys import PlatformKeys
 from service.lti.services import Services
 from service.lti.signing_keys import PUBLISHED_BEFORE, new_private_key, outdated, signing_key
 from service.settings import Settings
+from service.work.fair_queue import Proven, proven
 from service.work.gathering import Gathering
 
 _ORIGINS_LIVE = 30.0
@@ -38,6 +40,8 @@ _CROWDED_PAUSE = 0.05
 """Seconds in which judged answers are gathered for one transaction while many others wait to be judged."""
 _MEMBERS_LIVE = 300.0
 """Seconds for which a class list of the platform is not fetched again."""
+SESSIONS_KNOWN = 8192
+"""Sessions whose people are remembered, so that all their requests wait in a turn of their own."""
 _COURSES_KNOWN = 100
 """Courses whose class lists are held at a time."""
 
@@ -79,6 +83,7 @@ class CourseResources:
             gives_up=_database_is_gone,
             pause=lambda: _CROWDED_PAUSE if is_crowded() else 0.0,
         )
+        self._people: dict[str, Proven] = {}
         self._lock = threading.Lock()
         self._members: dict[int, tuple[dict[str, str | None] | None, float]] = {}
         self._answered = (True, float("-inf"))
@@ -92,6 +97,30 @@ class CourseResources:
         self.keep.close()
         self.fetcher.close()
         self.store.close()
+
+    async def signed_in(self, token: str) -> CourseSession:
+        """Who is signed in by a token; what follows in this request counts as theirs.
+
+        Raises:
+            SessionError: nobody is.
+        """
+        if not token:
+            raise SessionError(Fault(code="session_expired"))
+        session = await self.sign_in(token)
+        who = Proven("person", session.person.id)
+        if token not in self._people:
+            while len(self._people) >= SESSIONS_KNOWN:
+                self._people.pop(next(iter(self._people)))
+            self._people[token] = who
+        proven(who)
+        return session
+
+    def person(self, authorization: str) -> Proven | None:
+        """Who was signed in before by the token of an Authorization field; None where nobody is known.
+
+        It says whose turn it is, and lets nobody in: that a session has ended meanwhile makes no difference.
+        """
+        return self._people.get(bearer_token(authorization))
 
     def outbox(self) -> OutboxState:
         """How the outbox of scores is."""
@@ -212,6 +241,12 @@ class CourseResources:
         """Read the platforms' origins again: one of them has changed."""
         with self._lock:
             self._origins = ((), float("-inf"))
+
+
+def bearer_token(authorization: str) -> str:
+    """The token in an Authorization field; empty if there is none."""
+    scheme, _, token = authorization.partition(" ")
+    return token.strip() if scheme.lower() == "bearer" else ""
 
 
 def now() -> datetime:

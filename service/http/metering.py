@@ -25,6 +25,7 @@ from service.http.problems import (
     UnauthorizedError,
 )
 from service.settings import Settings
+from service.work.fair_queue import Proven, proven
 
 _COSTS = {
     "symbolic": 20,
@@ -85,6 +86,8 @@ class MeteringMiddleware:
         try:
             key = self._key(scope)
             scope["api_key"] = key
+            if key is not None:
+                proven(Proven("key", key.id))
             most = (key.cost_per_minute if key else None) or self._settings.cost_per_minute
             caller = key.id if key else (scope.get("client") or ("",))[0]
             if most:

@@ -25,7 +25,7 @@ from service.http.uploads import HELD, Upload, may_be_under_way
 from service.logs import log_access
 from service.metrics import UNMATCHED
 from service.settings import PREFIX, Settings
-from service.work.fair_queue import current_client
+from service.work.fair_queue import current_client, proven
 
 REQUEST_ID = "request_id"
 ROUTE = "route_template"
@@ -70,6 +70,7 @@ class OuterMiddleware:
         begun = time.perf_counter()
         fields = dict(scope["headers"])
         current_client.set(tuple(scope.get("client") or ("", 0)))
+        self._name_person(scope, fields.get(b"authorization"))
         request_id = self._open(scope, fields)
         original = scope
         is_head = scope["method"] == "HEAD"
@@ -114,6 +115,13 @@ class OuterMiddleware:
             scope["app"].state.resources.metrics.requested(original["method"], route, status, seconds)
             if self._settings.access_log:
                 log_access(original["method"], route, status, seconds, request_id.decode())
+
+    def _name_person(self, scope: Scope, field: bytes | None) -> None:
+        """Have a request wait in the turn of the person whose session it names, if that is known."""
+        courses = scope["app"].state.resources.courses if field else None
+        who = courses.person(field.decode("latin-1")) if courses and field else None
+        if who is not None:
+            proven(who)
 
     def _open(self, scope: Scope, fields: Mapping[bytes, bytes]) -> bytes:
         """Read what a proxy says about the request; name the request."""

@@ -21,7 +21,7 @@ from courses.platforms import (
     set_status,
 )
 from kinematics.errors import Fault
-from service.course_resources import CourseResources, now
+from service.course_resources import CourseResources, bearer_token, now
 from service.http.forms import own_root
 from service.http.problems import RequestError
 from service.http.routing import ApiRequest, DirectRoute, api_router
@@ -35,15 +35,13 @@ _REQUIRED = ("issuer", "client_id", "authorization_endpoint", "token_endpoint", 
 _ADDRESSES = ("authorization_endpoint", "token_endpoint", "jwks_uri")
 _LONGEST = 2000
 """Characters of a field of a form; addresses of platforms are the longest."""
-_BEARER = "bearer "
 _Result = TypeVar("_Result")
 
 
 async def _run(request: ApiRequest, work: Callable[[CourseResources], _Result]) -> _Result:
     """Do an administrator's work."""
     courses = resources_of(request).with_courses()
-    field = request.headers.get("authorization", "")
-    token = field[len(_BEARER) :].strip() if field.lower().startswith(_BEARER) else ""
+    token = bearer_token(request.headers.get("authorization", ""))
 
     def checked() -> _Result:
         check_administrator(courses.store, token, now())

@@ -14,10 +14,9 @@ from courses.attempts import attempt_numbered, by_key, keep_draft, shown_now, st
 from courses.enrolment import end_session, redeem_code
 from courses.model import CourseSession, StudentStanding
 from courses.policies import Shown
-from courses.refusals import AttemptError, NoExerciseError, PublicationError, SessionError
+from courses.refusals import AttemptError, NoExerciseError, PublicationError
 from exercises.errors import UnknownExerciseError
-from kinematics.errors import Fault
-from service.course_resources import CourseResources, now
+from service.course_resources import CourseResources, bearer_token, now
 from service.http.languages import language_of
 from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
@@ -36,7 +35,6 @@ _ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
 _Result = TypeVar("_Result")
 LONGEST_KEY = 100
 """Characters of an idempotency key that are stored; a UUID has 36."""
-_BEARER = "bearer "
 
 
 async def in_thread(request: ApiRequest, work: Callable[..., _Result], *arguments: Any) -> _Result:
@@ -51,11 +49,7 @@ async def signed_in(request: ApiRequest) -> tuple[CourseResources, CourseSession
         SessionError: nobody is.
     """
     courses = resources_of(request).with_courses()
-    field = request.headers.get("authorization", "")
-    if not field.lower().startswith(_BEARER):
-        raise SessionError(Fault(code="session_expired"))
-    token = field[len(_BEARER) :].strip()
-    session = await courses.sign_in(token)
+    session = await courses.signed_in(bearer_token(request.headers.get("authorization", "")))
     return courses, with_exercise_rules(resources_of(request).exercises, session)
 
 

@@ -1,8 +1,9 @@
 """Slots for work, shared fairly: of those who wait, the client that used the least lately comes first.
 
 A queue that is first come, first served gives everything to whoever asks most. Here a client has its turn
-after at most one task of every other client, however many requests those have waiting. Use is counted by
-address first and by connection second, so that students behind one address are fair to each other as well.
+after at most one task of every other client, however many requests those have waiting. A client is who has
+proved who they are, wherever they ask from: a class behind one address are as many clients as they are
+people. All others at an address are one. Use is counted by client first and by connection second.
 """
 
 from __future__ import annotations
@@ -15,12 +16,23 @@ from collections.abc import Callable
 from contextvars import ContextVar
 from dataclasses import dataclass, field
 from heapq import heappop, heappush, heapreplace
-from typing import TypeAlias
+from typing import Literal, TypeAlias
 
 from service.http.problems import busy
 
-Client: TypeAlias = tuple[str, int]
-"""Address and port that a request comes from."""
+
+@dataclass(frozen=True, slots=True)
+class Proven:
+    """Who has proved who they are: a person by a session, however many they have, or a program by its key."""
+
+    kind: Literal["person", "key"]
+    id: int | str
+
+
+Name: TypeAlias = str | Proven
+"""Whom use is counted for: who has proved who they are, else the address that a request comes from."""
+Client: TypeAlias = tuple[Name, int]
+"""Who asks, and the port of their connection."""
 
 HALF_LIFE = 10.0
 """Seconds after which use counts half: long beside one task, short beside a lecture."""
@@ -29,6 +41,11 @@ CLIENTS = 4096
 
 current_client: ContextVar[Client] = ContextVar("current_client", default=("", 0))
 """The client for whom work is being done; set for each request by the outer middleware."""
+
+
+def proven(who: Proven) -> None:
+    """Have what follows in this request count for who has proved who they are, not for their address."""
+    current_client.set((who, current_client.get()[1]))
 
 
 @dataclass(eq=False, slots=True)
@@ -72,7 +89,7 @@ class FairQueue:
         self._capacity = capacity
         self._timeout = timeout
         self._line = _Line(self._use)
-        self._used: OrderedDict[str | Client, float] = OrderedDict()
+        self._used: OrderedDict[Name | Client, float] = OrderedDict()
         self.running = 0
 
     @property
@@ -131,7 +148,7 @@ class FairQueue:
         else:
             self.running -= 1
 
-    def _use(self, key: str | Client) -> float:
+    def _use(self, key: Name | Client) -> float:
         """How much a client has used, log2 of seconds as they would count at time 0.
 
         All use fades alike, so who has used less is the same at every time, and these numbers only grow.
@@ -146,15 +163,15 @@ def _sum_of_powers(a: float, b: float) -> float:
 
 
 class _Line:
-    """Those who wait, in the order of their use: addresses, and in each its connections, as heaps.
+    """Those who wait, in the order of their use: by name, and for each its connections, as heaps.
 
     What somebody has used may have grown since they joined; a heap finds that out when their turn comes.
     """
 
-    def __init__(self, use: Callable[[str | Client], float]) -> None:
+    def __init__(self, use: Callable[[Name | Client], float]) -> None:
         self._use = use
-        self._addresses: list[tuple[float, float, int, str]] = []
-        self._connections: dict[str, list[tuple[float, int, _Waiting]]] = {}
+        self._names: list[tuple[float, float, int, Name]] = []
+        self._connections: dict[Name, list[tuple[float, int, _Waiting]]] = {}
         self._joined = 0
         self._length = 0
 
@@ -163,13 +180,13 @@ class _Line:
 
     def join(self, waiting: _Waiting) -> None:
         """Wait, behind all who have used as little."""
-        address = waiting.client[0]
+        name = waiting.client[0]
         self._joined += 1
         self._length += 1
-        connections = self._connections.setdefault(address, [])
+        connections = self._connections.setdefault(name, [])
         heappush(connections, (self._use(waiting.client), self._joined, waiting))
         if connections[0][2] is waiting:
-            heappush(self._addresses, self._key(address))
+            heappush(self._names, self._key(name))
 
     def leave(self, waiting: _Waiting) -> bool:
         """Wait no more; return whether it was still waiting."""
@@ -181,27 +198,27 @@ class _Line:
 
     def next(self) -> _Waiting | None:
         """Take out whose turn it is; None if nobody waits."""
-        while self._addresses:
-            known = self._addresses[0]
-            address = known[-1]
-            if not self._tidied(address):
-                heappop(self._addresses)
-            elif self._key(address) > known:
-                heapreplace(self._addresses, self._key(address))
+        while self._names:
+            known = self._names[0]
+            name = known[-1]
+            if not self._tidied(name):
+                heappop(self._names)
+            elif (now := self._key(name))[:-1] > known[:-1]:
+                heapreplace(self._names, now)
             else:
-                waiting = heappop(self._connections[address])[2]
+                waiting = heappop(self._connections[name])[2]
                 self.leave(waiting)
                 return waiting
         return None
 
-    def _key(self, address: str) -> tuple[float, float, int, str]:
-        """What the address has used, what the first of its connections has, and since when that one waits."""
-        used, joined, _ = self._connections[address][0]
-        return self._use(address), used, joined, address
+    def _key(self, name: Name) -> tuple[float, float, int, Name]:
+        """What was used under a name, what by its first connection, and since when that one waits."""
+        used, joined, _ = self._connections[name][0]
+        return self._use(name), used, joined, name
 
-    def _tidied(self, address: str) -> bool:
-        """Put the connection of least use at the head of its address; return whether there is any."""
-        connections = self._connections.get(address)
+    def _tidied(self, name: Name) -> bool:
+        """Put the connection of least use at the head of its name; return whether there is any."""
+        connections = self._connections.get(name)
         while connections:
             used, joined, waiting = connections[0]
             if waiting.left:
@@ -210,7 +227,7 @@ class _Line:
                 heapreplace(connections, (self._use(waiting.client), joined, waiting))
             else:
                 return True
-        self._connections.pop(address, None)
+        self._connections.pop(name, None)
         return False
 
 

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from service.http.problems import BusyError
 from service.settings import Settings
 from service.work import fair_queue
-from service.work.fair_queue import CLIENTS, FairQueue, current_client
+from service.work.fair_queue import CLIENTS, Client, FairQueue, Name, Proven, current_client
 from service.work.limiters import Limiter, WorkKind, limiters
 from service.work.thread_switching import SWITCH_SECONDS
 
@@ -105,7 +105,7 @@ def test_a_server_has_its_threads_take_short_turns(base_url: str) -> None:
 def test_the_next_is_who_used_least(
     taken: list[tuple[int, int, float]], waiting: list[tuple[int, int]], leaving: set[int]
 ) -> None:
-    """The heaps give the order that the rule gives: least use of the address, then of the connection."""
+    """The heaps give the order that the rule gives: least use by name, then of the connection."""
 
     async def scene() -> None:
         queue = FairQueue(slots=1, capacity=100, timeout=60)
@@ -113,12 +113,13 @@ def test_the_next_is_who_used_least(
         first = await queue.acquire()
         order: list[int] = []
 
-        async def wait(number: int, client: tuple[str, int]) -> None:
+        async def wait(number: int, client: Client) -> None:
             current_client.set(client)
             await queue.acquire()
             order.append(number)
 
-        clients = [(f"a{address}", port) for address, port in waiting]
+        names: list[Name] = ["192.0.2.1", Proven("person", 1), Proven("key", 1)]
+        clients: list[Client] = [(names[name], port) for name, port in waiting]
         tasks = [asyncio.create_task(wait(number, client)) for number, client in enumerate(clients)]
         await asyncio.sleep(0)
         gone = {number for number in leaving if number < len(tasks)}
@@ -126,8 +127,8 @@ def test_the_next_is_who_used_least(
             tasks[number].cancel()
         await asyncio.sleep(0)
         left = [number for number in range(len(tasks)) if number not in gone]
-        for address, port, seconds in taken:
-            client = (f"a{address}", port)
+        for name, port, seconds in taken:
+            client = (names[name], port)
             for key in (client[0], client):
                 used[key] = used.get(key, 0.0) + seconds
 

@@ -4,13 +4,42 @@ from __future__ import annotations
 
 import asyncio
 import json
+from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
+import pytest
+from fastapi import FastAPI
+
+from courses.enrolment import arrive
 from service.app import create_app
+from service.course_resources import SESSIONS_KNOWN, now
 from service.settings import Settings
+from tests.courses.classroom import arrival
 
 MANY = 40
 HOSTILE, HONEST = "192.0.2.1", "192.0.2.2"
+CAMPUS = "192.0.2.3"
+SESSION = "/api/v1/session"
+POSE = "/api/v1/forward-kinematics"
+
+
+@pytest.fixture
+def course(tmp_path: Path) -> Iterator[FastAPI]:
+    """A service with storage."""
+    app = create_app(Settings(storage="on", data_folder=tmp_path))
+    yield app
+    app.state.resources.close()
+
+
+def session(app: FastAPI, subject: str) -> str:
+    """The token of a session of a student who has just come."""
+    store = app.state.resources.courses.store
+    return arrive(store, arrival(store, subject), now())[0]
+
+
+def pose(port: int) -> bytes:
+    return json.dumps({"robot": "puma560", "joints": [port / 1000] * 6}).encode()
 
 
 def test_who_sends_one_request_does_not_wait_behind_who_sends_many() -> None:
@@ -18,9 +47,7 @@ def test_who_sends_one_request_does_not_wait_behind_who_sends_many() -> None:
     answered: list[str] = []
 
     async def ask(address: str, port: int) -> None:
-        body = json.dumps({"robot": "puma560", "joints": [port / 1000] * 6}).encode()
-        status = await asked(app, (address, port), body)
-        assert status == 200
+        assert await asked(app, (address, port), POSE, pose(port)) == 200
         answered.append(address)
 
     async def scene() -> None:
@@ -38,22 +65,62 @@ def test_who_sends_one_request_does_not_wait_behind_who_sends_many() -> None:
     assert len(answered) == MANY + 1
 
 
-async def asked(app: Any, client: tuple[str, int], body: bytes) -> int:
+def test_a_student_waits_for_nobody_else_behind_the_same_address(course: FastAPI) -> None:
+    """Not for strangers who make up sessions, nor twice for another student who has two."""
+    one, other, quiet = session(course, "busy"), session(course, "busy"), session(course, "quiet")
+    answered: list[str] = []
+
+    async def ask(token: str, port: int) -> None:
+        assert await asked(course, (CAMPUS, port), POSE, pose(port), token) == 200
+        answered.append(token)
+
+    async def scene() -> None:
+        for token in (one, other, quiet):
+            assert await asked(course, (CAMPUS, 1), SESSION, b"", token) == 200
+        assert await asked(course, (CAMPUS, 1), SESSION, b"", "made up") == 401
+        strangers = [asyncio.create_task(ask(f"made up {n}", 100 + n)) for n in range(MANY)]
+        busy = [asyncio.create_task(ask((one, other)[n % 2], 200 + n)) for n in range(MANY)]
+        await asyncio.gather(*strangers, *busy, ask(quiet, 300))
+
+    asyncio.run(scene())
+    assert answered.index(quiet) <= 2  # after one request of each other client
+    assert len(answered) == 2 * MANY + 1
+
+
+def test_remembered_sessions_are_bounded(course: FastAPI) -> None:
+    courses = course.state.resources.courses
+
+    async def scene() -> None:
+        first, second = session(course, "first"), session(course, "second")
+        await courses.signed_in(first)
+        for n in range(SESSIONS_KNOWN - 1):
+            courses._people[str(n)] = courses.person(f"Bearer {first}")
+        await courses.signed_in(second)
+        assert len(courses._people) == SESSIONS_KNOWN
+        assert courses.person(f"bearer {second}") is not None
+        assert courses.person(f"Basic {second}") is courses.person(f"Bearer {first}") is None
+
+    asyncio.run(scene())
+
+
+async def asked(app: Any, client: tuple[str, int], path: str, body: bytes, token: str | None = None) -> int:
     """Send a request from an address; return the status of its answer."""
     statuses: list[int] = []
     scope = {
         "type": "http",
         "asgi": {"version": "3.0"},
         "http_version": "1.1",
-        "method": "POST",
+        "method": "POST" if body else "GET",
         "scheme": "http",
-        "path": "/api/v1/forward-kinematics",
+        "path": path,
         "query_string": b"",
         "root_path": "",
         "client": client,
         "server": ("test", 80),
         "headers": [(b"host", b"test"), (b"content-type", b"application/json")],
     }
+    if token is not None:
+        scope["headers"].append((b"authorization", b"Bearer " + token.encode()))
 
     async def receive() -> dict[str, Any]:
         return {"type": "http.request", "body": body, "more_body": False}
