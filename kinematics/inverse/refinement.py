@@ -11,6 +11,7 @@ from kinematics.inverse.closed_form import NEARLY
 from kinematics.inverse.families import weighing_alike
 from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.search import polish
+from kinematics.inverse.valleys import across_folds
 from kinematics.se3 import Transform
 
 AS_IT_IS = 1e-13
@@ -21,9 +22,6 @@ BESIDE = 32.0
 """At a fold a target may be out of reach by what a turn of one tolerance makes of the arm's size: candidates
 that are off by so many tolerances [rad, and parts of the size] are refined by distance and angle alike, and
 across what the Jacobian does not see."""
-
-ROUNDS = 4
-"""Gauss–Newton steps across a fold; they converge quadratically from the root of a tolerance."""
 
 
 def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: float) -> Array:
@@ -58,27 +56,6 @@ def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: floa
             q[beside] = polish(alike, target, start[beside])
             reached = are_solutions(errors_of(arm, arm.frames(q)[-1], target), arm, tolerance)
         left = beside & ~reached
-        q[left] = _across_folds(alike, target, start[left], math.sqrt(tolerance))
+        q[left] = across_folds(alike, target, start[left], math.sqrt(tolerance))
         reached = are_solutions(errors_of(arm, arm.frames(q)[-1], target), arm, tolerance)
     return np.asarray(q[reached])
-
-
-def _across_folds(arm: Arm, target: Transform, q: Array, least: float) -> Array:
-    """The nearest poses beside configurations at folds, reached by steps in the directions that count.
-
-    What is out of reach there is so for every configuration near; a step that is to make up for it, as
-    `polish` takes one, leads away along the fold.
-
-    Args:
-        arm: the arm.
-        target: (4, 4).
-        q: (m, n).
-        least: singular value of the Jacobian up to which a direction does not count.
-    """
-    x = q / arm.units
-    for _ in range(ROUNDS):
-        frames = arm.frames(x * arm.units)
-        U, values, Vt = np.linalg.svd(arm.jacobians(frames) * arm.units, full_matrices=False)
-        inverse = np.where(values > least, 1.0 / np.maximum(values, least), 0.0)
-        x = x + np.einsum("mkn,mk,mik,mi->mn", Vt, inverse, U, errors_of(arm, frames[-1], target))
-    return np.asarray(x * arm.units)

@@ -10,12 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from itertools import islice
+from itertools import chain, islice
 
 import numpy as np
 
 from kinematics.forward import end_pose
-from kinematics.inverse.components import belongs, components_of
+from kinematics.inverse.components import Component, belongs, components_of
 from kinematics.inverse.distinct import differences
 from kinematics.inverse.families import FamilyPath, Follower, nearest_on
 from kinematics.inverse.goals import Goal, read_goal
@@ -106,8 +106,8 @@ def run(name: str, table: DHTable, poses: int, tried: int, seed: int = 1) -> Tal
     tally = Tally()
     for k, (q, pose, tolerance) in enumerate(islice(questions(table, solver, seed), poses)):
         tally.poses += 1
-        goal = read_goal(pose, tolerance, where=())
         answer = solver.solve(pose, tolerance)
+        goal = read_goal(pose, tolerance, where=())._replace(tolerance=answer.tolerance)
         isolated = [s.joints for s in answer.solutions if s.family is None]
         if len(isolated) > most_isolated(solver):
             tally.faults.append(("too many", name, k))
@@ -144,12 +144,16 @@ def is_among(solver: Solver, goal: Goal, q: np.ndarray, known: np.ndarray) -> bo
             return True
         if np.abs(apart).max() <= 0.5 and follower.joined(x, x + apart):
             return True
-    for component in components_of(arm, goal.pose, known, goal.tolerance):
-        if any(_is_on(follower, goal, q, path) for path in component.paths):
-            return True
-        if belongs(arm, goal.pose, component, q, 2.0 * goal.tolerance):
-            return True
-    return False
+    together = components_of(arm, goal.pose, known, goal.tolerance)
+    nearest = known[np.argsort(np.abs(differences(known, q, arm)).max(axis=1), kind="stable")]
+    each = (one for s in nearest for one in components_of(arm, goal.pose, s[None], goal.tolerance))
+    return any(_holds(follower, goal, q, component) for component in chain(together, each))
+
+
+def _holds(follower: Follower, goal: Goal, q: np.ndarray, component: Component) -> bool:
+    if any(_is_on(follower, goal, q, path) for path in component.paths):
+        return True
+    return belongs(follower.arm, goal.pose, component, q, 2.0 * goal.tolerance)
 
 
 def _is_on_a_family(solver: Solver, goal: Goal, q: np.ndarray, answer: InverseKinematics) -> bool:

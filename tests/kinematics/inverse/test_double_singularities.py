@@ -110,3 +110,14 @@ def test_families_leave_where_the_jacobian_stays_blind():
     free = tangents(follower, x, blind, follower.lost)
     wrist = np.array((0, 0, 0, 1, 0, -1)) / math.sqrt(2.0)
     assert max(abs(float(direction @ wrist)) for direction in free) > 0.999
+
+
+@pytest.mark.parametrize("seed", [0, 2])
+def test_a_stretched_elbow_of_seven_joints_is_found_with_the_wrist_either_way(seed):
+    """A Gen3 at the end of its reach: its offsets leave each family a point, all but level along q_3."""
+    q = np.random.default_rng(seed).uniform(-3.0, 3.0, 7)
+    q[2:5] = 0.0, 0.0, math.pi
+    solver, goal, answer = asked("catalogue gen3", q)
+    goal = goal._replace(tolerance=answer.tolerance)
+    assert holds(solver, goal, answer, q)
+    assert len({s.joints[5] > 0.0 for s in answer.solutions}) == 2

@@ -1,0 +1,92 @@
+"""Folds that a target only just reaches: the least errors along what the Jacobian hardly sees.
+
+Source: J. Nocedal, S. J. Wright, Numerical optimization (2006) §10.3, the full Newton method for least
+squares: beside a fold what the Gauss–Newton method leaves out is what counts.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.residuals import errors_of
+
+STEPS = 30
+"""Newton steps along a valley: where the error grows with the square of the way, each leaves two thirds."""
+
+STEEP = 1e-2
+"""Singular values above this are those of directions across a valley."""
+
+ACROSS = 4
+"""Gauss–Newton steps across a fold; they converge quadratically from the root of a tolerance."""
+
+A_LITTLE = 1e-5
+"""Step [rad, or parts of the size] of difference quotients of the Jacobian."""
+
+FLATTEST = 1e-14
+"""Part of the greatest curvature of the squared error up to which a direction is level: rounding."""
+
+LONGEST = 0.3
+"""Longest step [rad, or parts of the size]."""
+
+
+def along_valleys(arm: Arm, target: Array, joints: Array) -> Array:
+    """The least errors near configurations, by Newton's method with the second derivatives of the error.
+
+    Where a fold is a single point that its target only just reaches, the error grows with the square of the
+    way in two directions, in one of them thousands of times less: steps by the Jacobian alone go to and fro.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        joints: (m, n) whose errors are small.
+    """
+    x = across_folds(arm, target, joints, STEEP) / arm.units
+    e, J = _seen(arm, target, x)
+    sides = A_LITTLE * np.eye(x.shape[1])
+    for _ in range(STEPS):
+        changes = [_seen(arm, target, x + side)[1] - _seen(arm, target, x - side)[1] for side in sides]
+        bends = np.stack([np.einsum("mij,mi->mj", dJ, e) for dJ in changes], axis=1) / (2.0 * A_LITTLE)
+        H = J.transpose(0, 2, 1) @ J - 0.5 * (bends + bends.transpose(0, 2, 1))
+        values, V = np.linalg.eigh(H)
+        along = np.einsum("mik,mij,mj->mk", V, J.transpose(0, 2, 1), e)
+        values = np.abs(values)
+        counts = values > FLATTEST * values.max(axis=1, keepdims=True)
+        step = np.einsum("mik,mk->mi", V, np.where(counts, along / np.where(counts, values, 1.0), 0.0))
+        length = np.linalg.norm(step, axis=1)
+        tried = x + step * np.minimum(1.0, LONGEST / np.maximum(length, 1e-300))[:, None]
+        tried = across_folds(arm, target, tried * arm.units, STEEP) / arm.units
+        new_e, new_J = _seen(arm, target, tried)
+        better = (new_e * new_e).sum(axis=1) < (e * e).sum(axis=1)
+        if not better.any():
+            break
+        x, e = np.where(better[:, None], tried, x), np.where(better[:, None], new_e, e)
+        J = np.where(better[:, None, None], new_J, J)
+    return np.asarray(x * arm.units)
+
+
+def across_folds(arm: Arm, target: Array, q: Array, least: float) -> Array:
+    """The nearest poses beside configurations at folds, reached by steps in the directions that count.
+
+    What is out of reach there is so for every configuration near; a step that is to make up for it, as
+    `polish` takes one, leads away along the fold.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        q: (m, n).
+        least: singular value of the Jacobian up to which a direction does not count.
+    """
+    x = q / arm.units
+    for _ in range(ACROSS):
+        e, J = _seen(arm, target, x)
+        U, values, Vt = np.linalg.svd(J, full_matrices=False)
+        inverse = np.where(values > least, 1.0 / np.maximum(values, least), 0.0)
+        x = x + np.einsum("mkn,mk,mik,mi->mn", Vt, inverse, U, e)
+    return np.asarray(x * arm.units)
+
+
+def _seen(arm: Arm, target: Array, x: Array) -> tuple[Array, Array]:
+    """Error vectors and Jacobians at x, (m, n) in units."""
+    frames = arm.frames(x * arm.units)
+    return errors_of(arm, frames[-1], target), arm.jacobians(frames) * arm.units
