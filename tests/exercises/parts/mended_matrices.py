@@ -1,18 +1,10 @@
-"""Matrices with a planted mistake, and what students make of them, written by the textbook's formulas.
-
-    python -m tests.exercises.parts.mended_matrices 10000
-
-judges so many right and so many wrong repairs, and prints how long it took.
-"""
+"""Matrices with a planted mistake, and what students make of them, written by the textbook's formulas."""
 
 from __future__ import annotations
 
 import random
-import sys
-import time
 from collections.abc import Iterator
 from dataclasses import dataclass
-from statistics import median
 
 from exercises.instance import Instance, generate
 from exercises.parts.context import Context
@@ -140,23 +132,3 @@ def cases(count: int, seed: int) -> Iterator[tuple[Student, Rows, bool]]:
             spoilt = [f"{rows[r][c]} + 0.05", f"{rows[r][c]} - sin(q1)/9", f"1.2*({rows[r][c]}) + 1/7"]
             rows[r][c] = rng.choice(spoilt)
         yield found, rows, not k % 2
-
-
-def main(count: int) -> None:
-    """Judge as many, and tell."""
-    refused = accepted = 0
-    times: dict[bool, list[float]] = {True: [], False: []}
-    for found, rows, right in cases(2 * count, 1):
-        raw = FoundMatrixMistakeCells(mended_matrix=tuple(tuple(row) for row in rows))
-        start = time.process_time()
-        report = found.judged(raw)
-        times[right].append(time.process_time() - start)
-        good = any(fact.where == ("mended_matrix",) and fact.finding == "ok" for fact in report.facts)
-        refused += right and not good
-        accepted += not right and good
-    told = ", ".join(f"{'right' if k else 'wrong'} {1e3 * median(v):.2f} ms" for k, v in times.items())
-    print(f"{count} right, {refused} refused; {count} wrong, {accepted} accepted; {told}")
-
-
-if __name__ == "__main__":
-    main(int(sys.argv[1]))

@@ -7,18 +7,13 @@ A wrong one leaves the row as it was, or adds to a length or an angle of the key
 from __future__ import annotations
 
 import random
-import statistics
-import sys
-import time
 from dataclasses import replace
 from fractions import Fraction
 
-from exercises.answers import RawAnswer, parse
 from exercises.definition import Exercise
-from exercises.grader import grade
 from exercises.grading import Policy, ToolRule
-from exercises.instance import Instance, generate
-from exercises.parts.find_mistake import PART, FindMistakePart, FoundMistakeCells
+from exercises.instance import Instance
+from exercises.parts.find_mistake import FindMistakePart, FoundMistakeCells
 from exercises.parts.given_table import columns_of
 from exercises.parts.planting import PLANTABLE, Planted
 from exercises.written_table import written_table
@@ -62,29 +57,3 @@ def answer(planted: Planted, instance: Instance, rng: random.Random) -> tuple[bo
         spoilt[k] = f"{mended[k]} + {0.237 if name == 'a' else 23}"
         mended = (spoilt[0], spoilt[1], spoilt[2], spoilt[3])
     return right, FoundMistakeCells(row=planted.row + 1, name=planted.code, mended=mended)
-
-
-def campaign(count: int, seed: int = 1) -> tuple[int, int, list[str], float]:
-    """Judge so many repairs; right, wrong, the misjudged, and the median time [ms] of judging one."""
-    rng = random.Random(seed)
-    right = wrong = 0
-    misjudged: list[str] = []
-    times: list[float] = []
-    for i in range(count):
-        instance = generate(asked(rng.choice(ROBOTS)), str(i))
-        planted: Planted = instance.drawn[PART.kind]
-        expected, raw = answer(planted, instance, rng)
-        start = time.perf_counter()
-        report = grade(instance, parse(instance, RawAnswer(find_mistake=raw)))
-        times.append(1e3 * (time.perf_counter() - start))
-        right += expected
-        wrong += not expected
-        mended = next(fact for fact in report.parts[0].facts if fact.where == ("mended",))
-        if (mended.finding.value == "ok") != expected:
-            misjudged.append(f"{instance.exercise.id} {i}: {planted.code} {raw}")
-    return right, wrong, misjudged, statistics.median(times)
-
-
-if __name__ == "__main__":
-    amount = int(sys.argv[1]) if len(sys.argv) > 1 else 100
-    print("right, wrong, misjudged, median ms:", campaign(amount))

@@ -15,7 +15,7 @@ from exercises.parts.find_mistake import PART, FoundMistakeCells
 from exercises.parts.planting import Planted
 from exercises.selftest.answers import context_of
 from tests.exercises.packaged import exercise
-from tests.exercises.parts.planted_tables import asked, campaign
+from tests.exercises.parts.planted_tables import asked
 
 
 def judged(found, seed, **raw):
@@ -26,12 +26,6 @@ def judged(found, seed, **raw):
 def right(found, seed):
     instance = generate(found, seed)
     return PART.right(found.parts[0], context_of(instance, found.reference))
-
-
-def test_repairs_are_judged_by_what_they_make() -> None:
-    good, bad, misjudged, _ = campaign(25)
-    assert min(good, bad) >= 8
-    assert misjudged == []
 
 
 @pytest.mark.parametrize("name", ["scorbot", "puma560", "kr125"])

@@ -1,23 +1,15 @@
-"""Jacobians as functions, and what is wrong about them: made from products of DH matrices by SymPy.
-
-    python -m tests.kinematics.answers.jacobian_forms 10000
-
-judges so many right and so many wrong ones, and prints how long it took.
-"""
+"""Jacobians as functions, and what is wrong about them: made from products of DH matrices by SymPy."""
 
 from __future__ import annotations
 
 import random
-import sys
-import time
 from collections.abc import Iterator
 from functools import cache
-from statistics import median
 
 import sympy as sp
 
 from kinematics import catalogue
-from kinematics.answers.jacobian_forms import FormRobot, judge_jacobian_form
+from kinematics.answers.jacobian_forms import FormRobot
 from kinematics.cells import ParameterKind
 from kinematics.expressions import Expression, evaluate
 from kinematics.jacobian import JacobianFrame
@@ -131,21 +123,3 @@ def cases(count: int, seed: int) -> Iterator[tuple[FormRobot, list[list[Expressi
             r, c = rng.randrange(6), rng.randrange(len(rows[0]))
             rows[r][c] = from_sympy(spoilt(symbols[r, c], name, rng))
         yield robot(name), rows, frame, not k % 2
-
-
-def main(count: int) -> None:
-    """Judge as many, and tell."""
-    refused = accepted = 0
-    times: dict[bool, list[float]] = {True: [], False: []}
-    for found, rows, frame, right in cases(2 * count, 1):
-        start = time.process_time()
-        verdict = judge_jacobian_form(found, rows, frame, 1e-6)
-        times[right].append(time.process_time() - start)
-        refused += right and not verdict.right
-        accepted += not right and verdict.right
-    told = ", ".join(f"{'right' if k else 'wrong'} {1e3 * median(v):.2f} ms" for k, v in times.items())
-    print(f"{count} right, {refused} refused; {count} wrong, {accepted} accepted; {told}")
-
-
-if __name__ == "__main__":
-    main(int(sys.argv[1]))

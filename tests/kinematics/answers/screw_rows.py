@@ -8,18 +8,14 @@ from __future__ import annotations
 
 import math
 import random
-import statistics
-import sys
-import time
-from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.answers.screw_answers import ScrewAnswer, ScrewFrame, judge_screws
+from kinematics.answers.screw_answers import ScrewAnswer, ScrewFrame
 from kinematics.equivalence import Policy, Tolerance, ToolRule
 from kinematics.table import Convention, JointType, NumericTable
-from tests.kinematics.answers.joint_values import product, robot
+from tests.kinematics.answers.joint_values import product
 
 Floats = NDArray[np.float64]
 ROBOTS = ("twolink", "scara", "puma560", "stanford", "rx90", "scorbot")
@@ -52,14 +48,14 @@ def lines(table: NumericTable, joints: list[float]) -> list[tuple[Floats, Floats
     return found
 
 
-def written(table: NumericTable, rng: random.Random) -> ScrewAnswer:
+def written(table: NumericTable, rng: random.Random, tool: Floats | None = None) -> ScrewAnswer:
     """The robot in screws: with some zero, senses, points on the axes, frames, and lengths of sliders."""
     size = sum(abs(row.a) + abs(row.d) for row in table.rows)
     joints = [
         rng.uniform(-3, 3) if kind is JointType.REVOLUTE else rng.uniform(0.1, 0.5)
         for kind in table.joint_types
     ]
-    base, tool = motion(rng, size), motion(rng, size)
+    base, tool = motion(rng, size), motion(rng, size) if tool is None else tool
     rotation, shift = base[:3, :3], base[:3, 3]
     rows = []
     for (direction, point), kind in zip(lines(table, joints), table.joint_types, strict=True):
@@ -97,31 +93,3 @@ def spoilt(answer: ScrewAnswer, table: NumericTable, rng: random.Random) -> Scre
     else:
         rows[i] *= 1.5
     return ScrewAnswer(screws=rows, home=answer.home, frame=answer.frame)
-
-
-def cases(rng: random.Random) -> Iterator[tuple[NumericTable, bool, ScrewAnswer]]:
-    """One robot, rightly written and spoilt."""
-    table = robot(rng.choice(ROBOTS[1:]))
-    answer = written(table, rng)
-    yield table, True, answer
-    yield table, False, spoilt(answer, table, rng)
-
-
-def campaign(count: int, seed: int = 1) -> tuple[int, int, int, tuple[float, float]]:
-    """Judge so many robots; right, refused, accepted, median times [ms] of right and wrong answers."""
-    rng = random.Random(seed)
-    refused = accepted = 0
-    times: dict[bool, list[float]] = {True: [], False: []}
-    for _ in range(count):
-        for table, right, answer in cases(rng):
-            start = time.perf_counter()
-            verdict = judge_screws(table, answer, POLICY)
-            times[right].append(1e3 * (time.perf_counter() - start))
-            refused += right and not verdict.right
-            accepted += verdict.right and not right
-    return count, refused, accepted, (statistics.median(times[True]), statistics.median(times[False]))
-
-
-if __name__ == "__main__":
-    amount = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
-    print("right and wrong, refused, accepted, median ms:", campaign(amount))

@@ -1,23 +1,17 @@
 """Conditions for singularities, right and wrong, and an oracle that knows none of our decisions.
 
-    python -m tests.kinematics.answers.singular_sets 10000
-
-judges so many right and so many wrong answers, and prints how long it took. What is right is known from the
+What is right is known from the
 textbooks' determinants, written down here; that these are right is tested by differences of DH products.
 """
 
 from __future__ import annotations
 
 import random
-import sys
-import time
 from collections.abc import Iterator
-from statistics import median
 
 from exercises.parts.conditions import read_conditions
 from kinematics import catalogue
 from kinematics.answers.singular_arms import SingularArm, arm_of
-from kinematics.answers.singularity_answers import judge_singularities
 from kinematics.cells import AngleUnit
 from kinematics.errors import Fault
 from kinematics.expressions import Expression
@@ -141,26 +135,3 @@ def cases(count: int, seed: int) -> Iterator[tuple[str, SingularArm, list[str], 
         factors = TEXTBOOK[name, rows]
         texts = wrong_answer(factors, rng) if k % 2 else right_answer(factors, rng)
         yield name, arm(name, rows), texts, not k % 2
-
-
-def main(count: int) -> None:
-    """Judge as many, and tell."""
-    bad: dict[bool, list[list[str]]] = {True: [], False: []}
-    times: dict[bool, list[float]] = {True: [], False: []}
-    for name, rows in ARMS:
-        _ = arm(name, rows).families
-    for name, found, texts, right in cases(2 * count, 1):
-        start = time.process_time()
-        functions = [function for text in texts for function in read(name, text)]
-        verdict = judge_singularities(found, functions)
-        times[right].append(time.process_time() - start)
-        if verdict.right is not right:
-            bad[right].append([name, *texts])
-    told = ", ".join(f"{'right' if k else 'wrong'} {1e3 * median(v):.2f} ms" for k, v in times.items())
-    print(f"{count} right, {len(bad[True])} refused; {count} wrong, {len(bad[False])} accepted; {told}")
-    for entry in [*bad[True][:5], *bad[False][:5]]:
-        print(entry)
-
-
-if __name__ == "__main__":
-    main(int(sys.argv[1]))

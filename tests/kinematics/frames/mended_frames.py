@@ -1,11 +1,7 @@
-"""Frames spoilt and mended, judged by the matrices of the rows that would follow from them, not by any rule.
-
-python -m tests.kinematics.frames.mended_frames 10000     right ones refused, wrong ones accepted
-"""
+"""Frames spoilt and mended, judged by the matrices of the rows that would follow, not by any rule."""
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -111,16 +107,3 @@ def _frame(origin: np.ndarray, x: np.ndarray, z: np.ndarray) -> DrawnFrame:
 
 def _vector(column: np.ndarray) -> tuple[float, float, float]:
     return float(column[0]), float(column[1]), float(column[2])
-
-
-def main() -> None:
-    """Count what is judged otherwise than the rows say."""
-    found = list(cases(int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 0))
-    right = sum(truth for _, truth in found)
-    refused = sum(truth and not said for said, truth in found)
-    accepted = sum(said and not truth for said, truth in found)
-    sys.stdout.write(f"right {right}, refused {refused}; wrong {len(found) - right}, accepted {accepted}\n")
-
-
-if __name__ == "__main__":
-    main()

@@ -14,14 +14,7 @@ from kinematics.frames.wrong_frames import (
     right_handed,
 )
 from kinematics.table import Convention
-from tests.kinematics.frames.mended_frames import cases
 from tests.kinematics.frames.test_assignment import PUMA
-
-
-def test_frames_are_mended_by_what_gives_the_rows_of_a_table() -> None:
-    found = list(cases(600, 1))
-    assert [said for said, _ in found] == [truth for _, truth in found]
-    assert 100 < sum(truth for _, truth in found) < len(found) - 100
 
 
 @pytest.mark.parametrize("convention", list(Convention))

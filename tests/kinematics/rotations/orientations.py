@@ -9,9 +9,6 @@ from __future__ import annotations
 
 import math
 import random
-import statistics
-import sys
-import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
@@ -79,17 +76,17 @@ def cases(rng: random.Random) -> Iterator[Case]:
     if special > 0.85:  # gimbal lock
         middle = rng.choice([0.0, math.pi]) if sequence.proper else rng.choice([0.5, -0.5]) * math.pi
         rotation = made_by(sequence, (rng.uniform(-4, 4), middle, rng.uniform(-4, 4)))
-        axis, angle = _axis_of(rotation)
+        axis, angle = axis_of(rotation)
     expected = matrix3(rotation.tolist())
     tilt = turn(np.array([rng.gauss(0, 1) for _ in range(3)]), rng.uniform(CLEAR, math.pi))
     for right, body in ((True, rotation), (False, rotation @ tilt)):
         yield Case("matrix", right, _matrix(expected, body, rng))
-        k, phi = (axis, angle) if right else _axis_of(body)
+        k, phi = (axis, angle) if right else axis_of(body)
         yield Case("axis", right, _axis(expected, k, phi, rng))
         yield Case("quaternion", right, _quaternion(expected, k, phi, rng))
-        triple = _search(sequence, body)
+        triple = three_angles(sequence, body)
         yield Case("triple", right, _triples(expected, sequence, [triple], rng))
-    yield from _sets(expected, sequence, _search(sequence, rotation), rng)
+    yield from _sets(expected, sequence, three_angles(sequence, rotation), rng)
 
 
 def _sets(
@@ -155,7 +152,7 @@ def _triples(
     return lambda: judge_triples(expected, sequence, given, every=every, tolerance=TOLERANCE)
 
 
-def _axis_of(rotation: Floats) -> tuple[Floats, float]:
+def axis_of(rotation: Floats) -> tuple[Floats, float]:
     """Axis and angle from the eigenvector of 1; of no rotation any axis."""
     values, vectors = np.linalg.eig(rotation)
     axis = np.real(vectors[:, int(np.argmin(np.abs(values - 1)))])
@@ -164,7 +161,7 @@ def _axis_of(rotation: Floats) -> tuple[Floats, float]:
     return axis, math.atan2(float(np.cross(across, turned) @ axis), float(across @ turned))
 
 
-def _search(sequence: EulerSequence, rotation: Floats) -> tuple[float, ...]:
+def three_angles(sequence: EulerSequence, rotation: Floats) -> tuple[float, ...]:
     """Three angles of a rotation, by what the turns do to single vectors, one turn after the other."""
     order = sequence.axes if sequence.turning is Turning.CURRENT else sequence.axes[::-1]
     i, j, k = (np.eye(3)["XYZ".index(name)] for name in order)
@@ -191,34 +188,3 @@ def _search(sequence: EulerSequence, rotation: Floats) -> tuple[float, ...]:
     found = (a, b, c) if sequence.turning is Turning.CURRENT else (c, b, a)
     assert apart(made_by(sequence, found), rotation) < 1e-6, (sequence, found)
     return found
-
-
-def campaign(count: int, seed: int = 1) -> tuple[int, int, int, int]:
-    """Judge so many orientations; how many answers were right, wrong, wrongly refused, wrongly accepted."""
-    rng = random.Random(seed)
-    right = wrong = refused = accepted = 0
-    for _ in range(count):
-        for case in cases(rng):
-            verdict = case.judge()
-            right += case.right
-            wrong += not case.right
-            refused += case.right and not verdict.right
-            accepted += verdict.right and not case.right
-    return right, wrong, refused, accepted
-
-
-def timing(count: int, seed: int = 2) -> tuple[float, float]:
-    """Median times [ms] of deciding a right and a wrong answer."""
-    times: dict[bool, list[float]] = {True: [], False: []}
-    rng = random.Random(seed)
-    for _ in range(count):
-        for case in cases(rng):
-            start = time.perf_counter()
-            case.judge()
-            times[case.right].append(1e3 * (time.perf_counter() - start))
-    return statistics.median(times[True]), statistics.median(times[False])
-
-
-if __name__ == "__main__":
-    amount = int(sys.argv[1]) if len(sys.argv) > 1 else 10_000
-    print("right, wrong, refused, accepted:", campaign(amount), "median ms right, wrong:", timing(1000))
