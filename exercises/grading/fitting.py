@@ -64,7 +64,7 @@ def measured(
     """(q, k) the invariants of tables in which some cells are changed, as their axes point."""
     invariants = work.invariants
     rows = max(len(table.rows) for table in tables)
-    work.meter.charge(per_batch(len(variations), rows + len(invariants.shapes)))
+    work.meter.charge(per_batch(len(variations), rows, len(invariants.shapes)))
     return invariants.measured(axes_of_tables(tables, variations, work.policy))
 
 

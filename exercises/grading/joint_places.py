@@ -29,7 +29,7 @@ def joint_places(works: Sequence[Work]) -> list[tuple[int, int]]:
     work = works[0]
     invariants = work.invariants
     rows = max(len(work.table.rows) for work in works)
-    work.meter.charge(per_batch(2 * len(works), rows + len(invariants.shapes)))
+    work.meter.charge(per_batch(2 * len(works), rows, len(invariants.shapes)))
     tables = [work.table for work in works]
     axes = axes_of_tables(tables, [(number, ()) for number in range(len(works))], work.policy)
     failing = invariants.strains(invariants.measured(_counted_from_both_ends(axes, excess))) > 1.0

@@ -16,11 +16,15 @@ PER_DESCENT = 3000
 PER_BATCH = 400
 PER_TABLE = 4
 ROWS_TOGETHER = 16
+# No robot needs more rows. Arrays of longer tables outgrow the processor's cache, and every row has edits.
+MOST_ROWS_OF_A_ROBOT = 16
+FURTHER_ROWS_TOGETHER = 2
 
 
-def per_batch(tables: int, rows: int) -> int:
+def per_batch(tables: int, rows: int, invariants: int) -> int:
     """What it costs to try tables all at once, with so many rows and invariants each."""
-    return PER_BATCH + tables * PER_TABLE + tables * rows // ROWS_TOGETHER
+    further = max(rows - MOST_ROWS_OF_A_ROBOT, 0) // FURTHER_ROWS_TOGETHER
+    return PER_BATCH + tables * (PER_TABLE + further) + tables * (rows + invariants) // ROWS_TOGETHER
 
 
 class WorkExhaustedError(Exception):

@@ -57,6 +57,9 @@ CLOSE = 1.03
 # A share of the largest curvature: directions that change the errors a thousand times less follow the
 # rounding.
 DAMPING = 1e-6
+# Where nothing was rounded: axes that are parallel but for 1e-4 change the errors ten thousand times less.
+EXACT_DAMPING = 1e-13
+UNROUNDED = 1e-7
 # [rad], and a share of the robot: beyond it the errors are no linear function.
 LONGEST_STEP = 0.5
 
@@ -103,6 +106,7 @@ def refine(
         lengths_too * tool_twists,
         offsets_free,
         meter,
+        EXACT_DAMPING if max(tolerance.length, tolerance.angle) < UNROUNDED else DAMPING,
     )
     settled = _settled(problem, candidate)
     return None if settled is None else _brought_down(problem, settled)
@@ -161,11 +165,13 @@ class Model:
         errors: (samples·2, 3) rotation and displacement that are still to be made up for.
         jacobian: (samples·6, m) how much of that a step makes up for.
         found: the largest errors.
+        damping: a share of the largest curvature: directions below it are not followed.
     """
 
     errors: Matrix
     jacobian: Matrix
     found: Residual
+    damping: float
 
     def curvature(self, tolerance: Tolerance) -> float:
         """How far the linear function may be off, in units of the tolerance."""
@@ -192,7 +198,7 @@ class Model:
             root = np.repeat(np.sqrt(weights), 3)
             a, b = a * root[:, None], b * root
         normal = a.T @ a
-        damping = DAMPING * (normal.diagonal().max() + 1e-300)
+        damping = self.damping * (normal.diagonal().max() + 1e-300)
         step = np.linalg.solve(normal + damping * np.eye(normal.shape[0]), a.T @ b)
         return np.asarray(step * min(1.0, LONGEST_STEP / (np.abs(step).max() + 1e-300)), dtype=np.float64)
 
@@ -229,6 +235,7 @@ class RefinementProblem:
     tool_twists: Matrix
     offsets_free: bool
     meter: Meter | None = None
+    damping: float = DAMPING
 
     @property
     def joint_scales(self) -> Matrix:
@@ -258,6 +265,7 @@ class RefinementProblem:
             errors=errors.reshape(-1, 3),
             jacobian=jacobian.reshape(jacobian.shape[0] * jacobian.shape[1], jacobian.shape[2]),
             found=largest(left - right, size),
+            damping=self.damping,
         )
 
     def with_columns(self, model: Model, columns: Sequence[Matrix]) -> Model:

@@ -8,26 +8,26 @@ from fractions import Fraction
 from functools import cache
 from random import Random
 
-from exercises.grading import (
-    BaseRule,
-    DirectionRule,
-    HelpLevel,
-    Policy,
-    ToolRule,
-    ZeroRule,
-    accept,
-    grade,
-)
+from exercises.grading import HelpLevel, Policy, ToolRule, accept, grade
 from exercises.selftest.variants import some_lengths, variant
 from kinematics.catalogue import robots
 from kinematics.cells import RawRow, RawTable, ReadTable, read_table
 from kinematics.equivalence import decide, rounding_tolerance
 from kinematics.expressions import ZERO, Expression, Number, Parameter, multiply, pi_times
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable, SymbolicTable, bind
+from tests.exercises.grading.campaign import lost_explanations
 from tests.exercises.grading.written import written
-from tests.kinematics.equivalence.campaign import EXACT, TABLES_PER_BLOCK, Outcome, catalogue, references
+from tests.kinematics.equivalence.campaign import (
+    EXACT,
+    TABLES_PER_BLOCK,
+    Outcome,
+    catalogue,
+    random_rules,
+    references,
+)
 from tests.kinematics.equivalence.generators import random_valid_table
 from tests.kinematics.equivalence.mutations import mutations
+from tests.kinematics.equivalence.strict_generator import strict_table
 
 SEEDS = 20
 LONGEST = 10.0
@@ -41,16 +41,6 @@ SIX_JOINTS = 6
 def symbolic_robots() -> list[tuple[str, ReadTable, dict[str, float]]]:
     """The robots of the catalogue with their names, and the values of these."""
     return [(robot.id, robot.table, dict(robot.parameters)) for robot in robots()]
-
-
-def random_policy(rng: Random) -> Policy:
-    """Any rules together."""
-    return Policy(
-        base=rng.choice(list(BaseRule)),
-        tool=rng.choice(list(ToolRule)),
-        zero=rng.choice(list(ZeroRule)),
-        direction=rng.choice(list(DirectionRule)),
-    )
 
 
 def slanted_robot(rng: Random) -> SymbolicTable:
@@ -97,9 +87,12 @@ def rounded_answers(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
     while outcome.tables < tables:
         name, read, values = rng.choice(symbolic_robots())
         key = read.table if rng.random() < 0.4 else slanted_robot(rng)
-        policy, decimals = random_policy(rng), rng.choice((3, 4, 5))
+        policy, decimals = random_rules(rng), rng.choice((3, 4, 5))
         reference = bind(key, values)
-        table = bind(variant(key, policy, some_lengths(key, 0.3), rng), values)
+        if rng.random() < 0.5:
+            table = strict_table(reference, policy, rng)
+        else:
+            table = bind(variant(key, policy, some_lengths(key, 0.3), rng), values)
         if max(abs(x) for row in (*table.rows, *reference.rows) for x in (row.a, row.d)) > LONGEST:
             continue
         step = 10.0**-decimals
@@ -188,16 +181,18 @@ def hostile_answers(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
             table = rng.choice(made).table if made else table
         if rng.random() < 0.3:
             table = DHTable(convention=table.convention, rows=(*table.rows, *_junk(len(table.rows), rng)))
-        policy = random_policy(rng) if rng.random() < 0.5 else Policy()
+        policy = random_rules(rng) if rng.random() < 0.5 else Policy()
         key, answer = written(reference), written(table)
         outcome.tables += 1
         place = f"{name}, block {block}, table {outcome.tables}"
         start = time.process_time()
-        try:
-            outcome.accepted += grade(key, answer, policy).correct
-        except Exception as error:
-            outcome.failures.append(f"raises {error!r}: {place}")
+        with lost_explanations() as lost:
+            try:
+                outcome.accepted += grade(key, answer, policy).correct
+            except Exception as error:
+                outcome.failures.append(f"raises {error!r}: {place}")
         seconds = time.process_time() - start
+        outcome.failures += [f"explanation lost, {what}: {place}" for what in lost]
         outcome.residual = max(outcome.residual, seconds)
         outcome.kinds["up to 0.05 s" if seconds <= 0.05 else "up to 0.2 s" if seconds <= 0.2 else "more"] += 1
         if seconds > MOST_SECONDS:
@@ -232,9 +227,10 @@ def accused_rows(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
         table = random_valid_table(reference, rng, dummies=0.0, signed_rows=False, textbook_ends=True)
         made = [mutation for mutation in mutations(table, rng) if mutation.rows]
         mutation = rng.choice(made)
-        verdict = grade(
-            written(reference), written(mutation.table), Policy(tool=ToolRule.FREE), None, HelpLevel.ROW
-        )
+        key, answer, policy = written(reference), written(mutation.table), Policy(tool=ToolRule.FREE)
+        with lost_explanations() as lost:
+            verdict = grade(key, answer, policy, None, HelpLevel.ROW)
+        outcome.failures += [f"explanation lost, {what}: {name}, block {block}" for what in lost]
         if verdict.correct:
             outcome.accepted += 1
             continue

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from exercises.grading import HelpLevel, Policy, grade
+import pytest
+
+from exercises.grading import HelpLevel, Policy, explanation, grade
 from exercises.grading import grade as grading
 from kinematics.equivalence.reference import prepared
 from tests.exercises.grading.answers_campaign import (
@@ -28,7 +30,17 @@ def test_a_wrong_name_gets_one_verdict() -> None:
 
 def test_no_answer_raises() -> None:
     outcome = hostile_answers(0, 12)
-    assert [failure for failure in outcome.failures if failure.startswith("raises")] == []
+    assert [failure for failure in outcome.failures if not failure.startswith("takes")] == []
+
+
+@pytest.mark.logs_errors
+def test_a_lost_explanation_is_a_failure_of_the_campaign(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(_: object) -> None:
+        raise ZeroDivisionError
+
+    monkeypatch.setattr(explanation, "find_repairs", fails)
+    failures = hostile_answers(1, 3).failures
+    assert any(failure.startswith("explanation lost, no repairs: ZeroDivisionError") for failure in failures)
 
 
 def test_the_score_never_rises_with_one_more_mistake() -> None:

@@ -2,16 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from random import Random
 
 import pytest
 
-from exercises.grading import BaseRule, DirectionRule, Policy, Tolerance, ToolRule, ZeroRule, grade
+from exercises.grading import (
+    BaseRule,
+    DirectionRule,
+    Policy,
+    Tolerance,
+    ToolRule,
+    ZeroRule,
+    fitting,
+    grade,
+)
 from exercises.grading.comparison import comparisons
 from exercises.grading.explanation import work_on
 from exercises.grading.repairs import MOST_WORK, find_repairs
+from kinematics.equivalence.batches import AxisBatch, Variation, axes_of_tables
 from kinematics.equivalence.meter import PER_ROUND, Meter, WorkExhaustedError
+from kinematics.table import NumericTable
+from tests.exercises.grading.answers_campaign import hostile_answers
 from tests.exercises.grading.test_grade import KEY, PUMA, USUAL, VALUES, Rows, with_cells
 from tests.exercises.grading.written import read, written
 from tests.kinematics.equivalence.campaign import catalogue
@@ -83,6 +96,19 @@ def test_the_work_of_a_search_is_bounded() -> None:
     work = work_on(way, (KEY, answer), USUAL)
     find_repairs(work)
     assert -PER_ROUND <= work.meter.left < MOST_WORK / 2
+
+
+def test_long_tables_are_tried_less_often(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What an edit of fifty-eight rows costs is counted by the rows that are carried along for it."""
+    carried = []
+
+    def counted(tables: Sequence[NumericTable], variations: Sequence[Variation], policy: Policy) -> AxisBatch:
+        carried.append(len(variations) * max(len(table.rows) for table in tables))
+        return axes_of_tables(tables, variations, policy)
+
+    monkeypatch.setattr(fitting, "axes_of_tables", counted)
+    hostile_answers(25, 2)
+    assert 10**5 < sum(carried) < 10**6
 
 
 @pytest.mark.logs_errors

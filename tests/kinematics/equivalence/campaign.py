@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from random import Random
+
+import numpy as np
 
 from kinematics.catalogue import robots
 from kinematics.equivalence import (
@@ -25,12 +27,21 @@ from kinematics.equivalence import (
     rounding_tolerance,
 )
 from kinematics.equivalence.reference import prepared
-from kinematics.table import NumericTable, bind
-from tests.kinematics.equivalence.evaluation import evaluated
+from kinematics.table import JointType, NumericTable, bind
+from tests.kinematics.equivalence.evaluation import CONFIGURATIONS, evaluated, poses_of
 from tests.kinematics.equivalence.generators import random_robot, random_valid_table, rounded
 from tests.kinematics.equivalence.mutations import mutations
+from tests.kinematics.equivalence.strict_generator import strict_table
 
 EXACT = Tolerance(length=1e-9, angle=1e-9)
+NOTHING = 1e-8
+NOTHING_FREE = Policy(
+    base=BaseRule.FRAME,
+    tool=ToolRule.FRAME,
+    zero=ZeroRule.FIGURE,
+    direction=DirectionRule.FIGURE,
+    tolerance=EXACT,
+)
 RANDOM_ROBOTS = 200
 TABLES_PER_BLOCK = 100
 MUTANTS_PER_TABLE = 10
@@ -126,6 +137,79 @@ def policy_and_choices(reference: NumericTable, rng: Random) -> tuple[Policy, di
         return Policy(**rules, tolerance=EXACT), {"dummies": 0.0, "textbook_ends": True}
     rules = {"zero": ZeroRule.FIGURE, "direction": DirectionRule.FIGURE, "tool": ToolRule.FREE}
     return Policy(**rules, tolerance=EXACT), {"keep_zero": True, "keep_direction": True}
+
+
+def strict_tables(block: int) -> Outcome:
+    """Tables that keep any rules together are accepted, with a certificate that keeps them as well.
+
+    Where the rules leave nothing free, a table with a mistake is accepted exactly if it is the same function
+    of the joint variables, which is seen by evaluating both.
+    """
+    rng = Random(f"strict {block}")
+    known = references()
+    outcome = Outcome()
+    for i in range(TABLES_PER_BLOCK):
+        name, reference = known[(block * TABLES_PER_BLOCK + i) % len(known)]
+        place = f"{name}, block {block}, table {i}"
+        policy = replace(random_rules(rng), tolerance=EXACT)
+        table = strict_table(reference, policy, rng)
+        certificate = decide(reference, table, policy).certificate
+        outcome.tables += 1
+        outcome.kinds[f"base {policy.base.value}, tool {policy.tool.value}"] += 1
+        if certificate is None:
+            outcome.failures.append(f"rejected: {place}: {policy}")
+        else:
+            outcome.accepted += 1
+            outcome.residual = max(outcome.residual, certificate.residual)
+            _confirm(outcome, reference, table, certificate, EXACT, place)
+            broken = rules_broken(certificate, policy, reference)
+            outcome.failures += [f"certificate breaks {rule}: {place}" for rule in broken]
+        drawn = strict_table(reference, NOTHING_FREE, rng)
+        made = [m.table for m in mutations(drawn, rng) if m.table.joint_types == reference.joint_types]
+        if made:
+            wrong = rng.choice(made)
+            same = are_the_same(reference, wrong)
+            if decide(reference, wrong, NOTHING_FREE).accepted is not same:
+                outcome.failures.append(f"accepted is {not same}: {place}, with a mistake and nothing free")
+    return outcome
+
+
+def random_rules(rng: Random) -> Policy:
+    """Any rules together."""
+    return Policy(
+        base=rng.choice(list(BaseRule)),
+        tool=rng.choice(list(ToolRule)),
+        zero=rng.choice(list(ZeroRule)),
+        direction=rng.choice(list(DirectionRule)),
+    )
+
+
+def rules_broken(certificate: Certificate, policy: Policy, reference: NumericTable) -> list[str]:
+    """The rules that a certificate itself shows to be broken."""
+    offsets = [
+        math.remainder(offset, 2 * math.pi) if joint is JointType.REVOLUTE else offset
+        for offset, joint in zip(certificate.joint_offsets, reference.joint_types, strict=True)
+    ]
+    broken = []
+    if policy.zero is ZeroRule.FIGURE and max(map(abs, offsets)) > NOTHING:
+        broken.append("zero")
+    if policy.direction is DirectionRule.FIGURE and min(certificate.joint_signs) < 0:
+        broken.append("direction")
+    if policy.base in (BaseRule.FRAME, BaseRule.ORIGIN) and abs(certificate.base[:3, 3]).max() > NOTHING:
+        broken.append("base")
+    if policy.base is BaseRule.FRAME and abs(certificate.base - np.eye(4)).max() > NOTHING:
+        broken.append("base")
+    if policy.tool in (ToolRule.FRAME, ToolRule.POINT) and abs(certificate.tool[:3, 3]).max() > NOTHING:
+        broken.append("tool")
+    if policy.tool is ToolRule.FRAME and abs(certificate.tool - np.eye(4)).max() > NOTHING:
+        broken.append("tool")
+    return broken
+
+
+def are_the_same(one: NumericTable, other: NumericTable) -> bool:
+    """Whether two tables are the same function of the joint variables."""
+    joints = np.random.default_rng(0).uniform(-math.pi, math.pi, (CONFIGURATIONS, one.n_joints))
+    return bool(np.allclose(poses_of(one, joints), poses_of(other, joints), atol=NOTHING, rtol=0.0))
 
 
 def rounded_tables(block: int) -> Outcome:

@@ -94,7 +94,12 @@ def some_normal(direction: np.ndarray, rng: Random) -> np.ndarray:
 @lru_cache(maxsize=1024)
 def robot_of(table: NumericTable) -> Robot:
     """The joint axes and the last frame of a table at q = 0."""
-    poses = forward_kinematics(table, [0.0] * table.n_joints)
+    return robot_at(table, (0.0,) * table.n_joints)
+
+
+def robot_at(table: NumericTable, values: tuple[float, ...]) -> Robot:
+    """The joint axes and the last frame of a table at a configuration."""
+    poses = forward_kinematics(table, values)
     before = [np.eye(4), *poses.frames]
     joints = []
     for i in table.joint_rows:

@@ -17,6 +17,7 @@ from tests.kinematics.equivalence.campaign import (
     Outcome,
     references,
     rounded_tables,
+    strict_tables,
     valid_tables,
     wrong_tables,
 )
@@ -28,6 +29,14 @@ def test_valid_tables_are_accepted(block: int) -> None:
     outcome = valid_tables(block)
     assert outcome.failures == []
     assert outcome.accepted == outcome.tables
+    assert outcome.residual <= 1e-9
+
+
+@pytest.mark.parametrize("block", range(4))
+def test_tables_that_keep_strict_rules_are_accepted(block: int) -> None:
+    outcome = strict_tables(block)
+    assert outcome.failures == []
+    assert outcome.accepted == outcome.confirmed == outcome.tables
     assert outcome.residual <= 1e-9
 
 
