@@ -72,7 +72,8 @@ async def inverse_kinematics(
     Closed forms: most arms of five and six turning joints with a wrist or parallel axes, arms of up to four
     joints of any kind, and up to three joints of any kind before a wrist. Others, of up to twelve joints, are
     searched from many starts. Every residual is that of the forward kinematics. Unreachable and singular are
-    results. Of many `targets` the answer is `answers`, one for each.
+    results. Of many `targets` the answer is `answers`, one for each; those that the time of a request does
+    not reach to are `unanswered`, and `faults` says so of each.
 
     With `"form": "symbolic"` and no target the answer is the inverse kinematics in symbols, as books print
     it: one joint after another by atan2, with the branch signs and the conditions, and as source code. It is
@@ -85,5 +86,5 @@ async def inverse_kinematics(
         return await answered(request, task, b"inverse" + await request.body(), written_inverse)
     robot = await request.in_turn(partial(resources.robots.prepare, body))
     if body.targets is not None:
-        return await solved_each(body, robot, resources.workers)
+        return await solved_each(body, robot, request)
     return await solved(body, robot, resources.workers)

@@ -36,10 +36,9 @@ from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
 from service.http.languages import language_for
 from service.http.link_guard import switched_off
 from service.http.openapi import problems
-from service.http.problems import Problem, RequestError
+from service.http.problems import RequestError
 from service.http.routing import ApiRequest, api_router
 from service.resources import resources_of
-from service.schemas.base import FaultEntry
 from service.schemas.understanding import (
     Meaning,
     UnderstandAnswer,
@@ -48,6 +47,7 @@ from service.schemas.understanding import (
     UnderstoodRow,
 )
 from service.settings import Settings
+from service.wire.fault_entries import fault_entries
 
 router = api_router("kinematics")
 
@@ -126,7 +126,7 @@ def _understood(
         if read
         else [],
         matrices=matrices,
-        faults=_entries(
+        faults=fault_entries(
             (*(fault.within("table") for fault in faults), *of_matrices), language, settings.fault_limit
         ),
     )
@@ -259,10 +259,3 @@ def _entry(row: SymbolicRow, cell: str, joint: int) -> Expression:
     if cell != holds:
         return offset
     return add((multiply((number(row.sign), JointVariable(joint))), offset))
-
-
-def _entries(faults: tuple[Fault, ...], language: str, limit: int) -> list[FaultEntry]:
-    if not faults:
-        return []
-    document = Problem(status=422, faults=faults).document(language, fault_limit=limit)
-    return [FaultEntry.model_validate(entry, strict=False) for entry in document["errors"]]  # type: ignore[attr-defined]

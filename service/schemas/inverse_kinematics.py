@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from kinematics.inverse.goals import LARGEST_TOLERANCE
 from kinematics.inverse.results import IKStatus, Isolation, Method, UnreachableReason
-from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.base import FaultEntry, Matrix4, Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of, together
 from service.schemas.joint_limits import JointRanges
 from service.schemas.numeric_form import NumericForm
@@ -123,9 +123,9 @@ class Nearest(Wire):
 class TargetAnswer(Wire):
     """What is to be said about one target; unreachable and singular are results."""
 
-    status: IKStatus = Field(
+    status: IKStatus | Literal["unanswered"] = Field(
         description="solved; singular: families of more dimensions than the arm has joints to spare; "
-        "unreachable: none within the limits"
+        "unreachable: none within the limits; unanswered: of many targets one that the time did not reach to"
     )
     complete: bool = Field(description="whether these are all solutions within the limits")
     method: Method = Field(description="closed_form finds all solutions, search as many as it does")
@@ -144,3 +144,6 @@ class InverseKinematicsAnswers(Units):
     """The answers for many targets."""
 
     answers: list[TargetAnswer] = Field(description="one for each target, in their order")
+    faults: list[FaultEntry] = Field(
+        description="of each target that is unanswered: the time of the request was over before its turn"
+    )

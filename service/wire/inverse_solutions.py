@@ -13,9 +13,12 @@ from anyio.to_thread import run_sync
 from kinematics.errors import Fault, JointValueError
 from kinematics.inverse import ArmReach, IKSolution, InverseKinematics, NearestPose, Solver, solver_of
 from kinematics.inverse.goals import read_goal
-from kinematics.inverse.results import Family
+from kinematics.inverse.results import Family, Method
 from kinematics.table import JointType, NumericTable
+from service.http.languages import language_of
+from service.http.routing import ApiRequest
 from service.schemas.inverse_kinematics import (
+    MOST_TARGETS,
     FamilyParameterModel,
     InverseKinematicsAnswer,
     InverseKinematicsAnswers,
@@ -26,12 +29,18 @@ from service.schemas.inverse_kinematics import (
     TargetAnswer,
 )
 from service.schemas.joint_limits import DomainLimits, domain_limits
+from service.wire.fault_entries import fault_entries
 from service.wire.fault_pointers import traced
 from service.wire.pose_matrices import base_and_tool, placed_matrix, pose_matrix
 from service.wire.prepared_robots import PreparedRobot
+from service.work.allotted_time import each_in_time
 from service.work.workers import Lane, Workers
 
 Matrix: TypeAlias = Any
+
+ALLOTTED = 0.8
+"""Part of a task's processor time in which many targets are answered: what is left is for the kernel's own
+time, and for sending."""
 
 
 async def solved(
@@ -52,13 +61,15 @@ async def solved(
 
 
 async def solved_each(
-    request: NumericInverseKinematicsRequest, robot: PreparedRobot, workers: Workers
+    request: NumericInverseKinematicsRequest, robot: PreparedRobot, api: ApiRequest
 ) -> InverseKinematicsAnswers:
     """The joint values that reach each of many targets, all in one worker process.
 
+    Targets that its time does not reach to are unanswered, each with a fault that says so.
+
     Raises:
         KinematicsError: as `solved`, of a target at its place.
-        ServiceError: no place for the task, or it took too long.
+        ServiceError: no place for the task, or not one target was answered in time.
     """
     with traced(request):
         question = _question(request, robot)
@@ -68,13 +79,41 @@ async def solved_each(
         for i, target in enumerate(targets):
             read_goal(target, question.tolerance, where=("targets", i))
         question.solver()
-    answers = await workers.run(Lane.SLOW, _search_each, question, targets)
+    seconds = api.settings.symbolic_seconds
+    answers = await api.resources.workers.run(Lane.SLOW, _search_each, question, targets, ALLOTTED * seconds)
     if question.start is not None:
         answers = [nearest_first(answer, robot, question.start) for answer in answers]
     return InverseKinematicsAnswers(
         angle_unit=robot.read.angle_unit.value,
         length_unit=robot.read.length_unit.value,
-        answers=[TargetAnswer(**_told(answer, robot)) for answer in answers],
+        answers=[
+            *(TargetAnswer(**_told(answer, robot)) for answer in answers),
+            *(_unanswered(target, question.tolerance) for target in targets[len(answers) :]),
+        ],
+        faults=fault_entries(
+            [
+                Fault(
+                    code="target_unanswered",
+                    where=("targets", i),
+                    params={"answered": len(answers), "seconds": round(seconds, 3)},
+                )
+                for i in range(len(answers), len(targets))
+            ],
+            language_of(api),
+            MOST_TARGETS,
+        ),
+    )
+
+
+def _unanswered(target: Matrix, tolerance: float | None) -> TargetAnswer:
+    """What stands in the place of an answer that was not reached in time."""
+    return TargetAnswer(
+        status="unanswered",
+        complete=False,
+        method=Method.SEARCH,
+        solutions=[],
+        outside_limits=0,
+        tolerance=read_goal(target, tolerance, where=()).tolerance,
     )
 
 
@@ -148,10 +187,10 @@ def _search(question: _Question) -> InverseKinematics:
     return question.solver().solve_by_search(question.target, question.tolerance)
 
 
-def _search_each(question: _Question, targets: Sequence[Matrix]) -> list[InverseKinematics]:
-    """What a worker process does for many targets."""
+def _search_each(question: _Question, targets: Sequence[Matrix], seconds: float) -> list[InverseKinematics]:
+    """What a worker process does for many targets: the first ones, as many as the processor time allows."""
     solver = question.solver()
-    return [solver.solve(target, question.tolerance) for target in targets]
+    return each_in_time(lambda target: solver.solve(target, question.tolerance), targets, seconds)
 
 
 def _answer(answer: InverseKinematics, robot: PreparedRobot) -> InverseKinematicsAnswer:

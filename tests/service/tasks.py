@@ -7,6 +7,7 @@ import sys
 import time
 
 from kinematics.errors import Fault, FormSizeError
+from service.work.allotted_time import each_in_time
 
 
 def double(value: int) -> int:
@@ -48,3 +49,14 @@ def refuse() -> None:
 
 def imported(name: str) -> bool:
     return name in sys.modules
+
+
+def doubled_in_time(numbers: list[int], seconds: float) -> list[int]:
+    """Double numbers, as many as processor time allows; a negative one takes for ever."""
+
+    def double_or_stay(number: int) -> int:
+        while number < 0:
+            pass
+        return 2 * number
+
+    return each_in_time(double_or_stay, numbers, seconds)

@@ -14,6 +14,7 @@ from kinematics.cells import bind_parameters
 from kinematics.forward import end_pose
 from kinematics.table import JointType
 from service.schemas.examples import PUMA_560
+from service.wire import inverse_solutions
 
 URL = "/api/v1/inverse-kinematics"
 
@@ -315,6 +316,25 @@ def test_many_targets_are_answered_as_each_alone(client: httpx.Client) -> None:
     for target, answer in zip([*targets, far], many["answers"], strict=True):
         alone = asked(client, table=PUMA_560, target=target, limits=limits, start=joints[0])
         assert {k: alone[k] for k in answer} == answer
+
+
+def test_of_many_targets_those_that_time_does_not_reach_to_are_told_one_by_one(
+    client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Three poses away from singularities, then hundreds with the wrist in line: families are followed."""
+    monkeypatch.setattr(inverse_solutions, "ALLOTTED", 0.1)
+    joints = [[20, -40, 70, 30, 50, -80], [10, -40, 70, 30, 0, -80]]
+    targets = [forward(client, table=PUMA_560, joints=q).tolist() for q in joints]
+    many = asked(client, table=PUMA_560, targets=[targets[0]] * 3 + [targets[1]] * 500)
+    statuses = [answer["status"] for answer in many["answers"]]
+    answered = 503 - statuses.count("unanswered")
+    assert 3 <= answered < 503
+    assert statuses == ["solved"] * 3 + ["singular"] * (answered - 3) + ["unanswered"] * (503 - answered)
+    assert not any(answer["solutions"] or answer["complete"] for answer in many["answers"][answered:])
+    assert [fault["pointer"] for fault in many["faults"]] == [f"/targets/{i}" for i in range(answered, 503)]
+    assert {fault["code"] for fault in many["faults"]} == {"target_unanswered"}
+    assert many["faults"][0]["params"]["answered"] == answered
+    assert asked(client, table=PUMA_560, targets=targets[:1])["faults"] == []
 
 
 def test_named_lengths_get_their_values_for_all_targets(client: httpx.Client) -> None:

@@ -19,7 +19,18 @@ from service.http.problems import BusyError, RequestError, UnavailableError
 from service.settings import Settings
 from service.work.fair_queue import current_client
 from service.work.workers import Lane, Workers
-from tests.service.tasks import asleep, crash, double, endless, greedy, imported, noted, pid, refuse
+from tests.service.tasks import (
+    asleep,
+    crash,
+    double,
+    doubled_in_time,
+    endless,
+    greedy,
+    imported,
+    noted,
+    pid,
+    refuse,
+)
 
 KILLS = int(os.environ.get("KILLS", "0"))
 """Times that worker processes are killed, in turns of all combinations; the suite kills each once."""
@@ -55,6 +66,18 @@ def test_a_worker_has_no_computer_algebra_system() -> None:
         async with workers() as pool:
             assert await pool.run(Lane.QUICK, imported, "kinematics.symbolic")
             assert not await pool.run(Lane.QUICK, imported, "sympy")
+
+    run(test)
+
+
+def test_of_a_list_of_tasks_what_was_done_in_time_is_kept() -> None:
+    async def test() -> None:
+        async with workers(symbolic_seconds=30.0) as pool:
+            process = await pool.run(Lane.SLOW, pid)
+            assert await pool.run(Lane.SLOW, doubled_in_time, [1, 2, -1, 3], 0.3) == [2, 4]
+            assert await pool.run(Lane.SLOW, doubled_in_time, [-1], 0.3) == []
+            assert await pool.run(Lane.SLOW, doubled_in_time, [1, 2, 3], 0.3) == [2, 4, 6]
+            assert await pool.run(Lane.SLOW, pid) == process
 
     run(test)
 

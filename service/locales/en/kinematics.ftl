@@ -1,5 +1,6 @@
 # Joint values, poses, screws and numeric tables.
 
+error-target_unanswered = Computing stopped after { $seconds } s, with { $answered } of the targets answered. Ask for this one and those after it in a request of their own.
 error-joints_wrong_length =
     { $expected ->
         [one] The table has one joint, but a configuration of { $given } values was given.

@@ -1,5 +1,6 @@
 # Valores articulares, poses, torsores y tablas numéricas.
 
+error-target_unanswered = El cálculo se detuvo a los { $seconds } s, con { $answered } de los objetivos respondidos. Pida este y los siguientes en otra solicitud.
 error-joints_wrong_length =
     { $expected ->
         [one] La tabla tiene una articulación, pero se dio una configuración de { $given } valores.

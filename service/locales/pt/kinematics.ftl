@@ -1,5 +1,6 @@
 # Valores das juntas, poses, helicoides e tabelas numéricas.
 
+error-target_unanswered = O cálculo parou ao fim de { $seconds } s, com { $answered } dos alvos respondidos. Peça este e os seguintes noutro pedido.
 error-joints_wrong_length =
     { $expected ->
         [one] A tabela tem uma junta, mas foi dada uma configuração com { $given } valores.

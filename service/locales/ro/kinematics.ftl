@@ -1,5 +1,6 @@
 # Valori ale cuplelor, poziționări, torsori și tabele numerice.
 
+error-target_unanswered = Calculul s-a oprit după { $seconds } s, cu { $answered } dintre ținte rezolvate. Cereți-o pe aceasta și pe cele următoare într-o altă cerere.
 error-joints_wrong_length =
     { $expected ->
         [one] Tabelul are o cuplă, dar s-a dat o configurație cu { $given } valori.
