@@ -1,6 +1,6 @@
 # Valeurs articulaires, poses, vissages et tableaux numériques.
 
-error-target_unanswered = Le calcul s’est arrêté après { $seconds } s : { $answered } des cibles ont une réponse. Demandez celle-ci et les suivantes dans une autre requête.
+error-target_unanswered = Le calcul s’est arrêté après { $seconds } s : { $answered } des cibles ont une réponse. Demandez celle-ci et les suivantes dans une autre requête.
 error-joints_wrong_length =
     { $expected ->
         [one] Le tableau a une articulation, mais la configuration donnée compte { $given } valeurs.
