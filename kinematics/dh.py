@@ -19,7 +19,7 @@ import numpy as np
 
 from kinematics.angles import cos_sin
 from kinematics.errors import Fault, JointValueError, TableError
-from kinematics.se3 import ORIGIN, X_AXIS, Z_AXIS, Motion, Scalar, Scalars, Transform, cross
+from kinematics.se3 import ORIGIN, X_AXIS, Z_AXIS, Floats, Motion, Scalar, Scalars, Transform, cross
 from kinematics.table import Convention, JointType, NumericRow
 
 MOTIONS = {
@@ -55,6 +55,29 @@ def link_transform(row: NumericRow, convention: Convention, q: float = 0.0) -> T
     value = cos_sin(q) if row.joint is JointType.REVOLUTE else q
     motions = set_joints(link_motions(row, convention), (value,))
     return np.array([*pose_of_motions(motions), (0.0, 0.0, 0.0, 1.0)])
+
+
+def link_transforms(row: NumericRow, convention: Convention, q: Floats) -> Floats:
+    """Return the poses of frame i in frame i-1 at many values of the joint variable, (k, 4, 4).
+
+    Args:
+        row: of the table, see `link_transform`.
+        convention: which of the two products to form.
+        q: (k,) joint variables [rad or m]; a fixed row ignores them.
+
+    Raises:
+        TableError: an entry of the row is NaN or infinite.
+    """
+    constant, after = around_joint(row, convention)
+    moved = np.zeros((len(q), 4, 4))
+    moved[:] = np.eye(4)
+    if row.joint is JointType.REVOLUTE:
+        moved[:, 0, 0] = moved[:, 1, 1] = np.cos(q)
+        moved[:, 1, 0] = row.sign * np.sin(q)
+        moved[:, 0, 1] = -moved[:, 1, 0]
+    elif row.joint is JointType.PRISMATIC:
+        moved[:, 2, 3] = row.sign * q
+    return np.asarray(constant @ moved @ after)
 
 
 def around_joint(row: NumericRow, convention: Convention) -> tuple[Transform, Transform]:

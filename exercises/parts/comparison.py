@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.parts.context import Context
+from exercises.parts.context import Context, Points
 from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix
 from kinematics.cells import Cell
 from kinematics.equivalence import Tolerance
-from kinematics.table import JointType
 
 Matrices: TypeAlias = NDArray[np.float64]
-Expected: TypeAlias = Callable[[Mapping[str, float], Sequence[float]], Matrices]
-"""(4, 4) that is right for parameter values and joint values."""
+Expected: TypeAlias = Callable[[Mapping[str, float], Matrices], Matrices]
+"""(k, 4, 4) that are right for parameter values and (k, n) joint values."""
 
 LAST_ROW = np.array([0.0, 0.0, 0.0, 1.0])
 ALL_NAMED = 1e-6
@@ -30,12 +29,12 @@ class Compared:
 
     Attributes:
         actual: (k, 4, 4) the answer at the samples.
-        samples: the parameter values and joint values of each sample.
+        samples: parameter values, and (k, n) joint values beside them.
         cells: (4, 4) which cells agree at every sample.
     """
 
     actual: Matrices
-    samples: tuple[tuple[Mapping[str, float], tuple[float, ...]], ...]
+    samples: Sequence[Points]
     cells: NDArray[np.bool_]
 
     @property
@@ -43,19 +42,34 @@ class Compared:
         """Every cell agrees."""
         return bool(self.cells.all())
 
+    def beside(self, expected: Expected) -> Matrices:
+        """(k, 4, 4) other matrices at the same samples."""
+        return at_samples(self.samples, expected)
 
+
+@np.errstate(all="ignore")
 def compare(context: Context, answer: SymbolicMatrix, expected: Expected) -> Compared:
     """An answered matrix beside the expected one.
 
     They are compared at the exercise's values and, if the answer names all lengths, at others, too. Other
     values tell apart what the exercise's values confuse, such as two dimensions of equal length.
     """
-    samples = tuple(_samples(context, answer))
-    actual = np.array([answer.at(values, joints) for values, joints in samples])
-    wanted = np.array([expected(values, joints) for values, joints in samples])
+    samples: Sequence[Points] = context.samples(answer.names() | context.own_names())
+    actual = answer.at_points(samples)
+    if len(samples) > 1:
+        *samples, _ = samples
+        doubled, actual = _doubled(context, actual[0], actual[-1]), actual[:-1]
+        if not doubled:
+            samples, actual = samples[:1], actual[: len(samples[0][1])]
+    wanted = at_samples(samples, expected)
     return Compared(
         actual=actual, samples=samples, cells=agreeing(actual, wanted, context.size, context.policy.tolerance)
     )
+
+
+def at_samples(samples: Sequence[Points], expected: Expected) -> Matrices:
+    """(k, 4, 4) matrices at samples."""
+    return np.concatenate([expected(values, joints) for values, joints in samples])
 
 
 def agreeing(actual: Matrices, wanted: Matrices, size: float, tolerance: Tolerance) -> NDArray[np.bool_]:
@@ -68,27 +82,8 @@ def agreeing(actual: Matrices, wanted: Matrices, size: float, tolerance: Toleran
     return np.asarray(close.all(axis=0), dtype=np.bool_)
 
 
-def _samples(
-    context: Context, answer: SymbolicMatrix
-) -> Iterator[tuple[dict[str, float], tuple[float, ...]]]:
-    names = answer.names() | context.own_names()
-    nominal = context.values(names)
-    joints = [tuple(q) for q in context.configurations(context.joint_types).tolist()]
-    for q in joints:
-        yield nominal, q
-    if context.own_scales() and _scales(context, answer, nominal, joints[0]):
-        for values in context.draws(names):
-            for q in joints[:2]:
-                yield values, q
-
-
-def _scales(
-    context: Context, answer: SymbolicMatrix, values: Mapping[str, float], joints: Sequence[float]
-) -> bool:
-    """Whether the answer names every length: twice the lengths double its last column and nothing else."""
-    types = context.joint_types
-    slid = [q * 2.0 if type_ is JointType.PRISMATIC else q for q, type_ in zip(joints, types, strict=True)]
-    once, twice = answer.at(values, joints), answer.at(context.scaled(values, 2.0), slid)
+def _doubled(context: Context, once: Matrices, twice: Matrices) -> bool:
+    """Whether a matrix names every length: twice the lengths double its last column and nothing else."""
     wanted = once.copy()
     wanted[:3, 3] *= 2.0
     with np.errstate(invalid="ignore"):

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,7 @@ from exercises.parts.protocol import Answer
 from exercises.parts.report import Credit
 from kinematics.cells import AngleUnit, LengthUnit, ParameterKind, ReadTable
 from kinematics.chain import chain_of_table, size_of
+from kinematics.dh import link_transforms
 from kinematics.errors import ParameterError
 from kinematics.forward import ForwardKinematics, forward_kinematics
 from kinematics.symbolic import ClosedForm, closed_form
@@ -25,6 +27,8 @@ DRAWS = 3
 CONFIGURATIONS = 5
 """Values of the lengths, and joint values for each, at which functions are compared: one point on no grid
 tells two different closed forms apart, fifteen leave nothing to luck."""
+Points: TypeAlias = tuple[Mapping[str, float], NDArray[np.float64]]
+"""Values of all parameters, and (k, n) joint values beside them."""
 _STEPS = tuple(math.sqrt(p) for p in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53))
 
 
@@ -146,26 +150,81 @@ class Context:
             ]
         ).reshape(CONFIGURATIONS, len(joint_types))
 
+    def own_links(
+        self, values: Mapping[str, float], joints: NDArray[np.float64]
+    ) -> list[NDArray[np.float64]]:
+        """The matrices of the student's own rows at (k, n) joint values, (k, 4, 4) each.
+
+        Raises:
+            ParameterError: an entry has no value there.
+        """
+        table = self.own_numbers(values)
+        places = {row: joint for joint, row in enumerate(table.joint_rows)}
+        still = np.zeros(len(joints))
+        return [
+            link_transforms(row, table.convention, joints[:, places[i]] if i in places else still)
+            for i, row in enumerate(table.rows)
+        ]
+
+    def own_numbers(self, values: Mapping[str, float]) -> NumericTable:
+        """The student's own table with these values, made once.
+
+        Raises:
+            ParameterError: an entry has no value there.
+        """
+        assert self.own is not None
+        key = tuple(values[name] for name in self.own.parameters)
+        if key not in self._own_numbers:
+            self._own_numbers[key] = bind(self.own.table, values)
+        return self._own_numbers[key]
+
+    @cached_property
+    def _own_numbers(self) -> dict[tuple[float, ...], NumericTable]:
+        return {}
+
+    def samples(self, names: frozenset[str]) -> tuple[Points, ...]:
+        """Where functions are compared: the exercise's values with joint values, then others of both.
+
+        The last one is the first sample with every length twice as long. Other values are left out where the
+        student's own table does not hold for them.
+
+        Args:
+            names: of all parameters.
+        """
+        if names not in self._samples:
+            nominal, joints = self.values(names), self.configurations(self.joint_types)
+            found: list[Points] = [(nominal, joints)]
+            if self.own_scales:
+                slides = [type_ is JointType.PRISMATIC for type_ in self.joint_types]
+                found += ((values, joints[:2]) for values in self.draws(names))
+                found.append((self.scaled(nominal, 2.0), np.where(slides, 2.0, 1.0) * joints[:1]))
+            self._samples[names] = tuple(found)
+        return self._samples[names]
+
+    @cached_property
+    def _samples(self) -> dict[frozenset[str], tuple[Points, ...]]:
+        return {}
+
     def own_poses(self, values: Mapping[str, float], joints: Sequence[float]) -> ForwardKinematics:
         """Poses of the student's own table; lengths in the student's unit.
 
         Raises:
             ParameterError: an entry has no value there.
         """
-        assert self.own is not None
-        return forward_kinematics(bind(self.own.table, values), joints)
+        return forward_kinematics(self.own_numbers(values), joints)
 
     def own_names(self) -> frozenset[str]:
         """The parameters of the student's own table."""
         return frozenset(self.own.parameters) if self.own else frozenset()
 
+    @cached_property
     def own_scales(self) -> bool:
         """Whether the student's own table names every length, and so holds for all values of the names."""
         if self.own is None:
             return False
         values = self.values(self.own_names())
         try:
-            once, twice = bind(self.own.table, values), bind(self.own.table, self.scaled(values, 2.0))
+            once, twice = self.own_numbers(values), self.own_numbers(self.scaled(values, 2.0))
         except ParameterError:
             return False
         return all(
@@ -179,8 +238,11 @@ class Context:
         return {name: value if self._is_angle(name) else value * factor for name, value in values.items()}
 
     def _is_angle(self, name: str) -> bool:
-        kinds = {**(self.own.parameters if self.own else {}), **self.reference.parameters}
-        return kinds.get(name) is ParameterKind.ANGLE
+        return self._kinds.get(name) is ParameterKind.ANGLE
+
+    @cached_property
+    def _kinds(self) -> dict[str, ParameterKind]:
+        return {**(self.own.parameters if self.own else {}), **self.reference.parameters}
 
     def _in_radians(self, parameters: Mapping[str, float]) -> dict[str, float]:
         degrees = self.reference.angle_unit is AngleUnit.DEG

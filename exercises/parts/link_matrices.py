@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import reduce
 from random import Random
 from typing import Annotated, ClassVar
 
@@ -29,8 +30,8 @@ from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_known_
 from exercises.parts.protocol import TABLE, Length, PartTask, PartType, Reading
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
 from exercises.parts.value import is_robot
-from kinematics.dh import link_transform
-from kinematics.table import Convention, bind
+from kinematics.dh import link_transforms
+from kinematics.table import Convention
 
 
 def link_of(context: Context, row: int, convention: Convention | None = None) -> Expected:
@@ -39,10 +40,9 @@ def link_of(context: Context, row: int, convention: Convention | None = None) ->
     table = context.own.table
     joint = table.joint_rows.index(row) if row in table.joint_rows else None
 
-    def expected(values: Mapping[str, float], joints: Sequence[float]) -> Matrices:
-        numbers = bind(table, values)
-        q = joints[joint] if joint is not None else 0.0
-        return link_transform(numbers.rows[row], convention or table.convention, q)
+    def expected(values: Mapping[str, float], joints: Matrices) -> Matrices:
+        q = joints[:, joint] if joint is not None else np.zeros(len(joints))
+        return link_transforms(context.own_numbers(values).rows[row], convention or table.convention, q)
 
     return expected
 
@@ -54,7 +54,7 @@ def _cell_facts(i: int, compared: Compared) -> list[Fact]:
 def _what_is_off(context: Context, i: int, compared: Compared) -> Feedback:
     """The misconception that explains a wrong matrix, or else its wrong cells."""
     assert context.own is not None
-    own = np.array([link_of(context, i)(values, q) for values, q in compared.samples])
+    own = compared.beside(link_of(context, i))
     params: dict[str, ParamValue] = {"matrix": i + 1, "cells": cell_names(compared.cells)}
 
     def looks_like(other: Matrices) -> bool:
@@ -62,18 +62,16 @@ def _what_is_off(context: Context, i: int, compared: Compared) -> Feedback:
 
     table = context.own.table
     other = Convention.MODIFIED if table.convention is Convention.STANDARD else Convention.STANDARD
-    if looks_like(np.array([link_of(context, i, other)(values, q) for values, q in compared.samples])):
+    if looks_like(compared.beside(link_of(context, i, other))):
         return Feedback(code="matrix_other_convention", row=i + 1, params=params)
     if looks_like(inverse(own)):
         return Feedback(code="matrix_inverse", row=i + 1, params=params)
     if looks_like(transposed_rotation(own)):
         return Feedback(code="matrix_rotation_transposed", row=i + 1, params=params)
-    if looks_like(np.array([link_of(context, i)(values, [0.0] * len(q)) for values, q in compared.samples])):
+    if looks_like(compared.beside(lambda values, q: link_of(context, i)(values, np.zeros_like(q)))):
         return Feedback(code="matrix_without_variable", row=i + 1, params=params)
     for k in range(len(table.rows)):
-        if k != i and looks_like(
-            np.array([link_of(context, k)(values, q) for values, q in compared.samples])
-        ):
+        if k != i and looks_like(compared.beside(link_of(context, k))):
             return Feedback(code="matrix_of_other_row", row=i + 1, params={**params, "other": k + 1})
     if not is_rigid(compared.actual, context.policy.tolerance):
         return Feedback(code="matrix_not_rigid", row=i + 1, params=params)
@@ -177,13 +175,10 @@ def _product_is_robot(context: Context, matrices: list[SymbolicMatrix]) -> bool:
     names = frozenset[str]().union(*(matrix.names() for matrix in matrices)) | context.own_names()
     values = context.values(names)
 
-    def pose(joints: Sequence[float]) -> Matrices:
-        product = np.eye(4)
-        for matrix in matrices:
-            product = product @ matrix.at(values, joints)
-        return product
+    def poses(joints: Matrices) -> Matrices:
+        return reduce(np.matmul, [matrix.at_points([(values, joints)]) for matrix in matrices])
 
-    return is_robot(context, pose, context.joint_types)
+    return is_robot(context, poses, context.joint_types)
 
 
 PART = LinkMatricesPart()

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.names import renamed, unknown_name
+from exercises.parts.context import Points
 from exercises.parts.protocol import Reading
 from kinematics.cells import AngleUnit, Cell, Limits
 from kinematics.cells.entries import cell_meaning
@@ -33,6 +34,7 @@ from kinematics.expressions import (
     evaluate,
     parameters_in,
 )
+from kinematics.expressions.arrays import values_at
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
 from kinematics.symbolic import Matrix
 from kinematics.table import JointType
@@ -66,6 +68,20 @@ class SymbolicMatrix:
     def at(self, parameters: Mapping[str, float], joints: Sequence[float]) -> NDArray[np.float64]:
         """Return its values; an entry that has none there (a division by zero) is NaN."""
         return np.array([[_value(entry, parameters, joints) for entry in row] for row in self.entries])
+
+    def at_points(self, points: Sequence[Points]) -> NDArray[np.float64]:
+        """Return its values at all the points, (k, 4, 4); NaN or infinite where an entry has none."""
+        joints = np.concatenate([q for _, q in points]).T
+        counts = [len(q) for _, q in points]
+        parameters = {
+            name: np.repeat([values[name] for values, _ in points], counts) if len(points) > 1 else value
+            for name, value in points[0][0].items()
+        }
+        found = np.empty((joints.shape[1], len(self.entries), len(self.entries[0])))
+        for r, row in enumerate(self.entries):
+            for c, entry in enumerate(row):
+                found[:, r, c] = values_at(entry, parameters, joints)
+        return found
 
 
 def read_matrix(

@@ -10,7 +10,7 @@ from exercises.instance import Instance
 from exercises.names import renamed, unknown_name
 from exercises.parts.protocol import Reading
 from kinematics.cells import DEFAULT, AngleUnit, Cell
-from kinematics.cells.entries import cell_meaning
+from kinematics.cells.entries import cell_meaning, plain_number
 from kinematics.cells.meaning import Position
 from kinematics.cells.refusals import CellRefusal
 from kinematics.errors import CellError, Fault, KinematicsError
@@ -37,8 +37,12 @@ def number_of(
         CellError: it cannot be read, holds an unknown name, or has no finite value.
     """
     exercise = instance.exercise
+    unit = unit or exercise.angle_unit
     try:
-        meaning = cell_meaning(cell, position, unit or exercise.angle_unit, DEFAULT, lambda _: None)
+        plain = plain_number(cell, position, unit, DEFAULT)
+        if plain is not None:
+            return plain
+        meaning = cell_meaning(cell, position, unit, DEFAULT, lambda _: None)
     except CellRefusal as refusal:
         raise CellError(refusal.at(*where)) from None
     expression = renamed(meaning.expression, exercise.aliases)

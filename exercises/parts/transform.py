@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
+from functools import reduce
+from itertools import accumulate
 from random import Random
 from typing import ClassVar
 
@@ -34,15 +36,15 @@ from kinematics.errors import ParameterError
 def transform_is_robot(context: Context, answer: SymbolicMatrix) -> bool:
     """Whether a ⁰T_N describes the robot by itself."""
     values = context.values(answer.names() | context.own_names())
-    return is_robot(context, lambda q: answer.at(values, q), context.joint_types)
+    return is_robot(context, lambda q: answer.at_points([(values, q)]), context.joint_types)
 
 
 def _own(context: Context) -> Expected:
-    def expected(values: Mapping[str, float], joints: Sequence[float]) -> Matrices:
+    def expected(values: Mapping[str, float], joints: Matrices) -> Matrices:
         try:
-            return context.own_poses(values, joints).transform
+            return reduce(np.matmul, context.own_links(values, joints))
         except ParameterError:
-            return np.full((4, 4), np.nan)
+            return np.full((len(joints), 4, 4), np.nan)
 
     return expected
 
@@ -66,9 +68,10 @@ def _wrong(context: Context, compared: Compared, part: Part) -> PartReport:
 
 def _what_is_off(context: Context, compared: Compared) -> Feedback:
     """The misconception that explains a wrong ⁰T_N, or else its wrong cells."""
-    links = np.array([context.own_poses(values, joints).links for values, joints in compared.samples])
-    frames = np.array([context.own_poses(values, joints).frames for values, joints in compared.samples])
-    own = frames[:, -1]
+    some = [context.own_links(values, joints) for values, joints in compared.samples]
+    links = [np.concatenate(link) for link in zip(*some, strict=True)]
+    frames = list(accumulate(links, np.matmul))
+    own = frames[-1]
 
     def looks_like(other: Matrices) -> bool:
         return bool(agreeing(compared.actual, other, context.size, context.policy.tolerance).all())
@@ -77,13 +80,10 @@ def _what_is_off(context: Context, compared: Compared) -> Feedback:
         return Feedback(code="transform_inverse")
     if looks_like(transposed_rotation(own)):
         return Feedback(code="transform_rotation_transposed")
-    backwards = links[:, -1]
-    for k in range(links.shape[1] - 2, -1, -1):
-        backwards = backwards @ links[:, k]
-    if looks_like(backwards):
+    if looks_like(reduce(np.matmul, links[::-1])):
         return Feedback(code="transform_order_reversed")
-    for k in range(frames.shape[1] - 1, 0, -1):
-        if looks_like(frames[:, k - 1]):
+    for k in range(len(frames) - 1, 0, -1):
+        if looks_like(frames[k - 1]):
             return Feedback(code="transform_links_missing", params={"last": k})
     if not is_rigid(compared.actual, context.policy.tolerance):
         return Feedback(code="transform_not_rigid")

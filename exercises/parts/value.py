@@ -23,53 +23,52 @@ from kinematics.se3 import cross_arrays, from_matrix
 from kinematics.table import JointType
 
 Matrix = NDArray[np.float64]
-PoseOf = Callable[[Sequence[float]], Matrix]
-"""(4, 4) ⁰T_N of a configuration."""
+PosesOf = Callable[[Matrix], Matrix]
+"""(k, 4, 4) ⁰T_N of (k, n) configurations."""
 
 
-def is_robot(context: Context, pose_of: PoseOf, joint_types: Sequence[JointType]) -> bool:
+@np.errstate(all="ignore")
+def is_robot(context: Context, poses_of: PosesOf, joint_types: Sequence[JointType]) -> bool:
     """Whether a ⁰T_N describes the robot and keeps the policy, at the exercise's values.
 
     Args:
         context: the key, the policy, the units.
-        pose_of: the ⁰T_N, with lengths in the student's unit.
+        poses_of: the ⁰T_N, with lengths in the student's unit.
         joint_types: types of its joints.
     """
     if tuple(joint_types) != context.reference.table.joint_types:
         return False
-    chain = chain_of_pose(pose_of, joint_types, context.policy.tolerance, context.size)
+    chain = chain_of_poses(poses_of, joint_types, context.policy.tolerance, context.size)
     if chain is None:
         return False
     samples = context.configurations(joint_types)
-    actual = np.array([pose_of(q) for q in samples.tolist()])
-    if not agreeing(actual, chain.poses(samples), context.size, context.policy.tolerance).all():
+    if not agreeing(poses_of(samples), chain.poses(samples), context.size, context.policy.tolerance).all():
         return False
     in_units = _scaled(chain, 1.0 / context.unit_ratio)
     return certify([prepared(context.reference_numbers)], [in_units], context.policy) is not None
 
 
-def chain_of_pose(
-    pose_of: PoseOf, joint_types: Sequence[JointType], tolerance: Tolerance, size: float
+def chain_of_poses(
+    poses_of: PosesOf, joint_types: Sequence[JointType], tolerance: Tolerance, size: float
 ) -> Chain | None:
     """The joint axes of a ⁰T_N at q = 0; None if it is not a serial chain's.
 
     Args:
-        pose_of: the ⁰T_N.
+        poses_of: the ⁰T_N.
         joint_types: types of its joints.
         tolerance: how far its derivatives may be from joint screws.
-        size: typical length of the robot, in the unit of `pose_of`.
+        size: typical length of the robot, in the unit of `poses_of`.
     """
     n = len(joint_types)
-    end = pose_of([0.0] * n)
+    steps = np.diag([math.pi / 2 if joint_type is JointType.REVOLUTE else size for joint_type in joint_types])
+    poses = poses_of(np.concatenate((np.zeros((1, n)), steps, -steps)))
+    end = poses[0]
     if not is_rigid(end, tolerance):
         return None
     axes: list[Axis] = []
     for i, joint_type in enumerate(joint_types):
-        step = math.pi / 2 if joint_type is JointType.REVOLUTE else size
-        forward, back = ([sign * step if k == i else 0.0 for k in range(n)] for sign in (1.0, -1.0))
-        derivative = (pose_of(forward) - pose_of(back)) / (
-            2.0 if joint_type is JointType.REVOLUTE else 2.0 * step
-        )
+        step = 1.0 if joint_type is JointType.REVOLUTE else size
+        derivative = (poses[1 + i] - poses[1 + n + i]) / (2.0 * step)
         axis = _axis(derivative @ inverse(end), joint_type, tolerance, size)
         if axis is None:
             return None

@@ -84,6 +84,19 @@ def entry_of(
     return CellMeaning(expression=expression, kinds={})
 
 
+def plain_number(cell: Cell, position: Position, angle_unit: AngleUnit, limits: Limits) -> float | None:
+    """The value of a cell that is a number and nothing else, an angle in [rad]; None of any other.
+
+    Raises:
+        CellRefusal: the cell cannot be read.
+    """
+    node = cell_syntax(cell, limits)
+    if not isinstance(node, Fraction):
+        return None
+    value = node.numerator / node.denominator
+    return math.radians(value) if position is Position.ANGLE and angle_unit is AngleUnit.DEG else value
+
+
 def cell_syntax(cell: Cell | NoCell, limits: Limits) -> Node | Fraction:
     """The syntax tree of a cell, or the value of one that is a plain number.
 

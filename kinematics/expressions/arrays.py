@@ -51,7 +51,7 @@ def values_at(
         value = _value(expression, parameters, joints)
     if type(value) is np.ndarray and value.shape == joints.shape[1:]:
         return value
-    return np.broadcast_to(np.asarray(value, dtype=np.float64), joints.shape[1:])
+    return np.full(joints.shape[1:], value, dtype=np.float64)
 
 
 def _value(node: Expression, parameters: Mapping[str, Any], joints: NDArray[np.float64]) -> Any:

@@ -45,7 +45,7 @@ def typed(value: float, rng: random.Random, decimals: int = 4) -> float | str:
     """A number, rounded and written in one of the ways that students have."""
     value = round(float(value), decimals) + 0.0
     text = f"{value:.{decimals}f}"
-    match rng.randrange(9):
+    match rng.randrange(24):
         case 0:
             return text.replace("-", "−")
         case 1:
