@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Annotated
 
 from fastapi import Path, Request, Response
@@ -30,11 +29,9 @@ from service.wire.exercise_views import (
     attempts_of,
     exercise_list,
     exercise_view,
-    free_dimensions,
     instance_of,
-    knows_dimensions,
 )
-from service.wire.figure_files import figure_address, figure_path, known_figure, packed_figure
+from service.wire.figure_files import figure_address, figure_path, packed_figure
 from service.wire.ungraded import answer_refused, known_exercise
 from service.wire.verdicts import encoded, report_body
 from service.work.limiters import WorkKind
@@ -75,13 +72,15 @@ async def list_exercises(request: ApiRequest) -> Response:
 async def show_exercise(request: ApiRequest) -> Response:
     """What is asked, with one student's values: statement, rules, dimensions, figure. Never the key."""
     language = language_of(request)
-    instance = _asked_instance(request)
-    if not knows_dimensions(instance.exercise):
-        work = partial(free_dimensions, instance.exercise)
-        await resources_of(request).limiters[WorkKind.DRAWING].run(work)
-    view = exercise_view(instance, language, context_of(request))
-    view["figure"]["file"] = figure_path(resources_of(request).figures, instance, language)
-    return _text(request, encoded(view), language, JSON)
+
+    def work() -> bytes:
+        instance = _asked_instance(request)
+        view = exercise_view(instance, language, context_of(request))
+        view["figure"]["file"] = figure_path(resources_of(request).figures, instance, language)
+        return encoded(view)
+
+    body = await resources_of(request).limiters[WorkKind.DRAWING].run(work)
+    return _text(request, body, language, JSON)
 
 
 @router.get(
@@ -96,7 +95,7 @@ async def show_exercise(request: ApiRequest) -> Response:
 )
 async def show_figure(request: ApiRequest) -> Response:
     """The robot with its joints, dimensions and marked points, and no frames: they are the question."""
-    return await _figure(request, _asked_instance(request), language_of(request), "no-cache")
+    return await _figure(request, "no-cache")
 
 
 @router.get("/exercises/{exercise_id}/figures/{address}.svg", include_in_schema=False)
@@ -105,15 +104,7 @@ async def show_addressed_figure(request: ApiRequest) -> Response:
 
     Caches may keep it for good. All who have the same values have the same address.
     """
-    language = language_of(request)
-    instance = _asked_instance(request)
-    now = figure_address(resources_of(request).figures, instance, language)
-    if now != request.path_params["address"]:
-        query = f"?{request.url.query}" if request.url.query else ""
-        return Response(
-            status_code=307, headers={"Location": f"{now}.svg{query}", "Cache-Control": "no-store"}
-        )
-    return await _figure(request, instance, language, f"public, max-age={YEAR}, immutable")
+    return await _figure(request, f"public, max-age={YEAR}, immutable", request.path_params["address"])
 
 
 def _asked_instance(request: ApiRequest) -> Instance:
@@ -131,13 +122,20 @@ def _asked_instance(request: ApiRequest) -> Instance:
         raise RequestError(error.faults, part=RequestPart.QUERY) from error
 
 
-async def _figure(request: Request, instance: Instance, language: str, caching: str) -> Response:
-    resources = resources_of(request)
-    address = figure_address(resources.figures, instance, language)
-    packed = known_figure(resources.figures, instance, language)
+async def _figure(request: ApiRequest, caching: str, asked: str | None = None) -> Response:
+    """The figure; where another address was asked for than it has now, where it is."""
+    language, figures = language_of(request), resources_of(request).figures
+
+    def work() -> tuple[str, bytes | None]:
+        instance = _asked_instance(request)
+        now = figure_address(figures, instance, language)
+        return now, packed_figure(figures, instance, language) if asked in (None, now) else None
+
+    address, packed = await resources_of(request).limiters[WorkKind.DRAWING].run(work)
     if packed is None:
-        work = partial(packed_figure, resources.figures, instance, language)
-        packed = await resources.limiters[WorkKind.DRAWING].run(work)
+        query = f"?{request.url.query}" if request.url.query else ""
+        moved = {"Location": f"{address}.svg{query}", "Cache-Control": "no-store"}
+        return Response(status_code=307, headers=moved)
     headers = {**_headers(language), "Cache-Control": caching, "Content-Security-Policy": _FIGURE_POLICY}
     return packed_response(request, packed, address, SVG, headers)
 
@@ -168,17 +166,17 @@ async def grade_answer(request: ApiRequest) -> Response:
 async def _judged(request: ApiRequest) -> Report:
     exercise_id = request.path_params["exercise_id"]
     library = resources_of(request).exercises
-    library.exercise(exercise_id)  # an address at which nothing is comes before what is wrong with the body
+    found = library.exercise(exercise_id)  # an address at which nothing is comes before what is wrong
     wire: AnswerBase = validated(_ANSWER, await request.json())
-    instance = instance_of(library, exercise_id, seed_of(request, wire.seed))
     raw, limits = wire.raw(), request.settings.cell_limits
 
     help_level, attempt = help_of(context_of(request), wire.help, wire.attempt)
-    refuse_beyond(attempts_of(instance.exercise, context_of(request)), attempt)
+    refuse_beyond(attempts_of(found, context_of(request)), attempt)
 
     resources = resources_of(request)
 
     def work() -> Report:
+        instance = instance_of(library, exercise_id, seed_of(request, wire.seed))
         return grade(instance, parse(instance, raw, limits), resources.help_now(help_level), attempt)
 
     return await resources.limiters[WorkKind.GRADING].run(work)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import lru_cache, partial
 from urllib.parse import urlencode
 
 from fastapi import APIRouter, Request, Response
@@ -19,6 +19,7 @@ from service.web.responses import missing_page, page_language, page_response, te
 from service.web.shell import Page
 from service.wire.exercise_views import instance_of
 from service.wire.figure_files import figure_path
+from service.work.limiters import WorkKind
 
 router = APIRouter(include_in_schema=False, route_class=DirectRoute)
 
@@ -50,11 +51,12 @@ async def exercise_page(request: ApiRequest) -> Response:
         return missing_page(request, depth=1)
     language = page_language(request)
     kept = {name: value for name in ("seed", QUERY) if (value := request.query_params.get(name))}
+    figure = partial(_figure, request, found, language, urlencode({"lang": language, **kept}))
     values = {
         "id": found.id,
         "title": found.title(language),
         "statement": to_html(found.statement(language)),
-        "figure": _figure(request, found, language, urlencode({"lang": language, **kept})),
+        "figure": await resources_of(request).limiters[WorkKind.DRAWING].run(figure),
     }
     # A SCORM package frames the page from whatever origin its LMS has. Nobody is signed in there: a page that
     # frames it gains nothing that it could not ask for itself.

@@ -13,7 +13,6 @@ from fastapi.responses import JSONResponse
 
 from exercises.answers import parse
 from exercises.grader import Report, grade
-from exercises.grading import HelpLevel
 from exercises.instance import Instance
 from exercises.parts.protocol import TABLE
 from kinematics.table import Convention
@@ -104,11 +103,11 @@ async def receipt_page(
     """The same receipt on a page: what it earned, the robot, the table as it was typed, the QR code (PDF)."""
     token, receipt = await _issued(request, exercise_id, body, resources)
     language = language_of(request)
-    instance = instance_of(resources.exercises, exercise_id, receipt.seed)
 
     def work() -> bytes:
         from service.receipts.sheet import pdf_of  # takes a quarter of a second, and few ask for it
 
+        instance = instance_of(resources.exercises, exercise_id, receipt.seed)
         sheet = _sheet(instance, receipt, token, body, language)
         figure = figure_file(instance, language).decode()
         return pdf_of(sheet, figure=figure, code=_code(token).matrix)
@@ -127,11 +126,16 @@ async def _issued(
     """A signed receipt for an answer, judged as its link says."""
     context = context_of(request)
     with answer_refused():
-        instance = instance_of(resources.exercises, exercise_id, seed_of(request, body.seed))
+        found = resources.exercises.exercise(exercise_id)
         level, attempt = help_of(context, body.help, body.attempt)
-        refuse_beyond(attempts_of(instance.exercise, context), attempt)
-        judged = partial(_judged, instance, body, resources, level, attempt)
-        report = await resources.limiters[WorkKind.GRADING].run(judged)
+        refuse_beyond(attempts_of(found, context), attempt)
+
+        def work() -> tuple[Instance, Report]:
+            instance = instance_of(resources.exercises, exercise_id, seed_of(request, body.seed))
+            answer = parse(instance, body.raw(), resources.settings.cell_limits)
+            return instance, grade(instance, answer, level, attempt)
+
+        instance, report = await resources.limiters[WorkKind.GRADING].run(work)
     receipt = _receipt(request, instance, body, report)
     return issue(receipt, resources.receipt_keys), receipt
 
@@ -195,17 +199,6 @@ async def verify_receipts(
 async def receipt_keys(resources: AppResources) -> Response:
     """The keys that verify receipts (RFC 7517); the first one signs."""
     return JSONResponse(resources.receipt_keys.public(), headers={"Cache-Control": "public, max-age=600"})
-
-
-def _judged(
-    instance: Instance,
-    body: ReceiptRequest,
-    resources: AppResources,
-    level: HelpLevel | None,
-    attempt: int | None,
-) -> Report:
-    answer = parse(instance, body.raw(), resources.settings.cell_limits)
-    return grade(instance, answer, level, attempt)
 
 
 def _receipt(request: Request, instance: Instance, body: ReceiptRequest, report: Report) -> Receipt:

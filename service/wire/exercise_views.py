@@ -137,23 +137,10 @@ def rules(found: Exercise, language: str) -> Iterator[str]:
         yield sentence(language, "rule-dimension-free", {"names": free}) or ""
 
 
-_free: dict[Exercise, tuple[str, ...]] = {}
-
-
-def knows_dimensions(found: Exercise) -> bool:
-    """Return whether it is known which dimensions an answer needs; to find it out takes up to 50 ms."""
-    return found in _free
-
-
+@lru_cache(maxsize=KEPT)
 def free_dimensions(found: Exercise) -> tuple[str, ...]:
     """Return the dimensions that an answer may leave out; found out once for an exercise."""
-    known = _free.get(found)
-    if known is None:
-        known = unneeded_dimensions(found)
-        while len(_free) >= KEPT:
-            _free.pop(next(iter(list(_free))), None)
-        _free[found] = known
-    return known
+    return unneeded_dimensions(found)
 
 
 def _language_note(found: Exercise, language: str) -> str | None:

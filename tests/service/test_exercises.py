@@ -46,7 +46,7 @@ def test_others_are_served_while_it_is_found_out_which_dimensions_are_needed(
     client: httpx.Client, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It takes tens of milliseconds, with the first visit to an exercise: a thread does it."""
-    monkeypatch.setattr(exercise_views, "_free", {})
+    exercise_views.free_dimensions.cache_clear()
     found: list[str] = []
 
     def noted(asked: Exercise) -> tuple[str, ...]:

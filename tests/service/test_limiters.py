@@ -6,19 +6,27 @@ import asyncio
 import gc
 import itertools
 import sys
+import threading
 from types import SimpleNamespace
+from typing import Any
 from unittest.mock import patch
 
+import httpx
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from exercises.instance import Instance, kept_instance
+from service.app import create_app
 from service.http.problems import BusyError
 from service.settings import Settings
+from service.wire import exercise_views
 from service.work import fair_queue
 from service.work.fair_queue import CLIENTS, Client, FairQueue, Name, Proven, current_client
 from service.work.limiters import Limiter, WorkKind, limiters
 from service.work.thread_switching import SWITCH_SECONDS
+
+TABLE = {"convention": "standard", "rows": [{"alpha": 0, "a": "1", "d": 0, "theta": f"q{i}"} for i in (1, 2)]}
 
 
 def test_so_many_at_a_time_so_many_waiting_and_the_next_is_refused() -> None:
@@ -153,3 +161,40 @@ def test_the_next_is_who_used_least(
     clock = itertools.repeat(0.0)
     with patch.object(fair_queue, "time", SimpleNamespace(monotonic=lambda: next(clock))):
         asyncio.run(scene())
+
+
+@pytest.mark.parametrize(
+    ("method", "path", "body"),
+    [
+        ("GET", "/exercises/twolink", None),
+        ("GET", "/api/v1/exercises/twolink", None),
+        ("GET", "/api/v1/exercises/twolink/figure.svg", None),
+        ("GET", "/api/v1/exercises/twolink/figures/old.svg", None),
+        ("POST", "/api/v1/exercises/twolink/grade", {"table": TABLE}),
+        ("POST", "/api/v1/exercises/twolink/receipts", {"table": TABLE, "name": "A"}),
+    ],
+)
+def test_a_students_values_are_drawn_beside_the_event_loop(
+    method: str, path: str, body: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """To draw them takes a part that seeks a mistake to plant a tenth of a second."""
+    threads: list[int] = []
+
+    def noted(*asked: Any) -> Instance:
+        threads.append(threading.get_ident())
+        return kept_instance(*asked)
+
+    monkeypatch.setattr(exercise_views, "kept_instance", noted)
+    app = create_app(Settings())
+
+    async def scene() -> int:
+        transport = httpx.ASGITransport(app)
+        async with httpx.AsyncClient(transport=transport, base_url="http://test") as client:
+            return (await client.request(method, path, json=body)).status_code
+
+    try:
+        assert asyncio.run(scene()) in (200, 307)
+    finally:
+        app.state.resources.close()
+    assert threads
+    assert threading.get_ident() not in threads
