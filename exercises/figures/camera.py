@@ -45,13 +45,6 @@ class Camera:
         """(…, 3) points in space as (…) distances towards the eye; the larger, the nearer."""
         return np.asarray(np.asarray(points, dtype=np.float64) @ self.eye, dtype=np.float64)
 
-    def lift(self, points: ArrayLike) -> Array:
-        """(…, 2) points on paper as (…, 3) points of space in the plane through the origin."""
-        p = np.asarray(points, dtype=np.float64)
-        x = (p[..., 0] - self.shift[0]) / self.scale
-        y = -(p[..., 1] - self.shift[1]) / self.scale
-        return np.asarray(x[..., None] * self.right + y[..., None] * self.up, dtype=np.float64)
-
 
 def camera_for(view: View) -> Camera:
     """The camera of a view, at scale 1."""

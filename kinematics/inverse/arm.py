@@ -195,10 +195,3 @@ def low_discrepancy(count: int, dimension: int, skip: int = 0) -> Array:
         root = (1.0 + root) ** (1.0 / (dimension + 1))
     alpha = root ** -np.arange(1.0, dimension + 1.0)
     return np.asarray((0.5 + np.arange(skip + 1, skip + count + 1)[:, None] * alpha) % 1.0)
-
-
-def volumes(J: Array) -> Array:
-    """How far Jacobians (m, 6, n) are from losing rank: |det J| of six joints, else det JᵀJ ≥ 0; (m,)."""
-    with np.errstate(divide="ignore", under="ignore"):  # lengths of 1e-308 are pivots, too
-        square = J if J.shape[2] == 6 else J.transpose(0, 2, 1) @ J
-        return np.asarray(np.abs(np.linalg.det(square)))

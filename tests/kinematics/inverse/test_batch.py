@@ -8,7 +8,6 @@ import pytest
 from kinematics.errors import PoseError
 from kinematics.forward import end_poses
 from kinematics.inverse import IKStatus, solve_many, solver_of
-from kinematics.inverse.arm import volumes
 from kinematics.inverse.delicate_blocks import delicate_targets
 from kinematics.inverse.wrist_blocks import candidates_of_many
 from kinematics.table import Convention, DHRow, DHTable, JointType
@@ -69,7 +68,7 @@ def test_beside_folds_as_one_by_one(table):
     q[:, 2] = np.pi * rng.integers(2, size=FOLDS) - solver.closed_form.zeros[2] + bent
     targets = end_poses(table, q)
     joints, counts = candidates_of_many(solver.closed_form, targets)
-    volume = volumes(solver.arm.jacobians(solver.arm.frames(joints)))
+    volume = np.abs(np.linalg.det(solver.arm.jacobians(solver.arm.frames(joints))))
     volume *= solver.arm.size**3
     delicate = delicate_targets(solver.arm, targets, joints, volume, counts)
     assert 0 < len(delicate) < 0.75 * FOLDS

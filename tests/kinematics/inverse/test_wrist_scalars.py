@@ -5,7 +5,6 @@ import pytest
 
 from kinematics.forward import end_pose, end_poses
 from kinematics.inverse import inverse_kinematics, solver_of
-from kinematics.inverse.arm import volumes
 from kinematics.inverse.goals import LEAST_TOLERANCE, read_goal
 from kinematics.inverse.isolation import LONG
 from kinematics.inverse.residuals import are_solutions, errors_of, pose_errors
@@ -105,7 +104,7 @@ def test_the_volume_bounds_the_least_singular_value(name):
     q = np.random.default_rng(3).uniform(-np.pi, np.pi, (500, 6))
     J = arm.jacobians(arm.frames(q))
     least = np.linalg.svd(J, compute_uv=False)[:, -1]
-    assert (volumes(J) <= arm.larger_five * least * (1.0 + 1e-9)).all()
+    assert (np.abs(np.linalg.det(J)) <= arm.larger_five * least * (1.0 + 1e-9)).all()
 
 
 def test_limits_choose_among_the_solutions():
