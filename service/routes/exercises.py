@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Callable
+from typing import Annotated, TypeVar
 
 from fastapi import Path, Request, Response
 from pydantic import TypeAdapter
@@ -39,6 +40,7 @@ from service.work.limiters import WorkKind
 router = api_router("exercises", route_class=DirectRoute)
 
 _ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
+_Result = TypeVar("_Result")
 SVG = "image/svg+xml"
 YEAR = 31_536_000
 _FIGURE_POLICY = "default-src 'none'; style-src 'unsafe-inline'"
@@ -79,7 +81,7 @@ async def show_exercise(request: ApiRequest) -> Response:
         view["figure"]["file"] = figure_path(resources_of(request).figures, instance, language)
         return encoded(view)
 
-    body = await resources_of(request).limiters[WorkKind.DRAWING].run(work)
+    body = await _drawn(request, "view", work)
     return _text(request, body, language, JSON)
 
 
@@ -122,6 +124,13 @@ def _asked_instance(request: ApiRequest) -> Instance:
         raise RequestError(error.faults, part=RequestPart.QUERY) from error
 
 
+async def _drawn(request: ApiRequest, what: str, work: Callable[[], _Result]) -> _Result:
+    """What follows from the values that the address names a seed for."""
+    context, seed = context_of(request), seed_of(request, request.query_params.get("seed"))
+    question = (what, request.path_params["exercise_id"], seed, language_of(request), context)
+    return await resources_of(request).limiters[WorkKind.DRAWING].run_first(question, work)
+
+
 async def _figure(request: ApiRequest, caching: str, asked: str | None = None) -> Response:
     """The figure; where another address was asked for than it has now, where it is."""
     language, figures = language_of(request), resources_of(request).figures
@@ -131,7 +140,7 @@ async def _figure(request: ApiRequest, caching: str, asked: str | None = None) -
         now = figure_address(figures, instance, language)
         return now, packed_figure(figures, instance, language) if asked in (None, now) else None
 
-    address, packed = await resources_of(request).limiters[WorkKind.DRAWING].run(work)
+    address, packed = await _drawn(request, "figure", work)
     if packed is None:
         query = f"?{request.url.query}" if request.url.query else ""
         moved = {"Location": f"{address}.svg{query}", "Cache-Control": "no-store"}

@@ -51,12 +51,14 @@ async def exercise_page(request: ApiRequest) -> Response:
         return missing_page(request, depth=1)
     language = page_language(request)
     kept = {name: value for name in ("seed", QUERY) if (value := request.query_params.get(name))}
-    figure = partial(_figure, request, found, language, urlencode({"lang": language, **kept}))
+    query = urlencode({"lang": language, **kept})
+    question = ("page", found.id, query, context_of(request))
+    figure = partial(_figure, request, found, language, query)
     values = {
         "id": found.id,
         "title": found.title(language),
         "statement": to_html(found.statement(language)),
-        "figure": await resources_of(request).limiters[WorkKind.DRAWING].run(figure),
+        "figure": await resources_of(request).limiters[WorkKind.DRAWING].run_first(question, figure),
     }
     # A SCORM package frames the page from whatever origin its LMS has. Nobody is signed in there: a page that
     # frames it gains nothing that it could not ask for itself.

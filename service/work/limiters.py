@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections import OrderedDict
+from collections.abc import Callable, Hashable
 from enum import StrEnum
 from typing import TypeVar
 
@@ -14,6 +15,8 @@ from service.work.fair_queue import FairQueue, Slot
 
 COURSE_THREADS = 16
 """Requests that wait for the database, or for a platform, at the same time."""
+DONE = 512
+"""Questions that count as answered before; fewer than what they follow from is kept for."""
 _Result = TypeVar("_Result")
 
 
@@ -32,6 +35,7 @@ class Limiter:
 
     def __init__(self, *, threads: int, capacity: int, timeout: float) -> None:
         self._threads = anyio.CapacityLimiter(threads)
+        self._done: OrderedDict[Hashable, None] = OrderedDict()
         self.queue = FairQueue(slots=threads, capacity=capacity, timeout=timeout)
 
     async def acquire(self) -> ThreadSlot:
@@ -53,6 +57,25 @@ class Limiter:
             return await slot.run(work)
         finally:
             slot.release()
+
+    async def run_first(self, question: Hashable, work: Callable[[], _Result]) -> _Result:
+        """Do work in a thread the first time, and at once afterwards: what took long has been kept.
+
+        Args:
+            question: what the work follows from.
+            work: what is to be done.
+
+        Raises:
+            BusyError: as in `run`.
+        """
+        if question in self._done:
+            self._done.move_to_end(question)
+            return work()
+        result = await self.run(work)
+        self._done[question] = None
+        while len(self._done) > DONE:
+            self._done.popitem(last=False)
+        return result
 
 
 class ThreadSlot:

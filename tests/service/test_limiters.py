@@ -23,7 +23,7 @@ from service.settings import Settings
 from service.wire import exercise_views
 from service.work import fair_queue
 from service.work.fair_queue import CLIENTS, Client, FairQueue, Name, Proven, current_client
-from service.work.limiters import Limiter, WorkKind, limiters
+from service.work.limiters import DONE, Limiter, WorkKind, limiters
 from service.work.thread_switching import SWITCH_SECONDS
 
 TABLE = {"convention": "standard", "rows": [{"alpha": 0, "a": "1", "d": 0, "theta": f"q{i}"} for i in (1, 2)]}
@@ -161,6 +161,26 @@ def test_the_next_is_who_used_least(
     clock = itertools.repeat(0.0)
     with patch.object(fair_queue, "time", SimpleNamespace(monotonic=lambda: next(clock))):
         asyncio.run(scene())
+
+
+def test_only_the_first_to_ask_waits_for_a_thread() -> None:
+    async def scene() -> None:
+        limiter = Limiter(threads=1, capacity=0, timeout=1)
+        here = threading.get_ident()
+        assert await limiter.run_first("asked", threading.get_ident) != here
+        with pytest.raises(ZeroDivisionError):
+            await limiter.run_first("failed", lambda: 1 // 0)
+        slot = await limiter.acquire()
+        assert await limiter.run_first("asked", threading.get_ident) == here
+        for question in ("new", "failed"):
+            with pytest.raises(BusyError):
+                await limiter.run_first(question, threading.get_ident)
+        slot.release()
+        for number in range(DONE):
+            await limiter.run_first(number, threading.get_ident)
+        assert await limiter.run_first("asked", threading.get_ident) != here
+
+    asyncio.run(scene())
 
 
 @pytest.mark.parametrize(
