@@ -38,6 +38,9 @@ AS_IT_IS = 1e-11
 TOGETHER = 500
 """How many targets are solved in the same array operations: more would not fit into the cache."""
 
+FEW = 3
+"""So few targets are solved one by one: of those that need care, nothing is then computed twice."""
+
 AT_ONCE = 1000
 """The same of targets that are away from singularities, with fewer arrays."""
 
@@ -96,7 +99,7 @@ def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
                 part, done[block] = _at_once(solver, solver.clear, poses[block])
                 parts.append(part._replace(target=part.target + start))
             left = left[~done]
-        for start in range(0, len(left), TOGETHER):
+        for start in range(0, len(left) if len(left) > FEW else 0, TOGETHER):
             some = left[start : start + TOGETHER]
             part, done[some] = _together(solver, closed, poses[some])
             parts.append(part._replace(target=some[part.target]))

@@ -46,23 +46,6 @@ def merging_value(tolerance: float) -> float:
     return MERGING * math.sqrt(tolerance)
 
 
-def stand_alone(arm: Arm, target: Array, joints: Array, tolerance: float) -> bool:
-    """Whether each of some solutions stands alone.
-
-    Args:
-        arm: without joints to spare.
-        target: (4, 4).
-        joints: (m, n).
-        tolerance: distance [m] and angle [rad] within which the target is reached.
-    """
-    targets, rows = np.broadcast_to(target, (len(joints), 4, 4)), np.arange(len(joints))
-    owner = np.zeros_like(rows)
-    return not (
-        can_move(arm, targets, joints, tolerance).any()
-        or len(joined_rows(arm, targets, joints, owner, rows, tolerance))
-    )
-
-
 def can_move(arm: Arm, targets: Array, joints: Array, tolerance: float) -> NDArray[np.bool_]:
     """Whether solutions can be moved as far as those of families, or in more than one direction.
 
