@@ -220,17 +220,29 @@ class _Sorter:
         if not moving and len(blind) < 2:
             return [Component(q)]
         if len(moving) > 1 and self._spanned(x, moving):
-            directions = np.array(moving)
-            paths = self._paths_of_surface(x, directions)
-            return [Component(q, paths, len(moving), tuple(pivots_of(directions)))]
+            return [self._surface(x, moving)]
         surfaces = [] if len(moving) < 2 else self._surfaces_beside(x, moving)
         curves = [
             path for path in self._curves(x, blind) if not any(self._holds(one, path) for one in surfaces)
         ]
-        curves = self._with_branches(curves)
+        curves = self._with_branches(curves, surfaces)
         members = [q, *(path.points[len(path.points) // 4] for path in curves[1:])]
         found = [Component(member, (path,), 1) for member, path in zip(members, curves, strict=False)]
         return [*surfaces, *found] or [Component(q)]
+
+    def _surface(self, x: Array, moving: Sequence[Array]) -> Component:
+        """The family of as many dimensions as a solution can be moved in."""
+        directions = np.array(moving)
+        paths = self._paths_of_surface(x, directions)
+        return Component(x * self.arm.units, paths, len(moving), tuple(pivots_of(directions)))
+
+    def _surface_at(self, x: Array, fewer: int) -> Component | None:
+        """The surface that a solution is on, of fewer dimensions than so many; None if it is on none."""
+        blind = blind_directions(self.follower.jacobian(x), self.blind)
+        if not 1 < len(blind) < fewer:
+            return None
+        moving = [d for d in blind if self._moves(x, d)]
+        return self._surface(x, moving) if len(moving) > 1 and self._spanned(x, moving) else None
 
     def _curves(self, x: Array, blind: Array) -> list[FamilyPath]:
         """Paths through a solution, each once."""
@@ -262,23 +274,17 @@ class _Sorter:
                 there = self.follower.moves(x, direction, step)
                 if there is None or any(self._within(one, there * self.arm.units) for one in found):
                     continue
-                blind = blind_directions(self.follower.jacobian(there), self.blind)
-                if not 1 < len(blind) < len(moving):
-                    continue
-                beside = [d for d in blind if self._moves(there, d)]
-                if len(beside) > 1 and self._spanned(there, beside):
-                    directions = np.array(beside)
-                    paths = self._paths_of_surface(there, directions)
-                    q = there * self.arm.units
-                    found.append(Component(q, paths, len(beside), tuple(pivots_of(directions))))
+                surface = self._surface_at(there, fewer=len(moving))
+                if surface is not None:
+                    found.append(surface)
         return found
 
     def _holds(self, surface: Component, path: FamilyPath) -> bool:
         """Whether a path lies in a surface, as far as some of its points tell."""
         return all(self._within(surface, q) for q in path.points[:: max(len(path.points) // 3, 1)])
 
-    def _with_branches(self, curves: list[FamilyPath]) -> list[FamilyPath]:
-        """Paths, and those that cross them, and those that cross these."""
+    def _with_branches(self, curves: list[FamilyPath], surfaces: list[Component]) -> list[FamilyPath]:
+        """Paths, and those that cross them, and those that cross these; surfaces that do are added."""
         found = list(curves)
         for path in found:
             if self.follower.is_spent:
@@ -286,10 +292,16 @@ class _Sorter:
             for x, way in branches(self.follower, path, self.long, self.blind):
                 if any(is_beside(self.follower, one, x, BESIDE_A_BRANCH * self.long) for one in found):
                     continue
+                if any(self._within(one, x * self.arm.units) for one in surfaces):
+                    continue
+                surface = self._surface_at(x, fewer=self.arm.n_joints)
+                if surface is not None and self._is_wide(surface):
+                    surfaces.append(surface)
+                    continue
                 branch = self.follower.path(x, way, np.empty((0, len(x))))
                 if self._is_long(branch):
                     found.append(branch)
-                if len(found) == self.most:
+                if len(found) + len(surfaces) >= self.most:
                     return found
         return found
 
@@ -297,6 +309,11 @@ class _Sorter:
         """Whether a path leads farther than across a fold."""
         x = path.points / self.arm.units
         return path.closed or float(np.abs(x - x[0]).max()) > 0.5 * self.long
+
+    def _is_wide(self, surface: Component) -> bool:
+        """Whether a surface is more than the width that a tolerance gives to families where they cross."""
+        extents = (np.ptp(path.points / self.arm.units, axis=0).max() for path in surface.paths)
+        return all(extent > BESIDE_A_CROSSING for extent in extents)
 
     def _moves(self, x: Array, direction: Array) -> bool:
         return self._moved(x, direction) is not None

@@ -121,3 +121,17 @@ def test_a_stretched_elbow_of_seven_joints_is_found_with_the_wrist_either_way(se
     goal = goal._replace(tolerance=answer.tolerance)
     assert holds(solver, goal, answer, q)
     assert len({s.joints[5] > 0.0 for s in answer.solutions}) == 2
+
+
+def test_a_surface_that_a_family_crosses_is_one_family_of_two_dimensions():
+    """An SSRMS with five parallel axes: two joints may be chosen, and no path wanders over the surface."""
+    q = [0.0247, RIGHT, math.pi, 0.0, RIGHT, RIGHT, 0.4632]
+    solver, goal, answer = asked("catalogue ssrms", q)
+    assert answer.status is IKStatus.SINGULAR
+    assert not answer.complete
+    surfaces = [
+        s.family for s in answer.solutions if s.family and s.family.dimension == 2 and s.family.parameters
+    ]
+    assert surfaces
+    assert all(abs(p.greatest - p.least) <= 2.0 * math.pi + 1e-9 for s in surfaces for p in s.parameters)
+    assert holds(solver, goal._replace(tolerance=answer.tolerance), answer, q)
