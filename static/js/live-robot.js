@@ -11,7 +11,7 @@
  *
  * Events: `typed` (a new table is being looked at), `reading` (what was understood, and the faults), `parameters`
  * (the names that the table uses, and which of them have no value), `robot` (a scene model and joints to move),
- * `poses` (matrices at the joints' present values), `failure` (the service could not be reached).
+ * `poses` (matrices at the joints' present values), `failure` (the service could not be reached; it is asked again until it can).
  */
 
 import { Problem, Throttled } from "./api.js";
@@ -24,6 +24,7 @@ import { Understanding } from "./understanding.js";
 
 const TYPING_PAUSE = 30;
 const DRAGGING_PAUSE = 60;
+const AWAY_PAUSE = 3000;
 
 /**
  * @typedef {import("./joint-ranges.js").JointRange} JointRange
@@ -58,6 +59,7 @@ export class LiveRobot extends EventTarget {
     this.understanding = new Understanding(api);
     this.dragging = new Throttled(DRAGGING_PAUSE);
     this.paused = debounced(() => this.#look(), TYPING_PAUSE);
+    this.later = debounced(() => this.#look(), AWAY_PAUSE);
   }
 
   /**
@@ -180,7 +182,10 @@ export class LiveRobot extends EventTarget {
   #fail(error) {
     if (error instanceof Error && error.name === "AbortError") return;
     if (error instanceof Problem) this.#tell("reading", { whole: false, rows: [], faults: error.faults });
-    else this.#tell("failure", error);
+    else {
+      this.#tell("failure", error);
+      this.later();
+    }
   }
 
   /** @param {string} name @param {unknown} detail */

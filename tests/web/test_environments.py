@@ -109,6 +109,8 @@ def test_every_target_is_large_enough(open_page: OpenPage, path: str) -> None:
 
 def test_a_phone_grades_an_exercise_by_touch(open_page: OpenPage) -> None:
     page = open_page("/exercises/scara", width=390, height=700, has_touch=True, is_mobile=True)
+    expect(page.locator(".keys")).to_have_count(2)
+    expect(page.locator(".keys:visible")).to_have_count(0)
     page.locator("#figure-mode label").nth(1).tap()
     expect(page.locator("#figure-body robot-scene")).to_be_visible()
     fill_table(page, SCARA)

@@ -42,6 +42,16 @@ def test_after_a_wrong_answer_the_ghost_leaves_the_robot_at_the_row_that_is_name
     assert_accessible(page)
 
 
+LIST = """async (first) => {
+  const base = document.documentElement.dataset.assets;
+  const { showHistory } = await import(new URL(`${base}/js/exercise/history.js`, location.href).href);
+  const attempt = (number) => ({ number, at: "2026-01-01T12:00:00Z", score: 0.5, correct: false });
+  showHistory(document.getElementById("history"), [attempt(first), attempt(first + 1)], 100, () => {}, null);
+  document.getElementById("history-card").hidden = false;
+}"""
+"""The history of a course, with two attempts from a number on."""
+
+
 @pytest.mark.parametrize("level", ["verdict", "row"])
 def test_no_ghost_where_the_help_does_not_allow_it(open_page: OpenPage, level: str) -> None:
     page = open_page("/exercises/puma560")
@@ -152,3 +162,14 @@ def test_every_cell_of_a_matrix_is_read_while_it_is_typed(open_page: OpenPage, l
     expect(cells.nth(0)).to_have_value("cos(θ_1)")
     part.locator("button.small").first.click()
     expect(cells.nth(0)).to_have_value("")
+
+
+def test_of_many_stored_attempts_the_latest_are_listed_and_the_page_says_so(open_page: OpenPage) -> None:
+    page = open_page("/exercises/scara")
+    for first, said in (
+        (1, "Kept in your course."),
+        (11, "Kept in your course. The latest 2 are listed here."),
+    ):
+        page.evaluate(LIST, first)
+        expect(page.locator("#history li")).to_have_count(2)
+        assert " ".join(page.locator("#history .hint").inner_text().split()) == said

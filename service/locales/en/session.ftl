@@ -20,3 +20,4 @@ session-opens = Opens: { $when }
 session-late = Closed: attempts no longer count
 session-handed-in = handed in
 session-attempts-kept = Kept in your course.
+session-attempts-latest = The latest { $count } are listed here.

@@ -20,3 +20,4 @@ session-opens = Se abre: { $when }
 session-late = Cerrado: los intentos ya no cuentan
 session-handed-in = entregado
 session-attempts-kept = Se guardan en su curso.
+session-attempts-latest = Aquí aparecen los últimos { $count }.

@@ -20,3 +20,4 @@ session-opens = Ouvre : { $when }
 session-late = Fermé : les essais ne comptent plus
 session-handed-in = rendu
 session-attempts-kept = Conservés dans votre cours.
+session-attempts-latest = Les { $count } derniers figurent ici.

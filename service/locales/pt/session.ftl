@@ -20,3 +20,4 @@ session-opens = Abre: { $when }
 session-late = Fechado: as tentativas já não contam
 session-handed-in = entregue
 session-attempts-kept = Ficam guardadas na sua disciplina.
+session-attempts-latest = Aqui estão as últimas { $count }.

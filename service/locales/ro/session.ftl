@@ -20,3 +20,4 @@ session-opens = Se deschide: { $when }
 session-late = Închis: încercările nu mai contează
 session-handed-in = predat
 session-attempts-kept = Se păstrează în cursul dumneavoastră.
+session-attempts-latest = Aici apar ultimele { $count }.

@@ -20,3 +20,4 @@ session-opens = Відкривається: { $when }
 session-late = Закрито: спроби вже не зараховуються
 session-handed-in = здано
 session-attempts-kept = Зберігаються у вашому курсі.
+session-attempts-latest = Тут показано останні { $count }.

@@ -127,6 +127,6 @@ export function editorFoot(add) {
     "div",
     { class: "editor-foot no-print" },
     el("button", { type: "button", class: "add-row", onclick: add }, "+ ", t("form-row-add")),
-    el("p", { class: "hint editor-keys", text: t("form-keys") }),
+    el("p", { class: "hint keys", text: t("form-keys") }),
   );
 }

@@ -74,7 +74,7 @@ export class AnswerCard {
         "div",
         { class: "row submit-row no-print" },
         this.button,
-        el("span", { class: "hint", text: t("form-submit-hint") }),
+        el("span", { class: "hint keys", text: t("form-submit-hint") }),
         this.help.element(),
       ),
       this.problem,

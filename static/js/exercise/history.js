@@ -40,6 +40,7 @@ export function showHistory(place, attempts, total, restore, clear) {
       "p",
       { class: "hint row" },
       el("span", { text: t(clear ? "form-history-kept" : "session-attempts-kept") }),
+      (attempts[0]?.number ?? 1) > 1 && el("span", { text: t("session-attempts-latest", { count: attempts.length }) }),
       clear && el("button", { type: "button", class: "quiet small", onclick: clear, text: t("form-history-clear") }),
     ),
   );
