@@ -6,36 +6,32 @@ said of what a student meant by it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
-from difflib import SequenceMatcher, get_close_matches
 
 from exercises.definition import Exercise
 from exercises.grading.substitution import replaced, substituted
-from kinematics.cells import ReadTable
+from kinematics.cells import ReadTable, nearest_name
 from kinematics.errors import Fault
 from kinematics.expressions import Expression, Parameter, parameters_in
 from kinematics.table import CELLS
 
-SIMILAR = 0.5
-"""Least similarity (difflib's ratio) of a name that is suggested: half of the letters in the same order."""
 
+def unknown_name(
+    name: str, exercise: Exercise, where: tuple[str | int, ...], others: Collection[str] = ()
+) -> Fault:
+    """Return the fault of a name that means nothing in an exercise.
 
-def unknown_name(name: str, exercise: Exercise, where: tuple[str | int, ...]) -> Fault:
-    """Return the fault of a name that means nothing in an exercise."""
-    known = tuple(exercise.reference.parameters)
-    close = nearest(name, (*known, *exercise.aliases))
+    Args:
+        name: the name.
+        exercise: the exercise.
+        where: the place of the cell.
+        others: names that may stand there besides the exercise's own.
+    """
+    known = (*exercise.reference.parameters, *others)
+    close = nearest_name(name, (*known, *exercise.aliases))
     params = {"name": name, "known": known or "–", "close": close or "", "found": int(close is not None)}
     return Fault(code="name_unknown", where=where, params=params)
-
-
-def nearest(name: str, known: Iterable[str]) -> str | None:
-    """Return the known name that is most like a name, d3 for D3 first; None if none is, or two are alike."""
-    by_case = {found.lower(): found for found in known}
-    close = get_close_matches(name.lower(), by_case, n=2, cutoff=SIMILAR)
-    likeness = [SequenceMatcher(None, each, name.lower()).ratio() for each in close]
-    alike = len(close) == 2 and likeness[0] == likeness[1]
-    return by_case[close[0]] if close and not alike else None
 
 
 def table_faults(read: ReadTable, exercise: Exercise) -> list[Fault]:

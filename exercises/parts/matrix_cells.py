@@ -192,7 +192,7 @@ def read_row(
     exercise = reading.instance.exercise
     known = {*exercise.reference.parameters, *exercise.aliases, *names}
     unknown = [
-        unknown_name(name, exercise, (part, *where, k))
+        unknown_name(name, exercise, (part, *where, k), names)
         for k, entry in enumerate(found)
         for name in sorted(parameters_in(entry) - known)
     ]

@@ -11,7 +11,7 @@ from kinematics.cells.exact import snapped
 from kinematics.cells.grammar import parse
 from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.meaning import CellMeaning, Position, VariableOf, interpret
-from kinematics.cells.refusals import CellRefusal
+from kinematics.cells.refusals import CellRefusal, size_refusal
 from kinematics.cells.syntax import Node
 from kinematics.cells.tables import Cell, NoCell, as_cell
 from kinematics.cells.units import AngleUnit, ParameterKind
@@ -125,5 +125,5 @@ def text_length(cells: Iterable[object], limits: Limits) -> int:
 
 def _sized(value: Fraction, limits: Limits) -> Fraction:
     if not limits.admits(value):
-        raise CellRefusal("number_out_of_range", column=1, smallest=limits.smallest, largest=limits.largest)
+        raise size_refusal(value, 1, limits)
     return value

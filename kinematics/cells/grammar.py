@@ -197,6 +197,8 @@ def parse(text: str, limits: Limits) -> Node:
 def _refusal(token: Token, tokens: list[Token]) -> CellRefusal:
     column = _column(token)
     opened = _open_brackets(tokens, token)
+    if token.type == "$END" and all(each.type == "MINUS" for each in tokens):
+        return CellRefusal("cell_dash")
     if token.type == "$END":
         if opened and tokens[-1].type not in {
             "PLUS",
@@ -235,6 +237,9 @@ def _open_brackets(tokens: list[Token], until: Token) -> list[Token]:
 def _comma_refusal(comma: Token, tokens: list[Token]) -> CellRefusal:
     index = next(i for i, token in enumerate(tokens) if token is comma)
     around = tokens[max(index - 1, 0) : index + 2]
-    if len(around) == 3 and around[0].type == around[2].type == "NUMBER" and "." not in around[0] + around[2]:
+    if len(around) == 3 and around[0].type == around[2].type == "NUMBER":
+        if "." in around[0] + around[2]:
+            text = f"{around[0]},{around[2]}"
+            return CellRefusal("number_malformed", column=_column(around[0]), text=text)
         return CellRefusal("decimal_comma", column=_column(comma), suggestion=f"{around[0]}.{around[2]}")
     return CellRefusal("comma_misplaced", column=_column(comma))

@@ -17,7 +17,7 @@ from fractions import Fraction
 
 from kinematics.cells.exact import absolute, inverse_trigonometric, raised, reciprocal, snapped, trigonometric
 from kinematics.cells.limits import RESULT_BITS, Limits
-from kinematics.cells.refusals import CellRefusal
+from kinematics.cells.refusals import CellRefusal, size_refusal
 from kinematics.cells.syntax import (
     Addition,
     Application,
@@ -265,9 +265,7 @@ def _from_degrees(expression: Expression) -> Expression:
 
 def _refuse_size(value: Fraction, node: Node, limits: Limits) -> None:
     if not limits.admits(value):
-        raise CellRefusal(
-            "number_out_of_range", column=node.column, smallest=limits.smallest, largest=limits.largest
-        )
+        raise size_refusal(value, node.column, limits)
     if not limits.is_precise(value):
         raise CellRefusal("number_too_long", column=node.column, limit=_RESULT_DIGITS)
 
@@ -283,9 +281,8 @@ def _refuse_power(base: Expression, degree: Fraction, node: Node, limits: Limits
     if not value:
         return
     bits = max(value.numerator.bit_length(), value.denominator.bit_length())
-    if abs(math.log10(abs(value))) * abs(degree) > _HIGHEST_DIGITS:
-        raise CellRefusal(
-            "number_out_of_range", column=node.column, smallest=limits.smallest, largest=limits.largest
-        )
+    digits = math.log10(abs(value)) * degree
+    if abs(digits) > _HIGHEST_DIGITS:
+        raise size_refusal(Fraction(10) ** (1 if digits > 0 else -1), node.column, limits)
     if bits * abs(degree) > _HIGHEST_BITS:
         raise CellRefusal("number_too_long", column=node.column, limit=_RESULT_DIGITS)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
+from kinematics.cells.limits import Limits
 from kinematics.errors import Fault, ParamValue
 
 
@@ -23,6 +26,12 @@ class CellRefusal(Exception):  # noqa: N818 - it becomes a Fault of a CellError 
     def at(self, *where: str | int) -> Fault:
         """The fault, at its place."""
         return fault(self.code, *where, **self.params)
+
+
+def size_refusal(value: Fraction, column: int, limits: Limits) -> CellRefusal:
+    """The refusal of a number that is larger or smaller in size than what is read."""
+    size = "small" if abs(value) < 1 else "large"
+    return CellRefusal("number_out_of_range", column=column, size=size, largest=limits.largest)
 
 
 def fault(code: str, *where: str | int, **params: ParamValue) -> Fault:

@@ -171,7 +171,7 @@ def _name(plain: str, start: int, limits: Limits) -> Scanned:
     if not digits and not scripts:
         if word.lower() == "pi":
             return [_token("PI", "pi", start)], _past_empty_call(plain, match.end())
-        if word == "deg":
+        if word in {"deg", "Deg", "DEG"}:
             return [_token("DEGREE", "°", start)], match.end()
         if word.lower() in _NOT_VALUES:
             raise CellRefusal("name_is_not_a_number", column=start + 1, name=word)

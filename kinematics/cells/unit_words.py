@@ -1,4 +1,4 @@
-"""Units written behind a number, in the languages of the pages: 90 grados, 12 mm, 30 градусів."""
+"""Units written behind a value, in the languages of the pages: 90 grados, 12 mm, π rad, q1 градусів."""
 
 from __future__ import annotations
 
@@ -13,21 +13,33 @@ grado grados radián radianes metro metros milímetro milímetros centímetro ce
 degré degrés degre degres radiant radiants mètre mètres millimètre millimètres centimètre centimètres
 pouce pouces grau graus radiano radianos polegada polegadas
 grade radiani metru metri milimetru milimetri centimetru centimetri țol țoli inci inchi
-градус градуси градусів градусах град радіан радіани радіанів рад метр метри метрів м міліметр міліметри
-міліметрів мм сантиметр сантиметри сантиметрів см дюйм дюйми дюймів
+градус градуса градуси градусів градусах град радіан радіана радіани радіанів рад метр метра метри метрів м
+міліметр міліметра міліметри міліметрів мм сантиметр сантиметра сантиметри сантиметрів см дюйм дюйма дюйми
+дюймів
 """
-_SHORT = 3
-"""Words of so few letters are units in lower case only: M and In are names."""
+_ALSO_NAMES = {"m", "in", "м"}
+"""Units in lower case only: M and In are names."""
 _UNITS = frozenset(_WORDS.split())
-_NUMBER_AND_WORD = re.compile(
-    r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?[ \u00a0\u202f]*([^\W\d_]+)(?![\w(])"
+_NUMBER = r"(?:\d+[.,]?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_VARIABLE = r"(?:[qθd]|theta)_?(?:\d+|[₀-₉]+)"
+_VALUE_AND_WORD = re.compile(
+    rf"(?<![\w.])(?:{_NUMBER}[ \u00a0\u202f]*|(?:pi|π|{_VARIABLE})[ \u00a0\u202f]+)"
+    r"((?:de )?([^\W\d_]+))(?![\w(])"
 )
 
 
 def unit_refusal(text: str) -> CellRefusal | None:
-    """The refusal of the first unit behind a number, which is stated once for the table; or None."""
-    for found in _NUMBER_AND_WORD.finditer(text):
-        word = found[1]
-        if word.lower() in _UNITS and (len(word) > _SHORT or word.islower()):
-            return CellRefusal("unit_in_cell", column=found.start(1) + 1, name=word)
-    return None
+    """The refusal of the first unit behind a value, with the cell as it is without any; or None."""
+    units = [found for found in _VALUE_AND_WORD.finditer(text) if _is_unit(found[2])]
+    if not units:
+        return None
+    rest = text
+    for found in reversed(units):
+        rest = rest[: found.start(1)].rstrip() + rest[found.end(1) :]
+    return CellRefusal(
+        "unit_in_cell", column=units[0].start(1) + 1, name=units[0][2], suggestion=rest.strip()
+    )
+
+
+def _is_unit(word: str) -> bool:
+    return word.lower() in _UNITS and (word.lower() not in _ALSO_NAMES or word.islower())

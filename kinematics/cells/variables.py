@@ -119,7 +119,7 @@ _CODES: dict[type[Node], str] = {
     Reciprocal: "variable_in_denominator",
     Raised: "variable_in_power",
     Application: "variable_in_function",
-    Degrees: "variable_in_function",
+    Degrees: "degree_of_angle",
 }
 
 

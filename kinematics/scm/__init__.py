@@ -14,7 +14,7 @@ from kinematics.scm.differentiation import (
     jacobian_numbers_by_differentiation,
 )
 from kinematics.scm.from_table import DescribedScm, scm_from_numbers, scm_from_table
-from kinematics.scm.inverse import inverse_kinematics_scm, nearest_first, solver_of_chain
+from kinematics.scm.inverse import inverse_kinematics_scm, solver_of_chain
 from kinematics.scm.motion import (
     ScmKinematics,
     chain_of_scm,
@@ -61,7 +61,6 @@ __all__ = [
     "jacobian_numbers_by_differentiation",
     "link_matrix",
     "modified_dh_from_scm",
-    "nearest_first",
     "random_configurations",
     "read_chain",
     "scm_from_numbers",

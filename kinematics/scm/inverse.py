@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 
 from numpy.typing import ArrayLike
 
-from kinematics.inverse import IKSolution, InverseKinematics, JointLimits, Solver, solver_of
+from kinematics.inverse import InverseKinematics, JointLimits, Solver, solver_of
 from kinematics.scm.chain import ScmChain
 from kinematics.scm.unrolled import table_of_chain
-from kinematics.table import JointType, bind
+from kinematics.table import bind
 
 
 def inverse_kinematics_scm(
@@ -41,7 +40,8 @@ def inverse_kinematics_scm(
 
     Source: seed 001 §3.1.2.
     """
-    return nearest_first(chain, solver_of_chain(chain, parameters, limits=limits).solve(target), start)
+    found = solver_of_chain(chain, parameters, limits=limits).solve(target)
+    return found.nearest_first([row.joint for row in chain.rows], start)
 
 
 def solver_of_chain(
@@ -49,20 +49,3 @@ def solver_of_chain(
 ) -> Solver:
     """The chain made ready for many targets; arguments and refusals are those of `inverse_kinematics_scm`."""
     return solver_of(bind(table_of_chain(chain), parameters), limits=limits)
-
-
-def nearest_first(
-    chain: ScmChain, found: InverseKinematics, start: Sequence[float] | None
-) -> InverseKinematics:
-    """The same answer with the solution nearest to a start first, if there is a start."""
-    if start is None:
-        return found
-    ordered = sorted(found.solutions, key=lambda solution: _distance(chain, solution, start))
-    return found._replace(solutions=tuple(ordered))
-
-
-def _distance(chain: ScmChain, solution: IKSolution, start: Sequence[float]) -> float:
-    return sum(
-        abs(math.remainder(q - q0, math.tau)) if row.joint is JointType.REVOLUTE else abs(q - q0)
-        for row, q, q0 in zip(chain.rows, solution.joints, start, strict=True)
-    )

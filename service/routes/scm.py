@@ -23,7 +23,6 @@ from kinematics.scm import (
     jacobian_base_by_inspection,
     jacobian_end_by_inspection,
     jacobian_numbers_by_differentiation,
-    nearest_first,
     random_configurations,
     solver_of_chain,
 )
@@ -151,7 +150,7 @@ async def inverse_kinematics(
         found = await run_sync(_directly, *question)
     if found is None:
         found = await request.resources.workers.run(Lane.SLOW, _search, *question)
-    found = nearest_first(prepared.chain, found, start)
+    found = found.nearest_first([row.joint for row in prepared.chain.rows], start)
     return wire.ScmInverseKinematicsAnswer(
         **prepared.units,
         status=found.status.value,

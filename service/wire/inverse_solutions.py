@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
@@ -14,7 +13,7 @@ from kinematics.errors import Fault, JointValueError
 from kinematics.inverse import ArmReach, IKSolution, InverseKinematics, NearestPose, Solver, solver_of
 from kinematics.inverse.goals import read_goal
 from kinematics.inverse.results import Family, Method
-from kinematics.table import JointType, NumericTable
+from kinematics.table import NumericTable
 from service.http.languages import language_of
 from service.http.routing import ApiRequest
 from service.schemas.inverse_kinematics import (
@@ -57,7 +56,7 @@ async def solved(
         answer = await run_sync(_directly, question)
     if answer is None:
         answer = await workers.run(Lane.SLOW, _search, question)
-    return _answer(answer if question.start is None else nearest_first(answer, robot, question.start), robot)
+    return _answer(answer.nearest_first(robot.table.joint_types, question.start), robot)
 
 
 async def solved_each(
@@ -81,8 +80,7 @@ async def solved_each(
         question.solver()
     seconds = api.settings.symbolic_seconds
     answers = await api.resources.workers.run(Lane.SLOW, _search_each, question, targets, ALLOTTED * seconds)
-    if question.start is not None:
-        answers = [nearest_first(answer, robot, question.start) for answer in answers]
+    answers = [answer.nearest_first(robot.table.joint_types, question.start) for answer in answers]
     return InverseKinematicsAnswers(
         angle_unit=robot.read.angle_unit.value,
         length_unit=robot.read.length_unit.value,
@@ -161,20 +159,6 @@ def _start(start: list[float], robot: PreparedRobot) -> list[float]:
         params = {"expected": len(robot.joint_units), "given": len(start)}
         raise JointValueError(Fault(code="joints_wrong_length", where=("start",), params=params))
     return [value * unit for value, unit in zip(start, robot.joint_units, strict=True)]
-
-
-def nearest_first(
-    answer: InverseKinematics, robot: PreparedRobot, start: Sequence[float]
-) -> InverseKinematics:
-    """The same answer, its solutions sorted by their distance from a start."""
-
-    def distance(solution: IKSolution) -> float:
-        return sum(
-            abs(math.remainder(q - q0, math.tau)) if kind is JointType.REVOLUTE else abs(q - q0)
-            for kind, q, q0 in zip(robot.table.joint_types, solution.joints, start, strict=True)
-        )
-
-    return answer._replace(solutions=tuple(sorted(answer.solutions, key=distance)))
 
 
 def _directly(question: _Question) -> InverseKinematics | None:

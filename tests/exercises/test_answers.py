@@ -125,7 +125,7 @@ def test_help_is_never_more_than_the_exercise_allows(asked: HelpLevel | None, al
 
 
 @pytest.mark.parametrize(
-    ("typed", "close"), [("A2", "a2"), ("a4", ""), ("ab2", "a2"), ("a22", "a2"), ("x", ""), ("L1", "")]
+    ("typed", "close"), [("A2", "a2"), ("a4", ""), ("ab2", "a2"), ("a22", ""), ("x", ""), ("L1", "")]
 )
 def test_an_unknown_name_is_no_attempt_and_is_told_the_nearest_known_one(typed: str, close: str) -> None:
     rows = [(0, typed, 0, "q1"), (180, "a3", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4")]

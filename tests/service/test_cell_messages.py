@@ -26,7 +26,7 @@ PARAMS = {
     "latin": "a",
     "command": "foo",
     "text": "L1",
-    "smallest": 1e-30,
+    "size": "large",
     "largest": 1e15,
     "suggestion": "0.5",
     "name": "q1",
@@ -57,7 +57,7 @@ def test_every_code_has_a_sentence(code, language, caplog):
     source = (LOCALES / language / "cells.ftl").read_text(encoding="utf-8")
     assert f"error-{code} =" in source
     for name, value in params.items():
-        if name not in {"kind", "other", "joint", "expected", "functions"}:
+        if name not in {"kind", "other", "joint", "expected", "functions", "size"}:
             shown = format(value, ".10g") if isinstance(value, float) else str(value)
             assert GREEK.get(shown, shown) in text, name
 

@@ -1,6 +1,7 @@
 # Why a cell, a table or a parameter is refused.
 
 error-cell_empty = This cell is empty. Write 0 where nothing is meant.
+error-cell_dash = This cell holds only a dash. Write 0 where nothing is meant.
 error-cell_not_a_value = A cell is a number or an expression in text, not { $kind }.
 error-cell_too_long = This cell has { $length } characters; at most { $limit } are read.
 error-cell_too_deep = This cell is nested deeper than { $limit } levels.
@@ -16,7 +17,11 @@ error-script_misplaced = At character { $column }: { $character } follows nothin
 
 error-number_malformed = At character { $column }: { $text } is not a decimal number. Write digits and one point, without separators.
 error-number_too_long = At character { $column }: a number may have at most { $limit } digits.
-error-number_out_of_range = At character { $column }: a number is 0 or between { $smallest } and { $largest } in size.
+error-number_out_of_range =
+    { $size ->
+        [small] At character { $column }: this number is too close to 0 to be read. Write 0.
+       *[large] At character { $column }: a number is at most { $largest } in size.
+    }
 error-cell_not_finite = A cell holds finite numbers only; NaN and infinity are refused.
 error-decimal_comma = At character { $column }: write a decimal point instead of the comma: { $suggestion }.
 
@@ -24,7 +29,7 @@ error-names_run_together = At character { $column }: { $text } runs into what fo
 error-name_malformed = At character { $column }: an underscore stands between a letter and its index only, as in L_1.
 error-name_too_long = At character { $column }: a name may have at most { $limit } characters.
 error-name_is_not_a_number = At character { $column }: { $name } is not a value. A cell holds finite numbers only.
-error-unit_in_cell = At character { $column }: units are not written in cells. State { $name } once for the whole table.
+error-unit_in_cell = At character { $column }: units are not written in cells. If the table is in { $name } already, write { $suggestion }; if it is not, convert first.
 error-function_unknown = At character { $column }: { $name } is no function here. There are { $functions }. A product is written { $name }*(…).
 error-function_without_parentheses = At character { $column }: write the argument of { $name } in parentheses: { $name }(x).
 error-function_arity =

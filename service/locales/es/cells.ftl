@@ -1,6 +1,7 @@
 # Por qué se rechaza una celda, una tabla o un parámetro.
 
 error-cell_empty = Esta celda está vacía. Escriba 0 donde no haya nada.
+error-cell_dash = Esta celda solo contiene un guion. Escriba 0 donde no haya nada.
 error-cell_not_a_value = Una celda contiene un número o una expresión en texto, no { $kind }.
 error-cell_too_long = Esta celda tiene { $length } caracteres; se leen como máximo { $limit }.
 error-cell_too_deep = Esta celda supera { $limit } niveles de anidamiento.
@@ -16,7 +17,11 @@ error-script_misplaced = En el carácter { $column }: { $character } no sigue a 
 
 error-number_malformed = En el carácter { $column }: { $text } no es un número decimal. Escriba cifras y un solo punto, sin separadores.
 error-number_too_long = En el carácter { $column }: un número puede tener como máximo { $limit } cifras.
-error-number_out_of_range = En el carácter { $column }: un número es 0 o tiene valor absoluto entre { $smallest } y { $largest }.
+error-number_out_of_range =
+    { $size ->
+        [small] En el carácter { $column }: este número está demasiado cerca de 0 para leerse. Escriba 0.
+       *[large] En el carácter { $column }: el valor absoluto de un número es como máximo { $largest }.
+    }
 error-cell_not_finite = Una celda contiene solo números finitos; NaN e infinito se rechazan.
 error-decimal_comma = En el carácter { $column }: escriba punto decimal en lugar de coma: { $suggestion }.
 
@@ -24,7 +29,7 @@ error-names_run_together = En el carácter { $column }: { $text } está pegado a
 error-name_malformed = En el carácter { $column }: el guion bajo va solo entre una letra y su índice, como en L_1.
 error-name_too_long = En el carácter { $column }: un nombre puede tener como máximo { $limit } caracteres.
 error-name_is_not_a_number = En el carácter { $column }: { $name } no es un valor. Una celda contiene solo números finitos.
-error-unit_in_cell = En el carácter { $column }: las unidades no se escriben en las celdas. Indique { $name } una vez para toda la tabla.
+error-unit_in_cell = En el carácter { $column }: las unidades no se escriben en las celdas. Si la tabla ya está en { $name }, escriba { $suggestion }; si no, convierta antes.
 error-function_unknown = En el carácter { $column }: { $name } no es una función. Las funciones son { $functions }. Un producto se escribe { $name }*(…).
 error-function_without_parentheses = En el carácter { $column }: escriba el argumento de { $name } entre paréntesis: { $name }(x).
 error-function_arity =

@@ -1,6 +1,7 @@
 # Pourquoi une cellule, un tableau ou un paramètre est refusé.
 
 error-cell_empty = Cette cellule est vide. Écrivez 0 là où il n’y a rien.
+error-cell_dash = Cette cellule ne contient qu’un tiret. Écrivez 0 là où il n’y a rien.
 error-cell_not_a_value = Une cellule contient un nombre ou une expression sous forme de texte, et non { $kind }.
 error-cell_too_long = Cette cellule compte { $length } caractères ; { $limit } au plus sont lus.
 error-cell_too_deep = Cette cellule dépasse { $limit } niveaux d’imbrication.
@@ -16,7 +17,11 @@ error-script_misplaced = Au caractère { $column } : { $character } ne suit rie
 
 error-number_malformed = Au caractère { $column } : { $text } n’est pas un nombre décimal. Écrivez des chiffres et un seul point, sans séparateurs.
 error-number_too_long = Au caractère { $column } : un nombre a au plus { $limit } chiffres.
-error-number_out_of_range = Au caractère { $column } : un nombre vaut 0 ou est compris, en valeur absolue, entre { $smallest } et { $largest }.
+error-number_out_of_range =
+    { $size ->
+        [small] Au caractère { $column } : ce nombre est trop proche de 0 pour être lu. Écrivez 0.
+       *[large] Au caractère { $column } : la valeur absolue d’un nombre est au plus { $largest }.
+    }
 error-cell_not_finite = Une cellule ne contient que des nombres finis ; NaN et l’infini sont refusés.
 error-decimal_comma = Au caractère { $column } : écrivez un point décimal au lieu de la virgule : { $suggestion }.
 
@@ -24,7 +29,7 @@ error-names_run_together = Au caractère { $column } : { $text } est accolé à
 error-name_malformed = Au caractère { $column } : le tiret bas ne se place qu’entre une lettre et son indice, comme dans L_1.
 error-name_too_long = Au caractère { $column } : un nom a au plus { $limit } caractères.
 error-name_is_not_a_number = Au caractère { $column } : { $name } n’est pas une valeur. Une cellule ne contient que des nombres finis.
-error-unit_in_cell = Au caractère { $column } : les unités ne s’écrivent pas dans les cellules. Indiquez { $name } une fois pour tout le tableau.
+error-unit_in_cell = Au caractère { $column } : les unités ne s’écrivent pas dans les cellules. Si le tableau est déjà en { $name }, écrivez { $suggestion } ; sinon, convertissez d’abord.
 error-function_unknown = Au caractère { $column } : { $name } n’est pas une fonction. Les fonctions sont { $functions }. Un produit s’écrit { $name }*(…).
 error-function_without_parentheses = Au caractère { $column } : écrivez l’argument de { $name } entre parenthèses : { $name }(x).
 error-function_arity =

@@ -1,6 +1,7 @@
 # Por que uma célula, uma tabela ou um parâmetro é recusado.
 
 error-cell_empty = Esta célula está vazia. Escreva 0 onde não há nada.
+error-cell_dash = Esta célula contém apenas um traço. Escreva 0 onde não há nada.
 error-cell_not_a_value = Uma célula contém um número ou uma expressão em texto, não { $kind }.
 error-cell_too_long = Esta célula tem { $length } caracteres; são lidos no máximo { $limit }.
 error-cell_too_deep = Esta célula ultrapassa { $limit } níveis de aninhamento.
@@ -16,7 +17,11 @@ error-script_misplaced = No carácter { $column }: { $character } não segue nad
 
 error-number_malformed = No carácter { $column }: { $text } não é um número decimal. Escreva algarismos e um só ponto, sem separadores.
 error-number_too_long = No carácter { $column }: um número pode ter no máximo { $limit } algarismos.
-error-number_out_of_range = No carácter { $column }: um número é 0 ou tem módulo entre { $smallest } e { $largest }.
+error-number_out_of_range =
+    { $size ->
+        [small] No carácter { $column }: este número está demasiado próximo de 0 para ser lido. Escreva 0.
+       *[large] No carácter { $column }: o módulo de um número é no máximo { $largest }.
+    }
 error-cell_not_finite = Uma célula contém apenas números finitos; NaN e infinito são recusados.
 error-decimal_comma = No carácter { $column }: escreva ponto decimal em vez de vírgula: { $suggestion }.
 
@@ -24,7 +29,7 @@ error-names_run_together = No carácter { $column }: { $text } está colado ao q
 error-name_malformed = No carácter { $column }: o sublinhado fica apenas entre a letra e o índice, como em L_1.
 error-name_too_long = No carácter { $column }: um nome pode ter no máximo { $limit } caracteres.
 error-name_is_not_a_number = No carácter { $column }: { $name } não é um valor. Uma célula contém apenas números finitos.
-error-unit_in_cell = No carácter { $column }: unidades não se escrevem nas células. Indique { $name } uma só vez, para toda a tabela.
+error-unit_in_cell = No carácter { $column }: unidades não se escrevem nas células. Se a tabela já estiver em { $name }, escreva { $suggestion }; se não, converta primeiro.
 error-function_unknown = No carácter { $column }: { $name } não é uma função. As funções são { $functions }. Um produto se escreve { $name }*(…).
 error-function_without_parentheses = No carácter { $column }: escreva o argumento de { $name } entre parênteses: { $name }(x).
 error-function_arity =

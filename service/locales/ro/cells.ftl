@@ -1,6 +1,7 @@
 # De ce este respinsă o celulă, un tabel sau un parametru.
 
 error-cell_empty = Celula este goală. Scrieți 0 acolo unde nu este nimic.
+error-cell_dash = Această celulă conține doar o liniuță. Scrieți 0 acolo unde nu este nimic.
 error-cell_not_a_value = O celulă conține un număr sau o expresie sub formă de text, nu { $kind }.
 error-cell_too_long = Celula are { $length } caractere; se citesc cel mult { $limit }.
 error-cell_too_deep = Expresia din celulă depășește { $limit } niveluri de imbricare.
@@ -16,7 +17,11 @@ error-script_misplaced = La caracterul { $column }: { $character } nu urmează d
 
 error-number_malformed = La caracterul { $column }: { $text } nu este un număr zecimal. Scrieți cifre și un singur punct, fără separatori.
 error-number_too_long = La caracterul { $column }: un număr poate avea cel mult { $limit } cifre.
-error-number_out_of_range = La caracterul { $column }: un număr este 0 sau are valoarea absolută între { $smallest } și { $largest }.
+error-number_out_of_range =
+    { $size ->
+        [small] La caracterul { $column }: acest număr este prea apropiat de 0 ca să fie citit. Scrieți 0.
+       *[large] La caracterul { $column }: valoarea absolută a unui număr este cel mult { $largest }.
+    }
 error-cell_not_finite = O celulă conține doar numere finite; NaN și infinit sunt respinse.
 error-decimal_comma = La caracterul { $column }: scrieți punct zecimal în loc de virgulă: { $suggestion }.
 
@@ -24,7 +29,7 @@ error-names_run_together = La caracterul { $column }: { $text } este lipit de ce
 error-name_malformed = La caracterul { $column }: liniuța de subliniere stă doar între literă și indice, ca în L_1.
 error-name_too_long = La caracterul { $column }: un nume poate avea cel mult { $limit } caractere.
 error-name_is_not_a_number = La caracterul { $column }: { $name } nu este o valoare. O celulă conține doar numere finite.
-error-unit_in_cell = La caracterul { $column }: unitățile nu se scriu în celule. Indicați { $name } o singură dată, pentru tot tabelul.
+error-unit_in_cell = La caracterul { $column }: unitățile nu se scriu în celule. Dacă tabelul este deja în { $name }, scrieți { $suggestion }; dacă nu, convertiți mai întâi.
 error-function_unknown = La caracterul { $column }: { $name } nu este o funcție. Funcțiile sunt { $functions }. Un produs se scrie { $name }*(…).
 error-function_without_parentheses = La caracterul { $column }: scrieți argumentul lui { $name } între paranteze: { $name }(x).
 error-function_arity =

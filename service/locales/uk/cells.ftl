@@ -1,6 +1,7 @@
 # Чому відхилено клітинку, таблицю або параметр.
 
 error-cell_empty = Ця клітинка порожня. Напишіть 0 там, де нічого немає.
+error-cell_dash = У цій клітинці лише риска. Напишіть 0 там, де нічого немає.
 error-cell_not_a_value = Клітинка містить число або вираз у вигляді тексту, а не { $kind }.
 error-cell_too_long = У цій клітинці { $length } символів; читається щонайбільше { $limit }.
 error-cell_too_deep = Вкладеність у цій клітинці перевищує { $limit } рівнів.
@@ -16,7 +17,11 @@ error-script_misplaced = Символ { $column }: перед { $character } н�
 
 error-number_malformed = Символ { $column }: { $text } не є десятковим числом. Пишіть цифри й одну крапку, без роздільників.
 error-number_too_long = Символ { $column }: число може мати щонайбільше { $limit } цифр.
-error-number_out_of_range = Символ { $column }: число дорівнює 0 або за модулем лежить між { $smallest } і { $largest }.
+error-number_out_of_range =
+    { $size ->
+        [small] Символ { $column }: це число надто близьке до 0, щоб його прочитати. Напишіть 0.
+       *[large] Символ { $column }: модуль числа не перевищує { $largest }.
+    }
 error-cell_not_finite = Клітинка містить лише скінченні числа; NaN і нескінченність не приймаються.
 error-decimal_comma = Символ { $column }: замість коми пишіть десяткову крапку: { $suggestion }.
 
@@ -24,7 +29,7 @@ error-names_run_together = Символ { $column }: { $text } зливаєть�
 error-name_malformed = Символ { $column }: підкреслення стоїть лише між літерою та її індексом, як у L_1.
 error-name_too_long = Символ { $column }: ім’я може мати щонайбільше { $limit } символів.
 error-name_is_not_a_number = Символ { $column }: { $name } не є значенням. Клітинка містить лише скінченні числа.
-error-unit_in_cell = Символ { $column }: одиниці в клітинках не пишуть. Укажіть { $name } один раз для всієї таблиці.
+error-unit_in_cell = Символ { $column }: одиниці в клітинках не пишуть. Якщо таблицю вже задано в цих одиницях ({ $name }), напишіть { $suggestion }; якщо ні, спершу перетворіть.
 error-function_unknown = Символ { $column }: { $name } не є функцією. Є такі функції: { $functions }. Добуток пишуть { $name }*(…).
 error-function_without_parentheses = Символ { $column }: пишіть аргумент { $name } у дужках: { $name }(x).
 error-function_arity = Символ { $column }: кількість аргументів { $name } має бути { $expected }, а не { $given }.

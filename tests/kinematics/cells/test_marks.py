@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from kinematics.cells import AngleUnit, nearest_name
+from kinematics.cells import AngleUnit, ParameterKind, nearest_name, read_cell
+from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.scanner import scan
+from kinematics.errors import CellError
 from tests.kinematics.cells.tables import faults_of, raw_row, read
 
 NAMES = ("L1", "L2", "a2", "a3", "D3", "RL4", "alpha1", "reach")
@@ -95,10 +97,58 @@ def test_other_names_of_the_variable_are_told(name):
         "2.5e-1 m",
         "90\u00a0Grados",
         "q1 + 90 grados",
+        "q1 rad",
+        "θ₁ grados",
+        "π rad",
+        "pi radianes",
+        "90 de grade",
+        "1.5 Rad",
+        "12 MM",
+        "0.4 метра",
     ],
 )
 def test_units_in_six_languages_are_told(cell):
     assert faults_of(raw_row(theta=cell)) == [("unit_in_cell", ("rows", 0, "theta"))]
+
+
+@pytest.mark.parametrize("cell", ["90 deg", "90 Deg", "90DEG", "π/2"])
+def test_the_degree_sign_may_be_a_word(cell):
+    assert read_cell(cell, ParameterKind.ANGLE) == read_cell("90°", ParameterKind.ANGLE)
+
+
+@pytest.mark.parametrize(
+    ("cell", "rest"),
+    [
+        ("90 grados", "90"),
+        ("pi/2 rad", "pi/2"),
+        ("0.3 m + 0.2 m", "0.3 + 0.2"),
+        ("q1 + 90 grados", "q1 + 90"),
+        ("90 de grade", "90"),
+        ("π rad / 2", "π / 2"),
+    ],
+)
+def test_a_unit_is_told_with_the_cell_without_it(cell, rest):
+    with pytest.raises(CellRefusal, match="unit_in_cell") as refused:
+        scan(cell)
+    assert refused.value.params["suggestion"] == rest
+
+
+@pytest.mark.parametrize("cell", ["-", "–", "—", " − ", "--"])
+def test_a_dash_alone_is_no_value(cell):
+    assert faults_of(raw_row(a=cell)) == [("cell_dash", ("rows", 0, "a"))]
+
+
+@pytest.mark.parametrize("cell", ["1,000.5", "1.000,5"])
+def test_separators_of_thousands_are_told_as_such(cell):
+    assert faults_of(raw_row(a=cell)) == [("number_malformed", ("rows", 0, "a"))]
+
+
+@pytest.mark.parametrize(("cell", "size"), [("1e-400", "small"), ("1e400", "large"), ("((0.1^9)^9)^9", "small")])
+def test_a_number_out_of_range_is_too_small_or_too_large(cell, size):
+    with pytest.raises(CellError) as error:
+        read_cell(cell, ParameterKind.LENGTH)
+    (fault,) = error.value.faults
+    assert (fault.code, fault.params["size"]) == ("number_out_of_range", size)
 
 
 @pytest.mark.parametrize("cell", ["2 m1", "L12 m", "L_1 m", "2 M", "2 cm(1)"])
