@@ -143,7 +143,10 @@ def test_separators_of_thousands_are_told_as_such(cell):
     assert faults_of(raw_row(a=cell)) == [("number_malformed", ("rows", 0, "a"))]
 
 
-@pytest.mark.parametrize(("cell", "size"), [("1e-400", "small"), ("1e400", "large"), ("((0.1^9)^9)^9", "small")])
+@pytest.mark.parametrize(
+    ("cell", "size"),
+    [("1e-400", "small"), ("1e400", "large"), ("((0.1^9)^9)^9", "small")],
+)
 def test_a_number_out_of_range_is_too_small_or_too_large(cell, size):
     with pytest.raises(CellError) as error:
         read_cell(cell, ParameterKind.LENGTH)
