@@ -145,7 +145,10 @@ def columns_exchanged(work: Work) -> Iterator[Change]:
 
 
 def columns_reordered(work: Work) -> Iterator[Change]:
-    """Three columns in another order, none in its own place."""
+    """Three columns in another order, none in its own place; with two of them empty, two are exchanged."""
+    rows = work.table.rows
+    if sum(any(getattr(row, column) for row in rows) for column in ("alpha", "a", "d")) < 2:
+        return
     for belongs in TURNED_ROUND:
         params = {column: SYMBOLS[place] for column, place in belongs.items()}
         yield from _in_order(work, "columns_reordered", belongs, **params)

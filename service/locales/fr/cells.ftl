@@ -19,8 +19,8 @@ error-number_malformed = Au caractère { $column } : { $text } n’est pas un n
 error-number_too_long = Au caractère { $column } : un nombre a au plus { $limit } chiffres.
 error-number_out_of_range =
     { $size ->
-        [small] Au caractère { $column } : ce nombre est trop proche de 0 pour être lu. Écrivez 0.
-       *[large] Au caractère { $column } : la valeur absolue d’un nombre est au plus { $largest }.
+        [small] Au caractère { $column } : ce nombre est trop proche de 0 pour être lu. Écrivez 0.
+       *[large] Au caractère { $column } : la valeur absolue d’un nombre est au plus { $largest }.
     }
 error-cell_not_finite = Une cellule ne contient que des nombres finis ; NaN et l’infini sont refusés.
 error-decimal_comma = Au caractère { $column } : écrivez un point décimal au lieu de la virgule : { $suggestion }.
@@ -29,7 +29,7 @@ error-names_run_together = Au caractère { $column } : { $text } est accolé à
 error-name_malformed = Au caractère { $column } : le tiret bas ne se place qu’entre une lettre et son indice, comme dans L_1.
 error-name_too_long = Au caractère { $column } : un nom a au plus { $limit } caractères.
 error-name_is_not_a_number = Au caractère { $column } : { $name } n’est pas une valeur. Une cellule ne contient que des nombres finis.
-error-unit_in_cell = Au caractère { $column } : les unités ne s’écrivent pas dans les cellules. Si le tableau est déjà en { $name }, écrivez { $suggestion } ; sinon, convertissez d’abord.
+error-unit_in_cell = Au caractère { $column } : les unités ne s’écrivent pas dans les cellules. Si le tableau est déjà en { $name }, écrivez { $suggestion } ; sinon, convertissez d’abord.
 error-function_unknown = Au caractère { $column } : { $name } n’est pas une fonction. Les fonctions sont { $functions }. Un produit s’écrit { $name }*(…).
 error-function_without_parentheses = Au caractère { $column } : écrivez l’argument de { $name } entre parenthèses : { $name }(x).
 error-function_arity =

@@ -395,6 +395,16 @@ def test_columns_in_any_other_order(unit: str, in_names: bool) -> None:
             assert {edit.params["one"], edit.params["other"]} == {*"αad"} - {"αad"[kept]}
 
 
+def test_columns_of_which_two_are_empty_are_exchanged_not_reordered() -> None:
+    """Two links with their lengths under d: that α and a changed places as well cannot be seen."""
+    key = read("standard", [(0, 1.0, 0, "q1"), (0, 0.5, 0, "q2")])
+    answer = read("standard", [(0, 0, 1.0, "q1"), (0, 0, 0.5, "q2")])
+    verdict = grade(key, answer, Policy(tool=ToolRule.POINT))
+    told = {edit.code for repair in verdict.repairs for edit in repair.edits}
+    assert "columns_exchanged" in told
+    assert "columns_reordered" not in told
+
+
 def test_two_columns_exchanged_throughout() -> None:
     lengths: Rows = [(row[0], row[2], row[1], row[3]) for row in PUMA]
     verdict = grade(KEY, read("standard", lengths), USUAL, VALUES)
