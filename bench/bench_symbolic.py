@@ -157,7 +157,6 @@ def _jacobian() -> list[Outcome]:
 def _catalogue() -> list[Outcome]:
     from kinematics.catalogue import robots
     from kinematics.printing import Format, Notation
-    from kinematics.table import table_parameters
     from service.wire.symbolic_forms import FormPart, SymbolicTask, written_answer
 
     measures = {"⁰T_N": (FormPart.TRANSFORM,), "links, frames, ⁰T_N, its inverse, J0, Jn": tuple(FormPart)}
@@ -170,7 +169,6 @@ def _catalogue() -> list[Outcome]:
                     robot.id,
                     SymbolicTask(
                         table=robot.table.table,
-                        parameters=table_parameters(robot.table.table),
                         parts=parts,
                         formats=tuple(Format),
                         notation=Notation.SHORT,

@@ -26,7 +26,7 @@ from service.schemas.symbolic_request import SymbolicRequest
 from service.settings import Settings
 from service.wire.figure_files import packed_figure
 from service.wire.symbolic_forms import written_answer
-from service.wire.symbolic_tasks import form_address, task_of
+from service.wire.symbolic_tasks import form_address, matrices_task
 
 MISTAKES = 0
 """A variant is tested by right answers, by wrong parts and by its figure. How well mistakes are explained
@@ -146,7 +146,7 @@ def _write_closed_forms(resources: Resources, settings: Settings, exercise: Exer
     for form in ({}, *({"formats": list(SOURCES), "notation": notation} for notation in Notation)):
         wire: SymbolicRequest = SymbolicRequest.model_validate({"table": asked, **form})
         try:
-            task = task_of(wire, settings, parts=wire.wanted())
+            task = matrices_task(wire, settings, wire.wanted())
             answer = written_answer(task)
         except KinematicsError:  # too large to be written out: whoever asks is told so
             continue

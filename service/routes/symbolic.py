@@ -12,7 +12,7 @@ from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, a
 from service.http.validation import validated
 from service.schemas.symbolic_request import SYMBOLIC, SymbolicAnswer, SymbolicRequest
 from service.wire.symbolic_forms import written_answer
-from service.wire.symbolic_tasks import answered, task_of
+from service.wire.symbolic_tasks import answered, matrices_task
 
 router = api_router("kinematics", route_class=DirectRoute)
 
@@ -43,5 +43,5 @@ async def symbolic(request: ApiRequest) -> Response:
     if known is not None:
         return BytesResponse(known)
     wire = validated(_REQUEST, body)
-    task = await request.in_turn(partial(task_of, wire, request.settings, parts=wire.wanted()))
+    task = await request.in_turn(partial(matrices_task, wire, request.settings, wire.wanted()))
     return await answered(request, task, question, written_answer)

@@ -9,10 +9,16 @@ from typing import Any, Protocol
 from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name, parameter_values, read_table
 from kinematics.cells.exact import snapped
 from kinematics.expressions import Expression, pi_times
-from kinematics.symbolic.exact_poses import decimal
+from kinematics.se3 import check_transform
+from kinematics.symbolic.exact_poses import decimal, exact_pose
+from kinematics.symbolic.parameter_values import with_values
+from kinematics.table import table_parameters
 from service.http.problems import located
+from service.schemas.inverse_forms import SymbolicInverseRequest
 from service.schemas.robot_question import RobotQuestion
+from service.schemas.symbolic_request import WritingQuestion
 from service.settings import Settings
+from service.wire.pose_matrices import base_and_tool
 from service.wire.prepared_robots import listed_robot
 
 
@@ -26,6 +32,38 @@ def read_symbolic(question: RobotQuestion, settings: Settings) -> ReadTable:
         return listed_robot(str(question.robot)).table
     with located("table"):
         return read_table(question.table.raw(), settings.cell_limits)
+
+
+def exact_question(question: WritingQuestion | SymbolicInverseRequest, settings: Settings) -> dict[str, Any]:
+    """Return what every call says that derives and writes something of a robot: the fields of a `FormTask`.
+
+    Raises:
+        KinematicsError: the table cannot be read, a parameter does not fit it, or base or tool is no pose.
+    """
+    read = read_symbolic(question, settings)
+    values = exact_values(read, question.parameters)
+    with located("table"):
+        table = with_values(read.table, values)
+    base, tool = base_and_tool(question, read.angle_unit.radians)
+    for name, matrix in (("base", base), ("tool", tool)):
+        if matrix is not None:
+            check_transform(matrix, where=(name,))
+    variables = read.variables or tuple(f"q{joint}" for joint in range(1, table.n_joints + 1))
+    return {
+        "table": table,
+        "variables": variables,
+        "formats": tuple(dict.fromkeys(question.formats)),
+        "notation": question.notation,
+        "base": None if base is None else exact_pose(base),
+        "tool": None if tool is None else exact_pose(tool),
+        "head": {
+            "angle_unit": read.angle_unit.value,
+            "length_unit": read.length_unit.value,
+            "variables": list(variables),
+            "parameters": list(table_parameters(table)),
+            "notation": question.notation.value,
+        },
+    }
 
 
 class NamedValues(Protocol):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import chain
 from typing import Any
@@ -21,17 +21,14 @@ from kinematics.printing.equation_lists import (
     symbols_of,
 )
 from kinematics.printing.notation import Names
-from kinematics.se3 import check_transform
-from kinematics.symbolic import Matrix, count_operations
-from kinematics.symbolic.exact_poses import exact_pose
-from kinematics.symbolic.parameter_values import with_values
+from kinematics.symbolic import count_operations
 from kinematics.symbolic.size import bottom_up
-from kinematics.table import CELLS, SymbolicTable, table_parameters
+from kinematics.table import CELLS
 from service.http.problems import located
 from service.schemas.inverse_forms import SymbolicInverseAnswer, SymbolicInverseRequest
 from service.settings import Settings
-from service.wire.exact_values import exact_values, read_symbolic
-from service.wire.pose_matrices import base_and_tool
+from service.wire.exact_values import exact_question
+from service.wire.symbolic_forms import FormTask
 
 MOST_JOINTS = 6
 """No arm with more has a closed form; up to so many it takes some ten milliseconds, and a format as much."""
@@ -41,26 +38,8 @@ QUICK_NODES = 500
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class InverseFormTask:
-    """Equations to be found and written.
-
-    Attributes:
-        table: the DH table, values substituted.
-        variables: names of the joint variables.
-        formats: in which formats.
-        notation: how sines and cosines are written.
-        base: 4×4 pose of frame 0, or None.
-        tool: 4×4 pose of the tool, or None.
-        head: what the answer says besides.
-    """
-
-    table: SymbolicTable
-    variables: tuple[str, ...]
-    formats: tuple[EquationFormat, ...]
-    notation: Notation
-    base: Matrix | None
-    tool: Matrix | None
-    head: Mapping[str, Any]
+class InverseFormTask(FormTask[EquationFormat]):
+    """Equations to be found and written."""
 
     def is_quick(self) -> bool:
         """Whether the answer is certain to be small: such arms have six joints at most."""
@@ -72,31 +51,9 @@ def inverse_form_task(question: SymbolicInverseRequest, settings: Settings) -> I
     """What a validated request asks of the workers.
 
     Raises:
-        KinematicsError: the table cannot be read, a parameter does not fit it, or base or tool is no pose.
+        KinematicsError: see `exact_question`.
     """
-    read = read_symbolic(question, settings)
-    with located("table"):
-        table = with_values(read.table, exact_values(read, question.parameters))
-    base, tool = base_and_tool(question, read.angle_unit.radians)
-    for name, matrix in (("base", base), ("tool", tool)):
-        if matrix is not None:
-            check_transform(matrix, where=(name,))
-    variables = read.variables or tuple(f"q{joint}" for joint in range(1, table.n_joints + 1))
-    return InverseFormTask(
-        table=table,
-        variables=variables,
-        formats=tuple(dict.fromkeys(question.formats)),
-        notation=question.notation,
-        base=None if base is None else exact_pose(base),
-        tool=None if tool is None else exact_pose(tool),
-        head={
-            "angle_unit": read.angle_unit.value,
-            "length_unit": read.length_unit.value,
-            "variables": list(variables),
-            "parameters": list(table_parameters(table)),
-            "notation": question.notation.value,
-        },
-    )
+    return InverseFormTask(**exact_question(question, settings))
 
 
 def written_inverse(task: InverseFormTask) -> bytes:
@@ -106,7 +63,7 @@ def written_inverse(task: InverseFormTask) -> bytes:
         TableError: the arm has no such form.
         FormSizeError: the equations have too many operations to be written out.
     """
-    parameters = table_parameters(task.table)
+    parameters = task.parameters
     with located("table"):
         form = inverse_form(task.table, taken=task.variables)
     form = with_base_and_tool(form, task.base, task.tool, (*parameters, *task.variables))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 from itertools import chain
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 import orjson
 
@@ -17,8 +17,9 @@ from kinematics.jacobian import JacobianFrame
 from kinematics.printing import LIMIT, Format, MatrixPrinter, Notation, Purpose
 from kinematics.symbolic import Matrix, Workings, count_operations
 from kinematics.symbolic.size import bottom_up
-from kinematics.table import CELLS, SymbolicTable
+from kinematics.table import CELLS, SymbolicTable, table_parameters
 
+AnyFormat = TypeVar("AnyFormat")
 QUICK_COST = 300.0
 QUICK_NODES = 500
 """Terms that a product may have and nodes that the cells may have to be answered at once; what is larger is
@@ -36,15 +37,12 @@ class FormPart(StrEnum):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class SymbolicTask:
-    """A closed form to be written.
+class FormTask(Generic[AnyFormat]):
+    """Something of a robot that is to be derived and written.
 
     Attributes:
         table: the DH table, values substituted.
-        parameters: names of the parameters that are left.
         variables: names of the joint variables; q1, q2, … if left out.
-        parts: what is wanted.
-        frames: which Jacobians, if any.
         formats: in which formats.
         notation: how sines and cosines are written.
         base: 4×4 pose of frame 0, or None.
@@ -53,15 +51,30 @@ class SymbolicTask:
     """
 
     table: SymbolicTable
-    parameters: tuple[str, ...]
     variables: tuple[str, ...] = ()
-    parts: tuple[FormPart, ...]
-    frames: tuple[JacobianFrame, ...] = tuple(JacobianFrame)
-    formats: tuple[Format, ...]
+    formats: tuple[AnyFormat, ...]
     notation: Notation
     base: Matrix | None = None
     tool: Matrix | None = None
     head: Mapping[str, Any]
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of the parameters that are left."""
+        return table_parameters(self.table)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class SymbolicTask(FormTask[Format]):
+    """Matrices in closed form to be written.
+
+    Attributes:
+        parts: what is wanted.
+        frames: which Jacobians, if any.
+    """
+
+    parts: tuple[FormPart, ...]
+    frames: tuple[JacobianFrame, ...] = tuple(JacobianFrame)
 
     def is_quick(self) -> bool:
         """Whether the answer is certain to be small.

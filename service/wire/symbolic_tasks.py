@@ -9,19 +9,13 @@ from typing import Any, Protocol, TypeVar
 from pydantic import TypeAdapter
 
 from kinematics.jacobian import JacobianFrame
-from kinematics.se3 import check_transform
-from kinematics.symbolic.exact_poses import exact_pose
-from kinematics.symbolic.parameter_values import with_values
-from kinematics.table import table_parameters
-from service.http.problems import located
 from service.http.routing import NPY, ApiRequest, BytesResponse
 from service.http.validation import validated
 from service.resources import resources_of
 from service.revision import revision
 from service.schemas.symbolic_request import SymbolicJacobianRequest, WritingQuestion
 from service.settings import Settings
-from service.wire.exact_values import exact_values, read_symbolic
-from service.wire.pose_matrices import base_and_tool
+from service.wire.exact_values import exact_question
 from service.wire.symbolic_forms import FormPart, SymbolicTask, written_jacobians
 from service.work.limiters import WorkKind
 from service.work.shared_answers import SharedAnswers
@@ -30,46 +24,18 @@ from service.work.workers import Lane
 _JACOBIAN: TypeAdapter[SymbolicJacobianRequest] = TypeAdapter(SymbolicJacobianRequest)
 
 
-def task_of(
+def matrices_task(
     question: WritingQuestion,
     settings: Settings,
-    *,
     parts: tuple[FormPart, ...],
     frames: tuple[JacobianFrame, ...] = tuple(JacobianFrame),
 ) -> SymbolicTask:
-    """What a validated request asks of the workers.
+    """What a validated request for matrices asks of the workers.
 
     Raises:
-        KinematicsError: the table cannot be read, a parameter does not fit it, or base or tool is no pose.
+        KinematicsError: see `exact_question`.
     """
-    read = read_symbolic(question, settings)
-    values = exact_values(read, question.parameters)
-    with located("table"):
-        table = with_values(read.table, values)
-    base, tool = base_and_tool(question, read.angle_unit.radians)
-    for name, matrix in (("base", base), ("tool", tool)):
-        if matrix is not None:
-            check_transform(matrix, where=(name,))
-    parameters = table_parameters(table)
-    variables = read.variables or tuple(f"q{joint}" for joint in range(1, table.n_joints + 1))
-    return SymbolicTask(
-        table=table,
-        parameters=parameters,
-        variables=variables,
-        parts=parts,
-        frames=frames,
-        formats=tuple(dict.fromkeys(question.formats)),
-        notation=question.notation,
-        base=None if base is None else exact_pose(base),
-        tool=None if tool is None else exact_pose(tool),
-        head={
-            "angle_unit": read.angle_unit.value,
-            "length_unit": read.length_unit.value,
-            "variables": list(variables),
-            "parameters": list(parameters),
-            "notation": question.notation.value,
-        },
-    )
+    return SymbolicTask(parts=parts, frames=frames, **exact_question(question, settings))
 
 
 class WritingTask(Protocol):
@@ -135,7 +101,5 @@ async def symbolic_jacobian(request: ApiRequest, body: Mapping[str, Any]) -> Byt
         return BytesResponse(known)
     wire = validated(_JACOBIAN, body)
     frames = (wire.frame,) if wire.frame else tuple(JacobianFrame)
-    task = await request.in_turn(
-        partial(task_of, wire, request.settings, parts=(FormPart.JACOBIAN,), frames=frames)
-    )
+    task = await request.in_turn(partial(matrices_task, wire, request.settings, (FormPart.JACOBIAN,), frames))
     return await answered(request, task, question, written_jacobians)
