@@ -15,11 +15,10 @@ from pathlib import Path
 from typing import IO, Any
 
 import sqlalchemy as sa
-from alembic.migration import MigrationContext
 
 from courses.records import UtcTime, metadata, prepared_answer
 from courses.refusals import StorageError
-from courses.storage import Store
+from courses.storage import Store, revision_in
 from kinematics.errors import Fault
 
 FORMAT = "framewise-backup-1"
@@ -55,7 +54,7 @@ def _write(store: Store, out: IO[str]) -> int:
             connection.execution_options(isolation_level=level) if store.is_postgresql else connection
         )
         with connection.begin():
-            revision = MigrationContext.configure(connection).get_current_revision()
+            revision = revision_in(connection)
             out.write(json.dumps({"format": FORMAT, "revision": revision}) + "\n")
             for table in metadata.sorted_tables:
                 if table is prepared_answer:
@@ -90,7 +89,7 @@ def restore(store: Store, file: Path) -> int:
 def _check(connection: sa.Connection, head: Any) -> None:
     if not isinstance(head, dict) or head.get("format") != FORMAT:
         raise ValueError(FORMAT)
-    revision = MigrationContext.configure(connection).get_current_revision()
+    revision = revision_in(connection)
     if head["revision"] != revision:
         params = {"found": str(head["revision"]), "known": str(revision)}
         raise StorageError(Fault(code="schema_newer", params=params))

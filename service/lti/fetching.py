@@ -12,14 +12,18 @@ import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from email.utils import parsedate_to_datetime
-from typing import Any
+from functools import cached_property
+from http import HTTPStatus
+from typing import TYPE_CHECKING, Any
 from urllib.parse import urljoin, urlsplit
 
-import httpx
 import orjson
 
 from kinematics.errors import Fault
 from service.lti.launch_errors import PlatformError, unreachable
+
+if TYPE_CHECKING:  # its command line and its certificates take 6 MB: only who sends something loads it
+    import httpx
 
 TIMEOUT = 5.0
 """Seconds that a platform may take to answer."""
@@ -61,6 +65,8 @@ class FetchedAnswer:
 
     def next_page(self) -> str | None:
         """Address of the next page (RFC 8288), on the same origin only."""
+        import httpx
+
         link = httpx.Response(200, headers={"Link": self.headers.get("link", "")}).links.get("next")
         address = urljoin(self.address, link["url"]) if link and "url" in link else None
         return address if address and origin_of(address) == origin_of(self.address) else None
@@ -72,11 +78,17 @@ class Fetcher:
     def __init__(self, trusted: frozenset[str] = frozenset(), resolve: Resolve | None = None) -> None:
         self._trusted = trusted
         self._resolve = resolve or _resolve
-        self._client = httpx.Client(timeout=TIMEOUT, follow_redirects=False, trust_env=False)
+
+    @cached_property
+    def _client(self) -> httpx.Client:
+        import httpx
+
+        return httpx.Client(timeout=TIMEOUT, follow_redirects=False, trust_env=False)
 
     def close(self) -> None:
         """End every connection."""
-        self._client.close()
+        if "_client" in self.__dict__:
+            self._client.close()
 
     def send(
         self,
@@ -91,6 +103,8 @@ class Fetcher:
         Raises:
             PlatformError: the address is not fetched, does not answer in time, or answers too much.
         """
+        import httpx
+
         url, extensions, host = self._checked(address)
         sent = {"Accept": "application/json", **(headers or {}), "Host": host}
         try:
@@ -115,12 +129,14 @@ class Fetcher:
             PlatformError: there is none.
         """
         answer = self.send("GET", address, headers=headers)
-        if answer.status != httpx.codes.OK:
+        if answer.status != HTTPStatus.OK:
             raise unreachable(address, f"HTTP {answer.status}", status=answer.status)
         return answer.json(), answer
 
     def _checked(self, address: str) -> tuple[httpx.URL, dict[str, Any], str]:
         """The address to connect to, with the host's name for TLS, and the Host field."""
+        import httpx
+
         try:
             url = httpx.URL(address)
             origin = origin_of(address)

@@ -9,7 +9,6 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import anyio.to_thread
-import httpx
 import orjson
 
 SIGNATURE = "X-Framewise-Signature"
@@ -67,6 +66,8 @@ class Callbacks:
             "X-Request-Id": request_id,
             SIGNATURE: self._sign(body),
         }
+        import httpx  # few services are asked to call back, and it is large
+
         async with httpx.AsyncClient(timeout=_TIMEOUT_SECONDS, follow_redirects=False) as client:
             for number in range(_TRIES):
                 try:

@@ -17,7 +17,7 @@ from courses.backup import back_up, restore
 from courses.records import metadata
 from courses.refusals import StorageError, StorageUnavailableError
 from courses.statistics import class_overview
-from courses.storage import Store, connect, migrate, open_store, revision_of
+from courses.storage import Store, connect, migrate, newest_revision, open_store, revision_of
 from tests.courses.classroom import attempts_of, joined, submitted
 
 
@@ -25,6 +25,7 @@ def test_the_history_ends_at_the_schema_of_the_program(store: Store) -> None:
     with store.reading() as connection:
         context = MigrationContext.configure(connection, opts={"compare_type": True})
         assert compare_metadata(context, metadata) == []
+        assert context.get_current_revision() == newest_revision()
 
 
 def test_processes_that_start_together_migrate_once(database: str, tmp_path: Path) -> None:
