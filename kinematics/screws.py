@@ -30,6 +30,7 @@ from kinematics.evaluation.recurrences import joint_axes
 from kinematics.forward import end_pose
 from kinematics.frames.assignment import FrameAssignment, assign_frames
 from kinematics.frames.axes import JointAxis
+from kinematics.frames.parallels import NearParallel
 from kinematics.joint_values import one_configuration
 from kinematics.poses import Vector3, axis_angle_from_transform
 from kinematics.se3 import Transform, Vector, check_transform, cross, from_matrix, position
@@ -109,6 +110,9 @@ def pose_of_product(product: ProductOfExponentials, joints: ArrayLike) -> Transf
 def table_of_product(product: ProductOfExponentials, convention: Convention) -> FrameAssignment:
     """A DH table of a product of exponentials, by the assignment of frames to its axes.
 
+    Axes that are parallel but for a tilt of 1e-10 to 5e-3 rad are joined by a fixed dummy row, so the table
+    is the product for every q and its lengths are the robot's.
+
     Returns:
         Table, base and tool with base · A_1(q_1) ⋯ A_n(q_n) · tool = T(q) for every q.
 
@@ -118,7 +122,8 @@ def table_of_product(product: ProductOfExponentials, convention: Convention) -> 
         PoseError: the home pose is not a rigid transform.
     """
     axes = [joint_axis(screw, ("screws", i)) for i, screw in enumerate(product.screws)]
-    return assign_frames(axes, convention, tool=check_transform(product.home, where=("home",)))
+    home = check_transform(product.home, where=("home",))
+    return assign_frames(axes, convention, tool=home, near_parallel=NearParallel.DUMMY_ROW)
 
 
 def chain_of_product(product: ProductOfExponentials) -> Chain:

@@ -13,7 +13,7 @@ from kinematics.scm.differentiation import (
     jacobian_by_differentiation,
     jacobian_numbers_by_differentiation,
 )
-from kinematics.scm.from_table import DescribedScm, scm_from_numbers, scm_from_table
+from kinematics.scm.from_table import DescribedScm, scm_from_numbers, scm_from_table, with_tool
 from kinematics.scm.inverse import inverse_kinematics_scm, solver_of_chain
 from kinematics.scm.motion import (
     ScmKinematics,
@@ -70,5 +70,6 @@ __all__ = [
     "unit_vectors",
     "unrolled_dh_from_scm",
     "verify",
+    "with_tool",
     "with_values",
 ]

@@ -69,6 +69,15 @@ def scm_from_table(table: SymbolicTable) -> DescribedScm | None:
     return DescribedScm(chain=ScmChain(rows=tuple(rows), final=final, tool=tool), base=base)
 
 
+def with_tool(chain: ScmChain, tool: Transform) -> ScmChain | None:
+    """Return the chain with a (4, 4) tool behind it; None if it has one already, and this is another one."""
+    if np.array_equal(tool, np.eye(4)):
+        return chain
+    if chain.tool != Placement():
+        return None
+    return replace(chain, tool=_placement(xyzabc_from_transform(tool)))
+
+
 def scm_from_numbers(
     table: NumericTable, base: Transform | None = None, tool: Transform | None = None
 ) -> tuple[Transform, ScmChain]:

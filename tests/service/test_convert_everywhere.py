@@ -51,7 +51,7 @@ def poses(client: httpx.Client, described: dict[str, Any]) -> tuple[Any, Any]:
     body = {
         "table": table, "base": found["base"], "tool": found["tool"],
         "joints": [value * unit for value, unit in zip(values, units, strict=True)],
-        "parameters": described.get("parameters", {}),
+        "parameters": {k: v for k, v in described.get("parameters", {}).items() if k in str(table)},
     }  # fmt: skip
     pose = np.array(answered(client, FK, body)["transform"])
     pose[:3, 3] *= metres
@@ -162,3 +162,73 @@ def test_degrees_of_a_description_are_exact(client: httpx.Client) -> None:
 )
 def test_what_is_refused(client: httpx.Client, body: dict[str, Any], code: str, pointer: str) -> None:
     check_problem(client.post(CONVERT, json={**body, "to": "standard"}), 422, code, pointer)
+
+
+SYMBOLS = {
+    "standard": [
+        {"alpha": 0.5, "a": "L1", "d": "L0", "theta": "q1"},
+        {"alpha": 0, "a": "L2", "d": "q2", "theta": 0.4},
+    ],
+    "modified": [
+        {"alpha": 0.5, "a": "L1", "d": "L0", "theta": "q1"},
+        {"alpha": 0, "a": "L2", "d": "q2", "theta": 0.4},
+    ],
+}
+
+
+@pytest.mark.parametrize("last", ["standard", "modified", "scm"])
+@pytest.mark.parametrize("first", ["standard", "modified"])
+def test_base_and_tool_stay_where_lengths_have_no_values(client: httpx.Client, first: str, last: str) -> None:
+    start = {"table": {"convention": first, "rows": SYMBOLS[first]}, "base": BASE, "tool": TOOL}
+    values = {"L0": 0.3, "L1": 0.5, "L2": -0.2}
+    expected, _ = poses(client, {**start, "parameters": values})
+    found = source(last, answered(client, CONVERT, {**start, "to": last}))
+    assert "L2" in str(found)
+    for name in ("base", "tool"):
+        if name in found:
+            known = [[numeric(cell, values) for cell in row] for row in found[name]]
+            found[name] = known
+    kept = {name: value for name, value in values.items() if name in str(found)}
+    again, _ = poses(client, {**found, "parameters": kept})
+    np.testing.assert_allclose(again, expected, atol=1e-12)
+
+
+def numeric(cell: float | str, values: dict[str, float]) -> float:
+    """A number, or what a sum of products of numbers and names is."""
+    if not isinstance(cell, str):
+        return cell
+    total = 0.0
+    for term in cell.replace(" - ", " + -").split(" + "):
+        value = -1.0 if term.startswith("-") else 1.0
+        for factor in term.removeprefix("-").split("*"):
+            name, _, divisor = factor.partition("/")
+            value *= (values[name] if name in values else float(name)) / float(divisor or 1)
+        total += value
+    return total
+
+
+@pytest.mark.parametrize("tilt", [1e-9, 7e-4, 3.3e-3])
+@pytest.mark.parametrize("last", FORMS)
+def test_nearly_parallel_screws_are_kept(client: httpx.Client, last: str, tilt: float) -> None:
+    """A calibrated arm: the tilt stands in a fixed row, as Hayati's β does, and lengths stay the robot's."""
+    axis = [math.sin(tilt), 0.0, math.cos(tilt)]
+    tilted = {"angular": axis, "linear": np.cross([0.5, 0.2, 0.1], axis).tolist()}
+    given = {
+        "screws": [{"angular": [0, 0, 1], "linear": [0, 0, 0]}, tilted],
+        "home": [0.9, 0.2, 0.3, 0, 0, 0],
+    }
+    found = answered(client, CONVERT, {"poe": given, "to": last})
+    q = (0.3, 0.5)
+    motion = np.eye(4)
+    for screw, angle in zip(given["screws"], q, strict=True):
+        w = np.array(screw["angular"])
+        K = np.cross(w, np.eye(3)).T
+        turn = np.eye(4)
+        turn[:3, :3] = np.eye(3) + math.sin(angle) * K + (1 - math.cos(angle)) * K @ K
+        point = np.cross(w, screw["linear"])
+        turn[:3, 3] = point - turn[:3, :3] @ point
+        motion = motion @ turn
+    expected = motion @ [0.9, 0.2, 0.3, 1.0]
+    pose, table = poses(client, source(last, found))
+    np.testing.assert_allclose(pose[:3, 3], expected[:3], atol=2e-10)
+    assert all(abs(row[name]) < 2.0 for row in table["rows"] for name in ("a", "d"))

@@ -4,13 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import reduce
+from typing import TypeAlias
 
 import numpy as np
 
 from kinematics.cells import ParameterKind, RawTable, ReadTable, bind_parameters, read_table
 from kinematics.conversion import XScrew, convert, fixed_row
 from kinematics.dh import link_transform
-from kinematics.expressions import ONE, ZERO, Expression, Function, call, evaluate, negate, parameters_in
+from kinematics.expressions import (
+    ONE,
+    ZERO,
+    Expression,
+    Function,
+    add,
+    call,
+    evaluate,
+    multiply,
+    negate,
+    number,
+    parameters_in,
+)
 from kinematics.inverse.limits import read_limits
 from kinematics.printing.notation import Names
 from kinematics.printing.text import text_writer
@@ -27,6 +41,7 @@ from service.wire.prepared_robots import listed_robot, robot_of
 from service.wire.written_tables import CELL_KINDS, VARIABLE_CELL, Spellings, TableWriter, WireCell
 
 Matrix = list[list[WireCell]]
+Entries: TypeAlias = Sequence[Sequence[Expression]]
 
 
 def described_table(request: ConvertRequest, settings: Settings) -> RobotDescription:
@@ -111,11 +126,12 @@ def matrix_of_cells(
     behind: Transform | None = None,
 ) -> Matrix:
     """Before · screw · behind: numbers where all is known, else expressions."""
-    motion = np.eye(4)
-    if screw is not None:
-        if robot.parameters is None and parameters_in(screw.a) | parameters_in(screw.alpha):
-            return _expressions(screw)
-        motion = _motion(screw, robot)
+    if screw is not None and robot.parameters is None and parameters_in(screw.a) | parameters_in(screw.alpha):
+        factors = [None if before is None else _numbers(before), _expressions(screw)]
+        factors.append(None if behind is None else _numbers(behind))
+        product = reduce(_product, (factor for factor in factors if factor is not None))
+        return [[_entry(entry) for entry in row] for row in product]
+    motion = np.eye(4) if screw is None else _motion(screw, robot)
     if before is not None:
         motion = before @ motion
     if behind is not None:
@@ -132,16 +148,26 @@ def _motion(screw: XScrew[Expression], robot: RobotDescription) -> Transform:
     return link_transform(bound.rows[0], bound.convention)
 
 
-def _expressions(screw: XScrew[Expression]) -> Matrix:
+def _expressions(screw: XScrew[Expression]) -> Entries:
     """Trans_x(a) Rot_x(alpha), written with its parameters."""
     cosine, sine = call(Function.COS, screw.alpha), call(Function.SIN, screw.alpha)
-    entries = (
+    return (
         (ONE, ZERO, ZERO, screw.a),
         (ZERO, cosine, negate(sine), ZERO),
         (ZERO, sine, cosine, ZERO),
         (ZERO, ZERO, ZERO, ONE),
     )
-    return [[_entry(entry) for entry in row] for row in entries]
+
+
+def _numbers(motion: Transform) -> Entries:
+    return [[number(repr(entry)) for entry in row] for row in (motion + 0.0).tolist()]
+
+
+def _product(one: Entries, other: Entries) -> Entries:
+    return [
+        [add(multiply(pair) for pair in zip(row, column, strict=True)) for column in zip(*other, strict=True)]
+        for row in one
+    ]
 
 
 def _entry(entry: Expression) -> WireCell:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from kinematics.cells import ParameterKind, ReadTable, parameter_values
 from kinematics.expressions import ZERO
 from kinematics.scm import (
@@ -15,6 +13,7 @@ from kinematics.scm import (
     scm_from_numbers,
     scm_from_table,
     unrolled_dh_from_scm,
+    with_tool,
 )
 from service.schemas.conversion import ConvertRequest, ScmAnswer
 from service.schemas.scm import ScmChainModel, Verification
@@ -51,7 +50,7 @@ def described_chain(request: ConvertRequest, settings: Settings) -> RobotDescrip
 
 
 def scm_answer(robot: RobotDescription, request: ConvertRequest) -> ScmAnswer:
-    """The robot as an SCM chain: entry by entry, or in numbers where it has fixed rows, a base or a tool.
+    """The robot as an SCM chain: entry by entry, or in numbers where it has fixed rows.
 
     Raises:
         TableError: the table has no joints.
@@ -62,9 +61,9 @@ def scm_answer(robot: RobotDescription, request: ConvertRequest) -> ScmAnswer:
     )
     with traced(request):
         moved = scm_from_table(robot.read.table)
-        plain = np.array_equal(robot.base, np.eye(4)) and np.array_equal(robot.tool, np.eye(4))
-        if moved is not None and plain:
-            chain, base = moved.chain, matrix_of_cells(moved.base, robot)
+        chain = None if moved is None else with_tool(moved.chain, robot.tool)
+        if moved is not None and chain is not None:
+            base = matrix_of_cells(moved.base, robot, before=robot.base)
         else:
             table = robot_of(robot.read, robot.parameters or {}).table
             before, chain = scm_from_numbers(table, robot.base, robot.tool)
