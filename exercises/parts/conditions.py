@@ -41,7 +41,9 @@ MOST_TURNS = 24
 _NO_EQUATION = re.compile(r"[<>≤≥≠]|!=")
 _INTEGERS = re.compile(r",?\s*\(?\s*\b[knm]\s*(?:∈|\bin\b)\s*(?:ℤ|\bZ\b|\bintegers?\b).*$")
 _LETTER = re.compile(r"(?<![A-Za-z_])[knm](?=(?:pi|π)\b|π|[^A-Za-z_0-9(]|$)")
-_OR = re.compile(r"\bor\b|∨|\n")
+_DASHES = " -–—−"
+_OR = re.compile(r"(?<=\s)(?:o|ou|u|sau|або|чи)(?=\s)|\bor\b|∨|\n")
+"""Between conditions, in the languages of the pages."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -64,7 +66,7 @@ def read_conditions(
         where: place of the cell, for faults.
     """
     text = _INTEGERS.sub("", str(cell))
-    if _NO_EQUATION.search(text):
+    if _NO_EQUATION.search(text) or not text.strip(_DASHES):
         return [_no_condition(cell, where)]
     equations = list(_equations(text.replace("==", "=")))
     if not equations or any("=" in equation.right for equation in equations):

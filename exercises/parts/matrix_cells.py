@@ -24,7 +24,7 @@ from kinematics.cells.meaning import Position
 from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.tables import NoCell, as_cell
 from kinematics.cells.variables import variable_index
-from kinematics.errors import CellError, Fault, ParameterError
+from kinematics.errors import CellError, Fault, ParameterError, ParamValue
 from kinematics.expressions import (
     Expression,
     Function,
@@ -297,9 +297,9 @@ def _variables(joint_types: Sequence[JointType]) -> Callable[[str], Expression |
 class _NameError(Exception):
     """A name in a cell means nothing there."""
 
-    def __init__(self, code: str, name: str, joints: int) -> None:
+    def __init__(self, code: str, name: str, joints: int, **params: ParamValue) -> None:
         super().__init__(code)
-        self.fault = Fault(code=code, params={"name": name, "joints": joints})
+        self.fault = Fault(code=code, params={"name": name, "joints": joints, **params})
 
 
 def _is(joint_types: Sequence[JointType], joint: int, joint_type: JointType) -> bool:
@@ -308,7 +308,10 @@ def _is(joint_types: Sequence[JointType], joint: int, joint_type: JointType) -> 
 
 def _known(index: int, name: str, n: int) -> int:
     if not 1 <= index <= n:
-        raise _NameError("joint_variable_unknown", name, n)
+        digits = str(index)
+        several = len(digits) > 1 and all(1 <= int(digit) <= n for digit in digits)
+        meant = " + ".join(f"q{digit}" for digit in digits) if several else ""
+        raise _NameError("joint_variable_unknown", name, n, sum=meant, summed=int(several))
     return index
 
 

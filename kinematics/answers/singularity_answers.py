@@ -161,7 +161,7 @@ def _judged(arm: SingularArm, conditions: Sequence[Expression]) -> SingularityVe
     judged: list[JudgedCondition] = []
     exact = True
     for condition in conditions:
-        statuses = []
+        statuses, before = [], [each.copy() for each in covered]
         for factor in factors_of(reduced(condition)):
             here = arm.products.zeros(factor)
             if here is None:
@@ -178,6 +178,8 @@ def _judged(arm: SingularArm, conditions: Sequence[Expression]) -> SingularityVe
             status = ConditionStatus.SINGULAR if here else ConditionStatus.NOWHERE
             statuses.append(JudgedCondition(status=status))
         judged.append(_together(statuses))
+        if judged[-1].status is ConditionStatus.EVERYWHERE:
+            covered = before  # it says of no configuration that it is singular
     told = tuple(
         JudgedFamily(found=1.0 if j in proved else float(found.mean()), example=_example(points, found))
         for j, (found, points) in enumerate(zip(covered, arm.witnesses, strict=True))

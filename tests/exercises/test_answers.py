@@ -158,3 +158,12 @@ def test_weights_change_marks_and_nothing_else() -> None:
         assert not verdict.correct
         scores.append(verdict.score)
     assert scores == sorted(scores, reverse=True)
+
+
+@pytest.mark.parametrize(("name", "meant"), [("q12", "q1 + q2"), ("θ23", "q2 + q3"), ("q19", ""), ("q5", "")])
+def test_a_sum_of_variables_is_written_out(name: str, meant: str) -> None:
+    rows = edited(EYE, 0, 3, f"a2*cos({name})")
+    with pytest.raises(AnswerError) as error:
+        parse(generate(exercise("scara")), RawAnswer(table=SCARA, transform=rows))
+    (fault,) = error.value.faults
+    assert (fault.code, fault.params["sum"]) == ("joint_variable_unknown", meant)

@@ -148,7 +148,10 @@ error-matrix_not_4x4 = A matrix has four rows of four cells.
 error-joint_variable_unknown = There is no { $name }; the robot has { $joints ->
     [one] one joint
    *[other] { $joints } joints
-}.
+}.{ $summed ->
+    [0] {""}
+   *[other] {" "}A sum is written out: { $sum }.
+}
 error-short_form_unknown = { $name } is read as a cosine or a sine, but not all of its indices are revolute joints; the robot has { $joints ->
     [one] one joint
    *[other] { $joints } joints

@@ -148,7 +148,10 @@ error-matrix_not_4x4 = Una matriz tiene cuatro filas de cuatro celdas.
 error-joint_variable_unknown = No existe { $name }; el robot tiene { $joints ->
     [one] una articulación
    *[other] { $joints } articulaciones
-}.
+}.{ $summed ->
+    [0] {""}
+   *[other] {" "}Una suma se escribe entera: { $sum }.
+}
 error-short_form_unknown = { $name } se lee como un coseno o un seno, pero no todos sus índices son articulaciones de rotación; el robot tiene { $joints ->
     [one] una articulación
    *[other] { $joints } articulaciones

@@ -148,7 +148,10 @@ error-matrix_not_4x4 = Une matrice a quatre lignes de quatre cellules.
 error-joint_variable_unknown = Il n’y a pas de { $name } ; le robot a { $joints ->
     [one] une articulation
    *[other] { $joints } articulations
-}.
+}.{ $summed ->
+    [0] {""}
+   *[other] {" "}Une somme s’écrit en entier : { $sum }.
+}
 error-short_form_unknown = { $name } est lu comme un cosinus ou un sinus, mais ses indices ne sont pas tous des articulations rotoïdes ; le robot a { $joints ->
     [one] une articulation
    *[other] { $joints } articulations

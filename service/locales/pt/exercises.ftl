@@ -148,7 +148,10 @@ error-matrix_not_4x4 = Uma matriz tem quatro linhas de quatro células.
 error-joint_variable_unknown = Não existe { $name }; o robô tem { $joints ->
     [one] uma junta
    *[other] { $joints } juntas
-}.
+}.{ $summed ->
+    [0] {""}
+   *[other] {" "}Uma soma escreve-se por extenso: { $sum }.
+}
 error-short_form_unknown = { $name } é lido como cosseno ou seno, mas nem todos os seus índices são juntas rotativas; o robô tem { $joints ->
     [one] uma junta
    *[other] { $joints } juntas

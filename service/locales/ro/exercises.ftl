@@ -153,7 +153,10 @@ error-joint_variable_unknown = Nu există { $name }; robotul are { $joints ->
     [one] o cuplă
     [few] { $joints } cuple
    *[other] { $joints } de cuple
-}.
+}.{ $summed ->
+    [0] {""}
+   *[other] {" "}O sumă se scrie întreagă: { $sum }.
+}
 error-short_form_unknown = { $name } este citit ca un cosinus sau un sinus, dar nu toți indicii lui sunt cuple de rotație; robotul are { $joints ->
     [one] o cuplă
     [few] { $joints } cuple

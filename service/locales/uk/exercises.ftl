@@ -152,7 +152,10 @@ error-joint_variable_unknown = Немає { $name }; робот має { $joints
     [one] { $joints } зчленування
     [few] { $joints } зчленування
    *[other] { $joints } зчленувань
-}.
+}.{ $summed ->
+    [0] {""}
+   *[other] {" "}Суму пишуть повністю: { $sum }.
+}
 error-short_form_unknown = { $name } читається як косинус або синус, але не всі його індекси є обертальними зчленуваннями; робот має { $joints ->
     [one] { $joints } зчленування
     [few] { $joints } зчленування

@@ -162,6 +162,7 @@ def test_where_all_three_families_meet_three_motions_are_lost_or_fewer() -> None
     ("text", "code"),
     [
         ("", "condition_not_equation"),
+        ("–", "condition_not_equation"),
         ("q3 < 0", "condition_not_equation"),
         ("q3 = 0 = q5", "condition_not_equation"),
         ("q3 = sin(q5)", "condition_angle_nonlinear"),
@@ -179,6 +180,20 @@ def test_what_is_no_condition_is_refused(text: str, code: str) -> None:
     (found,) = read_conditions(text, types, AngleUnit.DEG, ("conditions", 0))
     assert isinstance(found, Fault)
     assert (found.code, found.where[:2]) == (code, ("conditions", 0))
+
+
+@pytest.mark.parametrize("word", ["or", "o", "ou", "sau", "або", "чи"])
+def test_conditions_stand_beside_each_other_in_six_languages(word: str) -> None:
+    types = (JointType.REVOLUTE,) * 6
+    assert len(read_conditions(f"q3 = 0 {word} q5 = 0", types, AngleUnit.DEG, ("conditions", 0))) == 2
+
+
+def test_what_always_holds_finds_no_family() -> None:
+    found = judged(*PUMA, "0")
+    assert {entry.found for entry in found.families} == {0.0}
+    assert found.share == 0.0
+    alone, beside = judged(*PUMA, "sin(q5)"), judged(*PUMA, "sin(q5)", "0")
+    assert [entry.found for entry in beside.families] == [entry.found for entry in alone.families]
 
 
 def test_powers_and_products_with_what_never_vanishes_are_proved() -> None:
