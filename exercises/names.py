@@ -28,7 +28,8 @@ def unknown_name(
         where: the place of the cell.
         others: names that may stand there besides the exercise's own.
     """
-    known = (*exercise.reference.parameters, *others)
+    own = tuple(exercise.reference.parameters)
+    known = (*own, *sorted(set(others) - set(own)))
     close = nearest_name(name, (*known, *exercise.aliases))
     params = {"name": name, "known": known or "–", "close": close or "", "found": int(close is not None)}
     return Fault(code="name_unknown", where=where, params=params)

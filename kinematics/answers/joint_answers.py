@@ -226,7 +226,7 @@ def _slip(question: JointQuestion, row: Sequence[float]) -> tuple[int | None, Jo
         if np.isfinite(pose).all() and all(_errors(question, pose)):
             return (i + 1 if i >= 0 else None), mistake
     position, orientation = _errors(question, _pose(question, row))
-    if position or orientation:
+    if question.reach is not ArmReach.POSITION and (position or orientation):
         return None, JointMistake.POSITION_ONLY if position else JointMistake.ORIENTATION_ONLY
     return None, None
 

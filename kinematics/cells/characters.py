@@ -59,9 +59,11 @@ VULGAR_FRACTIONS = {
 
 _MATHEMATICAL_LETTERS = range(0x1D400, 0x1D800)
 _FULL_WIDTH = range(0xFF01, 0xFF5F)
+DOT_ABOVE = "\u0307"
 _LOOKALIKES = dict(zip("АВЕКМНОРСТХаеорсухіІјЈѕЅԁԛһԚ", "ABEKMHOPCTXaeopcyxiIjJsSdqhQ", strict=True))
 _ALLOWED = re.compile(
     "[A-Za-z0-9+\\-*/^()._, {}$\\\\°√;:!"
+    + DOT_ABOVE
     + "".join(GREEK)
     + "".join(SUPERSCRIPTS)
     + "⁻"

@@ -15,6 +15,7 @@ from lark import Token
 
 from kinematics.cells.bare_arguments import with_brackets
 from kinematics.cells.characters import (
+    DOT_ABOVE,
     GREEK,
     SUBSCRIPTS,
     SUPERSCRIPT_MINUS,
@@ -78,6 +79,7 @@ _INDEX = re.compile(f"([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _SEGMENT = re.compile(_SUBSCRIPT)
 _COMMAND = re.compile(r"\\([A-Za-z]+|.?)", re.DOTALL)
 _RATE = re.compile(rf"\\dot *(?:\{{ *(?:q|\\theta|θ) *\}}|q|\\theta|θ)([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
+_DOTTED = re.compile(rf"[qθ]{DOT_ABOVE}([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _DEGREE_POWER = re.compile(r"\^ *(?:\{ *(?:\\circ|°) *\}|\\circ(?![A-Za-z])|°)")
 _SUPERSCRIPT = re.compile(f"{SUPERSCRIPT_MINUS}?[{''.join(SUPERSCRIPTS)}]+")
 _ALIEN_NUMBER = re.compile(r"0[xXbBoO][0-9A-Fa-f]+|[0-9.]+_[0-9_.]*|[0-9]*\.[0-9]*\.[0-9.]*")
@@ -161,6 +163,10 @@ def _number(plain: str, start: int, limits: Limits) -> Scanned:
 
 
 def _name(plain: str, start: int, limits: Limits) -> Scanned:
+    dotted = _DOTTED.match(plain, start)
+    if dotted:
+        name = _spelled("dq", dotted.group(1), dotted.group(2), start)
+        return [_token("NAME", name, start)], dotted.end()
     match = _NAME.match(plain, start)
     assert match is not None
     word, digits, scripts = match.groups()
@@ -232,6 +238,8 @@ def _operator(plain: str, start: int, limits: Limits) -> Scanned:
     if degree:
         return [_token("DEGREE", "°", start)], degree.end()
     character = plain[start]
+    if character == DOT_ABOVE:
+        raise CellRefusal("character_invisible", column=start + 1, character=f"U+{ord(character):04X}")
     if character in SUBSCRIPTS:
         raise CellRefusal("script_misplaced", column=start + 1, character=character)
     if character == "_":

@@ -120,3 +120,9 @@ def test_no_joint_value_is_too_large_to_be_judged(value) -> None:
     answer = JointAnswer(claim=JointClaim.INFINITE, rows=(Q,), combinations=((value,) * 6,))
     assert not judge_joints(question, answer).right
     assert np.isfinite(judge_joints(question, answer).share)
+
+
+def test_where_only_the_position_counts_nothing_is_said_of_the_orientation() -> None:
+    found = judge_joints(asked(reach=ArmReach.POSITION, every=False), finite([1.1, 0.9, -0.3, 0.2, 0.1, 0.0]))
+    assert not found.right
+    assert (found.rows[0].joint, found.rows[0].mistake) == (None, None)

@@ -19,6 +19,7 @@ from kinematics.cells.scanner import scan
         ("-¾", "-(3/4)"),
         ("\\dot{q}_1 \\dot\\theta_2", "dq1 dq2"),
         ("\\dot{\\theta}_{2}^2", "dq2^2"),
+        ("q\u03071*θ\u0307₂ + q\u0307_{3}", "dq1*dq2 + dq3"),
     ],
 )
 def test_what_is_printed_is_read_as_what_it_means(typed: str, meant: str) -> None:
