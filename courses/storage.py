@@ -223,7 +223,7 @@ def _postgresql(url: str) -> sa.Engine:
         address,
         pool_size=CONNECTIONS,
         max_overflow=CONNECTIONS,
-        connect_args={"connect_timeout": CONNECT_SECONDS},
+        connect_args={"connect_timeout": CONNECT_SECONDS, "client_encoding": "utf8"},
         json_serializer=_written,
     )
     event.listen(engine, "checkin", _note_use)

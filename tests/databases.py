@@ -32,7 +32,7 @@ def postgresql_server() -> Iterator[str]:
 
 
 @contextlib.contextmanager
-def new_database(server: str, template: str = "template1") -> Iterator[str]:
+def new_database(server: str, template: str = "template1", options: str = "") -> Iterator[str]:
     """A database of its own on a server, a copy of a template; yields its URL."""
     name = f"framewise_{next(_numbers)}"
     engine = sa.create_engine(
@@ -40,7 +40,7 @@ def new_database(server: str, template: str = "template1") -> Iterator[str]:
     )
     try:
         with engine.connect() as connection:
-            connection.execute(sa.text(f'CREATE DATABASE "{name}" TEMPLATE "{template}"'))
+            connection.execute(sa.text(f'CREATE DATABASE "{name}" TEMPLATE "{template}" {options}'))
         yield sa.make_url(server).set(database=name).render_as_string(hide_password=False)
         with engine.connect() as connection:
             connection.execute(sa.text(f'DROP DATABASE "{name}" WITH (FORCE)'))

@@ -89,6 +89,18 @@ def test_a_database_that_cannot_be_reached_is_refused(tmp_path: Path) -> None:
     assert "secret" not in str(caught.value.faults)
 
 
+def test_a_database_that_names_no_encoding_holds_every_language(postgresql: str, tmp_path: Path) -> None:
+    from tests.databases import new_database
+
+    with new_database(postgresql, "template0", "ENCODING 'SQL_ASCII' LC_COLLATE 'C' LC_CTYPE 'C'") as url:
+        store = open_store(url, tmp_path)
+        session = joined(store)
+        answer = {"table": {"rows": [["θ₁ + π/2", "кут", "𝛼"]]}}
+        submitted(store, session, 0.5, answer=answer)
+        assert [attempt.answer for attempt in attempts_of(store, session)] == [answer]
+        store.close()
+
+
 def test_a_backup_restores_on_either_database(store: Store, postgresql: str, tmp_path: Path) -> None:
     from tests.databases import new_database
 
