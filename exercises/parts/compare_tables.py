@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from fractions import Fraction
 from functools import lru_cache
 from random import Random
 from typing import ClassVar
@@ -22,9 +21,8 @@ from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.given_table import given_table
 from exercises.parts.planting import FACTS, PLANTABLE, plantable
-from exercises.parts.protocol import TABLE, FieldShape, FormField, PartTask, PartType, Reading, RobotFacts
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
-from exercises.reading import Reader
+from exercises.parts.protocol import PartTask, PartType, Reading, choice_field
+from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.selftest.variants import some_lengths, variant
 from kinematics.cells import ReadTable
 from kinematics.equivalence import ToolRule
@@ -93,21 +91,13 @@ class CompareTablesType(PartType[Part, ComparisonCells, ComparisonCells]):
     kind = "compare_tables"
     raw: ClassVar = ComparisonCells
     meaning = "whether two tables are the same robot, and why"
-    disclosures: ClassVar = {
-        "tables_same": Disclosure(level=HelpLevel.ROW),
-        "tables_different": Disclosure(level=HelpLevel.ROW),
-        "tables_reason_wrong": Disclosure(level=HelpLevel.ROW),
-        "tables_reason_missing": Disclosure(level=HelpLevel.ROW),
-    }
-
-    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> Part:
-        """Return the part; nothing is set in it."""
-        return Part(kind=self.kind, points=points)
+    disclosures: ClassVar = told_from(
+        HelpLevel.ROW, "tables_same", "tables_different", "tables_reason_wrong", "tables_reason_missing"
+    )
 
     def inconsistencies(self, part: Part, exercise: Exercise) -> Iterator[Fault]:
-        """Yield a fault where the key would be given away."""
-        if exercise.part(TABLE) is not None:
-            yield Fault(code="key_given_away", where=("kind",))
+        """Return a fault where the key would be given away."""
+        return self.given_away(exercise)
 
     def draw(self, part: Part, exercise: Exercise, picker: Picker) -> ReadTable:
         """Return the student's second table."""
@@ -120,14 +110,11 @@ class CompareTablesType(PartType[Part, ComparisonCells, ComparisonCells]):
 
     def task(self, part: Part, instance: Instance) -> PartTask:
         """Show both tables."""
-        reasons = tuple(reason.value for reason in ComparisonReason)
         return PartTask(
             message="task-compare-tables",
             form=(
-                FormField(
-                    name="verdict", shape=FieldShape.CHOICE, options=tuple(found.value for found in SameRobot)
-                ),
-                FormField(name="reason", shape=FieldShape.CHOICE, options=reasons),
+                choice_field("verdict", SameRobot),
+                choice_field("reason", ComparisonReason),
             ),
             numbers=(
                 given_table(instance, None, "first-table"),
@@ -155,8 +142,8 @@ class CompareTablesType(PartType[Part, ComparisonCells, ComparisonCells]):
         else:
             feedback.append(Feedback(code="tables_right"))
         facts = (
-            Fact(where=("verdict",), finding=Finding.OK if told else Finding.WRONG),
-            Fact(where=("reason",), finding=Finding.OK if why else Finding.WRONG),
+            fact(told, "verdict"),
+            fact(why, "reason"),
         )
         return judged(part, 0.5 * (told + why), Credit.KEY, facts=facts, feedback=feedback)
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from exercises.parts.context import Context, Points
 from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix
+from exercises.parts.report import Fact, fact
 from kinematics.cells import Cell
 from kinematics.equivalence import Tolerance
 
@@ -130,6 +131,11 @@ def is_rigid(poses: Matrices, tolerance: Tolerance) -> bool:
         and (np.linalg.det(rotation) > 0).all()
         and (np.abs(poses[..., 3, :] - LAST_ROW) <= 1e-6).all()
     )
+
+
+def cell_facts(cells: NDArray[np.bool_]) -> list[Fact]:
+    """What was found of each cell of a 4×4."""
+    return [fact(bool(cells[r, c]), r, c) for r in range(4) for c in range(4)]
 
 
 def cell_names(cells: NDArray[np.bool_]) -> tuple[str, ...]:

@@ -69,9 +69,9 @@ COMPONENTS = ("fx", "fy", "fz", "mx", "my", "mz")
 TOLERANCE = DefinitionKey(name="tolerance", shape=KeyShape.NUMBER)
 
 
-def names_of_joints(robot: RobotFacts) -> tuple[str, ...]:
+def joint_names(count: int) -> tuple[str, ...]:
     """Return q1 … qn."""
-    return tuple(f"q{i}" for i in range(1, len(robot.joint_types) + 1))
+    return tuple(f"q{i}" for i in range(1, count + 1))
 
 
 def joint_keys(robot: RobotFacts, *, single: bool = True) -> tuple[DefinitionKey, ...]:
@@ -81,7 +81,7 @@ def joint_keys(robot: RobotFacts, *, single: bool = True) -> tuple[DefinitionKey
         robot: whose joints.
         single: joints may have a draw of their own.
     """
-    names = names_of_joints(robot)
+    names = joint_names(len(robot.joint_types))
     keys = [DefinitionKey(name="joints", shape=KeyShape.NUMBERS, labels=names)]
     if JointType.REVOLUTE in robot.joint_types:
         keys.append(DefinitionKey(name="turns", shape=KeyShape.DRAW))

@@ -11,6 +11,7 @@ from exercises.draws import Draw, Picker
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit
 from kinematics.errors import PoseError
+from kinematics.keys import ValueKind
 from kinematics.rotations.matrices import Triple
 from kinematics.rotations.sequences import (
     EulerSequence,
@@ -41,6 +42,15 @@ def drawn_triple(
     )
     first, middle, last = (math.radians(value) if degrees else value for value in drawn)
     return first, middle, last
+
+
+def read_triple(reader: Reader) -> tuple[Fraction, ...]:
+    """Return the three angles of a definition; faults go to the reader."""
+    angles = reader.exacts("angles")
+    if len(angles) == 3:
+        return angles
+    reader.mistyped(ValueKind.NUMBERS, "angles", count=3)
+    return (Fraction(0),) * 3
 
 
 def read_sequence(reader: Reader, axes: str, turning: str, default: EulerSequence) -> EulerSequence:

@@ -19,7 +19,7 @@ from exercises.draws import Picker, read_draw
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, choices
+from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, choices, joint_names
 from exercises.parts.given_table import given_table
 from exercises.parts.matrix_cells import read_row, write_matrix
 from exercises.parts.protocol import (
@@ -32,7 +32,7 @@ from exercises.parts.protocol import (
     Reading,
     RobotFacts,
 )
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, told_from
 from exercises.reading import Reader
 from kinematics.answers.dynamics_answers import (
     DynamicsMistake,
@@ -111,7 +111,7 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
     )
     disclosures: ClassVar = {
         **{f"motion_{question.value}_wrong": Disclosure(level=HelpLevel.ROW) for question in MotionAsk},
-        **{f"motion_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in DynamicsMistake},
+        **told_from(HelpLevel.REPAIR, *(f"motion_{mistake.value}" for mistake in DynamicsMistake)),
     }
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> MotionPart:
@@ -194,7 +194,7 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
     def task(self, part: MotionPart, instance: Instance) -> PartTask:
         """Show the table, the links, gravity and the values."""
         n = instance.exercise.reference.table.n_joints
-        names = tuple(f"q{i}" for i in range(1, n + 1))
+        names = joint_names(n)
         unit = instance.exercise.length_unit.value
         form = []
         if MotionAsk.MASS in part.ask:
@@ -243,10 +243,8 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
             read = []
             for i, row in enumerate(rows):
                 place = where or (field, i)
-                if len(row) != n:
-                    reading.fault("joint_row_length", self.kind, *place, expected=n, given=len(row))
-                    continue
-                read.append(read_row(row, reading, self.kind, *place, names=names))
+                if reading.is_row_of(n, row, self.kind, *place):
+                    read.append(read_row(row, reading, self.kind, *place, names=names))
             found[field] = tuple(read) if count == n and where is None else read[0] if read else None
         if not found and len(reading.faults) == before:
             reading.fault("motion_empty", self.kind)
@@ -268,11 +266,7 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
             total += 1.0 if good == len(right) else min(MOST_OF_WRONG, good / len(right))
             if good < len(right):
                 feedback.append(Feedback(code=f"motion_{question.value}_wrong"))
-                facts += [
-                    Fact(where=(question.value, *place), finding=Finding.WRONG)
-                    for place, good in right.items()
-                    if not good
-                ]
+                facts += [fact(False, question.value, *place) for place, good in right.items() if not good]
         feedback += [Feedback(code=f"motion_{mistake.value}") for mistake in verdict.mistakes]
         if not feedback:
             feedback.append(Feedback(code="motion_right"))

@@ -7,19 +7,17 @@ is the name.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from fractions import Fraction
-from random import Random
 from typing import Any, ClassVar
 
-from exercises.definition import Exercise, Part
+from exercises.definition import Exercise
 from exercises.draws import Picker
-from exercises.grading import HelpLevel, accept
+from exercises.grading import accept
 from exercises.instance import Instance
 from exercises.names import table_faults, without_aliases
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import DefinitionKey, choices
+from exercises.parts.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
 from exercises.parts.given_table import columns_of, given_table
 from exercises.parts.planting import (
     PLANTABLE,
@@ -28,12 +26,16 @@ from exercises.parts.planting import (
     as_given,
     explanations,
     planted,
-    read_mistakes,
     usable,
 )
-from exercises.parts.protocol import TABLE, FieldShape, FormField, PartTask, PartType, Reading, RobotFacts
-from exercises.parts.report import Disclosure, FoundStep, PartReport, judged_in_steps
-from exercises.reading import Reader
+from exercises.parts.protocol import (
+    FieldShape,
+    FormField,
+    PartTask,
+    Reading,
+    choice_field,
+)
+from exercises.parts.report import PartReport
 from exercises.written_table import written_table
 from kinematics.cells import Cell, RawTable, ReadTable, read_table
 from kinematics.errors import Fault
@@ -65,50 +67,28 @@ class FoundMistake:
     mended: ReadTable | None
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class FindMistakePart(Part):
-    """A table with a planted mistake.
-
-    Attributes:
-        mistakes: codes of those that may be planted.
-    """
-
-    mistakes: tuple[str, ...]
-
-
-class FindMistakeType(PartType[FindMistakePart, FoundMistakeCells, FoundMistake]):
+class FindMistakeType(MistakeType[MistakePart, FoundMistakeCells, FoundMistake]):
     """Find the mistake in a table."""
 
     kind = "find_mistake"
     raw: ClassVar = FoundMistakeCells
     meaning = "the planted mistake: its row, its name, and the row as it should be"
-    disclosures: ClassVar = {
-        "mistake_row_wrong": Disclosure(level=HelpLevel.ROW),
-        "mistake_name_wrong": Disclosure(level=HelpLevel.ROW),
-        "mistake_not_mended": Disclosure(level=HelpLevel.ROW),
-        "mistake_missing": Disclosure(level=HelpLevel.ROW),
-    }
+    words: ClassVar = MistakeWords(
+        "mistake_row_wrong", "mistake_name_wrong", "mistake_not_mended", "mistake_missing"
+    )
+    disclosures: ClassVar = words.told()
+    fields: ClassVar = ("row", "name", "mended")
+    catalogue: ClassVar = PLANTABLE
 
-    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> FindMistakePart:
-        """Return the part with the mistakes that may be planted."""
-        return FindMistakePart(kind=self.kind, points=points, mistakes=read_mistakes(reader, PLANTABLE))
+    def can_be_planted(self, part: MistakePart, exercise: Exercise) -> bool:
+        """Return whether one of the mistakes makes the key another robot."""
+        return usable(exercise, part.mistakes)
 
-    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the keys of the mistakes that may be planted."""
-        return (choices("mistakes", PLANTABLE),)
-
-    def inconsistencies(self, part: FindMistakePart, exercise: Exercise) -> Iterator[Fault]:
-        """Yield a fault where nothing can be planted, or where the key would be given away."""
-        if not usable(exercise, part.mistakes):
-            yield Fault(code="no_mistake_does_harm", where=("mistakes",))
-        if exercise.part(TABLE) is not None:
-            yield Fault(code="key_given_away", where=("kind",))
-
-    def draw(self, part: FindMistakePart, exercise: Exercise, picker: Picker) -> Planted:
+    def draw(self, part: MistakePart, exercise: Exercise, picker: Picker) -> Planted:
         """Return the student's table."""
         return planted(exercise, part.mistakes, picker, self.kind)
 
-    def task(self, part: FindMistakePart, instance: Instance) -> PartTask:
+    def task(self, part: MistakePart, instance: Instance) -> PartTask:
         """Show the table."""
         found: Planted = instance.drawn[self.kind]
         labels = tuple(label for _, label in columns_of(found.table))
@@ -116,8 +96,8 @@ class FindMistakeType(PartType[FindMistakePart, FoundMistakeCells, FoundMistake]
         return PartTask(
             message="task-find-mistake",
             form=(
-                FormField(name="row", shape=FieldShape.CHOICE, options=rows),
-                FormField(name="name", shape=FieldShape.CHOICE, options=PLANTABLE),
+                choice_field("row", rows),
+                self.name_field(PLANTABLE),
                 FormField(name="mended", shape=FieldShape.VECTOR, labels=labels),
             ),
             numbers=(given_table(instance, found.table, "table-with-mistake"),),
@@ -127,24 +107,20 @@ class FindMistakeType(PartType[FindMistakePart, FoundMistakeCells, FoundMistake]
         """Return the answer with the mended table."""
         found: Planted = reading.instance.drawn[self.kind]
         count = len(found.table.table.rows)
-        text = str(raw.row) if raw.row is not None else ""
-        number = int(text) if text.isascii() and text.isdecimal() and len(text) < 4 else 0
-        if (raw.row is None and raw.mended is not None) or (raw.row is not None and not 1 <= number <= count):
+        row = self.number(raw.row, "row", range(1, count + 1), reading, "row_unknown")
+        if raw.row is None and raw.mended is not None:
             reading.fault("row_unknown", self.kind, "row", count=count)
-        if raw.name is not None and raw.name not in PLANTABLE:
-            reading.fault(
-                "misconception_unknown", self.kind, "name", name=raw.name, known=", ".join(PLANTABLE)
-            )
+        name = self.known_name(raw.name, reading, PLANTABLE)
         if reading.faults:
             return None
         mended = None
-        if raw.mended is not None:
-            mended = _mended(found.table, number - 1, raw.mended, reading)
+        if raw.mended is not None and row is not None:
+            mended = _mended(found.table, row - 1, raw.mended, reading)
             if mended is None:
                 return None
-        return FoundMistake(row=number - 1 if number else None, name=raw.name, mended=mended)
+        return FoundMistake(row=None if row is None else row - 1, name=name, mended=mended)
 
-    def grade(self, part: FindMistakePart, answer: FoundMistake, context: Context) -> PartReport:
+    def grade(self, part: MistakePart, answer: FoundMistake, context: Context) -> PartReport:
         """A third each for place, name and repair; a repair that does says where the mistake was."""
         found: Planted = context.instance.drawn[self.kind]
         key, policy, values = context.reference, as_given(context.policy), context.parameters
@@ -158,14 +134,14 @@ class FindMistakeType(PartType[FindMistakePart, FoundMistakeCells, FoundMistake]
             _same_links(key.table, answer.mended.table, values)
             or accept(key, answer.mended, policy, values) is not None
         )
-        steps = {
-            "row": FoundStep(mended or answer.row in rows, answer.row, "mistake_row_wrong"),
-            "name": FoundStep(answer.name in names, answer.name, "mistake_name_wrong"),
-            "mended": FoundStep(mended, answer.mended, "mistake_not_mended"),
-        }
-        return judged_in_steps(part, steps, missing="mistake_missing", right="mistake_found")
+        return self.report(
+            part,
+            FoundStep(mended or answer.row in rows, answer.row),
+            FoundStep(answer.name in names, answer.name),
+            FoundStep(mended, answer.mended),
+        )
 
-    def right(self, part: FindMistakePart, context: Context) -> FoundMistakeCells:
+    def right(self, part: MistakePart, context: Context) -> FoundMistakeCells:
         """Return the planted mistake and the key's row."""
         found: Planted = context.instance.drawn[self.kind]
         row = written_table(context.reference).rows[found.row]
@@ -174,16 +150,12 @@ class FindMistakeType(PartType[FindMistakePart, FoundMistakeCells, FoundMistake]
             row=found.row + 1, name=found.code, mended=(cells[0], cells[1], cells[2], cells[3])
         )
 
-    def wrong(
-        self, part: FindMistakePart, context: Context, rng: Random
-    ) -> Iterator[tuple[str, FoundMistakeCells]]:
-        """Yield the row as it was, and nothing but a name."""
-        found: Planted = context.instance.drawn[self.kind]
-        right = self.right(part, context)
+    def left_as_shown(self, right: FoundMistakeCells, instance: Instance) -> FoundMistakeCells:
+        """Return the row as it was."""
+        found: Planted = instance.drawn[self.kind]
         row = written_table(found.table).rows[found.row]
         cells = tuple(getattr(row, cell) for cell, _ in columns_of(found.table))
-        yield "mistake_not_mended", replace(right, mended=(cells[0], cells[1], cells[2], cells[3]))
-        yield "mistake_missing", FoundMistakeCells(name=right.name)
+        return replace(right, mended=(cells[0], cells[1], cells[2], cells[3]))
 
 
 def _mended(

@@ -15,8 +15,8 @@ from typing import ClassVar
 import numpy as np
 
 from exercises.definition import Exercise, Part
-from exercises.draws import Draw, Picker, read_draw
-from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.draws import Draw, Picker
+from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.comparison import Matrices
 from exercises.parts.context import Context
@@ -28,7 +28,7 @@ from exercises.parts.definition_keys import (
     joint_keys,
     usual_joints,
 )
-from exercises.parts.joint_draws import drawn_joints, key_frames
+from exercises.parts.joint_draws import drawn_joints, key_frames, read_joints
 from exercises.parts.matrix_cells import CellMatrix, read_numbers
 from exercises.parts.protocol import (
     FieldShape,
@@ -39,12 +39,11 @@ from exercises.parts.protocol import (
     Reading,
     RobotFacts,
 )
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.reading import Reader
 from kinematics.errors import Fault
 from kinematics.rotations.frame_chains import ChainFactor, ChainMistake, chain_product, judge_chain
 from kinematics.se3 import inverse_transform
-from kinematics.table import JointType
 
 DECIMALS = 4
 """Decimals of given matrices, as textbooks print them."""
@@ -90,20 +89,13 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, Matrices]):
     raw: ClassVar = FrameChainCells
     meaning = "the pose of one frame in another, in numbers"
     disclosures: ClassVar = {
-        "chain_wrong": Disclosure(level=HelpLevel.ROW),
-        "chain_rotation_right": Disclosure(level=HelpLevel.ROW),
-        "chain_position_right": Disclosure(level=HelpLevel.ROW),
-        **{f"chain_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in ChainMistake},
+        **told_from(HelpLevel.ROW, "chain_wrong", "chain_rotation_right", "chain_position_right"),
+        **told_from(HelpLevel.REPAIR, *(f"chain_{mistake.value}" for mistake in ChainMistake)),
     }
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> FrameChainPart:
         """Return the part with its joint values and frames."""
-        n = len(robot.joint_types)
-        joints = reader.exacts("joints")
-        if len(joints) != n:
-            reader.fault("joints_wrong_length", "joints", expected=n, given=len(joints))
-            joints = (Fraction(0),) * n
-        turns, slides = read_draw(reader, "turns"), read_draw(reader, "slides")
+        joints, draws = read_joints(reader, robot, single=False)
         known = tuple(_pair(inner) for inner in reader.entries("known"))
         asked = _pair(reader.table("asked", needed=True))
         path = path_between(known, asked)
@@ -113,7 +105,7 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, Matrices]):
             kind=self.kind,
             points=points,
             joints=joints,
-            draws=tuple(slides if found is JointType.PRISMATIC else turns for found in robot.joint_types),
+            draws=draws,
             known=known,
             asked=asked,
             path=path or (),
@@ -179,7 +171,7 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, Matrices]):
         size = context.size / context.unit_ratio
         found = judge_chain(factors, answer, size=size, tolerance=part.tolerance)
         facts = [
-            Fact(where=("pose", r, c), finding=Finding.OK if good else Finding.WRONG)
+            fact(good, "pose", r, c)
             for r in range(3)
             for c, good in enumerate((found.rotation,) * 3 + (found.position,))
         ]

@@ -9,34 +9,27 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from functools import lru_cache, partial
-from random import Random
 from typing import Annotated, Any, ClassVar
 
-from exercises.definition import Exercise, Part
+from exercises.definition import Exercise
 from exercises.draws import Picker
 from exercises.errors import DefinitionError
-from exercises.grading import HelpLevel
 from exercises.instance import Instance, generate
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import DefinitionKey, choices
 from exercises.parts.figure_frames import figure_axes, key_frames
+from exercises.parts.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
 from exercises.parts.number_cells import number_of
-from exercises.parts.planting import read_mistakes
 from exercises.parts.protocol import (
-    TABLE,
     FieldShape,
     FormField,
     GivenNumbers,
     Length,
     PartTask,
-    PartType,
     Reading,
-    RobotFacts,
+    choice_field,
 )
-from exercises.parts.report import Disclosure, FoundStep, PartReport, judged_in_steps
-from exercises.reading import Reader
+from exercises.parts.report import PartReport
 from kinematics.cells import Cell
 from kinematics.cells.meaning import Position
 from kinematics.errors import Fault
@@ -86,43 +79,25 @@ class FoundFrameMistake:
     mended: DrawnFrame | None
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class FrameMistakePart(Part):
-    """A figure with a planted mistake.
-
-    Attributes:
-        mistakes: names of those that may be planted.
-    """
-
-    mistakes: tuple[str, ...]
-
-
-class FrameMistakeType(PartType[FrameMistakePart, FoundFrameMistakeCells, FoundFrameMistake]):
+class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, FoundFrameMistake]):
     """Find the mistake in a figure."""
 
     kind = "frame_mistake"
     raw: ClassVar = FoundFrameMistakeCells
     meaning = "the planted mistake in a figure: which frame is wrong, why, and the frame as it should be"
-    disclosures: ClassVar = {
-        "frame_mistake_place_wrong": Disclosure(level=HelpLevel.ROW),
-        "frame_mistake_name_wrong": Disclosure(level=HelpLevel.ROW),
-        "frame_not_mended": Disclosure(level=HelpLevel.ROW),
-        "frame_mistake_missing": Disclosure(level=HelpLevel.ROW),
-    }
+    words: ClassVar = MistakeWords(
+        "frame_mistake_place_wrong",
+        "frame_mistake_name_wrong",
+        "frame_not_mended",
+        "frame_mistake_missing",
+    )
+    disclosures: ClassVar = words.told()
+    fields: ClassVar = ("wrong_frame", "mistake", "mended_origin")
+    catalogue: ClassVar = FRAME_MISTAKES
 
-    def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> FrameMistakePart:
-        """Return the part with the mistakes that may be planted."""
-        mistakes = read_mistakes(reader, FRAME_MISTAKES)
-        return FrameMistakePart(kind=self.kind, points=points, mistakes=mistakes)
-
-    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the key of the mistakes that may be planted."""
-        return (choices("mistakes", FRAME_MISTAKES),)
-
-    def inconsistencies(self, part: FrameMistakePart, exercise: Exercise) -> Iterator[Fault]:
+    def inconsistencies(self, part: MistakePart, exercise: Exercise) -> Iterator[Fault]:
         """Yield faults: frames give the table away, and some robots cannot show some mistakes."""
-        if exercise.part(TABLE) is not None or exercise.part("frames") is not None:
-            yield Fault(code="key_given_away", where=("kind",))
+        yield from self.given_away(exercise, "frames")
         # a figure that cannot be drawn has faults of its own
         with suppress(DefinitionError):
             able = _ways(generate(exercise))
@@ -133,7 +108,7 @@ class FrameMistakeType(PartType[FrameMistakePart, FoundFrameMistakeCells, FoundF
                     params={"known": ", ".join(able)},
                 )
 
-    def draw(self, part: FrameMistakePart, exercise: Exercise, picker: Picker) -> tuple[str, str]:
+    def draw(self, part: MistakePart, exercise: Exercise, picker: Picker) -> tuple[str, str]:
         """Return what decides the student's mistake; the frames follow from the student's dimensions."""
         places = tuple(f"{k:03d}" for k in range(MOST_PLACES))
         return (
@@ -141,7 +116,7 @@ class FrameMistakeType(PartType[FrameMistakePart, FoundFrameMistakeCells, FoundF
             picker.choice(places, f"{self.kind} place"),
         )
 
-    def task(self, part: FrameMistakePart, instance: Instance) -> PartTask:
+    def task(self, part: MistakePart, instance: Instance) -> PartTask:
         """Show the frames in numbers beside the figure."""
         found = planted_in(instance)
         unit = instance.exercise.length_unit.value
@@ -158,8 +133,8 @@ class FrameMistakeType(PartType[FrameMistakePart, FoundFrameMistakeCells, FoundF
             message="task-frame-mistake",
             values={"convention": convention},
             form=(
-                FormField(name="wrong_frame", shape=FieldShape.CHOICE, options=numbers),
-                FormField(name="mistake", shape=FieldShape.CHOICE, options=FRAME_MISTAKES),
+                choice_field("wrong_frame", numbers),
+                self.name_field(FRAME_MISTAKES),
                 *(FormField(name=name, shape=FieldShape.VECTOR, labels=("X", "Y", "Z")) for name in MENDED),
             ),
             numbers=(shown,),
@@ -169,18 +144,18 @@ class FrameMistakeType(PartType[FrameMistakePart, FoundFrameMistakeCells, FoundF
         """Return the answer in numbers."""
         before = len(reading.faults)
         last = len(key_frames(reading.instance)) - 1
-        frame = _number(raw.wrong_frame, last, reading)
-        if raw.mistake and raw.mistake not in FRAME_MISTAKES:
-            params = {"name": raw.mistake, "known": ", ".join(FRAME_MISTAKES)}
-            reading.fault("misconception_unknown", self.kind, "mistake", **params)
+        shown = str(raw.wrong_frame)[:20]
+        frames = range(last + 1)
+        frame = self.number(raw.wrong_frame, "wrong_frame", frames, reading, "frame_unknown", given=shown)
+        mistake = self.known_name(raw.mistake, reading, FRAME_MISTAKES)
         vectors = [_vector(getattr(raw, name), name, reading) for name in MENDED]
         if len(reading.faults) > before:
             return None
         given = [vector for vector in vectors if vector is not None]
         mended = DrawnFrame(*given) if len(given) == len(MENDED) else None
-        return FoundFrameMistake(frame=frame, mistake=raw.mistake or None, mended=mended)
+        return FoundFrameMistake(frame=frame, mistake=mistake, mended=mended)
 
-    def grade(self, part: FrameMistakePart, answer: FoundFrameMistake, context: Context) -> PartReport:
+    def grade(self, part: MistakePart, answer: FoundFrameMistake, context: Context) -> PartReport:
         """A third each for place, name and repair; a repair that does says where the mistake was."""
         found = planted_in(context.instance)
         mended = False
@@ -195,28 +170,22 @@ class FrameMistakeType(PartType[FrameMistakePart, FoundFrameMistakeCells, FoundF
                 answer.mended,
                 rounding=min(tolerance.length, tolerance.angle),
             )
-        steps = {
-            "wrong_frame": FoundStep(
-                mended or answer.frame == found.index, answer.frame, "frame_mistake_place_wrong"
-            ),
-            "mistake": FoundStep(answer.mistake == found.code, answer.mistake, "frame_mistake_name_wrong"),
-            "mended_origin": FoundStep(mended, answer.mended, "frame_not_mended"),
-        }
-        return judged_in_steps(part, steps, missing="frame_mistake_missing", right="mistake_found")
+        return self.report(
+            part,
+            FoundStep(mended or answer.frame == found.index, answer.frame),
+            FoundStep(answer.mistake == found.code, answer.mistake),
+            FoundStep(mended, answer.mended),
+        )
 
-    def right(self, part: FrameMistakePart, context: Context) -> FoundFrameMistakeCells:
+    def right(self, part: MistakePart, context: Context) -> FoundFrameMistakeCells:
         """Return the planted mistake and the frame as it was."""
         found = planted_in(context.instance)
         return _with_frame(FoundFrameMistakeCells(wrong_frame=found.index, mistake=found.code), found.right)
 
-    def wrong(
-        self, part: FrameMistakePart, context: Context, rng: Random
-    ) -> Iterator[tuple[str, FoundFrameMistakeCells]]:
-        """Yield the frame as it is drawn, and nothing but a name."""
-        found = planted_in(context.instance)
-        right = self.right(part, context)
-        yield "frame_not_mended", _with_frame(right, found.shown[found.index])
-        yield "frame_mistake_missing", FoundFrameMistakeCells(mistake=right.mistake)
+    def left_as_shown(self, right: FoundFrameMistakeCells, instance: Instance) -> FoundFrameMistakeCells:
+        """Return the frame as it is drawn."""
+        found = planted_in(instance)
+        return _with_frame(right, found.shown[found.index])
 
 
 MOST_PLACES = 360
@@ -231,7 +200,7 @@ LATELY = 64
 def planted_in(instance: Instance) -> PlantedFrame:
     """Return the student's frames: the mistake drawn, or the next that these dimensions can show."""
     part = instance.exercise.part(FrameMistakeType.kind)
-    assert isinstance(part, FrameMistakePart)
+    assert isinstance(part, MistakePart)
     code, place = instance.drawn[FrameMistakeType.kind]
     ways = _ways(instance)
     first = part.mistakes.index(code)
@@ -249,16 +218,6 @@ def frames_shown(instance: Instance) -> tuple[DrawnFrame, ...]:
     """Return the frames that are drawn in the figure; none where no mistake in one is asked for."""
     asked = instance.exercise.part(FrameMistakeType.kind) is not None
     return planted_in(instance).shown if asked else ()
-
-
-def _number(raw: int | str | None, last: int, reading: Reading) -> int | None:
-    if raw is None or raw == "":
-        return None
-    text = str(raw)
-    if text.isascii() and text.isdecimal() and len(text) < 4 and int(text) <= last:
-        return int(text)
-    reading.fault("frame_unknown", FrameMistakeType.kind, "wrong_frame", given=text[:20], count=last)
-    return None
 
 
 def _vector(cells: tuple[Cell, ...] | None, name: str, reading: Reading) -> Vector | None:

@@ -22,7 +22,7 @@ from exercises.parts.context import Context
 from exercises.parts.figure_frames import figure_axes, key_frames
 from exercises.parts.number_cells import number_of
 from exercises.parts.protocol import Length, PartTask, PartType, Reading
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, told_from
 from kinematics.cells import Cell, ReadTable
 from kinematics.cells.meaning import Position
 from kinematics.expressions import Number, pi_times
@@ -78,14 +78,13 @@ class FramesPart(PartType[Part, FramesCells, FramesAnswer]):
     raw: ClassVar = FramesCells
     meaning = "frames 0 … N, placed in the figure"
     disclosures: ClassVar = {
-        "frame_wrong": Disclosure(level=HelpLevel.ROW),
-        "frame_missing": Disclosure(level=HelpLevel.ROW),
+        **told_from(HelpLevel.ROW, "frame_wrong", "frame_missing"),
         **{
             f"frame_{rule.value}": Disclosure(level=HelpLevel.KIND, instead="frame_wrong")
             for rule in list(RuleCode)[: list(RuleCode).index(RuleCode.Z_REVERSED)]
         },
-        "frames_other_convention": Disclosure(level=HelpLevel.REPAIR),
-        "frames_not_as_asked": Disclosure(level=HelpLevel.ROW),
+        **told_from(HelpLevel.REPAIR, "frames_other_convention"),
+        **told_from(HelpLevel.ROW, "frames_not_as_asked"),
     }
 
     def task(self, part: Part, instance: Instance) -> PartTask:
@@ -135,7 +134,7 @@ class FramesPart(PartType[Part, FramesCells, FramesAnswer]):
             feedback.insert(0, Feedback(code="frames_other_convention"))
         if not feedback:
             kept = _keeps_policy(context, found.table)
-            facts.append(Fact(where=("policy",), finding=Finding.OK if kept else Finding.WRONG))
+            facts.append(fact(kept, "policy"))
             feedback.append(Feedback(code="frames_right" if kept else "frames_not_as_asked"))
         else:
             facts.append(Fact(where=("policy",), finding=Finding.UNKNOWN))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from exercises.instance import Instance
 from exercises.parts.protocol import GivenNumbers
 from exercises.written_table import written_table
-from kinematics.cells import AngleUnit, ReadTable
+from kinematics.cells import ReadTable
 from kinematics.table import Convention
 
 
@@ -31,7 +31,7 @@ def given_table(instance: Instance, read: ReadTable | None = None, name: str = "
 
 def columns_of(table: ReadTable) -> tuple[tuple[str, str], ...]:
     """Return the columns of a table in the order of its convention, each with its label."""
-    angle = "°" if table.angle_unit is AngleUnit.DEG else "rad"
+    angle = table.angle_unit.sign
     length = table.length_unit.value
     standard = table.table.convention is Convention.STANDARD
     before = "" if standard else "ᵢ₋₁"

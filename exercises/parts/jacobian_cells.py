@@ -13,8 +13,8 @@ from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.parts.context import Context
 from exercises.parts.drawn_orientations import read_sequence
-from exercises.parts.protocol import TABLE, FieldShape, FormField, Length, Reading
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.protocol import TABLE, FieldShape, FormField, Length, Reading, choice_field
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, told_from
 from exercises.reading import Reader
 from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict
 from kinematics.answers.screw_answers import ScrewOrder
@@ -34,14 +34,13 @@ OF_FORCES = (
 )
 """What wrong joint forces may look like."""
 DISCLOSURES = {
-    "jacobian_wrong": Disclosure(level=HelpLevel.ROW),
-    "forces_wrong": Disclosure(level=HelpLevel.ROW),
+    **told_from(HelpLevel.ROW, "jacobian_wrong", "forces_wrong"),
     **{
         f"jacobian_{mistake.value}": Disclosure(level=HelpLevel.REPAIR)
         for mistake in JacobianMistake
         if mistake is not JacobianMistake.SIGN
     },
-    **{f"forces_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in OF_FORCES},
+    **told_from(HelpLevel.REPAIR, *(f"forces_{mistake.value}" for mistake in OF_FORCES)),
 }
 """Help at which each word on a Jacobian, in numbers or in closed form, is said."""
 
@@ -117,8 +116,7 @@ def answer_fields(ask: tuple[JacobianAsk, ...], names: tuple[str, ...]) -> tuple
     """Return the fields of an answer, a column for each of these joint variables."""
     fields: list[FormField] = []
     if JacobianAsk.JACOBIAN in ask:
-        orders = tuple(order.value for order in ScrewOrder)
-        fields.append(FormField(name="order", shape=FieldShape.CHOICE, options=orders))
+        fields.append(choice_field("order", ScrewOrder))
         fields.append(FormField(name="jacobian", shape=FieldShape.MATRIX, labels=names, rows=6))
     if JacobianAsk.FORCES in ask:
         fields.append(FormField(name="forces", shape=FieldShape.VECTOR, labels=names))
@@ -130,10 +128,9 @@ def is_well_shaped(raw: JacobianCells, reading: Reading, kind: str) -> bool:
     before = len(reading.faults)
     n = len(reading.joint_types)
     for i, row in enumerate(raw.jacobian or ()):
-        if len(row) != n:
-            reading.fault("joint_row_length", kind, "jacobian", i, expected=n, given=len(row))
-    if raw.forces is not None and len(raw.forces) != n:
-        reading.fault("joint_row_length", kind, "forces", expected=n, given=len(raw.forces))
+        reading.is_row_of(n, row, kind, "jacobian", i)
+    if raw.forces is not None:
+        reading.is_row_of(n, raw.forces, kind, "forces")
     if raw.jacobian is not None and raw.order is None:
         reading.fault("row_order_missing", kind, "order")
     if raw.jacobian is None and raw.forces is None:
@@ -182,7 +179,7 @@ def matrix_mark(found: JacobianVerdict) -> JacobianMark:
     ]
     return JacobianMark(
         min(found.share, 0.8),
-        tuple(Fact(where=("jacobian", r, c), finding=Finding.WRONG) for r, c in wrong),
+        tuple(fact(False, "jacobian", r, c) for r, c in wrong),
         (Feedback(code="jacobian_wrong"), *mistakes),
     )
 
@@ -196,6 +193,6 @@ def forces_mark(right: Sequence[bool], mistake: JacobianMistake | None) -> Jacob
         told.append(Feedback(code=f"forces_{mistake.value}"))
     return JacobianMark(
         min(sum(right) / len(right), 0.8),
-        tuple(Fact(where=("forces", i), finding=Finding.WRONG) for i, good in enumerate(right) if not good),
+        tuple(fact(False, "forces", i) for i, good in enumerate(right) if not good),
         tuple(told),
     )

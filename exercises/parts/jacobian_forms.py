@@ -23,6 +23,7 @@ from exercises.parts.definition_keys import (
     KeyShape,
     choice,
     choices,
+    joint_names,
     sequence_keys,
 )
 from exercises.parts.given_table import given_table
@@ -44,14 +45,7 @@ from exercises.parts.jacobian_cells import (
     told_question,
 )
 from exercises.parts.matrix_cells import read_row, write_matrix
-from exercises.parts.protocol import (
-    TABLE,
-    GivenNumbers,
-    PartTask,
-    PartType,
-    Reading,
-    RobotFacts,
-)
+from exercises.parts.protocol import TABLE, GivenNumbers, PartTask, PartType, Reading, RobotFacts
 from exercises.parts.report import PartReport
 from exercises.reading import Reader
 from kinematics.answers.jacobian_forms import (
@@ -145,7 +139,7 @@ class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
         """Show the wrench, and the key if no table is asked."""
         exercise = instance.exercise
         own = exercise.part(TABLE) is not None
-        names = tuple(f"q{i}" for i in range(1, exercise.reference.table.n_joints + 1))
+        names = joint_names(exercise.reference.table.n_joints)
         numbers = [] if own else [given_table(instance)]
         if JacobianAsk.FORCES in part.ask:
             load = tuple(

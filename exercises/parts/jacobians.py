@@ -27,6 +27,7 @@ from exercises.parts.definition_keys import (
     choice,
     choices,
     joint_keys,
+    joint_names,
     sequence_keys,
     usual_joints,
 )
@@ -48,17 +49,16 @@ from exercises.parts.jacobian_cells import (
     report,
     told_question,
 )
-from exercises.parts.joint_draws import drawn_joints, in_radians, key_numbers, read_joints
+from exercises.parts.joint_draws import (
+    drawn_joints,
+    in_radians,
+    joint_labels,
+    key_numbers,
+    read_joints,
+)
 from exercises.parts.number_cells import read_numbers_of
 from exercises.parts.pose import joints_at
-from exercises.parts.protocol import (
-    TABLE,
-    GivenNumbers,
-    PartTask,
-    PartType,
-    Reading,
-    RobotFacts,
-)
+from exercises.parts.protocol import TABLE, GivenNumbers, PartTask, PartType, Reading, RobotFacts
 from exercises.parts.report import PartReport
 from exercises.reading import Reader
 from kinematics.answers.jacobian_answers import (
@@ -68,7 +68,6 @@ from kinematics.answers.jacobian_answers import (
     judge_jacobian,
 )
 from kinematics.answers.screw_answers import ScrewOrder
-from kinematics.cells import AngleUnit
 from kinematics.cells.meaning import Position
 from kinematics.chain import Chain, chain_of_table
 from kinematics.errors import JointValueError
@@ -76,7 +75,7 @@ from kinematics.jacobian import JacobianFrame
 from kinematics.joint_values import wrong_length
 from kinematics.keys import ValueKind
 from kinematics.se3 import Floats
-from kinematics.table import JointType, bind
+from kinematics.table import bind
 
 DECIMALS = 4
 
@@ -157,13 +156,8 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
     def task(self, part: JacobianPart, instance: Instance) -> PartTask:
         """Show the configuration, the wrench, and the key if no table is asked."""
         exercise = instance.exercise
-        types = exercise.reference.table.joint_types
-        unit = "°" if exercise.angle_unit is AngleUnit.DEG else "rad"
-        names = tuple(f"q{i}" for i in range(1, len(types) + 1))
-        labels = tuple(
-            f"{name} [{exercise.length_unit.value if kind is JointType.PRISMATIC else unit}]"
-            for name, kind in zip(names, types, strict=True)
-        )
+        names = joint_names(exercise.reference.table.n_joints)
+        labels = joint_labels(exercise)
         drawn: tuple[Fraction, ...] = instance.drawn[self.kind]
         values = tuple(float(value) for value in drawn)
         numbers = [GivenNumbers(name="configuration", labels=labels, rows=(values,))]

@@ -13,6 +13,7 @@ from exercises.consistency import values_in_radians
 from exercises.definition import Exercise
 from exercises.draws import Draw, Picker, read_draw
 from exercises.instance import Instance
+from exercises.parts.definition_keys import joint_names
 from exercises.parts.protocol import RobotFacts
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit
@@ -38,19 +39,34 @@ class SolutionsAsked(StrEnum):
     ONE = "one"
 
 
-def read_joints(reader: Reader, robot: RobotFacts) -> tuple[tuple[Fraction, ...], tuple[Draw | None, ...]]:
+def joint_labels(exercise: Exercise) -> tuple[str, ...]:
+    """Return what columns of joint values are called: their names and units."""
+    types = exercise.reference.table.joint_types
+    units = {JointType.REVOLUTE: exercise.angle_unit.sign, JointType.PRISMATIC: exercise.length_unit.value}
+    return tuple(f"{name} [{units[kind]}]" for name, kind in zip(joint_names(len(types)), types, strict=True))
+
+
+def read_joints(
+    reader: Reader, robot: RobotFacts, *, single: bool = True, usual_turns: Draw | None = None
+) -> tuple[tuple[Fraction, ...], tuple[Draw | None, ...]]:
     """Return the usual joint values of a part, and per joint from where a student's own are drawn.
 
     `turns` are for revolute joints, `slides` for prismatic ones, `q1`, `q2`, … for a single joint.
+
+    Args:
+        reader: of the part's entry.
+        robot: what the definition is about.
+        single: joints may have a draw of their own.
+        usual_turns: from where angles are drawn if nothing is said.
     """
     n = len(robot.joint_types)
     joints = reader.exacts("joints")
     if len(joints) != n:
         reader.fault("joints_wrong_length", "joints", expected=n, given=len(joints))
         joints = (Fraction(0),) * n
-    turns, slides = read_draw(reader, "turns"), read_draw(reader, "slides")
-    names = [f"q{i}" for i in range(1, n + 1)]
-    own = {name: read_draw(reader, name) for name in names if reader.given(name)}
+    turns, slides = read_draw(reader, "turns") or usual_turns, read_draw(reader, "slides")
+    names = joint_names(n)
+    own = {name: read_draw(reader, name) for name in names if single and reader.given(name)}
     usual = (slides if kind is JointType.PRISMATIC else turns for kind in robot.joint_types)
     return joints, tuple(own.get(name, way) for name, way in zip(names, usual, strict=True))
 

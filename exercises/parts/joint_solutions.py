@@ -29,6 +29,7 @@ from exercises.parts.joint_draws import (
     SolutionsAsked,
     drawn_joints,
     in_radians,
+    joint_labels,
     key_numbers,
     read_joints,
 )
@@ -44,8 +45,9 @@ from exercises.parts.protocol import (
     PartType,
     Reading,
     RobotFacts,
+    choice_field,
 )
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
 from exercises.reading import Reader
 from kinematics.answers.joint_answers import (
     USUAL_TOLERANCE,
@@ -126,14 +128,11 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
     raw: ClassVar = JointAnswerCells
     meaning = "the joint values that reach the pose of the task"
     disclosures: ClassVar = {
-        "joints_wrong": Disclosure(level=HelpLevel.ROW),
-        "joints_twice": Disclosure(level=HelpLevel.ROW),
-        "joints_missing": Disclosure(level=HelpLevel.ROW),
-        **{f"branch_{branch.value}": Disclosure(level=HelpLevel.KIND) for branch in Branch},
-        **{f"joints_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in JointMistake},
-        "joints_family_missing": Disclosure(level=HelpLevel.KIND),
-        "joints_combination_wrong": Disclosure(level=HelpLevel.ROW),
-        "claim_wrong": Disclosure(level=HelpLevel.ROW),
+        **told_from(HelpLevel.ROW, "joints_wrong", "joints_twice", "joints_missing"),
+        **told_from(HelpLevel.KIND, *(f"branch_{branch.value}" for branch in Branch)),
+        **told_from(HelpLevel.REPAIR, *(f"joints_{mistake.value}" for mistake in JointMistake)),
+        **told_from(HelpLevel.KIND, "joints_family_missing"),
+        **told_from(HelpLevel.ROW, "joints_combination_wrong", "claim_wrong"),
     }
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> InverseKinematicsPart:
@@ -185,11 +184,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
     def task(self, part: InverseKinematicsPart, instance: Instance) -> PartTask:
         """Show the pose, and the key if no table is asked; ask for joint values."""
         exercise = instance.exercise
-        unit = "°" if exercise.angle_unit is AngleUnit.DEG else "rad"
-        labels = tuple(
-            f"q{i} [{exercise.length_unit.value if kind is JointType.PRISMATIC else unit}]"
-            for i, kind in enumerate(exercise.reference.table.joint_types, 1)
-        )
+        labels = joint_labels(exercise)
         pose = np.round(_target(part, instance), DECIMALS) + 0.0
         position = part.reach is ArmReach.POSITION
         shown = [tuple(row) for row in pose.tolist()]
@@ -199,8 +194,8 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
             rows=(tuple(row[3] for row in shown[:3]),) if position else tuple(shown),
         )
         own = exercise.part(TABLE) is not None
-        claims = tuple(claim.value for claim in JointClaim if claim is not JointClaim.JOINT_LIMITS)
-        names = tuple(f"q{i}" for i in range(1, len(labels) + 1))
+        claims = [claim for claim in JointClaim if claim is not JointClaim.JOINT_LIMITS]
+        names = defined.joint_names(len(labels))
         return PartTask(
             message="task-inverse-kinematics",
             values={
@@ -210,7 +205,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
                 "unit": exercise.length_unit.value,
             },
             form=(
-                FormField(name="claim", shape=FieldShape.CHOICE, options=claims),
+                choice_field("claim", claims),
                 FormField(
                     name="solutions",
                     shape=FieldShape.LIST,
@@ -226,33 +221,16 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         """Return the rows in [rad] and in the exercise's length unit."""
         before = len(reading.faults)
         types = reading.instance.exercise.reference.table.joint_types
-        rows = []
+        positions = [Position.LENGTH if kind is JointType.PRISMATIC else Position.ANGLE for kind in types]
+        rows, combinations = [], []
         for i, row in enumerate(raw.solutions):
-            if len(row) != len(types):
-                params = {"expected": len(types), "given": len(row)}
-                reading.fault("joint_row_length", self.kind, "solutions", i, **params)
-                continue
-            found = [
-                read_numbers_of(
-                    (cell,),
-                    Position.LENGTH if kind is JointType.PRISMATIC else Position.ANGLE,
-                    reading,
-                    self.kind,
-                    "solutions",
-                    i,
-                    k,
-                )
-                for k, (cell, kind) in enumerate(zip(row, types, strict=True))
-            ]
-            rows.append(tuple(value[0] for value in found if value is not None))
-        combinations = []
+            if reading.is_row_of(len(types), row, self.kind, "solutions", i):
+                place = "solutions", i
+                rows.append(read_numbers_of(row, positions, reading, self.kind, *place) or ())
         for i, row in enumerate(raw.combinations):
-            if len(row) != len(types):
-                params = {"expected": len(types), "given": len(row)}
-                reading.fault("joint_row_length", self.kind, "combinations", i, **params)
-                continue
-            read = read_numbers_of(row, Position.RATIO, reading, self.kind, "combinations", i)
-            combinations.append(read or ())
+            if reading.is_row_of(len(types), row, self.kind, "combinations", i):
+                place = "combinations", i
+                combinations.append(read_numbers_of(row, Position.RATIO, reading, self.kind, *place) or ())
         if raw.claim in (JointClaim.FINITE, JointClaim.INFINITE) and not raw.solutions:
             reading.fault("joint_rows_empty", self.kind, "solutions")
         if len(reading.faults) > before:
@@ -264,14 +242,8 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         if context.instance.exercise.part(TABLE) is not None and not context.own_correct:
             return judged(part, 0.0, Credit.NONE, feedback=(Feedback(code="joints_need_table"),))
         found = judge_joints(_question(part, context.instance), _in_key(answer, context))
-        facts = [
-            Fact(where=("solutions", i), finding=Finding.OK if row.right else Finding.WRONG)
-            for i, row in enumerate(found.rows)
-        ]
-        facts += [
-            Fact(where=("combinations", i), finding=Finding.OK if holds else Finding.WRONG)
-            for i, holds in enumerate(found.combinations)
-        ]
+        facts = [fact(row.right, "solutions", i) for i, row in enumerate(found.rows)]
+        facts += [fact(holds, "combinations", i) for i, holds in enumerate(found.combinations)]
         if found.missing or (found.share < 1.0 and answer.claim is not found.expected):
             facts.append(Fact(where=("claim",), finding=Finding.MISSING if found.missing else Finding.WRONG))
         feedback = tuple(joint_feedback(found, answer))

@@ -28,7 +28,7 @@ from exercises.parts.comparison import (
 from exercises.parts.context import Context
 from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
 from exercises.parts.protocol import TABLE, Length, PartTask, PartType, Reading
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
 from exercises.parts.value import is_robot
 from kinematics.dh import link_transforms
 from kinematics.table import Convention
@@ -48,7 +48,7 @@ def link_of(context: Context, row: int, convention: Convention | None = None) ->
 
 
 def _cell_facts(i: int, compared: Compared) -> list[Fact]:
-    return [Fact(where=(i, r, c), finding=Finding.WRONG) for r, c in np.argwhere(~compared.cells).tolist()]
+    return [fact(False, i, r, c) for r, c in np.argwhere(~compared.cells).tolist()]
 
 
 def _what_is_off(context: Context, i: int, compared: Compared) -> Feedback:
@@ -86,15 +86,18 @@ class LinkMatricesPart(PartType[Part, Sequence[CellMatrix | None], tuple[Symboli
     meaning = "for each row of the table the matrix of its link, or null"
     follows_table = True
     disclosures: ClassVar = {
-        "matrix_wrong": Disclosure(level=HelpLevel.ROW),
-        "matrix_missing": Disclosure(level=HelpLevel.ROW),
-        "matrix_cells_wrong": Disclosure(level=HelpLevel.KIND, instead="matrix_wrong"),
-        "matrix_inverse": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
-        "matrix_rotation_transposed": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
-        "matrix_other_convention": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
-        "matrix_of_other_row": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
-        "matrix_without_variable": Disclosure(level=HelpLevel.REPAIR, instead="matrix_cells_wrong"),
-        "matrix_not_rigid": Disclosure(level=HelpLevel.KIND, instead="matrix_wrong"),
+        **told_from(HelpLevel.ROW, "matrix_wrong", "matrix_missing"),
+        **told_from(HelpLevel.KIND, "matrix_cells_wrong", instead="matrix_wrong"),
+        **told_from(
+            HelpLevel.REPAIR,
+            "matrix_inverse",
+            "matrix_rotation_transposed",
+            "matrix_other_convention",
+            "matrix_of_other_row",
+            "matrix_without_variable",
+            instead="matrix_cells_wrong",
+        ),
+        **told_from(HelpLevel.KIND, "matrix_not_rigid", instead="matrix_wrong"),
     }
 
     def task(self, part: Part, instance: Instance) -> PartTask:
@@ -160,7 +163,7 @@ def _by_own_rows(context: Context, answer: Sequence[SymbolicMatrix | None], part
             feedback.append(Feedback(code="matrix_missing", row=i + 1, params={"matrix": i + 1}))
             continue
         compared = compare(context, matrix, link_of(context, i))
-        facts.append(Fact(where=(i,), finding=Finding.OK if compared.right else Finding.WRONG))
+        facts.append(fact(compared.right, i))
         if not compared.right:
             facts += _cell_facts(i, compared)
             feedback.append(_what_is_off(context, i, compared))

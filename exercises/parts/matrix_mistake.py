@@ -7,20 +7,19 @@ is shown.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from random import Random
 from typing import Annotated, ClassVar
 
 import numpy as np
 
-from exercises.definition import Exercise, Part
+from exercises.definition import Exercise
 from exercises.draws import Picker
-from exercises.grading import HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import DefinitionKey, choice, choices
+from exercises.parts.definition_keys import DefinitionKey, choice
+from exercises.parts.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
 from exercises.parts.given_table import given_table
 from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
 from exercises.parts.planted_matrices import (
@@ -32,20 +31,18 @@ from exercises.parts.planted_matrices import (
 )
 from exercises.parts.planting import read_mistakes
 from exercises.parts.protocol import (
-    TABLE,
     FieldShape,
     FormField,
     GivenNumbers,
     Length,
     PartTask,
-    PartType,
     Reading,
     RobotFacts,
+    choice_field,
 )
-from exercises.parts.report import Disclosure, FoundStep, PartReport, judged_in_steps
+from exercises.parts.report import PartReport
 from exercises.reading import Reader
 from kinematics.cells import Cell
-from kinematics.errors import Fault
 from kinematics.expressions import parameters_in
 from kinematics.expressions.arrays import values_at
 from kinematics.symbolic import Matrix
@@ -81,30 +78,31 @@ class FoundMatrixMistake:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class MatrixMistakePart(Part):
+class MatrixMistakePart(MistakePart):
     """A matrix with a planted mistake.
 
     Attributes:
         matrix: which one.
-        mistakes: codes of those that may be planted.
     """
 
     matrix: MatrixKind
-    mistakes: tuple[str, ...]
 
 
-class MatrixMistakeType(PartType[MatrixMistakePart, FoundMatrixMistakeCells, FoundMatrixMistake]):
+class MatrixMistakeType(MistakeType[MatrixMistakePart, FoundMatrixMistakeCells, FoundMatrixMistake]):
     """Find the mistake in a matrix."""
 
     kind = "matrix_mistake"
     raw: ClassVar = FoundMatrixMistakeCells
     meaning = "the planted mistake in a matrix: a wrong entry, its name, and the matrix as it should be"
-    disclosures: ClassVar = {
-        "matrix_mistake_place_wrong": Disclosure(level=HelpLevel.ROW),
-        "matrix_mistake_name_wrong": Disclosure(level=HelpLevel.ROW),
-        "matrix_not_mended": Disclosure(level=HelpLevel.ROW),
-        "matrix_mistake_missing": Disclosure(level=HelpLevel.ROW),
-    }
+    words: ClassVar = MistakeWords(
+        "matrix_mistake_place_wrong",
+        "matrix_mistake_name_wrong",
+        "matrix_not_mended",
+        "matrix_mistake_missing",
+    )
+    disclosures: ClassVar = words.told()
+    fields: ClassVar = ("cell_row", "mistake", "mended_matrix")
+    catalogue: ClassVar = tuple(dict.fromkeys(code for codes in MATRIX_MISTAKES.values() for code in codes))
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> MatrixMistakePart:
         """Return the part with the matrix and the mistakes that may be planted."""
@@ -114,16 +112,11 @@ class MatrixMistakeType(PartType[MatrixMistakePart, FoundMatrixMistakeCells, Fou
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
         """Return the keys of the matrix and of the mistakes that may be planted in it."""
-        every = dict.fromkeys(code for codes in MATRIX_MISTAKES.values() for code in codes)
-        return choice("matrix", MatrixKind), choices("mistakes", every)
+        return choice("matrix", MatrixKind), *super().keys(robot)
 
-    def inconsistencies(self, part: MatrixMistakePart, exercise: Exercise) -> Iterator[Fault]:
-        """Yield a fault where nothing can be planted, or where the key would be given away."""
-        table = exercise.reference.table
-        if not any(plantable_in(table, part.matrix, code) for code in part.mistakes):
-            yield Fault(code="no_mistake_does_harm", where=("mistakes",))
-        if exercise.part(TABLE) is not None:
-            yield Fault(code="key_given_away", where=("kind",))
+    def can_be_planted(self, part: MatrixMistakePart, exercise: Exercise) -> bool:
+        """Return whether one of the mistakes changes a matrix of the key."""
+        return any(plantable_in(exercise.reference.table, part.matrix, code) for code in part.mistakes)
 
     def draw(self, part: MatrixMistakePart, exercise: Exercise, picker: Picker) -> PlantedMatrix:
         """Return the student's matrix."""
@@ -145,9 +138,9 @@ class MatrixMistakeType(PartType[MatrixMistakePart, FoundMatrixMistakeCells, Fou
             message="task-matrix-mistake",
             values={"matrix": part.matrix.value, "row": (found.link or 0) + 1},
             form=(
-                FormField(name="cell_row", shape=FieldShape.CHOICE, options=("1", "2", "3")),
-                FormField(name="cell_column", shape=FieldShape.CHOICE, options=("1", "2", "3", "4")),
-                FormField(name="mistake", shape=FieldShape.CHOICE, options=MATRIX_MISTAKES[part.matrix]),
+                choice_field("cell_row", ("1", "2", "3")),
+                choice_field("cell_column", ("1", "2", "3", "4")),
+                self.name_field(MATRIX_MISTAKES[part.matrix]),
                 FormField(name="mended_matrix", shape=FieldShape.MATRIX, labels=("",) * 4, rows=4),
             ),
             numbers=(given_table(instance), shown),
@@ -156,37 +149,29 @@ class MatrixMistakeType(PartType[MatrixMistakePart, FoundMatrixMistakeCells, Fou
     def read(self, raw: FoundMatrixMistakeCells, reading: Reading) -> FoundMatrixMistake | None:
         """Return the answer with the mended matrix."""
         before = len(reading.faults)
-        row = _number(raw.cell_row, 3, "cell_row", reading)
-        column = _number(raw.cell_column, 4, "cell_column", reading)
-        known = {code for codes in MATRIX_MISTAKES.values() for code in codes}
-        if raw.mistake is not None and raw.mistake not in known:
-            params = {"name": raw.mistake, "known": ", ".join(sorted(known))}
-            reading.fault("misconception_unknown", self.kind, "mistake", **params)
+        row = self.number(raw.cell_row, "cell_row", range(1, 4), reading, "row_unknown")
+        column = self.number(raw.cell_column, "cell_column", range(1, 5), reading, "row_unknown")
+        mistake = self.known_name(raw.mistake, reading, sorted(self.catalogue))
         mended = None
         if raw.mended_matrix is not None:
             mended = read_known_matrix(raw.mended_matrix, reading, self.kind, "mended_matrix")
         if len(reading.faults) > before:
             return None
         cell = None if row is None or column is None else (row - 1, column - 1)
-        return FoundMatrixMistake(cell=cell, mistake=raw.mistake, mended=mended)
+        return FoundMatrixMistake(cell=cell, mistake=mistake, mended=mended)
 
     def grade(self, part: MatrixMistakePart, answer: FoundMatrixMistake, context: Context) -> PartReport:
         """A third each for place, name and repair; a repair that does says where the mistake was."""
         found: PlantedMatrix = context.instance.drawn[self.kind]
         table = context.reference.table
         mended = answer.mended is not None and _is_right(found, answer.mended, context)
-        steps = {
-            "cell_row": FoundStep(
-                mended or answer.cell in found.wrong_cells, answer.cell, "matrix_mistake_place_wrong"
-            ),
-            "mistake": FoundStep(
-                answer.mistake is not None and found.shows(answer.mistake, table),
-                answer.mistake,
-                "matrix_mistake_name_wrong",
-            ),
-            "mended_matrix": FoundStep(mended, answer.mended, "matrix_not_mended"),
-        }
-        return judged_in_steps(part, steps, missing="matrix_mistake_missing", right="mistake_found")
+        name = answer.mistake
+        return self.report(
+            part,
+            FoundStep(mended or answer.cell in found.wrong_cells, answer.cell),
+            FoundStep(name is not None and found.shows(name, table), name),
+            FoundStep(mended, answer.mended),
+        )
 
     def right(self, part: MatrixMistakePart, context: Context) -> FoundMatrixMistakeCells:
         """Return a wrong entry, the planted mistake, and the right matrix."""
@@ -199,26 +184,10 @@ class MatrixMistakeType(PartType[MatrixMistakePart, FoundMatrixMistakeCells, Fou
             mended_matrix=_rows(_written(context.instance, found.right)),
         )
 
-    def wrong(
-        self, part: MatrixMistakePart, context: Context, rng: Random
-    ) -> Iterator[tuple[str, FoundMatrixMistakeCells]]:
-        """Yield the matrix as it was, and nothing but a name."""
-        found: PlantedMatrix = context.instance.drawn[self.kind]
-        right = self.right(part, context)
-        shown = _rows(_written(context.instance, found.shown))
-        yield "matrix_not_mended", replace(right, mended_matrix=shown)
-        yield "matrix_mistake_missing", FoundMatrixMistakeCells(mistake=right.mistake)
-
-
-def _number(raw: int | str | None, most: int, field: str, reading: Reading) -> int | None:
-    if raw is None or raw == "":
-        return None
-    text = str(raw)
-    number = int(text) if text.isascii() and text.isdecimal() and len(text) < 4 else 0
-    if not 1 <= number <= most:
-        reading.fault("row_unknown", MatrixMistakeType.kind, field, count=most)
-        return None
-    return number
+    def left_as_shown(self, right: FoundMatrixMistakeCells, instance: Instance) -> FoundMatrixMistakeCells:
+        """Return the matrix as it was."""
+        found: PlantedMatrix = instance.drawn[self.kind]
+        return replace(right, mended_matrix=_rows(_written(instance, found.shown)))
 
 
 def _written(instance: Instance, matrix: Matrix) -> CellMatrix:

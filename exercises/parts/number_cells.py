@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 from exercises.consistency import values_in_radians
 from exercises.instance import Instance
@@ -60,12 +61,25 @@ def number_of(
 
 
 def read_numbers_of(
-    cells: Sequence[Cell], position: Position, reading: Reading, part: str, *where: str | int
+    cells: Sequence[Cell],
+    position: Position | Sequence[Position],
+    reading: Reading,
+    part: str,
+    *where: str | int,
 ) -> tuple[float, ...] | None:
-    """Return the values of some cells, or None; faults are kept in the reading, at `where` in the part."""
+    """Return the values of some cells, or None; faults are kept in the reading, at `where` in the part.
+
+    Args:
+        cells: numbers or text.
+        position: what stands in them, or in each of them.
+        reading: the exercise with the student's values, and where faults go.
+        part: the kind of part.
+        where: place of the cells inside it.
+    """
+    positions = [position] * len(cells) if isinstance(position, Position) else position
     found = [
-        reading.keep(part, lambda k=k, cell=cell: number_of(cell, position, reading.instance, (*where, k)))  # type: ignore[misc]
-        for k, cell in enumerate(cells)
+        reading.keep(part, partial(number_of, cell, meant, reading.instance, (*where, k)))
+        for k, (cell, meant) in enumerate(zip(cells, positions, strict=True))
     ]
     return (
         None

@@ -30,7 +30,7 @@ from exercises.parts.definition_keys import (
     choices,
     sequence_keys,
 )
-from exercises.parts.drawn_orientations import drawn_triple, read_sequence
+from exercises.parts.drawn_orientations import drawn_triple, read_sequence, read_triple
 from exercises.parts.number_cells import read_numbers_of
 from exercises.parts.orientation_cells import OrientationAnswer, OrientationCells, OrientationNotation
 from exercises.parts.protocol import (
@@ -41,12 +41,12 @@ from exercises.parts.protocol import (
     PartType,
     Reading,
     RobotFacts,
+    choice_field,
 )
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Credit, Fact, PartReport, judged, told_from
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit, Cell
 from kinematics.cells.meaning import Position
-from kinematics.keys import ValueKind
 from kinematics.poses import axis_angle_from_transform, quaternion_from_transform
 from kinematics.rotations.matrices import Matrix3, Triple, as_transform, matrix3
 from kinematics.rotations.orientation_answers import (
@@ -105,17 +105,13 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
     raw: ClassVar = OrientationCells
     meaning = "the orientation of the task in the notations that are asked"
     disclosures: ClassVar = {
-        "orientation_wrong": Disclosure(level=HelpLevel.ROW),
-        **{f"rotation_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in RotationMistake},
+        **told_from(HelpLevel.ROW, "orientation_wrong"),
+        **told_from(HelpLevel.REPAIR, *(f"rotation_{mistake.value}" for mistake in RotationMistake)),
     }
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> OrientationPart:
         """Return the part with its angles and what is asked."""
         sequence = read_sequence(reader, "axes", "turning", EulerSequence(axes="ZYX"))
-        angles = reader.exacts("angles")
-        if len(angles) != 3:
-            reader.mistyped(ValueKind.NUMBERS, "angles", count=3)
-            angles = (Fraction(0),) * 3
         asked = reader.choices("ask", OrientationNotation)
         if not asked:
             reader.fault("nothing_asked", "ask")
@@ -123,7 +119,7 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
             kind=self.kind,
             points=points,
             sequence=sequence,
-            angles=angles,
+            angles=read_triple(reader),
             turns=read_draw(reader, "turns"),
             middle=read_draw(reader, "middle"),
             given=reader.choice("given", OrientationNotation, OrientationNotation.ANGLES),
@@ -159,7 +155,7 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
 
     def task(self, part: OrientationPart, instance: Instance) -> PartTask:
         """Show the orientation and ask for the others."""
-        unit = _unit(instance)
+        unit = instance.exercise.angle_unit.sign
         return PartTask(
             message="task-orientation",
             values={
@@ -273,10 +269,6 @@ def _place(notation: OrientationNotation) -> str:
     return "angles" if notation is OrientationNotation.EVERY_TRIPLE else notation.value
 
 
-def _unit(instance: Instance) -> str:
-    return "°" if instance.exercise.angle_unit is AngleUnit.DEG else "rad"
-
-
 def _fields(part: OrientationPart, unit: str) -> Iterator[FormField]:
     angles = tuple(f"{name} [{unit}]" for name in ("α", "β", "γ"))
     for notation in part.ask:
@@ -284,8 +276,7 @@ def _fields(part: OrientationPart, unit: str) -> Iterator[FormField]:
             case OrientationNotation.MATRIX:
                 yield FormField(name="matrix", shape=FieldShape.MATRIX, labels=("", "", ""), rows=3)
             case OrientationNotation.QUATERNION:
-                orders = tuple(order.value for order in ComponentOrder)
-                yield FormField(name="component_order", shape=FieldShape.CHOICE, options=orders)
+                yield choice_field("component_order", ComponentOrder)
                 yield FormField(name="quaternion", shape=FieldShape.VECTOR, labels=("1", "2", "3", "4"))
             case OrientationNotation.AXIS_ANGLE:
                 yield FormField(name="axis", shape=FieldShape.VECTOR, labels=("x", "y", "z"))
@@ -294,9 +285,8 @@ def _fields(part: OrientationPart, unit: str) -> Iterator[FormField]:
                 yield FormField(name="angles", shape=FieldShape.LIST, labels=angles, rows=1)
             case OrientationNotation.EVERY_TRIPLE:
                 yield FormField(name="angles", shape=FieldShape.LIST, labels=angles, rows=2)
-                ways = tuple(way.value for way in Combination)
                 yield FormField(name="middle", shape=FieldShape.CELL, labels=(angles[1],))
-                yield FormField(name="combination", shape=FieldShape.CHOICE, options=ways)
+                yield choice_field("combination", Combination)
                 yield FormField(name="value", shape=FieldShape.CELL, labels=(f"[{unit}]",))
 
 

@@ -6,9 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Annotated
 
-from exercises.parts.protocol import (
-    Length,
-)
+from exercises.parts.protocol import Length
 from kinematics.cells import Cell
 from kinematics.rotations.matrices import Matrix3, Triple
 from kinematics.rotations.orientation_answers import (

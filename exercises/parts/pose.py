@@ -19,25 +19,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.definition import Exercise, Part
-from exercises.draws import Draw, Picker, read_draw
-from exercises.grading import (
-    BaseRule,
-    DirectionRule,
-    Feedback,
-    Finding,
-    HelpLevel,
-    Policy,
-    ToolRule,
-    ZeroRule,
-)
+from exercises.draws import Draw, Picker
+from exercises.grading import BaseRule, DirectionRule, Feedback, HelpLevel, Policy, ToolRule, ZeroRule
 from exercises.instance import Instance
-from exercises.parts.comparison import Matrices, agreeing, inverse, transposed_cells, transposed_rotation
+from exercises.parts.comparison import (
+    Matrices,
+    agreeing,
+    cell_facts,
+    inverse,
+    transposed_cells,
+    transposed_rotation,
+)
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, Start, joint_keys, usual_joints
-from exercises.parts.joint_draws import drawn_joints
+from exercises.parts.joint_draws import drawn_joints, read_joints
 from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_numbers
 from exercises.parts.protocol import TABLE, PartTask, PartType, Reading, RobotFacts
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Credit, PartReport, judged, told_from
 from exercises.parts.transform import transform_is_robot
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit
@@ -100,25 +98,14 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
     given: ClassVar = PoseTask
     follows_table = True
     disclosures: ClassVar = {
-        "pose_rotation_right": Disclosure(level=HelpLevel.ROW),
-        "pose_position_right": Disclosure(level=HelpLevel.ROW),
-        "pose_inverse": Disclosure(level=HelpLevel.REPAIR),
-        "pose_rotation_transposed": Disclosure(level=HelpLevel.REPAIR),
-        "pose_degrees_as_radians": Disclosure(level=HelpLevel.REPAIR),
+        **told_from(HelpLevel.ROW, "pose_rotation_right", "pose_position_right"),
+        **told_from(HelpLevel.REPAIR, "pose_inverse", "pose_rotation_transposed", "pose_degrees_as_radians"),
     }
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> PosePart:
         """Return the part with its joint values and from where students' own are drawn."""
-        joints = reader.exacts("joints")
-        n = len(robot.joint_types)
-        if len(joints) != n:
-            reader.fault("joints_wrong_length", "joints", expected=n, given=len(joints))
-            joints = (Fraction(0),) * n
-        slides = read_draw(reader, "slides")
-        turns = read_draw(reader, "turns")
-        if turns is None and robot.degrees:
-            turns = USUAL_TURNS
-        draws = tuple(slides if type_ is JointType.PRISMATIC else turns for type_ in robot.joint_types)
+        usual = USUAL_TURNS if robot.degrees else None
+        joints, draws = read_joints(reader, robot, single=False, usual_turns=usual)
         tolerance = reader.number("tolerance", 0.005)
         return PosePart(kind=self.kind, points=points, joints=joints, draws=draws, tolerance=tolerance)
 
@@ -168,13 +155,8 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
         )
         score, answer, pose, credit = _first_best(ways, (0.0, answer, np.full((4, 4), np.nan), Credit.NONE))
         cells = agreeing(answer[None], pose[None], context.size, allowed)
-        facts = [
-            Fact(where=(r, c), finding=Finding.OK if cells[r, c] else Finding.WRONG)
-            for r in range(4)
-            for c in range(4)
-        ]
         feedback = _feedback(context, answer, pose, score, credit, joints, allowed)
-        return judged(part, score, credit, facts=facts, feedback=feedback)
+        return judged(part, score, credit, facts=cell_facts(cells), feedback=feedback)
 
     def right(self, part: PosePart, context: Context) -> CellMatrix:
         """Return the pose of the student's own table, rounded as on paper."""

@@ -101,6 +101,11 @@ class FormField:
     options: tuple[str, ...] = ()
 
 
+def choice_field(name: str, options: Iterable[str]) -> FormField:
+    """Return the field in which one of some options is chosen."""
+    return FormField(name=name, shape=FieldShape.CHOICE, options=tuple(map(str, options)))
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class GivenNumbers:
     """Numbers that a task is about, for a page to show.
@@ -219,6 +224,12 @@ class Reading:
         """Keep a fault at a place in the whole answer."""
         self.faults.append(Fault(code=code, where=where, params=params))
 
+    def is_row_of(self, count: int, row: Sequence[Any], *where: str | int) -> bool:
+        """Whether a row has as many entries as it must; if not, keep a fault at its place."""
+        if len(row) != count:
+            self.fault("joint_row_length", *where, expected=count, given=len(row))
+        return len(row) == count
+
     def keep(self, part: str, read: Callable[[], Kept]) -> Kept | None:
         """Return what a function reads, or None; its faults are kept, seen from the whole answer."""
         try:
@@ -268,6 +279,11 @@ class PartType(ABC, Generic[P, Raw, Read]):
     def inconsistencies(self, part: P, exercise: Exercise) -> Iterable[Fault]:
         """Return what does not fit the rest of the exercise; places inside the part's entry."""
         return ()
+
+    def given_away(self, exercise: Exercise, *others: str) -> Iterator[Fault]:
+        """Yield a fault where the key, which this part shows, is asked for by the table or by other parts."""
+        if any(exercise.part(kind) is not None for kind in (TABLE, *others)):
+            yield Fault(code="key_given_away", where=("kind",))
 
     def draw(self, part: P, exercise: Exercise, picker: Picker) -> Any:
         """Return what is drawn for one student beside the robot's dimensions; None if nothing is."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from typing import NamedTuple
 
 from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
@@ -62,6 +61,11 @@ class PartReport:
     feedback: tuple[Feedback, ...] = ()
 
 
+def fact(right: bool, *where: str | int) -> Fact:
+    """Return what was found of one thing that is right or wrong."""
+    return Fact(where=where, finding=Finding.OK if right else Finding.WRONG)
+
+
 def judged(
     part: Part,
     score: float,
@@ -116,6 +120,17 @@ class Disclosure:
     instead: str | None = None
 
 
+def told_from(level: HelpLevel, *codes: str, instead: str | None = None) -> dict[str, Disclosure]:
+    """Return the disclosure of feedback that is told from one level of help on.
+
+    Args:
+        level: it.
+        codes: of the feedback.
+        instead: code of the coarser feedback below it, if there is one.
+    """
+    return dict.fromkeys(codes, Disclosure(level=level, instead=instead))
+
+
 def shown(report: PartReport, help_level: HelpLevel, disclosures: Mapping[str, Disclosure]) -> PartReport:
     """The report as a level of help shows it; an answer that is not right is never left without a word.
 
@@ -136,42 +151,3 @@ def shown(report: PartReport, help_level: HelpLevel, disclosures: Mapping[str, D
         told.append(Feedback(code="part_wrong"))
     facts = report.facts if at_least(help_level, HelpLevel.ROW) else ()
     return replace(report, facts=facts, feedback=tuple(told))
-
-
-class FoundStep(NamedTuple):
-    """One of the things that are asked about a planted mistake.
-
-    Attributes:
-        right: whether it is right, or follows from what is.
-        given: what the student gave; None: nothing.
-        code: what is told if it is wrong.
-    """
-
-    right: bool
-    given: object
-    code: str
-
-
-def judged_in_steps(part: Part, steps: Mapping[str, FoundStep], *, missing: str, right: str) -> PartReport:
-    """Return the report on a part whose fields have equal shares of its marks.
-
-    Args:
-        part: what was asked.
-        steps: of each field.
-        missing: code of what is told of a field that is empty.
-        right: code of what is told if nothing is wrong.
-    """
-    facts = [
-        Fact(
-            where=(name,),
-            finding=Finding.OK if step.right else Finding.MISSING if step.given is None else Finding.WRONG,
-        )
-        for name, step in steps.items()
-    ]
-    wrong = [
-        Feedback(code=missing, params={"what": name}) if step.given is None else Feedback(code=step.code)
-        for name, step in steps.items()
-        if not step.right
-    ]
-    score = sum(step.right for step in steps.values()) / len(steps)
-    return judged(part, score, Credit.KEY, facts=facts, feedback=wrong or [Feedback(code=right)])

@@ -11,24 +11,15 @@ from typing import ClassVar
 
 from exercises.definition import Exercise, Part
 from exercises.draws import Draw, Picker, read_draw
-from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DEGREES, RADIANS, DefinitionKey, KeyShape, Start, sequence_keys
-from exercises.parts.drawn_orientations import drawn_triple, read_sequence
+from exercises.parts.drawn_orientations import drawn_triple, read_sequence, read_triple
 from exercises.parts.orientation import DECIMALS
-from exercises.parts.protocol import (
-    FieldShape,
-    FormField,
-    GivenNumbers,
-    PartTask,
-    PartType,
-    Reading,
-    RobotFacts,
-)
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.protocol import GivenNumbers, PartTask, PartType, Reading, RobotFacts, choice_field
+from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.reading import Reader
-from kinematics.keys import ValueKind
 from kinematics.rotations.matrices import Matrix3, matrix3
 from kinematics.rotations.properties import RotationProperty, failed_properties
 from kinematics.rotations.sequences import EulerSequence
@@ -79,23 +70,17 @@ class RotationCheckType(PartType[RotationCheckPart, RotationClaimCells, Rotation
     kind = "rotation_check"
     raw: ClassVar = RotationClaimCells
     meaning = "whether the matrix of the task is a rotation, or the property that fails"
-    disclosures: ClassVar = {
-        "claim_not_rotation": Disclosure(level=HelpLevel.KIND),
-        "claim_rotation": Disclosure(level=HelpLevel.KIND),
-        "claim_other_property": Disclosure(level=HelpLevel.KIND),
-    }
+    disclosures: ClassVar = told_from(
+        HelpLevel.KIND, "claim_not_rotation", "claim_rotation", "claim_other_property"
+    )
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> RotationCheckPart:
         """Return the part with the angles of its matrix."""
-        angles = reader.exacts("angles")
-        if len(angles) != 3:
-            reader.mistyped(ValueKind.NUMBERS, "angles", count=3)
-            angles = (Fraction(0),) * 3
         return RotationCheckPart(
             kind=self.kind,
             points=points,
             sequence=read_sequence(reader, "axes", "turning", EulerSequence(axes="ZYX")),
-            angles=angles,
+            angles=read_triple(reader),
             turns=read_draw(reader, "turns"),
         )
 
@@ -120,11 +105,10 @@ class RotationCheckType(PartType[RotationCheckPart, RotationClaimCells, Rotation
 
     def task(self, part: RotationCheckPart, instance: Instance) -> PartTask:
         """Show the matrix."""
-        options = tuple(claim.value for claim in RotationClaim)
         rows = tuple(tuple(row) for row in instance.drawn[self.kind])
         return PartTask(
             message="task-rotation-check",
-            form=(FormField(name="claim", shape=FieldShape.CHOICE, options=options),),
+            form=(choice_field("claim", RotationClaim),),
             numbers=(GivenNumbers(name="matrix", labels=(), rows=rows),),
         )
 
@@ -142,8 +126,9 @@ class RotationCheckType(PartType[RotationCheckPart, RotationClaimCells, Rotation
             code = "claim_rotation"
         else:
             code = "claim_not_rotation" if answer is RotationClaim.ROTATION else "claim_other_property"
-        fact = Fact(where=("claim",), finding=Finding.OK if right else Finding.WRONG)
-        return judged(part, float(right), Credit.KEY, facts=(fact,), feedback=(Feedback(code=code),))
+        return judged(
+            part, float(right), Credit.KEY, facts=(fact(right, "claim"),), feedback=(Feedback(code=code),)
+        )
 
     def right(self, part: RotationCheckPart, context: Context) -> RotationClaimCells:
         """Return the first property that fails, or that none does."""

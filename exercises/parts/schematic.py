@@ -21,7 +21,7 @@ from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.protocol import Length, PartTask, PartType, Reading
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Credit, Fact, PartReport, judged, told_from
 from kinematics.chain import Axis, chain_of_table, size_of
 from kinematics.errors import Fault
 from kinematics.se3 import cross_arrays
@@ -181,11 +181,10 @@ class SchematicPart(PartType[Part, Schematic, Schematic]):
     raw: ClassVar = Schematic
     meaning = "joint types, and how neighbouring axes lie"
     disclosures: ClassVar = {
-        "schematic_joint_count": Disclosure(level=HelpLevel.ROW),
-        "schematic_joint_type": Disclosure(level=HelpLevel.ROW),
-        "schematic_relation": Disclosure(level=HelpLevel.ROW),
-        "schematic_angle_right": Disclosure(level=HelpLevel.KIND, instead="schematic_relation"),
-        "schematic_meeting_right": Disclosure(level=HelpLevel.KIND, instead="schematic_relation"),
+        **told_from(HelpLevel.ROW, "schematic_joint_count", "schematic_joint_type", "schematic_relation"),
+        **told_from(
+            HelpLevel.KIND, "schematic_angle_right", "schematic_meeting_right", instead="schematic_relation"
+        ),
     }
 
     def task(self, part: Part, instance: Instance) -> PartTask:

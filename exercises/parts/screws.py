@@ -13,14 +13,14 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from exercises.definition import Part
-from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.joint_draws import key_numbers
 from exercises.parts.matrix_cells import CellMatrix, read_numbers
 from exercises.parts.number_cells import read_numbers_of
-from exercises.parts.protocol import FieldShape, FormField, Length, PartTask, PartType, Reading
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.protocol import FieldShape, FormField, Length, PartTask, PartType, Reading, choice_field
+from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from kinematics.answers.screw_answers import (
     ScrewAnswer,
     ScrewFrame,
@@ -62,9 +62,9 @@ class ScrewsPart(PartType[Part, ScrewsCells, ScrewAnswer]):
     raw: ClassVar = ScrewsCells
     meaning = "the joint screws and the home pose"
     disclosures: ClassVar = {
-        "screws_wrong": Disclosure(level=HelpLevel.ROW),
-        **{f"screw_{mistake.value}": Disclosure(level=HelpLevel.REPAIR) for mistake in ScrewMistake},
-        "screws_relation_wrong": Disclosure(level=HelpLevel.KIND),
+        **told_from(HelpLevel.ROW, "screws_wrong"),
+        **told_from(HelpLevel.REPAIR, *(f"screw_{mistake.value}" for mistake in ScrewMistake)),
+        **told_from(HelpLevel.KIND, "screws_relation_wrong"),
     }
 
     def task(self, part: Part, instance: Instance) -> PartTask:
@@ -74,8 +74,8 @@ class ScrewsPart(PartType[Part, ScrewsCells, ScrewAnswer]):
             message="task-screws",
             values={"n": n, "unit": instance.exercise.length_unit.value},
             form=(
-                FormField(name="frame", shape=FieldShape.CHOICE, options=tuple(f.value for f in ScrewFrame)),
-                FormField(name="order", shape=FieldShape.CHOICE, options=tuple(o.value for o in ScrewOrder)),
+                choice_field("frame", ScrewFrame),
+                choice_field("order", ScrewOrder),
                 FormField(
                     name="screws", shape=FieldShape.MATRIX, labels=("1", "2", "3", "4", "5", "6"), rows=n
                 ),
@@ -106,10 +106,7 @@ class ScrewsPart(PartType[Part, ScrewsCells, ScrewAnswer]):
         found = judge_screws(key_numbers(context.instance), answer, context.policy)
         if found.right:
             return judged(part, 1.0, Credit.KEY, feedback=(Feedback(code="screws_right"),))
-        facts = [
-            Fact(where=("screws", i), finding=Finding.OK if right else Finding.WRONG)
-            for i, right in enumerate(found.relations, 1)
-        ]
+        facts = [fact(right, "screws", i) for i, right in enumerate(found.relations, 1)]
         feedback = [Feedback(code="screws_wrong")]
         feedback += [
             Feedback(code=f"screw_{mistake.value}", params={"joint": joint or 0})

@@ -32,7 +32,7 @@ from exercises.parts.protocol import (
     Reading,
     RobotFacts,
 )
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
 from exercises.reading import Reader
 from kinematics.answers.singular_arms import SingularArm, arm_of
 from kinematics.answers.singularity_answers import (
@@ -42,7 +42,7 @@ from kinematics.answers.singularity_answers import (
     lost_motion_is_right,
     lost_motions_at,
 )
-from kinematics.cells import AngleUnit, Cell
+from kinematics.cells import Cell
 from kinematics.cells.meaning import Position
 from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import Expression, joint_variables_in, parameters_in
@@ -101,15 +101,14 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
     raw: ClassVar = SingularityCells
     meaning = "the conditions for a singularity, and a motion that is lost"
     disclosures: ClassVar = {
-        "singularities_missing": Disclosure(level=HelpLevel.ROW),
-        "singularity_missing_at": Disclosure(level=HelpLevel.REPAIR),
-        "singularity_invented": Disclosure(level=HelpLevel.ROW),
-        "singularity_invented_at": Disclosure(level=HelpLevel.REPAIR),
-        "singularity_sine_for_cosine": Disclosure(level=HelpLevel.REPAIR),
-        "singularity_everywhere": Disclosure(level=HelpLevel.ROW),
-        "singularity_half": Disclosure(level=HelpLevel.REPAIR),
-        "lost_motion_wrong": Disclosure(level=HelpLevel.ROW),
-        "lost_motion_is_kept": Disclosure(level=HelpLevel.REPAIR),
+        **told_from(HelpLevel.ROW, "singularities_missing"),
+        **told_from(HelpLevel.REPAIR, "singularity_missing_at"),
+        **told_from(HelpLevel.ROW, "singularity_invented"),
+        **told_from(HelpLevel.REPAIR, "singularity_invented_at", "singularity_sine_for_cosine"),
+        **told_from(HelpLevel.ROW, "singularity_everywhere"),
+        **told_from(HelpLevel.REPAIR, "singularity_half"),
+        **told_from(HelpLevel.ROW, "lost_motion_wrong"),
+        **told_from(HelpLevel.REPAIR, "lost_motion_is_kept"),
     }
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> SingularitiesPart:
@@ -194,10 +193,7 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
             rows.append(tuple(renamed(entry, exercise.aliases) for entry in functions))
         lost = None
         part = next(part for part in exercise.parts if isinstance(part, SingularitiesPart))
-        if raw.lost is not None and len(raw.lost) != len(_labels(part)):
-            params = {"expected": len(_labels(part)), "given": len(raw.lost)}
-            reading.fault("joint_row_length", self.kind, "lost", **params)
-        elif raw.lost is not None:
+        if raw.lost is not None and reading.is_row_of(len(_labels(part)), raw.lost, self.kind, "lost"):
             lost = read_numbers_of(raw.lost, Position.LENGTH, reading, self.kind, "lost")
         if raw.conditions is None and raw.lost is None:
             reading.fault("conditions_empty", self.kind)
@@ -261,7 +257,7 @@ def _labels(part: SingularitiesPart) -> tuple[str, ...]:
 
 def _units(exercise: Exercise) -> tuple[str, ...]:
     """Return for each joint the unit in which its values are told."""
-    angle = "°" if exercise.angle_unit is AngleUnit.DEG else "rad"
+    angle = exercise.angle_unit.sign
     types = exercise.reference.table.joint_types
     return tuple(exercise.length_unit.value if kind is JointType.PRISMATIC else angle for kind in types)
 
@@ -296,7 +292,7 @@ def _conditions(
         params: dict[str, ParamValue] = {"condition": i + 1}
         feedback.append(Feedback(code=f"singularity_{entry.status.value}", params=params))
         if entry.status is not ConditionStatus.NOWHERE:
-            facts.append(Fact(where=("conditions", i, 0), finding=Finding.WRONG))
+            facts.append(fact(False, "conditions", i, 0))
         if entry.example is not None:
             at = _configuration(entry.example, units)
             feedback.append(Feedback(code="singularity_invented_at", params={**params, "at": at}))
@@ -329,7 +325,7 @@ def _lost(
     right = lost_motion_is_right(arm, joints, answer.lost)
     if right:
         return 1.0
-    facts.append(Fact(where=("lost",), finding=Finding.WRONG))
+    facts.append(fact(False, "lost"))
     feedback.append(Feedback(code="lost_motion_wrong"))
     if right is False:
         feedback.append(Feedback(code="lost_motion_is_kept"))

@@ -11,13 +11,14 @@ from typing import ClassVar
 import numpy as np
 
 from exercises.definition import Part
-from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.comparison import (
     Compared,
     Expected,
     Matrices,
     agreeing,
+    cell_facts,
     cell_names,
     compare,
     inverse,
@@ -28,7 +29,7 @@ from exercises.parts.comparison import (
 from exercises.parts.context import Context
 from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
 from exercises.parts.protocol import PartTask, PartType, Reading
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Credit, PartReport, judged, told_from
 from exercises.parts.value import is_robot
 from kinematics.errors import ParameterError
 
@@ -57,13 +58,8 @@ def _wrong(context: Context, compared: Compared, part: Part) -> PartReport:
         feedback.append(Feedback(code="transform_rotation_right"))
     if position:
         feedback.append(Feedback(code="transform_position_right"))
-    facts = [
-        Fact(where=(r, c), finding=Finding.OK if cells[r, c] else Finding.WRONG)
-        for r in range(4)
-        for c in range(4)
-    ]
     score = 0.5 * (rotation + position)
-    return judged(part, score, context.own_credit, correct=False, facts=facts, feedback=feedback)
+    return judged(part, score, context.own_credit, correct=False, facts=cell_facts(cells), feedback=feedback)
 
 
 def _what_is_off(context: Context, compared: Compared) -> Feedback:
@@ -98,14 +94,16 @@ class TransformPart(PartType[Part, CellMatrix, SymbolicMatrix]):
     meaning = "⁰T_N in closed form"
     follows_table = True
     disclosures: ClassVar = {
-        "transform_rotation_right": Disclosure(level=HelpLevel.ROW),
-        "transform_position_right": Disclosure(level=HelpLevel.ROW),
-        "transform_cells_wrong": Disclosure(level=HelpLevel.KIND),
-        "transform_not_rigid": Disclosure(level=HelpLevel.KIND),
-        "transform_inverse": Disclosure(level=HelpLevel.REPAIR, instead="transform_cells_wrong"),
-        "transform_rotation_transposed": Disclosure(level=HelpLevel.REPAIR, instead="transform_cells_wrong"),
-        "transform_order_reversed": Disclosure(level=HelpLevel.REPAIR, instead="transform_cells_wrong"),
-        "transform_links_missing": Disclosure(level=HelpLevel.REPAIR, instead="transform_cells_wrong"),
+        **told_from(HelpLevel.ROW, "transform_rotation_right", "transform_position_right"),
+        **told_from(HelpLevel.KIND, "transform_cells_wrong", "transform_not_rigid"),
+        **told_from(
+            HelpLevel.REPAIR,
+            "transform_inverse",
+            "transform_rotation_transposed",
+            "transform_order_reversed",
+            "transform_links_missing",
+            instead="transform_cells_wrong",
+        ),
     }
 
     def task(self, part: Part, instance: Instance) -> PartTask:

@@ -16,14 +16,14 @@ import numpy as np
 from exercises.definition import Exercise, Part
 from exercises.figures.camera import Array
 from exercises.figures.points import Points
-from exercises.grading import Feedback, Finding, HelpLevel
+from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.comparison import inverse
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, names_of_joints
+from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, joint_names
 from exercises.parts.protocol import PartTask, PartType, Reading, RobotFacts
 from exercises.parts.reach import Interval, Reach, reach
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, judged
+from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit, Cell, ParameterKind, read_cell
 from kinematics.chain import chain_of_table
@@ -146,11 +146,10 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, WorkspaceAnswer]):
     meaning = "inner and outer radius"
     given: ClassVar = WorkspaceTask
     disclosures: ClassVar = {
-        "workspace_inner_wrong": Disclosure(level=HelpLevel.ROW),
-        "workspace_outer_wrong": Disclosure(level=HelpLevel.ROW),
-        "workspace_swapped": Disclosure(level=HelpLevel.KIND),
-        "workspace_diameters": Disclosure(level=HelpLevel.REPAIR),
-        "workspace_other_length_unit": Disclosure(level=HelpLevel.KIND),
+        **told_from(HelpLevel.ROW, "workspace_inner_wrong", "workspace_outer_wrong"),
+        **told_from(HelpLevel.KIND, "workspace_swapped"),
+        **told_from(HelpLevel.REPAIR, "workspace_diameters"),
+        **told_from(HelpLevel.KIND, "workspace_other_length_unit"),
     }
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> WorkspacePart:
@@ -171,7 +170,7 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, WorkspaceAnswer]):
         return (
             DefinitionKey(name="point", shape=KeyShape.POINT),
             DefinitionKey(name="from", shape=KeyShape.POINT, options=(ReachFrom.AXIS.value,)),
-            DefinitionKey(name="limits", shape=KeyShape.RANGES, labels=names_of_joints(robot)),
+            DefinitionKey(name="limits", shape=KeyShape.RANGES, labels=joint_names(len(robot.joint_types))),
             TOLERANCE,
         )
 
@@ -225,9 +224,7 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, WorkspaceAnswer]):
         other = _what_is_off(answer, scaled, context, limit)
         if feedback and other is not None:
             feedback.insert(0, other)
-        facts = [
-            Fact(where=(name,), finding=Finding.OK if fits else Finding.WRONG) for name, fits in right.items()
-        ]
+        facts = [fact(fits, name) for name, fits in right.items()]
         told = feedback or [Feedback(code="workspace_right")]
         return judged(part, sum(right.values()) / 2, Credit.KEY, facts=facts, feedback=told)
 

@@ -14,6 +14,11 @@ class AngleUnit(StrEnum):
     DEG = "deg"
 
     @property
+    def sign(self) -> str:
+        """What stands behind a number."""
+        return "°" if self is AngleUnit.DEG else "rad"
+
+    @property
     def radians(self) -> float:
         """One unit [rad]."""
         return math.radians(1.0) if self is AngleUnit.DEG else 1.0

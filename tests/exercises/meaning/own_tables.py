@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.instance import Instance
+from exercises.parts.joint_draws import key_numbers
 from kinematics.cells import LengthUnit, RawRow, RawTable
 from kinematics.table import Convention, JointType, NumericTable
 
@@ -38,11 +39,12 @@ class PlainTable:
 
     modified: bool
     rows: tuple[PlainRow, ...]
+    least: float = 0.0
 
     @property
     def reach(self) -> float:
-        """The lengths of all links together."""
-        return sum(abs(row.a) + abs(row.d) for row in self.rows) or 1.0
+        """The lengths of all links together, not less than those of the exercise's robot."""
+        return max(self.least, sum(abs(row.a) + abs(row.d) for row in self.rows)) or 1.0
 
     def links(self, joints: list[complex] | list[float]) -> list[Complexes]:
         """The matrix of each row: two turns and two shifts, one after the other."""
@@ -140,7 +142,7 @@ def own_table(instance: Instance, rng: random.Random) -> tuple[RawTable, PlainTa
         angle_unit=reference.angle_unit,
         length_unit=reference.length_unit,
     )
-    return written, PlainTable(modified, tuple(rows))
+    return written, PlainTable(modified, tuple(rows), plain(key_numbers(instance)).reach)
 
 
 def _angle(rng: random.Random, degrees: bool) -> tuple[str | int, float]:

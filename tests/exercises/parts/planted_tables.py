@@ -13,7 +13,8 @@ from fractions import Fraction
 from exercises.definition import Exercise
 from exercises.grading import Policy, ToolRule
 from exercises.instance import Instance
-from exercises.parts.find_mistake import FindMistakePart, FoundMistakeCells
+from exercises.parts.find_mistake import FoundMistakeCells
+from exercises.parts.found_mistakes import MistakePart
 from exercises.parts.given_table import columns_of
 from exercises.parts.planting import PLANTABLE, Planted
 from exercises.written_table import written_table
@@ -24,7 +25,7 @@ ROBOTS = ("scorbot", "puma560", "rx90", "stanford", "kr125", "scara", "cloos")
 
 def asked(name: str) -> Exercise:
     """An exercise of the package that asks to find a mistake, and nothing else."""
-    part = FindMistakePart(kind="find_mistake", points=Fraction(10), mistakes=PLANTABLE)
+    part = MistakePart(kind="find_mistake", points=Fraction(10), mistakes=PLANTABLE)
     return replace(exercise(name), parts=(part,), policy=Policy(tool=ToolRule.POINT))
 
 

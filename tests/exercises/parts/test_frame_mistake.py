@@ -11,10 +11,10 @@ from exercises.drawings import figure_geometry, figure_svg
 from exercises.grading import Finding
 from exercises.instance import Instance, generate
 from exercises.parts.context import Context
+from exercises.parts.found_mistakes import MistakePart
 from exercises.parts.frame_mistake import (
     PART,
     FoundFrameMistakeCells,
-    FrameMistakePart,
     frames_shown,
     planted_in,
 )
@@ -27,16 +27,16 @@ from tests.exercises.packaged import exercise
 EXERCISES = ("scara-frame-mistake", "stanford-frame-mistake", "puma560-frame-mistake")
 
 
-def context(exercise_id: str, seed: int) -> tuple[FrameMistakePart, Context]:
+def context(exercise_id: str, seed: int) -> tuple[MistakePart, Context]:
     """A student of an exercise."""
     found = exercise(exercise_id)
     (part,) = found.parts
-    assert isinstance(part, FrameMistakePart)
+    assert isinstance(part, MistakePart)
     answer = Answer(parts={}, angle_unit=found.angle_unit, length_unit=found.length_unit)
     return part, Context(instance=generate(found, seed), answer=answer, verdict=None)
 
 
-def judged(part: FrameMistakePart, known: Context, raw: FoundFrameMistakeCells) -> PartReport:
+def judged(part: MistakePart, known: Context, raw: FoundFrameMistakeCells) -> PartReport:
     """What is said of an answer."""
     reading = Reading(instance=known.instance, raw=RawAnswer(), table=None, limits=CELL_LIMITS, faults=[])
     answer = PART.read(raw, reading)
@@ -118,7 +118,7 @@ def test_mistakes_that_the_robot_cannot_show_are_refused() -> None:
     """Parallel axes have no intersection, and a definition that asks for nothing else gets nothing else."""
     found = exercise("scara-frame-mistake")
     (part,) = found.parts
-    assert isinstance(part, FrameMistakePart)
+    assert isinstance(part, MistakePart)
     (fault,) = PART.inconsistencies(replace(part, mistakes=("origin_not_at_intersection",)), found)
     assert (fault.code, fault.where) == ("frame_mistakes_not_shown", ("mistakes",))
     assert "y_left_handed" in str(fault.params["known"])
