@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -11,6 +12,8 @@ from kinematics import catalogue
 from kinematics.cells import bind_parameters
 from kinematics.dh import link_transform
 from kinematics.forward import forward_kinematics
+from kinematics.frames.assignment import CrossProduct, assign_frames
+from kinematics.frames.axes import JointAxis
 from kinematics.poses import transform_from_xyzabc
 from kinematics.scm import forward_kinematics_scm, jacobian_base_by_inspection, unit_vectors
 from kinematics.se3 import from_matrix, inverse_transform, move
@@ -42,6 +45,34 @@ def test_motions_about_one_axis_commute(shift: str, turn: str, printed: list[lis
     np.testing.assert_allclose(only(**{shift: LENGTH, turn: ANGLE}), expected, atol=1e-15)
 
 
+@pytest.mark.parametrize(
+    ("entry", "printed"),
+    [
+        ("x", [[1, 0, 0, ANGLE], [0, 1, 0, 0], [0, 0, 1, 0]]),
+        ("y", [[1, 0, 0, 0], [0, 1, 0, ANGLE], [0, 0, 1, 0]]),
+        ("z", [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, ANGLE]]),
+        ("a", [[C, -S, 0, 0], [S, C, 0, 0], [0, 0, 1, 0]]),
+        ("b", [[C, 0, S, 0], [0, 1, 0, 0], [-S, 0, C, 0]]),
+        ("c", [[1, 0, 0, 0], [0, C, -S, 0], [0, S, C, 0]]),
+    ],
+)
+def test_the_six_motions_of_a_frame(entry: str, printed: list[list[float]]) -> None:
+    """001 eq. 2.4: the six matrices of the product."""
+    np.testing.assert_allclose(only(**{entry: ANGLE}), [*printed, [0, 0, 0, 1]], atol=1e-15)
+
+
+def test_a_frame_is_a_shift_and_then_a_turn() -> None:
+    """001 eq. 2.3 and 2.7: H = HT HR, its columns, and its inverse; the other order is another frame."""
+    H = transform_from_xyzabc((0.1, -0.2, 0.3, 0.4, -0.5, 0.6))
+    HT, HR = np.eye(4), np.eye(4)
+    HT[:3, 3], HR[:3, :3] = H[:3, 3], H[:3, :3]
+    np.testing.assert_allclose(HT @ HR, H, atol=1e-15)
+    assert np.abs(HR @ HT - H).max() > 0.1
+    x, y, z, p = (H[:3, k] for k in range(4))
+    printed = [[*x, -(p @ x)], [*y, -(p @ y)], [*z, -(p @ z)], [0, 0, 0, 1]]
+    np.testing.assert_allclose(inverse_transform(H), printed, atol=1e-15)
+
+
 def test_motions_about_different_axes_do_not() -> None:
     """001 §2.3: the order matters else."""
     assert np.abs(only(x=LENGTH) @ only(a=ANGLE) - only(a=ANGLE) @ only(x=LENGTH)).max() > 0.1
@@ -61,7 +92,7 @@ def test_the_inverse_is_the_product_backwards() -> None:
 
 
 def test_the_link_of_the_modified_convention() -> None:
-    """000 eq. 3.1 and 3.2; 002, the modified matrix and the last column of its inverse."""
+    """000 eq. 3.1, 3.2; 001 eq. 2.14; 002, the modified matrix and the last column of its inverse."""
     a, d, alpha = 0.3, -0.7, 1.1
     ca, sa = math.cos(alpha), math.sin(alpha)
     printed = np.array(
@@ -76,7 +107,7 @@ def test_the_link_of_the_modified_convention() -> None:
 
 
 def test_the_link_of_the_standard_convention() -> None:
-    """003 eq. 2; 002, the original matrix and its inverse, with the corrections of docs/sources.md."""
+    """003 eq. 2; 001 eq. 2.13; 002, the matrix and its inverse, with the corrections of docs/sources.md."""
     a, d, alpha = 0.3, -0.7, 1.1
     ca, sa = math.cos(alpha), math.sin(alpha)
     printed = np.array(
@@ -85,6 +116,8 @@ def test_the_link_of_the_standard_convention() -> None:
     row = DHRow(joint=JointType.REVOLUTE, theta=0.0, d=d, a=a, alpha=alpha)
     found = link_transform(row, Convention.STANDARD, ANGLE)
     np.testing.assert_allclose(found, printed, atol=1e-15)
+    motions = only(z=d, a=ANGLE) @ only(x=a, c=alpha)
+    np.testing.assert_allclose(found, motions, atol=1e-15)
     np.testing.assert_allclose(inverse_transform(found)[:3, 3], [-a, -d * sa, -d * ca], atol=1e-15)
 
 
@@ -129,7 +162,12 @@ def test_the_unit_vectors_of_the_stanford_arm() -> None:
     lengths = {name: robot.parameters[known] for name, known in robot.chain.parameters.items()}
     q, rates = np.random.default_rng(3).uniform(-1, 1, (2, chain.n_joints))
     motion, units = forward_kinematics_scm(chain, q.tolist(), lengths), unit_vectors(chain, lengths)
-    assert all(sorted(np.abs(u)) == [0.0, 0.0, 1.0] for u in units)
+    about_y, about_z = (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+    printed = [about_z, about_y, about_z, about_z, about_y, about_z]
+    np.testing.assert_array_equal(units, printed)
+    for link, u in zip(motion.links, units, strict=True):
+        joint = link[:3, :3] if abs(np.trace(link[:3, :3]) - 3) > 1e-9 else np.eye(3)
+        np.testing.assert_allclose(joint @ u, u, atol=1e-15)  # eq. 3.20: the joint leaves its own axis
     turning = [row.joint is JointType.REVOLUTE for row in chain.rows]
     omega = sum(motion.frames[i, :3, :3] @ units[i] * rates[i] for i in range(chain.n_joints) if turning[i])
     J = jacobian_base_by_inspection(chain, q.tolist(), lengths)
@@ -149,3 +187,76 @@ def test_the_jacobian_is_the_derivative() -> None:
             forward_kinematics_scm(chain, at.tolist(), lengths).transform[:3, 3] for at in (q + by, q - by)
         )
         np.testing.assert_allclose(J[:3, i], (ahead - behind) / (2 * step), atol=1e-8)
+
+
+def test_angular_velocity_is_the_derivative_of_the_rotation() -> None:
+    """001 eq. 3.16 to 3.18 and 3.24: Ω = Ṙ Rᵀ, and (v, Ω) = J q̇."""
+    robot = catalogue.robot("stanford")
+    assert robot.chain is not None
+    chain, step = robot.chain.read.chain, 1e-6
+    lengths = {name: robot.parameters[known] for name, known in robot.chain.parameters.items()}
+    q, rates = np.random.default_rng(5).uniform(-1, 1, (2, chain.n_joints))
+    here, ahead, behind = (
+        forward_kinematics_scm(chain, (q + s * rates).tolist(), lengths).transform for s in (0.0, step, -step)
+    )
+    change = (ahead - behind) / (2 * step)
+    spin = change[:3, :3] @ here[:3, :3].T
+    printed = [[0, -spin[1, 0], spin[0, 2]], [spin[1, 0], 0, -spin[2, 1]], [-spin[0, 2], spin[2, 1], 0]]
+    np.testing.assert_allclose(spin, printed, atol=1e-8)
+    velocity = jacobian_base_by_inspection(chain, q.tolist(), lengths) @ rates
+    expected = [*change[:3, 3], spin[2, 1], spin[0, 2], spin[1, 0]]
+    np.testing.assert_allclose(velocity, expected, atol=1e-8)
+
+
+PRINTED_PRODUCTS = {
+    "stanford": "Z(L0)A(a1) Y(L1)B(a2) Z(d3) A(a4) B(a5) Z(L2)A(a6)",
+    "onelink": "A(a1) X(L1)",
+    "twolink": "A(a1) X(L1)A(a2) X(L2)",
+    "uw": "A(a1) X(L1)B(-a2) X(L2)B(-a3) X(L3)C(pi/2)",
+    "scara-scm": "Z(L0)A(a1) X(L1)A(-a2) Z(-d3) X(L2)A(-a4) Z(-L3)C(pi)",
+    "scorbot": "Z(L0)A(a1) X(L1)Y(-L2)B(-a2) X(L3)B(-a3) X(L4)B(-a4) Z(L5)A(a5)",
+    "cloos": "A(a1) B(-a2) X(L1)B(a3) Z(L2)A(a4) B(-a5) Z(-L3)A(-a6) C(pi)",
+    "kr100p": "Z(L0)A(-a1) X(L1)B(a2) X(L2)B(a3) X(L4)Z(L3)C(-a4) B(a5) X(L5)C(-a6) B(pi/2)",
+    "kr125": "Z(L0)A(-a1) X(L1)B(a2) X(L2)B(a3) X(L3)C(-a4) B(a5) X(L4)C(-a6) B(pi/2)",
+    "kr2150k": "Z(L0)A(-a1) X(L1)B(a2) X(L2)B(a3) X(L4)Z(-L3)C(-a4) B(a5) X(L5)C(-a6) B(pi/2)",
+    "puma560": "A(a1) Y(-L1)B(-a2) X(L2)B(-a3) X(L3)Z(L4)A(a4) B(-a5) A(a6)",
+    "puma600": "Z(L0)A(a1) Y(-L1)B(-a2) X(L2)B(-a3) Z(-L3)A(-a4) B(-a5) Z(-L4)A(-a6) C(pi)",
+}
+"""001 eq. 3.1 and 3.3 to 3.13, with the signs of the scripts that the document prints beside them."""
+
+
+@pytest.mark.parametrize("name", PRINTED_PRODUCTS)
+def test_the_printed_products_are_the_catalogues_arms(name: str) -> None:
+    robot = catalogue.robot(name)
+    assert robot.chain is not None
+    rng = np.random.default_rng(6)
+    chain = robot.chain.read.chain
+    q = rng.uniform(-1, 1, chain.n_joints).tolist()
+    lengths = {known: float(rng.uniform(0.1, 1)) for known in robot.chain.parameters}
+    values = lengths | {"pi": math.pi, "pi/2": math.pi / 2}
+    values |= {f"{letter}{i}": value for i, value in enumerate(q, 1) for letter in "ad"}
+    product = np.eye(4)
+    for axis, sign, symbol in re.findall(r"([XYZABC])\((-?)([^)]+)\)", PRINTED_PRODUCTS[name]):
+        product = product @ only(**{axis.lower(): -values[symbol] if sign else values[symbol]})
+    np.testing.assert_allclose(forward_kinematics_scm(chain, q, lengths).transform, product, atol=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("given", "order"), [(CrossProduct.BACKWARD, -1.0), (CrossProduct.FORWARD, 1.0)], ids=["004", "usual"]
+)
+def test_x_where_axes_intersect(given: CrossProduct, order: float) -> None:
+    """004 §2.3, case 1: x_i = z_i × z_{i-1}; the usual one is z_{i-1} × z_i, and α_i has the other sign."""
+    directions = [(0.0, 0.0, 1.0), (0.0, -0.6, 0.8), (1.0, 0.0, 0.0)]
+    axes = [JointAxis(joint=JointType.REVOLUTE, direction=one, point=(0.1, 0.2, 0.3)) for one in directions]
+    found = assign_frames(axes, Convention.STANDARD, intersecting=given)
+    for i in (0, 1):
+        across = order * np.cross(directions[i], directions[i + 1])
+        np.testing.assert_allclose(found.frames[i + 1].x, across / np.linalg.norm(across), atol=1e-15)
+        assert math.copysign(1.0, found.table.rows[i].alpha) == order
+
+
+def test_the_base_of_the_dmra_turns_through_half_a_turn() -> None:
+    """003, text before fig. 8."""
+    limits = catalogue.robot("dmra").limits
+    assert limits is not None
+    assert limits[0][1] - limits[0][0] == 180.0
