@@ -59,7 +59,7 @@ def compare(context: Context, answer: SymbolicMatrix, expected: Expected) -> Com
     actual = answer.at_points(samples)
     if len(samples) > 1:
         *samples, _ = samples
-        doubled, actual = _doubled(context, actual[0], actual[-1]), actual[:-1]
+        doubled, actual = is_doubled(actual[0], actual[-1], context.size), actual[:-1]
         if not doubled:
             samples, actual = samples[:1], actual[: len(samples[0][1])]
     wanted = at_samples(samples, expected)
@@ -83,12 +83,12 @@ def agreeing(actual: Matrices, wanted: Matrices, size: float, tolerance: Toleran
     return np.asarray(close.all(axis=0), dtype=np.bool_)
 
 
-def _doubled(context: Context, once: Matrices, twice: Matrices) -> bool:
+def is_doubled(once: Matrices, twice: Matrices, size: float) -> bool:
     """Whether a matrix names every length: twice the lengths double its last column and nothing else."""
     wanted = once.copy()
-    wanted[:3, 3] *= 2.0
+    wanted[..., :3, 3] *= 2.0
     with np.errstate(invalid="ignore"):
-        return bool((np.abs(twice - wanted) <= ALL_NAMED * max(1.0, context.size)).all())
+        return bool((np.abs(twice - wanted) <= ALL_NAMED * max(1.0, size)).all())
 
 
 def inverse(poses: Matrices) -> Matrices:

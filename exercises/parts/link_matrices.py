@@ -175,13 +175,12 @@ def _by_own_rows(context: Context, answer: Sequence[SymbolicMatrix | None], part
 
 
 def _product_is_robot(context: Context, matrices: list[SymbolicMatrix]) -> bool:
-    names = frozenset[str]().union(*(matrix.names() for matrix in matrices)) | context.own_names()
-    values = context.values(names)
+    names = frozenset[str]().union(*(matrix.names() for matrix in matrices))
 
-    def poses(joints: Matrices) -> Matrices:
+    def poses(values: Mapping[str, float], joints: Matrices) -> Matrices:
         return reduce(np.matmul, [matrix.at_points([(values, joints)]) for matrix in matrices])
 
-    return is_robot(context, poses, context.joint_types)
+    return is_robot(context, poses, names)
 
 
 PART = LinkMatricesPart()

@@ -36,8 +36,7 @@ from kinematics.errors import ParameterError
 
 def transform_is_robot(context: Context, answer: SymbolicMatrix) -> bool:
     """Whether a ⁰T_N describes the robot by itself."""
-    values = context.values(answer.names() | context.own_names())
-    return is_robot(context, lambda q: answer.at_points([(values, q)]), context.joint_types)
+    return is_robot(context, lambda values, q: answer.at_points([(values, q)]), answer.names())
 
 
 def _own(context: Context) -> Expected:

@@ -8,36 +8,72 @@ compared with T itself, then with the robot as any table's would be (`kinematics
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.parts.comparison import agreeing, inverse, is_rigid
+from exercises.parts.comparison import agreeing, inverse, is_doubled, is_rigid
 from exercises.parts.context import Context
 from kinematics.chain import Axis, Chain, chain_of_axes
 from kinematics.equivalence import Tolerance
 from kinematics.equivalence.decision import certify
 from kinematics.equivalence.reference import prepared
 from kinematics.se3 import cross_arrays, from_matrix
-from kinematics.table import JointType
+from kinematics.table import JointType, NumericTable, bind
 
 Matrix = NDArray[np.float64]
 PosesOf = Callable[[Matrix], Matrix]
 """(k, 4, 4) ⁰T_N of (k, n) configurations."""
+PosesAt = Callable[[Mapping[str, float], Matrix], Matrix]
+"""The same for values of the names [rad, the student's unit]."""
 
 
 @np.errstate(all="ignore")
-def is_robot(context: Context, poses_of: PosesOf, joint_types: Sequence[JointType]) -> bool:
-    """Whether a ⁰T_N describes the robot and keeps the policy, at the exercise's values.
+def is_robot(context: Context, poses_at: PosesAt, names: frozenset[str]) -> bool:
+    """Whether a ⁰T_N describes the robot and keeps the policy.
+
+    It does at the exercise's values and, if it and the key name all lengths, at others, too: what is named
+    wrong is wrong, whatever a student was given.
 
     Args:
         context: the key, the policy, the units.
-        poses_of: the ⁰T_N, with lengths in the student's unit.
-        joint_types: types of its joints.
+        poses_at: the ⁰T_N, with lengths in the student's unit.
+        names: in it.
     """
-    if tuple(joint_types) != context.reference.table.joint_types:
+    if context.joint_types != context.reference.table.joint_types:
         return False
+    values = context.values(names)
+    if not _is_robot_at(context, partial(poses_at, values), context.reference_numbers):
+        return False
+    if not names & set(context.parameters) or not _names_lengths(context, poses_at, values):
+        return True
+    other = next(context.draws(names))
+    return _is_robot_at(context, partial(poses_at, other), _key_at(context, other))
+
+
+def _key_at(context: Context, values: Mapping[str, float]) -> NumericTable:
+    """The key with other values [rad, the student's unit], in the exercise's unit."""
+    return bind(context.reference.table, context.scaled(values, 1.0 / context.unit_ratio))
+
+
+def _names_lengths(context: Context, poses_at: PosesAt, values: Mapping[str, float]) -> bool:
+    """Whether a ⁰T_N and the key name every length: both are twice as large with twice the lengths."""
+    slides = [type_ is JointType.PRISMATIC for type_ in context.joint_types]
+    joints = context.configurations(context.joint_types)[:1]
+    twice = context.scaled(values, 2.0)
+    once, larger = poses_at(values, joints), poses_at(twice, np.where(slides, 2.0, 1.0) * joints)
+    key, larger_key = context.reference_numbers, _key_at(context, twice)
+    return is_doubled(once, larger, context.size) and all(
+        math.isclose(2.0 * a, b, rel_tol=1e-9, abs_tol=1e-12)
+        for row, other in zip(key.rows, larger_key.rows, strict=True)
+        for a, b in ((row.a, other.a), (row.d, other.d))
+    )
+
+
+def _is_robot_at(context: Context, poses_of: PosesOf, key: NumericTable) -> bool:
+    joint_types = context.joint_types
     chain = chain_of_poses(poses_of, joint_types, context.policy.tolerance, context.size)
     if chain is None:
         return False
@@ -45,7 +81,7 @@ def is_robot(context: Context, poses_of: PosesOf, joint_types: Sequence[JointTyp
     if not agreeing(poses_of(samples), chain.poses(samples), context.size, context.policy.tolerance).all():
         return False
     in_units = _scaled(chain, 1.0 / context.unit_ratio)
-    return certify([prepared(context.reference_numbers)], [in_units], context.policy) is not None
+    return certify([prepared(key)], [in_units], context.policy) is not None
 
 
 def chain_of_poses(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
@@ -18,6 +18,7 @@ from exercises.figures.camera import Array
 from exercises.figures.points import Points
 from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
+from exercises.names import renamed, unknown_name
 from exercises.parts.comparison import inverse
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, joint_names
@@ -28,7 +29,7 @@ from exercises.reading import Reader
 from kinematics.cells import AngleUnit, Cell, ParameterKind, read_cell
 from kinematics.chain import chain_of_table
 from kinematics.errors import CellError, Fault, KinematicsError
-from kinematics.expressions import evaluate
+from kinematics.expressions import evaluate, parameters_in
 from kinematics.table import JointType, NumericTable
 
 Key = tuple[float, float, float]
@@ -202,9 +203,8 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, WorkspaceAnswer]):
 
     def read(self, raw: RadiiCells, reading: Reading) -> WorkspaceAnswer | None:
         """Return the radii in the student's unit."""
-        values = reading.values
         inner, outer = (
-            reading.keep(self.kind, partial(_radius, getattr(raw, name), name, values, reading.angle_unit))
+            reading.keep(self.kind, partial(_radius, getattr(raw, name), name, reading))
             for name in ("inner", "outer")
         )
         return None if inner is None or outer is None else WorkspaceAnswer(inner=inner, outer=outer)
@@ -261,10 +261,16 @@ def _interval(limit: tuple[Fraction, Fraction], degrees: bool) -> tuple[float, f
     return (math.radians(low), math.radians(high)) if degrees else (low, high)
 
 
-def _radius(cell: Cell, name: str, values: Mapping[str, float], unit: AngleUnit) -> float:
+def _radius(cell: Cell, name: str, reading: Reading) -> float:
+    exercise = reading.instance.exercise
     try:
-        expression = read_cell(cell, ParameterKind.LENGTH, angle_unit=unit, variable=lambda _: None)
-        value = evaluate(expression, values)
+        expression = renamed(
+            read_cell(cell, ParameterKind.LENGTH, angle_unit=reading.angle_unit, variable=lambda _: None),
+            exercise.aliases,
+        )
+        for unknown in sorted(parameters_in(expression) - set(exercise.reference.parameters)):
+            raise CellError(unknown_name(unknown, exercise, ()))
+        value = evaluate(expression, reading.values)
     except KinematicsError as error:
         raise type(error)(
             Fault(code=fault.code, where=(name,), params=fault.params) for fault in error.faults

@@ -62,7 +62,7 @@ _FULL_WIDTH = range(0xFF01, 0xFF5F)
 DOT_ABOVE = "\u0307"
 _LOOKALIKES = dict(zip("АВЕКМНОРСТХаеорсухіІјЈѕЅԁԛһԚ", "ABEKMHOPCTXaeopcyxiIjJsSdqhQ", strict=True))
 _ALLOWED = re.compile(
-    "[A-Za-z0-9+\\-*/^()._, {}$\\\\°√;:!"
+    "[A-Za-z0-9+\\-*/^()._, {}$\\\\°√;:!|"
     + DOT_ABOVE
     + "".join(GREEK)
     + "".join(SUPERSCRIPTS)

@@ -41,6 +41,8 @@ FUNCTION_NAMES = {function.value: function for function in Function} | {
 }
 """Names of functions, those of the documents' languages included."""
 
+_TURNED = {"sin", "cos", "tan", "sen", "tg"}
+"""Functions behind which a number is an argument, sin30, and no index."""
 _NAME_CHARACTERS = 32
 """Characters of a name; longer ones are text that was pasted by mistake."""
 _NOT_VALUES = {"nan", "inf", "infinity"}
@@ -58,6 +60,8 @@ _OPERATORS = {
     "°": "DEGREE",
     "√": "ROOT",
 }
+_ABSOLUTE = ((("FUNCTION", "abs"), ("LPAR", "(")), (("RPAR", ")"),))
+"""What two bars in a cell mean: |L1 - L2|."""
 _VALUES_END = {"NUMBER", "NAME", "PI", "RPAR", "RBRACE", "DEGREE", "SUPERSCRIPT"}
 _COMMANDS = {
     "pi": "PI",
@@ -96,8 +100,13 @@ def scan(text: str, limits: Limits = DEFAULT) -> list[Token]:
     plain = _without_dollars(_translated(text))
     tokens: list[Token] = []
     position = 0
+    bars = iter(_ABSOLUTE if plain.count("|") == 2 else ())
     while position < len(plain):
         if plain[position] == " ":
+            position += 1
+            continue
+        if plain[position] == "|" and (bar := next(bars, None)):
+            tokens += [_token(kind, text, position) for kind, text in bar]
             position += 1
             continue
         if plain[position] in VULGAR_FRACTIONS and tokens and tokens[-1].type in _VALUES_END:
@@ -184,6 +193,8 @@ def _name(plain: str, start: int, limits: Limits) -> Scanned:
     function = _function(word + digits) if not scripts else None
     if function is not None:
         return [_token("FUNCTION", function.value, start)], match.end()
+    if digits and not scripts and word in _TURNED:
+        raise CellRefusal("function_without_parentheses", column=start + 1, name=word)
     return [_token("NAME", _spelled(word, digits, scripts, start), start)], match.end()
 
 

@@ -11,6 +11,8 @@ from dataclasses import dataclass
 PER_ROW = 3
 PER_ALIGNMENT = 60
 PER_CERTIFICATE = 150
+PER_FURTHER_JOINT = 30
+USUAL_JOINTS = 6
 PER_ROUND = 1500
 PER_DESCENT = 3000
 PER_BATCH = 400
@@ -25,6 +27,11 @@ def per_batch(tables: int, rows: int, invariants: int) -> int:
     """What it costs to try tables all at once, with so many rows and invariants each."""
     further = max(rows - MOST_ROWS_OF_A_ROBOT, 0) // FURTHER_ROWS_TOGETHER
     return PER_BATCH + tables * (PER_TABLE + further) + tables * (rows + invariants) // ROWS_TOGETHER
+
+
+def per_certificate(joints: int) -> int:
+    """What it costs to make a certificate of an arm and to look at it."""
+    return PER_CERTIFICATE + PER_FURTHER_JOINT * max(joints - USUAL_JOINTS, 0)
 
 
 class WorkExhaustedError(Exception):

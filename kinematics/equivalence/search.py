@@ -10,7 +10,7 @@ from kinematics.chain import Chain
 from kinematics.equivalence.alignment import Alignment, align, aligning_motion
 from kinematics.equivalence.certificates import CertificateCandidate, CertificatePath, candidate_from
 from kinematics.equivalence.groups import Group, Nearness, Rotations, departure
-from kinematics.equivalence.meter import PER_ALIGNMENT, PER_CERTIFICATE, Meter
+from kinematics.equivalence.meter import PER_ALIGNMENT, Meter, per_certificate
 from kinematics.equivalence.plan import Plan
 from kinematics.equivalence.policy import BaseRule, DirectionRule, Policy, ZeroRule
 from kinematics.equivalence.reference import Reference
@@ -239,7 +239,7 @@ class Search:
         for which, choice in enumerate(choices):
             for placement, last in enumerate(placements(choice, here)):
                 self.tried += 1
-                self._charge(PER_CERTIFICATE)
+                self._charge(per_certificate(len(submission.axes)))
                 way = Way(index, start, path.signs, which, placement)
                 candidate = self._candidate(0, plan, choice, replace(path, last=last))
                 found = judged(reference, submission, candidate, tolerance)

@@ -52,7 +52,7 @@ def refused(exercise_id: str = "scara", **parts: Any) -> dict[str, str]:
         ({"workspace": RadiiCells(inner=-1, outer=2)}, {"workspace.inner": "radius_negative"}),
         (
             {"workspace": RadiiCells(inner="x(", outer="a9")},
-            {"workspace.inner": "function_unknown", "workspace.outer": "parameter_missing"},
+            {"workspace.inner": "function_unknown", "workspace.outer": "name_unknown"},
         ),
         (
             {"schematic": Schematic(joints=(JointType.FIXED, JointType.REVOLUTE), relations=())},
@@ -167,3 +167,12 @@ def test_a_sum_of_variables_is_written_out(name: str, meant: str) -> None:
         parse(generate(exercise("scara")), RawAnswer(table=SCARA, transform=rows))
     (fault,) = error.value.faults
     assert (fault.code, fault.params["sum"]) == ("joint_variable_unknown", meant)
+
+
+def test_a_name_in_a_radius_is_told_as_anywhere() -> None:
+    with pytest.raises(AnswerError) as error:
+        parse(
+            generate(exercise("twolink")), RawAnswer(workspace=RadiiCells(inner="|L1 - L2|", outer="l1+L2"))
+        )
+    (fault,) = error.value.faults
+    assert (fault.code, fault.where, fault.params["close"]) == ("name_unknown", ("workspace", "outer"), "L1")

@@ -217,3 +217,21 @@ def test_what_is_no_cell_is_refused_at_its_place(entry: Any) -> None:
     (fault,) = read_functions([entry], (), AngleUnit.RAD, ("row",))
     assert isinstance(fault, Fault)
     assert (fault.code, fault.where) == ("cell_not_a_value", ("row", 0))
+
+
+def test_names_are_exact_where_values_are_equal() -> None:
+    """Both links are 1 m long; a closed form that takes one name for the other is wrong all the same."""
+    mistaken = table("standard", (0, "L1", 0, "q1"), (0, "L1", 0, "q2"))
+    form = [
+        ["c12", "-s12", 0, "L1*c1 + L1*c12"],
+        ["s12", "c12", 0, "L1*s1 + L1*s12"],
+        [0, 0, 1, 0],
+        [0, 0, 0, 1],
+    ]
+    beside = part(judged("twolink", table=mistaken, transform=form), "transform")
+    assert (beside.correct, codes(beside)) == (False, ["transform_follows_table"])
+    assert codes(part(judged("twolink", transform=form), "transform")) == ["transform_wrong"]
+    right = [[str(cell).replace("L1*c12", "L2*c12").replace("L1*s12", "L2*s12") for cell in r] for r in form]
+    assert part(judged("twolink", transform=right), "transform").correct
+    numbers = [[str(cell).replace("L1", "1") for cell in row] for row in form]
+    assert part(judged("twolink", transform=numbers), "transform").correct

@@ -16,6 +16,7 @@ from kinematics.cells.scanner import scan
         ("\\sin^{2}{\\left(q_{2} \\right)}", "sin{(q2)}^{2}"),
         ("sin^2(cos^3(q1) + 1)*L1", "sin(cos(q1)^3 + 1)^2*L1"),
         ("½π", "(1/2)pi"),
+        ("|L1 - L2| + 1", "abs(L1 - L2) + 1"),
         ("-¾", "-(3/4)"),
         ("\\dot{q}_1 \\dot\\theta_2", "dq1 dq2"),
         ("\\dot{\\theta}_{2}^2", "dq2^2"),

@@ -138,6 +138,11 @@ def test_a_dash_alone_is_no_value(cell):
     assert faults_of(raw_row(a=cell)) == [("cell_dash", ("rows", 0, "a"))]
 
 
+@pytest.mark.parametrize("cell", ["L1*sin30", "cos45", "sen 30"])
+def test_a_number_behind_a_function_is_its_argument(cell):
+    assert faults_of(raw_row(a=cell)) == [("function_without_parentheses", ("rows", 0, "a"))]
+
+
 @pytest.mark.parametrize("cell", ["1,000.5", "1.000,5"])
 def test_separators_of_thousands_are_told_as_such(cell):
     assert faults_of(raw_row(a=cell)) == [("number_malformed", ("rows", 0, "a"))]
