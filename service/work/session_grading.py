@@ -19,7 +19,7 @@ from exercises.access import ExerciseAccess
 from exercises.answers import parse
 from exercises.definition import Exercise
 from exercises.errors import UnknownExerciseError
-from exercises.grader import Report, grade
+from exercises.grader import Report, allowed_help, grade
 from exercises.grading import HelpLevel
 from exercises.instance import kept_instance
 from exercises.loader import Library
@@ -33,7 +33,7 @@ from service.wire.verdicts import encoded
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class SessionJudgement:
-    """What was found of an answer: as its student may be told, and at the highest level of help."""
+    """What was found of an answer: told now, as far as its student may be told, and all of it."""
 
     found: Report
     report: dict[str, Any]
@@ -87,15 +87,18 @@ class Grader:
             KinematicsError, ExerciseError: it cannot be graded.
         """
         asked = asked_exercise(self.library, settings)
-        answer = parse(kept_instance(asked, seed), wire.raw(), self.limits)
+        instance = kept_instance(asked, seed)
+        answer = parse(instance, wire.raw(), self.limits)
         level = wire.help if settings.help is None else HelpLevel(settings.help)
-        report = grade(kept_instance(asked, seed), answer, self.help_now(level), attempt)
-        told = analysis = _as_stored(report)
-        if report.help_level is not HelpLevel.REPAIR and not report.correct:
+        report = kept = grade(instance, answer, self.help_now(level), attempt)
+        if report.help_level is not allowed_help(asked, level, attempt) and not report.correct:
+            kept = grade(instance, answer, level, attempt, drawn=False)
+        stored = analysis = _as_stored(kept)
+        if kept.help_level is not HelpLevel.REPAIR and not report.correct:
             analysis = _as_stored(grade(kept_instance(_open(asked), seed), answer, drawn=False))
         return SessionJudgement(
             found=report,
-            report=told,
+            report=stored,
             analysis=analysis,
             score=report.score,
             correct=report.correct and not report.missing,

@@ -43,20 +43,24 @@ def test_a_wrong_answer_has_the_same_score_and_is_told_its_rows(
     assert under_load["certificate"] == accepted["certificate"]
 
 
-def test_statistics_know_the_mistake_all_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_statistics_know_the_mistake_all_the_same_and_so_does_the_student_later(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(WAITING, 65)
     store = open_store("", tmp_path)
     told = {"deployment": "1", "context": "c", "resource": "r", "exercise_id": "puma560"}
     token, _ = arrive(store, Arrival(platform=platform(store), subject="s", role=Role.LEARNER, **told), now())
-    with running(Settings(storage="on", data_folder=tmp_path)) as origin:
-        answer = httpx.post(
-            f"{origin}/api/v1/session/attempts",
-            json={"table": WRONG},
-            headers={"Authorization": f"Bearer {token}"},
-            timeout=60,
-            trust_env=False,
-        )
+    signed_in = {"Authorization": f"Bearer {token}"}
+    with (
+        running(Settings(storage="on", data_folder=tmp_path)) as origin,
+        httpx.Client(base_url=f"{origin}/api/v1/", headers=signed_in, timeout=60, trust_env=False) as client,
+    ):
+        answer = client.post("session/attempts", json={"table": WRONG})
+        again = client.get("session/attempts/1").json()["report"]
     assert answer.json()["help"] == "row"
+    assert again["help"] == "repair"
+    assert again["repairs"]
+    assert again["score"] == answer.json()["score"]
     with store.reading() as connection:
         kinds = {row.kind for row in connection.execute(finding.select())}
     store.close()
