@@ -32,7 +32,7 @@ from kinematics.equivalence.invariants import has_all_invariants
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
 from kinematics.errors import KinematicsError
-from kinematics.se3 import Floats, Transform, cross
+from kinematics.se3 import Floats, Transform, cross, cross_arrays
 from kinematics.table import Convention, DHTable, JointType, NumericTable, bind
 
 TURNS = np.radians(np.arange(0.0, 360.0, 1.0))
@@ -208,7 +208,7 @@ def _off(directions: Floats, points: Floats, axis: FigureJointAxis, size: float)
     target = np.array(axis.direction)
     apart = points - np.array(axis.point)
     across = apart - (apart @ target)[:, None] * target
-    angle = np.linalg.norm(np.cross(directions, target), axis=1)
+    angle = np.linalg.norm(cross_arrays(directions, target), axis=1)
     distance = np.linalg.norm(across, axis=1) / size
     off = angle if axis.type is JointType.PRISMATIC else angle + distance
     return np.asarray(np.round(off, 9), dtype=np.float64)

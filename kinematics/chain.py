@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, reduce
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -43,6 +43,7 @@ from kinematics.table import Convention, JointType, NumericTable
 
 NO_LENGTH = 1e-12
 """In any unit: an atom is a hundred times larger, and what a computation leaves of zero is smaller."""
+_EYE = np.eye(4)
 _REVERSED = np.diag([1.0, -1.0, -1.0, 1.0])
 
 
@@ -85,7 +86,12 @@ class Chain:
 
     def poses(self, joints: ArrayLike) -> Transform:
         """Return T(q), (4, 4), or (m, 4, 4) of (m, n) joint variables [rad, or m of a prismatic joint]."""
-        return np.asarray(self._moved(joints)[-1] @ to_matrix(self.end), dtype=np.float64)
+        q = np.asarray(joints, dtype=np.float64)
+        if not self.axes:
+            return np.asarray(self._moved(q)[-1] @ to_matrix(self.end), dtype=np.float64)
+        steps = joint_motions(self, np.atleast_2d(q).T)
+        moved = reduce(np.matmul, steps if q.ndim == 2 else steps[:, 0])
+        return np.asarray(moved @ to_matrix(self.end), dtype=np.float64)
 
     def frames(self, joints: ArrayLike) -> Transform:
         """Return the poses of the frames carried along, (links, 4, 4), or (m, links, 4, 4) of a batch."""
@@ -124,7 +130,7 @@ class Chain:
         """Return the motions exp([S_1] q_1) ⋯ exp([S_i] q_i) for i = 0 … n."""
         q = np.asarray(joints, dtype=np.float64)
         steps = joint_motions(self, np.atleast_2d(q).T)
-        moved = [np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4))]
+        moved = [np.broadcast_to(_EYE, (*q.shape[:-1], 4, 4))]
         for step in steps if q.ndim == 2 else steps[:, 0]:
             moved.append(moved[-1] @ step if len(moved) > 1 else step)
         return moved
@@ -275,5 +281,5 @@ def joint_motions(chain: Chain, joints: Floats) -> Transform:
         if axis.prismatic:
             weights[i, :, 0] = joints[i]
     motions = (weights @ screw_bases(chain)).reshape(n, samples, 4, 4)
-    motions += np.eye(4)
+    motions += _EYE
     return motions

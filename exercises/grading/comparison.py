@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from random import Random
 
 from exercises.grading.substitution import substituted
@@ -65,6 +65,16 @@ class Comparison:
     steps: Mapping[Place, float]
     exact: bool
     by_value: bool
+
+    @cached_property
+    def named_entries(self) -> tuple[tuple[Place, Expression, frozenset[str]], ...]:
+        """The entries of the answer as it was meant with names in them: where, what, and which names."""
+        return tuple(
+            ((i, cell), entry, names)
+            for i, row in enumerate(self.meant_table.rows)
+            for cell in CELLS
+            if (names := parameters_in(entry := getattr(row, cell)))
+        )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

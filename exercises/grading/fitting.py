@@ -125,7 +125,7 @@ class _Functions:
         self._measures = [shape.measure for shape in invariants.shapes]
         self._targets: list[float] = invariants.sizes(invariants.values)[:, 0].tolist()
         twists = np.array([measure is Measure.ANGLE for measure in self._measures])[:, None]
-        self._values: list[list[float]] = np.where(twists, np.cos(found), found * found).T.tolist()
+        self._values = np.where(twists, np.cos(found), found * found)
         strains = invariants.strains(found)
         self._strains = strains.T
         self._worst = _worst(strains[:facts]), facts + _worst(strains[facts:])
@@ -149,14 +149,17 @@ class _Functions:
         """
         for k in strained:
             measure, target = self._measures[k], self._targets[k]
-            around = [values[k] for values in self._values[first : first + (4 if angular else 2)]]
-            found: list[float] = []
-            if not angular and measure in (Measure.DISTANCE, Measure.OFFSET):
-                found = list(_lengths(around[0], self._values[own][k], around[1], target, here, self._scale))
-            elif angular and measure is Measure.ANGLE:
+            if (measure in (Measure.DISTANCE, Measure.OFFSET)) is angular:
+                continue
+            values = self._values[k]
+            around: list[float] = values[first : first + (4 if angular else 2)].tolist()
+            middle = float(values[own])
+            if not angular:
+                found = list(_lengths(around[0], middle, around[1], target, here, self._scale))
+            elif measure is Measure.ANGLE:
                 found = list(_angles(around, math.cos(target)))
-            elif angular and measure is Measure.TURN:
-                found = list(_turns(self._values[own][k], around[3], here, target))
+            else:
+                found = list(_turns(middle, around[3], here, target))
             if found:
                 return found
         return []

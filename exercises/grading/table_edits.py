@@ -13,8 +13,8 @@ from exercises.grading.work import LENGTHS, Change, Extent, Work
 from kinematics.cells import AngleUnit
 from kinematics.equivalence.batches import CellChange
 from kinematics.errors import ParameterError
-from kinematics.expressions import Expression, evaluate, parameters_in
-from kinematics.table import CELLS, Convention, DHTable, JointType, NumericRow
+from kinematics.expressions import Expression, evaluate
+from kinematics.table import Convention, DHTable, JointType, NumericRow
 
 ALONG_X = ("alpha", "a")
 LENGTH_RATIOS = (1000.0, 0.001, 100.0, 0.01, 10.0, 0.1)
@@ -187,7 +187,7 @@ def parameter_misnamed(work: Work) -> Iterator[Change]:
     kinds = work.key.parameters
     unknown = [name for name in work.answer.parameters if name not in kinds]
     unused = [name for name in kinds if name not in work.answer.parameters] or list(kinds)
-    entries = _named_entries(work) if unknown else []
+    entries = _named_entries(work) if unknown else ()
     for name in unknown:
         for other in unused:
             if kinds[other] is work.answer.parameters[name]:
@@ -197,20 +197,16 @@ def parameter_misnamed(work: Work) -> Iterator[Change]:
 def parameters_swapped(work: Work) -> Iterator[Change]:
     """Two names of the key used for one another."""
     used = [name for name in work.answer.parameters if name in work.key.parameters]
-    entries = _named_entries(work) if len(used) > 1 else []
+    entries = _named_entries(work) if len(used) > 1 else ()
     for one, other in combinations(used, 2):
         if work.key.parameters[one] is work.key.parameters[other]:
             names = {one: other, other: one}
             yield from _renamed(work, "parameters_swapped", entries, names, one, other=other)
 
 
-def _named_entries(work: Work) -> list[tuple[Place, Expression, frozenset[str]]]:
+def _named_entries(work: Work) -> Sequence[tuple[Place, Expression, frozenset[str]]]:
     """The entries of the answer itself with names in them; none of a table in which an edit has been made."""
-    if work.table is not work.comparison.meant[work.draw]:
-        return []
-    rows = work.comparison.meant_table.rows
-    entries = [((i, cell), getattr(row, cell)) for i, row in enumerate(rows) for cell in CELLS]
-    return [(place, entry, names) for place, entry in entries if (names := parameters_in(entry))]
+    return work.comparison.named_entries if work.table is work.comparison.meant[work.draw] else ()
 
 
 def _renamed(

@@ -253,7 +253,7 @@ def _end(trail: Trail, plan: Plan, reference: Reference, submission: Chain, poli
     near = reference.nearnesses(policy.tolerance)[0]
     allowed = policy.tolerance.length * reference.size
     best = (math.inf, math.inf, math.inf)
-    for choice in tool_choices(reference.chain, plan.last, policy.tool, near, reference.size):
+    for choice in tool_choices(reference, plan, policy.tool, near):
         for motion in placements(choice, here):
             angle, length = _tool_error(choice.rule, compose(motion, here), choice.target, choice.step)
             worst = max(_excess(angle, policy.tolerance.angle), _excess(length, allowed))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,8 +13,11 @@ from numpy.typing import NDArray
 from kinematics.chain import NO_LENGTH, Chain, chain_of_table, size_of
 from kinematics.equivalence.groups import Nearness
 from kinematics.equivalence.plan import Plan, plans_for
-from kinematics.equivalence.policy import BaseRule, Tolerance, ZeroRule
+from kinematics.equivalence.policy import BaseRule, Tolerance, ToolRule, ZeroRule
 from kinematics.table import NumericTable
+
+if TYPE_CHECKING:
+    from kinematics.equivalence.tools import ToolChoice
 
 # Configurations: three times the six equations of a pose make up for twelve joints, B and E.
 SAMPLES = 64
@@ -49,6 +53,7 @@ class Reference:
         scaleless: all lengths of the table are zero; `size` is 1, or that of the submission beside it.
         joints: (n, samples) sampled configurations.
         poses: (samples, 4, 4) the reference's end frame there.
+        ends: what `tool_choices` has found, with the plan whose identity it stands under.
     """
 
     table: NumericTable
@@ -60,6 +65,9 @@ class Reference:
     _plans: dict[tuple[BaseRule, ZeroRule, Nearness], tuple[Plan, ...]] = field(default_factory=dict)
     _nearnesses: dict[Tolerance, tuple[Nearness, ...]] = field(default_factory=dict)
     _levels: dict[tuple[BaseRule, ZeroRule, Tolerance], tuple[int, ...]] = field(default_factory=dict)
+    ends: dict[tuple[int, ToolRule, Nearness], tuple[Plan, tuple[ToolChoice, ...]]] = field(
+        default_factory=dict
+    )
 
     def beside(self, submission: Chain) -> Reference:
         """The reference at the size of a submission, if it has none of its own."""

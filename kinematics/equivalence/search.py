@@ -235,7 +235,7 @@ class Search:
         """Place frame N in every way that the policy allows, and verify."""
         reference, submission, tolerance = self.references[0], self.submissions[0], self.policy.tolerance
         here = compose(path.totals[-1] if path.totals else path.start, submission.end)
-        choices = tool_choices(reference.chain, plan.last, self.policy.tool, self.near(0), reference.size)
+        choices = tool_choices(reference, plan, self.policy.tool, self.near(0))
         for which, choice in enumerate(choices):
             for placement, last in enumerate(placements(choice, here)):
                 self.tried += 1
@@ -278,7 +278,7 @@ class Search:
     def _plan_and_choice(self, draw: int, way: Way) -> tuple[Plan, ToolChoice]:
         reference, near = self.references[draw], self.near(draw)
         plan = reference.plans(self.policy.base, self.policy.zero, near)[way.plan]
-        choices = tool_choices(reference.chain, plan.last, self.policy.tool, near, reference.size)
+        choices = tool_choices(reference, plan, self.policy.tool, near)
         return plan, choices[way.choice]
 
     def _candidate(

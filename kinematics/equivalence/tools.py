@@ -14,8 +14,9 @@ from kinematics.equivalence.groups import (
     distance_to_line,
     outside,
 )
-from kinematics.equivalence.plan import Step, prepare
+from kinematics.equivalence.plan import Plan, Step, prepare
 from kinematics.equivalence.policy import ToolRule
+from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.refinement import (
     DIRECTION_TWISTS,
     FREE_TWISTS,
@@ -83,10 +84,19 @@ class ToolChoice:
         return DIRECTION_TWISTS if self.step.axis.prismatic else LINE_TWISTS
 
 
-def tool_choices(
+def tool_choices(reference: Reference, plan: Plan, rule: ToolRule, near: Nearness) -> tuple[ToolChoice, ...]:
+    """The ways in which a rule lets frame N of the submission lie, for a reference and one of its plans."""
+    key = (id(plan), rule, near)
+    known = reference.ends.get(key)
+    if known is None:
+        found = _choices(reference.chain, plan.last, rule, near, reference.size)
+        known = reference.ends[key] = plan, found
+    return known[1]
+
+
+def _choices(
     chain: Chain, group: Group, rule: ToolRule, near: Nearness, size: float
 ) -> tuple[ToolChoice, ...]:
-    """The ways in which a rule lets frame N of the submission lie, for a reference and its H_N."""
     end = chain.end
     off_axis = _is_off_axis(position(end), group, near)
     if rule is ToolRule.FREE:

@@ -33,6 +33,9 @@ _FUNCTIONS: dict[Function, Callable[..., float]] = {
 }
 
 
+_NOTHING: frozenset[str] = frozenset()
+
+
 def evaluate(
     expression: Expression, parameters: Mapping[str, float] | None = None, joints: Sequence[float] = ()
 ) -> float:
@@ -68,6 +71,8 @@ def evaluate(
 
 def parameters_in(expression: Expression) -> frozenset[str]:
     """Names of the parameters that an expression contains."""
+    if isinstance(expression, Number):  # what most cells hold
+        return _NOTHING
     return frozenset(node.name for node in walk(expression) if isinstance(node, Parameter))
 
 
