@@ -20,7 +20,7 @@ import numpy as np
 from kinematics.inverse.arm import Arm, Array, low_discrepancy
 from kinematics.inverse.distinct import distinct
 from kinematics.inverse.residuals import are_solutions, errors_of
-from kinematics.inverse.valleys import along_valleys
+from kinematics.inverse.valleys import along_valleys, least_error
 
 CONVERGED = 1e-11
 """Size of the error vector at which a start has arrived."""
@@ -226,7 +226,8 @@ def search(
     if measured is not arm:
         ends.append(_best(descend(arm, target, _starts(arm, target, box, BY_OWN_SIZE, 0), box)))
     settled = descend(arm, target, np.concatenate(ends), box, iterations=300, least_gain=1e-13)
-    return SearchResult(found, settled.joints[int(np.argmin(settled.errors))])
+    nearest = settled.joints[int(np.argmin(settled.errors))]
+    return SearchResult(found, least_error(arm, target, nearest, box.low, box.high))
 
 
 def _best(descent: Descent) -> Array:

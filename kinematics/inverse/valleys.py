@@ -26,6 +26,9 @@ A_LITTLE = 1e-5
 FLATTEST = 1e-14
 """Part of the greatest curvature of the squared error up to which a direction is level: rounding."""
 
+LEVEL = 1e-6
+"""Part of the greatest curvature up to which difference quotients do not tell one from none."""
+
 LONGEST = 0.3
 """Longest step [rad, or parts of the size]."""
 
@@ -84,6 +87,44 @@ def across_folds(arm: Arm, target: Array, q: Array, least: float) -> Array:
         inverse = np.where(values > least, 1.0 / np.maximum(values, least), 0.0)
         x = x + np.einsum("mkn,mk,mik,mi->mn", Vt, inverse, U, e)
     return np.asarray(x * arm.units)
+
+
+def least_error(arm: Arm, target: Array, joints: Array, low: Array, high: Array) -> Array:
+    """The (n,) configuration of least error near one, within bounds, to rounding.
+
+    Descents end where the error no longer changes, and that is √rounding away from where it is least.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        joints: (n,) within the bounds, close to the least error.
+        low: (n,) bounds.
+        high: (n,) bounds.
+    """
+    x, low, high = joints / arm.units, low / arm.units, high / arm.units
+    g, cost = _gradient(arm, target, x)
+    for _ in range(STEPS):
+        free = ~(((x <= low) & (g > 0.0)) | ((x >= high) & (g < 0.0)))
+        sides = A_LITTLE * np.eye(len(x))[free]
+        slopes = [_gradient(arm, target, x + side)[0] - _gradient(arm, target, x - side)[0] for side in sides]
+        H = np.array(slopes).reshape(-1, len(x))[:, free] / (2.0 * A_LITTLE)
+        values, V = np.linalg.eigh(0.5 * (H + H.T))
+        steep = values > LEVEL * np.abs(values).max(initial=0.0)
+        step = V @ np.where(steep, (V.T @ g[free]) / np.where(steep, values, 1.0), 0.0)
+        tried = x.copy()
+        tried[free] -= step * min(1.0, LONGEST / max(float(np.linalg.norm(step)), 1e-300))
+        tried = np.clip(tried, low, high)
+        new_g, new_cost = _gradient(arm, target, tried)
+        if new_cost > cost * (1.0 + 1e-12) or np.abs(new_g[free]).sum() >= np.abs(g[free]).sum():
+            break
+        x, g, cost = tried, new_g, new_cost
+    return np.clip(x * arm.units, low * arm.units, high * arm.units)
+
+
+def _gradient(arm: Arm, target: Array, x: Array) -> tuple[Array, float]:
+    """Gradient of half the squared error at x, (n,), and that."""
+    e, J = _seen(arm, target, x[None])
+    return -J[0].T @ e[0], 0.5 * float(e[0] @ e[0])
 
 
 def _seen(arm: Arm, target: Array, x: Array) -> tuple[Array, Array]:

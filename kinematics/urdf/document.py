@@ -38,6 +38,10 @@ Bounds: TypeAlias = tuple[float | None, float | None]
 """(lowest, highest) value of a joint [rad, or m]; None on a side without a limit."""
 
 
+_ONCE = ("parent", "child", "origin", "axis", "limit", "mimic")
+"""Elements of a joint of which two that differ contradict each other."""
+
+
 class Mimic(NamedTuple):
     """How a joint follows another one: its value is multiplier · (the other's value) + offset."""
 
@@ -259,6 +263,9 @@ def _joint(element: Element) -> UrdfJoint:
         if not link:
             raise refused("urdf_joint_incomplete", joint=name, element=tag)
         ends[tag] = _short(link)
+    for tag in _ONCE:
+        if len({tuple(sorted(one.attrib.items())) for one in element.findall(tag)}) > 1:
+            raise refused("urdf_element_twice", joint=name, element=tag)
     kind = element.get("type", "")
     return UrdfJoint(
         name=name, kind=_short(kind), parent=ends["parent"], child=ends["child"], element=element

@@ -25,6 +25,7 @@ error-urdf_type_unknown = Joint “{ $joint }” is of the type “{ $kind }”;
 error-urdf_mimic = Joint “{ $joint }” moves with “{ $other }”, and both are in the chain; in a DH table every joint has a variable of its own.
 error-urdf_mimic_unknown = Joint “{ $joint }” mimics “{ $other }”, which is no joint of the description, or mimics itself.
 error-urdf_attribute_unknown = Joint “{ $joint }”: <{ $element }> has no attribute “{ $attribute }”; it takes { $known }.
+error-urdf_element_twice = Joint “{ $joint }” has several elements <{ $element }> that differ. Leave one of them.
 error-urdf_two_orientations = Joint “{ $joint }” gives its orientation twice, as rpy and as quat_xyzw. Leave one of them.
 error-urdf_quaternion_zero = The quaternion of joint “{ $joint }” is 0 0 0 0, which is no orientation.
 error-urdf_joint_names = A robot with { $expected } joints takes as many joint names, all different and none of them fixed_base, fixed_tool or fixed_row_…; { $given } were given.

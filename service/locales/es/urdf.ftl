@@ -25,6 +25,7 @@ error-urdf_type_unknown = La articulación «{ $joint }» es del tipo «{ $kind 
 error-urdf_mimic = La articulación «{ $joint }» se mueve con «{ $other }» y ambas están en la cadena; en una tabla DH cada articulación tiene su propia variable.
 error-urdf_mimic_unknown = La articulación «{ $joint }» imita a «{ $other }», que no es una articulación de la descripción, o se imita a sí misma.
 error-urdf_attribute_unknown = Articulación «{ $joint }»: <{ $element }> no tiene el atributo «{ $attribute }»; admite { $known }.
+error-urdf_element_twice = La articulación «{ $joint }» tiene varios elementos <{ $element }> distintos. Deje solo uno.
 error-urdf_two_orientations = La articulación «{ $joint }» da su orientación dos veces, como rpy y como quat_xyzw. Deje solo una.
 error-urdf_quaternion_zero = El cuaternión de la articulación «{ $joint }» es 0 0 0 0, que no es ninguna orientación.
 error-urdf_joint_names = Un robot de { $expected } articulaciones lleva otros tantos nombres, todos distintos y ninguno igual a fixed_base, fixed_tool o fixed_row_…; se dieron { $given }.

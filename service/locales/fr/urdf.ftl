@@ -25,6 +25,7 @@ error-urdf_type_unknown = L’articulation « { $joint } » est du type « { 
 error-urdf_mimic = L’articulation « { $joint } » bouge avec « { $other } » et toutes deux sont dans la chaîne ; dans un tableau DH, chaque articulation a sa propre variable.
 error-urdf_mimic_unknown = L’articulation « { $joint } » imite « { $other } », qui n’est pas une articulation de la description, ou s’imite elle-même.
 error-urdf_attribute_unknown = Articulation « { $joint } » : <{ $element }> n’a pas d’attribut « { $attribute } » ; il prend { $known }.
+error-urdf_element_twice = L’articulation « { $joint } » a plusieurs éléments <{ $element }> différents. N’en gardez qu’un.
 error-urdf_two_orientations = L’articulation « { $joint } » donne deux fois son orientation, par rpy et par quat_xyzw. N’en gardez qu’une.
 error-urdf_quaternion_zero = Le quaternion de l’articulation « { $joint } » est 0 0 0 0, ce qui n’est pas une orientation.
 error-urdf_joint_names = Un robot à { $expected } articulations prend autant de noms, tous différents et aucun n’étant fixed_base, fixed_tool ou fixed_row_… ; { $given } ont été donnés.

@@ -25,6 +25,7 @@ error-urdf_type_unknown = A junta “{ $joint }” é do tipo “{ $kind }”; s
 error-urdf_mimic = A junta “{ $joint }” move-se com “{ $other }” e ambas estão na cadeia; numa tabela DH cada junta tem a sua própria variável.
 error-urdf_mimic_unknown = A junta “{ $joint }” imita “{ $other }”, que não é uma junta da descrição, ou imita-se a si própria.
 error-urdf_attribute_unknown = Junta “{ $joint }”: <{ $element }> não tem o atributo “{ $attribute }”; recebe { $known }.
+error-urdf_element_twice = A junta “{ $joint }” tem vários elementos <{ $element }> diferentes. Deixe apenas um.
 error-urdf_two_orientations = A junta “{ $joint }” dá a sua orientação duas vezes, como rpy e como quat_xyzw. Deixe apenas uma.
 error-urdf_quaternion_zero = O quaternião da junta “{ $joint }” é 0 0 0 0, que não é nenhuma orientação.
 error-urdf_joint_names = Um robô com { $expected } juntas recebe outros tantos nomes, todos diferentes e nenhum igual a fixed_base, fixed_tool ou fixed_row_…; foram dados { $given }.

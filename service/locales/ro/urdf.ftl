@@ -25,6 +25,7 @@ error-urdf_type_unknown = Cupla „{ $joint }” este de tipul „{ $kind }”; 
 error-urdf_mimic = Cupla „{ $joint }” se mișcă odată cu „{ $other }”, iar amândouă sunt în lanț; într-un tabel DH fiecare cuplă are propria variabilă.
 error-urdf_mimic_unknown = Cupla „{ $joint }” o imită pe „{ $other }”, care nu este o cuplă a descrierii, sau se imită pe sine.
 error-urdf_attribute_unknown = Cupla „{ $joint }”: <{ $element }> nu are atributul „{ $attribute }”; primește { $known }.
+error-urdf_element_twice = Cupla „{ $joint }” are mai multe elemente <{ $element }> diferite. Lăsați doar unul.
 error-urdf_two_orientations = Cupla „{ $joint }” își dă orientarea de două ori, prin rpy și prin quat_xyzw. Lăsați doar una.
 error-urdf_quaternion_zero = Cuaternionul cuplei „{ $joint }” este 0 0 0 0, ceea ce nu este o orientare.
 error-urdf_joint_names = Un robot cu { $expected } cuple primește tot atâtea nume, toate diferite și niciunul fixed_base, fixed_tool sau fixed_row_…; s-au dat { $given }.

@@ -25,6 +25,7 @@ error-urdf_type_unknown = Зчленування «{ $joint }» має тип «
 error-urdf_mimic = Зчленування «{ $joint }» рухається разом з «{ $other }», і обидва належать до ланцюга; у таблиці DH кожне зчленування має власну змінну.
 error-urdf_mimic_unknown = Зчленування «{ $joint }» повторює рух «{ $other }», якого в описі немає, або повторює саме себе.
 error-urdf_attribute_unknown = Зчленування «{ $joint }»: елемент <{ $element }> не має атрибута «{ $attribute }»; допустимі: { $known }.
+error-urdf_element_twice = Зчленування «{ $joint }» має кілька різних елементів <{ $element }>. Залиште щось одне.
 error-urdf_two_orientations = Зчленування «{ $joint }» задає орієнтацію двічі: через rpy і через quat_xyzw. Залиште щось одне.
 error-urdf_quaternion_zero = Кватерніон зчленування «{ $joint }» — 0 0 0 0, це не орієнтація.
 error-urdf_joint_names = Робот із { $expected } зчленуваннями потребує стільки ж назв, усіх різних і жодної fixed_base, fixed_tool чи fixed_row_…; надано { $given }.

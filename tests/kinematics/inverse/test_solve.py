@@ -14,7 +14,7 @@ from kinematics.cells import bind_parameters
 from kinematics.errors import JointValueError, PoseError, TableError
 from kinematics.forward import end_pose, forward_kinematics
 from kinematics.inverse import IKStatus, UnreachableReason, inverse_kinematics, solver_of
-from kinematics.inverse.arm import arm_of
+from kinematics.inverse.arm import ArmReach, arm_of
 from kinematics.inverse.results import Isolation, Method
 from kinematics.inverse.search import Bounds, search
 from kinematics.jacobian import jacobian
@@ -488,3 +488,20 @@ def test_lengths_that_overflow_on_the_way_are_refused_at_their_place(size):
     with pytest.raises(TableError) as wrong:
         inverse_kinematics(long, np.eye(4))
     assert [fault.where for fault in wrong.value.faults] == [("rows", 5, "a"), ("rows", 5, "d")]
+
+
+def test_the_nearest_configuration_is_exact():
+    """Two links out of reach point at the target; a joint that would leave its limits stays on one."""
+    table = TWO_LINKS
+    far = np.eye(4)
+    far[:2, 3] = 3.0, 4.0
+    angle = math.atan2(4.0, 3.0)
+    free = solver_of(table, reach=ArmReach.POSITION).solve(far)
+    np.testing.assert_allclose(free.nearest.joints, [angle, 0.0], atol=1e-14)
+    limits = [(0.0, 0.5), (-1.0, 1.0)]
+    held = solver_of(table, reach=ArmReach.POSITION, limits=limits).solve(far)
+    a1, a2 = (row.a for row in table.rows)
+    elbow = a1 * np.array([math.cos(0.5), math.sin(0.5)])
+    second = math.atan2(*(far[:2, 3] - elbow)[::-1]) - 0.5
+    assert a2 > 0.0
+    np.testing.assert_allclose(held.nearest.joints, [0.5, second], atol=1e-14)

@@ -283,6 +283,14 @@ REFUSED = {
         robot(joint("j", "a", "b", inner='<origin rpy="0 0 0" quat_xyzw="0 0 0 1"/>'), links="ab"),
         "urdf_two_orientations",
     ),
+    "two origins": (
+        robot(joint("j", "a", "b", inner='<origin xyz="0 0 1"/><origin xyz="1 0 0"/>'), links="ab"),
+        "urdf_element_twice",
+    ),
+    "two axes": (
+        robot(joint("j", "a", "b", inner='<axis xyz="0 0 1"/><axis xyz="1 0 0"/>'), links="ab"),
+        "urdf_element_twice",
+    ),
     "a zero quaternion": (
         robot(joint("j", "a", "b", inner='<origin quat_xyzw="0 0 0 0"/>'), links="ab"),
         "urdf_quaternion_zero",
