@@ -9,7 +9,7 @@ apart), and exponentials of joint variables and angles. Sines and cosines are (e
 trigonometric identity is an identity between such sums, and multiplication is addition of exponents: the
 exponents of a term are packed into the bits of one integer, its key.
 
-KeyLayout mean something only within one `Ring`. `Ring.terms` writes a form without reference to the ring.
+Keys mean something only within one `Ring`. `Ring.terms` writes a form without reference to the ring.
 """
 
 from __future__ import annotations
