@@ -119,9 +119,10 @@ def offset_value(work: Work) -> Iterator[Change]:
 
 
 def _fitted_lengths(work: Work, cell: str) -> Iterator[Change]:
-    for i, _ in work.rows_of_lengths:
+    for i, row in work.rows_of_lengths:
+        of_slider = cell == "d" and row.joint is JointType.PRISMATIC
         for value in work.fits.get((i, cell), ()):
-            yield _set(_story(work, i, cell, value), i, cell, value)
+            yield _set("d_offset" if of_slider else _story(work, i, cell, value), i, cell, value)
 
 
 def length_in_other_unit(work: Work) -> Iterator[Change]:

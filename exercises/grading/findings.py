@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from exercises.grading.repairs import Repaired
 from exercises.grading.verdict import Edit, Feedback, Finding, HelpLevel, LinkFinding, ParamValue, Repair
-from exercises.grading.work import Change
+from exercises.grading.work import VARIABLE_CELLS, Change, Extent
 from kinematics.equivalence import Decision, Kind, Mismatch, Policy
 from kinematics.table import JointType, NumericTable
 
@@ -68,8 +68,8 @@ def wrong_facts(
     Where other cells would mend the table as well, nobody can say which one is wrong, and all of them count.
     """
     if repairs:
-        cells = {place for change in alike or repairs[0].changes for place in change.places}
-        return frozenset((row, _fact(table, row, cell)) for row, cell in cells)
+        told = alike or repairs[0].changes
+        return frozenset(fact for change in told for fact in _facts_of(change, table))
     return frozenset(
         (m.row, _FACT_OF_KIND[m.kind])
         for m in decision.mismatches
@@ -111,15 +111,22 @@ def _has_frames_of(table: NumericTable, key: NumericTable) -> bool:
     )
 
 
-def _fact(table: NumericTable, row: int, cell: str) -> str:
-    match cell:
-        case "a":
-            return "length"
-        case "alpha":
-            return "twist"
-        case "joint":
-            return "joint"
-    return "offset"
+_FACT_OF_CELL = {"a": "length", "alpha": "twist", "joint": "joint"}
+
+
+def _facts_of(change: Change, table: NumericTable) -> frozenset[tuple[int, str]]:
+    """The facts that an edit concerns; zero and direction of a variable belong to the joint."""
+    if _is_of_variable(change, table):
+        return frozenset((row, "joint") for row, _ in change.places)
+    return frozenset((row, _FACT_OF_CELL.get(cell, "offset")) for row, cell in change.places)
+
+
+def _is_of_variable(change: Change, table: NumericTable) -> bool:
+    """Whether an edit concerns the cell in which a joint variable stands, and that alone."""
+    return change.extent is Extent.CELL and all(
+        row < len(table.rows) and cell == VARIABLE_CELLS.get(table.rows[row].joint)
+        for row, cell in change.places
+    )
 
 
 def link_findings(
@@ -214,10 +221,13 @@ def _of(change: Change, table: NumericTable, level: HelpLevel) -> Iterator[Feedb
     edit = change.edit
     if edit.code in _ROW_EDITS:
         yield Feedback(code=_ROW_EDITS[edit.code], row=edit.row, params=edit.params)
+    elif edit.row is not None and _is_of_variable(change, table) and told_from(level, HelpLevel.KIND):
+        what = "direction" if edit.code == "variable_sign" else "zero"
+        yield Feedback(code=f"variable_{what}_wrong", row=edit.row, params={"row": edit.row})
     elif edit.row is not None:
         # a row that the edit before has added is told as missing, and what is to stand in it is not wrong
-        given = [(row, cell) for row, cell in change.places if row < len(table.rows)]
-        yield from _facts(frozenset((row, _fact(table, row, cell)) for row, cell in given), table, level)
+        given = frozenset(fact for fact in _facts_of(change, table) if fact[0] < len(table.rows))
+        yield from _facts(given, table, level)
     elif told_from(level, HelpLevel.KIND):
         yield Feedback(code=_THROUGHOUT[edit.code])
     else:

@@ -81,7 +81,15 @@ class Misconception:
 
 
 LENGTH_STORIES = ("a_value", "a_missing", "a_not_zero", "a_sign", "cell_length_unit", "cell_parameter")
-OFFSET_STORIES = ("d_value", "d_missing", "d_not_zero", "d_sign", "cell_length_unit", "cell_parameter")
+OFFSET_STORIES = (
+    "d_value",
+    "d_missing",
+    "d_not_zero",
+    "d_sign",
+    "d_offset",
+    "cell_length_unit",
+    "cell_parameter",
+)
 
 CATALOGUE: tuple[Misconception, ...] = (
     Misconception(

@@ -71,7 +71,7 @@ class LinkFinding:
         length: the link length (a, up to sign and to where the frames were put).
         twist: the link twist (α, up to sign and reversal of axes).
         offset: the link offset (d of a revolute row, θ of a prismatic one).
-        joint: the joint's type.
+        joint: the joint's type; where a rule fixes them, zero and direction of its variable.
     """
 
     row: int

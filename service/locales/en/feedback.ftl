@@ -64,6 +64,8 @@ feedback-offset_wrong = Row { $row }: the offset d, the distance between two nei
 feedback-angle_wrong = Row { $row }: the angle θ, between two neighbouring x axes about z, is not right.
 feedback-sign_wrong = Row { $row }: one sign is the wrong way round, in one of the cells { $cells }.
 feedback-joint_type_wrong = Row { $row }: the type of the joint is not right.
+feedback-variable_zero_wrong = Row { $row }: in the configuration of the figure the joint variable is not zero.
+feedback-variable_direction_wrong = Row { $row }: the joint variable counts against the arrow of the figure.
 feedback-row_missing = A row is missing { $after ->
     [0] before row 1
    *[other] after row { $after }
@@ -107,6 +109,7 @@ repair-cell_in_degrees = Row { $row }: one angle is in degrees, but the table de
 repair-cell_in_radians = Row { $row }: one angle is in radians, but the table declares degrees.
 repair-theta_value = Row { $row }: the constant angle θ should be another one. Turn one x axis onto the next about z.
 repair-theta_offset = Row { $row }: θ needs another constant beside the variable, so that the variable is zero in the configuration of the figure.
+repair-d_offset = Row { $row }: d needs another constant beside the variable, so that the variable is zero in the configuration of the figure.
 repair-variable_sign = Row { $row }: the joint variable counts the wrong way. Give it the opposite sign.
 repair-joint_type = Row { $row }: this joint { $joint_type ->
     [prismatic] slides; its variable stands under d

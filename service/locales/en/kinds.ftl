@@ -209,6 +209,7 @@ option-row_extra = a row too many
 option-row_missing = a row is missing
 option-rows_swapped = two rows exchanged
 option-theta_offset = the constant beside the variable θ is another
+option-d_offset = the constant beside the variable d is another
 option-theta_value = the constant θ is another angle
 option-twists_all_reversed = every α has the wrong sign
 option-variable_sign = a joint variable counts the wrong way

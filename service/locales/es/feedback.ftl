@@ -64,6 +64,8 @@ feedback-offset_wrong = Fila { $row }: el desplazamiento d, la distancia entre d
 feedback-angle_wrong = Fila { $row }: el ángulo θ, entre dos ejes x vecinos alrededor de z, no es correcto.
 feedback-sign_wrong = Fila { $row }: hay un signo al revés, en una de las celdas { $cells }.
 feedback-joint_type_wrong = Fila { $row }: el tipo de la articulación no es correcto.
+feedback-variable_zero_wrong = Fila { $row }: en la configuración de la figura, la variable articular no vale cero.
+feedback-variable_direction_wrong = Fila { $row }: la variable articular crece en sentido contrario al de la flecha de la figura.
 feedback-row_missing = Falta una fila { $after ->
     [0] antes de la fila 1
    *[other] después de la fila { $after }
@@ -107,6 +109,7 @@ repair-cell_in_degrees = Fila { $row }: un ángulo está en grados, pero la tabl
 repair-cell_in_radians = Fila { $row }: un ángulo está en radianes, pero la tabla declara grados.
 repair-theta_value = Fila { $row }: el ángulo constante θ debería ser otro. Gire un eje x hasta el siguiente alrededor de z.
 repair-theta_offset = Fila { $row }: junto a la variable, θ necesita otra constante, para que la variable sea cero en la postura de la figura.
+repair-d_offset = Fila { $row }: junto a la variable, d necesita otra constante, para que la variable sea cero en la postura de la figura.
 repair-variable_sign = Fila { $row }: la variable articular cuenta en el sentido equivocado. Póngale el signo opuesto.
 repair-joint_type = Fila { $row }: esta articulación { $joint_type ->
     [prismatic] se desliza; su variable va en d

@@ -209,6 +209,7 @@ option-row_extra = una fila de más
 option-row_missing = falta una fila
 option-rows_swapped = dos filas intercambiadas
 option-theta_offset = la constante junto a la variable θ es otra
+option-d_offset = la constante junto a la variable d es otra
 option-theta_value = la constante θ es otro ángulo
 option-twists_all_reversed = todas las α tienen el signo equivocado
 option-variable_sign = una variable articular cuenta al revés

@@ -64,6 +64,8 @@ feedback-offset_wrong = Ligne { $row } : le décalage d, distance entre deux ax
 feedback-angle_wrong = Ligne { $row } : l’angle θ, entre deux axes x voisins autour de z, n’est pas juste.
 feedback-sign_wrong = Ligne { $row } : un signe est à l’envers, dans l’une des cellules { $cells }.
 feedback-joint_type_wrong = Ligne { $row } : le type de l’articulation n’est pas juste.
+feedback-variable_zero_wrong = Ligne { $row } : dans la position représentée, la variable articulaire n’est pas nulle.
+feedback-variable_direction_wrong = Ligne { $row } : la variable articulaire croît dans le sens contraire de la flèche de la figure.
 feedback-row_missing = Il manque une ligne { $after ->
     [0] avant la ligne 1
    *[other] après la ligne { $after }
@@ -107,6 +109,7 @@ repair-cell_in_degrees = Ligne { $row } : un angle est en degrés, mais le tabl
 repair-cell_in_radians = Ligne { $row } : un angle est en radians, mais le tableau déclare des degrés.
 repair-theta_value = Ligne { $row } : l’angle constant θ devrait être un autre. Faites tourner un axe x jusqu’au suivant autour de z.
 repair-theta_offset = Ligne { $row } : à côté de la variable, θ a besoin d’une autre constante, pour que la variable soit nulle dans la position représentée.
+repair-d_offset = Ligne { $row } : à côté de la variable, d a besoin d’une autre constante, pour que la variable soit nulle dans la position représentée.
 repair-variable_sign = Ligne { $row } : la variable articulaire est comptée à l’envers. Donnez-lui le signe opposé.
 repair-joint_type = Ligne { $row } : cette articulation { $joint_type ->
     [prismatic] glisse ; sa variable se place sous d

@@ -209,6 +209,7 @@ option-row_extra = une ligne de trop
 option-row_missing = une ligne manque
 option-rows_swapped = deux lignes interverties
 option-theta_offset = la constante à côté de la variable θ est autre
+option-d_offset = la constante à côté de la variable d est autre
 option-theta_value = la constante θ est un autre angle
 option-twists_all_reversed = tous les α ont le mauvais signe
 option-variable_sign = une variable articulaire est comptée à l’envers

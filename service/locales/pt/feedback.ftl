@@ -64,6 +64,8 @@ feedback-offset_wrong = Linha { $row }: o deslocamento d, a distância entre doi
 feedback-angle_wrong = Linha { $row }: o ângulo θ, entre dois eixos x vizinhos em torno de z, não está certo.
 feedback-sign_wrong = Linha { $row }: um sinal está ao contrário, numa das células { $cells }.
 feedback-joint_type_wrong = Linha { $row }: o tipo da junta não está certo.
+feedback-variable_zero_wrong = Linha { $row }: na posição mostrada na figura, a variável de junta não é zero.
+feedback-variable_direction_wrong = Linha { $row }: a variável de junta cresce no sentido contrário ao da seta da figura.
 feedback-row_missing = Falta uma linha { $after ->
     [0] antes da linha 1
    *[other] depois da linha { $after }
@@ -107,6 +109,7 @@ repair-cell_in_degrees = Linha { $row }: um ângulo está em graus, mas a tabela
 repair-cell_in_radians = Linha { $row }: um ângulo está em radianos, mas a tabela declara graus.
 repair-theta_value = Linha { $row }: o ângulo constante θ deveria ser outro. Rode um eixo x até ao seguinte em torno de z.
 repair-theta_offset = Linha { $row }: ao lado da variável, θ precisa de outra constante, para que a variável seja zero na posição da figura.
+repair-d_offset = Linha { $row }: ao lado da variável, d precisa de outra constante, para que a variável seja zero na posição da figura.
 repair-variable_sign = Linha { $row }: a variável de junta conta no sentido errado. Dê-lhe o sinal oposto.
 repair-joint_type = Linha { $row }: esta junta { $joint_type ->
     [prismatic] desliza; a sua variável fica em d

@@ -209,6 +209,7 @@ option-row_extra = uma linha a mais
 option-row_missing = falta uma linha
 option-rows_swapped = duas linhas trocadas
 option-theta_offset = a constante ao lado da variável θ é outra
+option-d_offset = a constante ao lado da variável d é outra
 option-theta_value = a constante θ é outro ângulo
 option-twists_all_reversed = todos os α têm o sinal errado
 option-variable_sign = uma variável de junta conta ao contrário

@@ -65,6 +65,8 @@ feedback-offset_wrong = Rândul { $row }: decalajul d, distanța dintre două ax
 feedback-angle_wrong = Rândul { $row }: unghiul θ, dintre două axe x vecine în jurul lui z, nu este corect.
 feedback-sign_wrong = Rândul { $row }: un semn este luat invers, într-una dintre celulele { $cells }.
 feedback-joint_type_wrong = Rândul { $row }: tipul cuplei nu este corect.
+feedback-variable_zero_wrong = Rândul { $row }: în poziția din figură, variabila cuplei nu este zero.
+feedback-variable_direction_wrong = Rândul { $row }: variabila cuplei crește în sens contrar săgeții din figură.
 feedback-row_missing = Lipsește un rând { $after ->
     [0] înaintea rândului 1
    *[other] după rândul { $after }
@@ -108,6 +110,7 @@ repair-cell_in_degrees = Rândul { $row }: un unghi este în grade, dar tabelul 
 repair-cell_in_radians = Rândul { $row }: un unghi este în radiani, dar tabelul declară grade.
 repair-theta_value = Rândul { $row }: unghiul constant θ ar trebui să fie altul. Rotiți o axă x peste următoarea în jurul lui z.
 repair-theta_offset = Rândul { $row }: pe lângă variabilă, θ are nevoie de altă constantă, astfel încât variabila să fie zero în poziția din figură.
+repair-d_offset = Rândul { $row }: pe lângă variabilă, d are nevoie de altă constantă, astfel încât variabila să fie zero în poziția din figură.
 repair-variable_sign = Rândul { $row }: variabila cuplei are sensul greșit. Dați-i semnul opus.
 repair-joint_type = Rândul { $row }: această cuplă { $joint_type ->
     [prismatic] este de translație; variabila ei stă la d

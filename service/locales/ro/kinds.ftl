@@ -210,6 +210,7 @@ option-row_extra = un rând în plus
 option-row_missing = lipsește un rând
 option-rows_swapped = două rânduri inversate
 option-theta_offset = constanta de lângă variabila θ este alta
+option-d_offset = constanta de lângă variabila d este alta
 option-theta_value = constanta θ este alt unghi
 option-twists_all_reversed = toate valorile α au semnul greșit
 option-variable_sign = o variabilă de cuplă are sensul greșit

@@ -209,6 +209,7 @@ option-row_extra = зайвий рядок
 option-row_missing = бракує рядка
 option-rows_swapped = переставлено два рядки
 option-theta_offset = стала поряд зі змінною θ інша
+option-d_offset = стала поряд зі змінною d інша
 option-theta_value = стала θ — інший кут
 option-twists_all_reversed = усі α мають неправильний знак
 option-variable_sign = змінну зчленування відлічено не в той бік
