@@ -307,6 +307,8 @@ def _is(joint_types: Sequence[JointType], joint: int, joint_type: JointType) -> 
 
 
 def _known(index: int, name: str, n: int) -> int:
+    if not n:
+        raise _NameError("joint_variable_in_number", name, n)
     if not 1 <= index <= n:
         digits = str(index)
         several = len(digits) > 1 and all(1 <= int(digit) <= n for digit in digits)

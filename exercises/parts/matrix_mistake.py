@@ -150,7 +150,7 @@ class MatrixMistakeType(MistakeType[MatrixMistakePart, FoundMatrixMistakeCells, 
         """Return the answer with the mended matrix."""
         before = len(reading.faults)
         row = self.number(raw.cell_row, "cell_row", range(1, 4), reading, "row_unknown")
-        column = self.number(raw.cell_column, "cell_column", range(1, 5), reading, "row_unknown")
+        column = self.number(raw.cell_column, "cell_column", range(1, 5), reading, "column_unknown")
         mistake = self.known_name(raw.mistake, reading, sorted(self.catalogue))
         mended = None
         if raw.mended_matrix is not None:

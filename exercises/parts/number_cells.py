@@ -14,6 +14,7 @@ from kinematics.cells import DEFAULT, AngleUnit, Cell
 from kinematics.cells.entries import cell_meaning, plain_number
 from kinematics.cells.meaning import Position
 from kinematics.cells.refusals import CellRefusal
+from kinematics.cells.variables import variable_index
 from kinematics.errors import CellError, Fault, KinematicsError
 from kinematics.expressions import evaluate, parameters_in
 
@@ -48,6 +49,8 @@ def number_of(
         raise CellError(refusal.at(*where)) from None
     expression = renamed(meaning.expression, exercise.aliases)
     unknown = sorted(parameters_in(expression) - set(exercise.reference.parameters))
+    if unknown and variable_index(unknown[0]) is not None:
+        raise CellError(Fault(code="joint_variable_in_number", where=where, params={"name": unknown[0]}))
     if unknown:
         raise CellError(unknown_name(unknown[0], exercise, where))
     values = values_in_radians(instance.parameters, exercise.reference.parameters, exercise.angle_unit)

@@ -224,10 +224,12 @@ class Reading:
         """Keep a fault at a place in the whole answer."""
         self.faults.append(Fault(code=code, where=where, params=params))
 
-    def is_row_of(self, count: int, row: Sequence[Any], *where: str | int) -> bool:
+    def is_row_of(
+        self, count: int, row: Sequence[Any], *where: str | int, code: str = "joint_row_length"
+    ) -> bool:
         """Whether a row has as many entries as it must; if not, keep a fault at its place."""
         if len(row) != count:
-            self.fault("joint_row_length", *where, expected=count, given=len(row))
+            self.fault(code, *where, expected=count, given=len(row))
         return len(row) == count
 
     def keep(self, part: str, read: Callable[[], Kept]) -> Kept | None:

@@ -193,7 +193,9 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
             rows.append(tuple(renamed(entry, exercise.aliases) for entry in functions))
         lost = None
         part = next(part for part in exercise.parts if isinstance(part, SingularitiesPart))
-        if raw.lost is not None and reading.is_row_of(len(_labels(part)), raw.lost, self.kind, "lost"):
+        if raw.lost is not None and reading.is_row_of(
+            len(_labels(part)), raw.lost, self.kind, "lost", code="vector_length"
+        ):
             lost = read_numbers_of(raw.lost, Position.LENGTH, reading, self.kind, "lost")
         if raw.conditions is None and raw.lost is None:
             reading.fault("conditions_empty", self.kind)

@@ -28,6 +28,7 @@ from kinematics.rates import analytic_jacobian
 from kinematics.rotations.sequences import EulerSequence
 from kinematics.se3 import Floats
 
+DEGREE = math.radians(1.0)
 MIDDLE = 4
 """Row of the middle angle: its rate has the other sign for the other triple of the same orientation."""
 
@@ -39,7 +40,8 @@ class JacobianMistake(StrEnum):
     POINT_SWAPPED: with p_i − p_n for p_n − p_i. PRISMATIC: the column of a slider is that of a revolute
     joint, or the reverse. OTHER_FRAME: in the axes of the other frame. ROWS_EXCHANGED: linear and angular
     rows have changed places. SPATIAL: the velocity of the point at frame 0's origin. SIGN: every joint force
-    has the wrong sign.
+    has the wrong sign. GEOMETRIC: with the angular velocity where rates of angles are asked. PER_DEGREE: the
+    columns of revolute joints are per degree.
     """
 
     NEXT_AXIS = "next_axis"
@@ -49,6 +51,7 @@ class JacobianMistake(StrEnum):
     ROWS_EXCHANGED = "rows_exchanged"
     SPATIAL = "spatial"
     GEOMETRIC = "geometric"
+    PER_DEGREE = "per_degree"
     SIGN = "sign"
 
 
@@ -139,6 +142,7 @@ def judge_jacobian(
         *([] if angles else [(JacobianMistake.OTHER_FRAME, jacobian_at(chain, joints, other))]),
         (JacobianMistake.ROWS_EXCHANGED, np.vstack([expected[3:], expected[:3]])),
         (JacobianMistake.SPATIAL, _spatial(chain, joints)),
+        (JacobianMistake.PER_DEGREE, expected * [1.0 if axis.prismatic else DEGREE for axis in chain.axes]),
     )
     for mistake, matrix in whole:
         if close(matrix).all():

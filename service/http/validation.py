@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import types
 from collections.abc import Iterable, Sequence
 from typing import Any, Union, get_args, get_origin
@@ -52,6 +53,7 @@ CHOICE = "\0"
 """Begins the tags of a union's branches, which are no part of the place of a fault."""
 
 _PYDANTIC_TYPES = frozenset(get_args(ErrorType))
+_QUOTED = re.compile(r"'[^']*'")
 _BOUNDS = ("ge", "gt", "le", "lt")
 _PARTS = {part.value: part for part in RequestPart}
 
@@ -111,7 +113,9 @@ def _fault(error: ErrorDetails, where: tuple[int | str, ...], model: Any) -> Fau
     elif code in ("list_too_short", "string_too_short"):
         params = {"limit": _plain(context["min_length"])}
     elif code == "value_not_allowed":
-        params = {"expected": str(context.get("expected", ""))}
+        # pydantic joins them in English
+        expected = str(context.get("expected", ""))
+        params = {"expected": ", ".join(_QUOTED.findall(expected)) or expected}
     elif code == "string_pattern":
         params = {"pattern": str(context.get("pattern", ""))}
     elif code == "value_invalid":

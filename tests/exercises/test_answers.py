@@ -14,8 +14,11 @@ from exercises.grader import allowed_help, grade
 from exercises.grading import HelpLevel
 from exercises.grading.facts import Weights
 from exercises.instance import generate
+from exercises.parts.joint_solutions import JointAnswerCells
 from exercises.parts.schematic import AxisRelation, Schematic
+from exercises.parts.singularities import SingularityCells
 from exercises.parts.workspace import RadiiCells
+from kinematics.answers.joint_verdicts import JointClaim
 from kinematics.table import JointType
 from tests.exercises.answering import SCARA, SCARA_MATRICES, SCARA_TRANSFORM, edited, judged, table
 from tests.exercises.packaged import exercise
@@ -46,7 +49,7 @@ def refused(exercise_id: str = "scara", **parts: Any) -> dict[str, str]:
             {"table": SCARA, "link_matrices": [None, None, edited(EYE, 1, 2, ""), None]},
             {"link_matrices.2.1.2": "cell_empty"},
         ),
-        ({"table": SCARA, "pose": edited(EYE, 0, 3, "q1")}, {"pose.0.3": "joint_variable_unknown"}),
+        ({"table": SCARA, "pose": edited(EYE, 0, 3, "q1")}, {"pose.0.3": "joint_variable_in_number"}),
         ({"table": SCARA, "pose": edited(EYE, 0, 3, "a9")}, {"pose.0.3": "name_unknown"}),
         ({"table": SCARA, "pose": edited(EYE, 0, 3, "sqrt(a3-a2)")}, {"pose.0.3": "value_not_real"}),
         ({"workspace": RadiiCells(inner=-1, outer=2)}, {"workspace.inner": "radius_negative"}),
@@ -176,3 +179,15 @@ def test_a_name_in_a_radius_is_told_as_anywhere() -> None:
         )
     (fault,) = error.value.faults
     assert (fault.code, fault.where, fault.params["close"]) == ("name_unknown", ("workspace", "outer"), "L1")
+
+
+def test_a_joint_variable_is_no_joint_value() -> None:
+    cells = JointAnswerCells(claim=JointClaim.FINITE, solutions=(("q1", 0, 0, 0),))
+    assert refused("scara-inverse", inverse_kinematics=cells) == {
+        "inverse_kinematics.solutions.0.0": "joint_variable_in_number"
+    }
+
+
+def test_a_vector_has_components_and_no_joints() -> None:
+    cells = SingularityCells(conditions=(("sin(q2)",),), lost=(0, 0, 1, 0, 0))
+    assert refused("scara-singularities", singularities=cells) == {"singularities.lost": "vector_length"}

@@ -30,5 +30,6 @@ task-jacobian-form-analytic =
         } { $axes }, în ordinea lor. Elementele sunt funcții de variabilele cuplelor.
 
 feedback-jacobian_geometric = Ultimele trei rânduri sunt cele ale vitezei unghiulare; se cer derivatele unghiurilor.
+feedback-jacobian_per_degree = Coloanele cuplelor de rotație sunt pe grad; se cer pe radian.
 feedback-jacobian_angles_locked = În această configurație, primul și ultimul unghi se rotesc în jurul aceleiași drepte: unghiurile nu au derivate și nu există jacobian analitic.
 error-angles_locked = Primul și ultimul dintre unghiurile { $axes } se rotesc aici în jurul aceleiași drepte: nu există jacobian analitic. Alegeți alte unghiuri.

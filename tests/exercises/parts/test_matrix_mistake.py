@@ -68,7 +68,7 @@ def test_students_get_different_matrices_and_each_the_same_again() -> None:
     ("raw", "code", "where"),
     [
         (FoundMatrixMistakeCells(cell_row=5), "row_unknown", ("matrix_mistake", "cell_row")),
-        (FoundMatrixMistakeCells(cell_column="x"), "row_unknown", ("matrix_mistake", "cell_column")),
+        (FoundMatrixMistakeCells(cell_column="x"), "column_unknown", ("matrix_mistake", "cell_column")),
         (FoundMatrixMistakeCells(mistake="typo"), "misconception_unknown", ("matrix_mistake", "mistake")),
         (
             FoundMatrixMistakeCells(mended_matrix=(("1/0", 0, 0, 0), *((0, 0, 0, 0),) * 3)),
