@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import lru_cache, partial
+from functools import lru_cache
 from urllib.parse import urlencode
 
 from fastapi import APIRouter, Request, Response
@@ -52,14 +52,17 @@ async def exercise_page(request: ApiRequest) -> Response:
     language = page_language(request)
     kept = {name: value for name in ("seed", QUERY) if (value := request.query_params.get(name))}
     query = urlencode({"lang": language, **kept})
+
+    def work() -> dict[str, str]:
+        return {
+            "id": found.id,
+            "title": found.title(language),
+            "statement": to_html(found.statement(language)),
+            "figure": _figure(request, found, language, query),
+        }
+
     question = ("page", found.id, query, context_of(request))
-    figure = partial(_figure, request, found, language, query)
-    values = {
-        "id": found.id,
-        "title": found.title(language),
-        "statement": to_html(found.statement(language)),
-        "figure": await resources_of(request).limiters[WorkKind.DRAWING].run_first(question, figure),
-    }
+    values = await resources_of(request).limiters[WorkKind.DRAWING].run_first(question, work)
     # A SCORM package frames the page from whatever origin its LMS has. Nobody is signed in there: a page that
     # frames it gains nothing that it could not ask for itself.
     packaged = request.query_params.get("embed") == "scorm"
