@@ -115,6 +115,25 @@ def test_parallel_prismatic_axes_may_lie_anywhere() -> None:
     assert prove_identity(turning, shifted, **plain(1)).verdict is ProofStatus.REFUTED
 
 
+@pytest.mark.parametrize(
+    ("way", "turning", "sliding"),
+    [("x", False, True), ("y", False, True), ("z", True, True)],
+)
+def test_an_axis_may_be_moved_along_itself_and_a_slider_anywhere(
+    way: str, turning: bool, sliding: bool
+) -> None:
+    def shifted(by: Expression) -> tuple[tuple[Expression, ...], ...]:
+        column = [by if way == each else ZERO for each in "xyz"]
+        return matrix(
+            *((*tuple(ONE if i == j else ZERO for j in range(3)), column[i]) for i in range(3)),
+        )
+
+    for joint, may in ((JointType.REVOLUTE, turning), (JointType.PRISMATIC, sliding)):
+        one = table(Convention.STANDARD, row(joint))
+        found = prove_identity(one, one, **plain(1), base=shifted(L1), tool=shifted(negate(L1)))
+        assert found.verdict is (ProofStatus.PROVED if may else ProofStatus.REFUTED), joint
+
+
 def test_square_roots_of_lengths_are_proved_when_equal_and_undecided_otherwise() -> None:
     hypotenuse = call(Function.SQRT, add((power(L1, 2), power(L2, 2))))
     angle = call(Function.ATAN2, L2, L1)
