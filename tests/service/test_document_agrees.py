@@ -41,7 +41,8 @@ CELLS = codes_of("cells.ftl") - {"table_empty"}
 EXERCISES = codes_of("exercises.ftl") - {"answer_empty", "source_form", "exercise_id_invalid"}
 """What a definition or an answer to an exercise means depends on the exercise."""
 ROBOTS = {  # what there is of a robot: its joints, rows, parameters, links
-    *("parameter_missing", "parameter_name_invalid", "joint_variable_unknown", "table_too_many_rows"),
+    *("parameter_missing", "parameter_name_invalid", "joint_variable_unknown", "joint_variable_in_number"),
+    "table_too_many_rows",
     *("joints_wrong_length", "limits_wrong_length", "joint_row_length", "motion_row_count"),
     *("links_count", "links_missing", "screw_count", "frames_too_many", "frame_unknown"),
     *("slide_without_limits", "tree_after_unknown", "scm_no_variable", "scm_too_many_joints"),

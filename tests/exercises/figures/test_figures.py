@@ -214,5 +214,6 @@ def test_the_camera_keeps_directions() -> None:
     frame = np.array([camera.right, camera.up, camera.eye])
     assert frame @ frame.T == pytest.approx(np.eye(3))
     assert np.linalg.det(frame) == pytest.approx(1.0)
-    on_paper = np.array([[3.0, 4.0]])
-    assert camera.project(camera.lift(on_paper)) == pytest.approx(on_paper)
+    assert camera.project([camera.right, camera.up, camera.eye]) == pytest.approx(
+        np.array([[1.0, 0.0], [0.0, -1.0], [0.0, 0.0]])
+    )
