@@ -7,16 +7,13 @@ instead, or in numbers here and names there.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from functools import cached_property, lru_cache
-from random import Random
 
-from exercises.grading.substitution import substituted
+from exercises.grading.name_values import Values, drawn_value, typical_length, values_of, with_values
 from exercises.grading.typed import ANGLES, Place, Typed, half_steps, meant
-from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name, in_length_unit
+from kinematics.cells import AngleUnit, ParameterKind, ReadTable, in_length_unit
 from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import ZERO, Expression, Number, Parameter, negate, parameters_in
 from kinematics.table import CELLS, DHTable, NumericTable, SymbolicTable, bind
@@ -25,8 +22,6 @@ from kinematics.table import CELLS, DHTable, NumericTable, SymbolicTable, bind
 DRAWS = 3
 # Tables with roots may have values at few draws.
 ATTEMPTS = 60
-# Of these, as many owe nothing to given values.
-FREE_ATTEMPTS = 20
 NAMED = 0.02
 """How far a number may be from the value of the name that it stands for, as a share, whatever its digits."""
 
@@ -77,21 +72,6 @@ class Comparison:
         )
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Values:
-    """What is known of the parameters.
-
-    Attributes:
-        kinds: length or angle, of every parameter of either table.
-        given: the values that the exercise gives [rad, or the submission's length unit].
-        scale: a length typical of the tables, to draw lengths by.
-    """
-
-    kinds: Mapping[str, ParameterKind]
-    given: Mapping[str, Fraction | float]
-    scale: float
-
-
 def comparisons(
     reference: ReadTable, submission: ReadTable, parameters: Mapping[str, float] | None
 ) -> tuple[Comparison, ...]:
@@ -110,12 +90,7 @@ def comparisons(
             finite value for any values of their parameters.
     """
     key = _in_unit_of(reference, submission)
-    kinds = {**submission.parameters, **reference.parameters}
-    values = Values(
-        kinds=kinds,
-        given=_given(reference, submission, parameters or {}, kinds),
-        scale=_typical_length(key.table),
-    )
+    values = values_of(reference, submission, parameters or {}, typical_length(key.table))
     found = [
         comparison
         for answer, fixed in _ways(reference, submission, values)
@@ -142,56 +117,6 @@ def _in_unit_of(reference: ReadTable, submission: ReadTable) -> ReadTable:
     if reference.length_unit is submission.length_unit:
         return reference
     return _converted(reference, submission.length_unit.value)
-
-
-def _given(
-    reference: ReadTable,
-    submission: ReadTable,
-    parameters: Mapping[str, float],
-    kinds: Mapping[str, ParameterKind],
-) -> dict[str, Fraction | float]:
-    """The values by canonical name, in [rad] and the submission's length unit; lengths exact as typed."""
-    ratio = reference.length_unit.metres_per_unit / submission.length_unit.metres_per_unit
-    values: dict[str, Fraction | float] = {}
-    faults: list[Fault] = []
-    for spelled, value in parameters.items():
-        name = canonical_name(spelled)
-        found = _fault(spelled, name, value, kinds, values)
-        if found is not None:
-            faults.append(found)
-        elif name is not None and kinds[name] is ParameterKind.LENGTH:
-            values[name] = _typed(value) * ratio
-        elif name is not None:
-            values[name] = math.radians(value) if reference.angle_unit is AngleUnit.DEG else float(value)
-    if faults:
-        raise ParameterError(faults)
-    return values
-
-
-@lru_cache(maxsize=4096)
-def _typed(value: float) -> Fraction:
-    return Fraction(repr(value))
-
-
-def _fault(
-    spelled: str,
-    name: str | None,
-    value: object,
-    kinds: Mapping[str, ParameterKind],
-    values: Mapping[str, object],
-) -> Fault | None:
-    if name is None:
-        code = "parameter_name_invalid"
-    elif name not in kinds:
-        code = "parameter_unused"
-    elif name in values:
-        code = "parameter_given_twice"
-    elif isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        code = "parameter_not_finite"
-    else:
-        return None
-    params = {"name": spelled[:40], "other": name or ""}
-    return Fault(code=code, where=("parameters", spelled), params=params)
 
 
 def _ways(
@@ -264,7 +189,7 @@ def _comparison(
     reference: ReadTable, submission: ReadTable, fixed: frozenset[str], values: Values
 ) -> Comparison | None:
     try:
-        key, answer = (_with_values(read, fixed, values) for read in (reference, submission))
+        key, answer = (with_values(read, fixed, values) for read in (reference, submission))
     except ZeroDivisionError:
         return None
     names = sorted(set(values.kinds) - fixed)
@@ -274,7 +199,7 @@ def _comparison(
     answers: list[NumericTable] = []
     meanings: list[NumericTable] = []
     for attempt in range(ATTEMPTS if names else 1):
-        draw = {name: _drawn(name, attempt, values) for name in names}
+        draw = {name: drawn_value(name, attempt, values) for name in names}
         try:
             bound = _bound(key, tuple(draw.items())), _within_bounds(bind(answer, draw))
             meanings.append(bound[1] if typed.table is answer else _within_bounds(bind(typed.table, draw)))
@@ -357,42 +282,3 @@ def _within_bounds(table: NumericTable) -> NumericTable:
     if faults:
         raise ParameterError(faults)
     return table
-
-
-def _drawn(name: str, attempt: int, values: Values) -> float:
-    """A value for a parameter.
-
-    At first it owes nothing to the given one, so that what is right in names is so whatever a student is
-    given; after some attempts in vain it comes nearer and nearer to that, so that roots exist.
-    """
-    given = float(values.given.get(name, 0.0))
-    if given and attempt >= FREE_ATTEMPTS:
-        return given * (1.0 + _deviation(name, attempt, 0.6 / (1.0 + (attempt - FREE_ATTEMPTS) // 4)))
-    middle = values.scale if values.kinds[name] is ParameterKind.LENGTH else 0.7
-    return middle * (1.0 + _deviation(name, attempt, 0.6))
-
-
-@lru_cache(maxsize=1024)
-def _deviation(name: str, attempt: int, spread: float) -> float:
-    random = Random(f"{name}/{attempt}")  # noqa: S311 - reproducible values, not secrets
-    return random.uniform(-spread, spread)
-
-
-def _with_values(read: ReadTable, names: frozenset[str], values: Values) -> SymbolicTable:
-    """The table with some of its parameters replaced by their values."""
-    known = tuple((name, Fraction(values.given[name])) for name in read.parameters if name in names)
-    return _with_numbers(read.table, known) if known else read.table
-
-
-@lru_cache(maxsize=1024)
-def _with_numbers(table: SymbolicTable, known: tuple[tuple[str, Fraction], ...]) -> SymbolicTable:
-    numbers = {name: Number(value) for name, value in known}
-    return substituted(table, lambda name: numbers.get(name))
-
-
-@lru_cache(maxsize=256)
-def _typical_length(table: SymbolicTable) -> float:
-    """Mean of the plain numbers that stand as lengths, or 1."""
-    entries = [entry for row in table.rows for entry in (row.a, row.d)]
-    lengths = [float(abs(entry.value)) for entry in entries if isinstance(entry, Number) and entry.value]
-    return sum(lengths) / len(lengths) if lengths else 1.0
