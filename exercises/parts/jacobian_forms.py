@@ -48,8 +48,8 @@ from exercises.parts.matrix_cells import read_row, write_matrix
 from exercises.parts.protocol import TABLE, GivenNumbers, PartTask, PartType, Reading, RobotFacts
 from exercises.parts.report import PartReport
 from exercises.reading import Reader
+from kinematics.answers.form_samples import FormRobot
 from kinematics.answers.jacobian_forms import (
-    FormRobot,
     force_form,
     jacobian_form,
     judge_force_form,

@@ -14,13 +14,14 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from itertools import chain as in_turn
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.answers.form_samples import FormRobot, form_samples, usual_samples
 from kinematics.answers.jacobian_answers import (
     MIDDLE,
     JacobianMistake,
@@ -30,10 +31,8 @@ from kinematics.answers.jacobian_answers import (
     judge_forces,
     judge_jacobian,
 )
-from kinematics.chain import Chain, chain_of_table, size_of
 from kinematics.errors import Fault, FormSizeError, JointValueError
 from kinematics.expressions import ZERO, Expression, add, multiply
-from kinematics.expressions.arrays import values_at
 from kinematics.jacobian import JacobianFrame
 from kinematics.rotations.sequences import EulerSequence
 from kinematics.se3 import Floats
@@ -44,18 +43,14 @@ from kinematics.symbolic.polynomials import ONE, Polynomial, PolynomialReader
 from kinematics.symbolic.quotients import quotient_of
 from kinematics.symbolic.ring import Ring
 from kinematics.symbolic.size import refuse_longer_than
-from kinematics.table import JointType, SymbolicTable, bind
+from kinematics.table import JointType, SymbolicTable
 
-POINTS = 8
-"""Configurations with the table's lengths, and as many with others."""
 PRODUCTS = 100_000
 """Products of terms that a proof may form, some 50 ms; all entries of a PUMA need a tenth."""
 OPERATIONS = 20_000
 """Operations of a Jacobian that is compared; an arm with a wrist has a thousand."""
 LARGE_RATE = 20.0
 """Rate of an angle per rate of a joint: more of it is next to gimbal lock, where roundings tell."""
-DOUBLED = 1e-9
-"""How nearly twice the lengths must double an entry: far above rounding, below any length left out."""
 
 Expressions: TypeAlias = Sequence[Sequence[Expression]]
 
@@ -70,49 +65,6 @@ class FormVerdict(JacobianVerdict):
     """
 
     proof: ProofStatus
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class FormRobot:
-    """The robot that closed forms are of.
-
-    Attributes:
-        table: its table.
-        values: of every name in the table and in the answer [the answer's length, or rad].
-        lengths: the names that are lengths.
-    """
-
-    table: SymbolicTable
-    values: Mapping[str, float]
-    lengths: frozenset[str]
-
-    @cached_property
-    def chain(self) -> Chain:
-        """The chain at these values."""
-        return chain_of_table(bind(self.table, self.values))
-
-    @cached_property
-    def size(self) -> float:
-        """Typical length of the robot."""
-        return size_of(self.chain) or 1.0
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class _Samples:
-    """Points where functions are compared: joints (n, k), parameters (k,) each."""
-
-    parameters: Mapping[str, Floats]
-    joints: Floats
-
-    def of(self, entries: Iterable[Expression]) -> Floats:
-        """Return the values of some entries, (entries, k)."""
-        found = [values_at(entry, self.parameters, self.joints) for entry in entries]
-        return np.array(found).reshape(len(found), self.joints.shape[1])
-
-    def at(self, k: int) -> _Samples:
-        """Return one of the points."""
-        parameters = {name: values[k : k + 1] for name, values in self.parameters.items()}
-        return _Samples(parameters=parameters, joints=self.joints[:, k : k + 1])
 
 
 @np.errstate(all="ignore")
@@ -143,7 +95,7 @@ def judge_jacobian_form(
     if not other:
         return FormVerdict(entries=right.reshape(6, n), proof=ProofStatus.PROVED)
     compared = other if angles is None else range(6 * n)
-    samples = _samples(robot, [flat[k] for k in compared], [key.entries[k] for k in compared])
+    samples = form_samples(robot, [flat[k] for k in compared], [key.entries[k] for k in compared])
     actual, expected = samples.of([flat[k] for k in compared]), samples.of([key.entries[k] for k in compared])
     limit = entry_limits(robot.chain, tolerance).reshape(6 * n, 1)[list(compared)]
     if angles is not None:
@@ -179,7 +131,7 @@ def judge_force_form(
     right = [True] * len(given)
     if not other:
         return tuple(right), ProofStatus.PROVED, None
-    samples = _samples(robot, [given[k] for k in other], [ours[k] for k in other])
+    samples = form_samples(robot, [given[k] for k in other], [ours[k] for k in other])
     load = np.abs(samples.of(wrench))
     force, moment = load[:3].sum(axis=0), load[3:].sum(axis=0)
     actual, expected = samples.of([given[k] for k in other]), samples.of([ours[k] for k in other])
@@ -303,61 +255,6 @@ def _proof(
     return ProofStatus.UNDECIDED if free and proof is ProofStatus.PROVED else proof
 
 
-def _samples(robot: FormRobot, given: Sequence[Expression], ours: Sequence[Expression]) -> _Samples:
-    """Return points drawn from the answer; with other lengths only if both name every length."""
-    rng = random.Random(repr(given))  # noqa: S311 - the same answer, the same points
-    usual = _usual(robot, rng)
-    if not _names_every_length(robot, usual, given, ours):
-        return usual
-    other = {
-        name: np.array([robot.size * rng.uniform(0.2, 1.2) for _ in range(POINTS)])
-        if name in robot.lengths
-        else values
-        for name, values in usual.parameters.items()
-    }
-    return _Samples(
-        parameters={name: np.concatenate([usual.parameters[name], other[name]]) for name in other},
-        joints=np.hstack([usual.joints, _drawn(robot, rng)]),
-    )
-
-
-def _usual(robot: FormRobot, rng: random.Random) -> _Samples:
-    """Return points with the robot's own values."""
-    values = {name: np.full(POINTS, value) for name, value in robot.values.items()}
-    return _Samples(parameters=values, joints=_drawn(robot, rng))
-
-
-def _drawn(robot: FormRobot, rng: random.Random) -> Floats:
-    reach = [robot.size if kind is JointType.PRISMATIC else 3.0 for kind in robot.table.joint_types]
-    joints = [[rng.uniform(-most, most) for _ in range(POINTS)] for most in reach]
-    return np.array(joints).reshape(len(reach), POINTS)
-
-
-def _names_every_length(
-    robot: FormRobot, samples: _Samples, given: Sequence[Expression], ours: Sequence[Expression]
-) -> bool:
-    """Whether twice the lengths double each entry or leave it as it is, the given one just like ours."""
-    slides = np.array([[kind is JointType.PRISMATIC] for kind in robot.table.joint_types])
-    twice = _Samples(
-        parameters={
-            name: values * (2.0 if name in robot.lengths else 1.0)
-            for name, values in samples.parameters.items()
-        },
-        joints=samples.joints * np.where(slides, 2.0, 1.0),
-    )
-
-    def grown(entries: Sequence[Expression]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        before, after = samples.of(entries), twice.of(entries)
-        limit = DOUBLED * max(1.0, robot.size, float(np.nan_to_num(np.abs(before)).max(initial=0.0)))
-        return (
-            np.all(np.abs(after - before) <= limit, axis=1),
-            np.all(np.abs(after - 2.0 * before) <= limit, axis=1),
-        )
-
-    kept, doubled = zip(grown(ours), grown(given), strict=True)
-    return bool((kept[0] & kept[1] | doubled[0] & doubled[1]).all())
-
-
 def _in_the_same_triple(
     robot: FormRobot, actual: Floats, expected: Floats, limit: Floats
 ) -> tuple[Floats, Floats]:
@@ -384,7 +281,7 @@ def _mistakes(
     angles: EulerSequence | None,
 ) -> tuple[tuple[JacobianMistake, int | None], ...]:
     """Return the slips that explain wrong columns at two configurations alike; other entries are right."""
-    samples = _usual(robot, random.Random(repr(given)))  # noqa: S311 - the same answer, the same points
+    samples = usual_samples(robot, random.Random(repr(given)))  # noqa: S311 - the same answer, the same points
     found: list[set[tuple[JacobianMistake, int | None]]] = []
     for k in range(2):
         here = samples.at(k)

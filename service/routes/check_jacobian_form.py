@@ -10,8 +10,9 @@ from fastapi import Body
 
 from exercises.parts.definition_keys import COMPONENTS
 from exercises.parts.matrix_cells import read_functions
+from kinematics.answers.form_samples import FormRobot
 from kinematics.answers.jacobian_answers import JacobianMistake
-from kinematics.answers.jacobian_forms import FormRobot, judge_force_form, judge_jacobian_form
+from kinematics.answers.jacobian_forms import judge_force_form, judge_jacobian_form
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.cells import Cell, ParameterKind
 from kinematics.errors import CellError, Fault, JointValueError

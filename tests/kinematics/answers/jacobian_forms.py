@@ -9,7 +9,7 @@ from functools import cache
 import sympy as sp
 
 from kinematics import catalogue
-from kinematics.answers.jacobian_forms import FormRobot
+from kinematics.answers.form_samples import FormRobot
 from kinematics.cells import ParameterKind
 from kinematics.expressions import Expression, evaluate
 from kinematics.jacobian import JacobianFrame
