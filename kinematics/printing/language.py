@@ -93,7 +93,7 @@ class Language(Printer):
         """What a reader must know: the joint variables, and parameters that had to be renamed."""
         lines = [self.purpose.meaning]
         if self.program.n_joints:
-            lines.append(f"q: the {self.program.n_joints} joint variables, angles in radians.")
+            lines.append(f"q: the {self.program.n_joints} joint variables. All angles are in radians.")
         changed = [(old, new) for old, new in self.arguments.items() if new != old]
         renamed = [f"{new} is {old}" for old, new in changed if IDENTIFIER.fullmatch(old)]
         if renamed:
