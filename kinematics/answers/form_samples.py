@@ -5,16 +5,15 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.chain import Chain, chain_of_table, size_of
+from kinematics.answers.valued_robot import ValuedRobot
 from kinematics.expressions import Expression
 from kinematics.expressions.arrays import values_at
 from kinematics.se3 import Floats
-from kinematics.table import JointType, SymbolicTable, bind
+from kinematics.table import JointType
 
 POINTS = 8
 """Configurations with the table's lengths, and as many with others."""
@@ -23,28 +22,14 @@ DOUBLED = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class FormRobot:
-    """The robot that closed forms are of.
+class FormRobot(ValuedRobot):
+    """The robot that closed forms are of, with values of the names in the answer, too.
 
     Attributes:
-        table: its table.
-        values: of every name in the table and in the answer [the answer's length, or rad].
         lengths: the names that are lengths.
     """
 
-    table: SymbolicTable
-    values: Mapping[str, float]
     lengths: frozenset[str]
-
-    @cached_property
-    def chain(self) -> Chain:
-        """The chain at these values."""
-        return chain_of_table(bind(self.table, self.values))
-
-    @cached_property
-    def size(self) -> float:
-        """Typical length of the robot."""
-        return size_of(self.chain) or 1.0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -6,7 +6,6 @@ times.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -14,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.answers.unit_multiples import FamilyProducts
-from kinematics.chain import Chain, chain_of_table, size_of
+from kinematics.answers.valued_robot import ValuedRobot
 from kinematics.expressions import Expression
 from kinematics.expressions.arrays import values_at
 from kinematics.se3 import Floats
 from kinematics.symbolic.determinants import MotionRows, minor_factors
-from kinematics.table import JointType, SymbolicTable, bind
+from kinematics.table import JointType, SymbolicTable
 
 LINES, STEPS, POINTS = 32, 240, 16
 """Lines, steps along each, and how many zeros are kept of a function."""
@@ -31,28 +30,14 @@ found to 1e-9 and better."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class SingularArm:
+class SingularArm(ValuedRobot):
     """Where an arm is singular.
 
     Attributes:
-        table: of the arm.
         rows: which motion counts.
-        values: of its parameters [its length, or rad].
     """
 
-    table: SymbolicTable
     rows: MotionRows
-    values: Mapping[str, float]
-
-    @cached_property
-    def chain(self) -> Chain:
-        """The arm in numbers."""
-        return chain_of_table(bind(self.table, self.values))
-
-    @cached_property
-    def size(self) -> float:
-        """Its typical length."""
-        return size_of(self.chain) or 1.0
 
     @property
     def whole(self) -> bool:
