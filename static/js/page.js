@@ -53,17 +53,37 @@ export async function startPage(run) {
 
 /** Above the page, and read out: storage is blocked or full. */
 function sayThatNothingLasts() {
-  /** @type {HTMLElement} */
-  const close = el("button", { type: "button", class: "quiet", text: t("form-close"), onclick: () => notice.remove() });
+  warnAbove(t("form-storage-blocked"));
+}
+
+/**
+ * A warning above the page, which is read out and can be closed.
+ * @param {string} text
+ * @param {{text: string, run: () => void}} [action] what may be done about it, which closes the warning too
+ * @returns {HTMLElement}
+ */
+export function warnAbove(text, action) {
+  const button = (/** @type {string} */ name, run = () => {}) =>
+    el("button", {
+      type: "button",
+      class: "quiet",
+      text: name,
+      onclick: () => {
+        notice.remove();
+        run();
+      },
+    });
   /** @type {HTMLElement} */
   const notice = el(
     "div",
     { class: "notice notice-warn row no-print" },
-    el("span", { class: "grow", text: t("form-storage-blocked") }),
-    close,
+    el("span", { class: "grow", text }),
+    action ? button(action.text, action.run) : null,
+    button(t("form-close")),
   );
   document.querySelector("main")?.prepend(notice);
-  announce(t("form-storage-blocked"));
+  announce(text);
+  return notice;
 }
 
 /** The menu of languages: its links take along what only memory holds; Escape and a click elsewhere close it. */

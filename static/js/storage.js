@@ -67,6 +67,16 @@ export function keep(key, value) {
   }
 }
 
+/**
+ * Calls back when another tab of this browser keeps something else at a key.
+ * @param {string} key @param {(value: any) => void} listener
+ */
+export function whenKeptElsewhere(key, listener) {
+  window.addEventListener("storage", (event) => {
+    if (event.key === PREFIX + key && event.newValue !== null) listener(recall(key, null));
+  });
+}
+
 /** What only memory holds, as text for the address's fragment. */
 export function carried() {
   return memory.size ? `#kept=${encodeURIComponent(JSON.stringify([...memory]))}` : "";

@@ -232,6 +232,24 @@ def test_a_full_storage_is_said_once_and_costs_nothing(open_page: OpenPage) -> N
     expect(notice).to_have_count(0)
 
 
+def test_an_exercise_open_in_two_tabs_says_so_and_takes_what_the_other_holds(open_page: OpenPage) -> None:
+    first = open_page("/exercises/scara")
+    second = first.context.new_page()
+    second.goto(first.url)
+    wait_ready(second)
+    warning = first.locator(".notice-warn", has_text="open in another tab")
+    put_table(first, SCARA)
+    expect(second.locator(".notice-warn")).to_have_count(1)
+    cell(second, 0, "d").fill("L1 + 0")
+    cell(second, 0, "d").fill("L1")
+    expect(warning).to_have_count(1)
+    warning.get_by_role("button", name="Show what was typed there").click()
+    expect(warning).to_have_count(0)
+    expect(cell(first, 0, "d")).to_have_value("L1")
+    expect(cell(first, 1, "a")).to_have_value("")
+    expect(cell(second, 0, "d")).to_have_value("L1")
+
+
 def test_a_page_in_a_frame_is_refused_where_the_settings_name_no_frame(
     open_page: OpenPage, tmp_path: Path, watch: Watch
 ) -> None:

@@ -252,6 +252,8 @@ form-missing-title = Not found
 form-missing-text = There is no such page here. The exercises are all on the first page.
 form-missing-home = To the exercises
 form-storage-blocked = The browser keeps nothing here: what you type is lost when you close or reload this page.
+form-other-tab = This exercise is also open in another tab, and something has just been typed there. Whatever is typed last is what stays.
+form-other-tab-take = Show what was typed there
 
 form-row-play = Play row { $row } in the picture
 form-film = The row as a film

@@ -252,6 +252,8 @@ form-missing-title = No encontrado
 form-missing-text = Aquí no hay tal página. Todos los ejercicios están en la primera página.
 form-missing-home = A los ejercicios
 form-storage-blocked = El navegador no guarda nada aquí: lo que escriba se pierde al cerrar o recargar esta página.
+form-other-tab = Este ejercicio está abierto también en otra pestaña, y allí se acaba de escribir algo. Queda lo último que se escriba.
+form-other-tab-take = Mostrar lo escrito allí
 
 form-row-play = Reproducir la fila { $row } en la imagen
 form-film = La fila paso a paso

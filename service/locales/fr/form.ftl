@@ -252,6 +252,8 @@ form-missing-title = Introuvable
 form-missing-text = Il n’y a pas de telle page ici. Tous les exercices sont sur la première page.
 form-missing-home = Aux exercices
 form-storage-blocked = Le navigateur ne conserve rien ici : votre saisie est perdue si vous fermez ou rechargez cette page.
+form-other-tab = Cet exercice est aussi ouvert dans un autre onglet, où l’on vient de saisir quelque chose. C’est la dernière saisie qui reste.
+form-other-tab-take = Montrer cette saisie
 
 form-row-play = Montrer la ligne { $row } dans l’image
 form-film = La ligne pas à pas

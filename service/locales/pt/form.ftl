@@ -252,6 +252,8 @@ form-missing-title = Não encontrado
 form-missing-text = Não há aqui tal página. Todos os exercícios estão na primeira página.
 form-missing-home = Para os exercícios
 form-storage-blocked = O navegador não guarda nada aqui: o que escreve perde-se ao fechar ou recarregar esta página.
+form-other-tab = Este exercício também está aberto noutro separador, onde se acabou de escrever algo. Fica o que for escrito por último.
+form-other-tab-take = Mostrar o que lá foi escrito
 
 form-row-play = Mostrar a linha { $row } na imagem
 form-film = A linha passo a passo

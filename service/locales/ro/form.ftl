@@ -260,6 +260,8 @@ form-missing-title = Nu există
 form-missing-text = Aici nu există o asemenea pagină. Toate exercițiile sunt pe prima pagină.
 form-missing-home = La exerciții
 form-storage-blocked = Navigatorul nu păstrează nimic aici: ce scrieți se pierde când închideți sau reîncărcați pagina.
+form-other-tab = Acest exercițiu este deschis și în altă filă, iar acolo tocmai s-a scris ceva. Rămâne ce se scrie ultima dată.
+form-other-tab-take = Arată ce s-a scris acolo
 
 form-row-play = Arată rândul { $row } în imagine
 form-film = Rândul pas cu pas

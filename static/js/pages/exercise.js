@@ -16,11 +16,11 @@ import { t } from "../i18n.js";
 import "../joint-sliders.js";
 import { LiveRobot, robotOf } from "../live-robot.js";
 import "../matrix-panel.js";
-import { api, pageAddress, startPage } from "../page.js";
+import { api, pageAddress, startPage, warnAbove } from "../page.js";
 import { plain } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import "../scene/robot-scene.js";
-import { keep, recall } from "../storage.js";
+import { keep, recall, whenKeptElsewhere } from "../storage.js";
 import { CourseSession, openSession, receiptView } from "../session/course-session.js";
 import { convertedValues } from "../units.js";
 
@@ -89,6 +89,7 @@ async function run() {
 
   restore(recall(draftKey, null) ?? course?.told.draft?.state);
   const frame = isPackaged() ? new PackageFrame(resume) : null;
+  watchOtherTabs();
   follow({ now: true });
   await listAttempts();
   const lecturers = !course && !frame && !api.context;
@@ -108,6 +109,17 @@ async function run() {
     restore(state);
     keep(draftKey, answer.state);
     follow({ now: true });
+  }
+
+  /** What is typed last stays; whoever has the exercise open twice is told so once, and may take the other answer. */
+  function watchOtherTabs() {
+    /** @type {HTMLElement | null} */
+    let warning = null;
+    whenKeptElsewhere(draftKey, () => {
+      if (warning?.isConnected) return;
+      const action = { text: t("form-other-tab-take"), run: () => resume(recall(draftKey, null)) };
+      warning = warnAbove(t("form-other-tab"), action);
+    });
   }
 
   /**
