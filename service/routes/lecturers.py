@@ -31,6 +31,7 @@ from courses.privacy import erase_person, export_person, person_in
 from courses.refusals import NoExerciseError, StaffOnlyError, unknown_record
 from courses.regrading import Scope, apply, begin, changes, rejudge
 from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
+from exercises.errors import UnknownExerciseError
 from kinematics.errors import Fault
 from service.course_resources import CourseResources, now
 from service.http.forms import own_root
@@ -109,14 +110,26 @@ async def overview(request: ApiRequest) -> Response:
     found = await staff.run(class_overview, staff.store, course.id, members)
     lost = await staff.run(undelivered, staff.store, course.id)
     await staff.log("overview")
+    links = [{**link, "exercise_title": _title(request, link["exercise"])} for link in found["links"]]
     return json_response(
         {
             "course": {"title": course.title, "members": members is not None},
             "link": staff.session.link.id,
             **found,
+            "links": links,
             "undelivered": lost,
         }
     )
+
+
+def _title(request: ApiRequest, exercise_id: str | None) -> str | None:
+    """Return an exercise's title in the reader's language; its id, if it is no longer served."""
+    if exercise_id is None:
+        return None
+    try:
+        return resources_of(request).exercises.exercise(exercise_id).title(language_of(request))
+    except UnknownExerciseError:
+        return exercise_id
 
 
 @router.get("/course/links/{link}/settings")

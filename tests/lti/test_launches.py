@@ -49,7 +49,9 @@ def test_a_teacher_chooses_the_exercise_of_a_course_link_at_the_first_launch(
     refused = teacher.api("PUT", f"{path}/settings", {"exercise": "puma560", "attempts": 0})
     assert refused.json()["code"] == "setting_invalid"
     chosen = {"exercise": "puma560", "points": 5, "parts": ["table"], "counting": "last"}
+    assert found["links"][0]["exercise_title"] is None
     assert teacher.api("PUT", f"{path}/settings", chosen).status_code == 200
+    assert teacher.api("GET", "course").json()["links"][0]["exercise_title"] == "PUMA 560"
     assert browser.launch("ann", link).status_code == 303
     browser.api("POST", "session/attempts", RIGHT)
     browser.api("POST", "session/attempts", WRONG)

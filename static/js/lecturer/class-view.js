@@ -39,9 +39,9 @@ export function showClass(place, { links, students }, { openLink, openStudent, o
         type: "button",
         class: "quiet",
         onclick: () => openLink(link),
-        text: link.title || link.exercise || t("lecturer-no-exercise"),
+        text: link.title || link.exercise_title || t("lecturer-no-exercise"),
       }),
-      link.exercise ?? t("lecturer-no-exercise"),
+      link.exercise_title ?? t("lecturer-no-exercise"),
       ...counts.map((name) => number(link, name)),
     ]),
   );
@@ -60,7 +60,10 @@ export function showClass(place, { links, students }, { openLink, openStudent, o
   };
   const people = dataTable(
     t("lecturer-students"),
-    [t("lecturer-student"), ...links.map((/** @type {any} */ { title, exercise }) => title || exercise || "–")],
+    [
+      t("lecturer-student"),
+      ...links.map((/** @type {any} */ { title, exercise_title: exercise }) => title || exercise || "–"),
+    ],
     students.map((/** @type {any} */ student) => [
       studentName(student),
       ...links.map((/** @type {any} */ link) => cell(student, link)),
