@@ -172,8 +172,8 @@ def _mended(
     if found is not None:
         exercise = reading.instance.exercise
         reading.faults.extend(fault.within(FindMistakeType.kind) for fault in table_faults(found, exercise))
-    for i in range(before, len(reading.faults)):
-        reading.faults[i] = _placed(reading.faults[i], names)
+    placed = [_placed(fault, names) for fault in reading.faults[before:]]
+    reading.faults[before:] = sorted(placed, key=lambda fault: [str(step) for step in fault.where])
     return (
         None
         if len(reading.faults) > before or found is None

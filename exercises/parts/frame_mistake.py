@@ -33,6 +33,7 @@ from exercises.parts.report import PartReport
 from kinematics.cells import Cell
 from kinematics.cells.meaning import Position
 from kinematics.errors import Fault
+from kinematics.frames.axes import read_direction, read_point
 from kinematics.frames.wrong_frames import (
     FRAME_MISTAKES,
     DrawnFrame,
@@ -40,7 +41,7 @@ from kinematics.frames.wrong_frames import (
     mends,
     plantable_in_frames,
 )
-from kinematics.se3 import Vector, norm
+from kinematics.se3 import Vector
 
 ThreeCells = Annotated[tuple[Cell, ...], Length(least=3, most=3)]
 MENDED = ("mended_origin", "mended_x", "mended_y", "mended_z")
@@ -233,9 +234,9 @@ def _vector(cells: tuple[Cell, ...] | None, name: str, reading: Reading) -> Vect
     numbers = [value for value in read if value is not None]
     if len(reading.faults) > before or len(numbers) < len(cells):
         return None
+    read_vector = read_point if name == "mended_origin" else read_direction
+    read_vector(numbers, (FrameMistakeType.kind, name), reading.faults)
     x, y, z = numbers
-    if name != "mended_origin" and norm((x, y, z)) == 0.0:
-        reading.fault("direction_zero", FrameMistakeType.kind, name)
     return x, y, z
 
 

@@ -26,7 +26,7 @@ from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, j
 from kinematics.cells import Cell, ReadTable
 from kinematics.cells.meaning import Position
 from kinematics.expressions import Number, pi_times
-from kinematics.frames.axes import JointAxis
+from kinematics.frames.axes import JointAxis, read_direction, read_point
 from kinematics.frames.rules import RuleCode, Severity
 from kinematics.frames.trainer import ChosenFrame, JudgedFrames, check_frames
 from kinematics.table import Convention, DHRow, DHTable, NumericTable
@@ -182,8 +182,8 @@ def _read_frame(frame: FrameCells, reading: Reading, where: tuple[str | int, ...
         numbers = [value for value in read if value is not None]
         if len(numbers) == len(cells):
             found[name] = numbers
-            if name != "origin" and not any(numbers):
-                reading.fault("direction_zero", *where, name)
+            read_vector = read_point if name == "origin" else read_direction
+            read_vector(numbers, (*where, name), reading.faults)
     return ChosenFrame(**found) if len(found) == len(PARTS) else None
 
 

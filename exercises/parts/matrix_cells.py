@@ -281,6 +281,8 @@ def _variables(joint_types: Sequence[JointType]) -> Callable[[str], Expression |
         short = _SHORT.fullmatch(name)
         if short is None:
             return None
+        if not n:
+            raise _NameError("joint_variable_in_number", name, n)
         digits = short[2]
         joints = [int(digits)] if n > 9 or len(digits) == 1 else [int(digit) for digit in digits]
         if not all(_is(joint_types, joint, JointType.REVOLUTE) for joint in joints):

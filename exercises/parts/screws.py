@@ -28,6 +28,7 @@ from kinematics.answers.screw_answers import (
     ScrewOrder,
     adjoint,
     judge_screws,
+    relations_on_one_line,
 )
 from kinematics.cells import Cell
 from kinematics.cells.meaning import Position
@@ -102,8 +103,12 @@ class ScrewsPart(PartType[Part, ScrewsCells, ScrewAnswer]):
         return ScrewAnswer(screws=screws, home=home, frame=raw.frame)
 
     def grade(self, part: Part, answer: ScrewAnswer, context: Context) -> PartReport:
-        """Judge the whole; of a wrong answer the relations of neighbouring axes earn up to half."""
-        found = judge_screws(key_numbers(context.instance), answer, context.policy)
+        """Judge the whole; of a wrong answer the relations of neighbouring axes earn up to half.
+
+        What is right of axes that all lie on one line is known for nothing.
+        """
+        key = key_numbers(context.instance)
+        found = judge_screws(key, answer, context.policy)
         if found.right:
             return judged(part, 1.0, Credit.KEY, feedback=(Feedback(code="screws_right"),))
         facts = [fact(right, "screws", i) for i, right in enumerate(found.relations, 1)]
@@ -118,7 +123,9 @@ class ScrewsPart(PartType[Part, ScrewsCells, ScrewAnswer]):
                 for i, right in enumerate(found.relations, 1)
                 if not right
             ]
-        share = sum(found.relations) / len(found.relations) if found.relations else 0.0
+        nothing = sum(relations_on_one_line(key, context.policy))
+        earned, most = sum(found.relations) - nothing, len(found.relations) - nothing
+        share = max(0.0, earned / most) if most else 0.0
         return judged(part, 0.5 * share, Credit.KEY, facts=facts, feedback=feedback)
 
     def right(self, part: Part, context: Context) -> ScrewsCells:

@@ -210,7 +210,7 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, WorkspaceAnswer]):
         return None if inner is None or outer is None else WorkspaceAnswer(inner=inner, outer=outer)
 
     def grade(self, part: WorkspacePart, answer: WorkspaceAnswer, context: Context) -> PartReport:
-        """Judge the radii: each counts half."""
+        """Judge the radii: each counts half, but a least distance of zero only beside the greatest."""
         key = workspace_of(context, part)
         scaled = Reach(inner=key.inner * context.unit_ratio, outer=key.outer * context.unit_ratio)
         if abs(answer.outer - key.outer) <= part.tolerance * key.outer:
@@ -226,7 +226,9 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, WorkspaceAnswer]):
             feedback.insert(0, other)
         facts = [fact(fits, name) for name, fits in right.items()]
         told = feedback or [Feedback(code="workspace_right")]
-        return judged(part, sum(right.values()) / 2, Credit.KEY, facts=facts, feedback=told)
+        known_for_nothing = scaled.inner <= limit and not right["outer"]
+        score = 0.0 if known_for_nothing else sum(right.values()) / 2
+        return judged(part, score, Credit.KEY, facts=facts, feedback=told)
 
     def right(self, part: WorkspacePart, context: Context) -> RadiiCells:
         """Return the robot's radii: they do not follow from a table."""

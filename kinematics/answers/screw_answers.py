@@ -44,9 +44,12 @@ from kinematics.se3 import (
 from kinematics.table import JointType, NumericTable
 
 UNIT = 0.01
-"""How far |ω| may be from 1, and v·ω from 0 as a share of |v|: two decimals."""
+"""How far |ω| may be from 1, and v·ω from 0 as a share of |v|: two decimals. A pitch that half a turn makes no
+more than the tolerance of lengths is allowed, too."""
 NO_ROTATION = 1e-9
 """|ω| of a slider."""
+NO_PITCH = 1e-11
+"""v·ω of a robot without a length: what the arithmetic leaves of zero."""
 NEARLY_PARALLEL = 1e-6
 """A sine: two decimals of six leave no better common normal."""
 
@@ -128,10 +131,10 @@ def judge_screws(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> Scre
         answer: with as many screws as the robot has joints; lengths in the key's unit, numbers finite.
         policy: what is left free and what is fixed.
     """
-    faults = tuple(_malformed(key, answer))
+    faults = tuple(_malformed(key, answer, policy))
     if faults:
         halves = replace(answer, screws=np.hstack([answer.screws[:, 3:], answer.screws[:, :3]]))
-        exchanged = not any(_malformed(key, halves))
+        exchanged = not any(_malformed(key, halves, policy))
         if exchanged and _certified(key, halves, policy) is not None:
             faults = ((ScrewMistake.HALVES, None),)
         return ScrewVerdict(certificate=None, mistakes=faults, relations=(False,) * (len(answer.screws) - 1))
@@ -178,22 +181,27 @@ def _in_space(answer: ScrewAnswer) -> Floats:
     return np.asarray(answer.screws @ adjoint(answer.home).T, dtype=np.float64)
 
 
-def _malformed(key: NumericTable, answer: ScrewAnswer) -> Iterator[tuple[ScrewMistake, int | None]]:
+def _malformed(
+    key: NumericTable, answer: ScrewAnswer, policy: Policy
+) -> Iterator[tuple[ScrewMistake, int | None]]:
     """Yield what keeps an answer from being a chain of revolute and prismatic joints."""
     rotation = answer.home[:3, :3]
     gram = np.abs(rotation.T @ rotation - np.eye(3)).max()
     bottom = np.abs(answer.home[3] - [0.0, 0.0, 0.0, 1.0]).max()
     if not max(gram, bottom) <= 3 * UNIT or not np.linalg.det(rotation) > 0:
         yield ScrewMistake.NOT_RIGID, None
+    size = size_of(prepared(key).chain)
+    # what v is off by, if it is rounded, does not shrink with v
+    rounding = policy.tolerance.length * size / math.pi
     rows = zip(answer.screws.tolist(), key.joint_types, strict=True)
     for i, ((vx, vy, vz, wx, wy, wz), kind) in enumerate(rows, 1):
         v, w = math.hypot(vx, vy, vz), math.hypot(wx, wy, wz)
-        slides = w <= NO_ROTATION
+        slides, nearest = w <= NO_ROTATION, min(v, size or v)
         if slides != (kind is JointType.PRISMATIC) or (slides and not v > 0.0):
             yield ScrewMistake.JOINT_TYPE, i
         elif not slides and not abs(w - 1.0) <= UNIT:
             yield ScrewMistake.NOT_UNIT, i
-        elif not slides and not abs(vx * wx + vy * wy + vz * wz) <= UNIT * max(v, NO_ROTATION):
+        elif not slides and not abs(vx * wx + vy * wy + vz * wz) <= max(UNIT * nearest, rounding, NO_PITCH):
             yield ScrewMistake.PITCH, i
 
 
@@ -203,7 +211,7 @@ def _explained(
     """Yield the single slip whose undoing makes the answer right."""
 
     def right(changed: ScrewAnswer) -> bool:
-        well_formed = next(_malformed(key, changed), None) is None
+        well_formed = next(_malformed(key, changed, policy), None) is None
         return well_formed and _certified(key, changed, policy) is not None
 
     (other,) = set(ScrewFrame) - {answer.frame}
@@ -237,6 +245,12 @@ def _certified(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> Certif
         meter = Meter(WORK_OF_ACCEPTANCE)
         return certify([prepared(key)], [screw_chain(answer)], policy, meter=meter)
     return None
+
+
+def relations_on_one_line(key: NumericTable, policy: Policy) -> tuple[bool, ...]:
+    """Return which neighbouring axes lie relative to each other as if all were one line: known for nothing."""
+    line = [Axis(kind is JointType.PRISMATIC, (0.0, 0.0, 1.0), ORIGIN) for kind in key.joint_types]
+    return tuple(_relations(key, chain_of_axes(line, from_matrix(np.eye(4))), policy.tolerance.length))
 
 
 def _any_tool(policy: Policy) -> Policy:

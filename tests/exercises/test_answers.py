@@ -50,6 +50,7 @@ def refused(exercise_id: str = "scara", **parts: Any) -> dict[str, str]:
             {"link_matrices.2.1.2": "cell_empty"},
         ),
         ({"table": SCARA, "pose": edited(EYE, 0, 3, "q1")}, {"pose.0.3": "joint_variable_in_number"}),
+        ({"table": SCARA, "pose": edited(EYE, 0, 0, "c1")}, {"pose.0.0": "joint_variable_in_number"}),
         ({"table": SCARA, "pose": edited(EYE, 0, 3, "a9")}, {"pose.0.3": "name_unknown"}),
         ({"table": SCARA, "pose": edited(EYE, 0, 3, "sqrt(a3-a2)")}, {"pose.0.3": "value_not_real"}),
         ({"workspace": RadiiCells(inner=-1, outer=2)}, {"workspace.inner": "radius_negative"}),

@@ -102,6 +102,8 @@ def test_the_figure_shows_the_frames_and_no_other_figure_does() -> None:
         (FoundFrameMistakeCells(mistake="typo"), "misconception_unknown", ("mistake",)),
         (FoundFrameMistakeCells(mended_x=(0, 0, 0)), "direction_zero", ("mended_x",)),
         (FoundFrameMistakeCells(mended_origin=(0, "zz", 0)), "name_unknown", ("mended_origin", 1)),
+        (FoundFrameMistakeCells(mended_origin=(1e14, 0, 0)), "vector_malformed", ("mended_origin",)),
+        (FoundFrameMistakeCells(mended_y=(0, 1e14, 0)), "vector_malformed", ("mended_y",)),
     ],
 )
 def test_what_cannot_be_read_is_refused_with_its_place(

@@ -165,6 +165,8 @@ def test_cells_hold_names_and_roots() -> None:
     [
         ({"origin": (0, "L9", 0)}, "name_unknown", ("frames", "frames", 1, "origin", 1)),
         ({"z": (0, 0, 0)}, "direction_zero", ("frames", "frames", 1, "z")),
+        ({"x": (1e14, 0, 0)}, "vector_malformed", ("frames", "frames", 1, "x")),
+        ({"origin": (1e14, 0, 0)}, "vector_malformed", ("frames", "frames", 1, "origin")),
         ({"x": ("1/0", 0, 0)}, "division_by_zero", ("frames", "frames", 1, "x", 0)),
         ({"x": ("(", 0, 0)}, None, ("frames", "frames", 1, "x", 0)),
     ],

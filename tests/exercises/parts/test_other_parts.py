@@ -15,8 +15,10 @@ from exercises.instance import generate
 from exercises.parts.reach import reach
 from exercises.parts.report import Credit
 from exercises.parts.schematic import AxisRelation, Schematic, schematic_of
+from exercises.parts.screws import ScrewsCells
 from exercises.parts.workspace import RadiiCells
 from kinematics import catalogue
+from kinematics.answers.screw_answers import ScrewFrame, ScrewOrder
 from kinematics.cells import bind_parameters
 from kinematics.forward import forward_kinematics
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
@@ -262,6 +264,30 @@ def test_right_radii() -> None:
 def test_radii_of_the_scara(inner: Any, outer: Any, told: list[str], score: float) -> None:
     report = part(judged("scara", workspace=RadiiCells(inner=inner, outer=outer)), "workspace")
     assert (report.score, codes(report)) == (score, told)
+
+
+@pytest.mark.parametrize(
+    ("inner", "outer", "score"), [(0, 0, 0.0), (0, 1e9, 0.0), (50, 341.5, 0.5), (0, 341.5, 1.0)]
+)
+def test_a_least_distance_of_zero_earns_nothing_by_itself(inner: float, outer: float, score: float) -> None:
+    """The desktop arm reaches its first axis: whoever leaves zeros in the cells knows nothing of it."""
+    report = part(judged("dmra", workspace=RadiiCells(inner=inner, outer=outer)), "workspace")
+    assert report.score == score
+
+
+def screws(robot_id: str, *rows: tuple[Any, ...]) -> Any:
+    """Screws (v, ω) in the fixed frame, with a home pose that turns nothing."""
+    home = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))
+    cells = ScrewsCells(frame=ScrewFrame.SPACE, order=ScrewOrder.LINEAR_FIRST, screws=rows, home=home)
+    return part(judged(f"{robot_id}-screws", screws=cells), "screws")
+
+
+def test_axes_that_all_lie_on_one_line_earn_nothing() -> None:
+    """That of a SCARA's axes all are parallel to z is known before the figure has been looked at."""
+    turn, slide = (0, 0, 0, 0, 0, 1), (0, 0, 1, 0, 0, 0)
+    assert screws("scara", turn, turn, slide, turn).score == 0.0
+    apart = (0, -0.4, 0, 0, 0, 1)
+    assert screws("scara", turn, apart, slide, (0, -0.9, 0, 0, 0, 1)).score == 0.5
 
 
 def test_radii_in_another_unit() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 from dataclasses import replace
 
 import numpy as np
@@ -15,16 +16,17 @@ from kinematics.answers.screw_answers import (
     adjoint,
     judge_screws,
 )
-from kinematics.equivalence import Policy, ToolRule
+from kinematics.equivalence import Policy, Tolerance, ToolRule
 from kinematics.screws import product_of_exponentials
 from kinematics.se3 import inverse_transform
 from kinematics.table import Convention, DHRow, DHTable, JointType
 from tests.kinematics.answers.joint_values import robot
-from tests.kinematics.answers.screw_rows import POLICY
+from tests.kinematics.answers.screw_rows import POLICY, motion
 
 SCARA = robot("scara")
 PUMA = robot("puma560")
 FIXED = Policy(tool=ToolRule.POINT)
+ROUNDED = Policy(tool=ToolRule.FREE, tolerance=Tolerance(length=0.005, angle=0.005))
 
 
 def key(table=PUMA) -> ScrewAnswer:
@@ -107,3 +109,27 @@ def test_degenerate_screws_are_judged(value) -> None:
     rows = np.full((6, 6), value)
     assert not judge_screws(PUMA, ScrewAnswer(screws=rows, home=np.eye(4)), POLICY).right
     assert not judge_screws(PUMA, replace(key(), home=np.full((4, 4), value)), POLICY).right
+
+
+def test_screws_rounded_to_three_digits_have_no_pitch() -> None:
+    """An axis that passes near the origin has a small v, and v·ω is what rounding leaves of zero."""
+    scorbot = robot("scorbot")
+    exact = key(scorbot)
+    rng = random.Random(5)
+    for _ in range(60):
+        frame = motion(rng, 0.02)
+        moved = replace(exact, screws=exact.screws @ adjoint(frame).T, home=frame @ exact.home)
+        rounded = ScrewAnswer(screws=np.round(moved.screws, 3), home=np.round(moved.home, 3))
+        judged = judge_screws(scorbot, rounded, ROUNDED)
+        assert not any(mistake is ScrewMistake.PITCH for mistake, _ in judged.mistakes)
+
+
+def test_a_pitch_is_told_however_far_the_frame_lies() -> None:
+    right = key()
+    frame = np.eye(4)
+    frame[0, 3] = 50.0
+    moved = replace(right, screws=right.screws @ adjoint(frame).T, home=frame @ right.home)
+    assert judge_screws(PUMA, moved, POLICY).right
+    pitched = moved.screws.copy()
+    pitched[1, :3] += 0.1 * pitched[1, 3:]
+    assert slips(replace(moved, screws=pitched)) == ((ScrewMistake.PITCH, 2),)
