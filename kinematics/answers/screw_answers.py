@@ -248,7 +248,7 @@ def _certified(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> Certif
 
 
 def relations_on_one_line(key: NumericTable, policy: Policy) -> tuple[bool, ...]:
-    """Return which neighbouring axes lie relative to each other as if all were one line: known for nothing."""
+    """Return which neighbouring axes lie as if all were one line: that is known for nothing."""
     line = [Axis(kind is JointType.PRISMATIC, (0.0, 0.0, 1.0), ORIGIN) for kind in key.joint_types]
     return tuple(_relations(key, chain_of_axes(line, from_matrix(np.eye(4))), policy.tolerance.length))
 
