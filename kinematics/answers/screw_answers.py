@@ -44,8 +44,8 @@ from kinematics.se3 import (
 from kinematics.table import JointType, NumericTable
 
 UNIT = 0.01
-"""How far |ω| may be from 1, and v·ω from 0 as a share of |v|: two decimals. A pitch that half a turn makes no
-more than the tolerance of lengths is allowed, too."""
+"""How far |ω| may be from 1, and v·ω from 0 as a share of |v|: two decimals. A pitch is allowed, too, that
+moves the joint by no more than the tolerance in half a turn."""
 NO_ROTATION = 1e-9
 """|ω| of a slider."""
 NO_PITCH = 1e-11
