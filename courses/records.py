@@ -55,9 +55,9 @@ def _id() -> sa.Column[int]:
     return sa.Column("id", sa.Integer, primary_key=True)
 
 
-def _to(relation: str, name: str | None = None, **options: Any) -> sa.Column[int]:
+def _to(relation: str, **options: Any) -> sa.Column[int]:
     key = sa.ForeignKey(f"{relation}.id", ondelete="CASCADE")
-    return sa.Column(name or f"{relation}_id", sa.Integer, key, nullable=False, **options)
+    return sa.Column(f"{relation}_id", sa.Integer, key, nullable=False, **options)
 
 
 secret = sa.Table(

@@ -87,15 +87,17 @@ def analytic_jacobian(
     return np.vstack((J[:3], np.linalg.solve(B, J[3:]))) + 0.0
 
 
-def angle_rates(rotation: Floats, angles: EulerSequence, lock: float = GIMBAL_LOCK) -> Floats | None:
+def angle_rates(rotation: Floats, angles: EulerSequence) -> Floats | None:
     """Return B with ω = B (α, β, γ)˙, (3, 3): its columns are the axes about which the angles turn.
 
     Args:
         rotation: (3, 3) a rotation.
         angles: the sequence.
-        lock: sine of the angle between first and last axis below which they count as one: None is returned.
+
+    Returns:
+        B; None where first and last axis count as one (`GIMBAL_LOCK`).
     """
-    found = euler_solutions(matrix3(rotation.tolist()), angles, lock)
+    found = euler_solutions(matrix3(rotation.tolist()), angles, GIMBAL_LOCK)
     if found.family is not None:
         return None
     turned, columns = np.eye(3), {}

@@ -10,7 +10,7 @@ from exercises.consistency import values_in_radians
 from exercises.instance import Instance
 from exercises.names import renamed, unknown_name
 from exercises.parts.protocol import Reading
-from kinematics.cells import DEFAULT, AngleUnit, Cell
+from kinematics.cells import DEFAULT, Cell
 from kinematics.cells.entries import cell_meaning, plain_number
 from kinematics.cells.meaning import Position
 from kinematics.cells.refusals import CellRefusal
@@ -24,7 +24,6 @@ def number_of(
     position: Position,
     instance: Instance,
     where: tuple[str | int, ...],
-    unit: AngleUnit | None = None,
 ) -> float:
     """Return the value of a cell without joint variables; an angle in [rad], a length in the exercise's unit.
 
@@ -33,13 +32,12 @@ def number_of(
         position: what stands in it.
         instance: the exercise with the student's values.
         where: place of the cell, for faults.
-        unit: unit of plain numbers where an angle stands; the exercise's if left out.
 
     Raises:
         CellError: it cannot be read, holds an unknown name, or has no finite value.
     """
     exercise = instance.exercise
-    unit = unit or exercise.angle_unit
+    unit = exercise.angle_unit
     try:
         plain = plain_number(cell, position, unit, DEFAULT)
         if plain is not None:

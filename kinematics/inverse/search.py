@@ -50,6 +50,8 @@ MOST_STARTS = 2048
 BY_OWN_SIZE = 256
 """Starts that descend by the arm's own size to what is nearest, where another was taken for the search."""
 
+NEWTON_STEPS = 20
+"""Newton steps at most: convergence is quadratic, and the first few may lead round a bend."""
 IDLE_STEPS = 4
 """Newton steps in a row that do not halve the error before it is as small as it will get."""
 
@@ -267,7 +269,7 @@ def _starts(arm: Arm, target: Array, box: Box, count: int, skip: int) -> Array:
     return np.asarray(low + (high - low) * low_discrepancy(count, arm.n_joints, skip))
 
 
-def polish(arm: Arm, targets: Array, joints: Array, steps: int = 20) -> Array:
+def polish(arm: Arm, targets: Array, joints: Array) -> Array:
     """Newton steps from configurations that are nearly right; the best on the way is returned.
 
     Steps are damped by the error: δ = (JᵀJ + |e|²)⁻¹ Jᵀ e, of least norm where solutions are not isolated,
@@ -279,12 +281,11 @@ def polish(arm: Arm, targets: Array, joints: Array, steps: int = 20) -> Array:
         arm: the arm.
         targets: (4, 4), or (m, 4, 4) one each.
         joints: (m, n).
-        steps: how many.
     """
     x = joints / arm.units
     best, least = x, np.full(len(x), np.inf)
     idle = np.zeros(len(x), dtype=int)
-    for _ in range(steps):
+    for _ in range(NEWTON_STEPS):
         frames = arm.frames(x * arm.units)
         e = errors_of(arm, frames[-1], targets)
         cost = (e * e).sum(axis=1)

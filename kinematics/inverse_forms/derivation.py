@@ -269,7 +269,7 @@ class _Writer:
         axes = (parts.plane.h, *(joint.axis for joint in parts.tail))
         turn: list[Expression] = []
 
-        def note(angle: Expression, *conditions: object, branch: Expression | None = None) -> Expression:
+        def note(angle: Expression, *conditions: object) -> Expression:
             turn.append(write.let("phi", angle, *conditions))  # type: ignore[arg-type]
             return turn[0]
 

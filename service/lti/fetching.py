@@ -122,13 +122,13 @@ class Fetcher:
         except (httpx.HTTPError, httpx.InvalidURL, OSError, ValueError) as error:
             raise unreachable(address, type(error).__name__) from error
 
-    def get_json(self, address: str, headers: Mapping[str, str] | None = None) -> tuple[Any, FetchedAnswer]:
+    def get_json(self, address: str) -> tuple[Any, FetchedAnswer]:
         """The JSON at an address.
 
         Raises:
             PlatformError: there is none.
         """
-        answer = self.send("GET", address, headers=headers)
+        answer = self.send("GET", address)
         if answer.status != HTTPStatus.OK:
             raise unreachable(address, f"HTTP {answer.status}", status=answer.status)
         return answer.json(), answer

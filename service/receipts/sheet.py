@@ -89,12 +89,10 @@ class _Flow:
             self.page.turn()
             self.y = _TOP
 
-    def paragraph(
-        self, text: str, face: Face, size: float, left: float = _LEFT, colour: Colour = BLACK
-    ) -> None:
+    def paragraph(self, text: str, face: Face, size: float, left: float = _LEFT) -> None:
         for line in self.lines(text, face, size, _RIGHT - left):
             self.room(size * _LINE)
-            self.page.text((left, self.y + size), line, face, size, colour)
+            self.page.text((left, self.y + size), line, face, size, BLACK)
             self.y += size * _LINE
 
     def pairs(self, pairs: Sequence[tuple[str, str]]) -> None:

@@ -48,7 +48,7 @@ async def exercise_page(request: ApiRequest) -> Response:
     try:
         found = resources_of(request).exercises.exercise(request.path_params["exercise_id"])
     except UnknownExerciseError:
-        return missing_page(request, depth=1)
+        return missing_page(request)
     language = page_language(request)
     kept = {name: value for name in ("seed", QUERY) if (value := request.query_params.get(name))}
     query = urlencode({"lang": language, **kept})

@@ -26,5 +26,5 @@ async def trainer(request: Request, exercise_id: str) -> Response:
     try:
         found = resources_of(request).exercises.exercise(exercise_id)
     except UnknownExerciseError:
-        return missing_page(request, depth=1)
+        return missing_page(request)
     return page_response(request, TRAINER, {"id": found.id, "title": found.title(page_language(request))})

@@ -115,9 +115,9 @@ def _rooms_open(request: Request, off: frozenset[Tool]) -> list[str]:
     ]
 
 
-def missing_page(request: Request, *, depth: int) -> Response:
-    """The page that says that there is no such page, for an address `depth` folders below the root."""
-    return page_response(request, Page(name="missing", title="form-missing-title", depth=depth), status=404)
+def missing_page(request: Request) -> Response:
+    """The page that says that there is no such page, for an address one folder below the root."""
+    return page_response(request, Page(name="missing", title="form-missing-title", depth=1), status=404)
 
 
 def text_response(
