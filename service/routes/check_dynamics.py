@@ -7,16 +7,14 @@ from typing import Annotated, Any
 
 from fastapi import Body
 
-from exercises.parts.matrix_cells import read_functions
 from kinematics.answers.dynamics_answers import DynamicsQuestion, EquationsAnswer, judge_dynamics
 from kinematics.cells import ReadTable
 from kinematics.dynamics import rate_name
-from kinematics.errors import CellError, Fault, JointValueError
-from kinematics.expressions import Expression, parameters_in
+from kinematics.errors import Fault, JointValueError
+from kinematics.expressions import Expression
 from service.http.languages import language_of
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
-from service.messages import sentence
 from service.schemas import examples
 from service.schemas.dynamics_answers import (
     CHECK_DYNAMICS,
@@ -24,7 +22,9 @@ from service.schemas.dynamics_answers import (
     CheckDynamicsRequest,
     DynamicsMistakeModel,
 )
+from service.schemas.spoken import feedback_sentence
 from service.settings import Settings
+from service.wire.answer_functions import read_row
 from service.wire.dynamics import parameter_numbers, weighed
 from service.work.limiters import WorkKind
 
@@ -76,10 +76,7 @@ def _checked(body: CheckDynamicsRequest, settings: Settings, language: str) -> C
         "skew": verdict.skew,
         "g": None if verdict.gravity is None else list(verdict.gravity),
         "mistakes": [
-            DynamicsMistakeModel(
-                code=mistake,
-                message=sentence(language, f"feedback-motion_{mistake.value}", {}) or mistake.value,
-            )
+            DynamicsMistakeModel(code=mistake, message=feedback_sentence(f"motion_{mistake.value}", language))
             for mistake in verdict.mistakes
         ],
     }
@@ -102,19 +99,5 @@ def _row(
     cells: list[Any], read: ReadTable, question: DynamicsQuestion, *where: str | int
 ) -> tuple[Expression, ...]:
     n = question.table.n_joints
-    if len(cells) != n:
-        params = {"expected": n, "given": len(cells)}
-        raise JointValueError(Fault(code="joint_row_length", where=where, params=params))
-    found = read_functions(cells, read.table.joint_types, read.angle_unit, where)
-    faults = [entry for entry in found if isinstance(entry, Fault)]
-    functions = [entry for entry in found if not isinstance(entry, Fault)]
     known = {*question.values, *(rate_name(joint) for joint in range(1, n + 1))}
-    if not faults:
-        faults = [
-            Fault(code="parameter_missing", where=(*where, k), params={"name": name})
-            for k, entry in enumerate(functions)
-            for name in sorted(parameters_in(entry) - known)
-        ]
-    if faults:
-        raise CellError(faults)
-    return tuple(functions)
+    return read_row(cells, n, read, known, where)

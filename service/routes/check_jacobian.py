@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
 from functools import partial
 from typing import Annotated, Any
 
@@ -15,18 +13,18 @@ from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.chain import chain_of_table
 from kinematics.errors import Fault, JointValueError
 from kinematics.inverse.lengths import check_lengths
-from kinematics.joint_values import one_configuration
 from service.http.languages import language_of
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
-from service.messages import sentence
 from service.schemas import examples
 from service.schemas.jacobian_answers import (
     CheckJacobianAnswer,
     CheckJacobianRequest,
-    JacobianMistakeModel,
+    jacobian_mistake,
 )
+from service.wire.answer_functions import check_count
 from service.wire.fault_pointers import traced
+from service.wire.joint_values import values_in_radians
 from service.wire.prepared_robots import PreparedRobot
 
 router = api_router("kinematics")
@@ -70,15 +68,15 @@ def _checked(body: CheckJacobianRequest, robot: PreparedRobot, language: str) ->
     with traced(body):
         check_lengths(robot.table)
     n = len(robot.joint_units)
-    joints = _values(body.joints, robot.joint_units)
+    joints = values_in_radians(body.joints, robot.joint_units, "joints")
     if body.jacobian is None and body.joint_forces is None:
         raise JointValueError(Fault(code="jacobian_empty"))
     if body.joint_forces is not None and body.wrench is None:
         raise JointValueError(Fault(code="wrench_missing", where=("wrench",)))
     for i, row in enumerate(body.jacobian or ()):
-        _counted(row, n, ("jacobian", i))
+        check_count(row, n, ("jacobian", i))
     if body.joint_forces is not None:
-        _counted(body.joint_forces, n, ("joint_forces",))
+        check_count(body.joint_forces, n, ("joint_forces",))
     chain = chain_of_table(robot.table)
     entries, forces, correct = None, None, True
     mistakes: list[tuple[str, JacobianMistake, int | None]] = []
@@ -101,28 +99,6 @@ def _checked(body: CheckJacobianRequest, robot: PreparedRobot, language: str) ->
             "correct": correct,
             "entries": entries,
             "forces": forces,
-            "mistakes": [_spoken(*entry, language) for entry in mistakes],
+            "mistakes": [jacobian_mistake(*entry, language) for entry in mistakes],
         }
     )
-
-
-def _spoken(what: str, mistake: JacobianMistake, joint: int | None, language: str) -> JacobianMistakeModel:
-    told = sentence(language, f"feedback-{what}_{mistake.value}", {"joint": joint or 0})
-    return JacobianMistakeModel(code=mistake, joint=joint, message=told or mistake.value)
-
-
-def _values(given: Sequence[float], units: Sequence[float]) -> list[float]:
-    """Return the joint values in [rad] and the table's length unit."""
-    try:
-        values = one_configuration(list(given), len(units))
-    except JointValueError as error:
-        raise JointValueError(
-            replace(fault, where=("joints", *fault.where[1:])) for fault in error.faults
-        ) from error
-    return [value * unit for value, unit in zip(values, units, strict=True)]
-
-
-def _counted(row: Sequence[float], n: int, where: tuple[str | int, ...]) -> None:
-    if len(row) != n:
-        params = {"expected": n, "given": len(row)}
-        raise JointValueError(Fault(code="joint_row_length", where=where, params=params))

@@ -2,31 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import partial
 from typing import Annotated, Any
 
 from fastapi import Body
 
 from exercises.parts.definition_keys import COMPONENTS
-from exercises.parts.matrix_cells import read_functions
 from kinematics.answers.form_samples import FormRobot
 from kinematics.answers.jacobian_answers import JacobianMistake
 from kinematics.answers.jacobian_forms import judge_force_form, judge_jacobian_form
 from kinematics.answers.screw_answers import ScrewOrder
-from kinematics.cells import Cell, ParameterKind
-from kinematics.errors import CellError, Fault, JointValueError
-from kinematics.expressions import Expression, parameters_in
+from kinematics.cells import ParameterKind
+from kinematics.errors import Fault, JointValueError
 from kinematics.rotations.sequences import EulerSequence
 from kinematics.symbolic import ProofStatus
 from service.http.languages import language_of
 from service.http.openapi import problems
 from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
-from service.messages import sentence
 from service.schemas import examples
-from service.schemas.jacobian_answers import JacobianMistakeModel
+from service.schemas.jacobian_answers import jacobian_mistake
 from service.schemas.jacobian_form_answers import CheckJacobianFormAnswer, CheckJacobianFormRequest
+from service.wire.answer_functions import read_row
 from service.wire.form_values import form_values
 from service.wire.prepared_robots import PreparedRobot
 from service.work.limiters import WorkKind
@@ -96,7 +93,7 @@ def _checked(body: CheckJacobianFormRequest, robot: PreparedRobot, language: str
     mistakes: list[tuple[str, JacobianMistake, int | None]] = []
     entries, forces, correct = None, None, True
     if body.jacobian is not None:
-        rows = [_read(row, robot, named.keys(), n, ("jacobian", i)) for i, row in enumerate(body.jacobian)]
+        rows = [read_row(row, n, robot.read, named, ("jacobian", i)) for i, row in enumerate(body.jacobian)]
         if body.order is ScrewOrder.ANGULAR_FIRST:
             rows = [*rows[3:], *rows[:3]]
         found = judge_jacobian_form(form, rows, body.frame, body.tolerance, angles)
@@ -104,8 +101,8 @@ def _checked(body: CheckJacobianFormRequest, robot: PreparedRobot, language: str
         proofs.add(found.proof)
         mistakes += [("jacobian", mistake, joint) for mistake, joint in found.mistakes]
     if body.joint_forces is not None and body.wrench is not None:
-        given = _read(body.joint_forces, robot, named.keys(), n, ("joint_forces",))
-        wrench = _read(body.wrench, robot, named.keys(), 6, ("wrench",), variables=False)
+        given = read_row(body.joint_forces, n, robot.read, named, ("joint_forces",))
+        wrench = read_row(body.wrench, 6, robot.read, named, ("wrench",), variables=False)
         right, proof, mistake = judge_force_form(form, given, wrench, body.frame, body.tolerance)
         forces, correct = list(right), correct and all(right)
         proofs.add(proof)
@@ -118,38 +115,6 @@ def _checked(body: CheckJacobianFormRequest, robot: PreparedRobot, language: str
             "proof": next(status for status in order if status in proofs),
             "entries": entries,
             "forces": forces,
-            "mistakes": [_spoken(*entry, language) for entry in mistakes],
+            "mistakes": [jacobian_mistake(*entry, language) for entry in mistakes],
         }
     )
-
-
-def _read(
-    cells: Sequence[Cell],
-    robot: PreparedRobot,
-    known: Any,
-    expected: int,
-    where: tuple[str | int, ...],
-    *,
-    variables: bool = True,
-) -> tuple[Expression, ...]:
-    if len(cells) != expected:
-        params = {"expected": expected, "given": len(cells)}
-        raise JointValueError(Fault(code="joint_row_length", where=where, params=params))
-    types = robot.read.table.joint_types if variables else ()
-    read = read_functions(cells, types, robot.read.angle_unit, where)
-    faults = [entry for entry in read if isinstance(entry, Fault)]
-    functions = [entry for entry in read if not isinstance(entry, Fault)]
-    if not faults:
-        faults = [
-            Fault(code="parameter_missing", where=(*where, k), params={"name": name})
-            for k, entry in enumerate(functions)
-            for name in sorted(parameters_in(entry) - set(known))
-        ]
-    if faults:
-        raise CellError(faults)
-    return tuple(functions)
-
-
-def _spoken(what: str, mistake: JacobianMistake, joint: int | None, language: str) -> JacobianMistakeModel:
-    told = sentence(language, f"feedback-{what}_{mistake.value}", {"joint": joint or 0})
-    return JacobianMistakeModel(code=mistake, joint=joint, message=told or mistake.value)

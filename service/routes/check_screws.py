@@ -13,9 +13,9 @@ from kinematics.errors import DescriptionError, Fault
 from service.http.languages import language_of
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
-from service.messages import sentence
 from service.schemas import examples
 from service.schemas.screw_answers import CheckScrewsAnswer, CheckScrewsRequest, ScrewMistakeModel
+from service.schemas.spoken import feedback_sentence
 from service.wire.fault_pointers import traced
 from service.wire.pose_matrices import pose_matrix
 from service.wire.prepared_robots import PreparedRobot
@@ -89,8 +89,7 @@ def _checked(body: CheckScrewsRequest, robot: PreparedRobot, language: str) -> C
                 ScrewMistakeModel(
                     code=mistake,
                     joint=joint,
-                    message=sentence(language, f"feedback-screw_{mistake.value}", {"joint": joint or 0})
-                    or mistake.value,
+                    message=feedback_sentence(f"screw_{mistake.value}", language, {"joint": joint or 0}),
                 )
                 for mistake, joint in found.mistakes
             ],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from functools import partial
 from typing import Annotated, Any
 
@@ -16,16 +17,17 @@ from kinematics.answers.singularity_answers import (
     lost_motion_is_right,
     lost_motions_at,
 )
-from kinematics.errors import CellError, Fault, JointValueError
-from kinematics.expressions import Expression, parameters_in
+from kinematics.errors import Fault, JointValueError
+from kinematics.expressions import Expression
 from kinematics.inverse.lengths import check_lengths
 from kinematics.symbolic.determinants import MotionRows
 from service.http.languages import language_of
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
-from service.messages import sentence
 from service.schemas import examples
 from service.schemas.singularity_answers import CheckSingularitiesAnswer, CheckSingularitiesRequest
+from service.schemas.spoken import feedback_sentence
+from service.wire.answer_functions import check_count, known_functions
 from service.wire.fault_pointers import traced
 from service.wire.form_values import form_values
 from service.wire.joint_values import values_in_radians
@@ -108,7 +110,7 @@ def _conditions(
     for number, entry in zip(numbers, found.conditions, strict=True):
         message = None
         if entry.status is not ConditionStatus.SINGULAR:
-            message = sentence(language, f"feedback-singularity_{entry.status.value}", {"condition": number})
+            message = feedback_sentence(f"singularity_{entry.status.value}", language, {"condition": number})
         told.append(
             {
                 "number": number,
@@ -127,27 +129,16 @@ def _typed(joints: tuple[float, ...] | None, robot: PreparedRobot) -> list[float
     return [value / unit for value, unit in zip(joints, robot.joint_units, strict=True)]
 
 
-def _read(cell: Any, robot: PreparedRobot, known: Any, i: int) -> list[Expression]:
+def _read(cell: Any, robot: PreparedRobot, known: Collection[str], i: int) -> tuple[Expression, ...]:
     where = ("conditions", i)
     read = read_conditions(cell, robot.read.table.joint_types, robot.read.angle_unit, where)
-    faults = [entry for entry in read if isinstance(entry, Fault)]
-    functions = [entry for entry in read if not isinstance(entry, Fault)]
-    faults += [
-        Fault(code="parameter_missing", where=where, params={"name": name})
-        for entry in functions
-        for name in sorted(parameters_in(entry) - set(known))
-    ]
-    if faults:
-        raise CellError(faults)
-    return functions
+    return known_functions(read, known, [where] * len(read))
 
 
 def _lost(body: CheckSingularitiesRequest, robot: PreparedRobot, arm: SingularArm) -> bool:
     expected = 3 if body.motion is MotionRows.TRANSLATION else 6
     given = body.lost or []
-    if len(given) != expected:
-        params = {"expected": expected, "given": len(given)}
-        raise JointValueError(Fault(code="joint_row_length", where=("lost",), params=params))
+    check_count(given, expected, ("lost",))
     joints = values_in_radians(body.joints or [], robot.joint_units, "joints")
     if not lost_motions_at(arm, joints):
         raise JointValueError(Fault(code="not_singular", where=("joints",)))

@@ -7,19 +7,16 @@ from typing import Annotated, Any
 
 from fastapi import Body
 
-from exercises.draws import Picker
-from exercises.errors import ExerciseError
-from exercises.instance import seed_text
 from kinematics.frames.assignment import assign_frames
 from kinematics.frames.wrong_frames import DrawnFrame, plantable_in_frames, right_handed
 from service.http.languages import language_of
 from service.http.openapi import problems
-from service.http.problems import RequestError
 from service.http.routing import ApiRequest, api_router
-from service.messages import sentence
 from service.schemas import examples
 from service.schemas.exercises import FigureFrame
 from service.schemas.frame_planting import PlantFrameMistakeAnswer, PlantFrameMistakeRequest
+from service.schemas.spoken import option_name
+from service.wire.planted_choice import chosen_mistake
 from service.work.limiters import WorkKind
 
 router = api_router("exercises")
@@ -55,21 +52,15 @@ async def plant_frame_mistake(
 
 
 def _planted(body: PlantFrameMistakeRequest, language: str) -> PlantFrameMistakeAnswer:
-    try:
-        seed = seed_text(body.seed)
-    except ExerciseError as error:
-        raise RequestError(fault.within("seed") for fault in error.faults) from None
     axes = [axis.axis() for axis in body.axes]
     assigned = assign_frames(axes, body.convention)
     frames = [right_handed(frame.origin, frame.x, frame.z) for frame in assigned.frames]
     ways = plantable_in_frames(axes, body.convention, frames)
-    picker = Picker(exercise_id="plant-frame-mistake", seed=seed)
-    code = picker.choice(tuple(ways), "mistake")
-    chosen = picker.choice(ways[code], "place")
+    code, chosen = chosen_mistake("plant-frame-mistake", body.seed, ways, "axes")
     return PlantFrameMistakeAnswer(
         frame=chosen.index,
         mistake=code,
-        label=sentence(language, f"option-{code}") or code,
+        label=option_name(code, language),
         frames=[_written(frame) for frame in chosen.shown],
         mended=_written(chosen.right),
     )

@@ -7,25 +7,22 @@ from typing import Annotated, Any
 
 from fastapi import Body
 
-from exercises.draws import Picker
-from exercises.errors import ExerciseError
-from exercises.instance import seed_text
 from exercises.parts.matrix_cells import write_matrix
 from exercises.parts.planted_matrices import MATRIX_MISTAKES, PlantedMatrix, plantable_in
 from kinematics.cells import Limits, ReadTable, read_table
-from kinematics.errors import Fault, TableError
 from kinematics.symbolic import Matrix
 from service.http.languages import language_of
 from service.http.openapi import problems
-from service.http.problems import RequestError, located
+from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
-from service.messages import sentence
 from service.schemas import examples
 from service.schemas.matrix_planting import (
     PlantMatrixMistakeAnswer,
     PlantMatrixMistakeRequest,
     WrongCell,
 )
+from service.schemas.spoken import option_name
+from service.wire.planted_choice import chosen_mistake
 from service.work.limiters import WorkKind
 
 router = api_router("exercises")
@@ -54,10 +51,6 @@ async def plant_matrix_mistake(
 
 
 def _planted(body: PlantMatrixMistakeRequest, limits: Limits, language: str) -> PlantMatrixMistakeAnswer:
-    try:
-        seed = seed_text(body.seed)
-    except ExerciseError as error:
-        raise RequestError(fault.within("seed") for fault in error.faults) from None
     with located("table"):
         read = read_table(body.table.raw(), limits)
     ways: dict[str, tuple[PlantedMatrix, ...]] = {
@@ -65,15 +58,11 @@ def _planted(body: PlantMatrixMistakeRequest, limits: Limits, language: str) -> 
         for code in MATRIX_MISTAKES[body.matrix]
         if (found := plantable_in(read.table, body.matrix, code))
     }
-    if not ways:
-        raise TableError(Fault(code="not_plantable", where=("table",)))
-    picker = Picker(exercise_id="plant-matrix-mistake", seed=seed)
-    code = picker.choice(tuple(ways), "mistake")
-    chosen = picker.choice(ways[code], "place")
+    code, chosen = chosen_mistake("plant-matrix-mistake", body.seed, ways, "table")
     return PlantMatrixMistakeAnswer(
         row=None if chosen.link is None else chosen.link + 1,
         mistake=code,
-        label=sentence(language, f"option-{code}") or code,
+        label=option_name(code, language),
         matrix=_written(chosen.shown, read),
         wrong_cells=[WrongCell(row=r + 1, column=c + 1) for r, c in sorted(chosen.wrong_cells)],
         mended=_written(chosen.right, read),

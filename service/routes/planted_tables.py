@@ -9,19 +9,14 @@ import numpy as np
 from fastapi import Body
 
 from exercises.alternatives import other_tables
-from exercises.draws import Picker
-from exercises.errors import ExerciseError
 from exercises.grading import Policy, ToolRule, grade
-from exercises.instance import seed_text
 from exercises.parts.compare_tables import true_reasons
 from exercises.parts.planting import Planted, plantable
-from kinematics.cells import Limits, read_table
-from kinematics.errors import Fault, TableError
+from kinematics.cells import Limits, ReadTable, read_table
 from service.http.languages import language_of
 from service.http.openapi import problems
-from service.http.problems import RequestError, located
+from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
-from service.messages import sentence
 from service.schemas import examples
 from service.schemas.planting import (
     ComparedTable,
@@ -32,8 +27,9 @@ from service.schemas.planting import (
     PlantMistakeAnswer,
     PlantMistakeRequest,
 )
-from service.schemas.spoken import spoken
+from service.schemas.spoken import option_name, spoken
 from service.schemas.tables import Table
+from service.wire.planted_choice import chosen_mistake
 from service.wire.written_tables import TableWriter
 from service.work.limiters import WorkKind
 
@@ -110,10 +106,6 @@ async def write_other_tables(
 
 
 def _planted(body: PlantMistakeRequest, limits: Limits, language: str) -> PlantMistakeAnswer:
-    try:
-        seed = seed_text(body.seed)
-    except ExerciseError as error:
-        raise RequestError(error.faults) from error
     with located("table"):
         read = read_table(body.table.raw(), limits)
     policy = body.policy.policy()
@@ -122,18 +114,13 @@ def _planted(body: PlantMistakeRequest, limits: Limits, language: str) -> PlantM
         for code in dict.fromkeys(body.mistakes)
         if (found := plantable(read, code, policy, body.parameters))
     }
-    if not ways:
-        raise TableError(Fault(code="not_plantable", where=("mistakes",)))
-    picker = Picker(exercise_id="plant-mistake", seed=seed)
-    code = picker.choice(tuple(ways), "mistake")
-    chosen = picker.choice(ways[code], "place")
-    writer = TableWriter(angle_unit=read.angle_unit, length_unit=read.length_unit)
+    code, chosen = chosen_mistake("plant-mistake", body.seed, ways, "mistakes")
     return PlantMistakeAnswer(
-        table=Table.model_validate(writer.table(chosen.table.table), strict=False),
+        table=_sent(chosen.table, read),
         mistake=code,
-        label=sentence(language, f"option-{code}") or code,
+        label=option_name(code, language),
         row=chosen.row + 1,
-        mended=Table.model_validate(writer.table(read.table), strict=False),
+        mended=_sent(read, read),
     )
 
 
@@ -142,16 +129,17 @@ def _others(body: OtherTablesRequest, limits: Limits) -> OtherTablesAnswer:
         read = read_table(body.table.raw(), limits)
     with np.errstate(all="ignore"):
         found = other_tables(read, body.policy.policy(), body.parameters, body.count)
-    writer = TableWriter(angle_unit=read.angle_unit, length_unit=read.length_unit)
     return OtherTablesAnswer(
         tables=[
-            ComparedTable(
-                table=Table.model_validate(writer.table(other.table.table), strict=False),
-                reasons=sorted(other.reasons),
-            )
-            for other in found
+            ComparedTable(table=_sent(other.table, read), reasons=sorted(other.reasons)) for other in found
         ]
     )
+
+
+def _sent(table: ReadTable, asked: ReadTable) -> Table:
+    """Return a table in the units of the one that was asked about."""
+    writer = TableWriter(angle_unit=asked.angle_unit, length_unit=asked.length_unit)
+    return Table.model_validate(writer.table(table.table), strict=False)
 
 
 def _compared(body: CompareTablesRequest, limits: Limits, language: str) -> CompareTablesAnswer:

@@ -13,6 +13,7 @@ from service.schemas.base import Real, Wire
 from service.schemas.choices import forbidding, together
 from service.schemas.rates_request import Vector6
 from service.schemas.robot_question import NO_ROBOT, RobotQuestion
+from service.schemas.spoken import feedback_sentence
 from service.schemas.tables import Units
 
 Columns = Annotated[list[Real], Field(max_length=64)]
@@ -50,6 +51,14 @@ class JacobianMistakeModel(Wire):
     code: JacobianMistake
     joint: int | None = Field(description="the column it is about, from 1; null: all of them")
     message: str = Field(description="the sentence, in the caller's language")
+
+
+def jacobian_mistake(
+    what: str, mistake: JacobianMistake, joint: int | None, language: str
+) -> JacobianMistakeModel:
+    """Return a mistake in a Jacobian or in joint forces (`what`), with its sentence."""
+    told = feedback_sentence(f"{what}_{mistake.value}", language, {"joint": joint or 0})
+    return JacobianMistakeModel(code=mistake, joint=joint, message=told)
 
 
 class CheckJacobianAnswer(Units):

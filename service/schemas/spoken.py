@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 
 from pydantic import Field
 
 from exercises.grading import Feedback
 from service.messages import sentence
 from service.schemas.base import Wire
+
+NOTHING: Mapping[str, object] = MappingProxyType({})
 
 
 class SpokenFeedback(Wire):
@@ -27,10 +30,20 @@ def spoken(feedback: Iterable[Feedback], language: str) -> list[SpokenFeedback]:
             params={
                 name: value for name, value in _values(entry).items() if isinstance(value, str | int | float)
             },
-            message=sentence(language, f"feedback-{entry.code}", _values(entry)) or entry.code,
+            message=feedback_sentence(entry.code, language, _values(entry)),
         )
         for entry in feedback
     ]
+
+
+def feedback_sentence(code: str, language: str, values: Mapping[str, object] = NOTHING) -> str:
+    """Return what a code of feedback says."""
+    return sentence(language, f"feedback-{code}", values) or code
+
+
+def option_name(code: str, language: str) -> str:
+    """Return what a mistake is called where it can be chosen."""
+    return sentence(language, f"option-{code}") or code
 
 
 def _values(entry: Feedback) -> Mapping[str, object]:

@@ -15,7 +15,6 @@ from kinematics.chain import chain_of_table
 from kinematics.equivalence import Certificate
 from kinematics.equivalence.decision import certify
 from kinematics.equivalence.reference import prepared
-from kinematics.errors import Fault, JointValueError
 from kinematics.inverse import ArmReach, solver_of
 from kinematics.se3 import check_transform, inverse_transform
 from service.http.problems import located
@@ -26,6 +25,7 @@ from service.schemas.joint_answers import (
 )
 from service.schemas.joint_limits import domain_limits
 from service.schemas.spoken import spoken
+from service.wire.answer_functions import check_count
 from service.wire.fault_pointers import traced
 from service.wire.pose_matrices import pose_matrix
 from service.wire.prepared_robots import PreparedRobot
@@ -131,7 +131,5 @@ def _units(request: CheckInverseKinematicsRequest, robot: PreparedRobot) -> tupl
 
 
 def _row(row: list[float], units: tuple[float, ...], field: str, i: int) -> tuple[float, ...]:
-    if len(row) != len(units):
-        params = {"expected": len(units), "given": len(row)}
-        raise JointValueError(Fault(code="joint_row_length", where=(field, i), params=params))
+    check_count(row, len(units), (field, i))
     return tuple(value * unit for value, unit in zip(row, units, strict=True))

@@ -7,6 +7,7 @@ from typing import Any
 import httpx
 import pytest
 
+ONE_LINK = {"convention": "standard", "rows": [{"theta": "q1", "d": 0, "a": 0.5, "alpha": 0}]}
 TARGET = [[0, 0, 1, 0.5], [0, -1, 0, 0.2], [1, 0, 0, 0.3], [0, 0, 0, 1]]
 
 
@@ -73,6 +74,24 @@ def test_gimbal_lock_is_told_with_its_family(client: httpx.Client) -> None:
             {"robot": "puma560", "target": TARGET, "solutions": [[1, 2]]},
             "joint_row_length",
             "/solutions/0",
+        ),
+        ("plant-mistake", {"table": ONE_LINK, "seed": "x" * 201}, "seed_too_long", "/seed"),
+        ("plant-matrix-mistake", {"table": ONE_LINK, "seed": "x" * 201}, "seed_too_long", "/seed"),
+        (
+            "plant-frame-mistake",
+            {
+                "axes": [{"joint": "revolute", "point": [0, 0, 0], "direction": [0, 0, 1]}],
+                "convention": "standard",
+                "seed": "x" * 201,
+            },
+            "seed_too_long",
+            "/seed",
+        ),
+        (
+            "check-jacobian",
+            {"table": ONE_LINK, "joints": [1e70], "jacobian": [[0]] * 6},
+            "result_not_finite",
+            "/joints/0",
         ),
     ],
 )

@@ -1,0 +1,79 @@
+"""Functions of the joint variables that an answer to one of the `check-…` calls holds."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from typing import Any
+
+from exercises.parts.matrix_cells import read_functions
+from kinematics.cells import ReadTable
+from kinematics.errors import CellError, Fault, JointValueError
+from kinematics.expressions import Expression, parameters_in
+
+Where = tuple[str | int, ...]
+
+
+def read_row(
+    cells: Sequence[Any],
+    expected: int,
+    robot: ReadTable,
+    known: Collection[str],
+    where: Where,
+    *,
+    variables: bool = True,
+) -> tuple[Expression, ...]:
+    """Return what the cells of a row mean.
+
+    Args:
+        cells: the row.
+        expected: how many cells it must have.
+        robot: whose joint variables and angle unit it uses.
+        known: names that have a value.
+        where: place of the row.
+        variables: whether joint variables may stand in it.
+
+    Raises:
+        JointValueError: it has more or fewer cells.
+        CellError: a cell cannot be read, or holds a name without a value.
+    """
+    check_count(cells, expected, where)
+    types = robot.table.joint_types if variables else ()
+    read = read_functions(cells, types, robot.angle_unit, where)
+    return known_functions(read, known, [(*where, k) for k in range(len(cells))])
+
+
+def known_functions(
+    read: Sequence[Expression | Fault], known: Collection[str], places: Sequence[Where]
+) -> tuple[Expression, ...]:
+    """Return what was read, if nothing is wrong with it and every name in it has a value.
+
+    Args:
+        read: functions, or what is wrong with them.
+        known: names that have a value.
+        places: where each function stands.
+
+    Raises:
+        CellError: one cannot be read, or holds a name without a value.
+    """
+    faults = [entry for entry in read if isinstance(entry, Fault)]
+    functions = tuple(entry for entry in read if not isinstance(entry, Fault))
+    if not faults:
+        faults = [
+            Fault(code="parameter_missing", where=where, params={"name": name})
+            for where, entry in zip(places, functions, strict=True)
+            for name in sorted(parameters_in(entry) - set(known))
+        ]
+    if faults:
+        raise CellError(faults)
+    return functions
+
+
+def check_count(row: Sequence[Any], expected: int, where: Where) -> None:
+    """Make sure that a row has as many entries as it must.
+
+    Raises:
+        JointValueError: it has not.
+    """
+    if len(row) != expected:
+        params = {"expected": expected, "given": len(row)}
+        raise JointValueError(Fault(code="joint_row_length", where=where, params=params))
