@@ -12,6 +12,7 @@ from dataclasses import replace
 from exercises.definition import Exercise
 from exercises.grading.substitution import replaced, substituted
 from kinematics.cells import ReadTable, nearest_name
+from kinematics.cells.unit_words import is_symbol_of_unit
 from kinematics.errors import Fault
 from kinematics.expressions import Expression, Parameter, parameters_in
 from kinematics.table import CELLS
@@ -31,7 +32,13 @@ def unknown_name(
     own = tuple(exercise.reference.parameters)
     known = (*own, *sorted(set(others) - set(own)))
     close = nearest_name(name, (*known, *exercise.aliases))
-    params = {"name": name, "known": known or "–", "close": close or "", "found": int(close is not None)}
+    params = {
+        "name": name,
+        "unit": int(close is None and is_symbol_of_unit(name)),
+        "found": int(close is not None),
+        "close": close or "",
+        "known": known or "–",
+    }
     return Fault(code="name_unknown", where=where, params=params)
 
 

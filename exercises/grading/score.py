@@ -45,14 +45,21 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
         return 0.0
     off = max(weights.sign, lost(decision, work, weights))
     if repairs and len(repairs[0].changes) == 1:
-        off = min(off, _cost(repairs[0].changes[0], weights))
+        off = min(off, _cost(repairs[0].changes[0], weights, nothing))
     return round(min(max(1.0 - off / nothing, 0.0), HIGHEST_PARTIAL), DECIMALS)
 
 
-def _cost(change: Change, weights: Weights) -> float:
-    """What the slip costs that a change undoes, in facts."""
-    of_extent = {Extent.CELL: 1.0, Extent.ROW: weights.row, Extent.TABLE: weights.table}
-    return weights.sign if change.code in SIGNS else of_extent[change.extent]
+def _cost(change: Change, weights: Weights, nothing: float) -> float:
+    """What the slip costs that a change undoes, in facts.
+
+    One throughout the table leaves half of what a table of zeros loses, which has not one such thing right:
+    two names exchanged are all the facts of a SCARA, and still one slip.
+    """
+    if change.code in SIGNS:
+        return weights.sign
+    cost = {Extent.CELL: 1.0, Extent.ROW: weights.row, Extent.TABLE: weights.table}[change.extent]
+    throughout = change.extent is Extent.TABLE or change.code == "parameters_swapped"
+    return min(cost, nothing / 2.0) if throughout else cost
 
 
 def lost(decision: Decision, work: Work, weights: Weights) -> float:

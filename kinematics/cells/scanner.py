@@ -27,6 +27,7 @@ from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.unit_words import unit_refusal
 from kinematics.cells.variable_marks import without_marks
+from kinematics.cells.wrapping import without_wrapping
 from kinematics.expressions import Function
 
 FUNCTION_NAMES = {function.value: function for function in Function} | {
@@ -72,6 +73,8 @@ _COMMANDS = {
     "degree": "DEGREE",
 }
 _FRACTIONS = {"frac", "dfrac", "tfrac"}
+_LETTERS = {"ell": "l"}
+"""Letters that are commands."""
 _SPACING = {"left", "right", "quad", "qquad", ",", ";", ":", "!", " "}
 _GREEK_NAMES = set(GREEK.values()) - {"pi"}
 
@@ -122,6 +125,7 @@ def scan(text: str, limits: Limits = DEFAULT) -> list[Token]:
 
 def _translated(text: str) -> str:
     """The text in the scanner's characters; a unit is told before the foreign letters in it."""
+    text = without_wrapping(text)
     unit = unit_refusal(text)
     try:
         plain = translated(text)
@@ -214,8 +218,9 @@ def _command(plain: str, start: int, limits: Limits) -> Scanned:
         return [_token("FRACTION", word, start)], end
     if word in FUNCTION_NAMES:
         return [_token("FUNCTION", FUNCTION_NAMES[word].value, start)], end
-    word = word.removeprefix("var")
-    if word not in _GREEK_NAMES:
+    letter = _LETTERS.get(word)
+    word = letter or word.removeprefix("var")
+    if letter is None and word not in _GREEK_NAMES:
         raise CellRefusal("command_unknown", column=start + 1, command=word)
     index = _INDEX.match(plain, end)
     assert index is not None

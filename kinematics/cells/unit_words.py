@@ -7,6 +7,7 @@ import re
 from kinematics.cells.refusals import CellRefusal
 
 _WORDS = """
+kg nm newton newtons
 m mm cm in rad grad degree degrees radian radians metre metres meter meters millimetre millimetres
 millimeter millimeters centimetre centimetres centimeter centimeters inch inches
 grado grados radián radianes metro metros milímetro milímetros centímetro centímetros pulgada pulgadas
@@ -17,6 +18,8 @@ grade radiani metru metri milimetru milimetri centimetru centimetri țol țoli i
 міліметр міліметра міліметри міліметрів мм сантиметр сантиметра сантиметри сантиметрів см дюйм дюйма дюйми
 дюймів
 """
+_SYMBOLS = frozenset({"N", "g", "s", "J", "W", "Hz", "kN"})
+"""Symbols of units that are names, too: a cell may hold them where they have a value."""
 _ALSO_NAMES = {"m", "in", "м"}
 """Units in lower case only: M and In are names."""
 _UNITS = frozenset(_WORDS.split())
@@ -39,6 +42,11 @@ def unit_refusal(text: str) -> CellRefusal | None:
     return CellRefusal(
         "unit_in_cell", column=units[0].start(1) + 1, name=units[0][2], suggestion=rest.strip()
     )
+
+
+def is_symbol_of_unit(name: str) -> bool:
+    """Return whether a name that has no meaning is likely to be a unit: the N of 10 N, the m of a2 m."""
+    return name in _SYMBOLS or _is_unit(name)
 
 
 def _is_unit(word: str) -> bool:

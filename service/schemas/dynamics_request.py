@@ -5,7 +5,8 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, RootModel
+from pydantic import BeforeValidator, Field, RootModel
+from pydantic_core import PydanticCustomError
 
 from kinematics.dynamics.reading import RawBody
 from kinematics.printing import Notation
@@ -37,14 +38,22 @@ class EquationPart(StrEnum):
     G = "g"
 
 
+def _not_in_one_row(inertia: Any) -> Any:
+    if isinstance(inertia, list) and inertia and not any(isinstance(row, list) for row in inertia):
+        raise PydanticCustomError("inertia_in_one_row", "moments and products of inertia in one list")
+    return inertia
+
+
 class LinkBody(Wire):
     """What moves with one frame of the table."""
 
     mass: Cell = Field(0, description="[kg]")
     centre: Cells3 = Field([0, 0, 0], description="centre of mass in the link's frame, in the table's unit")
-    inertia: Annotated[list[Cells3], Field(min_length=3, max_length=3)] = Field(
-        [[0, 0, 0], [0, 0, 0], [0, 0, 0]],
-        description="3×3 about the centre of mass, in the axes of the link's frame [kg m²]",
+    inertia: Annotated[list[Cells3], Field(min_length=3, max_length=3), BeforeValidator(_not_in_one_row)] = (
+        Field(
+            [[0, 0, 0], [0, 0, 0], [0, 0, 0]],
+            description="3×3 about the centre of mass, in the axes of the link's frame [kg m²]",
+        )
     )
 
     def raw(self) -> RawBody:

@@ -182,6 +182,16 @@ def test_a_name_in_a_radius_is_told_as_anywhere() -> None:
     assert (fault.code, fault.where, fault.params["close"]) == ("name_unknown", ("workspace", "outer"), "L1")
 
 
+@pytest.mark.parametrize(
+    ("cell", "name", "unit"), [("10 N", "N", 1), ("a2 m", "m", 1), ("2 A2", "A2", 0), ("b9", "b9", 0)]
+)
+def test_a_unit_that_no_number_precedes_is_told_as_one(cell: str, name: str, unit: int) -> None:
+    with pytest.raises(AnswerError) as error:
+        parse(generate(exercise("scara")), RawAnswer(workspace=RadiiCells(inner=0, outer=cell)))
+    (fault,) = error.value.faults
+    assert (fault.code, fault.params["name"], fault.params["unit"]) == ("name_unknown", name, unit)
+
+
 def test_a_joint_variable_is_no_joint_value() -> None:
     cells = JointAnswerCells(claim=JointClaim.FINITE, solutions=(("q1", 0, 0, 0),))
     assert refused("scara-inverse", inverse_kinematics=cells) == {

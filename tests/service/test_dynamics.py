@@ -150,6 +150,11 @@ WEIGHTLESS = {"links": [{}, {}], "torque": [1, 1], "parameters": {"L1": 1, "L2":
         ({"links": [{**bar(1), "mass": "-m1"}, bar(2)]}, "mass_negative", "/links/0/mass"),
         ({"links": [{**bar(1), "mass": "q1"}, bar(2)]}, "body_varies", "/links/0/mass"),
         (
+            {"links": [bar(1), {**bar(2), "inertia": [1, 1, 1, 0, 0, 0]}]},
+            "inertia_in_one_row",
+            "/links/1/inertia",
+        ),
+        (
             {"links": [bar(1), {**bar(2), "inertia": [[0, "I2", 0], [0, 1, 0], [0, 0, 1]]}]},
             "inertia_not_symmetric",
             "/links/1/inertia",

@@ -207,7 +207,10 @@ error-dimension_disagrees = The points of { $name } lie { $length } apart, but {
 error-gripper_without_direction = The gripper and the point that it points away from are the same.
 error-jaws_along_gripper = The jaws stand beside each other, square to the gripper.
 
-error-name_unknown = { $name } is none of the dimensions of this exercise.{ $found ->
+error-name_unknown = { $name } is none of the dimensions of this exercise.{ $unit ->
+    [0] {""}
+   *[one] {" "}Units are not written in cells: if { $name } is one, leave it out.
+}{ $found ->
     [0] {""}
    *[one] {" "}Did you mean { $close }?
 } Known are { $known }.

@@ -207,7 +207,10 @@ error-dimension_disagrees = Los puntos de { $name } distan { $length }, pero { $
 error-gripper_without_direction = La pinza y el punto del que se aleja son el mismo.
 error-jaws_along_gripper = Los dedos están uno al lado del otro, perpendiculares a la pinza.
 
-error-name_unknown = { $name } no es ninguna de las cotas de este ejercicio.{ $found ->
+error-name_unknown = { $name } no es ninguna de las cotas de este ejercicio.{ $unit ->
+    [0] {""}
+   *[one] {" "}Las unidades no se escriben en las celdas: si { $name } es una, omítala.
+}{ $found ->
     [0] {""}
    *[one] {" "}¿Quería decir { $close }?
 } Se conocen { $known }.

@@ -207,7 +207,10 @@ error-dimension_disagrees = Les points de { $name } sont distants de { $length }
 error-gripper_without_direction = La pince et le point dont elle s’éloigne sont confondus.
 error-jaws_along_gripper = Les mors sont placés côte à côte, perpendiculairement à la pince.
 
-error-name_unknown = { $name } n’est aucune des cotes de cet exercice.{ $found ->
+error-name_unknown = { $name } n’est aucune des cotes de cet exercice.{ $unit ->
+    [0] {""}
+   *[one] {" "}Les unités ne s’écrivent pas dans les cellules : si { $name } en est une, omettez-la.
+}{ $found ->
     [0] {""}
    *[one] {" "}Vouliez-vous dire { $close } ?
 } On connaît { $known }.

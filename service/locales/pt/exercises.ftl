@@ -207,7 +207,10 @@ error-dimension_disagrees = Os pontos de { $name } distam { $length }, mas { $na
 error-gripper_without_direction = A garra e o ponto do qual ela se afasta são o mesmo.
 error-jaws_along_gripper = Os dedos ficam um ao lado do outro, perpendiculares à garra.
 
-error-name_unknown = { $name } não é nenhuma das cotas deste exercício.{ $found ->
+error-name_unknown = { $name } não é nenhuma das cotas deste exercício.{ $unit ->
+    [0] {""}
+   *[one] {" "}As unidades não se escrevem nas células: se { $name } é uma delas, omita-a.
+}{ $found ->
     [0] {""}
    *[one] {" "}Queria dizer { $close }?
 } Conhecem-se { $known }.

@@ -215,7 +215,10 @@ error-dimension_disagrees = Punctele cotei { $name } se află la { $length } unu
 error-gripper_without_direction = Prehensorul și punctul de la care pornește direcția lui coincid.
 error-jaws_along_gripper = Fălcile stau una lângă alta, perpendicular pe prehensor.
 
-error-name_unknown = { $name } nu este niciuna dintre cotele acestui exercițiu.{ $found ->
+error-name_unknown = { $name } nu este niciuna dintre cotele acestui exercițiu.{ $unit ->
+    [0] {""}
+   *[one] {" "}Unitățile nu se scriu în celule: dacă { $name } este una, omiteți-o.
+}{ $found ->
     [0] {""}
    *[one] {" "}Ați vrut să scrieți { $close }?
 } Se cunosc { $known }.

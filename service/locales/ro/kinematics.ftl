@@ -17,6 +17,7 @@ error-pose_not_numbers = O poziționare este o matrice 4×4 de numere.
 error-pose_wrong_shape = O poziționare este o matrice 4×4 de numere; aceasta este { $shape }.
 error-pose_not_finite = Acest element nu este un număr finit.
 error-pose_in_one_row = Șaisprezece numere într-o singură listă nu sunt o matrice de poziționare: scrieți patru linii a câte patru numere, [[…], […], […], [0, 0, 0, 1]].
+error-inertia_in_one_row = O inerție nu se scrie într-o singură listă: scrieți trei linii a câte trei, [[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]], Ixy = −∫ x y dm.
 error-pose_bottom_row = Ultima linie a unei matrice de poziționare este 0, 0, 0, 1.
 error-pose_not_orthonormal = Partea de rotație nu este ortonormată (abatere { $error }): coloanele ei trebuie să fie versori perpendiculari, cu toleranța { $tolerance }. Dați mai multe zecimale.
 error-pose_left_handed = Partea de rotație formează un sistem stâng: determinantul ei este −1, adică o reflexie. Trebuie să fie +1.

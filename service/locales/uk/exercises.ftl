@@ -214,7 +214,10 @@ error-dimension_disagrees = Відстань між точками { $name } д�
 error-gripper_without_direction = Захват і точка, від якої він спрямований, збігаються.
 error-jaws_along_gripper = Губки стоять поруч, перпендикулярно до захвата.
 
-error-name_unknown = { $name } не є розміром цієї вправи.{ $found ->
+error-name_unknown = { $name } не є розміром цієї вправи.{ $unit ->
+    [0] {""}
+   *[one] {" "}Одиниці в комірках не пишуть: якщо { $name } — одиниця, приберіть її.
+}{ $found ->
     [0] {""}
    *[one] {" "}Можливо, ви мали на увазі { $close }?
 } Відомі { $known }.

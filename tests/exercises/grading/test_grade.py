@@ -309,6 +309,16 @@ def test_a_forgotten_row_leaves_what_the_others_say(missing: int) -> None:
     assert grade(key, read("modified", zeros), USUAL, {"a2": 0.4, "a3": 0.3}).score == 0.0
 
 
+def test_two_exchanged_names_are_one_slip_in_a_small_arm_too() -> None:
+    """A SCARA's only facts are its two lengths; both are there, and one thing is wrong with them."""
+    key, values = read("modified", SCARA), {"a2": 0.4, "a3": 0.3}
+    swapped = with_cells(SCARA, (2, 1, "a3"), (3, 1, "a2"))
+    verdict = grade(key, read("modified", swapped), USUAL, values)
+    assert ([edit.code for edit in verdict.repairs[0].edits], verdict.score) == (["parameters_swapped"], 0.5)
+    other = with_cells(SCARA, (2, 1, "2*a3"), (3, 1, "2*a2"))
+    assert grade(key, read("modified", other), USUAL, values).score == 0.0
+
+
 def test_three_mistakes_still_earn_something() -> None:
     rows = with_cells(PUMA, (1, 0, 0), (2, 1, 0), (4, 2, 0), (5, 0, 0))
     verdict = grade(KEY, read("standard", rows), USUAL, VALUES)
