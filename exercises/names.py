@@ -13,7 +13,7 @@ from exercises.definition import Exercise
 from exercises.grading.substitution import replaced, substituted
 from kinematics.cells import ReadTable, nearest_name
 from kinematics.cells.unit_words import is_symbol_of_unit
-from kinematics.errors import Fault
+from kinematics.errors import Fault, ParamValue
 from kinematics.expressions import Expression, Parameter, parameters_in
 from kinematics.table import CELLS
 
@@ -32,7 +32,7 @@ def unknown_name(
     own = tuple(exercise.reference.parameters)
     known = (*own, *sorted(set(others) - set(own)))
     close = nearest_name(name, (*known, *exercise.aliases))
-    params = {
+    params: dict[str, ParamValue] = {
         "name": name,
         "unit": int(close is None and is_symbol_of_unit(name)),
         "found": int(close is not None),
