@@ -16,6 +16,8 @@ PY := $(VENV)/bin/python
 PIP := $(PY) -m pip --disable-pip-version-check install --quiet --require-hashes
 
 export MUED_URL MUED_AUTHORIZATION
+# Tests start the service a hundred times: what is compiled is kept, also where an image says otherwise.
+unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: university openapi-generator accessibility lint-python lint-web help sbom licences serve test mued test-clone test-openedx campaign kill-campaign measure-courses exam explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
 
