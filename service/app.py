@@ -43,6 +43,7 @@ from service.resources import Resources, resources_of
 from service.routes import routers
 from service.secret import installation_secret
 from service.settings import Settings
+from service.work.collection import Collection, new_objects_alone
 from service.work.heaps import share_heaps
 from service.work.retention import Retention
 from service.work.score_sender import ScoreSender
@@ -138,12 +139,23 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     switch_threads_often()
     share_heaps()
     to_thread.current_default_thread_limiter().total_tokens = THREADS
+    with new_objects_alone() as collection:
+        watching = asyncio.create_task(_watch(app.state.resources.metrics, collection))
+        try:
+            async with _working(app):
+                yield
+        finally:
+            watching.cancel()
+
+
+@asynccontextmanager
+async def _working(app: FastAPI) -> AsyncIterator[None]:
+    """Start worker processes and background threads, and end them."""
     workers: Workers = app.state.resources.workers
     workers.warm()
     courses = app.state.resources.courses
     sender = ScoreSender(courses) if courses is not None else None
     retention = _retention(app.state.resources)
-    watching = asyncio.create_task(_watch(app.state.resources.metrics))
     shared = (app.state.resources.closed_forms, app.state.resources.figures) if sender is not None else ()
     for answers in shared:
         answers.start()
@@ -155,7 +167,6 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     try:
         yield
     finally:
-        watching.cancel()
         for thread in (sender, retention, *shared):
             if thread is not None:
                 await asyncio.to_thread(thread.stop)
@@ -171,10 +182,11 @@ def _retention(resources: Resources) -> Retention | None:
     return Retention(courses.store, people=people, log=log)
 
 
-async def _watch(metrics: Metrics) -> None:
-    """Keep figures that another process of this server tells for this one."""
+async def _watch(metrics: Metrics, collection: Collection) -> None:
+    """Keep figures that another process of this server tells for this one; look for garbage now and then."""
     while True:
         metrics.note_occupancy()
+        collection.look_at_all()
         await asyncio.sleep(WATCH_SECONDS)
 
 

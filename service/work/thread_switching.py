@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import sys
 from functools import cache
 
@@ -16,9 +15,6 @@ def switch_threads_often() -> None:
     """Have threads that compute give way soon; done once for the process.
 
     While a wrong answer is explained in a thread, the event loop waits up to this long whenever it wakes, and
-    it wakes several times for every request. The collector is told to leave alone what was loaded at the
-    start: it stays as long as the process, and going over it stops all threads.
+    it wakes several times for every request.
     """
     sys.setswitchinterval(SWITCH_SECONDS)
-    gc.collect()
-    gc.freeze()

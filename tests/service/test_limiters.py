@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import gc
 import itertools
 import sys
 import threading
@@ -102,7 +101,6 @@ def test_use_is_forgotten_and_its_memory_bounded() -> None:
 def test_a_server_has_its_threads_take_short_turns(base_url: str) -> None:
     assert base_url
     assert sys.getswitchinterval() <= SWITCH_SECONDS * 1.01
-    assert gc.get_freeze_count() > 0
 
 
 @given(

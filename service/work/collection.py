@@ -1,0 +1,71 @@
+"""How the collector of cyclic garbage goes over the objects of a server process.
+
+What a process keeps (modules, exercises, instances, verdicts, figures) grows to hundreds of thousands of
+objects, and a full collection looks at each of them while all threads wait: a tenth of a second and more.
+What has outlived two collections stands in a cache, nearly always, and goes by its reference count when the
+cache forgets it. It is put aside at once, and looked at again once in a while.
+"""
+
+from __future__ import annotations
+
+import gc
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+YOUNG = 2_000
+"""Net new objects between two collections: a millisecond of work."""
+ROUNDS = 5
+"""Collections of the youngest after which those that outlived one are looked at, and put aside."""
+FULL_AFTER = 100
+"""Times that objects were put aside until all are looked at again: at most a million new objects."""
+FULL_SECONDS = 600.0
+"""Time after which all objects are looked at again if any were put aside [s]."""
+_NEVER = 1_000_000_000
+
+
+class Collection:
+    """Puts aside what has outlived two collections.
+
+    Attributes:
+        times: how often that was, since all objects were looked at.
+    """
+
+    def __init__(self) -> None:
+        self.times = 0
+        self._since = time.monotonic()
+
+    def __call__(self, phase: str, info: dict[str, Any]) -> None:
+        """Take note of a collection, as `gc.callbacks` asks for."""
+        if phase == "stop" and info["generation"] > 0:
+            self.times += 1
+            gc.freeze()
+
+    def look_at_all(self) -> bool:
+        """Look at all objects, if it is time to; return whether it was."""
+        late = self.times > 0 and time.monotonic() - self._since > FULL_SECONDS
+        if self.times < FULL_AFTER and not late:
+            return False
+        gc.unfreeze()
+        gc.collect()
+        gc.freeze()
+        self.times, self._since = 0, time.monotonic()
+        return True
+
+
+@contextmanager
+def new_objects_alone() -> Iterator[Collection]:
+    """Have the collector look at new objects alone, while an application runs."""
+    found, thresholds = Collection(), gc.get_threshold()
+    if not gc.get_freeze_count():
+        gc.collect()
+    gc.freeze()
+    gc.set_threshold(YOUNG, ROUNDS, _NEVER)
+    gc.callbacks.append(found)
+    try:
+        yield found
+    finally:
+        gc.callbacks.remove(found)
+        gc.set_threshold(*thresholds)
+        gc.unfreeze()
