@@ -49,13 +49,8 @@ from exercises.parts.protocol import (
 )
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
 from exercises.reading import Reader
-from kinematics.answers.joint_answers import (
-    USUAL_TOLERANCE,
-    JointQuestion,
-    in_other_frames,
-    joint_question,
-    judge_joints,
-)
+from kinematics.answers.joint_answers import in_other_frames, judge_joints
+from kinematics.answers.joint_questions import USUAL_TOLERANCE, JointQuestion, joint_question
 from kinematics.answers.joint_verdicts import Branch, JointAnswer, JointClaim, JointMistake
 from kinematics.cells import AngleUnit, Cell
 from kinematics.cells.meaning import Position
@@ -130,7 +125,11 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
     disclosures: ClassVar = {
         **told_from(HelpLevel.ROW, "joints_wrong", "joints_twice", "joints_missing"),
         **told_from(HelpLevel.KIND, *(f"branch_{branch.value}" for branch in Branch)),
-        **told_from(HelpLevel.REPAIR, *(f"joints_{mistake.value}" for mistake in JointMistake)),
+        **told_from(
+            HelpLevel.REPAIR,
+            *(f"joints_{mistake.value}" for mistake in JointMistake),
+            instead="joints_wrong",
+        ),
         **told_from(HelpLevel.KIND, "joints_family_missing"),
         **told_from(HelpLevel.ROW, "joints_combination_wrong", "claim_wrong"),
     }
@@ -291,7 +290,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         ]
         half = 180 if context.instance.exercise.angle_unit is AngleUnit.DEG else math.pi
         off = (*first[: turning[0]], float(first[turning[0]]) + half, *first[turning[0] + 1 :])
-        yield "joints_wrong", replace(right, solutions=(off, *right.solutions[1:]))
+        yield "joints_quadrant", replace(right, solutions=(off, *right.solutions[1:]))
         if part.every and len(right.solutions) > 1 and right.claim is JointClaim.FINITE:
             yield "joints_missing", replace(right, solutions=right.solutions[1:])
         yield "claim_wrong", JointAnswerCells(claim=JointClaim.OUT_OF_REACH)

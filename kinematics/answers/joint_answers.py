@@ -13,11 +13,12 @@ c_s·q_s = (c_s∘σ)·q + constant.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
+from kinematics.answers.joint_questions import JointQuestion
 from kinematics.answers.joint_verdicts import (
     Branch,
     JointAnswer,
@@ -26,86 +27,13 @@ from kinematics.answers.joint_verdicts import (
     JointVerdict,
     RowVerdict,
 )
-from kinematics.chain import Chain, chain_of_table, size_of
-from kinematics.inverse import ArmReach, IKSolution, InverseKinematics, Solver, UnreachableReason
-from kinematics.inverse.results import IKStatus, Isolation
+from kinematics.inverse import ArmReach, IKSolution
 from kinematics.se3 import Floats, Transform
 
-USUAL_TOLERANCE = 0.005
-"""Of positions as a share of the arm's size, and of angles [rad]."""
 STEPS = (0.7, 2.1, -1.3)
 """How far along a family an answer's condition is tried [rad or shares of the arm's size]: on no symmetry."""
 PARALLEL = 1e-6
 """Sine of the angle [rad] below which neighbouring axes count as parallel, to tell elbows from shoulders."""
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class JointQuestion:
-    """A pose and all that reaches it.
-
-    Attributes:
-        solver: the arm, with its limits.
-        chain: the same arm, to evaluate configurations.
-        target: (4, 4) the pose.
-        found: every solution.
-        every: all solutions are asked, not one.
-        tolerance: of positions as a share of the arm's size, and of angles [rad].
-        reach: what of the tool has to reach the target: its pose, or its position alone.
-    """
-
-    solver: Solver
-    chain: Chain
-    target: Transform
-    found: InverseKinematics
-    every: bool = True
-    tolerance: float = USUAL_TOLERANCE
-    reach: ArmReach = ArmReach.POSE
-
-    @property
-    def size(self) -> float:
-        """Typical length of the arm."""
-        return size_of(self.chain) or 1.0
-
-    @property
-    def expected(self) -> JointClaim:
-        """What is true of the pose."""
-        if self.found.status is IKStatus.UNREACHABLE:
-            limits = self.found.reason is UnreachableReason.JOINT_LIMITS
-            return JointClaim.JOINT_LIMITS if limits else JointClaim.OUT_OF_REACH
-        families = any(found.isolation is Isolation.CONTINUUM for found in self.found.solutions)
-        return JointClaim.INFINITE if families else JointClaim.FINITE
-
-
-def joint_question(
-    solver: Solver,
-    target: Transform,
-    *,
-    every: bool = True,
-    tolerance: float = USUAL_TOLERANCE,
-    reach: ArmReach = ArmReach.POSE,
-) -> JointQuestion:
-    """Return a pose with all that reaches it.
-
-    Args:
-        solver: the arm with its limits (`kinematics.inverse.solver_of`), made for the same reach.
-        target: (4, 4) pose of the tool.
-        every: all solutions are asked, not one.
-        tolerance: of positions as a share of the arm's size, and of angles [rad].
-        reach: what of the tool has to reach the target: its pose, or its position alone.
-
-    Raises:
-        PoseError: the target is no rigid motion, or too far away to be computed with.
-    """
-    chain = chain_of_table(solver.table, solver.base, solver.tool)
-    return JointQuestion(
-        solver=solver,
-        chain=chain,
-        target=target,
-        found=solver.solve(target),
-        every=every,
-        tolerance=tolerance,
-        reach=reach,
-    )
 
 
 def judge_joints(question: JointQuestion, answer: JointAnswer) -> JointVerdict:
@@ -122,29 +50,33 @@ def judge_joints(question: JointQuestion, answer: JointAnswer) -> JointVerdict:
         return JointVerdict(right=right, share=1.0 if right else 0.5 * none, expected=expected)
     rows = _judged_rows(question, answer.rows)
     good = [row for row in rows if row.right]
+    says_none = answer.claim in _NONE
     if not question.every:
-        right = bool(rows) and len(good) == len(rows) and answer.claim not in _NONE
+        right = bool(rows) and len(good) == len(rows) and not says_none
         return JointVerdict(right=right, share=float(right), expected=expected, rows=rows)
     solutions = question.found.solutions
     valid = tuple(_combination_holds(question, answer, rows, c) for c in answer.combinations)
     covered = {k for k in range(len(solutions)) if _covered(question, answer, rows, valid, k)}
     touched = {row.solution for row in good}
+    meant = touched | {row.solution for row in rows}
     missing = tuple(
         _branch(question, solutions[k], [solutions[j] for j in sorted(covered)])
         for k in range(len(solutions))
-        if k not in covered and k not in touched
+        if k not in meant and not says_none
     )
-    right = (
-        answer.claim is expected and len(covered) == len(solutions) and len(good) == len(rows) and all(valid)
-    )
-    share = max(0, len(covered) - (len(rows) - len(good))) / len(solutions)
+    whole = len(covered) == len(solutions)
+    right = answer.claim is expected and whole and len(good) == len(rows) and all(valid)
+    wrong = len(rows) - len(good) + valid.count(False)
+    wrong += answer.claim is JointClaim.INFINITE and expected is JointClaim.FINITE
+    found = len(covered) + 0.5 * len(touched - covered)
+    share = 0.0 if says_none else max(0.0, min(found, len(solutions) - wrong)) / len(solutions)
     return JointVerdict(
         right=right,
         share=1.0 if right else min(share, 0.95),
         expected=expected,
         rows=rows,
         missing=missing,
-        combination_missing=bool(touched - covered),
+        combination_missing=bool(touched - covered) and not says_none,
         combinations=valid,
         complete=question.found.complete,
     )
@@ -159,41 +91,45 @@ _CHANGES = (
 _NONE = (JointClaim.OUT_OF_REACH, JointClaim.JOINT_LIMITS)
 
 
-def _pose(question: JointQuestion, row: Sequence[float]) -> Transform:
-    pose: Transform = question.chain.poses(np.array([row], dtype=np.float64))[0]
-    return pose
-
-
-def _errors(question: JointQuestion, pose: Transform) -> tuple[bool, bool]:
-    """Return whether position and orientation of a pose are those of the target."""
-    target = question.target
-    position = float(np.linalg.norm(pose[:3, 3] - target[:3, 3])) <= question.tolerance * question.size
-    if question.reach is ArmReach.POSITION:
-        return position, True
-    chord = float(np.linalg.norm(pose[:3, :3] - target[:3, :3])) / math.sqrt(8.0)
-    return position, 2.0 * math.asin(min(1.0, chord)) <= question.tolerance
-
-
-def _reaches(question: JointQuestion, row: Sequence[float]) -> bool:
-    return all(math.isfinite(value) for value in row) and all(_errors(question, _pose(question, row)))
-
-
 def _judged_rows(question: JointQuestion, rows: Sequence[Sequence[float]]) -> tuple[RowVerdict, ...]:
     """Judge the rows: each has to reach the target, whatever the solver found."""
     if not rows:
         return ()
     poses = question.chain.poses(np.array(rows, dtype=np.float64))
-    return tuple(_row(question, row, pose) for row, pose in zip(rows, poses, strict=True))
+    judged = [_row(question, row, pose) for row, pose in zip(rows, poses, strict=True)]
+    right = [(i, row) for i, (row, verdict) in enumerate(zip(rows, judged, strict=True)) if verdict.right]
+    return tuple(
+        verdict if verdict.right else _half_branch(question, row, verdict, right)
+        for row, verdict in zip(rows, judged, strict=True)
+    )
+
+
+def _half_branch(
+    question: JointQuestion,
+    row: Sequence[float],
+    verdict: RowVerdict,
+    right: Sequence[tuple[int, Sequence[float]]],
+) -> RowVerdict:
+    """Return what is said of a wrong row that is a right one but for a joint that was turned over alone.
+
+    To say that the joint is wrong would lead back to the solution that is there.
+    """
+    if verdict.joint is None or verdict.mistake is JointMistake.LIMITS:
+        return verdict
+    k = verdict.joint - 1
+    for i, other in right:
+        if question.apart([*row[:k], other[k], *row[k + 1 :]], other) <= 2.0 * question.tolerance:
+            return replace(verdict, solution=None, mistake=JointMistake.HALF_BRANCH, other=i)
+    return verdict
 
 
 def _row(question: JointQuestion, row: Sequence[float], pose: Transform) -> RowVerdict:
-    if all(_errors(question, pose)):
+    if all(question.errors(pose)):
         joint = next(_beyond_limits(question, row), None)
         if joint is not None:
             return RowVerdict(right=False, joint=joint, mistake=JointMistake.LIMITS)
         return RowVerdict(right=True, solution=_nearest(question, row))
-    joint, mistake = _slip(question, row)
-    return RowVerdict(right=False, joint=joint, mistake=mistake)
+    return _slip(question, row)
 
 
 def _beyond_limits(question: JointQuestion, row: Sequence[float]) -> Iterator[int]:
@@ -209,34 +145,28 @@ def _beyond_limits(question: JointQuestion, row: Sequence[float]) -> Iterator[in
             yield i + 1
 
 
-def _slip(question: JointQuestion, row: Sequence[float]) -> tuple[int | None, JointMistake | None]:
-    """Return what makes a wrong row right, joint by joint, if anything does."""
+def _slip(question: JointQuestion, row: Sequence[float]) -> RowVerdict:
+    """Return what makes a wrong row right, joint by joint, if anything does: which solution it then is."""
     turning = [i for i, axis in enumerate(question.chain.axes) if not axis.prismatic]
     tried = [
         (mistake, i, [*row[:i], sign * row[i] + shift, *row[i + 1 :]])
         for mistake, sign, shift in _CHANGES
-        for i in turning
+        for i in (range(len(row)) if mistake is JointMistake.SIGN else turning)
     ]
     for unit in (math.degrees, math.radians):
         turned = [unit(value) if i in turning else value for i, value in enumerate(row)]
         if all(math.isfinite(value) for value in turned):
             tried.append((JointMistake.DEGREES, -1, turned))
     poses = question.chain.poses(np.array([changed for _, _, changed in tried], dtype=np.float64))
-    for (mistake, i, _), pose in zip(tried, poses, strict=True):
-        if np.isfinite(pose).all() and all(_errors(question, pose)):
-            return (i + 1 if i >= 0 else None), mistake
-    position, orientation = _errors(question, _pose(question, row))
+    for (mistake, i, changed), pose in zip(tried, poses, strict=True):
+        if np.isfinite(pose).all() and all(question.errors(pose)):
+            joint = i + 1 if i >= 0 else None
+            return RowVerdict(right=False, solution=_nearest(question, changed), joint=joint, mistake=mistake)
+    position, orientation = question.errors(question.pose(row))
+    half = None
     if question.reach is not ArmReach.POSITION and (position or orientation):
-        return None, JointMistake.POSITION_ONLY if position else JointMistake.ORIENTATION_ONLY
-    return None, None
-
-
-def _apart(question: JointQuestion, row: Iterable[float], other: Iterable[float]) -> float:
-    """Return the largest difference of two configurations, turns left out; slides as shares of the size."""
-    return max(
-        abs(a - b) / question.size if axis.prismatic else abs(math.remainder(a - b, math.tau))
-        for a, b, axis in zip(row, other, question.chain.axes, strict=True)
-    )
+        half = JointMistake.POSITION_ONLY if position else JointMistake.ORIENTATION_ONLY
+    return RowVerdict(right=False, mistake=half)
 
 
 def _members(found: IKSolution) -> tuple[tuple[float, ...], ...]:
@@ -257,12 +187,12 @@ def _off(question: JointQuestion, found: IKSolution, member: Sequence[float], ro
     """Return how far a row is from a solution; along a straight family nothing counts."""
     family = found.family
     if family is None or family.direction is None:
-        return _apart(question, row, member)
+        return question.apart(row, member)
     direction = family.direction
     k = max(range(len(direction)), key=lambda i: abs(direction[i]))
     t = (row[k] - member[k]) / direction[k]
     along = [value + t * rate for value, rate in zip(member, direction, strict=True)]
-    return _apart(question, row, along)
+    return question.apart(row, along)
 
 
 def _combination_holds(
@@ -287,7 +217,7 @@ def _describes(question: JointQuestion, row: Sequence[float], combination: Seque
     for direction in directions:
         for step in STEPS:
             scale = step * (question.size if question.chain.axes[joints[0]].prismatic else 1.0)
-            if not _reaches(question, [q + scale * d for q, d in zip(row, direction, strict=True)]):
+            if not question.reaches([q + scale * d for q, d in zip(row, direction, strict=True)]):
                 return False
     return True
 

@@ -37,14 +37,16 @@ class JointMistake(StrEnum):
 
     QUADRANT: one joint is half a turn off, as atan gives it for atan2. SIGN: one joint turns the wrong way.
     DEGREES: degrees were taken for radians or the reverse. SWAPPED: one joint is π/2 − q, the arguments of
-    atan2 exchanged. POSITION_ONLY: the position is reached and the orientation is not. ORIENTATION_ONLY: the
-    reverse. LIMITS: the pose is reached beyond a joint's limit.
+    atan2 exchanged. HALF_BRANCH: another row with one joint turned over, and the joints that go with it
+    left as they were. POSITION_ONLY: the position is reached and the orientation is not. ORIENTATION_ONLY:
+    the reverse. LIMITS: the pose is reached beyond a joint's limit.
     """
 
     QUADRANT = "quadrant"
     SIGN = "sign"
     DEGREES = "degrees"
     SWAPPED = "swapped"
+    HALF_BRANCH = "half_branch"
     POSITION_ONLY = "position_only"
     ORIENTATION_ONLY = "orientation_only"
     LIMITS = "limits"
@@ -71,15 +73,18 @@ class RowVerdict:
 
     Attributes:
         right: it reaches the target within the limits.
-        solution: which solution it is, an index into the complete set; None if it is wrong.
+        solution: which solution it is, an index into the complete set; of a wrong row the one that it is
+            without its slip, or None.
         joint: the joint, counted from 1, that a mistake is about.
         mistake: what a wrong row is, if a usual slip explains it.
+        other: index of the right row that a half branch was made of.
     """
 
     right: bool
     solution: int | None = None
     joint: int | None = None
     mistake: JointMistake | None = None
+    other: int | None = None
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -91,7 +96,7 @@ class JointVerdict:
         share: of what was asked, 0 … 1.
         expected: what is true of the pose.
         rows: on each row.
-        missing: how each solution without a row differs from the nearest one that was found.
+        missing: how each solution without a row, right or with a slip, differs from the nearest one found.
         combination_missing: a family has a member, but not its condition.
         combinations: which of the combinations hold along a family.
         complete: the solutions are known to be all; false: all that a search found.

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from kinematics.answers.joint_answers import USUAL_TOLERANCE
+from kinematics.answers.joint_questions import USUAL_TOLERANCE
 from kinematics.answers.joint_verdicts import JointClaim
 from service.schemas.base import Matrix4, Real, Wire
 from service.schemas.joint_limits import JointRanges

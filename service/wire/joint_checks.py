@@ -8,7 +8,8 @@ import numpy as np
 
 from exercises.grading import Feedback, Policy, ToolRule
 from exercises.parts.joint_feedback import joint_feedback
-from kinematics.answers.joint_answers import in_other_frames, joint_question, judge_joints
+from kinematics.answers.joint_answers import in_other_frames, judge_joints
+from kinematics.answers.joint_questions import joint_question
 from kinematics.answers.joint_verdicts import JointAnswer
 from kinematics.cells import Limits, bind_parameters, in_length_unit, read_table
 from kinematics.chain import chain_of_table
@@ -76,7 +77,10 @@ def checked_joints(
             "score": found.share,
             "expected": found.expected,
             "complete": found.complete,
-            "rows": [JointRowVerdict(correct=row.right, solution=row.solution) for row in found.rows],
+            "rows": [
+                JointRowVerdict(correct=row.right, solution=row.solution if row.right else None)
+                for row in found.rows
+            ],
             "combinations": list(found.combinations),
             "own_accepted": None if own is None else True,
             "base": None if own is None else own.base.tolist(),

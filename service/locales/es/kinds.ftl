@@ -162,6 +162,7 @@ feedback-joints_quadrant = Fila { $row }: q{ $joint } está en el cuadrante equi
 feedback-joints_sign = Fila { $row }: q{ $joint } tiene el signo equivocado.
 feedback-joints_degrees = Fila { $row }: se tomaron grados por radianes, o al revés.
 feedback-joints_swapped = Fila { $row }: q{ $joint } es 90° menos lo que debería; se intercambiaron los argumentos de atan2.
+feedback-joints_half_branch = La fila { $row } es la fila { $other } en la que solo cambió q{ $joint }: en otra rama cambian con ella otras articulaciones.
 feedback-joints_position_only = La fila { $row } alcanza la posición, pero no la orientación.
 feedback-joints_orientation_only = La fila { $row } alcanza la orientación, pero no la posición.
 feedback-joints_limits = La fila { $row } alcanza la pose con la articulación { $joint } fuera de su límite.

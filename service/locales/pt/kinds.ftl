@@ -162,6 +162,7 @@ feedback-joints_quadrant = Linha { $row }: q{ $joint } está no quadrante errado
 feedback-joints_sign = Linha { $row }: q{ $joint } tem o sinal errado.
 feedback-joints_degrees = Linha { $row }: tomaram-se graus por radianos, ou o contrário.
 feedback-joints_swapped = Linha { $row }: q{ $joint } é 90° menos o que deveria; os argumentos de atan2 foram trocados.
+feedback-joints_half_branch = A linha { $row } é a linha { $other } em que só q{ $joint } mudou: noutro ramo mudam com ela outras juntas.
 feedback-joints_position_only = A linha { $row } alcança a posição, mas não a orientação.
 feedback-joints_orientation_only = A linha { $row } alcança a orientação, mas não a posição.
 feedback-joints_limits = A linha { $row } alcança a pose com a junta { $joint } além do limite.

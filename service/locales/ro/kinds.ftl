@@ -163,6 +163,7 @@ feedback-joints_quadrant = Rândul { $row }: q{ $joint } se află în cadranul g
 feedback-joints_sign = Rândul { $row }: q{ $joint } are semnul greșit.
 feedback-joints_degrees = Rândul { $row }: gradele au fost luate drept radiani, sau invers.
 feedback-joints_swapped = Rândul { $row }: q{ $joint } este 90° minus cât ar trebui; argumentele lui atan2 au fost schimbate între ele.
+feedback-joints_half_branch = Rândul { $row } este rândul { $other } în care s-a schimbat doar q{ $joint }: pe altă ramură se schimbă odată cu ea și alte cuple.
 feedback-joints_position_only = Rândul { $row } atinge poziția, dar nu și orientarea.
 feedback-joints_orientation_only = Rândul { $row } atinge orientarea, dar nu și poziția.
 feedback-joints_limits = Rândul { $row } atinge situarea cu cupla { $joint } dincolo de limita ei.

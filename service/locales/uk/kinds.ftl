@@ -162,6 +162,7 @@ feedback-joints_quadrant = Рядок { $row }: q{ $joint } лежить не в
 feedback-joints_sign = Рядок { $row }: q{ $joint } має неправильний знак.
 feedback-joints_degrees = Рядок { $row }: градуси сприйнято як радіани або навпаки.
 feedback-joints_swapped = Рядок { $row }: q{ $joint } дорівнює 90° мінус потрібне; аргументи atan2 поміняно місцями.
+feedback-joints_half_branch = Рядок { $row } — це рядок { $other }, у якому змінено лише q{ $joint }: в іншій гілці разом із нею змінюються й інші зчленування.
 feedback-joints_position_only = Рядок { $row } дає положення, але не орієнтацію.
 feedback-joints_orientation_only = Рядок { $row } дає орієнтацію, але не положення.
 feedback-joints_limits = Рядок { $row } дає позу, але зчленування { $joint } виходить за межу.

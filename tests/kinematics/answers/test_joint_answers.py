@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from kinematics.answers.joint_answers import joint_question, judge_joints
+from kinematics.answers.joint_answers import judge_joints
+from kinematics.answers.joint_questions import joint_question
 from kinematics.answers.joint_verdicts import Branch, JointAnswer, JointClaim, JointMistake
 from kinematics.inverse import ArmReach, solver_of
 from tests.kinematics.answers.joint_values import product, robot
@@ -18,7 +19,8 @@ Q = (0.3, -0.5, 0.4, 0.6, 0.7, -0.2)
 
 
 def asked(q=Q, table=PUMA, **options):
-    return joint_question(solver_of(table), product(table, q), **options)
+    solver = solver_of(table, reach=options.get("reach", ArmReach.POSE))
+    return joint_question(solver, product(table, q), **options)
 
 
 def finite(*rows):
@@ -111,6 +113,62 @@ def test_a_stretched_arm_has_one_solution() -> None:
     question = joint_question(solver_of(table, reach=reach), product(table, (0.4, 0.0)), reach=reach)
     assert judge_joints(question, finite((0.4, 0.0))).right
     assert judge_joints(question, finite((0.4 - math.tau, math.tau))).right
+
+
+def test_a_joint_turned_over_alone_is_half_a_branch() -> None:
+    """To say that its sign is wrong would lead back to the row that is there."""
+    table = robot("twolink")
+    question = asked((0.4, 0.9), table, reach=ArmReach.POSITION)
+    up, down = (found.joints for found in question.found.solutions)
+    found = judge_joints(question, finite(up, (up[0], -up[1])))
+    assert (found.rows[1].mistake, found.rows[1].joint, found.rows[1].other) == (
+        JointMistake.HALF_BRANCH,
+        2,
+        0,
+    )
+    assert found.missing == (Branch.ELBOW,)
+    alone = judge_joints(question, finite((up[0], -up[1])))
+    assert (alone.rows[0].mistake, alone.rows[0].joint) == (JointMistake.SIGN, 2)
+    mended = judge_joints(question, finite(up, (down[0] + math.pi, down[1])))
+    assert (mended.rows[1].mistake, mended.missing) == (JointMistake.QUADRANT, ())
+
+
+def test_a_slider_that_goes_the_other_way_is_told() -> None:
+    found = judge_joints(
+        asked((0.3, 0.8, 0.2, -0.4), robot("scara"), every=False), finite((0.3, 0.8, -0.2, -0.4))
+    )
+    assert (found.rows[0].joint, found.rows[0].mistake) == (3, JointMistake.SIGN)
+
+
+def test_each_solution_has_its_share_and_a_wrong_row_in_its_place_costs_no_more() -> None:
+    question = asked((0.4, 0.9), robot("twolink"), reach=ArmReach.POSITION)
+    up, down = (found.joints for found in question.found.solutions)
+    bad, worse = (0.1, 0.2), (0.2, 0.1)
+
+    def share(*rows, claim=JointClaim.FINITE):
+        return judge_joints(question, replace(finite(*rows), claim=claim)).share
+
+    assert share(up) == share(up, bad) == share(up, down, bad) == 0.5
+    assert share(bad) == share(up, bad, worse) == share(up, down, bad, worse) == 0.0
+    assert share(up, down, claim=JointClaim.INFINITE) == 0.5
+    assert share(up, down, claim=JointClaim.OUT_OF_REACH) == 0.0
+    assert share(up, down) == 1.0
+
+
+def test_a_member_of_a_family_is_half_of_it_and_its_condition_the_other() -> None:
+    question = asked((*Q[:4], 0.0, Q[5]))
+    rows = tuple(found.joints for found in question.found.solutions)
+    n, families = len(rows), sum(found.family is not None for found in question.found.solutions)
+    answer = JointAnswer(claim=JointClaim.INFINITE, rows=rows)
+    assert judge_joints(question, answer).share == pytest.approx((n - families / 2) / n)
+    wrong = replace(answer, combinations=((0.0, 0.0, 0.0, 1.0, 0.0, -1.0),))
+    assert judge_joints(question, wrong).share == pytest.approx(min(n - families / 2, n - 1) / n)
+
+
+def test_no_solution_is_told_to_be_missing_where_none_is_said_to_exist() -> None:
+    question = asked()
+    none = judge_joints(question, JointAnswer(claim=JointClaim.OUT_OF_REACH))
+    assert (none.missing, none.combination_missing, none.share) == ((), False, 0.0)
 
 
 @pytest.mark.parametrize("value", [1e308, -1e300, 1e-300])
