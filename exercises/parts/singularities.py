@@ -107,8 +107,10 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         **told_from(HelpLevel.REPAIR, "singularity_invented_at", "singularity_sine_for_cosine"),
         **told_from(HelpLevel.ROW, "singularity_everywhere"),
         **told_from(HelpLevel.REPAIR, "singularity_half"),
-        **told_from(HelpLevel.ROW, "lost_motion_wrong"),
-        **told_from(HelpLevel.REPAIR, "lost_motion_is_kept"),
+        **told_from(HelpLevel.ROW, "lost_motion_wrong", "lost_motion_zero"),
+        **told_from(
+            HelpLevel.REPAIR, "lost_motion_is_kept", "lost_motion_never", instead="lost_motion_wrong"
+        ),
     }
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> SingularitiesPart:
@@ -244,7 +246,7 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         yield "singularity_invented", replace(right, conditions=(*rows, ("sin(q1) = 1/3",)))
         yield "singularity_everywhere", replace(right, conditions=(*rows, ("sin(q1)^2 + cos(q1)^2 - 1",)))
         if right.lost is not None:
-            yield "lost_motion_wrong", replace(right, lost=(1, 2, -3, *right.lost[3:]))
+            yield "lost_motion_is_kept", replace(right, lost=(1, 2, -3, *right.lost[3:]))
 
 
 def _arm(part: SingularitiesPart, exercise: Exercise, values: dict[str, float]) -> SingularArm:
@@ -328,9 +330,8 @@ def _lost(
     if right:
         return 1.0
     facts.append(fact(False, "lost"))
-    feedback.append(Feedback(code="lost_motion_wrong"))
-    if right is False:
-        feedback.append(Feedback(code="lost_motion_is_kept"))
+    never = "never" if any(answer.lost) else "zero"
+    feedback.append(Feedback(code=f"lost_motion_{'is_kept' if right is False else never}"))
     return 0.0
 
 

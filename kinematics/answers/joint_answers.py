@@ -78,7 +78,7 @@ def judge_joints(question: JointQuestion, answer: JointAnswer) -> JointVerdict:
         missing=missing,
         combination_missing=bool(touched - covered) and not says_none,
         combinations=valid,
-        complete=question.found.complete,
+        complete=question.known,
     )
 
 
@@ -203,7 +203,7 @@ def _combination_holds(
 ) -> bool:
     """Return whether a combination describes the family of some row."""
     return any(
-        verdict.right and _describes(question, row, combination)
+        any(combination) and verdict.right and _describes(question, row, combination)
         for row, verdict in zip(answer.rows, rows, strict=True)
     )
 

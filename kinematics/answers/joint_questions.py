@@ -11,7 +11,7 @@ import numpy as np
 from kinematics.answers.joint_verdicts import JointClaim
 from kinematics.chain import Chain, chain_of_table, size_of
 from kinematics.inverse import ArmReach, InverseKinematics, Solver, UnreachableReason
-from kinematics.inverse.results import IKStatus, Isolation
+from kinematics.inverse.results import IKStatus, Isolation, Method
 from kinematics.se3 import Transform
 
 USUAL_TOLERANCE = 0.005
@@ -53,6 +53,13 @@ class JointQuestion:
             return JointClaim.JOINT_LIMITS if limits else JointClaim.OUT_OF_REACH
         families = any(found.isolation is Isolation.CONTINUUM for found in self.found.solutions)
         return JointClaim.INFINITE if families else JointClaim.FINITE
+
+    @property
+    def known(self) -> bool:
+        """Every solution is known: isolated ones by a closed form, families by having been followed."""
+        families = [found.family for found in self.found.solutions if found.isolation is Isolation.CONTINUUM]
+        followed = all(family is not None and family.parameters for family in families)
+        return self.found.complete or (self.found.method is Method.CLOSED_FORM and followed)
 
     def pose(self, row: Sequence[float]) -> Transform:
         """Return the tool's pose at a row of joint values."""

@@ -204,9 +204,10 @@ def lost_motion_is_right(arm: SingularArm, joints: Sequence[float], given: Seque
     """
     J, moving = _scaled(arm, joints)
     vector = np.array(given, dtype=np.float64)
+    vector /= np.abs(vector).max() or 1.0
     vector[:3] *= arm.size
     norm = float(np.linalg.norm(vector))
-    if not np.isfinite(norm) or norm == 0.0 or np.linalg.norm(vector[moving]) <= ROUNDED * norm:
+    if norm == 0.0 or np.linalg.norm(vector[moving]) <= ROUNDED * norm:
         return None
     return bool(np.linalg.norm(vector @ J) <= 5 * ROUNDED * norm * float(np.linalg.norm(J)))
 

@@ -168,6 +168,7 @@ feedback-joints_orientation_only = Row { $row } reaches the orientation, but not
 feedback-joints_limits = Row { $row } reaches the pose with joint { $joint } beyond its limit.
 feedback-joints_family_missing = The pose is singular: say which combination of joint variables stays the same along the solutions.
 feedback-joints_combination_wrong = Combination { $row } does not stay the same along the solutions.
+feedback-joints_combination_zero = Combination { $row } is 0 whatever the joints do, and says nothing.
 error-pose_frames_free = The pose is given in frame 0 and for the last frame: the policy has to fix both, base = "frame" and tool = "frame".
 error-joint_row_length = A row holds one value for each joint: { $expected } are needed, and { $given } were given.
 error-joint_rows_empty = Give the joint values that reach the pose.

@@ -23,6 +23,8 @@ feedback-conditions_missing = The conditions are missing.
 feedback-lost_motion_missing = The lost motion is missing.
 feedback-lost_motion_wrong = The vector is not a motion that is lost here.
 feedback-lost_motion_is_kept = With this vector the arm still moves: λᵀJ is not zero.
+feedback-lost_motion_zero = λ = 0 would do everywhere: give a vector that is not 0.
+feedback-lost_motion_never = The arm moves this way in no configuration, so the motion is not lost just here.
 error-conditions_empty = Give conditions or a lost motion.
 error-condition_not_equation = { $text } is not a condition: write a function that vanishes or an equation with one = sign.
 error-condition_angle_nonlinear = A joint angle outside a sine, cosine or tangent may stand only in an equation like q2 + q3 = π/2.

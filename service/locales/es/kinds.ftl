@@ -168,6 +168,7 @@ feedback-joints_orientation_only = La fila { $row } alcanza la orientación, per
 feedback-joints_limits = La fila { $row } alcanza la pose con la articulación { $joint } fuera de su límite.
 feedback-joints_family_missing = La pose es singular: diga qué combinación de variables articulares permanece igual en las soluciones.
 feedback-joints_combination_wrong = La combinación { $row } no permanece igual en las soluciones.
+feedback-joints_combination_zero = La combinación { $row } vale 0 hagan lo que hagan las articulaciones, y no dice nada.
 error-pose_frames_free = La pose se da en el sistema 0 y para el último: la política debe fijar ambos, base = "frame" y tool = "frame".
 error-joint_row_length = Una fila contiene un valor por articulación: se necesitan { $expected } y se dieron { $given }.
 error-joint_rows_empty = Dé los valores articulares que alcanzan la pose.

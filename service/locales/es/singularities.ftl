@@ -23,6 +23,8 @@ feedback-conditions_missing = Faltan las condiciones.
 feedback-lost_motion_missing = Falta el movimiento perdido.
 feedback-lost_motion_wrong = El vector no es un movimiento que se pierda aquí.
 feedback-lost_motion_is_kept = Con este vector el brazo aún se mueve: λᵀJ no es cero.
+feedback-lost_motion_zero = λ = 0 valdría en todas partes: dé un vector distinto de 0.
+feedback-lost_motion_never = El brazo no se mueve así en ninguna configuración: el movimiento no se pierde justo aquí.
 error-conditions_empty = Dé condiciones o un movimiento perdido.
 error-condition_not_equation = { $text } no es una condición: escriba una función que se anula o una ecuación con un solo signo =.
 error-condition_angle_nonlinear = Un ángulo articular fuera de seno, coseno y tangente solo puede estar en una ecuación como q2 + q3 = π/2.

@@ -162,12 +162,13 @@ feedback-joints_quadrant = Ligne { $row } : q{ $joint } est dans le mauvais qua
 feedback-joints_sign = Ligne { $row } : q{ $joint } a le mauvais signe.
 feedback-joints_degrees = Ligne { $row } : des degrés ont été pris pour des radians, ou l’inverse.
 feedback-joints_swapped = Ligne { $row } : q{ $joint } vaut 90° moins ce qu’il faut ; les arguments de atan2 ont été échangés.
-feedback-joints_half_branch = La ligne { $row } est la ligne { $other } où seule q{ $joint } a changé : dans une autre branche, d’autres articulations changent avec elle.
+feedback-joints_half_branch = La ligne { $row } est la ligne { $other } où seule q{ $joint } a changé : dans une autre branche, d’autres articulations changent avec elle.
 feedback-joints_position_only = La ligne { $row } atteint la position, mais pas l’orientation.
 feedback-joints_orientation_only = La ligne { $row } atteint l’orientation, mais pas la position.
 feedback-joints_limits = La ligne { $row } atteint la pose avec l’articulation { $joint } au-delà de sa limite.
 feedback-joints_family_missing = La pose est singulière : dites quelle combinaison des variables articulaires reste constante le long des solutions.
 feedback-joints_combination_wrong = La combinaison { $row } ne reste pas constante le long des solutions.
+feedback-joints_combination_zero = La combinaison { $row } vaut 0 quoi que fassent les articulations : elle ne dit rien.
 error-pose_frames_free = La pose est donnée dans le repère 0 et pour le dernier : les règles doivent fixer les deux, base = "frame" et tool = "frame".
 error-joint_row_length = Une ligne contient une valeur par articulation : il en faut { $expected }, et { $given } ont été données.
 error-joint_rows_empty = Donnez les valeurs articulaires qui atteignent la pose.

@@ -23,6 +23,8 @@ feedback-conditions_missing = Les conditions manquent.
 feedback-lost_motion_missing = Le mouvement perdu manque.
 feedback-lost_motion_wrong = Le vecteur n’est pas un mouvement perdu ici.
 feedback-lost_motion_is_kept = Avec ce vecteur le bras bouge encore : λᵀJ n’est pas nul.
+feedback-lost_motion_zero = λ = 0 conviendrait partout : donnez un vecteur non nul.
+feedback-lost_motion_never = Le bras ne bouge ainsi dans aucune configuration : ce n’est pas ici que ce mouvement se perd.
 error-conditions_empty = Donnez des conditions ou un mouvement perdu.
 error-condition_not_equation = { $text } n’est pas une condition : écrivez une fonction qui s’annule ou une équation avec un seul signe =.
 error-condition_angle_nonlinear = Un angle articulaire hors d’un sinus, d’un cosinus ou d’une tangente ne peut figurer que dans une équation comme q2 + q3 = π/2.

@@ -168,6 +168,7 @@ feedback-joints_orientation_only = A linha { $row } alcança a orientação, mas
 feedback-joints_limits = A linha { $row } alcança a pose com a junta { $joint } além do limite.
 feedback-joints_family_missing = A pose é singular: diga que combinação das variáveis das juntas permanece igual nas soluções.
 feedback-joints_combination_wrong = A combinação { $row } não permanece igual nas soluções.
+feedback-joints_combination_zero = A combinação { $row } vale 0 façam as juntas o que fizerem, e não diz nada.
 error-pose_frames_free = A pose é dada no referencial 0 e para o último: as regras têm de fixar os dois, base = "frame" e tool = "frame".
 error-joint_row_length = Uma linha contém um valor por junta: são necessários { $expected }, e foram dados { $given }.
 error-joint_rows_empty = Dê os valores das juntas que alcançam a pose.

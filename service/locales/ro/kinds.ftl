@@ -169,6 +169,7 @@ feedback-joints_orientation_only = Rândul { $row } atinge orientarea, dar nu ș
 feedback-joints_limits = Rândul { $row } atinge situarea cu cupla { $joint } dincolo de limita ei.
 feedback-joints_family_missing = Situarea este singulară: spuneți ce combinație a variabilelor rămâne neschimbată de-a lungul soluțiilor.
 feedback-joints_combination_wrong = Combinația { $row } nu rămâne neschimbată de-a lungul soluțiilor.
+feedback-joints_combination_zero = Combinația { $row } este 0 orice ar face cuplele și nu spune nimic.
 error-pose_frames_free = Situarea este dată în sistemul 0 și pentru ultimul: regulile trebuie să le fixeze pe amândouă, base = "frame" și tool = "frame".
 error-joint_row_length = Un rând conține câte o valoare pentru fiecare cuplă: trebuie { $expected }, s-au dat { $given }.
 error-joint_rows_empty = Dați valorile cuplelor care ating situarea.

@@ -23,6 +23,8 @@ feedback-conditions_missing = Lipsesc condițiile.
 feedback-lost_motion_missing = Lipsește mișcarea pierdută.
 feedback-lost_motion_wrong = Vectorul nu este o mișcare care se pierde aici.
 feedback-lost_motion_is_kept = Cu acest vector brațul încă se mișcă: λᵀJ nu este zero.
+feedback-lost_motion_zero = λ = 0 ar fi bun oriunde: dați un vector diferit de 0.
+feedback-lost_motion_never = Brațul nu se mișcă astfel în nicio configurație: nu aici se pierde mișcarea.
 error-conditions_empty = Dați condiții sau o mișcare pierdută.
 error-condition_not_equation = { $text } nu este o condiție: scrieți o funcție care se anulează sau o ecuație cu un singur semn =.
 error-condition_angle_nonlinear = Un unghi al unei cuple în afara sinusului, cosinusului și tangentei poate sta numai într-o ecuație ca q2 + q3 = π/2.

@@ -168,6 +168,7 @@ feedback-joints_orientation_only = Рядок { $row } дає орієнтаці
 feedback-joints_limits = Рядок { $row } дає позу, але зчленування { $joint } виходить за межу.
 feedback-joints_family_missing = Поза сингулярна: укажіть, яка комбінація змінних не змінюється вздовж розв’язків.
 feedback-joints_combination_wrong = Комбінація { $row } змінюється вздовж розв’язків.
+feedback-joints_combination_zero = Комбінація { $row } дорівнює 0 за будь-яких положень зчленувань і нічого не говорить.
 error-pose_frames_free = Позу задано в системі 0 і для останньої: правила мають фіксувати обидві, base = "frame" і tool = "frame".
 error-joint_row_length = Рядок містить по одному значенню на зчленування: потрібно { $expected }, наведено { $given }.
 error-joint_rows_empty = Наведіть значення у зчленуваннях, що дають цю позу.

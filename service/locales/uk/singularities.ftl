@@ -23,6 +23,8 @@ feedback-conditions_missing = Бракує умов.
 feedback-lost_motion_missing = Бракує втраченого руху.
 feedback-lost_motion_wrong = Цей вектор не є рухом, що тут втрачається.
 feedback-lost_motion_is_kept = Уздовж цього вектора маніпулятор ще рухається: λᵀJ не дорівнює нулю.
+feedback-lost_motion_zero = λ = 0 підходить завжди: наведіть вектор, відмінний від 0.
+feedback-lost_motion_never = Так маніпулятор не рухається в жодній конфігурації: цей рух втрачається не саме тут.
 error-conditions_empty = Наведіть умови або втрачений рух.
 error-condition_not_equation = { $text } не є умовою: запишіть функцію, що дорівнює нулю, або рівняння з одним знаком =.
 error-condition_angle_nonlinear = Кут зчленування поза синусом, косинусом і тангенсом може стояти лише в рівнянні на зразок q2 + q3 = π/2.

@@ -161,6 +161,8 @@ def test_a_member_of_a_family_is_half_of_it_and_its_condition_the_other() -> Non
     n, families = len(rows), sum(found.family is not None for found in question.found.solutions)
     answer = JointAnswer(claim=JointClaim.INFINITE, rows=rows)
     assert judge_joints(question, answer).share == pytest.approx((n - families / 2) / n)
+    nothing = judge_joints(question, replace(answer, combinations=((0.0,) * 6,)))
+    assert (nothing.combinations, nothing.complete) == ((False,), True)
     wrong = replace(answer, combinations=((0.0, 0.0, 0.0, 1.0, 0.0, -1.0),))
     assert judge_joints(question, wrong).share == pytest.approx(min(n - families / 2, n - 1) / n)
 

@@ -142,6 +142,7 @@ def test_lost_motions_have_no_power_with_any_velocity(folded: float) -> None:
     assert abs(np.dot(motion, (-along[1], along[0], 0.0))) < 1e-9
     assert lost_motion_is_right(found, joints, along)
     assert lost_motion_is_right(found, joints, [-3 * value for value in along])
+    assert lost_motion_is_right(found, joints, [1e300 * value for value in along])
     assert lost_motion_is_right(found, joints, (along[1], -along[0], 0.0)) is False
     assert lost_motion_is_right(found, joints, (0.0, 0.0, 1.0)) is None  # it never moves that way
     assert lost_motion_is_right(found, joints, (0.0, 0.0, 0.0)) is None
