@@ -28,7 +28,7 @@ from kinematics.answers.screw_answers import (
     ScrewOrder,
     adjoint,
     judge_screws,
-    relations_on_one_line,
+    pairs_on_one_line,
 )
 from kinematics.cells import Cell
 from kinematics.cells.meaning import Position
@@ -103,7 +103,7 @@ class ScrewsPart(PartType[Part, ScrewsCells, ScrewAnswer]):
         return ScrewAnswer(screws=screws, home=home, frame=raw.frame)
 
     def grade(self, part: Part, answer: ScrewAnswer, context: Context) -> PartReport:
-        """Judge the whole; of a wrong answer the relations of neighbouring axes earn up to half.
+        """Judge the whole; of a wrong answer axes that lie to each other as they should earn up to half.
 
         What is right of axes that all lie on one line is known for nothing.
         """
@@ -111,7 +111,8 @@ class ScrewsPart(PartType[Part, ScrewsCells, ScrewAnswer]):
         found = judge_screws(key, answer, context.policy)
         if found.right:
             return judged(part, 1.0, Credit.KEY, feedback=(Feedback(code="screws_right"),))
-        facts = [fact(right, "screws", i) for i, right in enumerate(found.relations, 1)]
+        off = {pair.second - 1 for pair in found.pairs if not pair.alike}
+        facts = [fact(i not in off, "screws", i) for i in range(1, len(answer.screws))]
         feedback = [Feedback(code="screws_wrong")]
         feedback += [
             Feedback(code=f"screw_{mistake.value}", params={"joint": joint or 0})
@@ -119,12 +120,12 @@ class ScrewsPart(PartType[Part, ScrewsCells, ScrewAnswer]):
         ]
         if not found.mistakes:
             feedback += [
-                Feedback(code="screws_relation_wrong", params={"joint": i, "next": i + 1})
-                for i, right in enumerate(found.relations, 1)
-                if not right
+                Feedback(code="screws_relation_wrong", params={"joint": pair.first, "next": pair.second})
+                for pair in found.pairs
+                if not pair.alike
             ]
-        nothing = sum(relations_on_one_line(key, context.policy))
-        earned, most = sum(found.relations) - nothing, len(found.relations) - nothing
+        nothing = sum(pair.alike for pair in pairs_on_one_line(key, context.policy))
+        earned, most = sum(pair.alike for pair in found.pairs) - nothing, len(found.pairs) - nothing
         share = max(0.0, earned / most) if most else 0.0
         return judged(part, 0.5 * share, Credit.KEY, facts=facts, feedback=feedback)
 

@@ -13,11 +13,12 @@ Source: K. M. Lynch, F. C. Park, Modern Robotics (2017), 4.1; R. M. Murray, Z. L
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -73,8 +74,9 @@ class ScrewMistake(StrEnum):
 
     NOT_UNIT: ω of a revolute joint is no unit vector. PITCH: v has a part along ω. JOINT_TYPE: a joint turns
     that slides, or the reverse. HALVES: v and ω are exchanged. MOMENT_SIGN: v = ω × p for −ω × p.
-    OTHER_FRAME: body screws for space screws, or the reverse. HOME_INVERTED: M leads the other way. HOME: M
-    is wrong and the screws are right. NOT_RIGID: M is no rigid motion.
+    OTHER_FRAME: body screws for space screws, or the reverse. HOME_INVERTED: M leads the other way.
+    SIGN_OR_HOME: it is one of these two, and nothing tells which: all axes are parallel, and M is not turned.
+    HOME: M is wrong and the screws are right. NOT_RIGID: M is no rigid motion.
     """
 
     NOT_UNIT = "not_unit"
@@ -84,6 +86,7 @@ class ScrewMistake(StrEnum):
     MOMENT_SIGN = "moment_sign"
     OTHER_FRAME = "other_frame"
     HOME_INVERTED = "home_inverted"
+    SIGN_OR_HOME = "sign_or_home"
     HOME = "home"
     NOT_RIGID = "not_rigid"
 
@@ -103,6 +106,20 @@ class ScrewAnswer:
     frame: ScrewFrame = ScrewFrame.SPACE
 
 
+class AxisPair(NamedTuple):
+    """Two axes whose angle and distance no choice of frames changes.
+
+    Attributes:
+        first: a joint, from 1.
+        second: the next one; or the next that turns, where only sliders along one of the two stand between.
+        alike: they lie relative to each other as the robot's do.
+    """
+
+    first: int
+    second: int
+    alike: bool
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ScrewVerdict:
     """What is said of an answer.
@@ -110,12 +127,12 @@ class ScrewVerdict:
     Attributes:
         certificate: how the answer agrees with the key; None if it is wrong.
         mistakes: what a wrong one looks like, each with the joint, from 1, that it is about, or None.
-        relations: which neighbouring axes lie relative to each other as the robot's do.
+        pairs: axes beside each other, and across sliders, of a wrong answer.
     """
 
     certificate: Certificate | None
     mistakes: tuple[tuple[ScrewMistake, int | None], ...] = ()
-    relations: tuple[bool, ...] = ()
+    pairs: tuple[AxisPair, ...] = ()
 
     @property
     def right(self) -> bool:
@@ -136,30 +153,19 @@ def judge_screws(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> Scre
         halves = replace(answer, screws=np.hstack([answer.screws[:, 3:], answer.screws[:, :3]]))
         exchanged = not any(_malformed(key, halves, policy))
         if exchanged and _certified(key, halves, policy) is not None:
-            faults = ((ScrewMistake.HALVES, None),)
-        return ScrewVerdict(certificate=None, mistakes=faults, relations=(False,) * (len(answer.screws) - 1))
-    found = _certified(key, answer, policy)
-    if found is not None:
-        return ScrewVerdict(certificate=found)
-    return ScrewVerdict(
-        certificate=None,
-        mistakes=tuple(_explained(key, answer, policy)),
-        relations=tuple(_relations(key, screw_chain(answer), policy.tolerance.length)),
-    )
+            answer, faults = halves, ((ScrewMistake.HALVES, None),)
+    else:
+        found = _certified(key, answer, policy)
+        if found is not None:
+            return ScrewVerdict(certificate=found)
+        faults = tuple(_explained(key, answer, policy))
+    pairs = tuple(_pairs(key, _axes(answer.screws), policy.tolerance.length))
+    return ScrewVerdict(certificate=None, mistakes=faults, pairs=pairs)
 
 
 def screw_chain(answer: ScrewAnswer) -> Chain:
     """Return the chain of an answer; directions are made unit vectors, moments are put across them."""
-    rows = _in_space(answer)
-    axes = []
-    for vx, vy, vz, wx, wy, wz in rows.tolist():
-        linear, angular = (vx, vy, vz), (wx, wy, wz)
-        length = norm(angular)
-        if length <= NO_ROTATION:
-            axes.append(Axis(True, unit(linear), ORIGIN))
-        else:
-            direction = scale(angular, 1.0 / length)
-            axes.append(Axis(False, direction, cross(direction, linear)))
+    axes = _axes(_in_space(answer))
     home = np.eye(4)
     left, _, right = np.linalg.svd(answer.home[:3, :3])
     home[:3, :3], home[:3, 3] = left @ right, answer.home[:3, 3]
@@ -173,6 +179,20 @@ def adjoint(pose: Transform) -> Floats:
     result[:3, :3] = result[3:, 3:] = rotation
     result[:3, 3:] = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]]) @ rotation
     return result
+
+
+def _axes(rows: Floats) -> list[Axis]:
+    """Return the axes of rows (v, ω), where they are written; of a row of zeros a slider along nothing."""
+    axes = []
+    for vx, vy, vz, wx, wy, wz in rows.tolist():
+        linear, angular = (vx, vy, vz), (wx, wy, wz)
+        length = norm(angular)
+        if length <= NO_ROTATION:
+            axes.append(Axis(True, unit(linear) if norm(linear) > 0.0 else ORIGIN, ORIGIN))
+        else:
+            direction = scale(angular, 1.0 / length)
+            axes.append(Axis(False, direction, scale(cross(direction, linear), 1.0 / length)))
+    return axes
 
 
 def _in_space(answer: ScrewAnswer) -> Floats:
@@ -218,15 +238,16 @@ def _explained(
     if right(replace(answer, frame=other)):
         yield ScrewMistake.OTHER_FRAME, None
         return
-    if right(replace(answer, home=inverse_transform(answer.home))):
-        yield ScrewMistake.HOME_INVERTED, None
-        return
+    inverted = right(replace(answer, home=inverse_transform(answer.home)))
     reversed_moments = answer.screws * np.array([-1.0, -1.0, -1.0, 1.0, 1.0, 1.0])
     turning = [i for i, row in enumerate(answer.screws) if np.linalg.norm(row[3:]) > NO_ROTATION]
     screws = answer.screws.copy()
     screws[turning] = reversed_moments[turning]
     if right(replace(answer, screws=screws)):
-        yield ScrewMistake.MOMENT_SIGN, None
+        yield ScrewMistake.SIGN_OR_HOME if inverted else ScrewMistake.MOMENT_SIGN, None
+        return
+    if inverted:
+        yield ScrewMistake.HOME_INVERTED, None
         return
     for i in turning:
         screws = answer.screws.copy()
@@ -247,24 +268,37 @@ def _certified(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> Certif
     return None
 
 
-def relations_on_one_line(key: NumericTable, policy: Policy) -> tuple[bool, ...]:
-    """Return which neighbouring axes lie as if all were one line: that is known for nothing."""
+def pairs_on_one_line(key: NumericTable, policy: Policy) -> tuple[AxisPair, ...]:
+    """Return which axes lie to each other as if all were one line: that is known for nothing."""
     line = [Axis(kind is JointType.PRISMATIC, (0.0, 0.0, 1.0), ORIGIN) for kind in key.joint_types]
-    return tuple(_relations(key, chain_of_axes(line, from_matrix(np.eye(4))), policy.tolerance.length))
+    return tuple(_pairs(key, line, policy.tolerance.length))
 
 
 def _any_tool(policy: Policy) -> Policy:
     return replace(policy, tool=type(policy.tool).FREE)
 
 
-def _relations(key: NumericTable, chain: Chain, share: float) -> Iterator[bool]:
-    """Yield whether neighbouring axes lie relative to each other as the robot's, by angle and distance."""
-    ours, theirs = prepared(key).chain.axes, chain.axes
+def _pairs(key: NumericTable, theirs: Sequence[Axis], share: float) -> Iterator[AxisPair]:
+    """Yield whether axes lie relative to each other as the robot's, by angle and distance."""
+    ours = prepared(key).chain.axes
     allowed = 3 * share * (size_of(prepared(key).chain) or 1.0)
-    for (a, b), (c, d) in zip(pairwise(ours), pairwise(theirs), strict=True):
-        angle = abs(_angle(a, b) - _angle(c, d)) <= 3 * share
+    for i, k in (*pairwise(range(len(ours))), *_across_sliders(ours)):
+        a, b, c, d = ours[i], ours[k], theirs[i], theirs[k]
+        same = (a.prismatic, b.prismatic) == (c.prismatic, d.prismatic)
+        somewhere = ORIGIN not in (c.direction, d.direction)
+        alike = same and somewhere and abs(_angle(a, b) - _angle(c, d)) <= 3 * share
         apart = a.prismatic or b.prismatic or abs(_distance(a, b) - _distance(c, d)) <= allowed
-        yield (a.prismatic, b.prismatic) == (c.prismatic, d.prismatic) and angle and apart
+        yield AxisPair(i + 1, k + 1, alike and apart)
+
+
+def _across_sliders(axes: Sequence[Axis]) -> Iterator[tuple[int, int]]:
+    """Yield turning axes whose distance no slider between them changes: each goes along one of the two."""
+    for i, k in pairwise(i for i, axis in enumerate(axes) if not axis.prismatic):
+        sliders = axes[i + 1 : k]
+        if sliders and all(
+            min(_angle(slider, axes[i]), _angle(slider, axes[k])) <= NEARLY_PARALLEL for slider in sliders
+        ):
+            yield i, k
 
 
 def _angle(first: Axis, second: Axis) -> float:

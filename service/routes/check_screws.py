@@ -84,7 +84,7 @@ def _checked(body: CheckScrewsRequest, robot: PreparedRobot, language: str) -> C
             "joint_offsets": offsets,
             "base": certificate and certificate.base.tolist(),
             "tool": certificate and certificate.tool.tolist(),
-            "relations": list(found.relations),
+            "relations": [pair.alike for pair in found.pairs if pair.second == pair.first + 1],
             "mistakes": [
                 ScrewMistakeModel(
                     code=mistake,

@@ -288,6 +288,7 @@ feedback-screw_moment_sign =
     }: v = −ω × p, with p any point on the axis.
 feedback-screw_other_frame = These are the screws in the other frame: space and body have been confused.
 feedback-screw_home_inverted = The home pose is inverted.
+feedback-screw_sign_or_home = Either v has the wrong sign throughout (v = −ω × p, with p any point on the axis), or the home pose is inverted.
 feedback-screw_home = The screws are right; the home pose M is not.
 feedback-screw_not_rigid = The home pose is not a rigid motion: its columns are not unit vectors at right angles, or its last row is not 0 0 0 1.
 feedback-screws_relation_wrong = The axes of joints { $joint } and { $next } are not arranged as in the figure.

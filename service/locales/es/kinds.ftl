@@ -288,6 +288,7 @@ feedback-screw_moment_sign =
     }: v = −ω × p, con p un punto cualquiera del eje.
 feedback-screw_other_frame = Estos son los tornillos en el otro sistema: se confundieron espacio y cuerpo.
 feedback-screw_home_inverted = La pose inicial está invertida.
+feedback-screw_sign_or_home = O bien v tiene el signo equivocado en todas partes (v = −ω × p, con p un punto cualquiera del eje), o bien la pose inicial está invertida.
 feedback-screw_home = Los tornillos son correctos; la pose inicial M no.
 feedback-screw_not_rigid = La pose inicial no es un movimiento rígido: sus columnas no son vectores unitarios perpendiculares, o su última fila no es 0 0 0 1.
 feedback-screws_relation_wrong = Los ejes de las articulaciones { $joint } y { $next } no están dispuestos entre sí como en la figura.

@@ -288,6 +288,7 @@ feedback-screw_moment_sign =
     } : v = −ω × p, p étant un point quelconque de l’axe.
 feedback-screw_other_frame = Ce sont les torseurs dans l’autre repère : espace et corps ont été confondus.
 feedback-screw_home_inverted = La pose initiale est inversée.
+feedback-screw_sign_or_home = Soit v a partout le mauvais signe (v = −ω × p, p étant un point quelconque de l’axe), soit la pose initiale est inversée.
 feedback-screw_home = Les torseurs sont justes ; la pose initiale M ne l’est pas.
 feedback-screw_not_rigid = La pose initiale n’est pas un déplacement rigide : ses colonnes ne sont pas unitaires et perpendiculaires, ou sa dernière ligne n’est pas 0 0 0 1.
 feedback-screws_relation_wrong = Les axes des articulations { $joint } et { $next } ne sont pas disposés entre eux comme sur la figure.

@@ -288,6 +288,7 @@ feedback-screw_moment_sign =
     }: v = −ω × p, com p um ponto qualquer do eixo.
 feedback-screw_other_frame = Estes são os helicoides no outro referencial: confundiram-se espaço e corpo.
 feedback-screw_home_inverted = A pose inicial está invertida.
+feedback-screw_sign_or_home = Ou v tem o sinal errado em toda parte (v = −ω × p, com p um ponto qualquer do eixo), ou a pose inicial está invertida.
 feedback-screw_home = Os helicoides estão certos; a pose inicial M não.
 feedback-screw_not_rigid = A pose inicial não é um movimento rígido: as suas colunas não são vetores unitários perpendiculares, ou a última linha não é 0 0 0 1.
 feedback-screws_relation_wrong = Os eixos das juntas { $joint } e { $next } não estão dispostos entre si como na figura.

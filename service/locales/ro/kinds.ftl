@@ -289,6 +289,7 @@ feedback-screw_moment_sign =
     }: v = −ω × p, cu p un punct oarecare al axei.
 feedback-screw_other_frame = Aceștia sunt torsorii în celălalt sistem: spațiul și corpul au fost confundate.
 feedback-screw_home_inverted = Situarea inițială este inversată.
+feedback-screw_sign_or_home = Fie v are peste tot semnul greșit (v = −ω × p, cu p un punct oarecare al axei), fie situarea inițială este inversată.
 feedback-screw_home = Torsorii sunt corecți; situarea inițială M nu este.
 feedback-screw_not_rigid = Situarea inițială nu este o mișcare rigidă: coloanele nu sunt versori perpendiculari sau ultimul rând nu este 0 0 0 1.
 feedback-screws_relation_wrong = Axele cuplelor { $joint } și { $next } nu sunt așezate una față de alta ca în figură.

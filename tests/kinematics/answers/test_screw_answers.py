@@ -104,6 +104,51 @@ def test_body_for_space_and_another_home_are_told() -> None:
     assert slips(replace(right, home=inverse_transform(right.home)), SCARA, FIXED)
 
 
+def alike(answer: ScrewAnswer) -> dict[tuple[int, int], bool]:
+    pairs = judge_screws(SCARA, answer, FIXED).pairs
+    return {(pair.first, pair.second): pair.alike for pair in pairs}
+
+
+def test_a_row_that_is_no_screw_of_its_joint_spoils_its_own_relations_alone() -> None:
+    right = key(SCARA)
+    turning = right.screws.copy()
+    turning[2] = [0, 0, 0, 0, 0, 1]
+    assert slips(replace(right, screws=turning), SCARA, FIXED) == ((ScrewMistake.JOINT_TYPE, 3),)
+    own = {(1, 2): True, (2, 3): False, (3, 4): False, (2, 4): True}
+    assert alike(replace(right, screws=turning)) == own
+    nothing = right.screws.copy()
+    nothing[2] = 0
+    assert alike(replace(right, screws=nothing)) == own
+    double = right.screws.copy()
+    double[0] *= 2
+    halves = np.hstack([right.screws[:, 3:], right.screws[:, :3]])
+    mirrored = right.home @ np.diag([1.0, 1.0, -1.0, 1.0])
+    for answer in (
+        replace(right, screws=double),
+        replace(right, screws=halves),
+        replace(right, home=mirrored),
+    ):
+        assert all(alike(answer).values())
+
+
+def test_a_length_across_a_slider_is_a_relation() -> None:
+    """Joints 2 and 4 of a SCARA turn about parallel axes, and the slider between goes along both."""
+    right = key(SCARA)
+    shorter = right.screws.copy()
+    shorter[3] = shorter[1]
+    assert not slips(replace(right, screws=shorter), SCARA, FIXED)
+    assert alike(replace(right, screws=shorter)) == {(1, 2): True, (2, 3): True, (3, 4): True, (2, 4): False}
+
+
+def test_a_sign_or_an_inverted_home_pose_look_alike_between_parallel_axes() -> None:
+    right = key(SCARA)
+    minus = right.screws * [-1, -1, -1, 1, 1, 1]
+    minus[2] = right.screws[2]
+    assert slips(replace(right, screws=minus), SCARA, FIXED) == ((ScrewMistake.SIGN_OR_HOME, None),)
+    inverted = replace(right, home=inverse_transform(right.home))
+    assert slips(inverted, SCARA, FIXED) == ((ScrewMistake.SIGN_OR_HOME, None),)
+
+
 @pytest.mark.parametrize("value", [0.0, 1e-300, 1e6])
 def test_degenerate_screws_are_judged(value) -> None:
     rows = np.full((6, 6), value)
