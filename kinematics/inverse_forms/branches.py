@@ -41,7 +41,6 @@ def joint_values(
         values = known | dict(zip(form.branches, map(float, signs), strict=True))
         joints = [0.0] * count
         try:
-            _require(form.conditions, values, joints, far)
             for step in form.steps:
                 _require(step.conditions, values, joints, far)
                 value = evaluate(step.value, values, joints)
@@ -49,6 +48,7 @@ def joint_values(
                     joints[step.joint - 1] = value
                 else:
                     values[step.name] = value
+            _require(form.conditions, values, joints, far)
         except (ParameterError, _Unfulfilled):
             continue
         yield signs, tuple(joints)

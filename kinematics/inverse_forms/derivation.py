@@ -8,6 +8,7 @@ one joint more: a turn across h, to which w keeps the distance that it has along
     planar arms, SCARA, cylindrical arms    planar joints, a slide along h
     PUMA, IRB 140, the Stanford arm         a turn, two planar joints, a wrist
     SCORBOT, Universal Robots               a turn, three planar joints, one or two turns
+    one joint, a wrist, pan and tilt        no planar joints; a slide or none, and the turns at the hand
 
 Source: J. J. Craig, Introduction to robotics, 3rd ed. (2005) ch. 4; R. P. Paul, Robot manipulators (1981)
 ch. 3.
@@ -77,7 +78,7 @@ def inverse_form(table: SymbolicTable, taken: Sequence[str] = ()) -> InverseForm
         TableError: code `inverse_form_unknown` of an arm that is not taken apart so.
     """
     arm = signed_arm_of(table)
-    if arm is not None and 1 < len(arm.joints) <= MOST_JOINTS:
+    if arm is not None and 1 <= len(arm.joints) <= MOST_JOINTS:
         for parts in _partitions(arm):
             form = _Writer(arm, parts, (*table_parameters(table), *taken)).form()
             if form is not None:
@@ -92,7 +93,7 @@ class _Parts:
     Attributes:
         lead: the joint that turns across the plane, or None.
         slide: the joint that slides along the plane's normal, or None.
-        planar: two or three joints that move in the plane.
+        planar: two or three joints that move in the plane; or none, and the tail is all but a slide.
         tail: the turns at the hand.
         plane: the plane.
         point: the point that the tail leaves alone.
@@ -109,7 +110,7 @@ class _Parts:
 def _partitions(arm: SignedArm) -> Iterator[_Parts]:
     """The ways to take an arm apart."""
     n = len(arm.joints)
-    for size in (3, 2):
+    for size in (3, 2, 0):
         for length in range(min(LONGEST_TAIL, n - size), -1, -1):
             head, tail = arm.joints[: n - length], arm.joints[n - length :]
             if len(head) - size > 1 or (size == 3 and length == LONGEST_TAIL):
@@ -137,7 +138,7 @@ def _parts(
     lead = slide = None
     if others:
         (other,) = others
-        if other.turns and other is head[0]:
+        if other.turns and other is head[0] and planar:
             lead = other
         elif not other.turns:
             slide = other
@@ -217,9 +218,10 @@ class _Writer:
         if parts.slide is not None:
             axis, way = parts.slide.axis, minus(target, parts.point)
             write.joint(parts.slide, along(axis, way))
-        level = () if parts.lead or parts.slide else (self._level(target),)
         if turning:
             written = self._by_pose(N, target)
+        elif not parts.planar:
+            written = self._tail(N)
         else:
             written = place_point(
                 write, parts.plane, parts.planar, parts.point, parts.plane.point(target)
@@ -232,12 +234,16 @@ class _Writer:
             reach=InverseReach.POSITION if by_position else InverseReach.POSE,
             rotation=self.rotation,
             position=self.position,
-            conditions=tuple(condition for condition in level if condition.value != ZERO),
+            conditions=tuple(condition for condition in self._level(target) if condition.value != ZERO),
         )
 
-    def _level(self, target: Vector) -> InverseCondition:
-        """The target lies in the plane of all joints."""
-        return fulfilled(along(self.parts.plane.h, minus(target, self.parts.point)))
+    def _level(self, target: Vector) -> list[InverseCondition]:
+        """The target lies in the plane of all joints; without joints in a plane, where the arm leaves it."""
+        parts = self.parts
+        axes = [] if parts.lead or parts.slide else [parts.plane.h]
+        if not parts.planar:
+            axes += [parts.plane.f, parts.plane.g]
+        return [fulfilled(along(axis, minus(target, parts.point))) for axis in axes]
 
     def _lead(self, joint: SignedJoint, target: Vector) -> tuple[Vector, Expression]:
         """Write down the turn before a plane; returned is the target seen from behind it, and the turn.

@@ -90,10 +90,15 @@ def place_point(
         target: its place, coordinates in the plane.
 
     Returns:
-        Whether there is a form for these joints.
+        Whether there is a form for these joints: there is none where the second cannot move the point, two
+        joints turn about one axis, or slide the same way.
     """
     first, second = joints
+    if second.turns and _from(plane.point(start), plane.point(second.point)) == (ZERO, ZERO):
+        return False
     if first.turns and second.turns:
+        if plane.point(first.point) == plane.point(second.point):
+            return False
         _two_turns(write, plane, first, second, plane.point(start), target)
     elif first.turns:
         _turn_and_slide(write, plane, first, second, plane.point(start), target)

@@ -96,7 +96,8 @@ class SymbolicInverseAnswer(Units):
     symbols: dict[str, str] | None = Field(None, description="what the short names stand for")
     target: InverseTargetNames
     branches: list[str] = Field(
-        description="signs, each 1 or -1: every choice that exists is a solution, and every solution is one"
+        description="signs, each 1 or -1: every choice whose conditions hold is a solution, and every "
+        "solution is one"
     )
     equations: list[InverseEquation] = Field(description="in the order in which they can be computed")
     conditions: list[InverseConditionModel] = Field(description="what the target has to fulfil")
