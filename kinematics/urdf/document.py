@@ -2,7 +2,8 @@
 
 The text comes from strangers: entities, document types and external files are refused by the parser
 (defusedxml), and length, nesting and the number of elements are bounded. Only what decides about poses is
-read; inertias, meshes, transmissions and the rest are passed over.
+read; inertias, meshes, transmissions and the rest are passed over. A default namespace (`xmlns` of <robot>, as
+Drake's descriptions have it) is that of the format: what is in it is read as if it had none.
 """
 
 from __future__ import annotations
@@ -197,8 +198,12 @@ def read_document(text: str) -> UrdfDocument:
         DescriptionError: not well-formed, unsafe, too large, no URDF, or joints and links that do not fit.
     """
     root = _parse(text)
-    if root.tag != "robot":
-        raise refused("urdf_no_robot", found=_short(root.tag))
+    space, _, found = root.tag.rpartition("}")
+    if found != "robot":
+        raise refused("urdf_no_robot", found=_short(found))
+    if space:
+        for element in root.iter():
+            element.tag = str(element.tag).removeprefix(space + "}")
     if any("xacro" in str(element.tag) for element in root.iter()):
         raise refused("urdf_is_xacro")
     links = tuple(_named(element, "link") for element in root.findall("link"))

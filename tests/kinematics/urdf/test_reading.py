@@ -209,6 +209,19 @@ def test_a_chain_may_climb_to_a_branch(base, tip, convention):
     np.testing.assert_allclose(pose, np.linalg.inv(roots[base]) @ roots[tip], atol=1e-12)
 
 
+def test_a_default_namespace_is_that_of_the_format():
+    plain = robot(joint("j", "a", "b", inner='<origin xyz="0 0 1"/><axis xyz="0 1 0"/>'), links="ab")
+    named = plain.replace("<robot", '<robot xmlns="http://drake.mit.edu"', 1)
+    read, expected = (table_from_urdf(text, Convention.STANDARD) for text in (named, plain))
+    assert (read.table, read.joints) == (expected.table, expected.joints)
+
+
+def test_a_root_in_a_namespace_is_told_by_its_name():
+    with pytest.raises(DescriptionError) as refused:
+        table_from_urdf('<model xmlns="http://x"/>', Convention.STANDARD)
+    assert refused.value.faults[0].params == {"found": "model"}
+
+
 def test_the_axis_is_x_if_left_out():
     found = table_from_urdf(robot(joint("j", "a", "b", inner=""), links="ab"), Convention.STANDARD)
     z = found.base[:3, 2]
