@@ -26,7 +26,8 @@ class Limits:
         rows: rows of a table.
         exponent: absolute value of an exponent, and its denominator.
         digits: digits of one number.
-        smallest: smallest absolute value of a number that is not zero; programs write all doubles.
+        smallest: smallest absolute value of a number that is not zero; programs write all doubles. What rounds
+            to it is admitted: they write the smallest double as 5e-324, 4.9E-324 or 4.94065645841246544e-324.
         largest: largest absolute value of a number.
     """
 
@@ -60,7 +61,7 @@ class Limits:
 @lru_cache(maxsize=64)
 def _exact_range(smallest: float, largest: float) -> tuple[Fraction, Fraction]:
     # 1e15 is meant, not the double nearest to it
-    return Fraction(repr(smallest)), Fraction(repr(largest))
+    return Fraction(smallest) / 2, Fraction(repr(largest))
 
 
 DEFAULT = Limits()

@@ -102,8 +102,8 @@ def interpret(
     """
     interpreter = _Interpreter(angle_unit=angle_unit, limits=limits, variable_of=variable_of)
     value = interpreter.value(node, position)
+    _refuse_out_of_range(value.expression, node, limits)
     expression = interpreter.angle(value) if position is Position.ANGLE else value.expression
-    _refuse_out_of_range(expression, node, limits)
     if not parameters_in(expression) and not joint_variables_in(expression):
         try:
             evaluate(expression)

@@ -112,7 +112,10 @@ def _value(node: Expression, parameters: Mapping[str, float], joints: Sequence[f
         case Sum(terms):
             return sum(_value(term, parameters, joints) for term in terms)
         case Product((Number(value), Pi())):
-            return math.pi * value.numerator / value.denominator
+            try:
+                return math.pi * value.numerator / value.denominator
+            except OverflowError:  # no double is as large as the denominator of the least one
+                return math.pi * (value.numerator / value.denominator)
         case Product(factors):
             return math.prod(_value(factor, parameters, joints) for factor in factors)
         case Power(base, exponent):

@@ -184,6 +184,16 @@ def _turns(expression: Expression) -> Fraction:
     return turns
 
 
+@pytest.mark.parametrize("written", ["5e-324", "4.9E-324", "-4.94065645841246544e-324", "1e-320"])
+def test_the_smallest_doubles_are_read_as_programs_write_them(written):
+    value = float(written)
+    assert evaluate(read_cell(written, ParameterKind.LENGTH)) == value
+    for cell in (written, value):
+        assert evaluate(read_cell(cell, ParameterKind.ANGLE)) == value
+        in_degrees = evaluate(read_cell(cell, ParameterKind.ANGLE, angle_unit=AngleUnit.DEG))
+        assert in_degrees == pytest.approx(math.radians(value), abs=5e-324)
+
+
 @given(value=st.floats(allow_nan=False, allow_infinity=False).filter(lambda x: abs(x) <= 1e15))
 @example(value=-1.3e-33)
 @example(value=5e-324)
