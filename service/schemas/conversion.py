@@ -203,6 +203,10 @@ class ScmAnswer(Units):
         description="the chain; where a twist is not zero it turns about two axes in a row"
     )
     base: MatrixOfCells = Field(description="what stands before the chain")
+    verify: Verification = Field(
+        description="what to send with the chain: off where a row holds a constant turn or an offset, "
+        "which does not pass the document's input check"
+    )
 
 
 ConvertAnswer: TypeAlias = TableAnswer | ProductAnswer | ScmAnswer | UrdfAnswer

@@ -35,7 +35,7 @@ def source(form: str, answer: dict[str, Any]) -> dict[str, Any]:
             given = {name: answer[name] for name in ("screws", "home", "length_unit")}
             return {"poe": given}
         case "scm":
-            return {"scm": answer["scm"], "base": answer["base"], "verify": "off"}
+            return {"scm": answer["scm"], "base": answer["base"], "verify": answer["verify"]}
     return {"urdf": answer["urdf"]}
 
 
@@ -87,6 +87,7 @@ def test_every_form_to_every_form_with_base_and_tool(client: httpx.Client, first
 
 def test_a_table_with_symbols_becomes_a_chain_with_symbols(client: httpx.Client) -> None:
     found = answered(client, CONVERT, {"table": CYLINDRICAL, "to": "scm"})
+    assert found["verify"] == "off"  # its slide stands in a row that turns
     text = str(found["scm"])
     assert all(name in text for name in ("L1", "q1", "q2"))
 

@@ -13,6 +13,7 @@ from kinematics.scm import (
     scm_from_numbers,
     scm_from_table,
     unrolled_dh_from_scm,
+    verify,
     with_tool,
 )
 from service.schemas.conversion import ConvertRequest, ScmAnswer
@@ -78,7 +79,8 @@ def scm_answer(robot: RobotDescription, request: ConvertRequest) -> ScmAnswer:
             **units,
         }
     )
-    return ScmAnswer.model_validate({"scm": written, "base": base, **units})
+    check = Verification.OFF if verify(chain) else Verification.STRICT
+    return ScmAnswer.model_validate({"scm": written, "base": base, "verify": check, **units})
 
 
 def _placement(placement: Placement, writer: TableWriter) -> dict[str, WireCell]:
