@@ -112,19 +112,21 @@ class IKSolution(NamedTuple):
 class NearestPose:
     """The configuration within the limits that comes nearest to an unreachable target.
 
-    Nearest is what makes (distance / size)² + angle² least, size being the sum of the arm's offsets.
+    Nearest is what makes (distance / size)² + angle² least.
 
     Attributes:
         joints: q_1 … q_n [rad, or m].
         transform: (4, 4) the pose there.
         position_error: its distance from the target [m].
         orientation_error: its angle from the target [rad].
+        size: the sum of the arm's offsets [m].
     """
 
     joints: tuple[float, ...]
     transform: Transform
     position_error: float
     orientation_error: float
+    size: float
 
 
 class InverseKinematics(NamedTuple):

@@ -244,6 +244,7 @@ class Solver:
                 transform=transform,
                 position_error=float(position[0]),
                 orientation_error=float(angle[0]),
+                size=self.arm.size,
             ),
             reason=UnreachableReason.JOINT_LIMITS if outside else UnreachableReason.OUT_OF_REACH,
             outside_limits=outside,

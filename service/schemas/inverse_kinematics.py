@@ -115,6 +115,10 @@ class Nearest(Wire):
 
     joints: list[Real] = Field(description="q_1 … q_n, in the table's units")
     transform: Matrix4 = Field(description="the pose there")
+    size: Real = Field(
+        description="the sum of the arm's offsets; nearest is what makes "
+        "(position_error / size)² + angle² least"
+    )
     residual: Real = Field(description="√(position_error² + angle²), the angle always in radians")
     position_error: Real = Field(description="its distance from the target")
     orientation_error: Real = Field(description="its angle from the target, in the answer's angle unit")
@@ -128,7 +132,9 @@ class TargetAnswer(Wire):
         "unreachable: none within the limits; unanswered: of many targets one that the time did not reach to"
     )
     complete: bool = Field(description="whether these are all solutions within the limits")
-    method: Method = Field(description="closed_form finds all solutions, search as many as it does")
+    method: Method | None = Field(
+        None, description="closed_form finds all solutions, search as many as it does; none if unanswered"
+    )
     solutions: list[Solution]
     nearest: Nearest | None = Field(None, description="if unreachable: the nearest pose")
     reason: UnreachableReason | None = Field(None, description="if unreachable: why")

@@ -12,7 +12,7 @@ from anyio.to_thread import run_sync
 from kinematics.errors import Fault, JointValueError
 from kinematics.inverse import ArmReach, IKSolution, InverseKinematics, NearestPose, Solver, solver_of
 from kinematics.inverse.goals import read_goal
-from kinematics.inverse.results import Family, Method
+from kinematics.inverse.results import Family
 from kinematics.table import NumericTable
 from service.http.languages import language_of
 from service.http.routing import ApiRequest
@@ -108,7 +108,6 @@ def _unanswered(target: Matrix, tolerance: float | None) -> TargetAnswer:
     return TargetAnswer(
         status="unanswered",
         complete=False,
-        method=Method.SEARCH,
         solutions=[],
         outside_limits=0,
         tolerance=read_goal(target, tolerance, where=()).tolerance,
@@ -227,7 +226,9 @@ def _family(family: Family, robot: PreparedRobot) -> SolutionFamily:
 
 
 def _nearest(nearest: NearestPose, robot: PreparedRobot) -> Nearest:
-    return Nearest(**_reached(nearest, robot), transform=(nearest.transform + 0.0).tolist())
+    return Nearest(
+        **_reached(nearest, robot), transform=(nearest.transform + 0.0).tolist(), size=nearest.size
+    )
 
 
 def _reached(found: IKSolution | NearestPose, robot: PreparedRobot) -> dict[str, Any]:

@@ -88,6 +88,7 @@ def test_singular_and_unreachable_are_results(client: httpx.Client) -> None:
     assert answer["reason"] == "out_of_reach"
     assert answer["solutions"] == []
     nearest = answer["nearest"]
+    assert nearest["size"] == pytest.approx(0.4318 + 0.0203 + 0.15005 + 0.4318)
     reached = forward(client, table=PUMA_560, joints=nearest["joints"])
     assert np.allclose(reached, nearest["transform"], atol=1e-9)
     assert nearest["position_error"] == pytest.approx(
@@ -333,6 +334,7 @@ def test_of_many_targets_those_that_time_does_not_reach_to_are_told_one_by_one(
     assert not any(answer["solutions"] or answer["complete"] for answer in many["answers"][answered:])
     assert [fault["pointer"] for fault in many["faults"]] == [f"/targets/{i}" for i in range(answered, 503)]
     assert {fault["code"] for fault in many["faults"]} == {"target_unanswered"}
+    assert "method" not in many["answers"][-1]
     assert many["faults"][0]["params"]["answered"] == answered
     assert asked(client, table=PUMA_560, targets=targets[:1])["faults"] == []
 
