@@ -2,8 +2,8 @@
 
 The text comes from strangers: entities, document types and external files are refused by the parser
 (defusedxml), and length, nesting and the number of elements are bounded. Only what decides about poses is
-read; inertias, meshes, transmissions and the rest are passed over. A default namespace (`xmlns` of <robot>, as
-Drake's descriptions have it) is that of the format: what is in it is read as if it had none.
+read; inertias, meshes, transmissions and the rest are passed over. A default namespace (`xmlns` of
+<robot>, as Drake's descriptions have it) is that of the format: what is in it is read as if it had none.
 """
 
 from __future__ import annotations
