@@ -26,8 +26,8 @@ class Limits:
         rows: rows of a table.
         exponent: absolute value of an exponent, and its denominator.
         digits: digits of one number.
-        smallest: smallest absolute value of a number that is not zero; programs write all doubles. What rounds
-            to it is admitted: they write the smallest double as 5e-324, 4.9E-324 or 4.94065645841246544e-324.
+        smallest: smallest absolute value of a number that is not zero; programs write all doubles. What
+            rounds to it is admitted: they write the least one as 5e-324, 4.9E-324 or 4.94065645841246544e-324.
         largest: largest absolute value of a number.
     """
 
