@@ -27,7 +27,7 @@ class Limits:
         exponent: absolute value of an exponent, and its denominator.
         digits: digits of one number.
         smallest: smallest absolute value of a number that is not zero; programs write all doubles. What
-            rounds to it is admitted: they write the least one as 5e-324, 4.9E-324 or 4.94065645841246544e-324.
+            rounds to it is admitted: they write the least one as 5e-324, 4.9E-324 or 4.9406564584124654e-324.
         largest: largest absolute value of a number.
     """
 
