@@ -67,6 +67,13 @@ def links_of_course(store: Store, called: str) -> list[tuple[LinkSettings, tuple
     return [(link.settings, tuple(key for own, key in keys if own == link.id)) for link in found]
 
 
+def newest_links(store: Store, count: int) -> list[LinkSettings]:
+    """What the newest links ask."""
+    wanted = sa.select(_LINK.c.exercise_id, _LINK.c.settings).order_by(_LINK.c.id.desc()).limit(count)
+    with store.reading() as connection:
+        return [read(row.exercise_id, row.settings) for row in connection.execute(wanted)]
+
+
 def change_settings(store: Store, link_id: int, settings: LinkSettings, now: datetime) -> None:
     """Give a link its exercise and rules; grades follow in the same transaction."""
     with store.writing() as connection:

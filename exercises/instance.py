@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
+from itertools import product
+from math import prod
 from types import MappingProxyType
 from typing import Any
 
@@ -74,6 +76,27 @@ def generate(exercise: Exercise, seed: str | int | None = None) -> Instance:
     return Instance(
         exercise=exercise, seed=text, exact=MappingProxyType(exact), drawn=MappingProxyType(drawn)
     )
+
+
+def possible_instances(exercise: Exercise, fixed: Collection[str], most: int) -> Iterator[Instance]:
+    """The exercise with every set of values that a student may have, of some names the usual values alone.
+
+    What parts draw beside the dimensions is as without a seed.
+
+    Args:
+        exercise: the exercise.
+        fixed: names of dimensions whose values make no difference.
+        most: nothing is returned where there are more sets of values.
+    """
+    choices = [
+        (parameter.value,) if parameter.draw is None or parameter.name in fixed else parameter.draw.values()
+        for parameter in exercise.parameters
+    ]
+    if prod(map(len, choices)) > most:
+        return
+    names, usual = [parameter.name for parameter in exercise.parameters], generate(exercise)
+    for exact in product(*choices):
+        yield replace(usual, exact=MappingProxyType(dict(zip(names, exact, strict=True))))
 
 
 @lru_cache(maxsize=KEPT)

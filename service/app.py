@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import functools
 import logging
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Iterator
 from contextlib import asynccontextmanager
 from datetime import timedelta
 
@@ -43,12 +43,13 @@ from service.resources import Resources, resources_of
 from service.routes import routers
 from service.secret import installation_secret
 from service.settings import Settings
+from service.work.background import BackgroundThread
 from service.work.collection import Collection, new_objects_alone
+from service.work.drawing_ahead import DrawingAhead
 from service.work.heaps import share_heaps
 from service.work.retention import Retention
 from service.work.score_sender import ScoreSender
 from service.work.thread_switching import switch_threads_often
-from service.work.workers import Workers
 
 _log = logging.getLogger("uvicorn.error")
 THREADS = 4
@@ -151,26 +152,31 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
 @asynccontextmanager
 async def _working(app: FastAPI) -> AsyncIterator[None]:
     """Start worker processes and background threads, and end them."""
-    workers: Workers = app.state.resources.workers
-    workers.warm()
-    courses = app.state.resources.courses
-    sender = ScoreSender(courses) if courses is not None else None
-    retention = _retention(app.state.resources)
-    shared = (app.state.resources.closed_forms, app.state.resources.figures) if sender is not None else ()
-    for answers in shared:
-        answers.start()
-    if sender is not None:
-        _log.info("Courses and attempts are stored in %s", courses.store.location)
-        sender.start()
-    if retention is not None:
-        retention.start()
+    resources: Resources = app.state.resources
+    resources.workers.warm()
+    if resources.courses is not None:
+        _log.info("Courses and attempts are stored in %s", resources.courses.store.location)
+    threads = list(_background_threads(resources))
+    for thread in threads:
+        thread.start()
     try:
         yield
     finally:
-        for thread in (sender, retention, *shared):
-            if thread is not None:
-                await asyncio.to_thread(thread.stop)
-        await asyncio.to_thread(app.state.resources.close)
+        for thread in threads:
+            await asyncio.to_thread(thread.stop)
+        await asyncio.to_thread(resources.close)
+
+
+def _background_threads(resources: Resources) -> Iterator[BackgroundThread]:
+    """What goes on beside the requests, where there is storage."""
+    courses = resources.courses
+    if courses is None:
+        return
+    yield DrawingAhead(courses.store, resources.exercises, resources.figures, resources.is_busy)
+    yield ScoreSender(courses)
+    if (retention := _retention(resources)) is not None:
+        yield retention
+    yield from (resources.closed_forms, resources.figures)
 
 
 def _retention(resources: Resources) -> Retention | None:

@@ -96,6 +96,10 @@ class Resources:
         queues |= {f"processes-{name.value}": lane.queue for name, lane in self.workers.lanes.items()}
         return {name: (queue.running, queue.waiting) for name, queue in queues.items()}
 
+    def is_busy(self) -> bool:
+        """Return whether anything is done or waits in threads."""
+        return any(limiter.queue.running for limiter in self.limiters.values())
+
     def help_now(self, asked: HelpLevel | None) -> HelpLevel | None:
         """Return how much a wrong answer may be told now; its score is the same however long the lane is."""
         if self.limiters[WorkKind.GRADING].queue.waiting <= self.settings.explained_queue:

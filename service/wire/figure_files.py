@@ -87,13 +87,27 @@ def packed_figure(figures: SharedAnswers, instance: Instance, language: str) -> 
     known = _known_figure(figures, instance, language)
     if known is not None:
         return known
+    drawn = _drawn(figures, drawing_address(figures, instance, _note(language)), instance, language)
+    return _told(figures, figure_address(figures, instance, language), drawn, instance, language)
+
+
+def draw_ahead(figures: SharedAnswers, instance: Instance, language: str) -> bool:
+    """Have what is drawn in memory, as some process has drawn it, else drawn now; return whether it was."""
     place = drawing_address(figures, instance, _note(language))
+    if figures.known(place) is not None:
+        return False
+    _drawn(figures, place, instance, language)
+    return True
+
+
+def _drawn(figures: SharedAnswers, place: str, instance: Instance, language: str) -> bytes:
+    """Return what is drawn, packed: as some process has drawn it, else drawn now."""
     drawn = figures.stored(place)
     if drawn is None:
         drawing = figure_drawing(instance, _note(language), frames_shown(instance))
         drawn = gzip.compress(orjson.dumps((drawing.box, drawing.elements)), LEVEL, mtime=0)
         figures.keep(place, drawn)
-    return _told(figures, figure_address(figures, instance, language), drawn, instance, language)
+    return drawn
 
 
 def figure_file(instance: Instance, language: str) -> bytes:

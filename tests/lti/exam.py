@@ -43,8 +43,8 @@ WORKERS = 2
 OPENED_WITHIN = 1.0
 HANDED_IN_WITHIN = 6.0
 """Seconds over which the openings, and the submissions, of a class are spread."""
-LOOKS = 20
-"""So many times in a row, a tenth of a second apart, no process of a service is found at work."""
+LOOK, AT_REST = 3.0, 0.05
+"""A service is at rest that has used so little of a processor [s/s] for so long [s]."""
 PATIENCE = 120.0
 """How long a client waits for an answer [s]: on a busy machine nothing is an error that comes late."""
 MISTAKES = (
@@ -316,19 +316,17 @@ async def ready(port: int) -> None:
 
 
 def _settle(group: int, most: float) -> None:
-    """Wait until all processes of the service wait: exams begin at services that run.
+    """Wait until all threads of the service wait: exams begin at services that run.
 
-    The processes for symbolic work import for seconds, when the first request has long been answered.
+    The processes for symbolic work import for seconds, when the first request has long been answered; and
+    each process draws what the links of the newest courses will show.
     """
     until = time.monotonic() + most
     while time.monotonic() < until:
-        if all(_all_wait(group) for _ in range(LOOKS)):
+        spent = cpu_of(group)
+        time.sleep(LOOK)
+        if cpu_of(group) - spent <= AT_REST * LOOK:
             return
-
-
-def _all_wait(group: int) -> bool:
-    time.sleep(0.1)
-    return all(fields[0] == "S" for fields in _processes(group))
 
 
 def told(outcome: Outcome) -> str:
