@@ -21,13 +21,6 @@ solution within 1e-6 (1e-8 where so said), judged by our forward kinematics.
 Then every robot of the catalogue, and 50 random arms of four to eight joints of both kinds. The arms, most of
 which have no closed form and are searched at some 10 ms a pose, get a tenth of the promised 1000 poses;
 `FRAMEWISE_BENCH_POSES=1000` gives them all (eight minutes more).
-
-Before and now, in turns on a busy machine, processor time: one pose, all eight verified, 42 to 26 µs; 1000
-poses away from singularities 1.7 to 1.1 µs each. Of the 1000 random poses one, its elbow stretched to
-3e-6, took 12 ms and takes 3.6; with nothing beside, the 1000 take 2.7 µs each (15 before). Families
-at singular poses: cloos with a free turn about its axis 5.8 to 0.5 s, a stretched Panda within limits 9.7 to
-2.4 s. Inverse kinematics of a PUMA in symbols takes 10 ms, in all nine formats 60 ms; a worker process that
-is asked for the first time imports 1.5 s less.
 """
 
 EAIK, RTB, RTB_TIGHT = "EAIK `DhRobot.IK`", "roboticstoolbox `ik_LM`", "roboticstoolbox `ik_LM`, tol 1e-12"

@@ -19,6 +19,7 @@ Written by `make bench`: every figure is a median of interleaved repetitions, ta
 same process on one thread, because a ratio travels between machines and seconds do not. `ratio` says how many
 times better than the peer we are (0.5 is half as fast), `bar` the least that was promised. Peers live in an
 environment of their own; the project depends on none of them. One module alone: `make bench ONLY=forward`.
+A section that names another command holds what that command found.
 """
 
 COLUMNS = ("work", "ours", "peer", "theirs", "ratio", "bar", "met")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 
+from exercises.grading.misconceptions import HINTS
 from exercises.grading.repairs import Repaired
 from exercises.grading.verdict import Edit, Feedback, Finding, HelpLevel, LinkFinding, ParamValue, Repair
 from exercises.grading.work import VARIABLE_CELLS, Change, Extent
@@ -21,26 +22,7 @@ _FACT_OF_KIND = {
     Kind.JOINT_TYPE: "joint",
     Kind.TOOL: "length",
 }
-_ROW_EDITS = {
-    "row_missing": "row_missing",
-    "fixed_row_missing": "row_missing",
-    "row_extra": "row_not_needed",
-    "rows_swapped": "rows_out_of_order",
-}
 MISSING_ROWS = frozenset({"row_missing", "fixed_row_missing"})
-_THROUGHOUT = {
-    "convention": "columns_throughout",
-    "columns_late": "columns_throughout",
-    "columns_early": "columns_throughout",
-    "columns_exchanged": "columns_in_disorder",
-    "columns_reordered": "columns_in_disorder",
-    "angles_in_degrees": "angles_throughout",
-    "angles_in_radians": "angles_throughout",
-    "length_unit": "lengths_throughout",
-    "twists_all_reversed": "twists_throughout",
-    "parameter_misnamed": "names_throughout",
-    "parameters_swapped": "names_throughout",
-}
 _SIGNS = {"alpha_sign": "α", "a_sign": "a", "d_sign": "d"}
 _CODE_OF_FACT = {
     "length": "length_wrong",
@@ -219,8 +201,8 @@ def _in_place(
 def _of(change: Change, table: NumericTable, level: HelpLevel) -> Iterator[Feedback]:
     """What is told of one edit."""
     edit = change.edit
-    if edit.code in _ROW_EDITS:
-        yield Feedback(code=_ROW_EDITS[edit.code], row=edit.row, params=edit.params)
+    if edit.row is not None and edit.code in HINTS:
+        yield Feedback(code=HINTS[edit.code], row=edit.row, params=edit.params)
     elif edit.row is not None and _is_of_variable(change, table) and told_from(level, HelpLevel.KIND):
         what = "direction" if edit.code == "variable_sign" else "zero"
         yield Feedback(code=f"variable_{what}_wrong", row=edit.row, params={"row": edit.row})
@@ -229,7 +211,7 @@ def _of(change: Change, table: NumericTable, level: HelpLevel) -> Iterator[Feedb
         given = frozenset(fact for fact in _facts_of(change, table) if fact[0] < len(table.rows))
         yield from _facts(given, table, level)
     elif told_from(level, HelpLevel.KIND):
-        yield Feedback(code=_THROUGHOUT[edit.code])
+        yield Feedback(code=HINTS[edit.code])
     else:
         yield Feedback(code="whole_table")
 

@@ -57,6 +57,7 @@ class Misconception:
         story: what the student did.
         changes: every way to undo it in a table.
         told_as: codes of the edits it may lead to, if not its own; the message of each is `repair-<code>`.
+        hint: what is told of it from the help level `kind` on, where that is not the wrong facts of its row.
         cells: those of a row of which it concerns one by itself.
         counts: undoing it changes how many joints there are.
         beforehand: it is undone first where it comes together with one that changed their number.
@@ -66,6 +67,7 @@ class Misconception:
     story: str
     changes: Callable[[Work], Iterator[Change]]
     told_as: tuple[str, ...] = ()
+    hint: str | None = None
     cells: tuple[str, ...] = ()
     counts: bool = False
     beforehand: bool = False
@@ -96,54 +98,63 @@ CATALOGUE: tuple[Misconception, ...] = (
         code="convention",
         story="wrote the table in the other convention than declared",
         changes=other_convention,
+        hint="columns_throughout",
         beforehand=True,
     ),
     Misconception(
         code="angles_in_degrees",
         story="typed degrees in a table in radians",
         changes=all_in_degrees,
+        hint="angles_throughout",
         beforehand=True,
     ),
     Misconception(
         code="angles_in_radians",
         story="typed radians in a table in degrees",
         changes=all_in_radians,
+        hint="angles_throughout",
         beforehand=True,
     ),
     Misconception(
         code="length_unit",
         story="typed all lengths in a unit that is not the declared one",
         changes=all_in_other_length_unit,
+        hint="lengths_throughout",
         beforehand=True,
     ),
     Misconception(
         code="columns_late",
         story="wrote a and α one row too low: read a standard table as a modified one",
         changes=columns_a_row_late,
+        hint="columns_throughout",
         beforehand=True,
     ),
     Misconception(
         code="columns_early",
         story="wrote a and α one row too high: read a modified table as a standard one",
         changes=columns_a_row_early,
+        hint="columns_throughout",
         beforehand=True,
     ),
     Misconception(
         code="columns_exchanged",
         story="wrote two columns in each other's place: a table in another order of columns",
         changes=columns_exchanged,
+        hint="columns_in_disorder",
         beforehand=True,
     ),
     Misconception(
         code="columns_reordered",
         story="wrote α, a and d in another order of columns, each in another's place",
         changes=columns_reordered,
+        hint="columns_in_disorder",
         beforehand=True,
     ),
     Misconception(
         code="parameter_misnamed",
         story="used a name that is not in the figure",
         changes=parameter_misnamed,
+        hint="names_throughout",
         beforehand=True,
     ),
     Misconception(
@@ -168,6 +179,7 @@ CATALOGUE: tuple[Misconception, ...] = (
         code="twists_all_reversed",
         story="turned every twist the wrong way (left-handed)",
         changes=all_twists_turned_round,
+        hint="twists_throughout",
         beforehand=True,
     ),
     Misconception(
@@ -181,6 +193,7 @@ CATALOGUE: tuple[Misconception, ...] = (
         code="parameters_swapped",
         story="used two names for one another",
         changes=parameters_swapped,
+        hint="names_throughout",
         beforehand=True,
     ),
     Misconception(
@@ -233,16 +246,24 @@ CATALOGUE: tuple[Misconception, ...] = (
         code="rows_swapped",
         story="wrote two rows in the wrong order",
         changes=rows_swapped,
+        hint="rows_out_of_order",
         beforehand=True,
     ),
-    Misconception(code="row_missing", story="left a row out", changes=row_left_out, counts=True),
+    Misconception(
+        code="row_missing", story="left a row out", changes=row_left_out, hint="row_missing", counts=True
+    ),
     Misconception(
         code="fixed_row_missing",
         story="left out the last row, without a variable, that leads to the marked point",
         changes=fixed_row_left_out,
+        hint="row_missing",
     ),
     Misconception(
-        code="row_extra", story="wrote a row that is not needed", changes=row_too_many, counts=True
+        code="row_extra",
+        story="wrote a row that is not needed",
+        changes=row_too_many,
+        hint="row_not_needed",
+        counts=True,
     ),
 )
 
@@ -251,6 +272,9 @@ RANKS = {
     code: rank for rank, entry in reversed(list(enumerate(CATALOGUE))) for code in (*entry.codes, entry.code)
 }
 """The place of what is told in the catalogue; the earlier, the likelier."""
+
+HINTS = {code: entry.hint for entry in CATALOGUE if entry.hint is not None for code in entry.codes}
+"""By the code of an edit what is told of it before the edit itself is."""
 
 
 def changes_of(work: Work) -> Iterator[Change]:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from bench import report
 from tests.architecture.sources import ROOT, shown, tracked
 from tests.document import DOCUMENT
 
@@ -29,6 +30,17 @@ def anchors(page: Path) -> set[str]:
             unique = f"{slug}-{number}"
         found.add(unique)
     return found
+
+
+def test_a_measurement_leaves_the_other_sections_of_its_page(tmp_path: Path) -> None:
+    """Whatever stands between sections would be lost when `make bench` next writes the page."""
+    text = report.PAGE.read_text(encoding="utf-8")
+    page = tmp_path / "performance.md"
+    page.write_text(text, encoding="utf-8")
+    section = re.search(r"<!-- bench:forward -->.*<!-- /bench:forward -->", text, re.DOTALL)
+    assert section is not None
+    report.write("forward", section.group(), page)
+    assert page.read_text(encoding="utf-8") == text
 
 
 @pytest.mark.parametrize("page", PAGES, ids=shown)

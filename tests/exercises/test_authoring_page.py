@@ -16,7 +16,6 @@ import pytest
 from exercises.definition import LANGUAGES
 from exercises.loader import load_exercise
 from exercises.parts.registry import part_types
-from exercises.selftest.mistakes import MISTAKES
 from service.cli.commands import main
 from service.schemas.exercises import ExerciseAnswer
 from tests.exercises.answering import judged
@@ -100,11 +99,6 @@ def test_every_key_of_the_shipped_definitions_is_explained() -> None:
     }
     assert used - explained == {"robot"}
     assert 'robot = "puma560"' in PAGE
-
-
-def test_every_misconception_is_listed() -> None:
-    paragraph = PAGE.split("Misconceptions that can be listed:")[1].split("What each means")[0]
-    assert set(re.findall(r"`(\w+)`", paragraph)) == set(MISTAKES)
 
 
 def test_requests_are_graded() -> None:

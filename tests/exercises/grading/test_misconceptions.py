@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from exercises.grading.misconceptions import CATALOGUE, repair_codes
+from exercises.grading import table_edits
+from exercises.grading.misconceptions import CATALOGUE, HINTS, repair_codes
 from tests.exercises.grading.campaign import mended_tables
 from tests.kinematics.equivalence.campaign import Outcome
 
@@ -21,6 +22,13 @@ def test_every_misconception_has_a_code_and_a_story() -> None:
     assert all(re.fullmatch(r"[a-z_]+", entry.code) and entry.story for entry in CATALOGUE)
 
 
+def test_what_concerns_the_whole_table_has_a_hint() -> None:
+    """It has no row whose facts could be told instead."""
+    throughout = [entry for entry in CATALOGUE if entry.changes.__module__ == table_edits.__name__]
+    assert throughout
+    assert {code for entry in throughout for code in entry.codes} <= HINTS.keys()
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_code_has_its_message(language: str) -> None:
     text = (LOCALES / language / "feedback.ftl").read_text(encoding="utf-8")
@@ -28,6 +36,7 @@ def test_every_code_has_its_message(language: str) -> None:
     sources = "".join(path.read_text(encoding="utf-8") for path in GRADING.glob("*.py"))
     told = set(re.findall(r'Feedback\(code="([a-z_]+)"', sources))
     told |= set(re.findall(r'"([a-z_]+_(?:wrong|throughout|missed|needed|order))"', sources))
+    told |= set(HINTS.values())
     told |= {f"base_{rule}_missed" for rule in ("axis", "origin", "frame")}
     told |= {f"tool_{rule}_missed" for rule in ("point", "axis", "frame")}
     missing = {f"feedback-{code}" for code in told} | {f"repair-{code}" for code in repair_codes()}

@@ -10,24 +10,31 @@ from random import Random
 
 import pytest
 
-from exercises.definition import Part
+from exercises.definition import Exercise
 from exercises.instance import generate
+from exercises.loader import robot_facts
 from exercises.parts.protocol import PartType
 from exercises.parts.registry import part_types
+from exercises.reading import Reader
 from exercises.selftest.answers import context_of
 from service.messages import has_sentence, sentence
 from tests.exercises.packaged import exercise, exercise_ids
 
 EXERCISES = Path(__file__).parents[3] / "exercises"
-ALONE = {"frames": Part(kind="frames", points=Fraction(10))}
-"""Parts that no packaged exercise asks for, added to one."""
 
-ASKING = {
-    kind: replace(exercise("scara"), parts=(ALONE[kind],))
-    if kind in ALONE
-    else next(found for found in map(exercise, exercise_ids) if found.part(kind) is not None)
-    for kind in part_types()
-}
+
+def asking(kind: str) -> Exercise:
+    """A packaged exercise that asks for a kind; if none does, one that begins to."""
+    found = next((found for found in map(exercise, exercise_ids) if found.part(kind) is not None), None)
+    if found is not None:
+        return found
+    scara, judge = exercise("scara"), part_types()[kind]
+    robot = robot_facts(scara)
+    part = judge.define(Reader(judge.start(robot), ("parts", 0), []), Fraction(10), robot)
+    return replace(scara, parts=(part,))
+
+
+ASKING = {kind: asking(kind) for kind in part_types()}
 
 
 def test_no_other_module_names_the_kinds_one_by_one() -> None:
