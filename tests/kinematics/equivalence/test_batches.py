@@ -86,6 +86,8 @@ def test_what_is_measured_of_a_table_known_by_hand() -> None:
         {key: abs(value) for key, value in expected.items()}
     )
     assert found[Measure.OFFSET, (1, 2, 2, 3)] == pytest.approx(-0.2)
+    assert found[Measure.DISTANCE, (1, 2, 1, 2)] == pytest.approx(0.3)
     turned = invariants.reversed(invariants.values)
+    assert turned[list(found).index((Measure.DISTANCE, (1, 2, 1, 2)))] == pytest.approx(-0.3)
     assert turned[list(found).index((Measure.OFFSET, (1, 2, 2, 3)))] == pytest.approx(0.2)
     assert turned[list(found).index((Measure.ANGLE, (1, 2)))] == pytest.approx(math.pi - right)

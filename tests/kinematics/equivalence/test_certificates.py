@@ -1,0 +1,37 @@
+"""Of the certificates that say the same, the one whose base and tool motions are nearest to none."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from kinematics.chain import chain_of_table
+from kinematics.equivalence import Policy, ToolRule, decide
+from kinematics.se3 import angle_about, compose, dot, inverse, position, subtract, z_axis
+from kinematics.table import NumericTable
+from tests.kinematics.equivalence.generators import random_valid_table
+from tests.kinematics.equivalence.tables import HALF, PUMA, RX90, SCARA, P, R, standard
+
+SLIDER_LAST = standard((R, HALF, 0, 0.3, 0), (R, -HALF, 0.2, 0.1, 0), (P, 0, 0, 0, 0.4))
+SLIDER_FIRST = standard((P, HALF, 0.1, 0, 0), (R, -HALF, 0.2, 0.1, 0), (R, 0, 0.3, 0, 0))
+ROBOTS = {"puma": PUMA, "rx90": RX90, "scara": SCARA, "first": SLIDER_FIRST, "last": SLIDER_LAST}
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("key", ROBOTS.values(), ids=ROBOTS.keys())
+def test_what_the_first_and_the_last_joint_can_do_is_in_their_offsets(key: NumericTable, seed: int) -> None:
+    table = random_valid_table(key, Random(f"{seed}"), dummies=0.0)
+    certificate = decide(key, table, Policy(tool=ToolRule.FREE)).certificate
+    assert certificate is not None
+    (candidate,) = certificate.draws
+    chain = chain_of_table(key)
+    first, last = chain.axes[0], chain.axes[-1]
+    end = compose(chain.end, candidate.tool)
+    if not first.prismatic:
+        assert angle_about(inverse(candidate.base), first.direction) == pytest.approx(0.0, abs=1e-9)
+    if last.prismatic:
+        moved = subtract(position(end), position(chain.end))
+        assert dot(last.direction, moved) == pytest.approx(0.0, abs=1e-9)
+    elif dot(z_axis(end), z_axis(chain.end)) > 0.0:  # turned over, it has no angle about the axis
+        assert angle_about(compose(end, inverse(chain.end)), last.direction) == pytest.approx(0.0, abs=1e-9)

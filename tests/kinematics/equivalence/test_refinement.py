@@ -1,0 +1,70 @@
+"""Refinement: steps that leave nearly the least, and no length of its own."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from random import Random
+
+import numpy as np
+import pytest
+
+from kinematics.equivalence import Policy, Tolerance, ToolRule, decide
+from kinematics.equivalence.refinement import CLOSE, HOPELESS, Model
+from kinematics.equivalence.verification import Residual
+from kinematics.table import DHTable, NumericTable
+from tests.kinematics.equivalence.generators import random_robot, random_valid_table, rounded
+
+
+def model(errors: np.ndarray, jacobian: np.ndarray) -> Model:
+    return Model(errors=errors, jacobian=jacobian, found=Residual(0.0, 0.0), damping=1e-12)
+
+
+def test_the_middle_between_two_errors_leaves_the_least_largest() -> None:
+    """Three errors along one direction, 0, 0 and 1: the mean leaves 2/3, the middle 1/2."""
+    errors = np.array([[0.0, 0, 0], [0.0, 0, 0], [1.0, 0, 0]])
+    found = model(errors, np.tile([[1.0], [0.0], [0.0]], (3, 1)))
+    assert found.least_squares() == pytest.approx(1 / 3)
+    step, least = found.least_largest()
+    assert 0.5 <= found.after(step).max() <= 0.5 * CLOSE
+    assert 0.5 / CLOSE <= least <= 0.5 + 1e-9
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_no_step_leaves_less_than_the_bound(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    errors, jacobian = rng.normal(size=(40, 3)) / 4, rng.normal(size=(120, 4)) / 3
+    found = model(errors, jacobian)
+    step, least = found.least_largest()
+    reached = found.after(step).max()
+    assert least <= reached <= found.after(found.least_squares()).max()
+    assert reached <= CLOSE * least * 1.05 or least > HOPELESS
+    for other in (*rng.normal(scale=0.1, size=(200, 4)), *(step + rng.normal(scale=0.02, size=(200, 4)))):
+        assert found.after(other).max() >= least * (1 - 1e-9)
+
+
+def scaled(table: NumericTable, factor: float) -> NumericTable:
+    rows = tuple(replace(row, a=row.a * factor, d=row.d * factor) for row in table.rows)
+    return DHTable(convention=table.convention, rows=rows)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_unit_of_length_decides_nothing(seed: int) -> None:
+    """In units a power of two smaller every number is the same but for its exponent."""
+    rng = Random(f"unit {seed}")
+    key = random_robot(rng, joints=rng.randint(4, 6))
+    table = rounded(random_valid_table(key, rng, dummies=0.0, textbook_ends=True), 2)
+    policy = Policy(tool=ToolRule.FREE, tolerance=Tolerance(length=0.006, angle=0.006))
+    one, other = decide(key, table, policy), decide(scaled(key, 1024.0), scaled(table, 1024.0), policy)
+    assert one.accepted is other.accepted
+    if one.certificate is None or other.certificate is None:
+        return
+    units = [
+        1024.0 if row.joint.value == "prismatic" else 1.0
+        for row in (table.rows[index] for index in table.joint_rows)
+    ]
+    assert one.certificate.joint_signs == other.certificate.joint_signs
+    expected = [offset * unit for offset, unit in zip(one.certificate.joint_offsets, units, strict=True)]
+    assert other.certificate.joint_offsets == pytest.approx(expected, rel=1e-9, abs=1e-9)
+    assert other.certificate.residual == pytest.approx(one.certificate.residual, rel=1e-6)
+    assert math.isfinite(one.certificate.residual)
