@@ -32,7 +32,7 @@ from exercises.parts.protocol import (
     Reading,
     RobotFacts,
 )
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, told_from
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.reading import Reader
 from kinematics.answers.dynamics_answers import (
     DynamicsMistake,
@@ -43,8 +43,10 @@ from kinematics.answers.dynamics_answers import (
 )
 from kinematics.cells import Cell, LengthUnit, ReadTable
 from kinematics.dynamics import rate_name
+from kinematics.dynamics.equations import Derivation
 from kinematics.dynamics.reading import NOTHING, RawBody, ReadBodies, read_bodies
 from kinematics.errors import Fault, KinematicsError
+from kinematics.expressions import ZERO
 from kinematics.symbolic import Matrix
 
 CellRow = Annotated[tuple[Cell, ...], Length(least=1, most=64)]
@@ -251,8 +253,12 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
         return None if len(reading.faults) > before else EquationsAnswer(**found)
 
     def grade(self, part: MotionPart, answer: EquationsAnswer, context: Context) -> PartReport:
-        """Judge M entry by entry, C q̇ and g row by row; what is asked counts the same."""
-        verdict = judge_dynamics(_question(part, context), answer, part.tolerance)
+        """Judge M entry by entry, C q̇ and g row by row; what is asked counts the same.
+
+        Zeros that the robot's own equations have are known for nothing.
+        """
+        asked = _question(part, context)
+        verdict, equations = judge_dynamics(asked, answer, part.tolerance), asked.equations
         facts: list[Fact] = []
         feedback: list[Feedback] = []
         total = 0.0
@@ -262,9 +268,10 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
                 facts.append(Fact(where=(question.value,), finding=Finding.MISSING))
                 feedback.append(Feedback(code="motion_missing", params={"what": question.value}))
                 continue
-            good = sum(right.values())
-            total += 1.0 if good == len(right) else min(MOST_OF_WRONG, good / len(right))
-            if good < len(right):
+            good = all(right.values())
+            nothing = [_vanishes(question, equations, place) for place in right]
+            total += 1.0 if good else min(MOST_OF_WRONG, share_earned([*right.values()], nothing))
+            if not good:
                 feedback.append(Feedback(code=f"motion_{question.value}_wrong"))
                 facts += [fact(False, question.value, *place) for place, good in right.items() if not good]
         feedback += [Feedback(code=f"motion_{mistake.value}") for mistake in verdict.mistakes]
@@ -366,6 +373,18 @@ def _findings(question: MotionAsk, verdict: DynamicsVerdict) -> dict[tuple[int, 
         return {(i, j): good for i, row in enumerate(verdict.mass) for j, good in enumerate(row)}
     rows = verdict.gravity if question is MotionAsk.GRAVITY else verdict.velocity
     return None if rows is None else {(i,): good for i, good in enumerate(rows)}
+
+
+def _vanishes(question: MotionAsk, equations: Derivation, place: tuple[int, ...]) -> bool:
+    """Return whether what is asked for is zero."""
+    if question is MotionAsk.SKEW:
+        return False
+    if question is MotionAsk.MASS:
+        i, j = place
+        return equations.mass[i][j] == ZERO
+    rows = equations.gravity if question is MotionAsk.GRAVITY else equations.velocity
+    (i,) = place
+    return rows[i][0] == ZERO
 
 
 PART = MotionType()

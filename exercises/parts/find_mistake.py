@@ -165,7 +165,7 @@ def _mended(
     raw = written_table(read)
     names = [cell for cell, _ in columns_of(read)]
     typed: dict[str, Any] = dict(zip(names, cells, strict=True))
-    changed = replace(raw.rows[row], **typed)
+    changed = replace(raw.rows[row], joint=None, **typed)
     whole: RawTable = replace(raw, rows=(*raw.rows[:row], changed, *raw.rows[row + 1 :]))
     before = len(reading.faults)
     found = reading.keep(FindMistakeType.kind, lambda: read_table(whole, reading.limits))

@@ -14,7 +14,7 @@ from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.parts.context import Context
 from exercises.parts.drawn_orientations import read_sequence
 from exercises.parts.protocol import TABLE, FieldShape, FormField, Length, Reading, choice_field
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, told_from
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.reading import Reader
 from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict
 from kinematics.answers.screw_answers import ScrewOrder
@@ -184,15 +184,17 @@ def matrix_mark(found: JacobianVerdict) -> JacobianMark:
     )
 
 
-def forces_mark(right: Sequence[bool], mistake: JacobianMistake | None) -> JacobianMark:
-    """Return the mark for joint forces, from which of them are right."""
+def forces_mark(
+    right: Sequence[bool], mistake: JacobianMistake | None, nothing: Sequence[bool]
+) -> JacobianMark:
+    """Return the mark for joint forces, from which of them are right, and which zeros would be."""
     if all(right):
         return JacobianMark(1.0)
     told = [Feedback(code="forces_wrong")]
     if mistake is not None:
         told.append(Feedback(code=f"forces_{mistake.value}"))
     return JacobianMark(
-        min(sum(right) / len(right), 0.8),
+        min(share_earned(right, nothing), 0.8),
         tuple(fact(False, "forces", i) for i, good in enumerate(right) if not good),
         tuple(told),
     )

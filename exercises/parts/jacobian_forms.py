@@ -58,7 +58,7 @@ from kinematics.answers.jacobian_forms import (
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.cells import ParameterKind, ReadTable
 from kinematics.errors import Fault, JointValueError
-from kinematics.expressions import Expression, Number, Parameter, parameters_in
+from kinematics.expressions import ZERO, Expression, Number, Parameter, parameters_in
 from kinematics.jacobian import JacobianFrame
 from kinematics.keys import ValueKind
 
@@ -243,7 +243,11 @@ def _forces(part: JacobianFormPart, answer: JacobianForm, robot: FormRobot) -> J
     if answer.forces is None:
         return missing(JacobianAsk.FORCES)
     right, _, mistake = judge_force_form(robot, answer.forces, part.wrench, part.frame, part.tolerance)
-    return forces_mark(right, mistake)
+    if all(right):
+        return forces_mark(right, mistake, ())
+    zeros = [ZERO] * len(right)
+    nothing, _, _ = judge_force_form(robot, zeros, part.wrench, part.frame, part.tolerance)
+    return forces_mark(right, mistake, nothing)
 
 
 PART = JacobianFormType()

@@ -263,7 +263,9 @@ def _forces(
     if answer.forces is None:
         return missing(JacobianAsk.FORCES)
     right, mistake = judge_forces(chain, joints, part.wrench, answer.forces, part.frame, part.tolerance)
-    return forces_mark(right, mistake)
+    zeros = [0.0] * len(joints)
+    nothing, _ = judge_forces(chain, joints, part.wrench, zeros, part.frame, part.tolerance)
+    return forces_mark(right, mistake, nothing)
 
 
 PART = JacobianPartType()

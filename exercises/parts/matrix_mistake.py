@@ -161,14 +161,14 @@ class MatrixMistakeType(MistakeType[MatrixMistakePart, FoundMatrixMistakeCells, 
         return FoundMatrixMistake(cell=cell, mistake=mistake, mended=mended)
 
     def grade(self, part: MatrixMistakePart, answer: FoundMatrixMistake, context: Context) -> PartReport:
-        """A third each for place, name and repair; a repair that does says where the mistake was."""
+        """A third each for place, name and repair; where no place is given, a repair that does says it."""
         found: PlantedMatrix = context.instance.drawn[self.kind]
         table = context.reference.table
         mended = answer.mended is not None and _is_right(found, answer.mended, context)
         name = answer.mistake
         return self.report(
             part,
-            FoundStep(mended or answer.cell in found.wrong_cells, answer.cell),
+            FoundStep(mended if answer.cell is None else answer.cell in found.wrong_cells, answer.cell),
             FoundStep(name is not None and found.shows(name, table), name),
             FoundStep(mended, answer.mended),
         )

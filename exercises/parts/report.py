@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
@@ -97,6 +97,17 @@ def judged(
         facts=tuple(facts),
         feedback=tuple(feedback),
     )
+
+
+def share_earned(right: Sequence[bool], nothing: Sequence[bool]) -> float:
+    """Return the share of facts that are right, less what an answer that says nothing has right.
+
+    Args:
+        right: which facts an answer has right.
+        nothing: which of them one of zeros has.
+    """
+    most = len(right) - sum(nothing)
+    return max(0.0, (sum(right) - sum(nothing)) / most) if most else float(all(right))
 
 
 _LEVELS = tuple(HelpLevel)

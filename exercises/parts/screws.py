@@ -20,7 +20,7 @@ from exercises.parts.joint_draws import key_numbers
 from exercises.parts.matrix_cells import CellMatrix, read_numbers
 from exercises.parts.number_cells import read_numbers_of
 from exercises.parts.protocol import FieldShape, FormField, Length, PartTask, PartType, Reading, choice_field
-from exercises.parts.report import Credit, PartReport, fact, judged, told_from
+from exercises.parts.report import Credit, PartReport, fact, judged, share_earned, told_from
 from kinematics.answers.screw_answers import (
     ScrewAnswer,
     ScrewFrame,
@@ -124,9 +124,8 @@ class ScrewsPart(PartType[Part, ScrewsCells, ScrewAnswer]):
                 for pair in found.pairs
                 if not pair.alike
             ]
-        nothing = sum(pair.alike for pair in pairs_on_one_line(key, context.policy))
-        earned, most = sum(pair.alike for pair in found.pairs) - nothing, len(found.pairs) - nothing
-        share = max(0.0, earned / most) if most else 0.0
+        nothing = [pair.alike for pair in pairs_on_one_line(key, context.policy)]
+        share = share_earned([pair.alike for pair in found.pairs], nothing) if not all(nothing) else 0.0
         return judged(part, 0.5 * share, Credit.KEY, facts=facts, feedback=feedback)
 
     def right(self, part: Part, context: Context) -> ScrewsCells:

@@ -13,6 +13,7 @@ at the robot's values, and with other values for the names that the entry itself
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -36,11 +37,13 @@ from kinematics.expressions import (
     parameters_in,
 )
 from kinematics.expressions.arrays import values_at
+from kinematics.expressions.values import holds_decimals
 from kinematics.se3 import Floats
 from kinematics.symbolic import Matrix, ProofStatus, compare
 from kinematics.symbolic.parameter_values import substitute
 from kinematics.table import SymbolicTable
 
+Pair = tuple[Expression, Expression]
 POINTS = 8
 """Configurations at which functions are compared, for each set of values."""
 PRODUCTS = 100_000
@@ -48,6 +51,8 @@ PRODUCTS = 100_000
 HALF = Number(Fraction(1, 2))
 TOLERANCE = 0.005
 """Of an entry that is not proved, as a share of its size: two decimals and a half."""
+EXACT = 1e-9
+"""The same where nothing was rounded, so that no small term is left out: what the arithmetic leaves."""
 
 
 class DynamicsMistake(StrEnum):
@@ -188,13 +193,13 @@ class _EntryJudge:
     def mass(self, given: Matrix) -> tuple[tuple[bool, ...], ...]:
         ours = self._question.equations.mass
         return tuple(
-            tuple(self._same(given[i][j], ours[i][j], (ours[i][i], ours[j][j])) for j in range(self._n))
+            tuple(self._same(given[i][j], ours[i][j], ((ours[i][i], ours[j][j]),)) for j in range(self._n))
             for i in range(self._n)
         )
 
     def vector(self, given: Sequence[Expression], ours: Sequence[Expression]) -> tuple[bool, ...]:
         return tuple(
-            self._same(one, other, (other, other) if other != ZERO else tuple(ours))
+            self._same(one, other, [(size, size) for size in ((other,) if other != ZERO else ours)])
             for one, other in zip(given, ours, strict=True)
         )
 
@@ -202,7 +207,7 @@ class _EntryJudge:
         """C + Cᵀ = Ṁ; what is said of it is no part of the proof."""
         before = self.proof
         rate = self._question.equations.mass_rate
-        sizes = tuple(entry for row in rate for entry in row if entry != ZERO) or (ONE,)
+        sizes = [(entry, entry) for row in rate for entry in row if entry != ZERO] or [(ONE, ONE)]
         found = all(
             self._same(add((coriolis[i][j], coriolis[j][i])), rate[i][j], sizes)
             for i in range(self._n)
@@ -218,13 +223,18 @@ class _EntryJudge:
         self.proof = before
         return found
 
-    def _same(self, given: Expression, ours: Expression, sizes: Sequence[Expression]) -> bool:
+    def _same(self, given: Expression, ours: Expression, sizes: Sequence[Pair]) -> bool:
+        """Compare an entry; the tolerance is a share of the largest geometric mean of two sizes.
+
+        M_ij is at most √(M_ii M_jj), and may be far less than the larger one. Names get other values of about
+        one, so that none is lost beside the others: what is small for a student is not left out.
+        """
         if given == ours or _proved(given, ours):
             return True
         near = self._near(given, ours, sizes, {})
         names = sorted(parameters_in(given) & self._question.values.keys())
         if near and names:
-            other = {name: self._random.uniform(0.3, 3.0) * self._value(name) for name in names}
+            other = {name: self._random.uniform(0.5, 2.0) for name in names}
             near = self._near(given, ours, sizes, other)
         if self.proof is not ProofStatus.REFUTED:
             self.proof = ProofStatus.UNDECIDED if near else ProofStatus.REFUTED
@@ -234,7 +244,7 @@ class _EntryJudge:
         self,
         given: Expression,
         ours: Expression,
-        sizes: Sequence[Expression],
+        sizes: Sequence[Pair],
         other: Mapping[str, float],
     ) -> bool:
         values = {**self._question.values, **other}
@@ -242,15 +252,16 @@ class _EntryJudge:
         for joint in range(1, self._n + 1):
             points[rate_name(joint)] = self._drawn()
         joints = np.array([self._drawn() for _ in range(self._n)])
-        size = max(float(np.abs(values_at(entry, points, joints)).max()) for entry in sizes)
+        size = max(
+            math.sqrt(math.prod(float(np.abs(values_at(entry, points, joints)).max()) for entry in pair))
+            for pair in sizes
+        )
         difference = np.abs(values_at(given, points, joints) - values_at(ours, points, joints))
-        return bool((difference <= self._tolerance * size).all())
+        tolerance = self._tolerance if holds_decimals(given) else EXACT
+        return bool((difference <= tolerance * size).all())
 
     def _drawn(self) -> Floats:
         return np.array([self._random.uniform(-3.0, 3.0) for _ in range(POINTS)])
-
-    def _value(self, name: str) -> float:
-        return self._question.values[name] or 1.0
 
 
 @lru_cache(maxsize=64)

@@ -190,7 +190,7 @@ def judge_forces(
     values = np.array(given, dtype=np.float64)
     expected = joint_forces_at(chain, joints, wrench, frame)
     right = np.abs(values - expected) <= limit
-    if right.all():
+    if right.all() or not values.any():
         return tuple(right.tolist()), None
     (other,) = set(JacobianFrame) - {frame}
     ways = (
@@ -258,6 +258,7 @@ def _columns(
         if axis.prismatic:
             ways.append((JacobianMistake.PRISMATIC, [*np.cross(z, reach), *z]))
             ways.append((JacobianMistake.PRISMATIC, [0.0, 0.0, 0.0, *z]))
+            ways.append((JacobianMistake.PRISMATIC, [*z, *z]))
         else:
             ways.append((JacobianMistake.POINT_SWAPPED, [*np.cross(reach, z), *z]))
             ways.append((JacobianMistake.PRISMATIC, [*z, 0.0, 0.0, 0.0]))

@@ -28,7 +28,6 @@ from kinematics.expressions import (
     Call,
     Expression,
     JointVariable,
-    Number,
     Power,
     Product,
     Sum,
@@ -36,8 +35,8 @@ from kinematics.expressions import (
     joint_variables_in,
     multiply,
     pi_times,
-    walk,
 )
+from kinematics.expressions.values import holds_decimals
 from kinematics.jacobian import JacobianFrame
 from kinematics.se3 import Floats
 from kinematics.symbolic import ProofStatus
@@ -47,8 +46,6 @@ from kinematics.table import JointType
 
 ROUNDED = 5e-4
 """Share of its usual value below which a condition with numbers rounded to four digits counts as zero."""
-COARSE = 10
-"""Denominators from here on are those of decimals: 1/2 is exact, 0.43 may be rounded."""
 
 
 class ConditionStatus(StrEnum):
@@ -141,7 +138,7 @@ def judge_singularities(arm: SingularArm, conditions: Sequence[Expression]) -> S
         FormSizeError: the determinant of the arm is too large to be formed.
     """
     found = _judged(arm, conditions)
-    if not found.right or found.proof is ProofStatus.PROVED or any(map(_is_rounded, conditions)):
+    if not found.right or found.proof is ProofStatus.PROVED or any(map(holds_decimals, conditions)):
         return found
     other = _judged(arm.other(), conditions)
     if other.right or len(other.families) != len(found.families):
@@ -243,7 +240,7 @@ def _scaled(arm: SingularArm, joints: Sequence[float]) -> tuple[Floats, NDArray[
 def _where(arm: SingularArm, factor: Expression, covered: Sequence[NDArray[np.bool_]]) -> list[bool]:
     """Note where in the families a function vanishes; return in which it does everywhere."""
     scale = float(np.nanmedian(np.abs(arm.values_of(factor, arm.lines[0]))))
-    limit = ROUNDED if _is_rounded(factor) else LOST
+    limit = ROUNDED if holds_decimals(factor) else LOST
     found = []
     for seen, points in zip(covered, arm.witnesses, strict=True):
         values = np.abs(arm.values_of(factor, points))
@@ -263,7 +260,7 @@ def _verified(arm: SingularArm, factor: Expression) -> JudgedCondition:
     if not zeros.shape[1]:
         return JudgedCondition(status=ConditionStatus.NOWHERE)
     lost = arm.lost(zeros)
-    if (lost <= (ROUNDED if _is_rounded(factor) else LOST)).all():
+    if (lost <= (ROUNDED if holds_decimals(factor) else LOST)).all():
         return JudgedCondition(status=ConditionStatus.SINGULAR)
     worst = zeros[:, int(np.argmax(lost))]
     return JudgedCondition(status=ConditionStatus.INVENTED, example=tuple(worst.tolist()))
@@ -299,12 +296,6 @@ def _turned(expression: Expression, joint: int, by: Expression) -> Expression:
         case Call(function, arguments):
             return Call(function, tuple(_turned(argument, joint, by) for argument in arguments))
     return expression
-
-
-def _is_rounded(expression: Expression) -> bool:
-    """Return whether an expression holds decimals."""
-    numbers = (node.value for node in walk(expression) if isinstance(node, Number))
-    return any(value.denominator >= COARSE and 24 % value.denominator for value in numbers)
 
 
 def _together(statuses: Sequence[JudgedCondition]) -> JudgedCondition:

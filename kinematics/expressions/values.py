@@ -35,6 +35,9 @@ _FUNCTIONS: dict[Function, Callable[..., float]] = {
 
 _NOTHING: frozenset[str] = frozenset()
 
+COARSE = 10
+"""Denominators from here on are those of decimals, but for those of 24: 1/12 is exact, 0.43 is not."""
+
 
 def evaluate(
     expression: Expression, parameters: Mapping[str, float] | None = None, joints: Sequence[float] = ()
@@ -88,6 +91,12 @@ def walk(expression: Expression) -> Iterator[Expression]:
         node = stack.pop()
         yield node
         stack.extend(_children(node))
+
+
+def holds_decimals(expression: Expression) -> bool:
+    """Return whether an expression holds numbers that may have been rounded: 0.43, but not 1/12."""
+    numbers = (node.value for node in walk(expression) if isinstance(node, Number))
+    return any(value.denominator >= COARSE and 24 % value.denominator for value in numbers)
 
 
 def _children(node: Expression) -> tuple[Expression, ...]:

@@ -9,7 +9,7 @@ There is no freedom in it, for both frames are named.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import reduce
 
@@ -125,7 +125,7 @@ def _slips(
     ]
     if inverted:
         ways[:0] = [
-            (ChainMistake.NOT_INVERTED, _product(factors, lambda pose: pose)),
+            *((ChainMistake.NOT_INVERTED, product) for product in _inverted_otherwise(factors)),
             (ChainMistake.INVERSE_WITHOUT_TRANSPOSE, _product(factors, _negated_position)),
             (ChainMistake.INVERSE_WITHOUT_TRANSPOSE, _product(factors, _kept_rotation)),
             (ChainMistake.INVERSE_POSITION, _product(factors, _plain_position)),
@@ -137,6 +137,15 @@ def _slips(
     rotation = given[:3, :3]
     if np.abs(rotation.T @ rotation - np.eye(3)).max() > 3 * tolerance or np.linalg.det(rotation) < 0:
         yield ChainMistake.NOT_RIGID
+
+
+def _inverted_otherwise(factors: Sequence[ChainFactor]) -> Iterator[Floats]:
+    """Yield products in which a pose that has to be inverted stands as it is: one, all, or all but those."""
+    yield _product(factors, lambda pose: pose)
+    yield chain_product([replace(factor, inverted=not factor.inverted) for factor in factors])
+    for i, factor in enumerate(factors):
+        if factor.inverted:
+            yield chain_product([*factors[:i], replace(factor, inverted=False), *factors[i + 1 :]])
 
 
 def _product(factors: Sequence[ChainFactor], inverse: Callable[[Transform], Floats]) -> Floats:

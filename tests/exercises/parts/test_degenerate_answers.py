@@ -1,4 +1,4 @@
-"""Answers that say nothing: a vector of zeros, a combination of zeros, a motion that the arm never has."""
+"""Answers that say nothing: zeros in the place of numbers and functions, a motion that the arm never has."""
 
 from __future__ import annotations
 
@@ -7,9 +7,12 @@ from typing import Any
 import pytest
 
 from exercises.grading import HelpLevel
+from exercises.parts.equations_of_motion import MotionCells
+from exercises.parts.jacobian_cells import JacobianCells
 from exercises.parts.joint_solutions import JointAnswerCells
 from exercises.parts.singularities import SingularityCells
 from kinematics.answers.joint_verdicts import JointClaim
+from kinematics.answers.screw_answers import ScrewOrder
 from tests.exercises.answering import codes, judged, part
 
 
@@ -33,3 +36,36 @@ def test_a_combination_of_zeros_says_nothing() -> None:
     found = part(judged("twolink-inverse", inverse_kinematics=cells), "inverse_kinematics")
     assert "joints_combination_zero" in codes(found)
     assert "joints_combination_wrong" not in codes(found)
+
+
+def motion(exercise_id: str, **cells: Any) -> float:
+    given = {name: value for name, value in cells.items() if value is not None}
+    report = judged(exercise_id, equations_of_motion=MotionCells(**given))
+    return part(report, "equations_of_motion").score
+
+
+@pytest.mark.parametrize(
+    ("exercise_id", "n"), [("scara-dynamics", 4), ("uw-dynamics", 3), ("twolink-dynamics", 2)]
+)
+def test_zeros_earn_nothing_in_equations_of_motion(exercise_id: str, n: int) -> None:
+    row = (0,) * n
+    asks_matrix = exercise_id == "twolink-dynamics"
+    velocity = {"coriolis": (row,) * n} if asks_matrix else {"velocity": row}
+    assert motion(exercise_id, mass=(row,) * n, gravity=row, **velocity) == 0.0
+
+
+def test_gravity_of_the_wrong_sign_earns_nothing_where_one_joint_bears_it() -> None:
+    third = "g*(m3 + m4)"
+    assert motion("scara-dynamics", gravity=(0, 0, third, 0)) == pytest.approx(1 / 3)
+    assert motion("scara-dynamics", gravity=(0, 0, f"-{third}", 0)) == 0.0
+
+
+def test_joint_forces_of_zero_earn_nothing() -> None:
+    """A vertical force does nothing about the vertical axis of joint 1."""
+    for kind, exercise_id, n in (
+        ("jacobian", "stanford-jacobian", 6),
+        ("jacobian_form", "twolink-jacobian-form", 2),
+    ):
+        cells = JacobianCells(order=ScrewOrder.LINEAR_FIRST, jacobian=((0,) * n,) * 6, forces=(0,) * n)
+        found = part(judged(exercise_id, **{kind: cells}), kind)
+        assert (found.score, codes(found)) == (0.0, ["jacobian_wrong", "forces_wrong"])

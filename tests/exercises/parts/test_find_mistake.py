@@ -37,6 +37,14 @@ def test_place_name_and_repair_earn_a_third_each(name) -> None:
     assert judged(found, "3", find_mistake=FoundMistakeCells(name=whole.name)).score == pytest.approx(1 / 3)
 
 
+def test_a_mended_row_needs_its_variable() -> None:
+    found = exercise("puma560-find-mistake")
+    answer = right(found, "7")
+    assert judged(found, "7", find_mistake=answer).correct
+    cells = tuple(0 if "q" in str(cell) else cell for cell in answer.mended)
+    assert not judged(found, "7", find_mistake=replace(answer, mended=cells)).correct
+
+
 def test_students_get_different_mistakes_and_each_the_same_again() -> None:
     found = asked("puma560")
     drawn: list[Planted] = [generate(found, str(seed)).drawn["find_mistake"] for seed in range(30)]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from exercises.grading import Finding
@@ -32,6 +34,16 @@ def test_place_name_and_repair_earn_a_third_each(name: str) -> None:
     assert found.judged(FoundMatrixMistakeCells(mistake=planted.code)).score == pytest.approx(1 / 3)
     right = PART.right(found.part, found.context)
     assert found.judged(right).score == 1.0
+
+
+def test_an_entry_that_is_right_is_no_place_even_beside_the_mended_matrix() -> None:
+    found = student(EXERCISES[0], 3)
+    planted: PlantedMatrix = found.instance.drawn[PART.kind]
+    right = PART.right(found.part, found.context)
+    r, c = next((r, c) for r in range(3) for c in range(4) if (r, c) not in planted.wrong_cells)
+    report = found.judged(replace(right, cell_row=r + 1, cell_column=c + 1))
+    assert [entry.code for entry in report.feedback] == ["matrix_mistake_place_wrong"]
+    assert report.score == pytest.approx(2 / 3)
 
 
 def test_each_kind_of_mistake_changes_a_matrix_of_some_robot() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from kinematics.answers.dynamics_answers import DynamicsMistake, EquationsAnswer, judge_dynamics
@@ -72,6 +74,20 @@ def test_numbers_in_the_place_of_names_are_right_at_the_values_and_wrong_names_a
     assert found.proof is ProofStatus.UNDECIDED
     assert not judged(gravity=["(m1*r1 + m2*L1)*g*c1 + m2*r2*g*c12", "m1*r2*g*c12*2/3"]).right
     assert judged(gravity=["15.696*c1 + 2.943*c12", "2.943*c1"]).gravity == (True, False)
+
+
+@pytest.mark.parametrize("factor", ["0", "2", "-1", "0.5"])
+def test_a_term_that_is_small_beside_the_others_is_no_rounding(factor: str) -> None:
+    """The tool of a SCARA hardly matters for M, and M_14 is its moment of inertia alone."""
+    light = replace(TWO, values={**TWO.values, "I2": 1e-5})
+    for i, j in ((0, 0), (0, 1), (1, 1)):
+        spoilt = [list(row) for row in MASS]
+        spoilt[i][j] = spoilt[i][j].replace("I2", f"{factor}*I2")
+        answer = EquationsAnswer(mass=read(spoilt))
+        found = judge_dynamics(light, answer)
+        assert found.mass is not None
+        assert not found.mass[i][j]
+    assert judge_dynamics(light, EquationsAnswer(mass=read(MASS))).right
 
 
 def test_entries_that_have_no_value_are_wrong() -> None:

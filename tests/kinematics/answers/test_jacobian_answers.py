@@ -100,6 +100,10 @@ def test_slips_are_told(name) -> None:
     sliding = right.copy()
     sliding[:, 3] = [*right[3:, 3], 0, 0, 0]
     assert told(sliding) == ((JacobianMistake.PRISMATIC, 4),)
+    if name == "stanford":
+        both = right.copy()
+        both[3:, 2] = both[:3, 2]
+        assert told(both) == ((JacobianMistake.PRISMATIC, 3),)
     degrees = right * np.radians([180 / np.pi if name == "stanford" and i == 2 else 1 for i in range(6)])
     assert told(degrees) == ((JacobianMistake.PER_DEGREE, None),)
     assert told(right + 1) == ()

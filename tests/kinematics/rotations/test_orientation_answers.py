@@ -172,3 +172,5 @@ def test_a_chain_of_frames() -> None:
         assert not found.right
         assert found.mistakes == (mistake,)
     assert not judge_chain(FACTORS, 2 * right, size=1, tolerance=0.005).right
+    other = judge_chain(FACTORS, A @ np.linalg.inv(B), size=1, tolerance=0.005)
+    assert other.mistakes == (ChainMistake.NOT_INVERTED,)
