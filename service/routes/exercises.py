@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Annotated, TypeVar
 
 from fastapi import Path, Request, Response
@@ -32,7 +33,7 @@ from service.wire.exercise_views import (
     exercise_view,
     instance_of,
 )
-from service.wire.figure_files import figure_address, figure_path, packed_figure
+from service.wire.figure_files import figure_address, figure_path, known_figure, packed_figure
 from service.wire.ungraded import answer_refused, known_exercise
 from service.wire.verdicts import encoded, report_body
 from service.work.limiters import WorkKind
@@ -81,7 +82,7 @@ async def show_exercise(request: ApiRequest) -> Response:
         view["figure"]["file"] = figure_path(resources_of(request).figures, instance, language)
         return encoded(view)
 
-    body = await _drawn(request, "view", work)
+    body = await _first(request, "view", work)
     return _text(request, body, language, JSON)
 
 
@@ -124,23 +125,29 @@ def _asked_instance(request: ApiRequest) -> Instance:
         raise RequestError(error.faults, part=RequestPart.QUERY) from error
 
 
-async def _drawn(request: ApiRequest, what: str, work: Callable[[], _Result]) -> _Result:
-    """What follows from the values that the address names a seed for."""
+async def _first(request: ApiRequest, what: str, work: Callable[[], _Result]) -> _Result:
+    """What follows from the values that the address names a seed for; of one exercise all take as long."""
     context, seed = context_of(request), seed_of(request, request.query_params.get("seed"))
-    question = (what, request.path_params["exercise_id"], seed, language_of(request), context)
-    return await resources_of(request).limiters[WorkKind.DRAWING].run_first(question, work)
+    exercise_id = request.path_params["exercise_id"]
+    question = (what, exercise_id, seed, language_of(request), context)
+    return (
+        await resources_of(request).limiters[WorkKind.DRAWING].run_first(question, work, (what, exercise_id))
+    )
 
 
 async def _figure(request: ApiRequest, caching: str, asked: str | None = None) -> Response:
     """The figure; where another address was asked for than it has now, where it is."""
     language, figures = language_of(request), resources_of(request).figures
 
-    def work() -> tuple[str, bytes | None]:
+    def look() -> tuple[Instance, str, bytes | None]:
         instance = _asked_instance(request)
         now = figure_address(figures, instance, language)
-        return now, packed_figure(figures, instance, language) if asked in (None, now) else None
+        return instance, now, known_figure(figures, instance, language) if asked in (None, now) else None
 
-    address, packed = await _drawn(request, "figure", work)
+    instance, address, packed = await _first(request, "figure", look)
+    if packed is None and asked in (None, address):
+        draw = partial(packed_figure, figures, instance, language)
+        packed = await resources_of(request).limiters[WorkKind.DRAWING].run(draw)
     if packed is None:
         query = f"?{request.url.query}" if request.url.query else ""
         moved = {"Location": f"{address}.svg{query}", "Cache-Control": "no-store"}

@@ -9,7 +9,6 @@ from fastapi import APIRouter, Request, Response
 
 from exercises.definition import Exercise
 from exercises.errors import AnswerError, UnknownExerciseError
-from exercises.statements import to_html
 from service.http.link_context import QUERY
 from service.http.link_guard import context_of
 from service.http.routing import ApiRequest, DirectRoute
@@ -17,7 +16,7 @@ from service.messages import LOCALES, languages
 from service.resources import resources_of
 from service.web.responses import missing_page, page_language, page_response, text_response
 from service.web.shell import Page
-from service.wire.exercise_views import instance_of
+from service.wire.exercise_views import instance_of, statement_html
 from service.wire.figure_files import figure_path
 from service.work.limiters import WorkKind
 
@@ -57,12 +56,14 @@ async def exercise_page(request: ApiRequest) -> Response:
         return {
             "id": found.id,
             "title": found.title(language),
-            "statement": to_html(found.statement(language)),
+            "statement": statement_html(found, language),
             "figure": _figure(request, found, language, query),
         }
 
     question = ("page", found.id, query, context_of(request))
-    values = await resources_of(request).limiters[WorkKind.DRAWING].run_first(question, work)
+    values = (
+        await resources_of(request).limiters[WorkKind.DRAWING].run_first(question, work, ("page", found.id))
+    )
     # A SCORM package frames the page from whatever origin its LMS has. Nobody is signed in there: a page that
     # frames it gains nothing that it could not ask for itself.
     packaged = request.query_params.get("embed") == "scorm"

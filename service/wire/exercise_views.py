@@ -25,7 +25,7 @@ from service.schemas.exercises import TASK_FIELDS
 FRAMED = (TABLE, "frames", "screws")
 """Kinds of part that are held to the rules on frames."""
 KEPT = 512
-"""Exercises whose dimensions have been looked through."""
+"""Exercises whose dimensions have been looked through, and in each language their statements and rules."""
 DESCRIBED = 2048
 """Instances whose figure has been put into words: the exercise tells them, and then its figure."""
 
@@ -64,8 +64,8 @@ def exercise_view(instance: Instance, language: str, context: LinkContext | None
         "text_language": found.text_language(language),
         "note": _language_note(found, language),
         "title": found.title(language),
-        "statement": {"markdown": statement, "html": to_html(statement)},
-        "rules": list(rules(found, language)),
+        "statement": {"markdown": statement, "html": statement_html(found, language)},
+        "rules": list(_rules_told(found, language)),
         "conventions": conventions(found),
         "policy": found.policy,
         "help": _most(found, context),
@@ -120,6 +120,17 @@ def conventions(found: Exercise) -> list[str]:
     """The conventions that an exercise accepts."""
     rule = found.policy.convention
     return ["standard", "modified"] if rule is ConventionRule.ANY else [rule.value]
+
+
+@lru_cache(maxsize=KEPT)
+def statement_html(found: Exercise, language: str) -> str:
+    """Return what is asked as HTML; the same for all students of an exercise."""
+    return to_html(found.statement(language))
+
+
+@lru_cache(maxsize=KEPT)
+def _rules_told(found: Exercise, language: str) -> tuple[str, ...]:
+    return tuple(rules(found, language))
 
 
 def rules(found: Exercise, language: str) -> Iterator[str]:

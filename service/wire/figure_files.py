@@ -71,7 +71,7 @@ def figure_path(figures: SharedAnswers, instance: Instance, language: str, asked
     return f"exercises/{instance.exercise.id}/figures/{address}.svg?{query}"
 
 
-def _known_figure(figures: SharedAnswers, instance: Instance, language: str) -> bytes | None:
+def known_figure(figures: SharedAnswers, instance: Instance, language: str) -> bytes | None:
     """Return a figure, gzipped, where this process has what is drawn in memory."""
     address = figure_address(figures, instance, language)
     packed = figures.known(address)
@@ -84,7 +84,7 @@ def _known_figure(figures: SharedAnswers, instance: Instance, language: str) -> 
 
 def packed_figure(figures: SharedAnswers, instance: Instance, language: str) -> bytes:
     """Return a figure, gzipped: as some process has drawn it, else drawn now, with its words."""
-    known = _known_figure(figures, instance, language)
+    known = known_figure(figures, instance, language)
     if known is not None:
         return known
     drawn = _drawn(figures, drawing_address(figures, instance, _note(language)), instance, language)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import asyncio
+import time
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
 from enum import StrEnum
@@ -17,6 +19,12 @@ COURSE_THREADS = 16
 """Requests that wait for the database, or for a platform, at the same time."""
 DONE = 512
 """Questions that count as answered before; fewer than what they follow from is kept for."""
+LIGHT = 0.004
+"""Work of a kind that takes no longer [s] is done in the event loop: a thread costs half a millisecond."""
+TRIED = 3
+"""So many times work of a kind is done in a thread before it is known how long it takes."""
+FADING = 0.9
+"""What a kind of work took at the most counts so much less each time."""
 _Result = TypeVar("_Result")
 
 
@@ -36,6 +44,7 @@ class Limiter:
     def __init__(self, *, threads: int, capacity: int, timeout: float) -> None:
         self._threads = anyio.CapacityLimiter(threads)
         self._done: OrderedDict[Hashable, None] = OrderedDict()
+        self._kinds: OrderedDict[Hashable, tuple[int, float]] = OrderedDict()
         self.queue = FairQueue(slots=threads, capacity=capacity, timeout=timeout)
 
     async def acquire(self) -> ThreadSlot:
@@ -58,12 +67,17 @@ class Limiter:
         finally:
             slot.release()
 
-    async def run_first(self, question: Hashable, work: Callable[[], _Result]) -> _Result:
+    async def run_first(
+        self, question: Hashable, work: Callable[[], _Result], kind: Hashable = None
+    ) -> _Result:
         """Do work in a thread the first time, and at once afterwards: what took long has been kept.
 
         Args:
             question: what the work follows from.
-            work: what is to be done.
+            work: what is to be done; it waits for nothing but the processor.
+            kind: of work that takes about as long whatever it follows from; once it has been seen to take
+                little, it is done at once the first time too, one piece between two looks of the event loop
+                at its connections. None: that is not known.
 
         Raises:
             BusyError: as in `run`.
@@ -71,11 +85,33 @@ class Limiter:
         if question in self._done:
             self._done.move_to_end(question)
             return work()
-        result = await self.run(work)
+        result = await (self.run(work) if kind is None else self._run_of(kind, work))
         self._done[question] = None
         while len(self._done) > DONE:
             self._done.popitem(last=False)
         return result
+
+    async def _run_of(self, kind: Hashable, work: Callable[[], _Result]) -> _Result:
+        times, most = self._kinds.get(kind, (0, 0.0))
+        if times < TRIED or most > LIGHT:
+            result, seconds = await self.run(lambda: _timed(work))
+        else:
+            slot = await self.acquire()
+            try:
+                result, seconds = _timed(work)
+            finally:
+                asyncio.get_running_loop().call_soon(slot.release)
+        times, most = self._kinds.pop(kind, (0, 0.0))
+        self._kinds[kind] = times + 1, max(seconds, FADING * most)
+        while len(self._kinds) > DONE:
+            self._kinds.popitem(last=False)
+        return result
+
+
+def _timed(work: Callable[[], _Result]) -> tuple[_Result, float]:
+    """The result of work, and the time of the processor that it took [s]."""
+    begun = time.thread_time()
+    return work(), time.thread_time() - begun
 
 
 class ThreadSlot:

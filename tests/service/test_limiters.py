@@ -6,6 +6,7 @@ import asyncio
 import itertools
 import sys
 import threading
+from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 from unittest.mock import patch
@@ -22,7 +23,7 @@ from service.settings import Settings
 from service.wire import exercise_views
 from service.work import fair_queue
 from service.work.fair_queue import CLIENTS, Client, FairQueue, Name, Proven, current_client
-from service.work.limiters import DONE, Limiter, WorkKind, limiters
+from service.work.limiters import DONE, LIGHT, TRIED, Limiter, WorkKind, limiters
 from service.work.thread_switching import SWITCH_SECONDS
 
 TABLE = {"convention": "standard", "rows": [{"alpha": 0, "a": "1", "d": 0, "theta": f"q{i}"} for i in (1, 2)]}
@@ -216,3 +217,36 @@ def test_a_students_values_are_drawn_beside_the_event_loop(
         app.state.resources.close()
     assert threads
     assert threading.get_ident() not in threads
+
+
+def test_work_of_a_kind_that_takes_little_needs_no_thread(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = SimpleNamespace(now=0.0)
+    monkeypatch.setattr("service.work.limiters.time", SimpleNamespace(thread_time=lambda: clock.now))
+
+    def taking(seconds: float) -> Callable[[], bool]:
+        def work() -> bool:
+            clock.now += seconds
+            return threading.current_thread() is threading.main_thread()
+
+        return work
+
+    async def scene() -> None:
+        limiter = Limiter(threads=1, capacity=8, timeout=1)
+        asked = itertools.count()
+
+        async def at_once(seconds: float, kind: str | None) -> bool:
+            return await limiter.run_first(next(asked), taking(seconds), kind)
+
+        assert [await at_once(0.001, "light") for _ in range(TRIED + 2)] == [False] * TRIED + [True] * 2
+        assert not any([await at_once(2 * LIGHT, "heavy") for _ in range(TRIED + 2)])
+        assert not any([await at_once(0.001, None) for _ in range(TRIED + 2)])
+        assert await at_once(2 * LIGHT, "light")
+        assert not await at_once(0.001, "light")
+        for number in range(DONE):
+            await at_once(0.001, str(number))
+        assert len(limiter._kinds) == DONE
+        await asyncio.gather(*(at_once(0.001, "light") for _ in range(8)))
+        await asyncio.sleep(0)
+        assert limiter.queue.running == 0
+
+    asyncio.run(scene())
