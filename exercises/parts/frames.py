@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
@@ -16,8 +17,10 @@ from random import Random
 from typing import Annotated, ClassVar
 
 from exercises.definition import Part
+from exercises.errors import DefinitionError
 from exercises.grading import ConventionRule, Feedback, Finding, HelpLevel, Policy, ToolRule, accept
 from exercises.instance import Instance
+from exercises.parts.by_name import ByName, read_by_name
 from exercises.parts.context import Context
 from exercises.parts.figure_frames import figure_axes, key_frames
 from exercises.parts.number_cells import number_of
@@ -71,7 +74,7 @@ class FramesAnswer:
     frames: tuple[ChosenFrame | None, ...]
 
 
-class FramesPart(PartType[Part, FramesCells, FramesAnswer]):
+class FramesPart(PartType[Part, FramesCells, ByName[FramesAnswer]]):
     """Frames on the robot of the figure."""
 
     kind = "frames"
@@ -93,8 +96,11 @@ class FramesPart(PartType[Part, FramesCells, FramesAnswer]):
         values = {"n": exercise.reference.table.n_joints, "unit": exercise.length_unit.value}
         return PartTask(message="task-frames", values=values)
 
-    def read(self, raw: FramesCells, reading: Reading) -> FramesAnswer | None:
+    def read(self, raw: FramesCells, reading: Reading) -> ByName[FramesAnswer] | None:
         """Return the frames in numbers."""
+        return read_by_name(raw, reading, lambda at: self._read(raw, at), _lengths)
+
+    def _read(self, raw: FramesCells, reading: Reading) -> FramesAnswer | None:
         n = reading.instance.exercise.reference.table.n_joints
         before = len(reading.faults)
         if len(raw.frames) != n + 1:
@@ -110,7 +116,16 @@ class FramesPart(PartType[Part, FramesCells, FramesAnswer]):
             return None
         return FramesAnswer(convention=raw.convention, frames=frames)
 
-    def grade(self, part: Part, answer: FramesAnswer, context: Context) -> PartReport:
+    def grade(self, part: Part, answer: ByName[FramesAnswer], context: Context) -> PartReport:
+        """Judge an answer at the student's lengths and, if it is right there and in names, at others."""
+        report = self._judged(part, answer.here, context)
+        elsewhere = answer.elsewhere(context) if report.correct else None
+        # a figure that other lengths spoil says nothing
+        with suppress(DefinitionError):
+            return self._judged(part, *elsewhere) if elsewhere else report
+        return report
+
+    def _judged(self, part: Part, answer: FramesAnswer, context: Context) -> PartReport:
         """Judge frame by frame: z, origin and x count the same, and so does what the policy asks for."""
         axes = figure_axes(context.instance)
         found = _checked(context, axes, answer)
@@ -167,6 +182,17 @@ class FramesPart(PartType[Part, FramesCells, FramesAnswer]):
         )
         frames = (*right.frames[:k], tilted, *right.frames[k + 1 :])
         yield "frame_z_not_along_axis", replace(right, frames=frames)
+
+
+def _lengths(answer: FramesAnswer) -> list[float]:
+    """Return the lengths in an answer: origins, and directions whose components may be lengths of the arm."""
+    found: list[float] = []
+    for frame in filter(None, answer.frames):
+        found += frame.origin or ()
+        for direction in (frame.x or (), frame.z or ()):
+            sizes = {round(abs(component), 9) for component in direction if component}
+            found += direction if len(sizes) > 1 else ()
+    return found
 
 
 def _read_frame(frame: FrameCells, reading: Reading, where: tuple[str | int, ...]) -> ChosenFrame | None:

@@ -15,6 +15,7 @@ import numpy as np
 from exercises.definition import Part
 from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
+from exercises.parts.by_name import ByName, read_by_name
 from exercises.parts.context import Context
 from exercises.parts.joint_draws import key_numbers
 from exercises.parts.matrix_cells import CellMatrix, read_numbers
@@ -56,7 +57,7 @@ class ScrewsCells:
     home: CellMatrix
 
 
-class ScrewsPart(PartType[Part, ScrewsCells, ScrewAnswer]):
+class ScrewsPart(PartType[Part, ScrewsCells, ByName[ScrewAnswer]]):
     """Screws and home pose of the robot."""
 
     kind = "screws"
@@ -84,8 +85,11 @@ class ScrewsPart(PartType[Part, ScrewsCells, ScrewAnswer]):
             ),
         )
 
-    def read(self, raw: ScrewsCells, reading: Reading) -> ScrewAnswer | None:
+    def read(self, raw: ScrewsCells, reading: Reading) -> ByName[ScrewAnswer] | None:
         """Return screws (v, ω) and home pose in numbers, lengths in the exercise's unit."""
+        return read_by_name(raw, reading, lambda at: self._read(raw, at), _lengths)
+
+    def _read(self, raw: ScrewsCells, reading: Reading) -> ScrewAnswer | None:
         before = len(reading.faults)
         n = reading.instance.exercise.reference.table.n_joints
         if len(raw.screws) != n:
@@ -102,7 +106,13 @@ class ScrewsPart(PartType[Part, ScrewsCells, ScrewAnswer]):
             screws = np.hstack([screws[:, 3:], screws[:, :3]])
         return ScrewAnswer(screws=screws, home=home, frame=raw.frame)
 
-    def grade(self, part: Part, answer: ScrewAnswer, context: Context) -> PartReport:
+    def grade(self, part: Part, answer: ByName[ScrewAnswer], context: Context) -> PartReport:
+        """Judge an answer at the student's lengths and, if it is right there and in names, at others."""
+        report = self._judged(part, answer.here, context)
+        elsewhere = answer.elsewhere(context) if report.correct else None
+        return self._judged(part, *elsewhere) if elsewhere else report
+
+    def _judged(self, part: Part, answer: ScrewAnswer, context: Context) -> PartReport:
         """Judge the whole; of a wrong answer axes that lie to each other as they should earn up to half.
 
         What is right of axes that all lie on one line is known for nothing.
@@ -149,6 +159,13 @@ class ScrewsPart(PartType[Part, ScrewsCells, ScrewAnswer]):
         )
         if not spoilt.right:
             yield "screws_wrong", _cells(ScrewAnswer(screws=body, home=found.home))
+
+
+def _lengths(answer: ScrewAnswer) -> list[float]:
+    """Return the lengths in an answer: all but directions, a slider's too."""
+    turning = answer.screws[answer.screws[:, 3:].any(axis=1), :3]
+    found: list[float] = [*turning.ravel().tolist(), *answer.home[:3, 3].tolist()]
+    return found
 
 
 def _cells(answer: ScrewAnswer) -> ScrewsCells:

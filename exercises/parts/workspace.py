@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
@@ -14,11 +15,13 @@ from typing import ClassVar
 import numpy as np
 
 from exercises.definition import Exercise, Part
+from exercises.errors import DefinitionError
 from exercises.figures.camera import Array
 from exercises.figures.points import Points
 from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
 from exercises.names import renamed, unknown_name
+from exercises.parts.by_name import ByName, read_by_name
 from exercises.parts.comparison import inverse
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, joint_names
@@ -27,6 +30,7 @@ from exercises.parts.reach import Interval, Reach, reach
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit, Cell, ParameterKind, read_cell
+from kinematics.cells.variables import variable_index
 from kinematics.chain import chain_of_table
 from kinematics.errors import CellError, Fault, KinematicsError
 from kinematics.expressions import evaluate, parameters_in
@@ -139,7 +143,7 @@ def _key(vector: Array) -> Key:
     return x, y, z
 
 
-class WorkspacePartType(PartType[WorkspacePart, RadiiCells, WorkspaceAnswer]):
+class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[WorkspaceAnswer]]):
     """Inner and outer radius of the workspace."""
 
     kind = "workspace"
@@ -201,15 +205,29 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, WorkspaceAnswer]):
         given = WorkspaceTask(point=part.point, reach_from=part.origin or ReachFrom.AXIS.value)
         return PartTask(message=f"task-workspace-{part.reach_from.value}", values=values, given=given)
 
-    def read(self, raw: RadiiCells, reading: Reading) -> WorkspaceAnswer | None:
+    def read(self, raw: RadiiCells, reading: Reading) -> ByName[WorkspaceAnswer] | None:
         """Return the radii in the student's unit."""
+        return read_by_name(
+            raw, reading, lambda at: self._read(raw, at), lambda read: (read.inner, read.outer)
+        )
+
+    def _read(self, raw: RadiiCells, reading: Reading) -> WorkspaceAnswer | None:
         inner, outer = (
             reading.keep(self.kind, partial(_radius, getattr(raw, name), name, reading))
             for name in ("inner", "outer")
         )
         return None if inner is None or outer is None else WorkspaceAnswer(inner=inner, outer=outer)
 
-    def grade(self, part: WorkspacePart, answer: WorkspaceAnswer, context: Context) -> PartReport:
+    def grade(self, part: WorkspacePart, answer: ByName[WorkspaceAnswer], context: Context) -> PartReport:
+        """Judge the radii at the student's lengths and, if they are right there and in names, at others."""
+        report = self._judged(part, answer.here, context)
+        elsewhere = answer.elsewhere(context) if report.correct and answer.here.inner else None
+        # a figure that other lengths spoil says nothing
+        with suppress(DefinitionError):
+            return self._judged(part, *elsewhere) if elsewhere else report
+        return report
+
+    def _judged(self, part: WorkspacePart, answer: WorkspaceAnswer, context: Context) -> PartReport:
         """Judge the radii: each counts half, but a least distance of zero only beside the greatest."""
         key = workspace_of(context, part)
         scaled = Reach(inner=key.inner * context.unit_ratio, outer=key.outer * context.unit_ratio)
@@ -271,6 +289,8 @@ def _radius(cell: Cell, name: str, reading: Reading) -> float:
             exercise.aliases,
         )
         for unknown in sorted(parameters_in(expression) - set(exercise.reference.parameters)):
+            if variable_index(unknown) is not None:
+                raise CellError(Fault(code="joint_variable_in_number", params={"name": unknown}))
             raise CellError(unknown_name(unknown, exercise, ()))
         value = evaluate(expression, reading.values)
     except KinematicsError as error:

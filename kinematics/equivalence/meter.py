@@ -18,6 +18,8 @@ PER_DESCENT = 3000
 PER_BATCH = 400
 PER_TABLE = 4
 ROWS_TOGETHER = 16
+OVERDRAFT = 20_000
+"""What one step may cost beyond what is left: more than any step on a table with the rows of a robot."""
 # No robot needs more rows. Arrays of longer tables outgrow the processor's cache, and every row has edits.
 MOST_ROWS_OF_A_ROBOT = 16
 FURTHER_ROWS_TOGETHER = 2
@@ -52,9 +54,9 @@ class Meter:
         """Spend some units.
 
         Raises:
-            WorkExhaustedError: none are left.
+            WorkExhaustedError: none are left, or far too few for so large a step.
         """
-        if self.left <= 0:
+        if self.left <= 0 or units > self.left + OVERDRAFT:
             raise WorkExhaustedError
         self.left -= units
 

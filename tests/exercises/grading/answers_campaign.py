@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import time
 from collections import Counter
+from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
+from itertools import islice
 from random import Random
 
 from exercises.grading import HelpLevel, Policy, ToolRule, accept, grade
@@ -168,12 +170,11 @@ def _misnamed(key: ReadTable, rng: Random) -> ReadTable | None:
     )
 
 
-def hostile_answers(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
-    """Two or three mistakes, rows missing, strict rules, junk: no answer raises, and none is expensive."""
+def hostile_tables(block: int) -> Iterator[tuple[str, ReadTable, ReadTable, Policy]]:
+    """Two or three mistakes, rows missing, strict rules, junk: a robot's name, key, answer and policy."""
     rng = Random(f"hostile {block}")
     known = references()
-    outcome = Outcome()
-    while outcome.tables < tables:
+    while True:
         name, reference = rng.choice(known)
         table = reference
         for _ in range(rng.choice((2, 3))):
@@ -182,7 +183,13 @@ def hostile_answers(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
         if rng.random() < 0.3:
             table = DHTable(convention=table.convention, rows=(*table.rows, *_junk(len(table.rows), rng)))
         policy = random_rules(rng) if rng.random() < 0.5 else Policy()
-        key, answer = written(reference), written(table)
+        yield name, written(reference), written(table), policy
+
+
+def hostile_answers(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
+    """No hostile table raises, and none is expensive."""
+    outcome = Outcome()
+    for name, key, answer, policy in islice(hostile_tables(block), tables):
         outcome.tables += 1
         place = f"{name}, block {block}, table {outcome.tables}"
         start = time.process_time()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import islice
 from random import Random
 
 import pytest
@@ -22,9 +23,9 @@ from exercises.grading.comparison import comparisons
 from exercises.grading.explanation import work_on
 from exercises.grading.repairs import MOST_WORK, find_repairs
 from kinematics.equivalence.batches import AxisBatch, Variation, axes_of_tables
-from kinematics.equivalence.meter import PER_ROUND, Meter, WorkExhaustedError
+from kinematics.equivalence.meter import OVERDRAFT, PER_ROUND, Meter, WorkExhaustedError
 from kinematics.table import NumericTable
-from tests.exercises.grading.answers_campaign import hostile_answers
+from tests.exercises.grading.answers_campaign import hostile_answers, hostile_tables
 from tests.exercises.grading.test_grade import KEY, PUMA, USUAL, VALUES, Rows, with_cells
 from tests.exercises.grading.written import read, written
 from tests.kinematics.equivalence.campaign import catalogue
@@ -109,6 +110,24 @@ def test_long_tables_are_tried_less_often(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setattr(fitting, "axes_of_tables", counted)
     hostile_answers(25, 2)
     assert 10**5 < sum(carried) < 10**6
+
+
+@pytest.mark.parametrize(("block", "number"), [(41003, 17), (41007, 77)])
+def test_a_step_that_costs_far_more_than_is_left_is_not_begun(
+    block: int, number: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Arms of two and three joints in 58 rows: one batch of edits cost more than the whole search may."""
+    spent = []
+    charge = Meter.charge
+
+    def counted(meter: Meter, units: int) -> None:
+        charge(meter, units)
+        spent.append(units)
+
+    monkeypatch.setattr(Meter, "charge", counted)
+    _, key, answer, policy = next(islice(hostile_tables(block), number - 1, None))
+    assert not grade(key, answer, policy).correct
+    assert sum(spent) <= MOST_WORK + OVERDRAFT
 
 
 @pytest.mark.logs_errors

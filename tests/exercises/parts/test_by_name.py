@@ -1,0 +1,96 @@
+"""Names in screws, frames and radii: wrong ones are wrong whatever values a student was given."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from exercises.errors import AnswerError
+from exercises.instance import generate
+from exercises.parts.by_name import exactness
+from exercises.parts.frames import FrameCells, FramesCells
+from exercises.parts.report import PartReport
+from exercises.parts.screws import ScrewsCells
+from exercises.parts.workspace import RadiiCells
+from kinematics.answers.screw_answers import ScrewFrame, ScrewOrder
+from kinematics.table import Convention
+from tests.exercises.answering import codes, judged, part
+from tests.exercises.packaged import exercise
+
+SEEDS = ("ana", "b2", "c3", "d4", None)
+
+
+def screws(seed: str | None, first: str, reach: str) -> PartReport:
+    """The SCARA stretched along x, with these lengths from joint 1 to joint 2 and to the tool."""
+    rows: Any = (
+        (0, 0, 0, 0, 0, 1),
+        (0, f"-({first})", 0, 0, 0, 1),
+        (0, 0, 1, 0, 0, 0),
+        (0, f"-({reach})", 0, 0, 0, 1),
+    )
+    home = ((1, 0, 0, reach), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))
+    cells = ScrewsCells(frame=ScrewFrame.SPACE, order=ScrewOrder.LINEAR_FIRST, screws=rows, home=home)
+    return part(judged("scara-screws", seed=seed, screws=cells), "screws")
+
+
+def frames(seed: str | None, first: Any, second: Any) -> PartReport:
+    """The planar arm as its figure shows it, bent by 90°."""
+    placed = (((0, 0, 0), (1, 0, 0)), ((first, 0, 0), (1, 0, 0)), ((first, second, 0), (0, 1, 0)))
+    cells = tuple(FrameCells(origin=origin, x=x, z=(0, 0, 1)) for origin, x in placed)
+    answer = FramesCells(convention=Convention.STANDARD, frames=cells)
+    return part(judged("twolink-frames", seed=seed, frames=answer), "frames")
+
+
+def radii(seed: str | None, inner: Any, outer: Any) -> PartReport:
+    """The workspace of the SCARA."""
+    return part(judged("scara", seed=seed, workspace=RadiiCells(inner=inner, outer=outer)), "workspace")
+
+
+def values(exercise_id: str, seed: str | None) -> list[float]:
+    """The student's dimensions, by name."""
+    return [value for _, value in sorted(generate(exercise(exercise_id), seed).parameters.items())]
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_right_names_and_right_numbers_are_right(seed: str | None) -> None:
+    a2, a3 = values("scara-screws", seed)
+    assert screws(seed, "a2", "a2+a3").correct
+    assert screws(seed, f"{a2:.3f}", f"{a2 + a3:.3f}").correct
+    assert screws(seed, "a2", f"{a2 + a3:.3f}").correct
+    assert screws(seed, "1.000 a2", "a2+a3").correct
+    one, two = values("twolink-frames", seed)
+    assert frames(seed, "L1", "L2").correct
+    assert frames(seed, f"{one:.3f}", f"{two:.3f}").correct
+    assert frames(seed, "L1", f"{two:.3f}").correct
+    assert radii(seed, "a2 - a3", "a2 + a3").correct
+    assert radii(seed, "|a3 - a2|", "a2 + a3").correct
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_another_dimension_that_is_as_long_is_wrong(seed: str | None) -> None:
+    a2, a3 = values("scara-screws", seed)
+    assert not screws(seed, f"{a2 / a3!r}*a3", "a2+a3").correct
+    assert not screws(seed, "1.005*a2", "1.005*a2+a3").correct
+    one, two = values("twolink-frames", seed)
+    wrong = frames(seed, f"{one / two!r}*L2", "L2")
+    assert (wrong.correct, codes(wrong)[0]) == (False, "frame_origin_not_on_axis")
+    assert wrong.score < 1.0
+    assert not frames(seed, "1.004*L1", "L2").correct
+    a2, a3 = values("scara", seed)
+    assert codes(radii(seed, f"{(a2 - a3) / a3!r}*a3", "a2+a3")) == ["workspace_inner_wrong"]
+    assert not radii(seed, "a2 - a3", f"{(a2 + a3) / a2!r}*a2").correct
+
+
+def test_decimals_say_how_exact_a_factor_is() -> None:
+    assert exactness(RadiiCells(inner="a2 - a3", outer=2)) == 1e-6
+    assert exactness(RadiiCells(inner="0.866*a2", outer=0.25)) == pytest.approx(0.03)
+    assert exactness(RadiiCells(inner="0.8660*a2", outer="a2")) == pytest.approx(3e-4)
+
+
+@pytest.mark.parametrize("cell", ["q1", "θ2"])
+def test_a_joint_variable_in_a_radius_is_told_as_such(cell: str) -> None:
+    with pytest.raises(AnswerError) as error:
+        radii(None, cell, "a2 + a3")
+    (fault,) = error.value.faults
+    assert (fault.code, fault.where) == ("joint_variable_in_number", ("workspace", "inner"))
