@@ -287,7 +287,7 @@ def test_axes_that_all_lie_on_one_line_earn_nothing() -> None:
     turn, slide = (0, 0, 0, 0, 0, 1), (0, 0, 1, 0, 0, 0)
     assert screws("scara", turn, turn, slide, turn).score == 0.0
     apart = (0, -0.4, 0, 0, 0, 1)
-    assert screws("scara", turn, apart, slide, (0, -0.9, 0, 0, 0, 1)).score == 0.5
+    assert screws("scara", turn, apart, slide, (0, -0.9, 0, 0, 0, 1)).score == 0.25
 
 
 def test_radii_in_another_unit() -> None:
