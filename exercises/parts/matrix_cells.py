@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TypeAlias, cast
 
 import numpy as np
@@ -51,7 +51,7 @@ _CALLED = re.compile(r"(?<![A-Za-z_])([cCsS])(?= *\()")
 _FUNCTIONS = {"c": Function.COS, "s": Function.SIN}
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class SymbolicMatrix:
     """A matrix of expressions.
 
@@ -63,6 +63,10 @@ class SymbolicMatrix:
 
     def names(self) -> frozenset[str]:
         """The parameters in it."""
+        return self._names
+
+    @cached_property
+    def _names(self) -> frozenset[str]:
         return frozenset().union(*(parameters_in(entry) for row in self.entries for entry in row))
 
     def at(self, parameters: Mapping[str, float], joints: Sequence[float]) -> NDArray[np.float64]:
@@ -225,13 +229,15 @@ def _in_known_names(
     known = {*exercise.reference.parameters, *exercise.aliases}
     unknown = [
         unknown_name(name, exercise, (part, *where, r, c))
-        for r, row in enumerate(matrix.entries)
+        for r, row in enumerate(matrix.entries if matrix.names() - known else ())
         for c, entry in enumerate(row)
         for name in sorted(parameters_in(entry) - known)
     ]
     reading.faults.extend(unknown)
-    if unknown or not exercise.aliases:
-        return None if unknown else matrix
+    if unknown:
+        return None
+    if not exercise.aliases:
+        return matrix
     rows = tuple(tuple(renamed(entry, exercise.aliases) for entry in row) for row in matrix.entries)
     return SymbolicMatrix(rows)
 

@@ -31,6 +31,7 @@ from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_known_
 from exercises.parts.protocol import PartTask, PartType, Reading
 from exercises.parts.report import Credit, PartReport, judged, told_from
 from exercises.parts.value import is_robot
+from kinematics.chain import chain_of_table
 from kinematics.errors import ParameterError
 
 
@@ -42,7 +43,7 @@ def transform_is_robot(context: Context, answer: SymbolicMatrix) -> bool:
 def _own(context: Context) -> Expected:
     def expected(values: Mapping[str, float], joints: Matrices) -> Matrices:
         try:
-            return reduce(np.matmul, context.own_links(values, joints))
+            return chain_of_table(context.own_numbers(values)).poses(joints)
         except ParameterError:
             return np.full((len(joints), 4, 4), np.nan)
 

@@ -90,22 +90,21 @@ def walk(expression: Expression) -> Iterator[Expression]:
     while stack:
         node = stack.pop()
         yield node
-        stack.extend(_children(node))
+        # comparing types is faster than a match, and there are many nodes
+        if type(node) is Product:
+            stack.extend(node.factors)
+        elif type(node) is Sum:
+            stack.extend(node.terms)
+        elif type(node) is Call:
+            stack.extend(node.arguments)
+        elif type(node) is Power:
+            stack.append(node.base)
 
 
 def holds_decimals(expression: Expression) -> bool:
     """Return whether an expression holds numbers that may have been rounded: 0.43, but not 1/12."""
     numbers = (node.value for node in walk(expression) if isinstance(node, Number))
     return any(value.denominator >= COARSE and 24 % value.denominator for value in numbers)
-
-
-def _children(node: Expression) -> tuple[Expression, ...]:
-    match node:
-        case Sum(children) | Product(children) | Call(_, children):
-            return children
-        case Power(base, _):
-            return (base,)
-    return ()
 
 
 def _value(node: Expression, parameters: Mapping[str, float], joints: Sequence[float]) -> float:
