@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Annotated, Any, TypeAlias
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag, WithJsonSchema
 
 from kinematics.frames.axes import MAX_COORDINATE
+from service.http.validation import CHOICE
 
 
 class Wire(BaseModel):
@@ -32,6 +33,14 @@ WHOLE = BeforeValidator(_whole)
 """Makes an integer what JSON Schema calls one: any number without a fraction, so that 2.0 is one. It stands
 behind the bounds, which the document would lack otherwise."""
 Whole: TypeAlias = Annotated[int, WHOLE]
+
+_WHOLE, _TEXT = CHOICE + "whole", CHOICE + "text"
+WholeOrText: TypeAlias = Annotated[
+    Annotated[Whole, Tag(_WHOLE)] | Annotated[str, Tag(_TEXT)],
+    Discriminator(lambda value: _TEXT if isinstance(value, str) else _WHOLE),
+    WithJsonSchema({"anyOf": [{"type": "integer"}, {"type": "string"}]}),
+]
+"""A number as a page sends it, too; what is neither is told at its own place, not at both choices."""
 
 Real: TypeAlias = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 Vector3: TypeAlias = Annotated[list[Real], Field(min_length=3, max_length=3)]

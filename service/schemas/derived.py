@@ -24,7 +24,7 @@ from exercises.parts.matrix_cells import CellMatrix as DomainCellMatrix
 from exercises.parts.protocol import Length
 from kinematics.cells import Cell as DomainCell
 from kinematics.cells import RawTable
-from service.schemas.base import Matrix4, Real, Vector3, Whole, Wire
+from service.schemas.base import Matrix4, Real, Vector3, Whole, WholeOrText, Wire
 from service.schemas.tables import Cell, Table
 
 CellRow = Annotated[list[Cell], Field(min_length=4, max_length=4)]
@@ -83,6 +83,8 @@ def wire_type(annotation: Any) -> Any:
         if bounds is None:
             return inner
         return Annotated[inner, Field(min_length=bounds.least, max_length=bounds.most)]
+    if origin in (Union, types.UnionType) and set(arguments) == {int, str, type(None)}:
+        return WholeOrText | None
     if origin in (Union, types.UnionType):
         return Union[tuple(wire_type(argument) for argument in arguments)]  # noqa: UP007 - made at run time
     if origin is tuple and arguments[-1] is Ellipsis:

@@ -295,6 +295,15 @@ def test_what_cannot_be_graded_costs_no_attempt(
     assert problem["note"] == "This answer was not graded and costs no attempt."
 
 
+@pytest.mark.parametrize("row", [True, 1.5, [1], {"row": 1}])
+def test_what_is_neither_a_number_nor_text_is_told_once_and_at_its_place(
+    client: httpx.Client, row: Any
+) -> None:
+    answer = grade(client, "rx90-find-mistake", {"find_mistake": {"row": row}})
+    told = [(entry["code"], entry["pointer"], entry["params"]) for entry in answer.json()["errors"]]
+    assert told == [("integer_expected", "/find_mistake/row", {"field": "row"})]
+
+
 def test_a_body_that_is_not_json_costs_no_attempt(client: httpx.Client) -> None:
     answer = client.post(
         "/api/v1/exercises/scara/grade",
