@@ -1,0 +1,122 @@
+"""Marks, counted by hand: what of the robot's facts an answer lacks, of those that a table of zeros lacks."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from exercises.grading import ConventionRule, DirectionRule, Policy, ToolRule, ZeroRule, grade
+from exercises.grading.digits import floors
+from kinematics.equivalence.invariants import invariants_of
+from kinematics.equivalence.reference import prepared
+from tests.exercises.grading.test_grade import (
+    KEY,
+    MISTAKES,
+    PUMA,
+    PUMA_CRAIG,
+    SCARA,
+    USUAL,
+    VALUES,
+    Rows,
+    numbers,
+    with_cells,
+)
+from tests.exercises.grading.written import Cell, read
+from tests.kinematics.equivalence import tables
+from tests.kinematics.equivalence.test_refinement import scaled
+
+OF_PUMA = 9
+"""α of rows 1, 3, 4 and 5, a2, a3, d3, d4, and the offset along axis 5: along parallel axes there is none."""
+
+
+def mark(lost: float, of: int) -> float:
+    return round(1 - lost / of, 2)
+
+
+CELLS: dict[str, tuple[list[tuple[int, int, Cell]], float]] = {
+    "two cells": ([(2, 1, "a3"), (5, 0, 0)], 3),
+    "three cells": ([(1, 0, 0), (2, 1, 0), (4, 2, 0)], 4),
+    "four cells": ([(1, 0, 0), (2, 1, 0), (4, 2, 0), (5, 0, 0)], 6),
+    "five cells": ([(1, 0, 0), (2, 1, 0), (3, 1, 0), (4, 2, 0), (5, 0, 0)], 7),
+}
+
+
+@pytest.mark.parametrize(("cells", "lost"), CELLS.values(), ids=CELLS.keys())
+def test_cells_of_the_puma(cells: list[tuple[int, int, Cell]], lost: float) -> None:
+    verdict = grade(KEY, read("standard", with_cells(PUMA, *cells)), USUAL, VALUES)
+    assert verdict.score == mark(lost, OF_PUMA)
+
+
+def test_named_slips_of_the_puma() -> None:
+    """One cell costs a fact, its sign half of one, a row two, the whole table three."""
+    lost = {
+        **dict.fromkeys(("alpha_sign", "twists_all_reversed"), 0.5),
+        **dict.fromkeys(("alpha_value", "a_missing", "d_missing", "d_not_zero", "cell_parameter"), 1),
+        **dict.fromkeys(("parameter_misnamed", "cell_in_degrees"), 1),
+        **dict.fromkeys(("parameters_swapped", "a_d_swapped", "joint_type", "row_extra", "rows_swapped"), 2),
+        "angles_in_degrees": 3,
+    }
+    found = {name: grade(KEY, read("standard", MISTAKES[name][0]), USUAL, VALUES).score for name in lost}
+    assert found == {name: mark(count, OF_PUMA) for name, count in lost.items()}
+
+
+def test_decimals_cost_what_names_do() -> None:
+    typed = with_cells(numbers(PUMA, 2), (2, 1, 0.53), (3, 1, 0.12))
+    assert grade(KEY, read("standard", typed), USUAL, VALUES).score == mark(2, OF_PUMA)
+    more = with_cells(typed, (5, 0, 0.3), (1, 0, 1.2))
+    assert grade(KEY, read("standard", more), USUAL, VALUES).score == mark(4, OF_PUMA)
+
+
+SCARAS: dict[str, tuple[Rows, float]] = {
+    "a length": (with_cells(SCARA, (2, 1, 0)), 1),
+    "both lengths": (with_cells(SCARA, (2, 1, 0), (3, 1, 0)), 2),
+    "lengths exchanged": (with_cells(SCARA, (2, 1, "a3"), (3, 1, "a2")), 1),
+    "a twist": (with_cells(SCARA, (3, 0, "pi/2")), 1),
+    "a twist and a length": (with_cells(SCARA, (3, 0, "pi/2"), (2, 1, 0)), 2),
+    "no slider": ([(0, 0, 0, "q1"), (0, "a2", 0, "q2"), (0, "a3", 0, "q3"), (0, 0, 0, "q4")], 0.5),
+}
+
+
+@pytest.mark.parametrize(("rows", "lost"), SCARAS.values(), ids=SCARAS.keys())
+def test_of_a_scara_there_are_two_lengths_to_earn(rows: Rows, lost: float) -> None:
+    verdict = grade(read("modified", SCARA), read("modified", rows), USUAL, {"a2": 0.4, "a3": 0.3})
+    assert verdict.score == mark(lost, 2)
+
+
+STRICT = Policy(zero=ZeroRule.FIGURE, direction=DirectionRule.FIGURE)
+
+
+def test_rules_that_are_not_kept_are_facts_as_well() -> None:
+    """Zeros and directions as in the figure are two more; nobody is seen to keep them on another robot."""
+    for cells, lost in [
+        ([(2, 3, "q2 + pi/2")], 1),
+        ([(2, 3, "-q2 + pi/2")], 2),
+        ([(2, 1, 0)], 1),
+        ([(2, 1, 0), (4, 3, "q4 + pi/2")], 3),
+    ]:
+        answer = read("standard", with_cells(PUMA, *cells))  # type: ignore[arg-type]
+        assert grade(KEY, answer, STRICT, VALUES).score == mark(lost, OF_PUMA + 2)
+    asked = Policy(convention=ConventionRule.STANDARD)
+    assert grade(KEY, read("modified", PUMA_CRAIG), asked, VALUES).score == mark(1, OF_PUMA)
+    one_more = read("modified", with_cells(PUMA_CRAIG, (3, 1, 0)))
+    assert grade(KEY, one_more, asked, VALUES).score == mark(2, OF_PUMA)
+
+
+STANFORD: Rows = [
+    ("-pi/2", 0, 0, "q1"), ("pi/2", 0, "d2", "q2"), (0, 0, "q3", 0),
+    ("-pi/2", 0, 0, "q4"), ("pi/2", 0, 0, "q5"), (0, 0, 0, "q6"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("cell", [(2, 2, 0), (2, 0, 0), (3, 0, "pi/2")])
+def test_an_offset_and_twists_beside_a_slider(cell: tuple[int, int, Cell]) -> None:
+    """Zeros lack α of rows 1, 2, 4 and 5, d2, and the offset along axis 5."""
+    answer = read("standard", with_cells(STANFORD, cell))
+    assert grade(read("standard", STANFORD), answer, USUAL, {"d2": 0.15}).score == mark(1, 6)
+
+
+def test_what_the_arithmetic_may_do_to_lengths_grows_with_the_robot() -> None:
+    key, larger = prepared(tables.PUMA), prepared(scaled(tables.PUMA, 1024.0))
+    invariants = invariants_of(key, Policy(tool=ToolRule.FREE))
+    ratio = floors(invariants, larger) / floors(invariants, key)
+    assert ratio.tolist() == np.where(invariants.angular[:, 0], 1.0, 1024.0).tolist()
