@@ -162,6 +162,10 @@ def _sum_of_powers(a: float, b: float) -> float:
     return high if low == -math.inf else high + math.log2(1.0 + math.exp2(low - high))
 
 
+_Place: TypeAlias = tuple[float, float, int, Name]
+"""What was used under a name, what by its first connection, and since when that one waits."""
+
+
 class _Line:
     """Those who wait, in the order of their use: by name, and for each its connections, as heaps.
 
@@ -170,7 +174,8 @@ class _Line:
 
     def __init__(self, use: Callable[[Name | Client], float]) -> None:
         self._use = use
-        self._names: list[tuple[float, float, int, Name]] = []
+        self._names: list[_Place] = []
+        self._places: dict[Name, _Place] = {}
         self._connections: dict[Name, list[tuple[float, int, _Waiting]]] = {}
         self._joined = 0
         self._length = 0
@@ -186,7 +191,10 @@ class _Line:
         connections = self._connections.setdefault(name, [])
         heappush(connections, (self._use(waiting.client), self._joined, waiting))
         if connections[0][2] is waiting:
-            heappush(self._names, self._key(name))
+            place = self._key(name)
+            if name not in self._places or place[:-1] < self._places[name][:-1]:
+                self._places[name] = place
+                heappush(self._names, place)
 
     def leave(self, waiting: _Waiting) -> bool:
         """Wait no more; return whether it was still waiting."""
@@ -201,9 +209,13 @@ class _Line:
         while self._names:
             known = self._names[0]
             name = known[-1]
-            if not self._tidied(name):
+            if self._places.get(name) is not known:  # it has moved forward since
                 heappop(self._names)
+            elif not self._tidied(name):
+                heappop(self._names)
+                del self._places[name]
             elif (now := self._key(name))[:-1] > known[:-1]:
+                self._places[name] = now
                 heapreplace(self._names, now)
             else:
                 waiting = heappop(self._connections[name])[2]
@@ -211,7 +223,7 @@ class _Line:
                 return waiting
         return None
 
-    def _key(self, name: Name) -> tuple[float, float, int, Name]:
+    def _key(self, name: Name) -> _Place:
         """What was used under a name, what by its first connection, and since when that one waits."""
         used, joined, _ = self._connections[name][0]
         return self._use(name), used, joined, name
