@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
+from functools import lru_cache, partial
 from typing import Annotated, Any
 
 from fastapi import Body, Response
@@ -78,6 +78,8 @@ EXAMPLES: dict[str, Example] = {
 
 Place = tuple[int, str]
 MATHML = "http://www.w3.org/1998/Math/MathML"
+WRITTEN = 512
+"""Entries that are kept as written, each as long as a cell may be."""
 
 
 @router.post(
@@ -154,14 +156,20 @@ def _matrices(
 
 
 def _meaning(entry: Expression, variables: Sequence[str]) -> Meaning:
-    names = Names(parameters=frozenset(parameters_in(entry)), variables=variables)
-    presentation = MathmlWriter(names).presentation(entry)
-    return Meaning(
-        mathml=f'<math xmlns="{MATHML}">{presentation}</math>',
-        latex=LatexWriter(names).text(entry),
-        text=text_writer(Names()).text(entry),
-        value=_value(entry, {}, len(variables)),
-    )
+    names = Names(parameters=frozenset(parameters_in(entry)), variables=tuple(variables))
+    return _told(entry, names, _value(entry, {}, len(variables)))
+
+
+def _told(entry: Expression, names: Names, value: float | None) -> Meaning:
+    mathml, latex, text = _written(entry, names)
+    return Meaning(mathml=mathml, latex=latex, text=text, value=value)
+
+
+@lru_cache(maxsize=WRITTEN)
+def _written(entry: Expression, names: Names) -> tuple[str, str, str]:
+    """An entry as a math element, in LaTeX and as a cell takes it; a class types the same few."""
+    mathml = f'<math xmlns="{MATHML}">{MathmlWriter(names).presentation(entry)}</math>'
+    return mathml, LatexWriter(names).text(entry), text_writer(Names()).text(entry)
 
 
 def _read_what_can_be(
@@ -209,21 +217,14 @@ def _known_values(read: ReadTable, given: Mapping[str, float]) -> dict[str, floa
 def _rows(
     read: ReadTable, unread: frozenset[Place], values: Mapping[str, float], *, links: bool
 ) -> list[UnderstoodRow]:
-    names = Names(parameters=frozenset(read.parameters), variables=read.variables)
-    mathml, latex, text = MathmlWriter(names), LatexWriter(names), text_writer(Names())
+    names = Names(parameters=frozenset(read.parameters), variables=tuple(read.variables))
     rows = []
     joint = 0
     for i, row in enumerate(read.table.rows):
         joint += row.joint is not JointType.FIXED
         cells = {cell: _entry(row, cell, joint) for cell in CELLS if (i, cell) not in unread}
         meanings = {
-            cell: Meaning(
-                mathml=f'<math xmlns="{MATHML}">{mathml.presentation(entry)}</math>',
-                latex=latex.text(entry),
-                text=text.text(entry),
-                value=_value(getattr(row, cell), values),
-            )
-            for cell, entry in cells.items()
+            cell: _told(entry, names, _value(getattr(row, cell), values)) for cell, entry in cells.items()
         }
         variable = None if row.joint is JointType.FIXED else f"q{joint}"
         numbers = {cell: meaning.value for cell, meaning in meanings.items()}
