@@ -10,26 +10,11 @@ An error carries one or more faults, as in `kinematics.errors`. A wrong answer i
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
-from kinematics.errors import Fault
+from kinematics.errors import FaultyError
 
 
-class ExerciseError(Exception):
-    """Root of this package's errors: one or more faults."""
-
-    def __init__(self, faults: Fault | Iterable[Fault]) -> None:
-        self.faults: tuple[Fault, ...] = (faults,) if isinstance(faults, Fault) else tuple(faults)
-        super().__init__("\n".join(map(str, self.faults)))
-
-    def __reduce__(self) -> tuple[type[ExerciseError], tuple[tuple[Fault, ...]]]:
-        """Errors travel from worker processes with their faults."""
-        return type(self), (self.faults,)
-
-    @property
-    def code(self) -> str:
-        """The code of the first fault."""
-        return self.faults[0].code
+class ExerciseError(FaultyError):
+    """Root of this package's errors."""
 
 
 class DefinitionError(ExerciseError):

@@ -46,14 +46,14 @@ class Fault:
         return Fault(code=self.code, where=(*prefix, *self.where), params=self.params)
 
 
-class KinematicsError(Exception):
-    """Root of this package's errors: one or more faults."""
+class FaultyError(Exception):
+    """One or more faults; each package derives the root of its errors from it."""
 
     def __init__(self, faults: Fault | Iterable[Fault]) -> None:
         self.faults: tuple[Fault, ...] = (faults,) if isinstance(faults, Fault) else tuple(faults)
         super().__init__("; ".join(map(str, self.faults)))
 
-    def __reduce__(self) -> tuple[type[KinematicsError], tuple[tuple[Fault, ...]]]:
+    def __reduce__(self) -> tuple[type[FaultyError], tuple[tuple[Fault, ...]]]:
         """Errors travel from worker processes with their faults."""
         return type(self), (self.faults,)
 
@@ -61,6 +61,10 @@ class KinematicsError(Exception):
     def code(self) -> str:
         """The code of the first fault."""
         return self.faults[0].code
+
+
+class KinematicsError(FaultyError):
+    """Root of this package's errors."""
 
 
 class CellError(KinematicsError):

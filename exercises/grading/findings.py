@@ -13,7 +13,6 @@ from kinematics.equivalence import Decision, Kind, Mismatch, Policy
 from kinematics.table import JointType, NumericTable
 
 FACTS = ("length", "twist", "offset", "joint")
-LEVELS = tuple(HelpLevel)
 
 _FACT_OF_KIND = {
     Kind.LENGTH: "length",
@@ -35,11 +34,6 @@ _CODE_OF_FACT = {
 TURN = 2.0 * math.pi
 SAME = 0.01
 """[rad], and a share of a length: the per cent by which an entry may be off, whatever its digits."""
-
-
-def told_from(level: HelpLevel, needed: HelpLevel) -> bool:
-    """Whether a help level lets through what needs at least another one."""
-    return LEVELS.index(level) >= LEVELS.index(needed)
 
 
 def wrong_facts(
@@ -120,7 +114,7 @@ def link_findings(
     level: HelpLevel,
 ) -> tuple[LinkFinding, ...]:
     """Row by row, as far as the help level tells."""
-    if not told_from(level, HelpLevel.ROW):
+    if not level.includes(HelpLevel.ROW):
         return ()
     told = alike or [change for repair in repairs[:1] for change in repair.changes]
     missing = {change.places[0][0] for change in told if change.code in MISSING_ROWS}
@@ -166,11 +160,11 @@ def feedback_of(
     if not decision.same_robot:
         told.append(Feedback(code="not_equivalent"))
     else:
-        told.append(Feedback(code="right_robot" if told_from(level, HelpLevel.ROW) else "not_accepted"))
+        told.append(Feedback(code="right_robot" if level.includes(HelpLevel.ROW) else "not_accepted"))
     told += _about_the_whole(decision, key, table, policy, level)
-    if not repairs and told_from(level, HelpLevel.ROW) and _lacks_precision(decision):
+    if not repairs and level.includes(HelpLevel.ROW) and _lacks_precision(decision):
         told.append(Feedback(code="entries_imprecise"))
-    if told_from(level, HelpLevel.ROW):
+    if level.includes(HelpLevel.ROW):
         told += _in_place(wrong, repairs, alike, table, level)
     return tuple(told)
 
@@ -186,7 +180,7 @@ def _in_place(
     if not repairs:
         yield from _facts(wrong, table, level)
         return
-    if len(alike) > 1 and all(change.code in _SIGNS for change in alike) and told_from(level, HelpLevel.KIND):
+    if len(alike) > 1 and all(change.code in _SIGNS for change in alike) and level.includes(HelpLevel.KIND):
         told = list(_signs(alike))
     else:
         found = [entry for change in alike or repairs[0].changes for entry in _of(change, table, level)]
@@ -203,14 +197,14 @@ def _of(change: Change, table: NumericTable, level: HelpLevel) -> Iterator[Feedb
     edit = change.edit
     if edit.row is not None and edit.code in HINTS:
         yield Feedback(code=HINTS[edit.code], row=edit.row, params=edit.params)
-    elif edit.row is not None and _is_of_variable(change, table) and told_from(level, HelpLevel.KIND):
+    elif edit.row is not None and _is_of_variable(change, table) and level.includes(HelpLevel.KIND):
         what = "direction" if edit.code == "variable_sign" else "zero"
         yield Feedback(code=f"variable_{what}_wrong", row=edit.row, params={"row": edit.row})
     elif edit.row is not None:
         # a row that the edit before has added is told as missing, and what is to stand in it is not wrong
         given = frozenset(fact for fact in _facts_of(change, table) if fact[0] < len(table.rows))
         yield from _facts(given, table, level)
-    elif told_from(level, HelpLevel.KIND):
+    elif level.includes(HelpLevel.KIND):
         yield Feedback(code=HINTS[edit.code])
     else:
         yield Feedback(code="whole_table")
@@ -224,7 +218,7 @@ def _signs(changes: Sequence[Change]) -> Iterator[Feedback]:
 
 
 def _facts(wrong: frozenset[tuple[int, str]], table: NumericTable, level: HelpLevel) -> Iterator[Feedback]:
-    if not told_from(level, HelpLevel.KIND):
+    if not level.includes(HelpLevel.KIND):
         for row in sorted({row for row, _ in wrong}):
             yield Feedback(code="row_wrong", row=row + 1, params={"row": row + 1})
         return
@@ -246,12 +240,12 @@ def _about_the_whole(
                 "given": table.convention.value,
             }
             yield Feedback(code="convention_not_asked", params=params)
-        elif mismatch.kind is Kind.JOINT_COUNT and told_from(level, HelpLevel.ROW):
+        elif mismatch.kind is Kind.JOINT_COUNT and level.includes(HelpLevel.ROW):
             counts: dict[str, ParamValue] = {"given": table.n_joints, "asked": key.n_joints}
             yield Feedback(code="joint_count_wrong", params=counts)
-        elif mismatch.kind is Kind.HANDEDNESS and told_from(level, HelpLevel.KIND):
+        elif mismatch.kind is Kind.HANDEDNESS and level.includes(HelpLevel.KIND):
             yield Feedback(code="mirrored")
-        elif told_from(level, HelpLevel.ROW) and (rule := _rule(mismatch, policy)):
+        elif level.includes(HelpLevel.ROW) and (rule := _rule(mismatch, policy)):
             yield Feedback(code=rule)
 
 
@@ -276,7 +270,7 @@ def _rule(mismatch: Mismatch, policy: Policy) -> str | None:
 
 def told_repairs(repairs: Sequence[Repaired], level: HelpLevel) -> tuple[Repair, ...]:
     """The repairs, if the help level goes so far."""
-    if not told_from(level, HelpLevel.REPAIR):
+    if not level.includes(HelpLevel.REPAIR):
         return ()
     return tuple(Repair(edits=_edits(repaired)) for repaired in repairs)
 

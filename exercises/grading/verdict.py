@@ -29,6 +29,11 @@ class HelpLevel(StrEnum):
     KIND = "kind"
     REPAIR = "repair"
 
+    def includes(self, needed: HelpLevel) -> bool:
+        """Whether this level tells what is told from another one on."""
+        levels = list(HelpLevel)
+        return levels.index(self) >= levels.index(needed)
+
 
 class Basis(StrEnum):
     """What a verdict rests on.

@@ -110,14 +110,6 @@ def share_earned(right: Sequence[bool], nothing: Sequence[bool]) -> float:
     return max(0.0, (sum(right) - sum(nothing)) / most) if most else float(all(right))
 
 
-_LEVELS = tuple(HelpLevel)
-
-
-def at_least(help_level: HelpLevel, needed: HelpLevel) -> bool:
-    """Whether a level of help includes what is told from another one on."""
-    return _LEVELS.index(help_level) >= _LEVELS.index(needed)
-
-
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Disclosure:
     """From which level of help on a feedback is told, and what is told instead below it.
@@ -153,12 +145,12 @@ def shown(report: PartReport, help_level: HelpLevel, disclosures: Mapping[str, D
     told: list[Feedback] = []
     for entry in report.feedback:
         code: str | None = entry.code
-        while code is not None and code in disclosures and not at_least(help_level, disclosures[code].level):
+        while code is not None and code in disclosures and not help_level.includes(disclosures[code].level):
             code = disclosures[code].instead
         spoken = None if code is None else replace(entry, code=code)
         if spoken is not None and spoken not in told:
             told.append(spoken)
     if not told and not report.correct:
         told.append(Feedback(code="part_wrong"))
-    facts = report.facts if at_least(help_level, HelpLevel.ROW) else ()
+    facts = report.facts if help_level.includes(HelpLevel.ROW) else ()
     return replace(report, facts=facts, feedback=tuple(told))

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.residuals import are_solutions, errors_of
+from kinematics.inverse.residuals import are_solutions, errors_and_jacobians
 
 FIRST_STEP = 0.02
 """First step along a component [rad, or parts of the size]; it is halved where it loses the target, and
@@ -136,7 +136,7 @@ def corrected(arm: Arm, targets: Array, x: Array, held: Array) -> tuple[Array, A
 
 def _corrected_across(arm: Arm, targets: Array, x: Array, across: Array) -> tuple[Array, Array, Array]:
     """The same with x moved along the columns of `across` alone, (m, n, k), orthonormal or a projection."""
-    e, J = _seen(arm, targets, x)
+    e, J = errors_and_jacobians(arm, x, targets)
     going = np.ones(len(x), dtype=bool)
     for _ in range(ROUNDS):
         U, values, Vt = np.linalg.svd(J @ across, full_matrices=False)
@@ -145,7 +145,7 @@ def _corrected_across(arm: Arm, targets: Array, x: Array, across: Array) -> tupl
         seen = inverse * (U.transpose(0, 2, 1) @ e[:, :, None])
         step = (across @ (Vt.transpose(0, 2, 1) @ seen))[:, :, 0]
         tried = x + step
-        new_e, new_J = _seen(arm, targets, tried)
+        new_e, new_J = errors_and_jacobians(arm, tried, targets)
         going = going & ((new_e * new_e).sum(axis=1) < (e * e).sum(axis=1))
         x, e = np.where(going[:, None], tried, x), np.where(going[:, None], new_e, e)
         J = np.where(going[:, None, None], new_J, J)
@@ -153,12 +153,6 @@ def _corrected_across(arm: Arm, targets: Array, x: Array, across: Array) -> tupl
         if not going.any():
             break
     return x, e, J
-
-
-def _seen(arm: Arm, targets: Array, x: Array) -> tuple[Array, Array]:
-    """Error vectors and Jacobians in units."""
-    frames = arm.frames(x * arm.units)
-    return errors_of(arm, frames[-1], targets), arm.jacobians(frames) * arm.units
 
 
 def weighing_alike(arm: Arm) -> Arm:

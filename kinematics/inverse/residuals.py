@@ -93,6 +93,18 @@ def errors_of(arm: Arm, poses: Array, target: Array) -> Array:
     return errors
 
 
+def errors_and_jacobians(arm: Arm, x: Array, target: Array) -> tuple[Array, Array]:
+    """Error vectors and Jacobians at configurations.
+
+    Args:
+        arm: the arm.
+        x: (m, n) joint values in the arm's units.
+        target: (4, 4), or (m, 4, 4) one each.
+    """
+    frames = arm.frames(x * arm.units)
+    return errors_of(arm, frames[-1], target), arm.jacobians(frames) * arm.units
+
+
 def error_vectors(poses: Array, target: Array, size: float) -> Array:
     """Where to go from here: the way to the target's origin, divided by the size, over the rotation vector.
 

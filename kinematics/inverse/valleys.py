@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.residuals import errors_of
+from kinematics.inverse.residuals import errors_and_jacobians
 
 STEPS = 30
 """Newton steps along a valley: where the error grows with the square of the way, each leaves two thirds."""
@@ -45,10 +45,13 @@ def along_valleys(arm: Arm, target: Array, joints: Array) -> Array:
         joints: (m, n) whose errors are small.
     """
     x = across_folds(arm, target, joints, STEEP) / arm.units
-    e, J = _seen(arm, target, x)
+    e, J = errors_and_jacobians(arm, x, target)
     sides = A_LITTLE * np.eye(x.shape[1])
     for _ in range(STEPS):
-        changes = [_seen(arm, target, x + side)[1] - _seen(arm, target, x - side)[1] for side in sides]
+        after, before = (
+            [errors_and_jacobians(arm, x + sign * side, target)[1] for side in sides] for sign in (1, -1)
+        )
+        changes = [one - other for one, other in zip(after, before, strict=True)]
         bends = np.stack([np.einsum("mij,mi->mj", dJ, e) for dJ in changes], axis=1) / (2.0 * A_LITTLE)
         H = J.transpose(0, 2, 1) @ J - 0.5 * (bends + bends.transpose(0, 2, 1))
         values, V = np.linalg.eigh(H)
@@ -59,7 +62,7 @@ def along_valleys(arm: Arm, target: Array, joints: Array) -> Array:
         length = np.linalg.norm(step, axis=1)
         tried = x + step * np.minimum(1.0, LONGEST / np.maximum(length, 1e-300))[:, None]
         tried = across_folds(arm, target, tried * arm.units, STEEP) / arm.units
-        new_e, new_J = _seen(arm, target, tried)
+        new_e, new_J = errors_and_jacobians(arm, tried, target)
         better = (new_e * new_e).sum(axis=1) < (e * e).sum(axis=1)
         if not better.any():
             break
@@ -82,7 +85,7 @@ def across_folds(arm: Arm, target: Array, q: Array, least: float) -> Array:
     """
     x = q / arm.units
     for _ in range(ACROSS):
-        e, J = _seen(arm, target, x)
+        e, J = errors_and_jacobians(arm, x, target)
         U, values, Vt = np.linalg.svd(J, full_matrices=False)
         inverse = np.where(values > least, 1.0 / np.maximum(values, least), 0.0)
         x = x + np.einsum("mkn,mk,mik,mi->mn", Vt, inverse, U, e)
@@ -123,11 +126,5 @@ def least_error(arm: Arm, target: Array, joints: Array, low: Array, high: Array)
 
 def _gradient(arm: Arm, target: Array, x: Array) -> tuple[Array, float]:
     """Gradient of half the squared error at x, (n,), and that."""
-    e, J = _seen(arm, target, x[None])
+    e, J = errors_and_jacobians(arm, x[None], target)
     return -J[0].T @ e[0], 0.5 * float(e[0] @ e[0])
-
-
-def _seen(arm: Arm, target: Array, x: Array) -> tuple[Array, Array]:
-    """Error vectors and Jacobians at x, (m, n) in units."""
-    frames = arm.frames(x * arm.units)
-    return errors_of(arm, frames[-1], target), arm.jacobians(frames) * arm.units

@@ -6,7 +6,6 @@ token. Fragments are sent to no server and stand in no log.
 
 from __future__ import annotations
 
-import hashlib
 import hmac
 import logging
 from collections.abc import Callable, Mapping
@@ -33,6 +32,7 @@ from courses.platforms import (
     use_invitation,
 )
 from courses.refusals import CourseError, NoExerciseError, StaffOnlyError
+from courses.secrets import hashed
 from kinematics.errors import Fault, KinematicsError
 from service.course_resources import CourseResources, now
 from service.http.forms import form_of, own_root
@@ -173,7 +173,7 @@ def _login(request: Request, given: Mapping[str, str]) -> Response:
     remembered = Login(
         platform_id=platform.id,
         nonce=nonce,
-        browser_hash=_hashed(browser),
+        browser_hash=hashed(browser),
         target=asked.target,
         request=asked.parameters,
     )
@@ -255,7 +255,7 @@ def _launch(request: Request, given: Mapping[str, str]) -> Response:
 def _confirm(request: Request, given: Mapping[str, str]) -> Response:
     courses = resources_of(request).with_courses()
     pending = redeem_code(courses.store, "pending", given.get("code", ""), now())
-    if not hmac.compare_digest(_hashed(given.get("value", "")), pending["browser_hash"]):
+    if not hmac.compare_digest(hashed(given.get("value", "")), pending["browser_hash"]):
         raise LaunchError(Fault(code="lti_browser_unknown"), members={"again": pending["request"]})
     return _opened(request, courses, pending["launch"])
 
@@ -361,11 +361,11 @@ def _page(request: Request, values: Mapping[str, str], *, status: int = 200) -> 
 
 
 def _storage_key(state: str) -> str:
-    return f"state_{_hashed(state)[:16]}"
+    return f"state_{hashed(state)[:16]}"
 
 
 def _cookie_name(state: str) -> str:
-    return f"{COOKIE}{_hashed(state)[:12]}"
+    return f"{COOKIE}{hashed(state)[:12]}"
 
 
 def _cookie(state: str, value: str, life: int) -> str:
@@ -375,8 +375,4 @@ def _cookie(state: str, value: str, life: int) -> str:
 
 
 def _is_browser(value: str, met: Login) -> bool:
-    return hmac.compare_digest(_hashed(value), met.browser_hash)
-
-
-def _hashed(text: str) -> str:
-    return hashlib.sha256(text.encode()).hexdigest()
+    return hmac.compare_digest(hashed(value), met.browser_hash)
