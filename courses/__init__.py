@@ -2,4 +2,24 @@
 
 Knows nothing of HTTP or LTI. A clock is handed in wherever time matters; policies are pure functions of what
 was handed in and of that clock.
+
+model            what a course is made of: people, links, attempts
+policies         what attempts are worth, and whether another one is taken
+enrolment        people, courses and sessions, as a launch tells of them
+links, link_settings  what staff changes of a link
+attempts, submissions  what was handed in is stored before it is answered
+judged, regrading  the judgement that counts, and judging again
+gradebook        the counted score, and the outbox to the platform
+statistics, attempt_export  what lecturers see and take away
+publications     published exercises, by content
+prepared_answers  figures and closed forms made before
+platforms        platforms and keys
+administration, audit, privacy  who may do what, who did, and what people may ask for
+storage          the database, opened and used in transactions
+records          its relations
+statements       what SQLite and PostgreSQL write alike
+schema_history, migrations  its schema, step by step
+backup           a copy, and back
+secrets          secrets and tokens
+refusals         what goes wrong
 """

@@ -1,10 +1,29 @@
 """Denavit–Hartenberg kinematics: pure mathematics in radians and one unit of length.
 
+table            what a DH table is: conventions, joint types, rows
+dh               what a row means: the product of its elementary motions, written once
+se3              rigid motions and 3-vectors
+angles           cosines and sines, exact for multiples of 15°
+chain            joint axes and a home pose: the arm in numbers, whatever described it
+forward          joint values to the pose of every frame
+jacobian         joint rates to the velocity of the tool
+rates            rates of change, the analytic Jacobian, joint forces
+ellipsoids       where the tool moves easily
+poses            notations of poses; `pose_batches` for arrays of them
+screws           products of exponentials
+conversion       standard to modified tables and back
+trajectory       motions from rest to rest
+tree_structures  tables that branch
+joint_values     one configuration, or a batch
+errors           what goes wrong, and where
+keys             keys of TOML files
+
 The numeric core is exported here. What needs more is imported from where it lives, so that nobody pays for
 what is not used: `kinematics.cells` reads tables as people write them, `kinematics.catalogue` knows robots,
 `kinematics.symbolic` works in closed form, `kinematics.inverse` solves for joint values, `kinematics.frames`
 assigns frames to axes, `kinematics.equivalence` decides whether two tables are the same robot,
-`kinematics.scm` speaks the moving-frame notation of seed 001.
+`kinematics.answers` judges what students compute from one, `kinematics.scm` speaks the moving-frame notation
+of seed 001.
 
 Conventions (order of products, signs, units) are set out in docs/conventions.md.
 """

@@ -1,4 +1,27 @@
-"""Grading: from two tables and a policy to a verdict; see `grade`."""
+"""Grading: from two tables and a policy to a verdict; see `grade`.
+
+grade            the whole of it
+verdict          what is said of a table; `verdict_html` in notebooks
+certificate_report  the certificate in it
+Is it right?
+  typed          how exactly an entry was typed, and what a rounded one stands for
+  comparison     key and answer in numbers
+  name_values, substitution  the values at which they are compared
+  digits         whether the lengths and angles typed are those of the key
+  judgement      whether it is right, in one way in which it may be meant
+  frames         how the frames of a right answer lie
+  exact_text     exact values as text
+What is wrong?
+  explanation    what is told, and what is earned
+  misconceptions  the catalogue: what students do, and how to undo it
+  cell_edits, row_edits, table_edits  the ways to undo it
+  work           what an edit is tried on
+  fitting, joint_places  values and places that fit
+  trials         all edits at once
+  repairs        the smallest edits that mend the table; `in_common` what equally small ones share
+  findings       what is said, by level of help
+  facts, score   which facts of the robot are right, and what they earn
+"""
 
 from exercises.grading.grade import accept, grade
 from exercises.grading.verdict import (

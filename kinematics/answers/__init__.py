@@ -1,12 +1,15 @@
 """Does an answer mean the same? Decisions about what students compute from a robot, in any frames.
 
-joint_answers   joint values that reach a pose: one, all, families of them, or none
-joint_questions  such a pose, and all that reaches it
-joint_verdicts  what is said of them
-screw_answers   joint screws and a home pose
-jacobian_answers  Jacobians in numbers, and the joint forces that hold a wrench
-jacobian_forms  the same as functions of the joint variables
+joint_answers        joint values that reach a pose: one, all, families of them, or none
+joint_questions      such a pose, and all that reaches it
+joint_verdicts       what is said of them
+screw_answers        joint screws and a home pose
+jacobian_answers     Jacobians in numbers, and the joint forces that hold a wrench
+jacobian_forms       the same as functions of the joint variables
 singularity_answers  conditions for singularities, as a set, and the motion that is lost
-singular_arms   families of singularities and points of them
-unit_multiples  is a function a product of given ones, up to what never vanishes
+singular_arms        families of singularities and points of them
+unit_multiples       is a function a product of given ones, up to what never vanishes
+dynamics_answers     equations of motion
+valued_robot         a robot in symbols, with values of its names
+form_samples         points at which closed forms are compared
 """

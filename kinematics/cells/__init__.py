@@ -1,8 +1,25 @@
 """The cells of a DH table: what may stand in one, and what it means.
 
 A table is handed in as text and numbers (`RawTable`), read into exact entries (`read_table`) and given
-numbers (`bind_parameters`). No text ever reaches an interpreter of Python: the grammar is in `grammar`, its
-meaning in `meaning`.
+numbers (`bind_parameters`). No text ever reaches an interpreter of Python.
+
+tables           a table as it is handed in, and as it is read
+table_reader     from the one to the other
+rows, joints     a row, and which joint it holds
+entries          one cell
+From the text of a cell to an expression:
+  wrapping, characters, unit_words  what comes with pasted text
+  variable_marks, bare_arguments    joint variables and functions as they are printed
+  scanner        tokens
+  grammar, syntax  the tree of a cell
+  meaning        the exact expression in radians
+variables        which names are joint variables
+exact            exact values of sines and angles
+units, scaling   units of a table, and a cell in another one
+limits           how large cells and tables may be
+refusals         why one is refused
+suggestions      what somebody may have meant
+binding          from a read table to numbers
 """
 
 from kinematics.cells.binding import bind_parameters, in_length_unit, parameter_values

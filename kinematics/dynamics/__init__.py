@@ -1,6 +1,11 @@
 """How forces move a robot: M(q) q̈ + C(q, q̇) q̇ + g(q) = τ, in numbers and in closed form.
 
-`recursion` computes, `equations` derives; `links` says what a link weighs. Everything is in SI units.
+links      what a link weighs; everything is in SI units
+reading    links as they are handed in
+recursion  joint forces and motions in numbers
+composite  links that move as one, in the ring of closed forms
+waves      sums of cosines, differentiated term by term
+equations  M, C and g in closed form
 """
 
 from kinematics.dynamics.equations import Derivation, EquationsOfMotion, rate_name, reading_order

@@ -9,12 +9,14 @@ closed_form    methods that yield all solutions, and which arm has which:
   wrist_blocks   the same for many targets
   wrist_scalars  the same for one target that is away from singularities
   clear_blocks   both: many targets that are away from singularities
+  delicate_blocks  which of many targets need care
   wrist_tapes    what these have recorded of an arm
   parallel       three parallel axes
   general        six turning joints of any kind, as an eigenproblem
   partition      arms of few joints, or with slides before a wrist
   position       three joints that bring points to their places
   trigonometric  equations in the cosine and sine of one angle
+  locked         arms with a joint to spare: one is held
 search         damped least squares from many starts at once
 refinement     from candidates to solutions
 distinct       which solutions are the same
@@ -22,6 +24,9 @@ isolation      which solutions stand alone, in one pass
 components     which solutions stand alone, and which belong to families
 families       families followed along their path
 crossings      where families cross others
+gaps           families in pieces
+valleys        folds that a target only just reaches
+lengths        how long a length may be
 limits         turns of a joint into its range
 ranges         families within joint limits
 solve          one target

@@ -5,6 +5,7 @@ signed_axes    axes at right angles, in symbols
 planar_joints  joints that move in a plane
 axis_turns     turns about axes through one point
 steps          what is written down: equations, branch signs, conditions
+outer_frames   equations for the pose of the tool in the world
 branches       the numbers of each branch
 """
 

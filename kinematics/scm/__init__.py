@@ -1,8 +1,20 @@
 """The SCM method (Sistema Coordenado Móvel) of seed 001: chains of [X Y Z A B C] rows.
 
-`reading` takes a chain as handed in, `chain` says what one is and verifies it, `motion` moves it in numbers,
-`closed_form` and `differentiation` in symbols; `dh` and `unrolled` turn it into a modified DH table, through
-which every other method of this package is open to it. docs/scm.md lists the toolbox's functions.
+chain              what a chain is, and what is verified of it
+chain_reading      a chain as it is handed in
+motion             direct kinematics and Jacobians by inspection, in numbers
+symbolic_matrices  its matrices in closed form
+differentiation    the Jacobian by differentiating them
+products           products of any motions, in symbols
+dh                 a chain as a modified DH table, through which every other method is open to it
+unrolled           the same for any chain, motion by motion
+rows               elementary motions as rows, joined to as few as possible
+from_table         a DH table as a chain
+inverse            inverse kinematics, through the table
+sampling           random configurations
+substitution       values in the place of parameters
+
+docs/scm.md lists the toolbox's functions.
 """
 
 from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain, verify

@@ -1,1 +1,20 @@
-"""What is HTTP's own: routes, strict decoding, refusals, negotiation, compression, middleware."""
+"""What is HTTP's own: routes, strict decoding, refusals, negotiation, compression, middleware.
+
+Reading:
+  connections, uploads  limits on what a caller may leave undone
+  routing          routes that read their requests strictly
+  decoding, npy, forms  JSON, arrays, forms
+  validation       findings of pydantic as faults
+  negotiation, languages  media type and language of the answer
+  idempotency      a POST that is sent again
+Who calls:
+  api_keys         keys of programs
+  link_context, link_guard  what students of a link may use
+  metering, cost_window  what callers may cost, and have
+Answering:
+  problems         the one table of statuses, and the problem document
+  compression      large answers
+  middleware       the outermost layer
+  tracing          traces of requests
+  openapi          the document of the API
+"""

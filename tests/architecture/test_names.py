@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 
 from tests.architecture.sources import PACKAGES, ROOT, modules, shown, tracked
@@ -45,6 +46,29 @@ def test_everything_public_is_documented() -> None:
         f"{shown(path)}: the module" for path, tree in modules().items() if not ast.get_docstring(tree)
     ]
     assert not silent
+
+
+ALIKE = {"service/cli", "service/lti", "service/routes", "service/schemas", "service/adapters", "service"}
+"""Packages of modules with one shape, each named after what it serves."""
+
+
+def test_a_large_package_says_what_is_where() -> None:
+    """Its first lines name every module and no other, so that the list of files reads as the theory."""
+    unread = []
+    for package, tree in modules().items():
+        folder = package.parent
+        names = {path.stem for path in folder.glob("*.py")} - {"__init__"}
+        if package.name != "__init__.py" or len(names) < 7 or shown(folder) in ALIKE:
+            continue
+        text = ast.get_docstring(tree) or ""
+        unread += [
+            f"{shown(folder)}: {name} is not named" for name in names if not re.search(rf"\b{name}\b", text)
+        ]
+        listed = re.findall(r"^ *((?:\w+, )*\w+)  +\S", text, re.MULTILINE)
+        rooms = {path.name for path in folder.iterdir() if path.is_dir()}
+        named = {name for line in listed for name in line.split(", ")}
+        unread += [f"{shown(folder)}: there is no {name}" for name in named - names - rooms]
+    assert not unread
 
 
 def test_functions_and_files_stay_small() -> None:
