@@ -40,8 +40,9 @@ class JacobianMistake(StrEnum):
     POINT_SWAPPED: with p_i − p_n for p_n − p_i. PRISMATIC: the column of a slider is that of a revolute
     joint, or the reverse. OTHER_FRAME: in the axes of the other frame. ROWS_EXCHANGED: linear and angular
     rows have changed places. SPATIAL: the velocity of the point at frame 0's origin. SIGN: every joint force
-    has the wrong sign. GEOMETRIC: with the angular velocity where rates of angles are asked. PER_DEGREE: the
-    columns of revolute joints are per degree.
+    has the wrong sign. OTHER_POINT: the velocities of some other point of the last link. REVERSED: a column
+    of the opposite sign. GEOMETRIC: with the angular velocity where rates of angles are asked. PER_DEGREE:
+    the columns of revolute joints are per degree.
     """
 
     NEXT_AXIS = "next_axis"
@@ -53,6 +54,8 @@ class JacobianMistake(StrEnum):
     GEOMETRIC = "geometric"
     PER_DEGREE = "per_degree"
     SIGN = "sign"
+    OTHER_POINT = "other_point"
+    REVERSED = "reversed"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -150,9 +153,10 @@ def judge_jacobian(
     if angles is not None:
         return JacobianVerdict(entries=entries)
     wrong = [int(i) for i in np.flatnonzero(~entries.all(axis=0))]
-    return JacobianVerdict(
-        entries=entries, mistakes=tuple(_columns(chain, joints, given, frame, wrong, limit))
-    )
+    slips = tuple(_columns(chain, joints, given, frame, wrong, limit))
+    if len(slips) < len(wrong) and _of_another_point(expected, given, entries, limit):
+        slips = ((JacobianMistake.OTHER_POINT, None),)
+    return JacobianVerdict(entries=entries, mistakes=slips)
 
 
 @np.errstate(all="ignore")
@@ -235,6 +239,16 @@ def _with_columns(chain: Chain, directions: Floats, points: Floats, at: Floats) 
     return np.array(columns).T
 
 
+def _of_another_point(expected: Floats, given: Floats, entries: NDArray[np.bool_], limit: Floats) -> bool:
+    """Return whether v is that of one other point of the last link: off by ω × d, d the same throughout."""
+    if not entries[3:].all() or np.count_nonzero(~entries.all(axis=0)) < 2:
+        return False
+    off, angular = (given - expected)[:3], expected[3:]
+    crossed = np.vstack([np.cross(omega, np.eye(3)).T for omega in angular.T])
+    d = np.linalg.lstsq(crossed, off.T.ravel(), rcond=None)[0]
+    return bool((np.abs(off - np.cross(angular.T, d).T) <= limit[:3]).all())
+
+
 def _columns(
     chain: Chain,
     joints: Sequence[float],
@@ -262,6 +276,8 @@ def _columns(
         else:
             ways.append((JacobianMistake.POINT_SWAPPED, [*np.cross(reach, z), *z]))
             ways.append((JacobianMistake.PRISMATIC, [*z, 0.0, 0.0, 0.0]))
+        right = [*z, 0.0, 0.0, 0.0] if axis.prismatic else [*np.cross(z, reach), *z]
+        ways.append((JacobianMistake.REVERSED, [-entry for entry in right]))
         for k in (i + 1, i - 1):
             if 0 <= k <= n:
                 u, o = lines[k]

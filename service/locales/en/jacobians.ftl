@@ -30,6 +30,8 @@ task-jacobian-form-analytic =
         } axes { $axes }, in their order. The entries are functions of the joint variables.
 
 feedback-jacobian_geometric = The last three rows are those of the angular velocity; the rates of the angles are asked for.
+feedback-jacobian_other_point = These are the velocities of another point; that of the last frame’s origin is asked for.
+feedback-jacobian_reversed = Column { $joint } has the opposite sign: mind which way z points.
 feedback-jacobian_per_degree = The columns of the revolute joints are per degree; they are asked for per radian.
 feedback-jacobian_angles_locked = In this configuration, the first and the last angle turn about the same line: the angles have no rates, and there is no analytic Jacobian.
 error-angles_locked = The first and the last of the angles { $axes } turn about the same line here: there is no analytic Jacobian. Choose other angles.

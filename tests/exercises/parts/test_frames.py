@@ -197,3 +197,12 @@ def test_an_exercise_that_asks_for_frames_alone_tests_itself(exercise_id: str) -
     findings = check(with_frames(exercise_id), 1)
     assert not findings.failures
     assert findings.passed["wrong_part"] == 4
+
+
+def test_no_packaged_exercise_asks_for_a_point_that_its_last_frame_cannot_reach() -> None:
+    """Where the key needs a fixed row, the last frame of a joint lies on its axis and not at the tool."""
+    for name in exercise_ids:
+        found = exercise(name)
+        table = found.reference.table
+        if found.part("frames") is not None and len(table.rows) > table.n_joints:
+            assert found.policy.tool is ToolRule.FREE, name

@@ -106,6 +106,13 @@ def test_slips_are_told(name) -> None:
         assert told(both) == ((JacobianMistake.PRISMATIC, 3),)
     degrees = right * np.radians([180 / np.pi if name == "stanford" and i == 2 else 1 for i in range(6)])
     assert told(degrees) == ((JacobianMistake.PER_DEGREE, None),)
+    opposite = right.copy()
+    opposite[:, 1] *= -1
+    assert told(opposite) == ((JacobianMistake.REVERSED, 2),)
+    away = right.copy()
+    turning = [i for i in range(right.shape[1]) if right[3:, i].any()]
+    away[:3, turning] += np.cross(right[3:, turning].T, [0.1, -0.2, 0.15]).T
+    assert told(away) == ((JacobianMistake.OTHER_POINT, None),)
     assert told(right + 1) == ()
 
 
