@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from random import Random
 from typing import ClassVar
 
@@ -31,7 +32,7 @@ from exercises.parts.definition_keys import (
     sequence_keys,
 )
 from exercises.parts.drawn_orientations import drawn_triple, read_sequence, read_triple
-from exercises.parts.number_cells import read_numbers_of
+from exercises.parts.number_cells import number_of, read_numbers_of
 from exercises.parts.orientation_cells import OrientationAnswer, OrientationCells, OrientationNotation
 from exercises.parts.protocol import (
     FieldShape,
@@ -185,8 +186,9 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
             return None if cells is None else read_numbers_of(cells, position, reading, kind, *where)
 
         def one(cell: Cell | None, position: Position, name: str) -> float | None:
-            found = None if cell is None else read_numbers_of((cell,), position, reading, kind, name)
-            return None if found is None else found[0]
+            if cell is None:
+                return None
+            return reading.keep(kind, partial(number_of, cell, position, reading.instance, (name,)))
 
         rows = [numbers(row, Position.RATIO, "matrix", i) for i, row in enumerate(raw.matrix or ())]
         triples = [numbers(row, Position.ANGLE, "angles", i) for i, row in enumerate(raw.angles or ())]

@@ -39,6 +39,7 @@ KNOWN: Sequence[tuple[Any, Any]] = (
     (DomainMatrix4, Matrix4),
     (tuple[float, float, float], Vector3),
     (float, Real),
+    (int | str, WholeOrText),
 )
 """Domain types that have a wire shape of their own."""
 
@@ -83,8 +84,9 @@ def wire_type(annotation: Any) -> Any:
         if bounds is None:
             return inner
         return Annotated[inner, Field(min_length=bounds.least, max_length=bounds.most)]
-    if origin in (Union, types.UnionType) and set(arguments) == {int, str, type(None)}:
-        return WholeOrText | None
+    if origin in (Union, types.UnionType) and len(arguments) > 2 and type(None) in arguments:
+        given = tuple(argument for argument in arguments if argument is not type(None))
+        return wire_type(Union[given]) | None  # noqa: UP007 - made at run time
     if origin in (Union, types.UnionType):
         return Union[tuple(wire_type(argument) for argument in arguments)]  # noqa: UP007 - made at run time
     if origin is tuple and arguments[-1] is Ellipsis:

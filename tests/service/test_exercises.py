@@ -304,6 +304,18 @@ def test_what_is_neither_a_number_nor_text_is_told_once_and_at_its_place(
     assert told == [("integer_expected", "/find_mistake/row", {"field": "row"})]
 
 
+@pytest.mark.parametrize(
+    ("value", "code"), [([1], "cell_not_a_value"), (True, "cell_not_a_value"), ("0,5", "decimal_comma")]
+)
+def test_a_cell_that_stands_alone_is_told_once_and_at_its_place(
+    client: httpx.Client, value: Any, code: str
+) -> None:
+    orientation = {"middle": 90, "value": value, "combination": "sum"}
+    answer = grade(client, "puma560-gimbal-lock", {"orientation": orientation})
+    told = [(entry["code"], entry["pointer"]) for entry in answer.json()["errors"]]
+    assert told == [(code, "/orientation/value")]
+
+
 def test_a_body_that_is_not_json_costs_no_attempt(client: httpx.Client) -> None:
     answer = client.post(
         "/api/v1/exercises/scara/grade",
