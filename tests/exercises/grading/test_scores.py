@@ -120,3 +120,17 @@ def test_what_the_arithmetic_may_do_to_lengths_grows_with_the_robot() -> None:
     invariants = invariants_of(key, Policy(tool=ToolRule.FREE))
     ratio = floors(invariants, larger) / floors(invariants, key)
     assert ratio.tolist() == np.where(invariants.angular[:, 0], 1.0, 1024.0).tolist()
+
+
+@pytest.mark.parametrize(("unit", "typed"), [("m", 350.0), ("mm", 0.35)])
+def test_one_length_in_another_unit_is_one_slip(unit: str, typed: float) -> None:
+    """Too long by a thousand, or too short."""
+    scale = {"m": 1.0, "mm": 1000.0}[unit]
+    rows = [
+        tuple(cell * scale if isinstance(cell, float) and k in (1, 2) else cell for k, cell in enumerate(row))
+        for row in numbers(PUMA)
+    ]
+    answer = read("standard", with_cells(rows, (4, 2, typed)), length_unit=unit)  # type: ignore[arg-type]
+    verdict = grade(KEY, answer, USUAL, VALUES)
+    assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [("cell_length_unit", 4)]
+    assert verdict.score == mark(1, OF_PUMA)
