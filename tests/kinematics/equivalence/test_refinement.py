@@ -9,8 +9,11 @@ from random import Random
 import numpy as np
 import pytest
 
+from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy, Tolerance, ToolRule, decide
-from kinematics.equivalence.refinement import CLOSE, HOPELESS, Model
+from kinematics.equivalence.decision import mirrored
+from kinematics.equivalence.reference import prepared
+from kinematics.equivalence.refinement import CLOSE, FREE_TWISTS, HOPELESS, Model, RefinementProblem
 from kinematics.equivalence.verification import Residual
 from kinematics.table import DHTable, NumericTable
 from tests.kinematics.equivalence.generators import random_robot, random_valid_table, rounded
@@ -41,6 +44,35 @@ def test_no_step_leaves_less_than_the_bound(seed: int) -> None:
     assert reached <= CLOSE * least * 1.05 or least > HOPELESS
     for other in (*rng.normal(scale=0.1, size=(200, 4)), *(step + rng.normal(scale=0.02, size=(200, 4)))):
         assert found.after(other).max() >= least * (1 - 1e-9)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_linear_function_is_what_a_small_step_does(seed: int) -> None:
+    """Of all that may change: offsets, the base's motion and the tool's."""
+    rng = Random(f"step {seed}")
+    key = random_robot(rng, joints=rng.randint(2, 6))
+    table = random_valid_table(key, rng, dummies=0.0)
+    certificate = decide(key, table, Policy(tool=ToolRule.FREE)).certificate
+    assert certificate is not None
+    free = {"base_twists": FREE_TWISTS[:, 1:], "tool_twists": FREE_TWISTS, "offsets_free": True}
+    problem = RefinementProblem(prepared(key), chain_of_table(table), Tolerance(), **free)
+    here = problem.linearised(certificate.draws[0])
+    step = np.random.default_rng(seed).normal(size=here.jacobian.shape[1])
+    small = 1e-6
+    there = problem.linearised(problem.moved(certificate.draws[0], small * step))
+    change = ((here.errors - there.errors) / small).ravel()
+    assert change == pytest.approx(here.jacobian @ step, abs=1e-4 * np.abs(change).max())
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_mirrored_table_is_the_mirrored_robot(seed: int) -> None:
+    """In the plane z = 0 of frame 0, at the same joint values."""
+    rng = Random(f"mirror {seed}")
+    key = random_robot(rng, joints=rng.randint(2, 6))
+    joints = np.random.default_rng(seed).uniform(-1.0, 1.0, (5, key.n_joints))
+    mirror = np.diag((1.0, 1.0, -1.0, 1.0))
+    expected = mirror @ chain_of_table(key).poses(joints) @ mirror
+    assert chain_of_table(mirrored(key)).poses(joints) == pytest.approx(expected, abs=1e-12)
 
 
 def scaled(table: NumericTable, factor: float) -> NumericTable:
