@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from typing import Any
 
 import pytest
 import schemathesis
+from schemathesis import GenerationMode
 from schemathesis.checks import load_all_checks
 from schemathesis.generation.feedback import FeedbackSources
 from schemathesis.pytest._test_builder import build_operation_test
 
 Test = Callable[..., None]
+
+MOST = (
+    None
+    if os.environ.get("FRAMEWISE_EXPLORE")
+    else {GenerationMode.POSITIVE: 40, GenerationMode.NEGATIVE: 160}
+)
+"""Covering cases of a call, allowed and forbidden; a call has up to 1 150, `make explore` sends all.
+
+What is allowed is computed as well, and so costs the most.
+"""
 
 
 def for_each_call(schema: schemathesis.BaseSchema) -> Callable[[Test], Test]:
@@ -33,8 +45,24 @@ def for_each_call(schema: schemathesis.BaseSchema) -> Callable[[Test], Test]:
                 given_kwargs={},
                 feedback=FeedbackSources(),
             )
+            drawn.hypothesis_explicit_examples = _spread(drawn.hypothesis_explicit_examples)
             drawn(base_url=base_url)
 
         return test
 
     return parametrized
+
+
+def _spread(examples: list[Any]) -> list[Any]:
+    """As many of a call's covering cases as are sent, evenly over all of its fields."""
+    if MOST is None:
+        return examples
+    kept = set()
+    for mode, most in MOST.items():
+        places = [
+            place
+            for place, example in enumerate(examples)
+            if example.kwargs["case"].meta.generation.mode is mode
+        ]
+        kept |= {places[len(places) * k // most] for k in range(most)} if len(places) > most else set(places)
+    return [example for place, example in enumerate(examples) if place in kept]
