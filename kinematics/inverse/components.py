@@ -40,8 +40,15 @@ CHORD = 0.05
 """Distance from the chords of a path within which a solution may be on it: the chords are LONGEST_STEP
 long and turn by three times STRAIGHT at most."""
 
-MOST_MEMBERS = 16
-"""Solutions that are looked at of an arm with two or more joints to spare; all pairs of them are."""
+MOST_MEMBERS = 64
+"""Solutions that are looked at of an arm with two or more joints to spare: each of some ten families, four in
+general, has several."""
+
+STATIONS = 8
+"""Points of each path of a surface that ways are looked for to: a way that leads to one may miss another."""
+
+NEAREST = 6
+"""Members of a surface, those found last, to which ways are looked for from a solution: the nearest of them."""
 
 BESIDE_A_CROSSING = 0.3
 """Step from a crossing [rad, or parts of the size] after which one of the families is alone."""
@@ -182,12 +189,20 @@ class _Sorter:
 
     def _outside(self, joints: Sequence[Array], components: Sequence[Component]) -> list[Array]:
         """Those solutions that belong to none of the components."""
-        left = list(joints)
+        left = np.array(joints)
         for one in components:
-            if left:
-                inside = self._within_each(one, np.array(left))
-                left = [q for q, belongs in zip(left, inside.tolist(), strict=True) if not belongs]
-        return left
+            inside = self._within_each(one, left) if len(left) else np.empty(0, dtype=bool)
+            new, left = left[inside], left[~inside]
+            while one.dimension > 1 and len(new) and len(left):
+                inside = self._led(left, self._nearest(new, left))
+                new, left = left[inside], left[~inside]
+        return list(left)
+
+    def _nearest(self, members: Array, joints: Array) -> Array:
+        """(k, m, n) the members of a family, in units, that are nearest to each of (m, n) solutions."""
+        apart = np.abs(differences(joints[:, None], members[None], self.arm)).sum(axis=2)
+        nearest = np.argsort(apart, axis=1, kind="stable")[:, :NEAREST].T
+        return np.asarray(members[nearest] / self.arm.units)
 
     def _behind_gaps(self, components: Sequence[Component]) -> list[Array]:
         """Members of families that lie on the ways of others, behind gaps in which the target is lost."""
@@ -341,21 +356,29 @@ class _Sorter:
         for i in np.flatnonzero(~inside).tolist():
             inside[i] = any(self._on(path, joints[i]) for path in component.paths)
         x = component.joints / self.arm.units
-        near = np.flatnonzero(~inside & ((component.dimension > 1) | (farthest <= self.long)))
+        near = np.flatnonzero(~inside & (farthest <= self.long))
         inside[near] = self.follower.joined_each(np.broadcast_to(x, apart[near].shape), x + apart[near])
         outside = np.flatnonzero(~inside)
-        if component.dimension > self.arm.spare and len(outside):
-            inside[outside] = self._led(component, joints[outside])
+        if component.dimension > min(self.arm.spare, 1) and len(outside):
+            inside[outside] = self._led(joints[outside], self._places(component, joints[outside]))
         return np.asarray(inside)
 
-    def _led(self, component: Component, joints: Array) -> NDArray[np.bool_]:
-        """Whether ways along blind directions lead to a family's member, or to a path."""
+    def _places(self, component: Component, joints: Array) -> Array:
+        """(k, m, n) members of a family, in units, to which ways from (m, n) solutions are looked for."""
         x = joints / self.arm.units
         places = [np.broadcast_to(component.joints / self.arm.units, x.shape)]
-        places += [x - [nearest_on(self.arm, path, q)[0] for q in joints] for path in component.paths]
-        ends = np.concatenate(places)
-        arrived = self.follower.leads(np.tile(x, (len(places), 1)), ends, self.blind)
-        return np.asarray(arrived.reshape(len(places), len(x)).any(axis=0))
+        for path in component.paths:
+            places.append(x - [nearest_on(self.arm, path, q)[0] for q in joints])
+            if component.dimension > 1:
+                points = path.points[:: max(len(path.points) // STATIONS, 1)] / self.arm.units
+                places += [np.broadcast_to(point, x.shape) for point in points]
+        return np.array(places)
+
+    def _led(self, joints: Array, places: Array) -> NDArray[np.bool_]:
+        """Which of (m, n) solutions ways along blind directions lead from, to one of (k, m, n) places."""
+        x = np.tile(joints / self.arm.units, (len(places), 1))
+        arrived = self.follower.leads(x, places.reshape(x.shape), self.blind)
+        return np.asarray(arrived.reshape(places.shape[:2]).any(axis=0))
 
     def _on(self, path: FamilyPath, q: Array) -> bool:
         """Whether a solution is on a path: its nearest chord, corrected, leads to it."""

@@ -39,6 +39,7 @@ def test_a_small_campaign(name):
     ("name", "seed", "number"),
     [
         pytest.param("catalogue rx90", 5, 4, id="over a bent surface"),
+        pytest.param("catalogue rx90", 47, 47, id="over a surface, by places in between"),
         pytest.param("no offsets", 4, 2, id="within the width of crossing families"),
         pytest.param("catalogue gen3", 2, 1, id="a family of a single point"),
         pytest.param("catalogue gen3", 11, 39, id="ways that leave a crossing of seven joints"),

@@ -1,0 +1,48 @@
+"""Families of two dimensions and more: where an arm has joints to spare, each is told once, and none is lost."""
+
+import numpy as np
+import pytest
+
+from kinematics.forward import end_pose
+from kinematics.inverse import ArmReach, solver_of
+from tests.kinematics.inverse.models import MODELS
+
+ANY_WRIST = [[0.3, -0.7, 1.2, 0.5, 0.9, -1.4], [0.8, 0.4, -0.6, 1.0, -0.5, 0.2], [-2.0, 0.3, 0.9, 0.1, 1.2, 2.2]]
+
+
+@pytest.mark.parametrize("joints", ANY_WRIST)
+def test_a_wrists_centre_has_a_family_for_each_posture_of_the_arm_before_it(joints):
+    """Joints 4 to 6 of a PUMA do not move it; joints 1 to 3 are those of the solutions for any pose there."""
+    table = MODELS["catalogue puma560"]
+    target = end_pose(table, joints)
+    postures = {tuple(np.round(s.joints[:3], 6)) for s in solver_of(table).solve(target).solutions}
+    families = solver_of(table, reach=ArmReach.POSITION).solve(target).solutions
+    assert all(s.family is not None and s.family.dimension == 3 for s in families)
+    assert len(families) == len(postures)
+    assert {tuple(np.round(s.joints[:3], 6)) for s in families} == postures
+
+
+@pytest.mark.parametrize(
+    ("name", "seed", "draw", "families"),
+    [
+        ("catalogue ur5", 1, 0, 4),
+        ("catalogue ur5", 1, 1, 4),
+        ("catalogue ur5", 1, 2, 2),
+        ("catalogue irb140", 1, 0, 1),
+        ("stanford", 1, 1, 2),
+        ("stanford", 1, 2, 1),
+    ],
+)
+def test_positions_of_a_tool_have_as_many_families_as_a_sample_of_configurations(name, seed, draw, families):
+    """So many parts a sample of 120 configurations has, joined where corrected steps of 0.12 rad lead on."""
+    table = MODELS[name]
+    solver = solver_of(table, reach=ArmReach.POSITION)
+    rng = np.random.default_rng(seed)
+    spans = np.where(solver.arm.revolute, 1.0, 0.3 * solver.arm.size)
+    drawn = rng.uniform(-1.5, 1.5, (draw + 1, solver.arm.n_joints)) * spans
+    target = end_pose(table, drawn[draw])
+    answer = solver.solve(target)
+    assert len(answer.solutions) == families
+    for solution in answer.solutions:
+        reached = end_pose(table, solution.joints)
+        assert np.linalg.norm(reached[:3, 3] - target[:3, 3]) < 1e-8
