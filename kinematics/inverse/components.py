@@ -44,11 +44,11 @@ MOST_MEMBERS = 64
 """Solutions that are looked at of an arm with two or more joints to spare: each of some ten families, four in
 general, has several."""
 
-STATIONS = 8
+STATIONS = 5
 """Points of each path of a surface that ways are looked for to: a way that leads to one may miss another."""
 
 NEAREST = 6
-"""Members of a surface, those found last, to which ways are looked for from a solution: the nearest of them."""
+"""Members of a surface to which ways are looked for from a solution: the nearest of those found last."""
 
 BESIDE_A_CROSSING = 0.3
 """Step from a crossing [rad, or parts of the size] after which one of the families is alone."""
@@ -376,6 +376,8 @@ class _Sorter:
 
     def _led(self, joints: Array, places: Array) -> NDArray[np.bool_]:
         """Which of (m, n) solutions ways along blind directions lead from, to one of (k, m, n) places."""
+        if self.follower.is_spent:
+            return np.zeros(len(joints), dtype=bool)
         x = np.tile(joints / self.arm.units, (len(places), 1))
         arrived = self.follower.leads(x, places.reshape(x.shape), self.blind)
         return np.asarray(arrived.reshape(places.shape[:2]).any(axis=0))

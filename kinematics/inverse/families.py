@@ -20,7 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.residuals import are_solutions, errors_and_jacobians
+from kinematics.inverse.corrections import corrected, corrected_across
+from kinematics.inverse.residuals import are_solutions
 
 FIRST_STEP = 0.02
 """First step along a component [rad, or parts of the size]; it is halved where it loses the target, and
@@ -65,21 +66,12 @@ NEARER = 0.01
 ASTRAY = 0.01
 """A walk ends where less than this part of the way to its end lies in directions that it may take."""
 
-ROUNDS = 4
-"""Gauss–Newton steps for one step along the path: convergence is quadratic from an error of STRAIGHT·step."""
-
 MOST_CORRECTIONS = 2500
 """Corrections after which a target's families are followed no further; the longest paths take 800 more. A
 PUMA with its arm stretched and its wrist in line takes 95, eight families of seven joints up to this many."""
 
 ROWS = 16
 """Configurations that are corrected together in some twice the time of one: so many count as another one."""
-
-EXACT = 1e-14
-"""Size of the error vector that another step would not make smaller."""
-
-UNSEEN = 1e-7
-"""Part of the largest singular value up to which a correction takes others for zero."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,40 +111,6 @@ def blind_directions(J: Array, smallest: float) -> Array:
         basis[others] -= basis[others, column, None] * basis[i]
         pivots.append(int(column))
     return np.asarray(basis / np.linalg.norm(basis, axis=1, keepdims=True))
-
-
-def corrected(arm: Arm, targets: Array, x: Array, held: Array) -> tuple[Array, Array, Array]:
-    """The nearest poses with held·x unchanged: x, (m, n), error vectors, (m, 6), and Jacobians, (m, 6, n).
-
-    Args:
-        arm: measured as a `Follower` does.
-        targets: (4, 4), or (m, 4, 4) one each.
-        x: (m, n) in units.
-        held: (m, k, n) rows.
-    """
-    free = np.linalg.svd(held)[2][:, held.shape[1] :]
-    return _corrected_across(arm, targets, x, free.transpose(0, 2, 1))
-
-
-def _corrected_across(arm: Arm, targets: Array, x: Array, across: Array) -> tuple[Array, Array, Array]:
-    """The same with x moved along the columns of `across` alone, (m, n, k), orthonormal or a projection."""
-    e, J = errors_and_jacobians(arm, x, targets)
-    going = np.ones(len(x), dtype=bool)
-    for _ in range(ROUNDS):
-        U, values, Vt = np.linalg.svd(J @ across, full_matrices=False)
-        counts = values > UNSEEN * values[:, :1]
-        inverse = np.where(counts, 1.0 / np.where(counts, values, 1.0), 0.0)[:, :, None]
-        seen = inverse * (U.transpose(0, 2, 1) @ e[:, :, None])
-        step = (across @ (Vt.transpose(0, 2, 1) @ seen))[:, :, 0]
-        tried = x + step
-        new_e, new_J = errors_and_jacobians(arm, tried, targets)
-        going = going & ((new_e * new_e).sum(axis=1) < (e * e).sum(axis=1))
-        x, e = np.where(going[:, None], tried, x), np.where(going[:, None], new_e, e)
-        J = np.where(going[:, None, None], new_J, J)
-        going = going & ((step * step).sum(axis=1) >= 1e-24) & ((e * e).sum(axis=1) >= EXACT**2)
-        if not going.any():
-            break
-    return x, e, J
 
 
 def weighing_alike(arm: Arm) -> Arm:
@@ -260,7 +218,7 @@ class Follower:
             step = np.minimum(longest[going], length)
             aim = x[going] + along[ahead] * (step / length)[:, None]
             self._count(len(going))
-            there, e, _ = _corrected_across(self.arm, self.target, aim, np.eye(len(x[0])) - unseen)
+            there, e, _ = corrected_across(self.arm, self.target, aim, np.eye(len(x[0])) - unseen)
             near = np.linalg.norm(there - aim, axis=1) <= step
             nearer = np.linalg.norm(self._back(ends[going], there), axis=1) <= left - NEARER * step
             moved = near & nearer & are_solutions(e, self.arm, self.tolerance)
@@ -340,7 +298,7 @@ class Follower:
         if len(held):
             return self.corrected(x, np.vstack((t, held)))
         self._count(1)
-        found, e, J = _corrected_across(
+        found, e, J = corrected_across(
             self.arm, self.target, x[None], (np.eye(len(x)) - np.outer(t, t))[None]
         )
         return found[0], e[0], J[0]

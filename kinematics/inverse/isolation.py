@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.corrections import corrected
 from kinematics.inverse.distinct import differences
-from kinematics.inverse.families import LOST, corrected, weighing_alike
+from kinematics.inverse.families import LOST, weighing_alike
 from kinematics.inverse.residuals import are_solutions
 
 Indices = NDArray[np.intp]

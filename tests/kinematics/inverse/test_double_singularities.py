@@ -1,6 +1,7 @@
 """Where an arm loses rank twice at once, or nearly: the configuration that made the pose is in the answer."""
 
 import math
+from itertools import islice
 
 import numpy as np
 import pytest
@@ -12,8 +13,8 @@ from kinematics.inverse.families import Follower, blind_directions
 from kinematics.inverse.gaps import nearest_places, way_through_gaps
 from kinematics.inverse.goals import read_goal
 from kinematics.inverse.residuals import are_solutions, errors_of
-from kinematics.inverse.results import Method
-from tests.kinematics.inverse.campaign import is_among
+from kinematics.inverse.results import Isolation, Method
+from tests.kinematics.inverse.campaign import is_among, questions
 from tests.kinematics.inverse.models import MODELS
 
 RIGHT = math.pi / 2
@@ -121,6 +122,16 @@ def test_a_stretched_elbow_of_seven_joints_is_found_with_the_wrist_either_way(se
     goal = goal._replace(tolerance=answer.tolerance)
     assert holds(solver, goal, answer, q)
     assert len({s.joints[5] > 0.0 for s in answer.solutions}) == 2
+
+
+def test_a_target_at_the_edge_of_the_reach_leaves_nothing_isolated_to_seven_joints():
+    """Its pose, with five decimals, is missed by 5e-6 at least: solutions lie along valleys."""
+    table = MODELS["catalogue ssrms"]
+    _, pose, tolerance = next(islice(questions(table, solver_of(table), 47), 28, None))
+    answer = solver_of(table).solve(pose, tolerance)
+    assert tolerance == 1e-5
+    assert min(s.position_error for s in answer.solutions) > 1e-6
+    assert {s.isolation for s in answer.solutions} == {Isolation.CONTINUUM}
 
 
 def test_a_surface_that_a_family_crosses_is_one_family_of_two_dimensions():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from kinematics.forward import end_pose
-from kinematics.inverse import ArmReach, families, solver_of
+from kinematics.inverse import ArmReach, corrections, families, solver_of
 from kinematics.inverse.results import Isolation
 from tests.kinematics.inverse.models import MODELS
 from tests.kinematics.robots import PUMA560
@@ -17,13 +17,14 @@ STRETCHED = np.radians([30, -90, 90, 20, 0, -80])
 def counted(monkeypatch):
     """A list that grows by one with every correction."""
     calls = []
-    correct = families._corrected_across
+    correct = corrections.corrected_across
 
     def corrected(arm, targets, x, across):
         calls.append(len(x))
         return correct(arm, targets, x, across)
 
-    monkeypatch.setattr(families, "_corrected_across", corrected)
+    for module in (corrections, families):
+        monkeypatch.setattr(module, "corrected_across", corrected)
     return calls
 
 

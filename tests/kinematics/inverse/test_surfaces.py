@@ -1,4 +1,4 @@
-"""Families of two dimensions and more: where an arm has joints to spare, each is told once, and none is lost."""
+"""Families of two dimensions and more: where an arm has joints to spare, each is told once, none is lost."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,11 @@ from kinematics.forward import end_pose
 from kinematics.inverse import ArmReach, solver_of
 from tests.kinematics.inverse.models import MODELS
 
-ANY_WRIST = [[0.3, -0.7, 1.2, 0.5, 0.9, -1.4], [0.8, 0.4, -0.6, 1.0, -0.5, 0.2], [-2.0, 0.3, 0.9, 0.1, 1.2, 2.2]]
+ANY_WRIST = [
+    [0.3, -0.7, 1.2, 0.5, 0.9, -1.4],
+    [0.8, 0.4, -0.6, 1.0, -0.5, 0.2],
+    [-2.0, 0.3, 0.9, 0.1, 1.2, 2.2],
+]
 
 
 @pytest.mark.parametrize("joints", ANY_WRIST)
