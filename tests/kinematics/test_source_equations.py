@@ -11,13 +11,14 @@ import pytest
 from kinematics import catalogue
 from kinematics.cells import bind_parameters
 from kinematics.dh import link_transform
-from kinematics.forward import forward_kinematics
+from kinematics.forward import end_pose, forward_kinematics
 from kinematics.frames.assignment import CrossProduct, assign_frames
 from kinematics.frames.axes import JointAxis
+from kinematics.inverse import inverse_kinematics
 from kinematics.poses import transform_from_xyzabc
 from kinematics.scm import forward_kinematics_scm, jacobian_base_by_inspection, unit_vectors
 from kinematics.se3 import from_matrix, inverse_transform, move
-from kinematics.table import Convention, DHRow, JointType
+from kinematics.table import Convention, DHRow, JointType, NumericTable
 
 LENGTH, ANGLE = 0.37, 0.83
 C, S = math.cos(ANGLE), math.sin(ANGLE)
@@ -260,3 +261,41 @@ def test_the_base_of_the_dmra_turns_through_half_a_turn() -> None:
     limits = catalogue.robot("dmra").limits
     assert limits is not None
     assert limits[0][1] - limits[0][0] == 180.0
+
+
+def test_a_joint_of_three_freedoms_is_three_joints_without_lengths() -> None:
+    """000 §3.1: n joints of one freedom, joined by n - 1 links of length 0; a ball turns to any pose."""
+    table = NumericTable(
+        convention=Convention.MODIFIED,
+        rows=tuple(
+            DHRow(joint=JointType.REVOLUTE, alpha=alpha, a=0.0, d=0.0, theta=0.0)
+            for alpha in (0.0, math.pi / 2, -math.pi / 2)
+        ),
+    )
+    wanted = transform_from_xyzabc([0.0, 0.0, 0.0, 0.4, -1.1, 2.3])
+    answer = inverse_kinematics(table, wanted)
+    assert (len(answer.solutions), answer.complete) == (2, True)
+    for solution in answer.solutions:
+        assert np.allclose(end_pose(table, solution.joints), wanted, atol=1e-12)
+
+
+@pytest.mark.parametrize("kind", [JointType.REVOLUTE, JointType.PRISMATIC])
+def test_the_first_and_the_last_frame_leave_what_can_be_zero(kind: JointType) -> None:
+    """000 §3.2.2, 002 steps 6 and 7: frame 0 is frame 1 at q_1 = 0, and frame n leaves d_n or θ_n zero."""
+    axes = [
+        JointAxis(joint=kind, point=(0.1, 0.2, 0.3), direction=(0.0, 0.0, 1.0)),
+        JointAxis(joint=JointType.REVOLUTE, point=(0.5, 0.0, 0.4), direction=(0.0, 1.0, 0.0)),
+        JointAxis(joint=kind, point=(0.5, 0.7, 0.9), direction=(1.0, 0.0, 0.0)),
+    ]
+    first, _, last = assign_frames(axes, Convention.MODIFIED).table.rows
+    assert (first.alpha, first.a, first.d, first.theta) == (0.0, 0.0, 0.0, 0.0)
+    assert (last.d, last.theta) == (0.0, 0.0)
+
+
+def test_the_arm_takes_several_postures_for_one_pose_of_its_gripper() -> None:
+    """003, on the method: with six joints links may stand differently for one place of the gripper."""
+    dmra = catalogue.robot("dmra")
+    table = bind_parameters(dmra.table, dmra.parameters)
+    answer = inverse_kinematics(table, end_pose(table, [0.3, -0.9, 0.4, 0.5, 0.9, -0.2]))
+    assert answer.complete
+    assert len(answer.solutions) == 8
