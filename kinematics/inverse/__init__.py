@@ -22,6 +22,7 @@ refinement     from candidates to solutions
 distinct       which solutions are the same
 isolation      which solutions stand alone, in one pass
 components     which solutions stand alone, and which belong to families
+corrections    from beside a family back to it
 families       families followed along their path
 crossings      where families cross others
 gaps           families in pieces
