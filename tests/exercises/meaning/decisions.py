@@ -102,8 +102,9 @@ def compared_tables(rng: random.Random) -> Iterator[KnownAnswer]:
     """Two tables of one robot, drawn line by line, or of two whose neighbouring axes lie otherwise."""
     found = student("stanford-compare", rng.randrange(30))
     table = key_numbers(found)
-    other = random_valid_table(table, rng)
-    same = rng.random() < 0.5
+    same, other = rng.random() < 0.5, random_valid_table(table, rng)
+    while not same and not _neighbours(other):
+        other = random_valid_table(table, rng)
     if not same:
         other = _with_other_neighbours(other, rng)
     second = read_table(written(other, found.exercise.reference.length_unit))
@@ -118,12 +119,17 @@ def compared_tables(rng: random.Random) -> Iterator[KnownAnswer]:
         yield KnownAnswer((verdict is SameRobot.SAME) is same, judge, lambda raw=raw: f"{raw} {other}")
 
 
+def _neighbours(table: NumericTable) -> list[int]:
+    """Joints, from 0, whose next one stands in the next row; fixed rows may stand between all of them."""
+    joints = table.joint_rows
+    return [k for k in range(len(joints) - 1) if joints[k + 1] == joints[k] + 1]
+
+
 def _with_other_neighbours(table: NumericTable, rng: random.Random) -> NumericTable:
     """Neighbouring joint axes farther apart, or at another angle: no frames undo that."""
     joints = table.joint_rows
     modified = table.convention is Convention.MODIFIED
-    inner = [k for k in range(len(joints) - 1) if joints[k + 1] == joints[k] + 1]
-    k = rng.choice(inner)
+    k = rng.choice(_neighbours(table))
     i = joints[k] + modified
     row = table.rows[i]
     alpha = row.alpha
