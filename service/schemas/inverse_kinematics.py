@@ -116,7 +116,7 @@ class Nearest(Wire):
     joints: list[Real] = Field(description="q_1 … q_n, in the table's units")
     transform: Matrix4 = Field(description="the pose there")
     size: Real = Field(
-        description="the sum of the arm's offsets; nearest is what makes "
+        description="the sum of the offsets √(a² + d²); nearest is what makes "
         "(position_error / size)² + angle² least"
     )
     residual: Real = Field(description="√(position_error² + angle²), the angle always in radians")

@@ -88,7 +88,7 @@ def test_singular_and_unreachable_are_results(client: httpx.Client) -> None:
     assert answer["reason"] == "out_of_reach"
     assert answer["solutions"] == []
     nearest = answer["nearest"]
-    assert nearest["size"] == pytest.approx(0.4318 + 0.0203 + 0.15005 + 0.4318)
+    assert nearest["size"] == pytest.approx(0.4318 + np.hypot(0.0203, 0.15005) + 0.4318)
     reached = forward(client, table=PUMA_560, joints=nearest["joints"])
     assert np.allclose(reached, nearest["transform"], atol=1e-9)
     assert nearest["position_error"] == pytest.approx(
