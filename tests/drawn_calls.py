@@ -45,7 +45,11 @@ def for_each_call(schema: schemathesis.BaseSchema) -> Callable[[Test], Test]:
                 given_kwargs={},
                 feedback=FeedbackSources(),
             )
-            drawn.hypothesis_explicit_examples = _spread(drawn.hypothesis_explicit_examples)
+            covering = getattr(
+                drawn, "hypothesis_explicit_examples", None
+            )  # a test without covering cases has none
+            if covering is not None:
+                drawn.hypothesis_explicit_examples = _spread(covering)
             drawn(base_url=base_url)
 
         return test

@@ -275,8 +275,10 @@ class _Writer:
         axes = (parts.plane.h, *(joint.axis for joint in parts.tail))
         turn: list[Expression] = []
 
-        def note(angle: Expression, *conditions: object) -> Expression:
-            turn.append(write.let("phi", angle, *conditions))  # type: ignore[arg-type]
+        def note(
+            angle: Expression, *conditions: InverseCondition, branch: Expression | None = None
+        ) -> Expression:
+            turn.append(write.let("phi", angle, *conditions))
             return turn[0]
 
         writings: list[Writing] = [note, *(partial(write.joint, joint) for joint in parts.tail)]

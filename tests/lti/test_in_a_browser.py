@@ -150,7 +150,7 @@ def test_a_lecturer_sees_the_class_and_opens_an_attempt(page: Page, lms: Lms, br
     browser.api("POST", "session/attempts", wrong)
     browser.api("POST", "session/attempts", RIGHT)
     frame = framed(page, lms, "tina", hint([TEACHER], resource="seen", context="course-9", custom=CUSTOM))
-    expect(frame.locator("#class")).to_contain_text("puma560")
+    expect(frame.locator("#class")).to_contain_text("PUMA 560")
     expect(frame.locator("#link-card .bars svg").first).to_be_visible()
     frame.locator("#class table").nth(1).locator("button").first.click()
     frame.locator("#link button", has_text="Open").first.click()

@@ -76,7 +76,7 @@ def test_given_lengths_stand_in_the_equations(client: httpx.Client) -> None:
     assert "0.34" in str(answer["equations"])
 
 
-@pytest.mark.parametrize("robot", ["panda", "ssrms", "onelink"])
+@pytest.mark.parametrize("robot", ["panda", "ssrms", "gen3"])
 def test_arms_without_such_a_form_are_refused(client: httpx.Client, robot: str) -> None:
     response = client.post(URL, json={"form": "symbolic", "robot": robot})
     assert response.status_code == 422
