@@ -70,7 +70,10 @@ def test_a_warm_course_draws_nothing_more(
             own = {"seed": session["seed"], "lang": "en"}
             shown = client.get("exercises/twolink", params=own).json()
             assert client.get(shown["figure"]["file"]).status_code == 200
-    assert len(seeds) == min(sets, STUDENTS)
+    if settings.variants:  # shared out by a secret: by chance none of few students has one of them
+        assert seeds <= {f"variant-{number + 1}" for number in range(sets)}
+    else:
+        assert len(seeds) == STUDENTS
 
 
 def test_variants_of_an_exercise_are_drawn_in_every_language(
