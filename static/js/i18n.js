@@ -35,6 +35,11 @@ export function t(id, parameters) {
   return bundle.formatPattern(message.value, parameters, []);
 }
 
+/** A name and what is said of it, with the colon of the language. @param {string} name @param {string | number} said */
+export function named(name, said) {
+  return t("form-named", { name, said: String(said) });
+}
+
 /** Whether there is such a message. @param {string} id */
 export function knows(id) {
   return Boolean(bundle?.getMessage(id)?.value);

@@ -10,6 +10,7 @@ form-unreachable = The service cannot be reached. What you typed is kept; try ag
 form-retry = Try again
 form-cancel = Cancel
 form-close = Close
+form-named = { $name }: { $said }
 form-loading = Loading …
 
 form-home-title = Exercises

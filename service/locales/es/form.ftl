@@ -10,6 +10,7 @@ form-unreachable = No se puede contactar con el servicio. Lo escrito se conserva
 form-retry = Reintentar
 form-cancel = Cancelar
 form-close = Cerrar
+form-named = { $name }: { $said }
 form-loading = Cargando …
 
 form-home-title = Ejercicios

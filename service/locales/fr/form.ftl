@@ -10,6 +10,7 @@ form-unreachable = Le service est injoignable. Votre saisie est conservée ; r�
 form-retry = Réessayer
 form-cancel = Annuler
 form-close = Fermer
+form-named = { $name } : { $said }
 form-loading = Chargement …
 
 form-home-title = Exercices

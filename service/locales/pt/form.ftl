@@ -10,6 +10,7 @@ form-unreachable = Não é possível contactar o serviço. O que escreveu foi gu
 form-retry = Tentar de novo
 form-cancel = Cancelar
 form-close = Fechar
+form-named = { $name }: { $said }
 form-loading = A carregar …
 
 form-home-title = Exercícios

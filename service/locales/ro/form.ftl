@@ -10,6 +10,7 @@ form-unreachable = Serviciul nu poate fi contactat. Ce ați scris s-a păstrat; 
 form-retry = Încearcă din nou
 form-cancel = Renunță
 form-close = Închide
+form-named = { $name }: { $said }
 form-loading = Se încarcă …
 
 form-home-title = Exerciții

@@ -10,6 +10,7 @@ form-unreachable = Служба недоступна. Уведене збере�
 form-retry = Спробувати ще раз
 form-cancel = Скасувати
 form-close = Закрити
+form-named = { $name }: { $said }
 form-loading = Завантаження …
 
 form-home-title = Вправи

@@ -2,7 +2,7 @@
 
 import { announce, el, fill } from "../dom.js";
 import { newTable } from "../editor/model.js";
-import { t } from "../i18n.js";
+import { named, t } from "../i18n.js";
 import { subscript, superscript } from "../numbers.js";
 import { api } from "../page.js";
 import { AnswerForm, formPlace } from "./answer-form.js";
@@ -118,7 +118,7 @@ export class AnswerCard {
   #checkButton(kind, submit) {
     const label = t("form-submit-part");
     const press = () => submit(kind);
-    const name = `${label}: ${partName(kind)}`;
+    const name = named(label, partName(kind));
     return el(
       "p",
       { class: "no-print" },

@@ -5,7 +5,7 @@
 
 import { columnHeads } from "../data-table.js";
 import { el, fill, uniqueId } from "../dom.js";
-import { t } from "../i18n.js";
+import { named, t } from "../i18n.js";
 import { typed as read } from "./typed.js";
 import { plain } from "../numbers.js";
 import { faultLine, setFault } from "./part-fields.js";
@@ -188,7 +188,7 @@ class FormField {
     const changed = () => (setFault(input, line, ""), this.changed());
     const single = shape === "choice" || shape === "cell";
     const shared = { id: uniqueId("form"), "aria-describedby": line.id };
-    const name = `${label}: ${row + 1}, ${labels[column] || column + 1}`;
+    const name = named(label, `${row + 1}, ${labels[column] || column + 1}`);
     /** @type {HTMLInputElement | HTMLSelectElement} */
     const input =
       shape === "choice"

@@ -1,7 +1,7 @@
 /** The student's own robot: scene, joints, values of parameters, matrices. Nothing here knows the key. */
 
 import { el, fill, uniqueId } from "../dom.js";
-import { t } from "../i18n.js";
+import { named, t } from "../i18n.js";
 import { resetButton } from "../joint-sliders.js";
 import { numberIn, plain } from "../numbers.js";
 import { FilmBar } from "./film-bar.js";
@@ -145,7 +145,7 @@ export class OwnCard {
 
   /** @param {import("../joint-ranges.js").JointRange[]} joints */
   #description(joints) {
-    const kinds = joints.map((joint) => `${joint.name}: ${t(`form-joint-${joint.type}`)}`).join(", ");
+    const kinds = joints.map((joint) => named(joint.name, t(`form-joint-${joint.type}`))).join(", ");
     return `${t("form-own-description", { joints: kinds })} ${t("form-scene-keys")}`;
   }
 

@@ -1,7 +1,7 @@
 /** What is done and what is left, always in sight: one entry for each part, and the points of the whole exercise. */
 
 import { el, fill, icon } from "../dom.js";
-import { t } from "../i18n.js";
+import { named, t } from "../i18n.js";
 import { asPoints } from "../numbers.js";
 
 /** @typedef {{kind: string, touched: boolean, print: string}} PartState what stands in a part's fields */
@@ -74,7 +74,7 @@ export class Progress {
       "a",
       { class: `badge ${tone}`, href: `#part-${kind}`, onclick: follow },
       right ? icon("check") : null,
-      el("span", {}, partName(kind), ": ", said),
+      el("span", {}, named(partName(kind), said)),
     );
   }
 }

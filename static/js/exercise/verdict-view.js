@@ -2,7 +2,7 @@
 
 import { dataTable } from "../data-table.js";
 import { el, icon } from "../dom.js";
-import { t } from "../i18n.js";
+import { named, t } from "../i18n.js";
 import { columnText } from "../editor/grid.js";
 import { asPoints } from "../numbers.js";
 import { partName, pointsText } from "./progress.js";
@@ -70,7 +70,7 @@ function totalLines({ parts, basis, correct, total: { points, max_points: most, 
       ? el(
           "ul",
           { class: "hint part-points" },
-          entries.map(([name, said]) => el("li", { text: `${name}: ${said}` })),
+          entries.map(([name, said]) => el("li", { text: named(name, said) })),
         )
       : null,
   ];

@@ -2,7 +2,7 @@
 
 import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
-import { t } from "../i18n.js";
+import { named, t } from "../i18n.js";
 
 /** @type {Record<string, string>} */
 const TONES = { solved: "good", stuck: "bad", begun: "warn", opened: "", absent: "" };
@@ -26,7 +26,7 @@ export function showClass(place, { links, students }, { openLink, openStudent, o
     return el("button", {
       type: "button",
       class: "quiet small",
-      "aria-label": `${t(`lecturer-state-${state}`)}: ${link[state]}`,
+      "aria-label": named(t(`lecturer-state-${state}`), link[state]),
       onclick: () => openState(link, state, own),
       text: String(link[state]),
     });

@@ -3,7 +3,7 @@
 import { dataTable } from "../data-table.js";
 import { announce, el, fill } from "../dom.js";
 import { partName } from "../exercise/progress.js";
-import { knows, language, t } from "../i18n.js";
+import { knows, language, named, t } from "../i18n.js";
 import { problemNotice } from "../problem.js";
 import { pageAddress } from "../page.js";
 import { barChart } from "./chart.js";
@@ -62,7 +62,7 @@ export class LinkView {
       const heading = t(`lecturer-state-${state}`);
       const names = students.map((student) => el("li", { text: studentName(student) }));
       fill(this.behind, el("h3", { text: heading }), el("ul", { class: "names" }, names));
-      announce(`${heading}: ${students.length}`);
+      announce(named(heading, students.length));
     } else await this.#open({ state });
     this.behind.scrollIntoView({ block: "nearest" });
   }
@@ -170,7 +170,7 @@ export class LinkView {
     return el("button", {
       type: "button",
       class: "quiet small",
-      "aria-label": text === String(count) ? label : `${text}: ${t("lecturer-attempts-made")}`,
+      "aria-label": text === String(count) ? label : named(text, t("lecturer-attempts-made")),
       onclick: () => this.#open(asked),
       text,
     });
@@ -321,7 +321,7 @@ export class LinkView {
 function factName(fact) {
   const [row, name] = fact.split(":");
   if (!row) return t(`form-part-${name.replaceAll("_", "-")}`);
-  return `${t("form-row-heading")} ${row}: ${t(`form-fact-${name}`)}`;
+  return named(`${t("form-row-heading")} ${row}`, t(`form-fact-${name}`));
 }
 
 /** What a mistake is called: those in tables have names, others what a student was told. @param {any} entry */
