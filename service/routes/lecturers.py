@@ -31,7 +31,7 @@ from courses.privacy import erase_person, export_person, person_in
 from courses.refusals import NoExerciseError, StaffOnlyError, unknown_record
 from courses.regrading import Scope, apply, begin, changes, rejudge
 from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
-from exercises.errors import UnknownExerciseError
+from exercises.errors import ExerciseError
 from kinematics.errors import Fault
 from service.course_resources import CourseResources, now
 from service.http.forms import own_root
@@ -123,12 +123,12 @@ async def overview(request: ApiRequest) -> Response:
 
 
 def _title(request: ApiRequest, exercise_id: str | None) -> str | None:
-    """Return an exercise's title in the reader's language; its id, if it is no longer served."""
+    """Return an exercise's title in the reader's language; its id, if it is no longer served or malformed."""
     if exercise_id is None:
         return None
     try:
         return resources_of(request).exercises.exercise(exercise_id).title(language_of(request))
-    except UnknownExerciseError:
+    except ExerciseError:
         return exercise_id
 
 

@@ -17,7 +17,7 @@ from courses.model import LinkSettings
 from courses.refusals import StorageUnavailableError
 from courses.storage import Store
 from exercises.definition import Exercise
-from exercises.errors import ExerciseError, UnknownExerciseError
+from exercises.errors import ExerciseError
 from exercises.instance import Instance, possible_instances
 from exercises.loader import Library
 from exercises.parts.frame_mistake import FrameMistakeType
@@ -87,7 +87,7 @@ class DrawingAhead(BackgroundThread):
                 continue
             try:
                 exercise = self._library.exercise(settings.exercise_id)
-            except UnknownExerciseError:
+            except ExerciseError:
                 continue
             if exercise.part(FrameMistakeType.kind) is None:  # frames are drawn as well, others for each
                 yield from ((exercise, each) for each in _spoken(settings))
@@ -108,10 +108,7 @@ class DrawingAhead(BackgroundThread):
     def _drawn(self, instance: Instance, language: str) -> bool:
         try:
             return draw_ahead(self._figures, instance, language)
-        except (
-            ExerciseError,
-            KinematicsError,
-        ):  # whoever asks for it is told
+        except (ExerciseError, KinematicsError):  # whoever asks for it is told
             return False
 
 

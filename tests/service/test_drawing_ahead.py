@@ -16,8 +16,10 @@ from courses.model import LinkSettings, Role
 from courses.policies import AttemptPolicy
 from courses.storage import Store, open_store
 from exercises.definition import Exercise
+from exercises.errors import DefinitionError
 from exercises.instance import generate, possible_instances
 from exercises.loader import packaged
+from kinematics.errors import Fault
 from service.course_resources import now
 from service.wire import figure_files
 from service.work.drawing_ahead import DrawingAhead
@@ -68,6 +70,21 @@ def ahead(store: Store, figures: SharedAnswers, exercise: Exercise) -> DrawingAh
     library = Mock()
     library.exercise.return_value = exercise
     return DrawingAhead(store, library, figures, lambda: False)
+
+
+def test_a_malformed_exercise_leaves_the_others_to_be_drawn(store: Store, drawing: Mock) -> None:
+    linked(store, OWN)
+    linked(store, replace(OWN, exercise_id="broken"))
+    exercise = few_values(packaged().exercise("puma560"))
+    thread = ahead(store, SharedAnswers("figure", store), exercise)
+    library: Mock = thread._library  # type: ignore[assignment]
+    library.exercise.side_effect = lambda name: exercise if name == "puma560" else _malformed()
+    thread.draw_all()
+    assert drawing.call_count == 6
+
+
+def _malformed() -> Exercise:
+    raise DefinitionError(Fault(code="definition_unreadable"))
 
 
 def test_all_that_students_can_be_shown_is_drawn_once(store: Store, drawing: Mock) -> None:
